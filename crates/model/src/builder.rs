@@ -1,0 +1,398 @@
+//! Building a figure: everything that is wrong is found here, all at once.
+
+use crate::anatomy::AnatomicalAngle;
+use crate::fault::{Fault, FigureError, nearest};
+use crate::figure::Figure;
+use crate::inertia::{Inertia, Shape, second_moments};
+use crate::joint::{Joint, JointKind, Placement};
+use crate::layout::{StateLayout, coordinate_names};
+use crate::link::{Link, NamedFrame, SolePart, SolePoint};
+use nalgebra::{Matrix3, Vector3};
+use std::collections::HashMap;
+
+/// A link as it is described, before it is checked.
+#[derive(Clone, Debug)]
+pub struct LinkSpec {
+    name: String,
+    parent: Option<String>,
+    joint: Joint,
+    mass: f64,
+    com: Vector3<f64>,
+    inertia: Inertia,
+    shape: Option<Shape>,
+    tip: Option<Vector3<f64>>,
+    sole: Vec<SolePoint>,
+    frames: Vec<NamedFrame>,
+}
+
+impl LinkSpec {
+    /// The root link, moved by `joint` against the world.
+    pub fn root(name: impl Into<String>, joint: Joint) -> Self {
+        Self {
+            name: name.into(),
+            parent: None,
+            joint,
+            mass: 0.0,
+            com: Vector3::zeros(),
+            inertia: Inertia::Point,
+            shape: None,
+            tip: None,
+            sole: Vec::new(),
+            frames: Vec::new(),
+        }
+    }
+
+    /// A link moved by `joint` against the link called `parent`, which may be added later.
+    pub fn child(name: impl Into<String>, parent: impl Into<String>, joint: Joint) -> Self {
+        Self { parent: Some(parent.into()), ..Self::root(name, joint) }
+    }
+
+    /// Mass (kg); zero without this.
+    pub fn mass(mut self, mass: f64) -> Self {
+        self.mass = mass;
+        self
+    }
+
+    /// Centre of mass in the link's frame (m); its origin without this.
+    pub fn com(mut self, com: Vector3<f64>) -> Self {
+        self.com = com;
+        self
+    }
+
+    /// Rotational inertia; that of a point without this. A uniform shape also sets the centre of mass.
+    pub fn inertia(mut self, inertia: Inertia) -> Self {
+        if let Inertia::Uniform(shape) = inertia {
+            self.com = shape.placement.translation.vector;
+            self.shape = self.shape.or(Some(shape));
+        }
+        self.inertia = inertia;
+        self
+    }
+
+    /// What the link looks like; no effect on its mass or inertia.
+    pub fn shape(mut self, shape: Shape) -> Self {
+        self.shape = Some(shape);
+        self
+    }
+
+    /// The far end of an end-effector in the link's frame (m).
+    pub fn tip(mut self, tip: Vector3<f64>) -> Self {
+        self.tip = Some(tip);
+        self
+    }
+
+    /// A point that can touch the ground, in the link's frame (m).
+    pub fn sole(mut self, part: SolePart, position: Vector3<f64>) -> Self {
+        self.sole.push(SolePoint { part, position });
+        self
+    }
+
+    /// A named frame fixed to the link.
+    pub fn frame(mut self, name: impl Into<String>, placement: Placement) -> Self {
+        self.frames.push(NamedFrame { name: name.into(), placement });
+        self
+    }
+
+    fn tensor(&self) -> Matrix3<f64> {
+        match self.inertia {
+            Inertia::Point => Matrix3::zeros(),
+            Inertia::Tensor(tensor) => tensor,
+            Inertia::Uniform(shape) => {
+                let rotation = shape.placement.rotation.to_rotation_matrix();
+                let principal = Matrix3::from_diagonal(&(shape.kind.gyration_squared() * self.mass));
+                rotation.matrix() * principal * rotation.matrix().transpose()
+            }
+        }
+    }
+}
+
+/// Collects links and names, and builds a [`Figure`] or says everything that is wrong.
+///
+/// ```
+/// use solaris_model::{FigureBuilder, Joint, LinkSpec};
+/// let error = FigureBuilder::new("broken")
+///     .link(LinkSpec::root("trunk", Joint::new("root").tx()).mass(-1.0))
+///     .link(LinkSpec::child("arm", "trnk", Joint::new("shoulder").rx()).mass(1.0))
+///     .build()
+///     .unwrap_err();
+/// assert_eq!(error.faults.len(), 2);
+/// assert!(error.to_string().contains("did you mean 'trunk'?"));
+/// ```
+#[derive(Clone, Debug)]
+pub struct FigureBuilder {
+    name: String,
+    links: Vec<LinkSpec>,
+    angles: Vec<(String, String, f64)>,
+}
+
+impl FigureBuilder {
+    /// An empty figure called `name`.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), links: Vec::new(), angles: Vec::new() }
+    }
+
+    /// Adds a link. Links keep the order in which they are added, but that a parent always comes before its children.
+    pub fn link(mut self, link: LinkSpec) -> Self {
+        self.links.push(link);
+        self
+    }
+
+    /// Names an anatomical angle: the degree of freedom `dof`, taken negative where `negative`.
+    pub fn angle(mut self, name: impl Into<String>, dof: impl Into<String>, negative: bool) -> Self {
+        self.angles.push((name.into(), dof.into(), if negative { -1.0 } else { 1.0 }));
+        self
+    }
+
+    /// The figure.
+    ///
+    /// # Errors
+    ///
+    /// [`FigureError`] with every fault that was found.
+    pub fn build(self) -> Result<Figure, FigureError> {
+        let mut faults = Vec::new();
+        self.check_names(&mut faults);
+        for link in &self.links {
+            check_numbers(link, &mut faults);
+            check_joint(&link.joint, &mut faults);
+            check_inertia(link, &mut faults);
+        }
+        let order = self.check_tree(&mut faults);
+        let angles = self.check_angles(&mut faults);
+        if let Some(order) = &order {
+            self.check_mass(order, &mut faults);
+        }
+        match order {
+            Some(order) if faults.is_empty() => Ok(self.assemble(&order, angles)),
+            _ => Err(FigureError { figure: self.name, faults }),
+        }
+    }
+
+    fn check_names(&self, faults: &mut Vec<Fault>) {
+        let kinds: [(&'static str, Vec<&str>); 4] = [
+            ("link", self.links.iter().map(|link| link.name.as_str()).collect()),
+            ("joint", self.links.iter().map(|link| link.joint.name()).collect()),
+            ("frame", self.links.iter().flat_map(|link| &link.frames).map(|frame| frame.name.as_str()).collect()),
+            ("angle", self.angles.iter().map(|(name, ..)| name.as_str()).collect()),
+        ];
+        for (kind, names) in kinds {
+            for (index, name) in names.iter().enumerate() {
+                let count = names.iter().filter(|other| *other == name).count();
+                if name.trim().is_empty() {
+                    faults.push(Fault::EmptyName { kind, index });
+                } else if count > 1 && names.iter().position(|other| other == name) == Some(index) {
+                    faults.push(Fault::DuplicateName { kind, name: (*name).to_owned(), count });
+                }
+            }
+        }
+    }
+
+    /// The order of the links, parents first, or `None` where there is no tree.
+    fn check_tree(&self, faults: &mut Vec<Fault>) -> Option<Vec<usize>> {
+        let before = faults.len();
+        let index = |name: &str| self.links.iter().position(|link| link.name == name);
+        let roots: Vec<String> =
+            self.links.iter().filter(|link| link.parent.is_none()).map(|link| link.name.clone()).collect();
+        match roots.len() {
+            0 if self.links.is_empty() => faults.push(Fault::Empty),
+            0 => faults.push(Fault::NoRoot),
+            1 => {}
+            _ => faults.push(Fault::ManyRoots { links: roots }),
+        }
+        for link in &self.links {
+            if let Some(parent) = link.parent.as_deref().filter(|parent| index(parent).is_none()) {
+                let nearest = nearest(parent, self.links.iter().map(|link| link.name.as_str()));
+                faults.push(Fault::UnknownParent { link: link.name.clone(), parent: parent.to_owned(), nearest });
+            }
+        }
+        let mut order: Vec<usize> = Vec::new();
+        let mut placed = vec![false; self.links.len()];
+        loop {
+            // The first link not yet placed whose parent is; an unknown parent counts as placed, it has its own fault.
+            let next = (0..self.links.len()).find(|&i| {
+                let parent = self.links[i].parent.as_deref().and_then(index);
+                !placed[i] && parent.is_none_or(|parent| placed[parent])
+            });
+            let Some(next) = next else { break };
+            placed[next] = true;
+            order.push(next);
+        }
+        if let Some(start) = placed.iter().position(|placed| !placed) {
+            faults.push(Fault::Cycle { links: self.cycle_from(start, &index) });
+        }
+        (faults.len() == before).then_some(order)
+    }
+
+    /// The names on the cycle that the ancestors of `start` run into.
+    fn cycle_from(&self, start: usize, index: &impl Fn(&str) -> Option<usize>) -> Vec<String> {
+        let mut path = vec![start];
+        loop {
+            let last = path[path.len() - 1];
+            let Some(parent) = self.links[last].parent.as_deref().and_then(index) else { return Vec::new() };
+            if let Some(from) = path.iter().position(|&link| link == parent) {
+                return path[from..].iter().map(|&link| self.links[link].name.clone()).collect();
+            }
+            path.push(parent);
+        }
+    }
+
+    fn check_angles(&self, faults: &mut Vec<Fault>) -> Vec<(String, String, f64)> {
+        let dofs: Vec<String> = self.links.iter().flat_map(|l| coordinate_names(l.joint.name(), l.joint.kind())).collect();
+        for (angle, dof, _) in &self.angles {
+            if !dofs.contains(dof) {
+                let nearest = nearest(dof, dofs.iter().map(String::as_str));
+                faults.push(Fault::UnknownDof { angle: angle.clone(), dof: dof.clone(), nearest });
+            }
+        }
+        self.angles.clone()
+    }
+
+    /// Every joint that moves must move some mass.
+    fn check_mass(&self, order: &[usize], faults: &mut Vec<Fault>) {
+        let index: HashMap<&str, usize> =
+            self.links.iter().enumerate().map(|(i, link)| (link.name.as_str(), i)).collect();
+        let parent = |i: usize| self.links[i].parent.as_deref().and_then(|name| index.get(name).copied());
+        let mut massive = vec![false; self.links.len()];
+        for &i in order.iter().rev() {
+            massive[i] |= self.links[i].mass != 0.0;
+            if let Some(parent) = parent(i) {
+                massive[parent] |= massive[i];
+            }
+        }
+        // A massless subtree is reported once, at the joint nearest to the root that moves it.
+        let mut reported = vec![false; self.links.len()];
+        for &i in order {
+            let inside = parent(i).is_some_and(|parent| reported[parent]);
+            reported[i] = inside || (!massive[i] && self.links[i].joint.kind().nv() > 0);
+            if reported[i] && !inside {
+                let mut links = vec![i];
+                order.iter().for_each(|&j| {
+                    if parent(j).is_some_and(|parent| links.contains(&parent)) {
+                        links.push(j);
+                    }
+                });
+                let links = links.into_iter().map(|link| self.links[link].name.clone()).collect();
+                faults.push(Fault::MasslessSubtree { joint: self.links[i].joint.name().to_owned(), links });
+            }
+        }
+    }
+
+    fn assemble(self, order: &[usize], angles: Vec<(String, String, f64)>) -> Figure {
+        let place: HashMap<String, usize> =
+            order.iter().enumerate().map(|(at, &i)| (self.links[i].name.clone(), at)).collect();
+        let mut specs: Vec<Option<LinkSpec>> = self.links.into_iter().map(Some).collect();
+        let links: Vec<Link> = order.iter().filter_map(|&i| specs[i].take()).map(|spec| finish(spec, &place)).collect();
+        let layout = StateLayout::of(&links);
+        let angles = angles
+            .into_iter()
+            .filter_map(|(name, dof, sign)| layout.dof_index(&dof).map(|dof| AnatomicalAngle { name, dof, sign }))
+            .collect();
+        Figure { name: self.name, links, layout, angles, by_name: place }
+    }
+}
+
+/// The link, with axes and rotations normalised in the working precision.
+fn finish(spec: LinkSpec, place: &HashMap<String, usize>) -> Link {
+    let inertia = spec.tensor();
+    let mut joint = spec.joint;
+    let JointKind::Axes(dofs) = &mut joint.kind;
+    for dof in dofs {
+        dof.axis.direction.normalize_mut();
+    }
+    joint.placement.rotation.renormalize();
+    Link {
+        parent: spec.parent.and_then(|parent| place.get(&parent).copied()),
+        name: spec.name,
+        joint,
+        mass: spec.mass,
+        com: spec.com,
+        inertia: (inertia + inertia.transpose()) / 2.0,
+        shape: spec.shape,
+        tip: spec.tip,
+        sole: spec.sole,
+        frames: spec.frames,
+    }
+}
+
+fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {
+    let mut check = |what: String, values: &[f64]| {
+        if let Some(value) = values.iter().find(|value| !value.is_finite()) {
+            faults.push(Fault::NotFinite { link: link.name.clone(), what, value: *value });
+        }
+    };
+    check("mass".into(), &[link.mass]);
+    check("centre of mass".into(), link.com.as_slice());
+    if let Inertia::Tensor(tensor) = &link.inertia {
+        check("inertia".into(), tensor.as_slice());
+    }
+    let placements = [("joint origin".to_owned(), link.joint.placement())].into_iter();
+    let frames = link.frames.iter().map(|frame| (format!("frame '{}'", frame.name), &frame.placement));
+    let shape = link.shape.iter().map(|shape| ("place of its shape".to_owned(), &shape.placement));
+    for (what, placement) in placements.chain(frames).chain(shape) {
+        check(what.clone(), placement.translation.vector.as_slice());
+        check(what, placement.rotation.coords.as_slice());
+    }
+    if let Some(tip) = &link.tip {
+        check("tip".into(), tip.as_slice());
+    }
+    for point in &link.sole {
+        check(format!("sole point {:?}", point.part), point.position.as_slice());
+    }
+    let uniform = if let Inertia::Uniform(shape) = &link.inertia { Some(shape) } else { None };
+    let drawn = link.shape.as_ref().filter(|shape| Some(*shape) != uniform);
+    for shape in uniform.into_iter().chain(drawn) {
+        for (what, value) in shape.kind.lengths() {
+            if value.is_nan() || value <= 0.0 || value.is_infinite() {
+                faults.push(Fault::ShapeNotPositive { link: link.name.clone(), what, value });
+            }
+        }
+    }
+}
+
+fn check_joint(joint: &Joint, faults: &mut Vec<Fault>) {
+    let dofs = joint.kind().axes();
+    if dofs.len() > 6 {
+        faults.push(Fault::TooManyDofs { joint: joint.name().to_owned(), count: dofs.len() });
+    }
+    let names = coordinate_names(joint.name(), joint.kind());
+    for (index, (dof, name)) in dofs.iter().zip(names).enumerate() {
+        let length = dof.axis.direction.norm();
+        if length.is_nan() || length < 1e-12 || length.is_infinite() {
+            faults.push(Fault::ZeroAxis { joint: joint.name().to_owned(), index: index + 1 });
+        }
+        if let Some(limits) = dof.limits
+            && limits.lower.partial_cmp(&limits.upper).is_none_or(std::cmp::Ordering::is_gt)
+        {
+            faults.push(Fault::LimitsReversed { dof: name, lower: limits.lower, upper: limits.upper });
+        }
+    }
+}
+
+fn check_inertia(link: &LinkSpec, faults: &mut Vec<Fault>) {
+    if link.mass < 0.0 {
+        faults.push(Fault::NegativeMass { link: link.name.clone(), mass: link.mass });
+    }
+    let Inertia::Tensor(tensor) = &link.inertia else { return };
+    if !tensor.iter().all(|entry| entry.is_finite()) {
+        return;
+    }
+    let scale = tensor.amax();
+    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+        let difference = tensor[(row, column)] - tensor[(column, row)];
+        if difference.abs() > 1e-9 * scale {
+            let name = |i: usize| ['x', 'y', 'z'][i];
+            let (row, column) = (name(row), name(column));
+            faults.push(Fault::InertiaNotSymmetric { link: link.name.clone(), row, column, difference });
+        }
+    }
+    let (values, axes) = second_moments(&((tensor + tensor.transpose()) / 2.0));
+    let least = values.imin();
+    // Numbers printed with few digits may miss zero by rounding: a flat body is physical.
+    if values[least] < -1e-9 * scale {
+        let axis = axes.column(least);
+        let (axis, moment) = ([axis[0], axis[1], axis[2]], values[least]);
+        faults.push(Fault::InertiaNotPhysical { link: link.name.clone(), axis, moment });
+    }
+    if link.mass == 0.0 && scale > 0.0 {
+        faults.push(Fault::InertiaWithoutMass { link: link.name.clone() });
+    }
+}

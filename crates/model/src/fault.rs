@@ -1,0 +1,106 @@
+//! What can be wrong with a figure.
+
+use std::fmt;
+
+/// One fault of a figure: the thing, its value, why it cannot be, and what to do.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "each message says what its fields are")]
+pub enum Fault {
+    #[error("the figure has no links; add at least a root link")]
+    Empty,
+    #[error("no link is a root: every link names a parent; make one of them the root")]
+    NoRoot,
+    #[error("links {} are all roots; a figure has one root: give the others a parent", quoted(.links))]
+    ManyRoots { links: Vec<String> },
+    #[error("links {} are each other's ancestors (a cycle); one of them needs a parent outside of it", quoted(.links))]
+    Cycle { links: Vec<String> },
+    #[error("{kind} name '{name}' is used {count} times; names must be unique: rename all but one")]
+    DuplicateName { kind: &'static str, name: String, count: usize },
+    #[error("{kind} {index} has an empty name; give it one")]
+    EmptyName { kind: &'static str, index: usize },
+    #[error("link '{link}' names the parent '{parent}', which is not a link of this figure{}", hint(.nearest))]
+    UnknownParent { link: String, parent: String, nearest: Option<String> },
+    #[error("link '{link}': {what} is {value}; it must be a finite number")]
+    NotFinite { link: String, what: String, value: f64 },
+    #[error("link '{link}': mass is {mass} kg; it must be zero or more")]
+    NegativeMass { link: String, mass: f64 },
+    #[error(
+        "joint '{joint}' moves links {} which together have no mass, so no force can be found for it; \
+         give one of them mass or weld the joint", quoted(.links)
+    )]
+    MasslessSubtree { joint: String, links: Vec<String> },
+    #[error(
+        "link '{link}': the inertia is not that of any mass distribution: its second moment along \
+         ({:.3}, {:.3}, {:.3}) is {moment:.3e} kg m² (the sum of the other two principal moments of inertia is less \
+         than the one about this axis); it must not be negative: check units, the point of reference (the centre of mass) \
+         and the signs of the products", .axis[0], .axis[1], .axis[2]
+    )]
+    InertiaNotPhysical { link: String, axis: [f64; 3], moment: f64 },
+    #[error("link '{link}': the inertia is not symmetric: {row}{column} and {column}{row} differ by {difference:e} kg m²")]
+    InertiaNotSymmetric { link: String, row: char, column: char, difference: f64 },
+    #[error("link '{link}' has rotational inertia but no mass; give it mass or drop the inertia")]
+    InertiaWithoutMass { link: String },
+    #[error("link '{link}': {what} of its shape is {value} m; it must be more than zero")]
+    ShapeNotPositive { link: String, what: &'static str, value: f64 },
+    #[error("joint '{joint}': axis {index} is zero; give it a direction")]
+    ZeroAxis { joint: String, index: usize },
+    #[error("dof '{dof}': limits are reversed, {lower} to {upper}; the lower must not exceed the upper")]
+    LimitsReversed { dof: String, lower: f64, upper: f64 },
+    #[error("joint '{joint}' has {count} degrees of freedom; a joint has at most six: split it with a massless link")]
+    TooManyDofs { joint: String, count: usize },
+    #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest))]
+    UnknownDof { angle: String, dof: String, nearest: Option<String> },
+}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
+}
+
+fn hint(nearest: &Option<String>) -> String {
+    nearest.as_ref().map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
+}
+
+/// Everything that is wrong with a figure, all at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureError {
+    /// The figure's name.
+    pub figure: String,
+    /// Its faults, at least one.
+    pub faults: Vec<Fault>,
+}
+
+impl fmt::Display for FigureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = self.faults.len();
+        let faults = if count == 1 { "1 fault".to_owned() } else { format!("{count} faults") };
+        write!(f, "figure '{}' has {faults}:", self.figure)?;
+        self.faults.iter().try_for_each(|fault| write!(f, "\n  - {fault}"))
+    }
+}
+
+impl std::error::Error for FigureError {}
+
+/// The name in `names` that is nearest to `wanted`, if any is near.
+pub(crate) fn nearest<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
+    names
+        .map(|name| (edit_distance(wanted, name), name))
+        .min()
+        .filter(|(distance, _)| *distance <= 2.max(wanted.len() / 3))
+        .map(|(_, name)| name.to_owned())
+}
+
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let cost = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = cost.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}

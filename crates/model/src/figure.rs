@@ -1,0 +1,107 @@
+//! The figure: an immutable tree of links.
+
+use crate::anatomy::AnatomicalAngle;
+use crate::layout::StateLayout;
+use crate::link::Link;
+use std::collections::HashMap;
+
+/// An articulated figure, valid by construction (see [`crate::FigureBuilder`]).
+///
+/// Links are ordered so that every parent comes before its children; link 0 is the root.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    pub(crate) name: String,
+    pub(crate) links: Vec<Link>,
+    pub(crate) layout: StateLayout,
+    pub(crate) angles: Vec<AnatomicalAngle>,
+    pub(crate) by_name: HashMap<String, usize>,
+}
+
+impl Figure {
+    /// The figure's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The links, parents first.
+    pub fn links(&self) -> &[Link] {
+        &self.links
+    }
+
+    /// Index of the link called `name`.
+    pub fn link_index(&self, name: &str) -> Option<usize> {
+        self.by_name.get(name).copied()
+    }
+
+    /// The link called `name`.
+    pub fn link(&self, name: &str) -> Option<&Link> {
+        self.link_index(name).map(|index| &self.links[index])
+    }
+
+    /// Index of the link that the joint called `name` moves.
+    pub fn joint_index(&self, name: &str) -> Option<usize> {
+        self.links.iter().position(|link| link.joint.name == name)
+    }
+
+    /// Sizes and names of the state vectors.
+    pub fn layout(&self) -> &StateLayout {
+        &self.layout
+    }
+
+    /// Named anatomical angles; empty for a figure that has none.
+    pub fn anatomical_angles(&self) -> &[AnatomicalAngle] {
+        &self.angles
+    }
+
+    /// The anatomical angle called `name`.
+    pub fn anatomical_angle(&self, name: &str) -> Option<&AnatomicalAngle> {
+        self.angles.iter().find(|angle| angle.name == name)
+    }
+
+    /// Total mass (kg).
+    pub fn mass(&self) -> f64 {
+        self.links.iter().map(Link::mass).sum()
+    }
+
+    /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses.
+    pub fn fingerprint(&self) -> u64 {
+        let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
+        for link in &self.links {
+            hash.text(&link.name);
+            hash.text(link.joint.name());
+            hash.word(link.parent.map_or(u64::MAX, |parent| parent as u64));
+            let placement = link.joint.placement();
+            hash.numbers(placement.rotation.coords.iter().chain(placement.translation.vector.iter()));
+            for dof in link.joint.kind().axes() {
+                hash.text(dof.axis.stem());
+                hash.numbers(dof.axis.direction.iter());
+            }
+            hash.numbers([link.mass].iter().chain(link.com.iter()).chain(link.inertia.iter()));
+        }
+        hash.0
+    }
+}
+
+/// The 64-bit FNV-1a hash: the same on every machine.
+struct Fnv(u64);
+
+impl Fnv {
+    fn bytes(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    fn word(&mut self, word: u64) {
+        self.bytes(&word.to_le_bytes());
+    }
+
+    fn text(&mut self, text: &str) {
+        self.bytes(text.as_bytes());
+        self.bytes(&[0]);
+    }
+
+    fn numbers<'a>(&mut self, numbers: impl Iterator<Item = &'a f64>) {
+        numbers.for_each(|number| self.word(number.to_bits()));
+    }
+}

@@ -1,0 +1,171 @@
+//! The human figure: 21 segments, 66 degrees of freedom, any height and mass.
+
+mod build;
+mod segments;
+
+use crate::fault::{FigureError, nearest};
+use crate::figure::Figure;
+use segments::SEGMENTS;
+
+/// Heights that a human figure may have (m).
+const HEIGHT: (f64, f64) = (0.8, 2.3);
+/// Body mass indices that a human figure may have (kg/m²).
+const BODY_MASS_INDEX: (f64, f64) = (8.0, 80.0);
+/// Factors that a single segment's length may be scaled by.
+const SEGMENT_SCALE: (f64, f64) = (0.5, 2.0);
+
+/// Why there is no such human.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum HumanError {
+    /// The height is out of range.
+    #[error("height {height} m: a human figure is {} to {} m tall", HEIGHT.0, HEIGHT.1)]
+    Height {
+        /// What was asked (m).
+        height: f64,
+    },
+    /// The mass is out of range for the height.
+    #[error(
+        "mass {mass} kg: at a height of {height} m a human figure has {lower:.1} to {upper:.1} kg \
+         (body mass index {} to {} kg/m²)", BODY_MASS_INDEX.0, BODY_MASS_INDEX.1
+    )]
+    Mass {
+        /// What was asked (kg).
+        mass: f64,
+        /// At this height (m).
+        height: f64,
+        /// Least mass at this height (kg).
+        lower: f64,
+        /// Greatest mass at this height (kg).
+        upper: f64,
+    },
+    /// No segment has this name.
+    #[error("segment '{name}': there is none of that name{hint}; the segments are {known}")]
+    Segment {
+        /// What was asked.
+        name: String,
+        /// The nearest name, as a question.
+        hint: String,
+        /// All names.
+        known: String,
+    },
+    /// The segment's length is out of range.
+    #[error("length of segment '{name}' {length} m: at a height of {height} m it can be {lower:.3} to {upper:.3} m")]
+    SegmentLength {
+        /// The segment.
+        name: String,
+        /// What was asked (m).
+        length: f64,
+        /// At this height (m).
+        height: f64,
+        /// Least length (m).
+        lower: f64,
+        /// Greatest length (m).
+        upper: f64,
+    },
+    /// The figure could not be built.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+}
+
+/// A human of `height` (m) and `mass` (kg): 21 segments and 66 degrees of freedom.
+///
+/// The frame is x left, y up, z forward; in the zero posture the figure stands upright with arms and legs straight down,
+/// the pelvis' origin at the world's origin. Every joint turns in the order Z-Y-X (side bend, twist, flexion); the root
+/// first slides along x, y, z.
+///
+/// # Source
+///
+/// Segment masses, centres of mass and radii of gyration: P. de Leva, "Adjustments to Zatsiorsky-Seluyanov's segment
+/// inertia parameters", Journal of Biomechanics 29 (1996) 1223–1230, the values for men (1.741 m, 73.0 kg), with the
+/// upper trunk's mass shared with the clavicles and the foot's with the toes. Lengths scale with the height, masses with
+/// the mass. The numbers are those of the walk's reference figure (`fixtures/reference/smooth`): left and right are
+/// mirror images and principal axes lie along the segments. The 66-dof model on which other engines were timed differs:
+/// there the centres of mass of the trunk lie 1–2 mm off the midline, knee, ankle and toe joints 1–3 mm to the outside,
+/// and the tensors are turned by up to a few degrees, to keep engines from taking short cuts.
+///
+/// # Errors
+///
+/// Heights outside 0.8–2.3 m and masses outside a body mass index of 8–80 kg/m² are refused with the range.
+///
+/// ```
+/// let ann = solaris_model::human(1.65, 58.0)?;
+/// assert_eq!((ann.links().len(), ann.layout().nv()), (21, 66));
+/// assert!((ann.mass() - 58.0).abs() < 1e-12);
+/// let knee = ann.anatomical_angle("left_knee.flexion").unwrap();
+/// assert_eq!(ann.layout().v_names()[knee.dof], "left_knee.rx");
+/// # Ok::<(), solaris_model::HumanError>(())
+/// ```
+pub fn human(height: f64, mass: f64) -> Result<Figure, HumanError> {
+    Human::new(height, mass).build()
+}
+
+/// A human whose single segments may have lengths of their own.
+///
+/// ```
+/// let long_thighs = solaris_model::Human::new(1.75, 73.0).segment_length("thigh", 0.46).build()?;
+/// # Ok::<(), solaris_model::HumanError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Human {
+    height: f64,
+    mass: f64,
+    lengths: Vec<(String, f64)>,
+}
+
+impl Human {
+    /// A human of `height` (m) and `mass` (kg).
+    pub fn new(height: f64, mass: f64) -> Self {
+        Self { height, mass, lengths: Vec::new() }
+    }
+
+    /// Gives one segment a length of its own (m): `thigh` for both sides, `left_thigh` for one.
+    pub fn segment_length(mut self, segment: impl Into<String>, length: f64) -> Self {
+        self.lengths.push((segment.into(), length));
+        self
+    }
+
+    /// The figure.
+    ///
+    /// # Errors
+    ///
+    /// [`HumanError`] names the value, and the range that it must lie in.
+    pub fn build(&self) -> Result<Figure, HumanError> {
+        let (height, mass) = (self.height, self.mass);
+        if !(HEIGHT.0..=HEIGHT.1).contains(&height) {
+            return Err(HumanError::Height { height });
+        }
+        let (lower, upper) = (BODY_MASS_INDEX.0 * height * height, BODY_MASS_INDEX.1 * height * height);
+        if !(lower..=upper).contains(&mass) {
+            return Err(HumanError::Mass { mass, height, lower, upper });
+        }
+        let mut factors: Vec<(String, f64)> = Vec::new();
+        for (name, length) in &self.lengths {
+            factors.push((name.clone(), self.factor(name, *length)?));
+        }
+        Ok(build::figure(height, mass, |segment| {
+            factors.iter().rev().find(|(name, _)| name == segment || is_side_of(segment, name)).map_or(1.0, |(_, f)| *f)
+        })?)
+    }
+
+    fn factor(&self, name: &str, length: f64) -> Result<f64, HumanError> {
+        let names = || SEGMENTS.iter().map(|segment| segment.name);
+        let Some(segment) = SEGMENTS.iter().find(|s| s.name == name || (s.paired && is_side_of(name, s.name))) else {
+            let hint = nearest(name, names()).map_or_else(String::new, |name| format!(" (did you mean '{name}'?)"));
+            let known = names().collect::<Vec<_>>().join(", ");
+            return Err(HumanError::Segment { name: name.to_owned(), hint, known });
+        };
+        let default = segment.length * build::scale(self.height);
+        let (lower, upper) = (SEGMENT_SCALE.0 * default, SEGMENT_SCALE.1 * default);
+        if !(lower..=upper).contains(&length) {
+            let (name, height) = (name.to_owned(), self.height);
+            return Err(HumanError::SegmentLength { name, length, height, lower, upper });
+        }
+        Ok(length / default)
+    }
+}
+
+/// Whether `sided` is `left_` or `right_` and then `name`.
+fn is_side_of(sided: &str, name: &str) -> bool {
+    ["left_", "right_"].iter().any(|side| sided.strip_prefix(side) == Some(name))
+}

@@ -1,0 +1,270 @@
+//! Motions: what every planner hands on and every exporter reads.
+
+mod sample;
+
+pub use sample::Trajectory;
+
+use crate::figure::Figure;
+use nalgebra::Vector3;
+use std::ops::Range;
+
+/// The ground: a horizontal plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground {
+    /// Its height along the direction against gravity (m).
+    pub height: f64,
+    /// Coefficient of friction, if one is known.
+    pub friction: Option<f64>,
+}
+
+/// Something that happens at an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// When (s).
+    pub time: f64,
+    /// What.
+    pub kind: EventKind,
+}
+
+/// What can happen at an instant.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EventKind {
+    /// A link meets the ground.
+    TouchDown {
+        /// The link's name.
+        link: String,
+    },
+    /// A link leaves the ground.
+    LiftOff {
+        /// The link's name.
+        link: String,
+    },
+    /// Something moves a joint in another way from here on.
+    DriveChange {
+        /// What changes.
+        what: String,
+    },
+}
+
+/// A time during which a point of a link is planted on the ground: it neither slides nor lifts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interval {
+    /// Index of the link.
+    pub link: usize,
+    /// The planted point in the link's frame (m).
+    pub point: Vector3<f64>,
+    /// From when (s).
+    pub start: f64,
+    /// Until when (s).
+    pub end: f64,
+}
+
+/// What the ground does to one link at one instant: world axes, moment about the world's origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Contact {
+    /// Force on the link (N).
+    pub force: Vector3<f64>,
+    /// Moment on the link about the world's origin (N m).
+    pub moment: Vector3<f64>,
+    /// Centre of pressure (m): the point of the ground about which the moment is normal to it. Zero without force.
+    pub cop: Vector3<f64>,
+}
+
+/// The contact of one link over the samples of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactTrack {
+    /// Name of the link that the columns carry (`LINK.fx …`).
+    pub link: String,
+    /// One contact a sample.
+    pub samples: Vec<Contact>,
+}
+
+/// What holds for the whole of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionInfo {
+    /// Fingerprint of the figure that moves, see [`Figure::fingerprint`].
+    pub fingerprint: u64,
+    /// Gravity (m/s²).
+    pub gravity: Vector3<f64>,
+    /// The ground, if there is one.
+    pub ground: Option<Ground>,
+    /// Samples a second (1/s).
+    pub rate: f64,
+}
+
+/// A sampled motion of one figure.
+///
+/// Rows are samples; `q` has `nq` numbers a sample, `v`, `a` and `tau` have `nv`, in the order of the figure's
+/// [`crate::StateLayout`] and always of the figure's declared root. `tau` is empty until a layer has found it.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// What holds throughout.
+    pub info: MotionInfo,
+    /// Events in the order of time.
+    pub events: Vec<Event>,
+    /// When which point is planted.
+    pub planted: Vec<Interval>,
+    /// Contact wrenches by link; empty until a layer has found them.
+    pub contacts: Vec<ContactTrack>,
+    nq: usize,
+    nv: usize,
+    time: Vec<f64>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+    tau: Vec<f64>,
+}
+
+/// Why numbers are no motion of a figure.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// The rate is not one.
+    #[error("rate {rate} frames/s: it must be more than zero and at most 100000")]
+    Rate {
+        /// What was asked (1/s).
+        rate: f64,
+    },
+    /// A column has the wrong length.
+    #[error("{what} has {found} numbers; {samples} samples of {width} make {expected}", expected = .samples * .width)]
+    Length {
+        /// Which column.
+        what: &'static str,
+        /// Numbers that were given.
+        found: usize,
+        /// Number of samples.
+        samples: usize,
+        /// Numbers a sample.
+        width: usize,
+    },
+    /// A number is not finite.
+    #[error("{what} of '{dof}' at {time} s is {value}; it must be a finite number")]
+    NotFinite {
+        /// Which column.
+        what: &'static str,
+        /// Whose.
+        dof: String,
+        /// When (s).
+        time: f64,
+        /// The number.
+        value: f64,
+    },
+    /// The motion belongs to another figure.
+    #[error("the motion was made for a figure with fingerprint {expected:016x}, not for '{figure}' ({found:016x})")]
+    OtherFigure {
+        /// Name of the figure at hand.
+        figure: String,
+        /// The motion's fingerprint.
+        expected: u64,
+        /// The figure's.
+        found: u64,
+    },
+}
+
+impl Motion {
+    /// Version of this structure, written by exporters that keep all of it.
+    pub const VERSION: u32 = 1;
+
+    /// A motion from its columns: `time` (s), `q` (`nq` a sample), `v` and `a` (`nv` a sample).
+    ///
+    /// # Errors
+    ///
+    /// Columns of the wrong length and numbers that are not finite.
+    pub fn new(
+        figure: &Figure,
+        info: MotionInfo,
+        time: Vec<f64>,
+        [q, v, a]: [Vec<f64>; 3],
+    ) -> Result<Self, MotionError> {
+        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+        let columns = [
+            ("q", &q, nq, figure.layout().q_names()),
+            ("v", &v, nv, figure.layout().v_names()),
+            ("a", &a, nv, figure.layout().v_names()),
+        ];
+        for (what, column, width, names) in columns {
+            if column.len() != time.len() * width {
+                return Err(MotionError::Length { what, found: column.len(), samples: time.len(), width });
+            }
+            if let Some(i) = column.iter().position(|x| !x.is_finite()) {
+                let (dof, time, value) = (names[i % width].clone(), time[i / width], column[i]);
+                return Err(MotionError::NotFinite { what, dof, time, value });
+            }
+        }
+        let (events, planted, contacts, tau) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Ok(Self { info, events, planted, contacts, nq, nv, time, q, v, a, tau })
+    }
+
+    /// Gives the motion its generalized forces, `nv` a sample.
+    ///
+    /// # Errors
+    ///
+    /// A column of the wrong length.
+    pub fn set_tau(&mut self, tau: Vec<f64>) -> Result<(), MotionError> {
+        if tau.len() != self.len() * self.nv {
+            let (samples, width) = (self.len(), self.nv);
+            return Err(MotionError::Length { what: "tau", found: tau.len(), samples, width });
+        }
+        self.tau = tau;
+        Ok(())
+    }
+
+    /// Refuses a figure that the motion was not made for.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError::OtherFigure`] when the fingerprints differ.
+    pub fn check_figure(&self, figure: &Figure) -> Result<(), MotionError> {
+        let (expected, found) = (self.info.fingerprint, figure.fingerprint());
+        if expected == found {
+            Ok(())
+        } else {
+            Err(MotionError::OtherFigure { figure: figure.name().to_owned(), expected, found })
+        }
+    }
+
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.time.len()
+    }
+
+    /// Whether there are no samples.
+    pub fn is_empty(&self) -> bool {
+        self.time.is_empty()
+    }
+
+    /// Times of the samples (s).
+    pub fn time(&self) -> &[f64] {
+        &self.time
+    }
+
+    /// Positions at a sample, length `nq`.
+    pub fn q(&self, sample: usize) -> &[f64] {
+        &self.q[Self::row(sample, self.nq)]
+    }
+
+    /// Velocities at a sample, length `nv`.
+    pub fn v(&self, sample: usize) -> &[f64] {
+        &self.v[Self::row(sample, self.nv)]
+    }
+
+    /// Accelerations at a sample, length `nv`.
+    pub fn a(&self, sample: usize) -> &[f64] {
+        &self.a[Self::row(sample, self.nv)]
+    }
+
+    /// Generalized forces at a sample, length `nv`; `None` where they were not asked for.
+    pub fn tau(&self, sample: usize) -> Option<&[f64]> {
+        (!self.tau.is_empty()).then(|| &self.tau[Self::row(sample, self.nv)])
+    }
+
+    /// The contact track of the link called `link`.
+    pub fn contact(&self, link: &str) -> Option<&ContactTrack> {
+        self.contacts.iter().find(|track| track.link == link)
+    }
+
+    fn row(sample: usize, width: usize) -> Range<usize> {
+        sample * width..(sample + 1) * width
+    }
+}
