@@ -123,12 +123,13 @@ pub struct FigureBuilder {
     name: String,
     links: Vec<LinkSpec>,
     angles: Vec<(String, String, f64)>,
+    stature: Option<f64>,
 }
 
 impl FigureBuilder {
     /// An empty figure called `name`.
     pub fn new(name: impl Into<String>) -> Self {
-        Self { name: name.into(), links: Vec::new(), angles: Vec::new() }
+        Self { name: name.into(), links: Vec::new(), angles: Vec::new(), stature: None }
     }
 
     /// Adds a link. Links keep the order in which they are added, but that a parent always comes before its children.
@@ -143,6 +144,12 @@ impl FigureBuilder {
         self
     }
 
+    /// Says the standing height that the figure is made for (m); walking laws scale with it.
+    pub fn stature(mut self, height: f64) -> Self {
+        self.stature = Some(height);
+        self
+    }
+
     /// The figure.
     ///
     /// # Errors
@@ -150,6 +157,9 @@ impl FigureBuilder {
     /// [`FigureError`] with every fault that was found.
     pub fn build(self) -> Result<Figure, FigureError> {
         let mut faults = Vec::new();
+        if let Some(stature) = self.stature.filter(|h| h.is_nan() || *h <= 0.0 || h.is_infinite()) {
+            faults.push(Fault::Stature { stature });
+        }
         self.check_names(&mut faults);
         for link in &self.links {
             check_numbers(link, &mut faults);
@@ -286,7 +296,7 @@ impl FigureBuilder {
             .into_iter()
             .filter_map(|(name, dof, sign)| layout.dof_index(&dof).map(|dof| AnatomicalAngle { name, dof, sign }))
             .collect();
-        Figure { name: self.name, links, layout, angles, by_name: place }
+        Figure { name: self.name, links, layout, angles, by_name: place, stature: self.stature }
     }
 }
 

@@ -9,6 +9,8 @@ use std::fmt;
 pub enum Fault {
     #[error("the figure has no links; add at least a root link")]
     Empty,
+    #[error("stature {stature} m: a standing height is a finite number above zero")]
+    Stature { stature: f64 },
     #[error("no link is a root: every link names a parent; make one of them the root")]
     NoRoot,
     #[error("links {} are all roots; a figure has one root: give the others a parent", quoted(.links))]

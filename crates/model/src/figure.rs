@@ -15,6 +15,7 @@ pub struct Figure {
     pub(crate) layout: StateLayout,
     pub(crate) angles: Vec<AnatomicalAngle>,
     pub(crate) by_name: HashMap<String, usize>,
+    pub(crate) stature: Option<f64>,
 }
 
 impl Figure {
@@ -61,6 +62,11 @@ impl Figure {
     /// Total mass (kg).
     pub fn mass(&self) -> f64 {
         self.links.iter().map(Link::mass).sum()
+    }
+
+    /// The standing height that the figure was made for (m), if it was said.
+    pub fn stature(&self) -> Option<f64> {
+        self.stature
     }
 
     /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses.

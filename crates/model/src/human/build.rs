@@ -18,7 +18,7 @@ pub(super) fn scale(height: f64) -> f64 {
 pub(super) fn figure(height: f64, mass: f64, factor: impl Fn(&str) -> f64) -> Result<Figure, FigureError> {
     let scale = scale(height);
     let total: f64 = SEGMENTS.iter().map(|s| if s.paired { 2.0 * s.mass } else { s.mass }).sum();
-    let mut builder = FigureBuilder::new("human");
+    let mut builder = FigureBuilder::new("human").stature(height);
     for sides in [&[""][..], &["left_"], &["right_"]] {
         for segment in SEGMENTS.iter().filter(|s| s.paired != sides[0].is_empty()) {
             let side = Side { prefix: sides[0] };

@@ -1,0 +1,64 @@
+//! Why a walk cannot be.
+
+use solaris_model::SolePart;
+use solaris_profiles::ProfileError;
+
+/// Why a figure cannot walk as asked.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "each message says what its fields are")]
+pub enum GaitError {
+    #[error("figure '{figure}' has no link '{link}'; the walker needs the links of the human figure")]
+    MissingLink { figure: String, link: String },
+    #[error("figure '{figure}' has {links} links; the walker knows what to do with the {known} of the human figure")]
+    OtherLinks { figure: String, links: usize, known: usize },
+    #[error("link '{link}' hangs on {parent}; the walker needs it on {wanted}")]
+    OtherParent { link: String, parent: String, wanted: String },
+    #[error(
+        "joint '{joint}': the walker needs rotations about z, y, x in this order (the root slides along x, y, z first), \
+         with axes parallel to the parent's"
+    )]
+    OtherJoint { joint: String },
+    #[error("link '{link}' has no sole point {part:?}; the walker needs heel and ball on the foot, the tip on the toes")]
+    MissingSolePoint { link: &'static str, part: SolePart },
+    #[error("the legs differ: the offsets of left and right {segment} by {difference:.2e} m; the walker needs mirror images")]
+    LegsDiffer { segment: &'static str, difference: f64 },
+    #[error(
+        "the joint of the {segment} lies {offset:.2e} m to the side of the leg's plane; the walker needs hip, knee, ankle \
+         and toes in one plane"
+    )]
+    OutOfPlane { segment: &'static str, offset: f64 },
+    #[error("{parameter} {value}{unit}: it must be {lower} to {upper}{unit}{why}")]
+    Range { parameter: &'static str, value: f64, unit: &'static str, lower: f64, upper: f64, why: String },
+    #[error("{parameter} {value}{unit}: this figure walks with {lower:.3} to {upper:.3}{unit} {at}{why}")]
+    StepLength {
+        parameter: &'static str,
+        value: f64,
+        unit: &'static str,
+        lower: f64,
+        upper: f64,
+        at: String,
+        why: String,
+    },
+    #[error("step frequency, step length and speed are all given ({step_frequency} steps/min, {step_length} m, {speed} m/s); any two decide the third: drop one")]
+    Overdetermined { step_frequency: f64, step_length: f64, speed: f64 },
+    #[error(
+        "step length {step_length:.3} m at {step_frequency} steps/min: {whose} friction would have to be {friction:.2}, and \
+         soles hold {limit}{longest}"
+    )]
+    Friction {
+        step_length: f64,
+        step_frequency: f64,
+        whose: &'static str,
+        friction: f64,
+        limit: f64,
+        longest: String,
+    },
+    #[error(
+        "step length {step_length:.3} m at {step_frequency} steps/min: {what}; shorten the step or go back to the default \
+         style"
+    )]
+    NotWalkable { step_length: f64, step_frequency: f64, what: String },
+    #[error("the walk does not close: {0}; this is a fault of the planner")]
+    Profile(#[from] ProfileError),
+}

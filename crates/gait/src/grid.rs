@@ -1,0 +1,47 @@
+//! Equally spaced nodes and their sixth-order central differences.
+
+use std::ops::{Add, Mul, Sub};
+
+/// What lies beyond the nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ends {
+    /// The nodes repeat.
+    Periodic,
+    /// The first and last node are at rest.
+    Resting,
+}
+
+/// Second-derivative weights over 180.
+pub(crate) const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
+
+/// Nodes `step` seconds apart.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    pub(crate) count: usize,
+    pub(crate) step: f64,
+    pub(crate) ends: Ends,
+}
+
+impl Grid {
+    /// Index of the node `offset` after node `i`.
+    #[inline]
+    fn at(&self, i: usize, offset: isize) -> usize {
+        let (j, n) = (i as isize + offset, self.count as isize);
+        match self.ends {
+            _ if (0..n).contains(&j) => j as usize,
+            Ends::Periodic => j.rem_euclid(n) as usize,
+            Ends::Resting => j.clamp(0, n - 1) as usize,
+        }
+    }
+
+    /// First derivative at node `i` of the values that `f` gives for nodes.
+    #[inline]
+    pub(crate) fn first<T>(&self, i: usize, f: impl Fn(usize) -> T) -> T
+    where
+        T: Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
+    {
+        let pair = |k: isize| f(self.at(i, k)) - f(self.at(i, -k));
+        let unit = 1.0 / (60.0 * self.step);
+        pair(1) * (45.0 * unit) - pair(2) * (9.0 * unit) + pair(3) * unit
+    }
+}

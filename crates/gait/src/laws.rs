@@ -1,0 +1,150 @@
+//! What is prescribed: height, load share, centre of pressure, trunk and arms.
+//!
+//! `u` is the time since left heel contact over the stride's time; harmonics have the whole body's period of one stride.
+
+use crate::style::Style;
+use nalgebra::Matrix3;
+use solaris_profiles::{Piecewise, ProfileError, step};
+use std::f64::consts::TAU;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).
+///
+/// ```text
+/// y(u) = −leg·[a₁ cos 4π(u − u₁) + a₂ cos 8πu + b₂ sin 8πu + a₃ cos 12πu + b₃ sin 12πu]
+/// ```
+pub(crate) fn height(style: &Style, leg: f64, u: f64) -> (f64, f64) {
+    let omega = TAU / style.stride_time;
+    let phase = 2.0 * TAU * style.height1_phase;
+    let terms = [
+        (2.0, style.height1 * phase.cos(), style.height1 * phase.sin()),
+        (4.0, style.height2_cos, style.height2_sin),
+        (6.0, style.height3_cos, style.height3_sin),
+    ];
+    let (mut y, mut acceleration) = (0.0, 0.0);
+    for (n, c, s) in terms {
+        let (sin, cos) = (TAU * u * n).sin_cos();
+        let q = leg * (c * cos + s * sin);
+        y -= q;
+        acceleration += (n * omega).powi(2) * q;
+    }
+    (y, acceleration)
+}
+
+/// Rise of the load share after a contact, `v` after it: S3((v/d)^se).
+pub(crate) fn share_rise(style: &Style, v: f64) -> f64 {
+    step::cubic((v / style.double_support).clamp(0.0, 1.0).powf(style.share_exponent)).position
+}
+
+/// Share of the foot whose contact is at 0, over one stance.
+pub(crate) fn share(style: &Style, u: f64) -> f64 {
+    if u < 0.0 {
+        0.0
+    } else if u < 0.5 {
+        share_rise(style, u)
+    } else {
+        1.0 - share_rise(style, u - 0.5)
+    }
+}
+
+/// Centre of pressure along the foot as a fraction of its length from the heel, by the foot's own clock.
+pub(crate) fn cop(style: &Style) -> Result<Piecewise, ProfileError> {
+    let (flat, forward) = (style.foot_flat, style.cop_forward);
+    let knots = [
+        0.0,
+        0.6 * flat,
+        flat,
+        flat + 0.035,
+        0.20,
+        style.heel_off,
+        0.40,
+        0.50,
+        style.tip_roll_at(),
+        style.toe_off(),
+    ];
+    let values = [
+        0.0,
+        0.012,
+        0.035,
+        0.33 * forward,
+        0.56 * forward,
+        style.cop_heel_off,
+        style.cop_40,
+        style.cop_50,
+        0.955,
+        1.0,
+    ];
+    Piecewise::monotone_cubic(&knots, &values)
+}
+
+/// Rotations about z, y, x (rad), in this order.
+pub(crate) type Euler = [f64; 3];
+
+/// World orientations of pelvis, abdomen, thorax, neck and head; `envelope` scales what swings.
+pub(crate) fn trunk(style: &Style, u: f64, envelope: f64) -> [Euler; 5] {
+    let sin = |x: f64| (TAU * x).sin();
+    let cos = |x: f64| (TAU * x).cos();
+    let tilt_swing = 1.4 * DEGREE;
+    let pelvis = [
+        envelope
+            * style.pelvic_obliquity
+            * (sin(u - style.obliquity_phase) + 0.3 * sin(3.0 * (u - style.obliquity_phase))),
+        -envelope * style.pelvic_rotation * cos(u),
+        style.pelvic_tilt + envelope * tilt_swing * cos(2.0 * (u - 0.02)),
+    ];
+    let thorax = [
+        -envelope * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u)),
+        envelope * style.thorax_yaw * cos(u - style.thorax_yaw_phase),
+        style.thorax_lean,
+    ];
+    let abdomen = std::array::from_fn(|i| 0.5 * (pelvis[i] + thorax[i]));
+    [pelvis, abdomen, thorax, thorax.map(|x| 0.5 * x), [0.0; 3]]
+}
+
+/// Rotations about x of the left shoulder and elbow; the right arm's are those half a stride later.
+pub(crate) fn arm(style: &Style, u: f64, envelope: f64) -> [f64; 2] {
+    let cos = |x: f64| (TAU * (x - 0.5 - style.arm_lag)).cos();
+    [
+        -(-3.0 * DEGREE + envelope * style.arm_swing * cos(u)),
+        -(22.0 * DEGREE + envelope * 9.0 * DEGREE * cos(u - 0.05)),
+    ]
+}
+
+/// Outward angle of the upper arms.
+pub(crate) const ARM_ABDUCTION: f64 = 6.0 * DEGREE;
+/// Rotation of the hand about x.
+pub(crate) const HAND: f64 = -0.08;
+
+/// R = Rz Ry Rx.
+pub(crate) fn rotation([z, y, x]: Euler) -> Matrix3<f64> {
+    let ((sz, cz), (sy, cy), (sx, cx)) = (z.sin_cos(), y.sin_cos(), x.sin_cos());
+    #[rustfmt::skip]
+    let r = Matrix3::new(
+        cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx,
+        sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx,
+        -sy,     cy * sx,                cy * cx,
+    );
+    r
+}
+
+/// The angles of R = Rz Ry Rx.
+pub(crate) fn euler(r: &Matrix3<f64>) -> Euler {
+    [
+        r[(1, 0)].atan2(r[(0, 0)]),
+        (-r[(2, 0)]).clamp(-1.0, 1.0).asin(),
+        r[(2, 1)].atan2(r[(2, 2)]),
+    ]
+}
+
+/// Rotation about x.
+pub(crate) fn about_x(angle: f64) -> Matrix3<f64> {
+    let (s, c) = angle.sin_cos();
+    Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c)
+}
+
+/// Rotation about z.
+pub(crate) fn about_z(angle: f64) -> Matrix3<f64> {
+    let (s, c) = angle.sin_cos();
+    Matrix3::new(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0)
+}

@@ -1,0 +1,48 @@
+//! From pelvis, trunk, arms and legs to the figure's coordinates.
+
+use crate::body::{Body, Segment};
+use crate::foot::{FootPlane, LegPose, mirror_rotation};
+use crate::laws::{self, Euler};
+use nalgebra::Vector3;
+
+/// A whole posture: where the pelvis is, how trunk and arms are turned, and both legs' poses (left, right).
+pub(crate) struct Posture {
+    pub(crate) pelvis: Vector3<f64>,
+    pub(crate) trunk: [Euler; 5],
+    pub(crate) arms: [[f64; 2]; 2],
+    pub(crate) legs: [LegPose; 2],
+}
+
+impl Posture {
+    /// Writes the figure's coordinates to `q` (length `nq`).
+    pub(crate) fn write(&self, body: &Body, plane: &FootPlane, q: &mut [f64]) {
+        let root = self.pelvis - body.middle[0].offset;
+        q[body.root..body.root + 3].copy_from_slice(root.as_slice());
+        let mut set = |segment: &Segment, angles: Euler| q[segment.q..segment.q + 3].copy_from_slice(&angles);
+        set(&body.middle[0], self.trunk[0]);
+        let rotations = self.trunk.map(laws::rotation);
+        for i in 1..5 {
+            set(&body.middle[i], laws::euler(&(rotations[i - 1].transpose() * rotations[i])));
+        }
+        for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(self.arms).enumerate() {
+            let abduction = if side == 0 { laws::ARM_ABDUCTION } else { -laws::ARM_ABDUCTION };
+            set(&arm[0], [0.0; 3]);
+            set(&arm[1], [abduction, 0.0, shoulder]);
+            set(&arm[2], [0.0, 0.0, elbow]);
+            set(&arm[3], [0.0, 0.0, laws::HAND]);
+        }
+        for (side, (leg, pose)) in body.legs.iter().zip(&self.legs).enumerate() {
+            let [thigh, shank, foot, _] = plane.frames(pose);
+            let ankle = laws::euler(&(shank.transpose() * foot));
+            let (thigh, ankle) = if side == 0 {
+                (thigh, ankle)
+            } else {
+                (mirror_rotation(&thigh), [-ankle[0], -ankle[1], ankle[2]])
+            };
+            set(&leg[0], laws::euler(&(rotations[0].transpose() * thigh)));
+            set(&leg[1], [0.0, 0.0, pose.knee]);
+            set(&leg[2], ankle);
+            set(&leg[3], [0.0, 0.0, pose.toes - pose.pitch]);
+        }
+    }
+}

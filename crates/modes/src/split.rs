@@ -1,0 +1,122 @@
+//! How two feet share the ground's reaction while both stand on it.
+//!
+//! The laws of motion give the sum of the two wrenches and nothing else. The split here is an assumption with a name, the
+//! **pivot split**: each foot bears a given share of the vertical force, and points its force at one point above the
+//! centre of mass, as people's feet do; what is left is shared the same way. It is exact in the sum, and passes
+//! continuously into single support.
+
+use nalgebra::Vector3;
+use solaris_model::Contact;
+
+/// What is known of one foot before the forces are: its share of the load and about where it is pressed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FootSupport {
+    /// Share of the vertical force, 0 to 1; the feet's shares add up to 1.
+    pub share: f64,
+    /// Nominal centre of pressure (m), on the ground.
+    pub cop: Vector3<f64>,
+}
+
+/// The ground's whole wrench on a figure: force (N), and moment about the world's origin (N m).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TotalWrench {
+    /// Force.
+    pub force: Vector3<f64>,
+    /// Moment about the world's origin.
+    pub moment: Vector3<f64>,
+}
+
+impl TotalWrench {
+    /// The point of a ground of this height about which the moment is normal to it:
+    ///
+    /// ```text
+    /// P = (n × M + h F) / (F·n)
+    /// ```
+    ///
+    /// `None` where nothing presses on the ground.
+    pub fn centre_of_pressure(&self, up: &Vector3<f64>, height: f64) -> Option<Vector3<f64>> {
+        let normal = self.force.dot(up);
+        (normal > 0.0).then(|| (up.cross(&self.moment) + self.force * height) / normal)
+    }
+}
+
+/// The pivot split:
+///
+/// ```text
+/// Fᵢ = sᵢ [ (c − Pᵢ)_t Fₙ/(κ y_c) + R_t + Fₙ n ]      R = F − (c − P) Fₙ/(κ y_c)
+/// ```
+///
+/// `sᵢ` share, `Pᵢ` centre of pressure of foot i, `P` of both, `c` centre of mass and `y_c` its height, `κ` = `pivot`, `n`
+/// = `up`, `t` tangential. The moment normal to the ground that the forces leave is shared by `sᵢ`. Where the given centres
+/// of pressure do not add up to the wrench's, both are moved by the difference.
+///
+/// `None` where nothing presses on the ground.
+pub fn split_at_pivot(
+    total: &TotalWrench,
+    com: &Vector3<f64>,
+    up: &Vector3<f64>,
+    pivot: f64,
+    feet: &[FootSupport; 2],
+) -> Option<[Contact; 2]> {
+    let height = feet[0].cop.dot(up) * feet[0].share + feet[1].cop.dot(up) * feet[1].share;
+    let (force, normal) = (total.force, total.force.dot(up));
+    let centre = total.centre_of_pressure(up, height)?;
+    let shift = centre - feet[0].cop * feet[0].share - feet[1].cop * feet[1].share;
+    let stiffness = normal / (pivot * (com.dot(up) - height));
+    let tangential = |v: Vector3<f64>| v - up * v.dot(up);
+    let rest = tangential(force - (com - centre) * stiffness);
+    let mut twist = (total.moment - centre.cross(&force)).dot(up);
+    let mut contacts = [Contact::default(); 2];
+    for (contact, foot) in contacts.iter_mut().zip(feet) {
+        contact.cop = foot.cop + shift;
+        contact.force = (tangential(com - contact.cop) * stiffness + rest + up * normal) * foot.share;
+        twist -= (contact.cop - centre).cross(&contact.force).dot(up);
+    }
+    for (contact, foot) in contacts.iter_mut().zip(feet) {
+        contact.moment = contact.cop.cross(&contact.force) + up * (twist * foot.share);
+        if foot.share <= 0.0 {
+            *contact = Contact::default();
+        }
+    }
+    Some(contacts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn feet(share: f64) -> [FootSupport; 2] {
+        [
+            FootSupport { share, cop: Vector3::new(0.1, 0.0, 0.3) },
+            FootSupport { share: 1.0 - share, cop: Vector3::new(-0.1, 0.0, -0.2) },
+        ]
+    }
+
+    #[test]
+    fn the_parts_add_up_to_the_whole() {
+        let total = TotalWrench { force: Vector3::new(20.0, 700.0, -90.0), moment: Vector3::new(-40.0, 12.0, 30.0) };
+        for share in [0.0, 0.2, 0.5, 1.0] {
+            let [a, b] =
+                split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(share)).expect("pressed");
+            assert_relative_eq!(a.force + b.force, total.force, epsilon = 1e-12);
+            assert_relative_eq!(a.moment + b.moment, total.moment, epsilon = 1e-11);
+            assert_relative_eq!(a.force.y, share * 700.0, epsilon = 1e-12);
+        }
+    }
+
+    #[test]
+    fn with_one_foot_everything_is_its_own() {
+        let total = TotalWrench { force: Vector3::new(5.0, 500.0, 9.0), moment: Vector3::new(-50.0, 3.0, -20.0) };
+        let [a, b] = split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(1.0)).expect("pressed");
+        assert_relative_eq!(a.force, total.force, epsilon = 1e-12);
+        assert_relative_eq!(a.cop, Vector3::new(0.04, 0.0, -0.1), epsilon = 1e-12);
+        assert_eq!(b, Contact::default());
+    }
+
+    #[test]
+    fn in_flight_there_is_nothing_to_split() {
+        let total = TotalWrench { force: Vector3::new(0.0, -1.0, 0.0), moment: Vector3::zeros() };
+        assert_eq!(split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.0), &Vector3::y(), 1.4, &feet(0.5)), None);
+    }
+}
