@@ -17,4 +17,5 @@ pub use error::GaitError;
 pub use leg::LegGeometry;
 pub use stride::{Resolution, StridePlan};
 pub use style::{Style, WALK_RATIO};
-pub fn walk() {}
+mod walk;
+pub use walk::WalkPlan;

@@ -1,0 +1,43 @@
+//! The posture in which a walk begins and ends.
+
+use super::numbers::{KNEE_STANDING, STANDING_AHEAD};
+use crate::body::Body;
+use crate::grid::{Ends, Grid};
+use crate::laws;
+use crate::momentum::{Momentum, UpperBody};
+use crate::stance::{Landing, Push, Stance};
+use crate::style::Style;
+use nalgebra::Vector3;
+
+/// Pelvis and centre of mass when standing with both heels at z = 0 (m).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Standing {
+    pub(super) pelvis: Vector3<f64>,
+    pub(super) com: Vector3<f64>,
+}
+
+impl Standing {
+    /// Knees slightly bent, trunk and arms at their means, the centre of mass a little ahead of the ankles: a few passes
+    /// of raising the pelvis to the knees and shifting it under the centre of mass.
+    pub(super) fn new(body: &Body, style: &Style) -> Self {
+        let leg = &body.leg;
+        let ahead = leg.heel_behind + STANDING_AHEAD * body.scale();
+        let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
+        let (trunk, arms) = (laws::trunk(style, 0.0, 0.0), [laws::arm(style, 0.0, 0.0); 2]);
+        let upper = UpperBody::new(body, &grid, |_| (trunk, arms));
+        let hip_offset = laws::rotation(trunk[0]) * leg.hip;
+        let stance = Stance::new(leg, style, Landing::Flat, Push::of(style));
+        let ankle = stance.flat_ankle();
+        let mut pelvis = Vector3::new(0.0, 0.95 * leg.length(), ahead);
+        let mut com = pelvis;
+        for _ in 0..25 {
+            let hip = pelvis + hip_offset;
+            let level = leg.reach_squared(KNEE_STANDING) - (hip.x - ankle.x).powi(2) - (hip.z - ankle.z).powi(2);
+            pelvis.y += ankle.y + level.max(0.0).sqrt() - hip.y;
+            let pose = stance.pose(0.0, &(pelvis + hip_offset));
+            com = pelvis + Momentum::new(body, &grid, &upper, &stance.plane, |_| [pose; 2]).com[0];
+            pelvis.z += ahead - com.z;
+        }
+        Self { pelvis, com }
+    }
+}
