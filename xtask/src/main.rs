@@ -1,2 +1,45 @@
-//! Chores.
-fn main() {}
+//! Chores of the workspace, run as `cargo xtask CHORE`.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
+
+mod ci;
+mod golden;
+mod layers;
+mod workspace;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+cargo xtask CHORE
+
+  ci                                formatting, lints, layers, golden runs, documentation, every crate alone
+  golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
+  layers                            checks that crates use lower rows only and leave files, clocks and output alone
+  help                              this list
+";
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let done = match args[..] {
+        ["ci"] => ci::run(),
+        ["golden", ref options @ ..] => {
+            golden::Options::parse(options).and_then(|options| golden::run(&options))
+        }
+        ["layers"] => layers::run(),
+        ["help" | "--help" | "-h"] => {
+            print!("{HELP}");
+            Ok(())
+        }
+        _ => {
+            eprint!("cargo xtask: no such chore: {}\n\n{HELP}", args.join(" "));
+            return ExitCode::from(2);
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

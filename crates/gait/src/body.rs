@@ -22,8 +22,6 @@ pub(crate) const SIDES: [&str; 2] = ["left_", "right_"];
 /// One segment's constants.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Segment {
-    /// Index of the link in the figure.
-    pub(crate) link: usize,
     /// First entry of the joint's three rotations in `q`.
     pub(crate) q: usize,
     /// Joint centre in the parent's frame.
@@ -39,7 +37,6 @@ pub(crate) struct Body {
     pub(crate) mass: f64,
     pub(crate) height: f64,
     pub(crate) leg: LegGeometry,
-    pub(crate) nq: usize,
     /// First entry of the root's translations in `q`.
     pub(crate) root: usize,
     pub(crate) middle: [Segment; 5],
@@ -67,7 +64,6 @@ impl Body {
             mass: figure.mass(),
             height: figure.stature().unwrap_or(leg.length() / LEG_OVER_HEIGHT),
             leg,
-            nq: figure.layout().nq(),
             root,
             middle,
             arms: [limb(SIDES[0], ARM, "thorax")?, limb(SIDES[1], ARM, "thorax")?],
@@ -107,7 +103,6 @@ fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment,
     }
     let layout = figure.layout().joints()[index];
     Ok(Segment {
-        link: index,
         q: layout.q + layout.nq - 3,
         offset: link.joint().placement().translation.vector,
         mass: link.mass(),

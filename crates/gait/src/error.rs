@@ -40,6 +40,8 @@ pub enum GaitError {
         at: String,
         why: String,
     },
+    #[error("there is no style parameter '{name}'; there are {known}")]
+    UnknownParameter { name: String, known: String },
     #[error("step frequency, step length and speed are all given ({step_frequency} steps/min, {step_length} m, {speed} m/s); any two decide the third: drop one")]
     Overdetermined { step_frequency: f64, step_length: f64, speed: f64 },
     #[error(

@@ -91,7 +91,7 @@ pub(crate) fn trunk(style: &Style, u: f64, envelope: f64) -> [Euler; 5] {
             * style.pelvic_obliquity
             * (sin(u - style.obliquity_phase) + 0.3 * sin(3.0 * (u - style.obliquity_phase))),
         -envelope * style.pelvic_rotation * cos(u),
-        style.pelvic_tilt + envelope * tilt_swing * cos(2.0 * (u - 0.02)),
+        style.anterior_tilt + envelope * tilt_swing * cos(2.0 * (u - 0.02)),
     ];
     let thorax = [
         -envelope * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u)),

@@ -1,6 +1,7 @@
 //! The geometry of a leg, and the closed forms that need nothing else.
 
 use crate::error::GaitError;
+use crate::foot::LegPose;
 use nalgebra::Vector3;
 use solaris_model::{Figure, SolePart};
 
@@ -159,6 +160,20 @@ impl LegGeometry {
     /// Polar form of the toe's tip about the ball joint: angle below the toes' axis and radius.
     pub(crate) fn toe_polar(&self) -> (f64, f64) {
         (self.ball_height.atan2(self.toe), self.ball_height.hypot(self.toe))
+    }
+
+    /// How far the ankle is below the hip, in the leg's plane.
+    #[inline]
+    pub(crate) fn ankle_below_hip(&self, pose: &LegPose) -> f64 {
+        self.thigh * (pose.thigh - self.thigh_lean).cos()
+            + self.shank * (pose.thigh - pose.knee - self.shank_lean).cos()
+    }
+
+    /// How far the ankle is ahead of the hip, in the leg's plane.
+    #[inline]
+    pub(crate) fn ankle_ahead_of_hip(&self, pose: &LegPose) -> f64 {
+        self.thigh * (pose.thigh - self.thigh_lean).sin()
+            + self.shank * (pose.thigh - pose.knee - self.shank_lean).sin()
     }
 
     /// Height of the lowest point of the foot above the ground, for the ankle's height and the pitches of foot and toes.

@@ -1,4 +1,5 @@
-//! Walking.
+#![doc = include_str!("../README.md")]
+
 mod body;
 mod error;
 mod foot;
@@ -6,16 +7,22 @@ mod grid;
 mod laws;
 mod leg;
 mod momentum;
+mod parameter;
 mod posture;
 mod prescribed;
 mod stance;
 mod stride;
 mod style;
 mod swing;
+mod walk;
+mod walker;
 
 pub use error::GaitError;
 pub use leg::LegGeometry;
+pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stride::{Resolution, StridePlan};
 pub use style::{Style, WALK_RATIO};
-mod walk;
-pub use walk::WalkPlan;
+pub use walk::{FEET, WalkPlan};
+pub use walker::{
+    DEFAULT_STEP_FREQUENCY, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, WalkRequest, walk,
+};

@@ -97,11 +97,6 @@ impl Stance {
         self.flat_ankle
     }
 
-    /// The knee at toe-off, after the limits have acted.
-    pub(crate) fn knee_toe_off(&self) -> Boundary {
-        self.push.knee_toe_off
-    }
-
     /// Whether the foot has a push-off, so that its stance ends.
     pub(crate) fn pushes(&self) -> bool {
         self.push_knee.is_some()
@@ -165,7 +160,20 @@ impl Stance {
     /// The leg at its own clock `u`, for a hip there.
     #[inline]
     pub(crate) fn pose(&self, u: f64, hip: &Vector3<f64>) -> LegPose {
-        let (ankle, pitch, toes) = if u > self.push.heel_off && self.pushes() {
+        let (ankle, pitch, toes) = self.foot(u, hip);
+        self.plane.pose(&self.leg, &(hip - ankle), pitch, toes)
+    }
+
+    /// By how much the leg is too short for the foot (m).
+    pub(crate) fn short(&self, u: f64, hip: &Vector3<f64>) -> f64 {
+        let (ankle, ..) = self.foot(u, hip);
+        ((hip - ankle).norm() - self.leg.thigh - self.leg.shank).max(0.0)
+    }
+
+    /// The ankle, and the pitches of foot and toes.
+    #[inline]
+    fn foot(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64, f64) {
+        if u > self.push.heel_off && self.pushes() {
             let (ankle, pitch) = self.push_phase(u, hip);
             (ankle, pitch, self.toes(u))
         } else if u < self.foot_flat && self.landing == Landing::Heel {
@@ -173,8 +181,7 @@ impl Stance {
             (ankle, pitch, pitch)
         } else {
             (self.flat_ankle, 0.0, 0.0)
-        };
-        self.plane.pose(&self.leg, &(hip - ankle), pitch, toes)
+        }
     }
 
     /// Angles and derivatives at contact; `knee` is the law's jet, or the leg's own where there is none.

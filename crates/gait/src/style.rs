@@ -29,8 +29,8 @@ macro_rules! style_numbers {
             pub foot_yaw: f64,
             /// Least height of the swinging foot's lowest point in mid-swing (m).
             pub clearance: f64,
-            /// Mean forward tilt of the pelvis.
-            pub pelvic_tilt: f64,
+            /// Mean tilt of the pelvis, forward.
+            pub anterior_tilt: f64,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -44,7 +44,7 @@ macro_rules! style_numbers {
                     stride_time: 120.0 / common.step_frequency,
                     foot_yaw: 5.0 * DEGREE,
                     clearance: common.clearance,
-                    pelvic_tilt: 4.0 * DEGREE,
+                    anterior_tilt: 4.0 * DEGREE,
                     $($name: q([$c0, $c1, $c2, $c3]) * $unit,)*
                 }
             }

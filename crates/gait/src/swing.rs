@@ -148,7 +148,7 @@ impl Swing {
             .iter()
             .map(|&(v, hip)| {
                 let (x, pose) = (self.phase(v), self.unlifted(v));
-                let (drop, _) = ankle_from_hip(leg, &pose);
+                let drop = leg.ankle_below_hip(&pose);
                 let wanted = clearance * ((x - 0.05) / 0.14).min((0.80 - x) / 0.2).clamp(0.0, 1.0);
                 At { x, wanted, hip, drop, cos_side: pose.side.cos(), pitch: pose.pitch, toes: pose.toes }
             })
@@ -175,18 +175,9 @@ impl Swing {
     }
 }
 
-/// The ankle below the hip, and ahead of it, in the leg's plane.
-fn ankle_from_hip(leg: &LegGeometry, pose: &LegPose) -> (f64, f64) {
-    let (thigh, shank) = (pose.thigh - leg.thigh_lean, pose.thigh - pose.knee - leg.shank_lean);
-    (
-        leg.thigh * thigh.cos() + leg.shank * shank.cos(),
-        leg.thigh * thigh.sin() + leg.shank * shank.sin(),
-    )
-}
-
 /// Raises the ankle by `lift` (m), the pitches kept: inverse kinematics in the leg's plane.
 fn raise(leg: &LegGeometry, pose: &mut LegPose, lift: f64) {
-    let (down, forward) = ankle_from_hip(leg, pose);
+    let (down, forward) = (leg.ankle_below_hip(pose), leg.ankle_ahead_of_hip(pose));
     let down = down - lift / pose.side.cos();
     pose.knee = leg.knee_for(down * down + forward * forward);
     pose.thigh = forward.atan2(down) + leg.thigh_against_leg(leg.geometric_knee(pose.knee));

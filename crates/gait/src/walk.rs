@@ -1,12 +1,15 @@
 //! A whole walk.
 
 mod band;
+mod check;
 mod feet;
 mod laws;
 mod numbers;
 mod plan;
+mod schedule;
 mod solve;
 mod standing;
 pub(crate) mod steps;
 
 pub use plan::WalkPlan;
+pub use schedule::FEET;

@@ -4,7 +4,7 @@ use crate::anatomy::AnatomicalAngle;
 use crate::fault::{Fault, FigureError, nearest};
 use crate::figure::Figure;
 use crate::inertia::{Inertia, Shape, second_moments};
-use crate::joint::{Joint, JointKind, Placement};
+use crate::joint::{Joint, Placement};
 use crate::layout::{StateLayout, coordinate_names};
 use crate::link::{Link, NamedFrame, SolePart, SolePoint};
 use nalgebra::{Matrix3, Vector3};
@@ -155,8 +155,10 @@ impl FigureBuilder {
     /// # Errors
     ///
     /// [`FigureError`] with every fault that was found.
-    pub fn build(self) -> Result<Figure, FigureError> {
+    pub fn build(mut self) -> Result<Figure, FigureError> {
         let mut faults = Vec::new();
+        // Names follow from the axes, so these come first.
+        self.links.iter_mut().for_each(|link| link.joint.normalize_axes());
         if let Some(stature) = self.stature.filter(|h| h.is_nan() || *h <= 0.0 || h.is_infinite()) {
             faults.push(Fault::Stature { stature });
         }
@@ -246,7 +248,13 @@ impl FigureBuilder {
     }
 
     fn check_angles(&self, faults: &mut Vec<Fault>) -> Vec<(String, String, f64)> {
-        let dofs: Vec<String> = self.links.iter().flat_map(|l| coordinate_names(l.joint.name(), l.joint.kind())).collect();
+        let mut dofs: Vec<String> = Vec::new();
+        for link in &self.links {
+            let names = coordinate_names(link.joint.name(), link.joint.kind());
+            // A one-dof joint also answers to its own name.
+            dofs.extend((names.len() == 1).then(|| link.joint.name().to_owned()));
+            dofs.extend(names);
+        }
         for (angle, dof, _) in &self.angles {
             if !dofs.contains(dof) {
                 let nearest = nearest(dof, dofs.iter().map(String::as_str));
@@ -275,11 +283,11 @@ impl FigureBuilder {
             reported[i] = inside || (!massive[i] && self.links[i].joint.kind().nv() > 0);
             if reported[i] && !inside {
                 let mut links = vec![i];
-                order.iter().for_each(|&j| {
+                for &j in order {
                     if parent(j).is_some_and(|parent| links.contains(&parent)) {
                         links.push(j);
                     }
-                });
+                }
                 let links = links.into_iter().map(|link| self.links[link].name.clone()).collect();
                 faults.push(Fault::MasslessSubtree { joint: self.links[i].joint.name().to_owned(), links });
             }
@@ -300,14 +308,10 @@ impl FigureBuilder {
     }
 }
 
-/// The link, with axes and rotations normalised in the working precision.
+/// The link, with its rotation normalised in the working precision.
 fn finish(spec: LinkSpec, place: &HashMap<String, usize>) -> Link {
     let inertia = spec.tensor();
     let mut joint = spec.joint;
-    let JointKind::Axes(dofs) = &mut joint.kind;
-    for dof in dofs {
-        dof.axis.direction.normalize_mut();
-    }
     joint.placement.rotation.renormalize();
     Link {
         parent: spec.parent.and_then(|parent| place.get(&parent).copied()),
@@ -337,15 +341,20 @@ fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {
     let placements = [("joint origin".to_owned(), link.joint.placement())].into_iter();
     let frames = link.frames.iter().map(|frame| (format!("frame '{}'", frame.name), &frame.placement));
     let shape = link.shape.iter().map(|shape| ("place of its shape".to_owned(), &shape.placement));
+    let mut lengths = Vec::new();
     for (what, placement) in placements.chain(frames).chain(shape) {
         check(what.clone(), placement.translation.vector.as_slice());
-        check(what, placement.rotation.coords.as_slice());
+        check(what.clone(), placement.rotation.coords.as_slice());
+        lengths.push((what, placement.rotation.coords.norm()));
     }
     if let Some(tip) = &link.tip {
         check("tip".into(), tip.as_slice());
     }
     for point in &link.sole {
         check(format!("sole point {:?}", point.part), point.position.as_slice());
+    }
+    for (what, length) in lengths.into_iter().filter(|(_, length)| (length - 1.0).abs() > 1e-6) {
+        faults.push(Fault::NotRotation { link: link.name.clone(), what, length });
     }
     let uniform = if let Inertia::Uniform(shape) = &link.inertia { Some(shape) } else { None };
     let drawn = link.shape.as_ref().filter(|shape| Some(*shape) != uniform);
@@ -365,9 +374,10 @@ fn check_joint(joint: &Joint, faults: &mut Vec<Fault>) {
     }
     let names = coordinate_names(joint.name(), joint.kind());
     for (index, (dof, name)) in dofs.iter().zip(names).enumerate() {
-        let length = dof.axis.direction.norm();
-        if length.is_nan() || length < 1e-12 || length.is_infinite() {
-            faults.push(Fault::ZeroAxis { joint: joint.name().to_owned(), index: index + 1 });
+        // Every direction that is one has been normalised.
+        if (dof.axis.direction.norm() - 1.0).abs().partial_cmp(&1e-9).is_none_or(std::cmp::Ordering::is_gt) {
+            let (joint, axis) = (joint.name().to_owned(), dof.axis.direction.into());
+            faults.push(Fault::ZeroAxis { joint, index: index + 1, axis });
         }
         if let Some(limits) = dof.limits
             && limits.lower.partial_cmp(&limits.upper).is_none_or(std::cmp::Ordering::is_gt)

@@ -21,7 +21,7 @@ pub enum Fault {
     DuplicateName { kind: &'static str, name: String, count: usize },
     #[error("{kind} {index} has an empty name; give it one")]
     EmptyName { kind: &'static str, index: usize },
-    #[error("link '{link}' names the parent '{parent}', which is not a link of this figure{}", hint(.nearest))]
+    #[error("link '{link}' names the parent '{parent}', which is not a link of this figure{}", hint(.nearest.as_ref()))]
     UnknownParent { link: String, parent: String, nearest: Option<String> },
     #[error("link '{link}': {what} is {value}; it must be a finite number")]
     NotFinite { link: String, what: String, value: f64 },
@@ -45,13 +45,17 @@ pub enum Fault {
     InertiaWithoutMass { link: String },
     #[error("link '{link}': {what} of its shape is {value} m; it must be more than zero")]
     ShapeNotPositive { link: String, what: &'static str, value: f64 },
-    #[error("joint '{joint}': axis {index} is zero; give it a direction")]
-    ZeroAxis { joint: String, index: usize },
-    #[error("dof '{dof}': limits are reversed, {lower} to {upper}; the lower must not exceed the upper")]
+    #[error("joint '{joint}': axis {index} is ({:?}, {:?}, {:?}), which is no direction", .axis[0], .axis[1], .axis[2])]
+    ZeroAxis { joint: String, index: usize, axis: [f64; 3] },
+    #[error(
+        "link '{link}': the rotation of its {what} is no rotation, its quaternion has the length {length}; it must be 1"
+    )]
+    NotRotation { link: String, what: String, length: f64 },
+    #[error("dof '{dof}': limits {lower} to {upper} are no range; they must be numbers, the lower not above the upper")]
     LimitsReversed { dof: String, lower: f64, upper: f64 },
     #[error("joint '{joint}' has {count} degrees of freedom; a joint has at most six: split it with a massless link")]
     TooManyDofs { joint: String, count: usize },
-    #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest))]
+    #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest.as_ref()))]
     UnknownDof { angle: String, dof: String, nearest: Option<String> },
 }
 
@@ -59,8 +63,8 @@ fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
 }
 
-fn hint(nearest: &Option<String>) -> String {
-    nearest.as_ref().map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
+fn hint(nearest: Option<&String>) -> String {
+    nearest.map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
 }
 
 /// Everything that is wrong with a figure, all at once.

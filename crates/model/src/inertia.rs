@@ -157,7 +157,7 @@ mod tests {
                 }
                 ShapeKind::Sphere { radius } => p.norm() <= radius,
             };
-            let (n, mut mass, mut sum) = (60, 0.0, Vector3::zeros());
+            let (n, mut mass, mut sum) = (120, 0.0, Vector3::zeros());
             for i in 0..n * n * n {
                 let at = |k: i32| (f64::from(k) + 0.5) / f64::from(n) - 0.5;
                 let p = Vector3::new(at(i % n), at(i / n % n), at(i / (n * n)));

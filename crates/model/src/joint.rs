@@ -181,6 +181,16 @@ impl Joint {
         self
     }
 
+    /// Gives every axis that is a direction unit length.
+    pub(crate) fn normalize_axes(&mut self) {
+        let JointKind::Axes(dofs) = &mut self.kind;
+        for dof in dofs {
+            if let Some(unit) = dof.axis.direction.try_normalize(1e-12).filter(|unit| unit.iter().all(|x| x.is_finite())) {
+                dof.axis.direction = unit;
+            }
+        }
+    }
+
     /// The joint's name.
     pub fn name(&self) -> &str {
         &self.name

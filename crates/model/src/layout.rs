@@ -37,9 +37,9 @@ impl StateLayout {
             let (q, v) = (layout.q_names.len(), layout.v_names.len());
             layout.joints.push(JointLayout { q, nq: kind.nq(), v, nv: kind.nv() });
             let names = coordinate_names(name, kind);
-            if let [only] = names.as_slice() {
-                layout.by_name.insert(name.to_owned(), v);
-                layout.by_name.insert(only.clone(), v);
+            if names.len() == 1 {
+                // A full name wins over a joint's short one.
+                layout.by_name.entry(name.to_owned()).or_insert(v);
             }
             for (i, dof) in names.iter().enumerate() {
                 layout.by_name.insert(dof.clone(), v + i);

@@ -126,6 +126,22 @@ pub enum MotionError {
         /// What was asked (1/s).
         rate: f64,
     },
+    /// The duration is not one, or needs too many samples.
+    #[error("duration {duration} s at {rate} frames/s: it must be finite and need at most {} samples", Motion::MOST_SAMPLES)]
+    Duration {
+        /// What the trajectory says (s).
+        duration: f64,
+        /// Samples a second (1/s).
+        rate: f64,
+    },
+    /// The times do not rise.
+    #[error("sample {sample} is at {time} s; times must be finite and rise")]
+    Time {
+        /// Index of the sample.
+        sample: usize,
+        /// Its time (s).
+        time: f64,
+    },
     /// A column has the wrong length.
     #[error("{what} has {found} numbers; {samples} samples of {width} make {expected}", expected = .samples * .width)]
     Length {
@@ -166,6 +182,9 @@ impl Motion {
     /// Version of this structure, written by exporters that keep all of it.
     pub const VERSION: u32 = 1;
 
+    /// The most samples that a trajectory is turned into.
+    pub const MOST_SAMPLES: usize = 100_000_000;
+
     /// A motion from its columns: `time` (s), `q` (`nq` a sample), `v` and `a` (`nv` a sample).
     ///
     /// # Errors
@@ -178,6 +197,10 @@ impl Motion {
         [q, v, a]: [Vec<f64>; 3],
     ) -> Result<Self, MotionError> {
         let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+        let bad = |i: &usize| !time[*i].is_finite() || (*i > 0 && time[*i] <= time[*i - 1]);
+        if let Some(sample) = (0..time.len()).find(bad) {
+            return Err(MotionError::Time { sample, time: time[sample] });
+        }
         let columns = [
             ("q", &q, nq, figure.layout().q_names()),
             ("v", &v, nv, figure.layout().v_names()),
@@ -200,8 +223,13 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// A column of the wrong length.
+    /// A column of the wrong length, numbers that are not finite.
     pub fn set_tau(&mut self, tau: Vec<f64>) -> Result<(), MotionError> {
+        if let Some(i) = tau.iter().position(|x| !x.is_finite()) {
+            let (dof, value) = (format!("dof {}", i % self.nv), tau[i]);
+            let time = self.time.get(i / self.nv).copied().unwrap_or_default();
+            return Err(MotionError::NotFinite { what: "tau", dof, time, value });
+        }
         if tau.len() != self.len() * self.nv {
             let (samples, width) = (self.len(), self.nv);
             return Err(MotionError::Length { what: "tau", found: tau.len(), samples, width });

@@ -1,3 +1,9 @@
-//! What drives a figure. Here: the ground reactions of a motion that is wholly prescribed.
+#![doc = include_str!("../README.md")]
+
+mod error;
+mod reaction;
 mod split;
+
+pub use error::ReactionError;
+pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use split::{FootSupport, TotalWrench, split_at_pivot};

@@ -1,1 +1,63 @@
-//! (to come)
+#![doc = include_str!("../README.md")]
+
+mod curves;
+mod data;
+mod draw;
+mod error;
+mod frames;
+mod html;
+mod pack;
+mod world;
+
+pub use error::ViewError;
+pub use frames::FRAME_RATE;
+
+use solaris_model::{Figure, Motion};
+
+/// What a page says beside the motion itself.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PageOptions {
+    /// Title of the page, plain text; the figure's name where it is empty.
+    pub title: String,
+    /// Rows of the summary table, which is left out where there are none.
+    pub table: Vec<TableRow>,
+}
+
+/// A row of the summary table; plain text, ready to be read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct TableRow {
+    /// What it is: "Step length".
+    pub label: String,
+    /// How much: "0.71".
+    pub value: String,
+    /// In what: "m"; may be empty.
+    pub unit: String,
+    /// A remark: "0.70 asked"; may be empty.
+    pub note: String,
+}
+
+impl TableRow {
+    /// A row of these four texts.
+    pub fn new(
+        label: impl Into<String>,
+        value: impl Into<String>,
+        unit: impl Into<String>,
+        note: impl Into<String>,
+    ) -> Self {
+        Self { label: label.into(), value: value.into(), unit: unit.into(), note: note.into() }
+    }
+}
+
+/// The page that shows `motion` of `figure`: a whole HTML file as text.
+///
+/// The same figure, motion and options give the same text, byte for byte. A walk of 9 s takes about 1.04 MB, of which
+/// 0.7 MB are the page itself; a further minute adds about 2.5 MB.
+///
+/// # Errors
+///
+/// [`ViewError`]: a motion of another figure, one without samples, contacts that do not fit to the motion or to the
+/// figure, numbers that are not finite.
+pub fn page(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<String, ViewError> {
+    let data = data::collect(figure, motion)?;
+    Ok(html::render(&data, options))
+}

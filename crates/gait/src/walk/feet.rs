@@ -89,6 +89,18 @@ impl Foot {
             self.stances[j].pose(v, &(hip - Vector3::new(0.0, 0.0, episode.print)))
         }
     }
+
+    /// By how much the leg is too short for the foot on the ground at the clock `u`; 0 in swing.
+    pub(super) fn short(&self, laws: &WalkLaws, u: f64, hip: &Vector3<f64>) -> f64 {
+        let j = laws.episode_at(self.side, u);
+        let episode = laws.episode(self.side, j);
+        let v = u - episode.contact;
+        if v > laws.style.toe_off() && j < self.swings.len() {
+            0.0
+        } else {
+            self.stances[j].short(v, &(hip - Vector3::new(0.0, 0.0, episode.print)))
+        }
+    }
 }
 
 fn stance(

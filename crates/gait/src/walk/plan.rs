@@ -138,16 +138,27 @@ impl WalkPlan {
     }
 
     fn posture(&self, clock: f64) -> Posture {
-        let u = clock.clamp(self.laws.begin - 1.0, self.laws.end + 1.0);
+        let u = self.moving_clock(clock);
         let (trunk, arms) = angles(&self.laws, u);
         let pelvis = Vector3::from(self.pelvis.position(u));
-        let rotation = laws::rotation(trunk[0]);
-        let legs = [0, 1].map(|side| {
+        Posture { pelvis, trunk, arms, legs: self.hips_and_legs(u).1 }
+    }
+
+    /// Hips (in each foot's world: the right one mirrored) and poses of both legs at a clock.
+    pub(super) fn hips_and_legs(&self, clock: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
+        let u = self.moving_clock(clock);
+        let rotation = laws::rotation(angles(&self.laws, u).0[0]);
+        let pelvis = Vector3::from(self.pelvis.position(u));
+        let hips = [0, 1].map(|side| {
             let hip = pelvis + rotation * self.body.legs[side][0].offset;
-            let hip = if side == 0 { hip } else { mirror(&hip) };
-            self.feet[side].pose(&self.laws, &self.body.leg, u, &hip)
+            if side == 0 { hip } else { mirror(&hip) }
         });
-        Posture { pelvis, trunk, arms, legs }
+        (hips, [0, 1].map(|side| self.feet[side].pose(&self.laws, &self.body.leg, u, &hips[side])))
+    }
+
+    /// The clock, or one at rest before or after the walk.
+    fn moving_clock(&self, clock: f64) -> f64 {
+        clock.clamp(self.laws.begin - 1.0, self.laws.end + 1.0)
     }
 }
 

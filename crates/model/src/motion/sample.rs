@@ -31,7 +31,7 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// A rate that is not positive, and positions that are not finite.
+    /// A rate that is not positive, a duration that is not finite, and positions that are not finite.
     pub fn sample(figure: &Figure, trajectory: &impl Trajectory, info: MotionInfo) -> Result<Self, MotionError> {
         let rate = info.rate;
         if !(rate > 0.0 && rate <= 1e5) {
@@ -40,7 +40,12 @@ impl Motion {
         let nq = figure.layout().nq();
         let substeps = (1.0 / (rate * LONGEST_STEP)).ceil().max(1.0) as usize;
         let step = 1.0 / (rate * substeps as f64);
-        let last = (trajectory.duration() * rate - 1e-9).ceil().max(0.0) as usize;
+        let duration = trajectory.duration();
+        let frames = duration * rate;
+        if !(frames * substeps as f64 <= Self::MOST_SAMPLES as f64) {
+            return Err(MotionError::Duration { duration, rate });
+        }
+        let last = (frames - 1e-9).ceil().max(0.0) as usize;
         // Substep k stands at (k − 3)·step.
         let fine: Vec<f64> = {
             let count = last * substeps + 7;

@@ -1,0 +1,77 @@
+//! When feet touch down and lift off, and which points are planted.
+
+use super::laws::Kind;
+use super::plan::WalkPlan;
+use crate::prescribed::G;
+use solaris_model::{Event, EventKind, Figure, Interval, SolePart};
+use solaris_modes::{Support, SupportLaw};
+
+/// Names of the feet's links, left and right.
+pub const FEET: [&str; 2] = ["left_foot", "right_foot"];
+const TOES: [&str; 2] = ["left_toes", "right_toes"];
+
+impl WalkPlan {
+    /// The body's weight (N).
+    pub fn weight(&self) -> f64 {
+        self.body.mass * G
+    }
+
+    /// Touch-downs and lift-offs in the order of time.
+    pub fn events(&self) -> Vec<Event> {
+        let mut events = Vec::new();
+        for (side, link) in FEET.iter().enumerate() {
+            for j in 0..self.laws.episode_count(side) {
+                let episode = self.laws.episode(side, j);
+                let link = (*link).to_owned();
+                if episode.kind != Kind::First {
+                    let kind = EventKind::TouchDown { link: link.clone() };
+                    events.push(Event { time: self.time(episode.contact), kind });
+                }
+                if matches!(episode.kind, Kind::First | Kind::Step) {
+                    let time = self.time(episode.contact + self.laws.style.toe_off());
+                    events.push(Event { time, kind: EventKind::LiftOff { link } });
+                }
+            }
+        }
+        events.sort_by(|a, b| a.time.total_cmp(&b.time));
+        events
+    }
+
+    /// When which point of the soles is planted: the heel until it rises, the foot's ball while the foot is flat, the
+    /// toes' ball until they roll, their tip until it lifts.
+    pub fn planted(&self, figure: &Figure) -> Vec<Interval> {
+        let mut planted = Vec::new();
+        let end = self.time(self.laws.end);
+        for side in [0, 1] {
+            for j in 0..self.laws.episode_count(side) {
+                let episode = self.laws.episode(side, j);
+                let stance = &self.feet[side].stances[j];
+                let clock = |v: f64| self.time(episode.contact + v).clamp(0.0, end);
+                let pushes = matches!(episode.kind, Kind::First | Kind::Step);
+                let landed = if matches!(episode.kind, Kind::First) { -1.0 } else { 0.0 };
+                let flat = if matches!(episode.kind, Kind::Step | Kind::Last) { self.laws.style.foot_flat } else { landed };
+                let last = |v: f64| if pushes { clock(v) } else { end };
+                let spans = [
+                    (FEET[side], SolePart::Heel, clock(landed), last(stance.heel_off())),
+                    (FEET[side], SolePart::Ball, clock(flat), last(stance.heel_off())),
+                    (TOES[side], SolePart::Ball, clock(flat), last(stance.tip_roll_at())),
+                    (TOES[side], SolePart::ToeTip, clock(flat), last(self.laws.style.toe_off())),
+                ];
+                for (link, part, start, end) in spans {
+                    let Some(index) = figure.link_index(link) else { continue };
+                    let Some(&point) = figure.links()[index].sole_point(part) else { continue };
+                    planted.push(Interval { link: index, point, start, end });
+                }
+            }
+        }
+        planted.sort_by(|a, b| a.start.total_cmp(&b.start));
+        planted
+    }
+}
+
+impl SupportLaw for WalkPlan {
+    fn support(&self, t: f64) -> Support {
+        let u = self.clock_at(t);
+        Support { feet: self.support(u), pivot: self.laws.style.pivot, force: Some(self.force(u)) }
+    }
+}

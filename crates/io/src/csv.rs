@@ -1,0 +1,33 @@
+//! Motion tables: one row a sample, one column a number.
+//!
+//! | columns | what | unit |
+//! |---|---|---|
+//! | `time` | time of the sample | s |
+//! | `DOF.q` | position of each degree of freedom | m, rad |
+//! | `DOF.v`, `DOF.a` | velocity, acceleration | m/s, rad/s, m/s², rad/s² |
+//! | `DOF.tau` | generalized force, where it is known | N, N m |
+//! | `LINK.fx fy fz` | contact force on the link, world axes | N |
+//! | `LINK.mx my mz` | its moment about the world's origin, world axes | N m |
+//! | `LINK.px py pz` | centre of pressure | m |
+//!
+//! All `.q` stand first, then all `.v`, all `.a`, all `.tau`, then the contacts link by link; [`read`] takes them in any
+//! order. Numbers have the fewest digits that read back to the same bits. A table keeps no events, no planted intervals
+//! and nothing of [`solaris_model::MotionInfo`]: who reads it back has to know them.
+
+mod read;
+mod write;
+
+pub use read::{frame_rate, read};
+pub use write::write;
+
+/// Endings of the nine columns of a contact, in order.
+const CONTACT: [&str; 9] = ["fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"];
+/// Ending of the columns of generalized forces.
+const TAU: &str = "tau";
+/// Heading of the column of times.
+const TIME: &str = "time";
+
+/// A degree of freedom's column, such as `left_knee.rx.q`.
+fn heading(name: &str, ending: &str) -> String {
+    format!("{name}.{ending}")
+}

@@ -1,0 +1,223 @@
+//! What a reader of BVH sees is what the figure does.
+
+use crate::bvh_reader::{Bvh, parse};
+use crate::motions::{Full, full_human, info, swing};
+use solaris_io::{
+    IoError,
+    bvh::{self, Unit},
+};
+use solaris_model::{
+    Axis, AxisKind, Figure, FigureBuilder, Isometry3, Joint, LinkSpec, Motion, Rotation3, Vector3, human,
+};
+
+fn text(figure: &Figure, motion: &Motion, unit: Unit) -> String {
+    let mut bytes = Vec::new();
+    bvh::write(figure, motion, unit, &mut bytes).expect("a figure that fits");
+    String::from_utf8(bytes).expect("text")
+}
+
+/// Forward kinematics from the figure's own data: world rotation and origin of every link.
+fn poses(figure: &Figure, q: &[f64]) -> Vec<(Rotation3<f64>, Vector3<f64>)> {
+    let mut poses: Vec<(Rotation3<f64>, Vector3<f64>)> = Vec::new();
+    for (link, layout) in figure.links().iter().zip(figure.layout().joints()) {
+        let parent = link.parent().map_or((Rotation3::identity(), Vector3::zeros()), |parent| poses[parent]);
+        let placement = link.joint().placement();
+        let mut origin = parent.1 + parent.0 * placement.translation.vector;
+        let mut rotation = parent.0 * placement.rotation.to_rotation_matrix();
+        for (dof, q) in link.joint().kind().axes().iter().zip(&q[layout.q..]) {
+            match dof.axis.kind {
+                AxisKind::Rotation => rotation *= Rotation3::new(dof.axis.direction * *q),
+                AxisKind::Translation => origin += rotation * dof.axis.direction * *q,
+            }
+        }
+        poses.push((rotation, origin));
+    }
+    poses
+}
+
+/// The greatest distance (m) between a link or a tip in the file and in the figure, over all frames.
+fn greatest_distance(figure: &Figure, motion: &Motion, file: &Bvh, metres_per_unit: f64) -> f64 {
+    assert_eq!(file.nodes.len(), figure.links().len());
+    let mut greatest: f64 = 0.0;
+    for frame in 0..motion.len() {
+        let poses = poses(figure, motion.q(frame));
+        for (node, (origin, end)) in file.nodes.iter().zip(file.positions(frame)) {
+            let link = figure.link_index(&node.name).expect("a link of the figure");
+            let (rotation, expected) = poses[link];
+            greatest = greatest.max((Vector3::from(origin) * metres_per_unit - expected).norm());
+            if let (Some(end), Some(tip)) = (end, figure.links()[link].tip()) {
+                greatest =
+                    greatest.max((Vector3::from(end) * metres_per_unit - expected - rotation * tip).norm());
+            }
+        }
+    }
+    greatest
+}
+
+#[test]
+fn a_reader_finds_every_link_where_the_figure_has_it() {
+    let (figure, motion) = full_human();
+    let file = parse(&text(&figure, &motion, Unit::default()));
+    let distance = greatest_distance(&figure, &motion, &file, 0.01);
+    assert!(distance < 1e-7, "{distance} m");
+    assert!((file.frame_time - 1.0 / 30.0).abs() < 1e-15);
+    assert_eq!(file.nodes[1].channels, ["Zrotation", "Yrotation", "Xrotation"]);
+    let root = ["Xposition", "Yposition", "Zposition", "Zrotation", "Yrotation", "Xrotation"];
+    assert_eq!(file.nodes[0].channels, root);
+}
+
+#[test]
+fn lengths_come_in_the_unit_that_was_asked_for() {
+    let figure = human(1.75, 73.0).expect("an ordinary human");
+    let motion = swing(&figure, 5.0, 0.0);
+    for (unit, metres) in [(Unit::Centimetres, 0.01), (Unit::Metres, 1.0), (Unit::Inches, 0.0254)] {
+        let file = parse(&text(&figure, &motion, unit));
+        let distance = greatest_distance(&figure, &motion, &file, metres);
+        assert!(distance < 1e-5, "{unit:?}: {distance} m");
+    }
+}
+
+/// Orders of rotation other than Z-Y-X, fewer than three axes, an axis the other way round, a weld, a placed root that
+/// slides along an oblique line, and children that were described in another order than the file needs.
+fn odd_figure() -> Figure {
+    let oblique = Axis::translation(Vector3::new(1.0, 2.0, -2.0));
+    let against = Axis::rotation(-Vector3::z());
+    let at = |x, y, z| Vector3::new(x, y, z);
+    FigureBuilder::new("odd")
+        .link(
+            LinkSpec::root("base", Joint::new("base").at(at(0.1, 0.9, 0.3)).axis(oblique).ry().rz())
+                .mass(1.0),
+        )
+        .link(LinkSpec::child("a", "base", Joint::new("a").at(at(0.0, 0.4, 0.0)).rx().ry().rz()).mass(1.0))
+        .link(LinkSpec::child("b", "base", Joint::new("b").at(at(0.3, 0.0, 0.1)).rx()).mass(1.0))
+        .link(
+            LinkSpec::child("a1", "a", Joint::new("a1").at(at(0.0, 0.2, 0.2)).ry().axis(against).rx())
+                .mass(1.0)
+                .tip(at(0.2, -0.1, 0.3)),
+        )
+        .link(LinkSpec::child("b1", "b", Joint::new("b1").at(at(0.2, 0.1, 0.0))).mass(1.0))
+        .link(
+            LinkSpec::child("b2", "b1", Joint::new("b2").at(at(0.0, 0.0, 0.3)).rz().rx())
+                .mass(1.0)
+                .tip(at(0.1, 0.2, 0.3)),
+        )
+        .build()
+        .expect("valid")
+}
+
+#[test]
+fn unusual_orders_and_missing_axes_read_back() {
+    let figure = odd_figure();
+    let motion = swing(&figure, 20.0, 0.0);
+    let file = parse(&text(&figure, &motion, Unit::default()));
+    let distance = greatest_distance(&figure, &motion, &file, 0.01);
+    assert!(distance < 1e-7, "{distance} m");
+    let channels = |name: &str| {
+        let node = file.nodes.iter().find(|node| node.name == name).expect("the link");
+        node.channels.join(" ")
+    };
+    assert_eq!(channels("a"), "Xrotation Yrotation Zrotation");
+    assert_eq!(channels("a1"), "Yrotation Zrotation Xrotation");
+    assert_eq!(channels("b"), "Xrotation Zrotation Yrotation");
+    assert_eq!(channels("b2"), "Zrotation Xrotation Yrotation");
+}
+
+#[test]
+fn a_file_looks_like_this() {
+    let figure = odd_figure();
+    let motion = swing(&figure, 1.0, 0.0);
+    insta::assert_snapshot!(text(&figure, &motion, Unit::Centimetres));
+}
+
+#[test]
+fn angles_run_on_past_half_a_turn() {
+    let figure = human(1.75, 73.0).expect("an ordinary human");
+    // 12 rad in one second: nearly two turns of every joint.
+    let motion = swing(&figure, 100.0, 12.0);
+    let file = parse(&text(&figure, &motion, Unit::default()));
+    for (link, dof) in [("left_thigh", "left_hip.rx"), ("pelvis", "root.ry"), ("head", "head.rz")] {
+        let axis = dof.as_bytes()[dof.len() - 1].to_ascii_uppercase() as char;
+        let angles = file.channel(link, &format!("{axis}rotation"));
+        let dof = figure.layout().dof_index(dof).expect("a dof");
+        for (frame, angle) in angles.iter().enumerate() {
+            assert!(
+                (angle - motion.q(frame)[dof].to_degrees()).abs() < 1e-6,
+                "{link} in frame {frame}: {angle}°"
+            );
+        }
+        assert!(angles.iter().any(|angle| *angle > 500.0), "{link} turns more than once");
+        assert!(angles.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 45.0), "{link} flips");
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_by_name() {
+    let child = |joint: Joint| {
+        FigureBuilder::new("f")
+            .link(LinkSpec::root("base", Joint::new("base").tx()).mass(1.0))
+            .link(LinkSpec::child("arm", "base", joint).mass(1.0))
+    };
+    let turned = Isometry3::rotation(Vector3::new(0.0, 0.3, 0.0));
+    let oblique = Axis::rotation(Vector3::new(1.0, 1.0, 0.0));
+    let figures = [
+        child(Joint::new("shoulder").placed(turned).rx()),
+        child(Joint::new("wrist").rx().rz().rx()),
+        child(Joint::new("hinge").ry().axis(oblique)),
+        child(Joint::new("drawer").tz()),
+        FigureBuilder::new("f").link(LinkSpec::root("base", Joint::new("late").ry().tx()).mass(1.0)),
+        FigureBuilder::new("f").link(LinkSpec::root("left arm", Joint::new("j").ry()).mass(1.0)),
+    ];
+    let answers = figures.map(|figure| {
+        let figure = figure.build().expect("valid");
+        let mut bytes = Vec::new();
+        let error =
+            bvh::write(&figure, &swing(&figure, 5.0, 0.0), Unit::default(), &mut bytes).expect_err("no fit");
+        assert!(bytes.is_empty(), "nothing is written before the check");
+        error.to_string()
+    });
+    insta::assert_snapshot!(answers.join("\n"));
+}
+
+#[test]
+fn a_world_with_another_up_and_a_motion_without_rate_are_refused() {
+    let figure = odd_figure();
+    let mut motion = swing(&figure, 5.0, 0.0);
+    let attempt = |motion: &Motion| bvh::write(&figure, motion, Unit::default(), &mut Vec::new());
+    motion.info.gravity = Vector3::new(0.0, 0.0, -9.81);
+    insta::assert_snapshot!(
+        attempt(&motion).expect_err("z is up"),
+        @"gravity (0, 0, -9.81) m/s² does not point down −y, but y is up in BVH: the figure would lie on its side; turn its world first"
+    );
+    motion.info.gravity = Vector3::new(0.0, f64::NAN, 0.0);
+    assert!(matches!(attempt(&motion), Err(IoError::BvhUp { .. })));
+    motion.info.gravity = Vector3::zeros();
+    attempt(&motion).expect("without gravity y may be up");
+    motion.info.rate = 0.0;
+    assert!(matches!(attempt(&motion), Err(IoError::Motion(_))));
+    motion.info = info(&full_human().0, 5.0);
+    assert!(matches!(attempt(&motion), Err(IoError::Motion(_))), "another figure");
+}
+
+#[test]
+fn an_angle_too_large_for_degrees_is_refused() {
+    let figure = FigureBuilder::new("f")
+        .link(LinkSpec::root("base", Joint::new("base").tx()).mass(1.0))
+        .link(LinkSpec::child("arm", "base", Joint::new("arm").rx()).mass(1.0))
+        .build()
+        .expect("valid");
+    let columns = [vec![0.0, 1e308], vec![0.0; 2], vec![0.0; 2]];
+    let motion = Motion::new(&figure, info(&figure, 5.0), vec![0.0], columns).expect("finite numbers");
+    let error = bvh::write(&figure, &motion, Unit::default(), &mut Vec::new()).expect_err("infinite degrees");
+    insta::assert_snapshot!(error, @"'arm.channel' at 0 s is inf; a file holds finite numbers only");
+}
+
+#[test]
+fn a_failing_writer_is_an_error() {
+    let (figure, motion) = full_human();
+    let size = text(&figure, &motion, Unit::default()).len();
+    for left in [0, 1, 20, 3000, size - 1] {
+        let error = bvh::write(&figure, &motion, Unit::default(), &mut Full { left }).expect_err("no room");
+        assert!(matches!(error, IoError::Write(_)), "{error}");
+    }
+    bvh::write(&figure, &motion, Unit::default(), &mut Full { left: size }).expect("just enough room");
+}

@@ -1,0 +1,44 @@
+//! Why there are no ground reactions.
+
+use solaris_dynamics::DynamicsError;
+use solaris_model::MotionError;
+
+/// Why a motion has no ground reactions.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReactionError {
+    /// A foot is not a link.
+    #[error("figure '{figure}' has no link '{link}'; name the links that stand on the ground")]
+    MissingLink {
+        /// The figure.
+        figure: String,
+        /// What was asked.
+        link: String,
+    },
+    /// A foot has no sole.
+    #[error("link '{link}' has no heel and no ball among its sole points, so it is not known where it presses")]
+    NoSole {
+        /// The link.
+        link: String,
+    },
+    /// There is no gravity to say what is up.
+    #[error("gravity is zero; without it nothing says which way the ground lies")]
+    NoGravity,
+    /// The motion pulls at the ground.
+    #[error(
+        "at {time:.3} s the motion needs a ground that pulls ({normal:.1} N): it cannot be walked on two feet; it flies, or \
+         it is too fast for its frames"
+    )]
+    Pulls {
+        /// When (s).
+        time: f64,
+        /// Normal force (N).
+        normal: f64,
+    },
+    /// The kernel refused.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+    /// The motion is not one of this figure.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+}

@@ -1,0 +1,229 @@
+//! The curves beside the picture: angles and moments of the joints, forces of the ground.
+
+use crate::draw::Side;
+use crate::error::{ViewError, finite};
+use crate::pack::{Packed, ranged};
+use crate::world::World;
+use serde::Serialize;
+use solaris_model::{AxisKind, ContactTrack, Figure, Motion};
+
+/// Values over the frames, of one side of the body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Line {
+    side: Side,
+    values: Packed,
+}
+
+/// Curves that share an axis.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Plot {
+    unit: &'static str,
+    lines: Vec<Line>,
+}
+
+/// What one joint does, on both sides where there are two.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct JointCurves {
+    label: String,
+    position: Plot,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    effort: Option<Plot>,
+}
+
+/// One component of the ground's forces.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct ForceCurves {
+    label: &'static str,
+    #[serde(flatten)]
+    plot: Plot,
+}
+
+/// These come first, in this order.
+const FIRST: [&str; 3] = ["hip.flexion", "knee.flexion", "ankle.dorsiflexion"];
+
+/// A coordinate that is plotted.
+struct Coordinate {
+    side: Side,
+    name: String,
+    /// Index in `q`, and in `tau` where a moment is shown.
+    q: usize,
+    tau: Option<usize>,
+    sign: f64,
+    turns: bool,
+}
+
+/// The anatomical angles; for a figure without any, all one-axis degrees of freedom.
+fn coordinates(figure: &Figure) -> Vec<Coordinate> {
+    let layout = figure.layout();
+    let mut all = Vec::new();
+    for (link, joint) in figure.links().iter().zip(layout.joints()) {
+        // The forces at a root that can move in every way are no joint's: they are what is left over.
+        let floating = link.parent().is_none() && joint.nv >= 6;
+        for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|_| joint.nq == joint.nv) {
+            let turns = dof.axis.kind == AxisKind::Rotation;
+            all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns));
+        }
+    }
+    if figure.anatomical_angles().is_empty() {
+        let named = all.into_iter().map(|(v, q, tau, turns)| {
+            let (side, name) = Side::split(&layout.v_names()[v]);
+            Coordinate { side, name, q, tau, sign: 1.0, turns }
+        });
+        return named.collect();
+    }
+    let find = |angle: &solaris_model::AnatomicalAngle| {
+        let &(_, q, tau, turns) = all.iter().find(|(v, ..)| *v == angle.dof)?;
+        let (side, name) = Side::split(&angle.name);
+        Some(Coordinate { side, name, q, tau, sign: angle.sign, turns })
+    };
+    figure.anatomical_angles().iter().filter_map(find).collect()
+}
+
+/// Angles in degrees (slides in m) and moments in N m/kg (forces in N/kg), left and right of a name together.
+///
+/// # Errors
+///
+/// A moment that is not finite.
+pub(crate) fn joints(
+    figure: &Figure,
+    motion: &Motion,
+    chosen: &[usize],
+) -> Result<Vec<JointCurves>, ViewError> {
+    let coordinates = coordinates(figure);
+    let mut names: Vec<&str> = Vec::new();
+    for coordinate in &coordinates {
+        if !names.contains(&coordinate.name.as_str()) {
+            names.push(&coordinate.name);
+        }
+    }
+    names.sort_by_key(|name| FIRST.iter().position(|first| first == name).unwrap_or(FIRST.len()));
+    let mut curves = Vec::new();
+    for name in names {
+        let members: Vec<&Coordinate> = coordinates.iter().filter(|c| c.name == name).collect();
+        let turns = members[0].turns;
+        let unit = if turns { "°" } else { "m" };
+        let lines = members.iter().map(|c| {
+            let factor = c.sign * if c.turns { 1_f64.to_degrees() } else { 1.0 };
+            let values: Vec<f64> = chosen.iter().map(|&sample| factor * motion.q(sample)[c.q]).collect();
+            Line { side: c.side, values: ranged(&values) }
+        });
+        let position = Plot { unit, lines: lines.collect() };
+        let effort = effort(&members, figure, motion, chosen)?;
+        let effort = effort.map(|lines| Plot { unit: if turns { "N m/kg" } else { "N/kg" }, lines });
+        curves.push(JointCurves { label: words(name), position, effort });
+    }
+    Ok(curves)
+}
+
+/// Moments of these coordinates; `None` where the motion or the coordinate has none.
+fn effort(
+    members: &[&Coordinate],
+    figure: &Figure,
+    motion: &Motion,
+    chosen: &[usize],
+) -> Result<Option<Vec<Line>>, ViewError> {
+    let mass = figure.mass();
+    let mut lines = Vec::new();
+    for coordinate in members {
+        let Some(index) = coordinate.tau.filter(|_| mass > 0.0) else { return Ok(None) };
+        let mut values = Vec::with_capacity(chosen.len());
+        for &sample in chosen {
+            let Some(tau) = motion.tau(sample) else { return Ok(None) };
+            let name = || format!("tau of '{}'", figure.layout().v_names()[index]);
+            finite(name, motion.time()[sample], &[tau[index]])?;
+            values.push(coordinate.sign * tau[index] / mass);
+        }
+        lines.push(Line { side: coordinate.side, values: ranged(&values) });
+    }
+    Ok(Some(lines))
+}
+
+/// `hip.flexion` → `Hip flexion`.
+fn words(name: &str) -> String {
+    let mut text = name.replace(['.', '_'], " ");
+    if let Some(first) = text.get(..1) {
+        text = first.to_uppercase() + &text[1..];
+    }
+    text
+}
+
+/// Forces of each side, all its contacts together: upwards, forwards and to the left, in % of the body's weight, or in N
+/// where there is no weight. Empty without contacts.
+pub(crate) fn forces(
+    motion: &Motion,
+    chosen: &[usize],
+    world: &World,
+    weight: Option<f64>,
+) -> Vec<ForceCurves> {
+    let mut sides: Vec<Side> = motion.contacts.iter().map(|track| Side::split(&track.link).0).collect();
+    sides.sort_unstable();
+    sides.dedup();
+    let of = |side: Side| motion.contacts.iter().filter(move |track| Side::split(&track.link).0 == side);
+    let (unit, factor) = weight.map_or(("N", 1.0), |weight| ("% BW", 100.0 / weight));
+    let components = [("Vertical force", 1), ("Force forwards", 2), ("Force to the left", 0)];
+    let curve = |component: usize| {
+        let line = |&side: &Side| {
+            let at = |sample: usize| {
+                let force = |track: &ContactTrack| world.vector(&track.samples[sample].force)[component];
+                factor * of(side).map(force).sum::<f64>()
+            };
+            Line { side, values: ranged(&chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>()) }
+        };
+        Plot { unit, lines: sides.iter().map(line).collect() }
+    };
+    let shown = components.iter().filter(|_| !sides.is_empty());
+    shown.map(|&(label, component)| ForceCurves { label, plot: curve(component) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solaris_model::{MotionInfo, Vector3, human};
+
+    /// A person with the left knee bent by 0.5 rad, and a moment of 73 N m at every dof.
+    fn bent_knee() -> (Figure, Motion) {
+        let figure = human(1.75, 73.0).expect("a person");
+        let (nq, knee) = (figure.layout().nq(), figure.layout().dof_index("left_knee.rx").expect("a knee"));
+        let info = MotionInfo {
+            fingerprint: figure.fingerprint(),
+            gravity: Vector3::new(0.0, -9.81, 0.0),
+            ground: None,
+            rate: 60.0,
+        };
+        let mut q = vec![0.0; nq];
+        q[knee] = 0.5;
+        let mut motion =
+            Motion::new(&figure, info, vec![0.0], [q, vec![0.0; nq], vec![0.0; nq]]).expect("finite");
+        motion.set_tau(vec![73.0; nq]).expect("one sample");
+        (figure, motion)
+    }
+
+    #[test]
+    fn hip_knee_and_ankle_come_first() {
+        let (figure, motion) = bent_knee();
+        let curves = joints(&figure, &motion, &[0]).expect("finite");
+        let labels: Vec<&str> = curves.iter().take(4).map(|curve| curve.label.as_str()).collect();
+        assert_eq!(labels, ["Hip flexion", "Knee flexion", "Ankle dorsiflexion", "Pelvis tilt"]);
+    }
+
+    #[test]
+    fn angles_are_in_degrees_and_moments_per_mass_with_the_anatomical_sign() {
+        let (figure, motion) = bent_knee();
+        let curves = joints(&figure, &motion, &[0]).expect("finite");
+        let knee = &curves[1];
+        assert_eq!((knee.position.unit, knee.position.lines[0].side), ("°", Side::Left));
+        assert!((knee.position.lines[0].values.unpack()[0] - 28.647_889_756_5).abs() < 1e-9);
+        assert!(knee.position.lines[1].values.unpack()[0].abs() < 1e-12);
+        let hip = curves[0].effort.as_ref().expect("moments");
+        // Flexion of the hip is negative about x.
+        assert!((hip.lines[1].values.unpack()[0] + 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_floating_root_shows_no_moment() {
+        let (figure, motion) = bent_knee();
+        let curves = joints(&figure, &motion, &[0]).expect("finite");
+        let tilt = curves.iter().find(|curve| curve.label == "Pelvis tilt").expect("a pelvis");
+        assert_eq!((tilt.position.lines.len(), tilt.effort.as_ref()), (1, None));
+    }
+}

@@ -1,0 +1,64 @@
+//! What can keep a motion from being shown.
+
+use solaris_dynamics::DynamicsError;
+use solaris_model::MotionError;
+
+/// Why there is no page of this motion.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ViewError {
+    /// The motion was made for another figure.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// The links cannot be placed.
+    #[error("the links cannot be placed: {0}")]
+    Dynamics(#[from] DynamicsError),
+    /// There is nothing to show.
+    #[error("the motion of '{figure}' has no samples; a page needs at least one")]
+    Empty {
+        /// The figure's name.
+        figure: String,
+    },
+    /// A contact track names a link that the figure does not have.
+    #[error(
+        "a contact track names the link '{link}', which figure '{figure}' does not have; its links are {known}"
+    )]
+    UnknownLink {
+        /// The name.
+        link: String,
+        /// The figure's name.
+        figure: String,
+        /// Names of its links.
+        known: String,
+    },
+    /// A contact track is longer or shorter than the motion.
+    #[error(
+        "the contact track of '{link}' has {found} samples, the motion {expected}; give it one contact a sample"
+    )]
+    ContactLength {
+        /// The track's link.
+        link: String,
+        /// Its samples.
+        found: usize,
+        /// The motion's samples.
+        expected: usize,
+    },
+    /// A number cannot be shown.
+    #[error("{what} at {time} s is {value}; it must be a finite number")]
+    NotFinite {
+        /// What it is.
+        what: String,
+        /// When (s).
+        time: f64,
+        /// The number.
+        value: f64,
+    },
+}
+
+/// Refuses numbers that are not finite.
+pub(crate) fn finite(what: impl Fn() -> String, time: f64, values: &[f64]) -> Result<(), ViewError> {
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(&value) => Err(ViewError::NotFinite { what: what(), time, value }),
+        None => Ok(()),
+    }
+}

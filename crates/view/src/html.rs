@@ -1,0 +1,113 @@
+//! From data to the text of the page.
+
+use crate::data::Data;
+use crate::{PageOptions, TableRow};
+use std::fmt::Write as _;
+
+const TEMPLATE: &str = include_str!("../assets/page.html");
+const STYLE: &str = include_str!("../assets/viewer.css");
+const VIEWER: &str = include_str!("../assets/viewer.js");
+
+/// The whole page.
+pub(crate) fn render(data: &Data, options: &PageOptions) -> String {
+    let json = serde_json::to_string(data).expect("plain data of finite numbers and text is always JSON");
+    let title = if options.title.trim().is_empty() { &data.figure } else { &options.title };
+    fill(
+        TEMPLATE,
+        &[
+            ("title", &escape(title)),
+            ("style", STYLE),
+            ("legend", if data.sided { "" } else { " hidden" }),
+            ("table", &table(&options.table)),
+            ("data", &guard(&json)),
+            ("viewer", VIEWER),
+        ],
+    )
+}
+
+/// Puts values in the places of `{{names}}`, in one pass: what a value holds is never taken for a place.
+fn fill(template: &str, values: &[(&str, &str)]) -> String {
+    let mut page =
+        String::with_capacity(template.len() + values.iter().map(|(_, value)| value.len()).sum::<usize>());
+    for (i, piece) in template.split("{{").enumerate() {
+        let place = piece.split_once("}}").filter(|_| i > 0);
+        let value =
+            place.and_then(|(name, rest)| Some((values.iter().find(|(key, _)| *key == name)?.1, rest)));
+        match value {
+            Some((value, rest)) => page.extend([value, rest]),
+            None => page.extend([if i > 0 { "{{" } else { "" }, piece]),
+        }
+    }
+    page
+}
+
+/// Text for elements and quoted attributes.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            _ => escaped.push(character),
+        }
+    }
+    escaped
+}
+
+/// JSON that cannot end the element it stands in: `<` occurs in strings only, and there `\u003c` is the same.
+fn guard(json: &str) -> String {
+    json.replace('<', "\\u003c")
+}
+
+/// The summary; empty without rows.
+fn table(rows: &[TableRow]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let mut html = String::from("  <details open>\n    <summary>Summary</summary>\n    <table>\n");
+    for row in rows {
+        let [label, value, unit, note] =
+            [&row.label, &row.value, &row.unit, &row.note].map(|text| escape(text));
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            html,
+            "      <tr><th scope=\"row\">{label}</th><td class=\"value\">{value}</td><td class=\"unit\">{unit}</td>\
+             <td class=\"note\">{note}</td></tr>"
+        );
+    }
+    html.push_str("    </table>\n  </details>");
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_not_searched_for_places() {
+        assert_eq!(fill("a {{x}} b {{y}} {{z}}", &[("x", "{{y}}"), ("y", "2")]), "a {{y}} b 2 {{z}}");
+    }
+
+    #[test]
+    fn all_places_of_the_template_are_known() {
+        let names: Vec<&str> =
+            TEMPLATE.split("{{").skip(1).filter_map(|piece| Some(piece.split_once("}}")?.0)).collect();
+        assert_eq!(names, ["title", "style", "title", "legend", "table", "data", "viewer"]);
+    }
+
+    #[test]
+    fn the_embedded_files_cannot_end_their_elements() {
+        let lower = VIEWER.to_lowercase();
+        assert!(!lower.contains("</script") && !lower.contains("<!--"), "rebuild assets/viewer.js");
+        assert!(!STYLE.to_lowercase().contains("</style"));
+    }
+
+    #[test]
+    fn a_table_without_rows_leaves_nothing() {
+        assert_eq!(table(&[]), "");
+        assert!(table(&[TableRow::new("a", "1", "m", "x<y")]).contains("<td class=\"note\">x&lt;y</td>"));
+    }
+}

@@ -1,0 +1,74 @@
+// The figure: one group a link, moved to the link's pose.
+
+import { Group, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from 'three';
+import { geometry } from './shapes.js';
+import { makeLink, makeSkin } from './skin.js';
+
+export function makeBody(data) {
+  const group = new Group();
+  const materials = {};
+  for (const side of ['left', 'right', 'middle']) {
+    materials[side] = new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
+  }
+  const links = data.links.map((link) => {
+    const body = makeLink();
+    for (const part of link.parts) {
+      const mesh = new Mesh(geometry(part), materials[link.side]);
+      mesh.position.fromArray(part.at);
+      mesh.quaternion.fromArray(part.turn);
+      mesh.castShadow = true;
+      mesh.receiveShadow = true;
+      body.add(mesh);
+    }
+    group.add(body);
+    return body;
+  });
+
+  for (const { parent, child, offset } of data.skins) {
+    const [upper, lower] = [data.links[parent], data.links[child]];
+    group.add(makeSkin(upper, lower, [links[parent], links[child]], offset, materials[lower.side]));
+  }
+
+  const root = new Vector3();
+  const from = new Vector3();
+  const turn = new Quaternion();
+  const next = new Quaternion();
+  const count = links.length;
+
+  return {
+    group,
+    paint(theme) {
+      for (const [side, material] of Object.entries(materials)) material.color.set(theme.body[side]);
+    },
+    // Between two frames positions and quaternions are interpolated linearly: the frames are 1/60 s apart or less than
+    // that, and successive quaternions never change their sign.
+    pose({ index, next: after, fraction }) {
+      rootAt(data, index, after, fraction, root);
+      links.forEach((body, link) => {
+        const a = index * count + link;
+        const b = after * count + link;
+        from.fromArray(data.positions, 3 * a);
+        body.position.fromArray(data.positions, 3 * b).sub(from).multiplyScalar(fraction).add(from).add(root);
+        turn.fromArray(data.turns, 4 * a);
+        next.fromArray(data.turns, 4 * b);
+        body.quaternion
+          .set(
+            turn.x + (next.x - turn.x) * fraction,
+            turn.y + (next.y - turn.y) * fraction,
+            turn.z + (next.z - turn.z) * fraction,
+            turn.w + (next.w - turn.w) * fraction,
+          )
+          .normalize();
+      });
+    },
+  };
+}
+
+// Position of the root link, to which the links' positions and the centre of mass are relative.
+export function rootAt(data, index, after, fraction, out) {
+  for (let i = 0; i < 3; i += 1) {
+    const a = data.root[3 * index + i];
+    out.setComponent(i, a + (data.root[3 * after + i] - a) * fraction);
+  }
+  return out;
+}

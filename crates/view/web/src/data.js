@@ -1,0 +1,41 @@
+// The embedded data: JSON with base64 arrays, decoded once into plain numbers.
+// The layout is described in the documentation of the crate (`solaris_view`), next to the code that writes it.
+
+function bytes(text) {
+  const raw = atob(text);
+  const out = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i += 1) out[i] = raw.charCodeAt(i);
+  return out.buffer;
+}
+
+// An array is either 32-bit floats, or 16-bit integers with `value = offset + scale · integer`.
+export function numbers(array) {
+  if (array.f32 !== undefined) return new Float32Array(bytes(array.f32));
+  const integers = new Int16Array(bytes(array.i16));
+  const out = new Float32Array(integers.length);
+  for (let i = 0; i < out.length; i += 1) out[i] = array.offset + array.scale * integers[i];
+  return out;
+}
+
+const line = ({ side, values }) => ({ side, values: numbers(values) });
+
+// What the rest of the page works with. World: x left, y up, z forward (m).
+export function readData(element) {
+  const raw = JSON.parse(element.textContent);
+  const quantity = (plot) => plot && { unit: plot.unit, lines: plot.lines.map(line) };
+  return {
+    ...raw,
+    time: numbers(raw.time),
+    root: numbers(raw.root),
+    positions: numbers(raw.positions),
+    turns: numbers(raw.turns),
+    com: raw.com && numbers(raw.com),
+    feet: raw.feet.map((foot) => ({ ...foot, force: numbers(foot.force), cop: numbers(foot.cop) })),
+    joints: raw.joints.map((joint) => ({
+      label: joint.label,
+      position: quantity(joint.position),
+      effort: quantity(joint.effort),
+    })),
+    forces: raw.forces.map((plot) => ({ label: plot.label, ...quantity(plot) })),
+  };
+}

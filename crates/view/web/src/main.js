@@ -1,0 +1,52 @@
+// The page of a motion: reads the embedded data, puts picture, plots and controls together, and runs the clock.
+
+import './style.css';
+import { makeClock } from './clock.js';
+import { makeControls } from './controls.js';
+import { readData } from './data.js';
+import { makePicture } from './picture.js';
+import { makePlots } from './plots.js';
+import { onThemeChange, readTheme } from './theme.js';
+
+const data = readData(document.getElementById('data'));
+const clock = makeClock(data.time);
+const holder = document.getElementById('picture');
+
+let picture = null;
+try {
+  picture = makePicture(holder, data, clock);
+} catch (error) {
+  // No WebGL: say so, and leave plots and table.
+  const note = document.getElementById('no-picture');
+  note.hidden = false;
+  note.querySelector('small').textContent = error.message;
+}
+const plots = makePlots(document.getElementById('plots'), data, clock, readTheme());
+makeControls(clock, picture, data);
+picture?.paint(readTheme());
+onThemeChange(() => {
+  picture?.paint(readTheme());
+  plots.paint(readTheme());
+});
+
+// A page that was hidden does not catch up.
+const LONGEST_TICK = 0.5;
+let before = performance.now();
+function run(time) {
+  clock.tick(Math.min(LONGEST_TICK, Math.max(0, (time - before) / 1000)));
+  before = time;
+  picture?.draw();
+  requestAnimationFrame(run);
+}
+requestAnimationFrame(run);
+if (!matchMedia('(prefers-reduced-motion: reduce)').matches) clock.play();
+
+// For scripts and tests.
+window.solaris = {
+  ready: true,
+  time: clock.time,
+  play: clock.play,
+  pause: clock.pause,
+  seek: clock.seek,
+  frame: () => clock.frame().index,
+};
