@@ -1,5 +1,6 @@
 //! Why a walk cannot be.
 
+use solaris_dynamics::DynamicsError;
 use solaris_model::SolePart;
 use solaris_profiles::ProfileError;
 
@@ -61,6 +62,12 @@ pub enum GaitError {
          style"
     )]
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
+    #[error("the motion has no {what}; find the ground reactions first")]
+    NothingToMeasure { what: &'static str },
+    #[error("the figure has no anatomical angle '{angle}'")]
+    MissingAngle { angle: String },
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
     #[error("the walk does not close: {0}; this is a fault of the planner")]
     Profile(#[from] ProfileError),
 }

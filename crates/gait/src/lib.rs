@@ -6,6 +6,7 @@ mod foot;
 mod grid;
 mod laws;
 mod leg;
+mod measure;
 mod momentum;
 mod parameter;
 mod posture;
@@ -19,6 +20,9 @@ mod walker;
 
 pub use error::GaitError;
 pub use leg::LegGeometry;
+pub use measure::{
+    Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands, measure,
+};
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stride::{Resolution, StridePlan};
 pub use style::{Style, WALK_RATIO};

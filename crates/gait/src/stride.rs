@@ -42,7 +42,6 @@ impl Default for Resolution {
 pub struct StridePlan {
     pub(crate) body: Body,
     pub(crate) style: Style,
-    pub(crate) grid: Grid,
     stance: Stance,
     swing: Swing,
     /// The pelvis in a frame that moves with the walk.
@@ -128,7 +127,7 @@ impl StridePlan {
             .collect();
         let pelvis_nodes: Vec<[f64; 3]> = pelvis.iter().map(|&p| p.into()).collect();
         let pelvis = UniformSpline::periodic(0.0, 1.0 / n as f64, &pelvis_nodes)?;
-        Ok(Self { body, style: *style, grid, stance, swing, pelvis, nodes, com_offset: offset, contact })
+        Ok(Self { body, style: *style, stance, swing, pelvis, nodes, com_offset: offset, contact })
     }
 
     /// The style that was planned.

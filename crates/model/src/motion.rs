@@ -93,6 +93,18 @@ pub struct MotionInfo {
     pub rate: f64,
 }
 
+impl MotionInfo {
+    /// Standard gravity along −y and a ground at y = 0: the world of generated figures (x left, y up, z forward).
+    pub fn on_earth(figure: &Figure, rate: f64) -> Self {
+        Self {
+            fingerprint: figure.fingerprint(),
+            gravity: Vector3::new(0.0, -9.806_65, 0.0),
+            ground: Some(Ground { height: 0.0, friction: None }),
+            rate,
+        }
+    }
+}
+
 /// A sampled motion of one figure.
 ///
 /// Rows are samples; `q` has `nq` numbers a sample, `v`, `a` and `tau` have `nv`, in the order of the figure's

@@ -1,1 +1,21 @@
-//! (to come)
+#![doc = include_str!("../README.md")]
+
+pub use solaris_dynamics as dynamics;
+pub use solaris_gait as gait;
+#[cfg(feature = "io")]
+pub use solaris_io as io;
+pub use solaris_model as model;
+pub use solaris_modes as modes;
+pub use solaris_profiles as profiles;
+#[cfg(feature = "view")]
+pub use solaris_view as view;
+
+/// What a first program needs.
+pub mod prelude {
+    pub use solaris_dynamics::{Tree, Workspace, forward_kinematics, inverse_dynamics, mass_matrix};
+    pub use solaris_gait::{Extent, WalkRequest, measure, walk};
+    pub use solaris_model::{
+        Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, MotionInfo, Trajectory, Vector3, human,
+    };
+    pub use solaris_modes::ground_reactions;
+}

@@ -3,7 +3,7 @@
 use super::laws::Kind;
 use super::plan::WalkPlan;
 use crate::prescribed::G;
-use solaris_model::{Event, EventKind, Figure, Interval, SolePart};
+use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionError, MotionInfo, SolePart};
 use solaris_modes::{Support, SupportLaw};
 
 /// Names of the feet's links, left and right.
@@ -14,6 +14,19 @@ impl WalkPlan {
     /// The body's weight (N).
     pub fn weight(&self) -> f64 {
         self.body.mass * G
+    }
+
+    /// The walk sampled `rate` times a second, with its events and planted points; forces are found by
+    /// [`solaris_modes::ground_reactions`], which takes the plan as its law.
+    ///
+    /// # Errors
+    ///
+    /// A rate that is none.
+    pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, MotionError> {
+        let mut motion = Motion::sample(figure, self, MotionInfo::on_earth(figure, rate))?;
+        motion.events = self.events();
+        motion.planted = self.planted(figure);
+        Ok(motion)
     }
 
     /// Touch-downs and lift-offs in the order of time.

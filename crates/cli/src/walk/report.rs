@@ -1,0 +1,256 @@
+//! The numbers of a walk, as they are written to JSON.
+
+use serde::Serialize;
+use solaris::gait::{
+    Band, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, WalkPlan, check_bands,
+};
+use solaris::model::Motion;
+use solaris::modes::ReactionReport;
+use std::io::Write;
+use std::time::Duration;
+
+/// Everything that a walk came to.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report {
+    /// Of the program that wrote it.
+    pub(crate) version: &'static str,
+    pub(crate) person: Person,
+    pub(crate) walk: Walk,
+    pub(crate) steady_stride: Option<Stride>,
+    pub(crate) whole_walk: Whole,
+    pub(crate) bands: Vec<BandList>,
+    pub(crate) forces: Forces,
+    pub(crate) run_time: RunTime,
+    pub(crate) notes: Vec<String>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Person {
+    pub(crate) height_m: f64,
+    pub(crate) mass_kg: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Walk {
+    pub(crate) steps: usize,
+    pub(crate) step_frequency_per_min: f64,
+    pub(crate) step_length_m: f64,
+    /// Step length over people's at this height and frequency.
+    pub(crate) step_length_over_peoples: f64,
+    pub(crate) speed_m_s: f64,
+    pub(crate) distance_m: f64,
+    pub(crate) duration_s: f64,
+    pub(crate) frames: usize,
+    pub(crate) rate_per_s: f64,
+    pub(crate) double_supports_percent: Vec<f64>,
+}
+
+/// Percent of body weight, degrees, cm, N m/kg.
+#[derive(Debug, Serialize)]
+pub(crate) struct Stride {
+    pub(crate) span_s: (f64, f64),
+    pub(crate) step_length_m: f64,
+    pub(crate) speed_m_s: f64,
+    pub(crate) cadence_per_min: f64,
+    pub(crate) double_support_percent: f64,
+    pub(crate) stance_percent: f64,
+    /// Step length over cadence; people's is 0.0065 (cited).
+    pub(crate) walk_ratio_m_min: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Extreme {
+    pub(crate) value: f64,
+    pub(crate) at_s: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Whole {
+    pub(crate) vertical_percent_bw: Extreme,
+    pub(crate) braking_percent_bw: Extreme,
+    pub(crate) pushing_percent_bw: Extreme,
+    pub(crate) friction: Extreme,
+    pub(crate) foot_friction: Extreme,
+    pub(crate) slide_m: Extreme,
+    pub(crate) sink_m: Extreme,
+    pub(crate) toe_clearance_m: Extreme,
+    pub(crate) cop_outside_m: Extreme,
+    pub(crate) least_knee_deg: Extreme,
+    pub(crate) joints: Vec<Joint>,
+}
+
+/// Moments in N m/kg, powers in W/kg.
+#[derive(Debug, Serialize)]
+pub(crate) struct Joint {
+    pub(crate) joint: &'static str,
+    pub(crate) extension: Extreme,
+    pub(crate) flexion: Extreme,
+    pub(crate) generated: Extreme,
+    pub(crate) absorbed: Extreme,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct BandList {
+    pub(crate) name: &'static str,
+    pub(crate) source: &'static str,
+    pub(crate) inside: usize,
+    pub(crate) of: usize,
+    pub(crate) checks: Vec<Check>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Check {
+    pub(crate) name: &'static str,
+    pub(crate) unit: &'static str,
+    pub(crate) value: f64,
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+    pub(crate) inside: bool,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Forces {
+    pub(crate) double_support_split: &'static str,
+    pub(crate) root_residual_n: f64,
+    pub(crate) root_residual_n_m: f64,
+    /// How far the total force that the motion implies is from the one that was prescribed.
+    pub(crate) from_prescribed_n: Option<Extreme>,
+    pub(crate) cop_from_prescribed_m: Extreme,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct RunTime {
+    pub(crate) planning_s: f64,
+    pub(crate) with_forces_s: f64,
+}
+
+impl Report {
+    pub(crate) fn new(
+        height: f64,
+        mass: f64,
+        plan: &WalkPlan,
+        motion: &Motion,
+        reactions: &ReactionReport,
+        measures: &WalkMeasures,
+        (planned, solved): (Duration, Duration),
+    ) -> Self {
+        let style = plan.style();
+        let m = measures;
+        let joint = |joint: &solaris::gait::JointPeaks| Joint {
+            joint: joint.joint,
+            extension: extreme(joint.extension),
+            flexion: extreme(joint.flexion),
+            generated: extreme(joint.generated),
+            absorbed: extreme(joint.absorbed),
+        };
+        let pair = |(value, at_s): (f64, f64)| Extreme { value, at_s };
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            person: Person { height_m: height, mass_kg: mass },
+            walk: Walk {
+                steps: m.steps,
+                step_frequency_per_min: style.step_frequency,
+                step_length_m: style.step_length,
+                step_length_over_peoples: style.step_length / (WALK_RATIO * height * style.step_frequency),
+                speed_m_s: style.step_length * style.step_frequency / 60.0,
+                distance_m: m.distance,
+                duration_s: m.duration,
+                frames: motion.len(),
+                rate_per_s: motion.info.rate,
+                double_supports_percent: m.double_supports.clone(),
+            },
+            steady_stride: m.steady.as_ref().map(stride),
+            whole_walk: Whole {
+                vertical_percent_bw: extreme(m.vertical),
+                braking_percent_bw: extreme(m.braking),
+                pushing_percent_bw: extreme(m.pushing),
+                friction: extreme(m.friction),
+                foot_friction: extreme(m.foot_friction),
+                slide_m: extreme(m.slide),
+                sink_m: extreme(m.sink),
+                toe_clearance_m: extreme(m.clearance),
+                cop_outside_m: extreme(m.cop_outside),
+                least_knee_deg: Extreme { value: m.least_knee.value.to_degrees(), at_s: m.least_knee.time },
+                joints: m.joints.iter().map(joint).collect(),
+            },
+            bands: m.steady.as_ref().map_or_else(Vec::new, bands),
+            forces: Forces {
+                double_support_split: reactions.split,
+                root_residual_n: reactions.root_residual.0,
+                root_residual_n_m: reactions.root_residual.1,
+                from_prescribed_n: reactions.from_prescribed.map(pair),
+                cop_from_prescribed_m: pair(reactions.cop_from_nominal),
+            },
+            run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
+            notes: notes(style.step_frequency, m),
+        }
+    }
+
+    /// Writes the report as JSON.
+    pub(crate) fn write(&self, mut writer: impl Write) -> std::io::Result<()> {
+        serde_json::to_writer_pretty(&mut writer, self).map_err(std::io::Error::from)?;
+        writer.write_all(b"\n")
+    }
+}
+
+fn extreme(peak: Peak) -> Extreme {
+    Extreme { value: peak.value, at_s: peak.time }
+}
+
+fn stride(s: &SteadyStride) -> Stride {
+    Stride {
+        span_s: s.span,
+        step_length_m: s.step_length,
+        speed_m_s: s.speed,
+        cadence_per_min: s.cadence,
+        double_support_percent: s.double_support,
+        stance_percent: s.stance,
+        walk_ratio_m_min: s.step_length / s.cadence,
+    }
+}
+
+fn bands(stride: &SteadyStride) -> Vec<BandList> {
+    let list = |name: &'static str, source: &'static str, bands: &'static [Band]| {
+        let checks: Vec<Check> = check_bands(bands, stride)
+            .into_iter()
+            .map(|check| Check {
+                name: check.band.name,
+                unit: check.band.unit,
+                value: check.value,
+                lower: check.band.range.0,
+                upper: check.band.range.1,
+                inside: check.inside,
+            })
+            .collect();
+        let inside = checks.iter().filter(|check| check.inside).count();
+        BandList { name, source, inside, of: checks.len(), checks }
+    };
+    vec![
+        list("recipe", "the bands that the walk was fitted to", RECIPE_BANDS),
+        list("textbook", "textbook range, not cited", TEXTBOOK_BANDS),
+    ]
+}
+
+/// What is known to be wrong with such a walk, said where it shows.
+fn notes(step_frequency: f64, measures: &WalkMeasures) -> Vec<String> {
+    let mut notes = Vec::new();
+    if measures.least_knee.value < 0.0 {
+        notes.push(format!(
+            "a knee is hyperextended by {:.1}° at {:.2} s",
+            -measures.least_knee.value.to_degrees(),
+            measures.least_knee.time
+        ));
+    }
+    if step_frequency > 115.0 {
+        notes.push(
+            "above 115 steps/min hip range, hip moments, push and ankle moment exceed people's".to_owned(),
+        );
+    }
+    if step_frequency < 90.0 {
+        notes.push("below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned());
+    }
+    if measures.steady.is_none() {
+        notes.push("no steady stride in so few steps: people's bands are for five and more".to_owned());
+    }
+    notes
+}

@@ -1,0 +1,196 @@
+//! Axes of single degrees of freedom: a formula is written once in terms of `e` and costs what the axis costs.
+
+use crate::real::Real;
+use nalgebra::{Matrix3, Vector3};
+
+/// What one degree of freedom has done: kept from the way out for the way back.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moved<T> {
+    /// Sine of the angle, or the distance slid, along the (positive) axis.
+    pub(crate) s: T,
+    /// Cosine of the angle.
+    pub(crate) c: T,
+}
+
+/// A unit vector `e`, the axis of a degree of freedom.
+pub(crate) trait Direction<T: Real>: Copy {
+    /// `e·v`
+    fn dot(self, v: &Vector3<T>) -> T;
+
+    /// `v + k·e`
+    fn add(self, v: Vector3<T>, k: T) -> Vector3<T>;
+
+    /// `v × (k·e)`
+    fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T>;
+
+    /// `Rᵀ·v`: from the frame before a turn about `e` to the one after it.
+    fn enter(self, v: Vector3<T>, turn: Moved<T>) -> Vector3<T>;
+
+    /// `R·v`: from the frame after a turn about `e` to the one before it.
+    fn leave(self, v: Vector3<T>, turn: Moved<T>) -> Vector3<T>;
+
+    /// `frame·e`
+    fn of(self, frame: &Matrix3<T>) -> Vector3<T>;
+
+    /// `frame·R`: the axes of a frame, turned about `e` of that frame.
+    fn turned(self, frame: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T>;
+}
+
+/// The coordinate axis x (0), y (1) or z (2).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Along<const A: usize>;
+
+impl<const A: usize> Along<A> {
+    /// The two axes that follow in cyclic order: `A × B = C`.
+    const B: usize = (A + 1) % 3;
+    const C: usize = (A + 2) % 3;
+}
+
+impl<T: Real, const A: usize> Direction<T> for Along<A> {
+    #[inline]
+    fn dot(self, v: &Vector3<T>) -> T {
+        v[A]
+    }
+
+    #[inline]
+    fn add(self, mut v: Vector3<T>, k: T) -> Vector3<T> {
+        v[A] += k;
+        v
+    }
+
+    #[inline]
+    fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T> {
+        let mut out = Vector3::zeros();
+        out[Self::B] = v[Self::C] * k;
+        out[Self::C] = -(v[Self::B] * k);
+        out
+    }
+
+    #[inline]
+    fn enter(self, mut v: Vector3<T>, turn: Moved<T>) -> Vector3<T> {
+        let (b, c) = (v[Self::B], v[Self::C]);
+        v[Self::B] = turn.c * b + turn.s * c;
+        v[Self::C] = turn.c * c - turn.s * b;
+        v
+    }
+
+    #[inline]
+    fn leave(self, mut v: Vector3<T>, turn: Moved<T>) -> Vector3<T> {
+        let (b, c) = (v[Self::B], v[Self::C]);
+        v[Self::B] = turn.c * b - turn.s * c;
+        v[Self::C] = turn.c * c + turn.s * b;
+        v
+    }
+
+    #[inline]
+    fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
+        Vector3::new(frame[(0, A)], frame[(1, A)], frame[(2, A)])
+    }
+
+    #[inline]
+    fn turned(self, frame: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
+        let mut out = *frame;
+        for row in 0..3 {
+            let (b, c) = (frame[(row, Self::B)], frame[(row, Self::C)]);
+            out[(row, Self::B)] = turn.c * b + turn.s * c;
+            out[(row, Self::C)] = turn.c * c - turn.s * b;
+        }
+        out
+    }
+}
+
+/// An axis that is none of the coordinate axes, with the rotation about it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Skew<'a, T> {
+    /// The unit vector.
+    pub(crate) axis: &'a Vector3<T>,
+    /// `R`; anything for a degree of freedom that slides.
+    pub(crate) rotation: &'a Matrix3<T>,
+}
+
+impl<T: Real> Direction<T> for Skew<'_, T> {
+    #[inline]
+    fn dot(self, v: &Vector3<T>) -> T {
+        dot(self.axis, v)
+    }
+
+    #[inline]
+    fn add(self, v: Vector3<T>, k: T) -> Vector3<T> {
+        v + self.axis * k
+    }
+
+    #[inline]
+    fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T> {
+        cross(v, &(self.axis * k))
+    }
+
+    #[inline]
+    fn enter(self, v: Vector3<T>, _: Moved<T>) -> Vector3<T> {
+        apply_transposed(self.rotation, &v)
+    }
+
+    #[inline]
+    fn leave(self, v: Vector3<T>, _: Moved<T>) -> Vector3<T> {
+        apply(self.rotation, &v)
+    }
+
+    #[inline]
+    fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
+        apply(frame, self.axis)
+    }
+
+    #[inline]
+    fn turned(self, frame: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
+        frame * self.rotation
+    }
+}
+
+/// The rotation about the unit vector `e` by an angle of sine `s` and cosine `c` (Rodrigues):
+///
+/// ```text
+/// R = c·1 + s·[e]× + (1 − c)·e·eᵀ
+/// ```
+pub(crate) fn rodrigues<T: Real>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
+    let k = T::one() - c;
+    let (x, y, z) = (e.x, e.y, e.z);
+    let (kx, ky, kz) = (k * x, k * y, k * z);
+    #[rustfmt::skip]
+    let rotation = Matrix3::new(
+        kx * x + c,     kx * y - s * z, kx * z + s * y,
+        kx * y + s * z, ky * y + c,     ky * z - s * x,
+        kx * z - s * y, ky * z + s * x, kz * z + c,
+    );
+    rotation
+}
+
+/// `a·b`
+#[inline]
+pub(crate) fn dot<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> T {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+/// `a × b`
+#[inline]
+pub(crate) fn cross<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
+    Vector3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+}
+
+/// `m·v`
+#[inline]
+pub(crate) fn apply<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        m.m11 * v.x + m.m12 * v.y + m.m13 * v.z,
+        m.m21 * v.x + m.m22 * v.y + m.m23 * v.z,
+        m.m31 * v.x + m.m32 * v.y + m.m33 * v.z,
+    )
+}
+
+/// `mᵀ·v`
+#[inline]
+pub(crate) fn apply_transposed<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+    Vector3::new(
+        m.m11 * v.x + m.m21 * v.y + m.m31 * v.z,
+        m.m12 * v.x + m.m22 * v.y + m.m32 * v.z,
+        m.m13 * v.x + m.m23 * v.y + m.m33 * v.z,
+    )
+}

@@ -1,0 +1,179 @@
+//! Degrees of freedom, and how a recursion steps over one or over three.
+
+use crate::direction::Moved;
+use crate::real::Real;
+use nalgebra::Vector3;
+use solaris_model::{Axis, AxisKind};
+
+/// One degree of freedom.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dof<T> {
+    pub(crate) kind: Kind,
+    /// −1 where the axis points against its coordinate axis, otherwise 1.
+    pub(crate) sign: T,
+    /// The unit vector along the axis, its sign included.
+    pub(crate) axis: Vector3<T>,
+    /// Its coordinate's place in `q`.
+    pub(crate) q: usize,
+    /// Its place among the axes that need a rotation matrix.
+    pub(crate) slot: usize,
+}
+
+/// Turning or sliding, along which axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    TurnX,
+    TurnY,
+    TurnZ,
+    TurnSkew,
+    SlideX,
+    SlideY,
+    SlideZ,
+    SlideSkew,
+}
+
+/// Three turns about different coordinate axes, the last of their joint: what most joints of living things are. The
+/// recursions step over them at once; the formula of each turn is the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Triple {
+    Xyz,
+    Xzy,
+    Yxz,
+    Yzx,
+    Zxy,
+    Zyx,
+}
+
+/// The triple at the end of a joint's degrees of freedom, if there is one, its axes pointing along the coordinate axes.
+pub(crate) fn triple<T: Real>(dofs: &[Dof<T>]) -> Option<Triple> {
+    let last = dofs.last_chunk::<3>()?;
+    if last.iter().any(|dof| dof.sign != T::one()) {
+        return None;
+    }
+    match last.map(|dof| dof.kind) {
+        [Kind::TurnX, Kind::TurnY, Kind::TurnZ] => Some(Triple::Xyz),
+        [Kind::TurnX, Kind::TurnZ, Kind::TurnY] => Some(Triple::Xzy),
+        [Kind::TurnY, Kind::TurnX, Kind::TurnZ] => Some(Triple::Yxz),
+        [Kind::TurnY, Kind::TurnZ, Kind::TurnX] => Some(Triple::Yzx),
+        [Kind::TurnZ, Kind::TurnX, Kind::TurnY] => Some(Triple::Zxy),
+        [Kind::TurnZ, Kind::TurnY, Kind::TurnX] => Some(Triple::Zyx),
+        _ => None,
+    }
+}
+
+/// Runs a formula with `$a`, `$b`, `$c` as the directions of `$triple`.
+macro_rules! along_three {
+    ($triple:expr, |$a:ident, $b:ident, $c:ident| $formula:expr) => {{
+        use $crate::direction::Along;
+        use $crate::dof::Triple;
+        let (x, y, z) = (Along::<0>, Along::<1>, Along::<2>);
+        match $triple {
+            Triple::Xyz => {
+                let ($a, $b, $c) = (x, y, z);
+                $formula
+            }
+            Triple::Xzy => {
+                let ($a, $b, $c) = (x, z, y);
+                $formula
+            }
+            Triple::Yxz => {
+                let ($a, $b, $c) = (y, x, z);
+                $formula
+            }
+            Triple::Yzx => {
+                let ($a, $b, $c) = (y, z, x);
+                $formula
+            }
+            Triple::Zxy => {
+                let ($a, $b, $c) = (z, x, y);
+                $formula
+            }
+            Triple::Zyx => {
+                let ($a, $b, $c) = (z, y, x);
+                $formula
+            }
+        }
+    }};
+}
+pub(crate) use along_three;
+
+/// Runs one of two formulas with `$e` as the direction of the degree of freedom `$dof`.
+macro_rules! along {
+    ($dof:expr, $rotations:expr, |$e:ident| turn $turn:expr, slide $slide:expr) => {{
+        use $crate::direction::{Along, Skew};
+        use $crate::dof::Kind;
+        let dof = $dof;
+        match dof.kind {
+            Kind::TurnX => {
+                let $e = Along::<0>;
+                $turn
+            }
+            Kind::TurnY => {
+                let $e = Along::<1>;
+                $turn
+            }
+            Kind::TurnZ => {
+                let $e = Along::<2>;
+                $turn
+            }
+            Kind::TurnSkew => {
+                let $e = Skew { axis: &dof.axis, rotation: &$rotations[dof.slot] };
+                $turn
+            }
+            Kind::SlideX => {
+                let $e = Along::<0>;
+                $slide
+            }
+            Kind::SlideY => {
+                let $e = Along::<1>;
+                $slide
+            }
+            Kind::SlideZ => {
+                let $e = Along::<2>;
+                $slide
+            }
+            Kind::SlideSkew => {
+                let $e = Skew { axis: &dof.axis, rotation: &$rotations[dof.slot] };
+                $slide
+            }
+        }
+    }};
+}
+pub(crate) use along;
+
+impl<T: Real> Dof<T> {
+    /// The degree of freedom of this axis, at coordinate `q`, with `slot` for its matrix if it needs one.
+    pub(crate) fn new(axis: &Axis, q: usize, slot: usize) -> Self {
+        // Normalised once more in double precision, so that no rounding of an input is left.
+        let direction = axis.direction.normalize();
+        let coordinate = (0..3).find(|&i| (0..3).all(|j| i == j || direction[j].abs() == 0.0));
+        let kind = match (axis.kind, coordinate) {
+            (AxisKind::Rotation, Some(0)) => Kind::TurnX,
+            (AxisKind::Rotation, Some(1)) => Kind::TurnY,
+            (AxisKind::Rotation, Some(_)) => Kind::TurnZ,
+            (AxisKind::Rotation, None) => Kind::TurnSkew,
+            (AxisKind::Translation, Some(0)) => Kind::SlideX,
+            (AxisKind::Translation, Some(1)) => Kind::SlideY,
+            (AxisKind::Translation, Some(_)) => Kind::SlideZ,
+            (AxisKind::Translation, None) => Kind::SlideSkew,
+        };
+        let sign = T::from_f64(coordinate.map_or(1.0, |i| direction[i].signum()));
+        Self { kind, sign, axis: direction.map(T::from_f64), q, slot }
+    }
+
+    /// What it has done, from the pair kept for its coordinate.
+    #[inline]
+    pub(crate) fn moved(&self, pair: (T, T)) -> Moved<T> {
+        Moved { s: pair.0 * self.sign, c: pair.1 }
+    }
+}
+
+impl Kind {
+    pub(crate) fn turns(self) -> bool {
+        matches!(self, Self::TurnX | Self::TurnY | Self::TurnZ | Self::TurnSkew)
+    }
+
+    pub(crate) fn is_skew(self) -> bool {
+        matches!(self, Self::TurnSkew | Self::SlideSkew)
+    }
+}

@@ -1,0 +1,79 @@
+//! What can be wrong with a call.
+
+/// Why an operation gave no result. Values are printed as the scalar prints itself, lanes and all.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DynamicsError {
+    /// A constant of the figure or the gravity is not a finite number in the scalar asked for.
+    #[error(
+        "{what} is {value}, which is not a finite number in this precision; correct it or use a wider scalar"
+    )]
+    Constant {
+        /// Which constant.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A joint is of a kind that this kernel does not know.
+    #[error(
+        "joint '{joint}' is of a kind that the dynamics cannot move yet; describe it by one-axis degrees of freedom"
+    )]
+    Joint {
+        /// The joint.
+        joint: String,
+    },
+    /// A slice or matrix has the wrong size.
+    #[error("{what} has {found} entries, but the figure needs {expected}")]
+    Length {
+        /// Which argument.
+        what: &'static str,
+        /// The length that the tree asks for.
+        expected: usize,
+        /// The length found.
+        found: usize,
+    },
+    /// The workspace was made for another tree.
+    #[error("the workspace was made for another tree; make one with Workspace::new for this tree")]
+    Workspace,
+    /// An entry of the state is infinite or NaN.
+    #[error("{what} of dof '{dof}' is {value}; it must be a finite number")]
+    NotFinite {
+        /// Which argument: `q`, `v` or `a`.
+        what: &'static str,
+        /// The degree of freedom.
+        dof: String,
+        /// The value.
+        value: String,
+    },
+    /// An external wrench names a link that does not exist.
+    #[error("external wrench {index} acts on link {link}, but the figure's links are 0 to {last}")]
+    NoSuchLink {
+        /// Its place in the list of wrenches.
+        index: usize,
+        /// The link it names.
+        link: usize,
+        /// The last link of the tree.
+        last: usize,
+    },
+    /// An external wrench is infinite or NaN.
+    #[error("external wrench {index} on link '{link}' is {wrench}; its entries must be finite numbers")]
+    WrenchNotFinite {
+        /// Its place in the list of wrenches.
+        index: usize,
+        /// The link it acts on.
+        link: String,
+        /// Force and moment.
+        wrench: String,
+    },
+    /// The state is finite but the result is not.
+    #[error(
+        "{what} came out as {value}: the state is finite, but too large for this precision; \
+         check its units or use a wider scalar"
+    )]
+    Overflow {
+        /// Which result.
+        what: String,
+        /// Its value.
+        value: String,
+    },
+}

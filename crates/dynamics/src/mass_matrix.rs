@@ -1,0 +1,156 @@
+//! The mass matrix, by composite bodies.
+
+use crate::direction::{cross, dot};
+use crate::error::DynamicsError;
+use crate::kinematics::place;
+use crate::real::Real;
+use crate::tree::Tree;
+use crate::workspace::{Composite, Load, Workspace, check_length, check_result};
+use nalgebra::{DMatrix, Matrix3, Vector3};
+
+/// The mass matrix `M` (`nv` × `nv`) at `q`, in kg, kg m, kg m²: kinetic energy is `½ vᵀ·M·v`.
+///
+/// Column `j` holds the forces, along every degree of freedom between `j` and the root, that accelerate by 1 all that
+/// `j` carries, taken as one rigid body; entries of degrees of freedom on different branches are zero. The bodies are
+/// written in world axes but about their own links' origins, so that nothing depends on where the figure stands. The
+/// work grows with the number of links times the depth of the tree, plus `nv²` for writing.
+///
+/// Also places the links: see [`Workspace::pose`].
+///
+/// # Source
+///
+/// The composite-body method of M. W. Walker, D. E. Orin, "Efficient dynamic computer simulation of robotic
+/// mechanisms", J. Dyn. Sys. Meas. Control 104 (1982) 205–211.
+///
+/// # Errors
+///
+/// [`DynamicsError`] for a slice or matrix of the wrong size, an entry that is not finite, a workspace of another tree,
+/// or entries beyond the precision.
+pub fn mass_matrix<T: Real>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    matrix: &mut DMatrix<T>,
+) -> Result<(), DynamicsError> {
+    workspace.set_positions(tree, q)?;
+    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
+    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
+    place(tree, workspace)?;
+    levers(tree, workspace);
+    gather(tree, workspace);
+    matrix.as_mut_slice().fill(T::zero());
+    let mut finite = true;
+    for (link, body) in tree.bodies.iter().enumerate() {
+        for j in body.first..body.end {
+            let load = accelerating(tree, workspace, link, j);
+            finite &= project(tree, workspace, link, j, load, matrix.as_mut_slice());
+        }
+    }
+    if finite { Ok(()) } else { check_result("the mass matrix", matrix.as_slice()) }
+}
+
+/// For each degree of freedom the velocity that a unit rate gives its link's origin, and for each link the way from its
+/// parent's origin to its own; world axes.
+fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+    for (i, body) in tree.bodies.iter().enumerate() {
+        // How far the degrees of freedom after k carry the link's origin away from the axis of k.
+        let mut slid = Vector3::zeros();
+        for k in (body.first..body.end).rev() {
+            let (dof, axis) = (&tree.dofs[k], ws.axes[k]);
+            if dof.kind.turns() {
+                ws.levers[k] = cross(&axis, &slid);
+            } else {
+                ws.levers[k] = axis;
+                slid += axis * ws.moved[dof.q].0;
+            }
+        }
+        ws.reaches[i] = ws.arms[i] + slid;
+    }
+}
+
+/// Each link with all that it carries as one body about the link's own origin, world axes. A body `(m, h, I)` about a
+/// point that is `r` away from the new one has there
+///
+/// ```text
+/// h' = h + m·r          I' = I + (2·h·r + m·r·r)·1 − (h·rᵀ + r·hᵀ + m·r·rᵀ)
+/// ```
+fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+    for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
+        *composite = body.matter.as_ref().map_or_else(Composite::zero, |matter| Composite {
+            mass: matter.mass,
+            first: pose.rotation * matter.first,
+            inertia: pose.rotation * matter.inertia_at_origin * pose.rotation.transpose(),
+        });
+    }
+    for (i, body) in tree.bodies.iter().enumerate().rev() {
+        let Some(parent) = body.parent else { continue };
+        let (Composite { mass, first: h, inertia }, r) = (ws.composites[i], ws.reaches[i]);
+        // With u = h + m·r/2, the shift is 2·u·r·1 − (u·rᵀ + r·uᵀ).
+        let u = h + r * (mass * T::from_f64(0.5));
+        let (outer, trace) = (u * r.transpose(), dot(&u, &r));
+        let shift = Matrix3::from_diagonal_element(trace + trace) - outer - outer.transpose();
+        let carried = &mut ws.composites[parent];
+        carried.mass += mass;
+        carried.first += h + r * mass;
+        carried.inertia += inertia + shift;
+    }
+}
+
+/// What accelerates all that link `link` carries by 1 along its degree of freedom `j`, about the link's origin.
+fn accelerating<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
+    let (Composite { mass, first, inertia }, lever) = (&ws.composites[link], &ws.levers[j]);
+    let (force, moment) = (lever * *mass, cross(first, lever));
+    if tree.dofs[j].kind.turns() {
+        let axis = &ws.axes[j];
+        Load { force: force + cross(axis, first), moment: moment + inertia * axis }
+    } else {
+        Load { force, moment }
+    }
+}
+
+/// Writes the forces that `load` on `link` asks of degree of freedom `j` and of all before it, as far as the root, into
+/// column and row `j`; tells whether they are finite.
+fn project<T: Real>(
+    tree: &Tree<T>,
+    ws: &Workspace<T>,
+    link: usize,
+    j: usize,
+    load: Load<T>,
+    matrix: &mut [T],
+) -> bool {
+    let n = tree.nv();
+    let Load { force, mut moment } = load;
+    let (mut link, mut end, mut finite) = (link, j + 1, true);
+    loop {
+        let body = &tree.bodies[link];
+        let dofs = body.first..end;
+        let column = &mut matrix[j * n..][dofs.clone()];
+        let axes = &ws.axes[dofs.clone()];
+        if body.only_turns {
+            for (entry, axis) in column.iter_mut().zip(axes) {
+                *entry = dot(axis, &moment);
+            }
+        } else {
+            let parts = axes.iter().zip(&ws.levers[dofs.clone()]).zip(&tree.dofs[dofs.clone()]);
+            for (entry, ((axis, lever), dof)) in column.iter_mut().zip(parts) {
+                let along = dot(lever, &force);
+                *entry = if dof.kind.turns() { dot(axis, &moment) + along } else { along };
+            }
+        }
+        for k in dofs {
+            let entry = matrix[j * n + k];
+            finite &= entry.is_finite();
+            matrix[k * n + j] = entry;
+        }
+        let Some(parent) = body.parent else { return finite };
+        moment += cross(&ws.reaches[link], &force);
+        link = parent;
+        end = tree.bodies[link].end;
+    }
+}
+
+impl<T: Real> Composite<T> {
+    fn zero() -> Self {
+        Self { mass: T::zero(), first: Vector3::zeros(), inertia: Matrix3::zeros() }
+    }
+}

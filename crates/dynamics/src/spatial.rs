@@ -1,0 +1,66 @@
+//! Positions, velocities, forces and momenta of rigid bodies, as pairs of vectors.
+
+use crate::real::Real;
+use nalgebra::{Matrix3, Vector3};
+
+/// Where a link's frame stands in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose<T> {
+    /// Turns link coordinates into world coordinates; its columns are the link's axes.
+    pub rotation: Matrix3<T>,
+    /// The link's origin in the world (m).
+    pub translation: Vector3<T>,
+}
+
+impl<T: Real> Pose<T> {
+    /// The world's own frame.
+    pub fn identity() -> Self {
+        Self { rotation: Matrix3::identity(), translation: Vector3::zeros() }
+    }
+
+    /// World coordinates (m) of a `point` of the link.
+    pub fn transform(&self, point: &Vector3<T>) -> Vector3<T> {
+        self.translation + self.rotation * point
+    }
+}
+
+/// How a link moves, in world axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Twist<T> {
+    /// Velocity of the link's origin (m/s).
+    pub linear: Vector3<T>,
+    /// Angular velocity of the link (rad/s).
+    pub angular: Vector3<T>,
+}
+
+impl<T: Real> Twist<T> {
+    /// Rest.
+    pub fn zero() -> Self {
+        Self { linear: Vector3::zeros(), angular: Vector3::zeros() }
+    }
+}
+
+/// A force and a moment on a link, in world axes, the moment about the world's origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wrench<T> {
+    /// Force (N).
+    pub force: Vector3<T>,
+    /// Moment about the world's origin (N m).
+    pub moment: Vector3<T>,
+}
+
+impl<T: Real> Wrench<T> {
+    /// A `force` (N) through a `point` of the world (m), with a free `moment` (N m); both in world axes.
+    pub fn at(point: &Vector3<T>, force: Vector3<T>, moment: Vector3<T>) -> Self {
+        Self { force, moment: moment + point.cross(&force) }
+    }
+}
+
+/// Momentum of a whole figure, in world axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Momentum<T> {
+    /// Linear momentum (kg m/s).
+    pub linear: Vector3<T>,
+    /// Angular momentum about the world's origin (kg m²/s).
+    pub angular: Vector3<T>,
+}

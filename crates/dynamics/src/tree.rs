@@ -1,0 +1,152 @@
+//! The constants of a figure, in the form in which the recursions read them.
+
+use crate::dof::{Dof, Triple, triple};
+use crate::error::DynamicsError;
+use crate::matter::{Matter, constant, matter, vector};
+use crate::real::Real;
+use nalgebra::{Matrix3, Vector3};
+use solaris_model::{Figure, JointKind, Link};
+
+/// A figure under a gravity, compiled for the recursions: constant, shared between any number of [`crate::Workspace`]s.
+///
+/// Links and degrees of freedom keep the order of the figure.
+#[derive(Clone, Debug)]
+pub struct Tree<T> {
+    pub(crate) bodies: Vec<Body<T>>,
+    pub(crate) dofs: Vec<Dof<T>>,
+    /// The degrees of freedom that slide.
+    pub(crate) slides: Vec<usize>,
+    /// The degrees of freedom whose axis is none of the coordinate axes, by slot.
+    pub(crate) skews: Vec<usize>,
+    pub(crate) gravity: Vector3<T>,
+    pub(crate) mass: T,
+    pub(crate) mass_inverse: T,
+    nq: usize,
+    q_names: Vec<String>,
+    v_names: Vec<String>,
+    link_names: Vec<String>,
+}
+
+/// One link with the joint that moves it.
+#[derive(Clone, Debug)]
+pub(crate) struct Body<T> {
+    pub(crate) parent: Option<usize>,
+    /// The joint's degrees of freedom are `first..end`.
+    pub(crate) first: usize,
+    pub(crate) end: usize,
+    /// Those from here on are the three turns of `triple`.
+    pub(crate) single_end: usize,
+    pub(crate) triple: Option<Triple>,
+    /// Whether no degree of freedom slides: then every axis goes through the link's origin.
+    pub(crate) only_turns: bool,
+    /// First coordinate in `q`.
+    pub(crate) q: usize,
+    /// Where the joint's frame stands in the parent's frame (m).
+    pub(crate) offset: Vector3<T>,
+    /// How it is turned there, if it is.
+    pub(crate) turned: Option<Matrix3<T>>,
+    /// What the link weighs; `None` for a link without mass.
+    pub(crate) matter: Option<Matter<T>>,
+}
+
+impl<T: Real> Tree<T> {
+    /// Compiles `figure` under the acceleration of `gravity` (m/s², world axes).
+    ///
+    /// # Errors
+    ///
+    /// [`DynamicsError::Constant`] where gravity is not finite or a constant of the figure is beyond the range of `T`;
+    /// [`DynamicsError::Joint`] for a kind of joint that the recursions do not know.
+    pub fn new(figure: &Figure, gravity: Vector3<f64>) -> Result<Self, DynamicsError> {
+        let layout = figure.layout();
+        let names = |names: &[String]| names.to_vec();
+        let mut tree = Self {
+            bodies: Vec::with_capacity(figure.links().len()),
+            dofs: Vec::with_capacity(layout.nv()),
+            slides: Vec::new(),
+            skews: Vec::new(),
+            gravity: vector("gravity", "", &gravity)?,
+            mass: constant("the mass of figure ", figure.name(), figure.mass())?,
+            mass_inverse: T::from_f64(if figure.mass() > 0.0 { figure.mass().recip() } else { 0.0 }),
+            nq: layout.nq(),
+            q_names: names(layout.q_names()),
+            v_names: names(layout.v_names()),
+            link_names: figure.links().iter().map(|link| link.name().to_owned()).collect(),
+        };
+        for (link, joint) in figure.links().iter().zip(layout.joints()) {
+            tree.push_dofs(link, joint.q)?;
+            let placement = link.joint().placement();
+            let mut rotation = placement.rotation;
+            rotation.renormalize();
+            let rotation = rotation.to_rotation_matrix();
+            let (first, end) = (joint.v, joint.v + joint.nv);
+            let triple = triple(&tree.dofs[first..end]);
+            tree.bodies.push(Body {
+                parent: link.parent(),
+                first,
+                end,
+                single_end: if triple.is_some() { end - 3 } else { end },
+                triple,
+                only_turns: tree.dofs[first..end].iter().all(|dof| dof.kind.turns()),
+                q: joint.q,
+                offset: vector("the origin of joint ", link.joint().name(), &placement.translation.vector)?,
+                turned: (*rotation.matrix() != Matrix3::identity())
+                    .then(|| rotation.matrix().map(T::from_f64)),
+                matter: matter(link)?,
+            });
+        }
+        Ok(tree)
+    }
+
+    fn push_dofs(&mut self, link: &Link, q: usize) -> Result<(), DynamicsError> {
+        let JointKind::Axes(axes) = link.joint().kind() else {
+            return Err(DynamicsError::Joint { joint: link.joint().name().to_owned() });
+        };
+        for (index, dof) in axes.iter().enumerate() {
+            let (k, dof) = (self.dofs.len(), Dof::new(&dof.axis, q + index, self.skews.len()));
+            self.skews.extend(dof.kind.is_skew().then_some(k));
+            self.slides.extend((!dof.kind.turns()).then_some(k));
+            self.dofs.push(dof);
+        }
+        Ok(())
+    }
+
+    /// Length of `q`.
+    pub fn nq(&self) -> usize {
+        self.nq
+    }
+
+    /// Length of `v`, `a` and `tau`.
+    pub fn nv(&self) -> usize {
+        self.dofs.len()
+    }
+
+    /// Number of links; link 0 is the root.
+    pub fn link_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Acceleration of gravity (m/s², world axes).
+    pub fn gravity(&self) -> &Vector3<T> {
+        &self.gravity
+    }
+
+    /// Total mass (kg).
+    pub fn mass(&self) -> T {
+        self.mass
+    }
+
+    /// Name of an entry of `q`.
+    pub(crate) fn q_name(&self, index: usize) -> String {
+        self.q_names[index].clone()
+    }
+
+    /// Name of an entry of `v`, `a` and `tau`.
+    pub(crate) fn v_name(&self, index: usize) -> String {
+        self.v_names[index].clone()
+    }
+
+    /// Name of a link.
+    pub(crate) fn link_name(&self, index: usize) -> String {
+        self.link_names[index].clone()
+    }
+}

@@ -1,0 +1,184 @@
+//! Scratch memory of the recursions, and where their results by link are read.
+
+use crate::direction::{Moved, rodrigues};
+use crate::error::DynamicsError;
+use crate::real::Real;
+use crate::spatial::{Pose, Twist, Wrench};
+use crate::tree::{Body, Tree};
+use nalgebra::{Matrix3, Vector3};
+
+/// Scratch memory for one tree: allocated once, then no operation allocates.
+///
+/// Each thread needs one of its own.
+#[derive(Clone, Debug)]
+pub struct Workspace<T> {
+    pub(crate) poses: Vec<Pose<T>>,
+    pub(crate) twists: Vec<Twist<T>>,
+    /// For each coordinate of `q`, sine and cosine of its angle, or how far it has slid.
+    pub(crate) moved: Vec<(T, T)>,
+    /// Rotation matrices about the axes that are not coordinate axes.
+    pub(crate) rotations: Vec<Matrix3<T>>,
+    /// Axis of each degree of freedom in world axes.
+    pub(crate) axes: Vec<Vector3<T>>,
+    /// Offset of each joint from its parent's origin in world axes.
+    pub(crate) arms: Vec<Vector3<T>>,
+    /// Velocity that a unit rate of each degree of freedom gives its link's origin, in world axes.
+    pub(crate) levers: Vec<Vector3<T>>,
+    /// Offset of each link's origin from its parent's, in world axes.
+    pub(crate) reaches: Vec<Vector3<T>>,
+    /// Motion of each link in its own frame.
+    pub(crate) motions: Vec<LinkMotion<T>>,
+    /// Load on each link in its own frame, about its own origin.
+    pub(crate) loads: Vec<Load<T>>,
+    /// What the world carries: the root's load, in world axes about the world's origin.
+    pub(crate) base: Load<T>,
+    /// Each link with all that it carries, in world axes about its own origin.
+    pub(crate) composites: Vec<Composite<T>>,
+    pub(crate) zeros: Vec<T>,
+}
+
+/// How a link moves, in its own frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LinkMotion<T> {
+    /// Angular velocity.
+    pub(crate) angular: Vector3<T>,
+    /// Angular acceleration.
+    pub(crate) angular_acceleration: Vector3<T>,
+    /// Acceleration of the origin, less gravity.
+    pub(crate) acceleration: Vector3<T>,
+    /// `K = [α]× + [ω]×²`: a point at `r` has the acceleration `a + K·r`.
+    pub(crate) field: Matrix3<T>,
+}
+
+/// A force and its moment about the origin of the frame it is written in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Load<T> {
+    pub(crate) force: Vector3<T>,
+    pub(crate) moment: Vector3<T>,
+}
+
+/// Mass, first moment and inertia of several links taken as one body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Composite<T> {
+    pub(crate) mass: T,
+    pub(crate) first: Vector3<T>,
+    pub(crate) inertia: Matrix3<T>,
+}
+
+impl<T: Real> Workspace<T> {
+    /// Scratch memory for `tree`.
+    pub fn new(tree: &Tree<T>) -> Self {
+        let (links, dofs, zero) = (tree.link_count(), tree.nv(), Vector3::zeros());
+        let rest = LinkMotion {
+            angular: zero,
+            angular_acceleration: zero,
+            acceleration: zero,
+            field: Matrix3::zeros(),
+        };
+        Self {
+            poses: vec![Pose::identity(); links],
+            twists: vec![Twist::zero(); links],
+            moved: vec![(T::zero(), T::one()); tree.nq()],
+            rotations: vec![Matrix3::identity(); tree.skews.len()],
+            axes: vec![zero; dofs],
+            arms: vec![zero; links],
+            levers: vec![zero; dofs],
+            reaches: vec![zero; links],
+            motions: vec![rest; links],
+            loads: vec![Load::zero(); links],
+            base: Load::zero(),
+            composites: vec![Composite { mass: T::zero(), first: zero, inertia: Matrix3::zeros() }; links],
+            zeros: vec![T::zero(); dofs],
+        }
+    }
+
+    /// Where a link stands, since the last operation on this workspace that is said to place the links.
+    ///
+    /// # Panics
+    ///
+    /// Where the tree has no such link.
+    pub fn pose(&self, link: usize) -> &Pose<T> {
+        &self.poses[link]
+    }
+
+    /// What has to act on the whole figure from outside, at its root or elsewhere, besides gravity and the external wrenches
+    /// that were given: the root's residual of the last inverse dynamics, in world axes about the world's origin.
+    ///
+    /// It is the rate of the figure's momentum less gravity's and the given wrenches' part, whatever joint the root has.
+    pub fn base_wrench(&self) -> Wrench<T> {
+        Wrench { force: self.base.force, moment: self.base.moment }
+    }
+
+    /// How a link moves, since the last operation on this workspace that is said to find the links' velocities.
+    ///
+    /// # Panics
+    ///
+    /// Where the tree has no such link.
+    pub fn velocity(&self, link: usize) -> &Twist<T> {
+        &self.twists[link]
+    }
+
+    /// What the last three turns of a joint with a triple have done.
+    #[inline]
+    pub(crate) fn last_three(&self, body: &Body<T>) -> [Moved<T>; 3] {
+        let from = body.q + (body.single_end - body.first);
+        let pairs = &self.moved[from..][..3];
+        [0, 1, 2].map(|i| Moved { s: pairs[i].0, c: pairs[i].1 })
+    }
+
+    /// Checks `q`, and keeps what each degree of freedom does at it.
+    pub(crate) fn set_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
+        let fits = self.poses.len() == tree.link_count()
+            && self.axes.len() == tree.nv()
+            && self.moved.len() == tree.nq()
+            && self.rotations.len() == tree.skews.len();
+        if !fits {
+            return Err(DynamicsError::Workspace);
+        }
+        check("q", q, tree.nq(), |index| tree.q_name(index))?;
+        // Sines of slides are found in vain: one loop over everything is the fastest.
+        T::sin_cos_all(q, &mut self.moved);
+        for &k in &tree.slides {
+            let index = tree.dofs[k].q;
+            self.moved[index].0 = q[index];
+        }
+        for (&k, rotation) in tree.skews.iter().zip(&mut self.rotations) {
+            let (dof, (s, c)) = (&tree.dofs[k], self.moved[tree.dofs[k].q]);
+            if dof.kind.turns() {
+                *rotation = rodrigues(&dof.axis, s, c);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Refuses a slice of the wrong length and one that is not finite.
+pub(crate) fn check<T: Real>(
+    what: &'static str,
+    values: &[T],
+    expected: usize,
+    name: impl Fn(usize) -> String,
+) -> Result<(), DynamicsError> {
+    check_length(what, values.len(), expected)?;
+    // Without an early exit the loop runs in vector registers.
+    if values.iter().fold(true, |finite, value| finite & value.is_finite()) {
+        return Ok(());
+    }
+    let bad = values.iter().position(|value| !value.is_finite()).unwrap_or_default();
+    Err(DynamicsError::NotFinite { what, dof: name(bad), value: format!("{:?}", values[bad]) })
+}
+
+/// Refuses the wrong length.
+pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), DynamicsError> {
+    if found == expected { Ok(()) } else { Err(DynamicsError::Length { what, expected, found }) }
+}
+
+/// Refuses a result that is not finite.
+pub(crate) fn check_result<T: Real>(what: &str, values: &[T]) -> Result<(), DynamicsError> {
+    if values.iter().fold(true, |finite, value| finite & value.is_finite()) {
+        return Ok(());
+    }
+    let bad =
+        values.iter().find(|value| !value.is_finite()).map_or_else(String::new, |value| format!("{value:?}"));
+    Err(DynamicsError::Overflow { what: what.to_owned(), value: bad })
+}

@@ -1,0 +1,75 @@
+//! No operation allocates once its workspace is there.
+
+#![allow(unsafe_code, reason = "counting allocations takes an allocator, and that is an unsafe trait")]
+
+mod support;
+
+use nalgebra::{DMatrix, Vector3};
+use solaris_dynamics as dynamics;
+use solaris_dynamics::Wrench;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use support::Kernel;
+use support::random::{Random, tree};
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+/// The system's allocator, counting the calls of each thread.
+struct Counting;
+
+// SAFETY: every call is passed on to the system's allocator unchanged; the counter needs no allocation and no drop.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: the caller's promise is the one that the system's allocator asks for.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = COUNT.get();
+    work();
+    COUNT.get() - before
+}
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(allocations(|| drop(std::hint::black_box(vec![1, 2, 3]))), 1);
+}
+
+#[test]
+fn no_operation_allocates() {
+    let mut random = Random::new(11);
+    let figure = tree(&mut random, 12, 1.0);
+    let n = figure.layout().nv();
+    let Kernel { tree, mut workspace } = Kernel::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0));
+    let (q, v, a) = (random.slice(n, 1.0), random.slice(n, 1.0), random.slice(n, 1.0));
+    let (mut tau, mut matrix) = (vec![0.0; n], DMatrix::zeros(n, n));
+    let external: [(usize, Wrench<f64>); 2] = [random.wrench(12), random.wrench(12)];
+    let ws = &mut workspace;
+    let count = allocations(|| {
+        let mut all = || {
+            dynamics::forward_kinematics(&tree, ws, &q)?;
+            dynamics::velocities(&tree, ws, &q, &v)?;
+            dynamics::inverse_dynamics(&tree, ws, &q, &v, &a, &external, &mut tau)?;
+            dynamics::bias(&tree, ws, &q, &v, &mut tau)?;
+            dynamics::mass_matrix(&tree, ws, &q, &mut matrix)?;
+            dynamics::kinetic_energy(&tree, ws, &q, &v)?;
+            dynamics::potential_energy(&tree, ws, &q)?;
+            dynamics::momentum(&tree, ws, &q, &v)?;
+            dynamics::center_of_mass(&tree, ws, &q).map(|_| ())
+        };
+        assert_eq!(all(), Ok(()));
+    });
+    assert_eq!(count, 0);
+}

@@ -1,0 +1,86 @@
+//! What the tests share.
+
+#![allow(dead_code, reason = "each test uses a part of it")]
+
+pub(crate) mod oracle;
+pub(crate) mod random;
+
+use nalgebra::{DMatrix, Vector3};
+use solaris_dynamics::{DynamicsError, Real, Tree, Workspace, Wrench};
+use solaris_model::Figure;
+
+/// A figure compiled in the precision `T`, with its workspace, and results returned by value.
+pub(crate) struct Kernel<T> {
+    pub(crate) tree: Tree<T>,
+    pub(crate) workspace: Workspace<T>,
+}
+
+impl<T: Real> Kernel<T> {
+    pub(crate) fn new(figure: &Figure, gravity: Vector3<f64>) -> Self {
+        let tree = Tree::new(figure, gravity).expect("finite constants");
+        let workspace = Workspace::new(&tree);
+        Self { tree, workspace }
+    }
+
+    pub(crate) fn inverse(
+        &mut self,
+        q: &[T],
+        v: &[T],
+        a: &[T],
+        external: &[(usize, Wrench<T>)],
+    ) -> Result<Vec<T>, DynamicsError> {
+        let mut tau = vec![T::zero(); self.tree.nv()];
+        solaris_dynamics::inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, external, &mut tau)?;
+        Ok(tau)
+    }
+
+    pub(crate) fn bias(&mut self, q: &[T], v: &[T]) -> Result<Vec<T>, DynamicsError> {
+        let mut tau = vec![T::zero(); self.tree.nv()];
+        solaris_dynamics::bias(&self.tree, &mut self.workspace, q, v, &mut tau)?;
+        Ok(tau)
+    }
+
+    pub(crate) fn mass_matrix(&mut self, q: &[T]) -> Result<DMatrix<T>, DynamicsError> {
+        let mut matrix = DMatrix::zeros(self.tree.nv(), self.tree.nv());
+        solaris_dynamics::mass_matrix(&self.tree, &mut self.workspace, q, &mut matrix)?;
+        Ok(matrix)
+    }
+
+    pub(crate) fn kinetic(&mut self, q: &[T], v: &[T]) -> T {
+        solaris_dynamics::kinetic_energy(&self.tree, &mut self.workspace, q, v).expect("a valid state")
+    }
+
+    pub(crate) fn potential(&mut self, q: &[T]) -> T {
+        solaris_dynamics::potential_energy(&self.tree, &mut self.workspace, q).expect("a valid state")
+    }
+
+    pub(crate) fn momentum(&mut self, q: &[T], v: &[T]) -> solaris_dynamics::Momentum<T> {
+        solaris_dynamics::momentum(&self.tree, &mut self.workspace, q, v).expect("a valid state")
+    }
+
+    pub(crate) fn center_of_mass(&mut self, q: &[T]) -> Vector3<T> {
+        solaris_dynamics::center_of_mass(&self.tree, &mut self.workspace, q).expect("a valid state")
+    }
+
+    pub(crate) fn place(&mut self, q: &[T]) {
+        solaris_dynamics::forward_kinematics(&self.tree, &mut self.workspace, q).expect("a valid state");
+    }
+
+    pub(crate) fn velocities(&mut self, q: &[T], v: &[T]) {
+        solaris_dynamics::velocities(&self.tree, &mut self.workspace, q, v).expect("a valid state");
+    }
+}
+
+/// The largest magnitude in `values`.
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |largest, value| value.abs().max(largest))
+}
+
+/// The greatest difference between two vectors, relative to the largest entry of the second.
+pub(crate) fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
+    assert_eq!(found.len(), expected.len(), "lengths");
+    let differences: Vec<f64> = found.iter().zip(expected).map(|(a, b)| a - b).collect();
+    assert!(differences.iter().all(|difference| difference.is_finite()), "not finite: {found:?}");
+    let (error, scale) = (largest(&differences), largest(expected));
+    if scale > 0.0 { error / scale } else { error }
+}

@@ -1,0 +1,160 @@
+//! What a walk came to: numbers of a finished motion, found from the motion alone.
+//!
+//! Nothing here knows the plan. The motion must carry its events, planted points, ground reactions and joint forces.
+
+mod bands;
+mod feet;
+mod series;
+mod steady;
+
+pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
+pub use steady::SteadyStride;
+
+use crate::error::GaitError;
+use crate::walk::FEET;
+use feet::FeetMeasures;
+use series::Series;
+use solaris_model::{EventKind, Figure, Motion};
+
+/// The greatest value of a quantity and when it occurs (s).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The value.
+    pub value: f64,
+    /// When.
+    pub time: f64,
+}
+
+/// Greatest moments and powers of one joint, both sides, over the whole walk; per kg of body mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointPeaks {
+    /// Hip, knee or ankle.
+    pub joint: &'static str,
+    /// Greatest extending moment (plantarflexing for the ankle), N m/kg.
+    pub extension: Peak,
+    /// Greatest flexing moment (dorsiflexing for the ankle), N m/kg.
+    pub flexion: Peak,
+    /// Greatest power that the joint gives, W/kg.
+    pub generated: Peak,
+    /// Greatest power that it takes, W/kg; negative.
+    pub absorbed: Peak,
+}
+
+/// The numbers of a walk.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WalkMeasures {
+    /// Steps, without the closing one.
+    pub steps: usize,
+    /// Distance that the centre of mass went forward (m).
+    pub distance: f64,
+    /// How long it lasts (s).
+    pub duration: f64,
+    /// Each double support between steps, in % of the stride time at it.
+    pub double_supports: Vec<f64>,
+    /// Greatest vertical force on one foot (% of body weight).
+    pub vertical: Peak,
+    /// Greatest braking and pushing force on one foot (% of body weight).
+    pub braking: Peak,
+    /// See `braking`.
+    pub pushing: Peak,
+    /// Greatest friction ratio of both feet together.
+    pub friction: Peak,
+    /// Greatest friction ratio of one foot that bears more than 5 % of the weight.
+    pub foot_friction: Peak,
+    /// Greatest distance that a planted point moves (m).
+    pub slide: Peak,
+    /// Greatest depth of a point of the soles below the ground (m).
+    pub sink: Peak,
+    /// Least height of the toes' tip in mid-swing (m).
+    pub clearance: Peak,
+    /// Greatest distance of a centre of pressure outside the part of the foot that touches the ground (m).
+    pub cop_outside: Peak,
+    /// Least knee flexion (rad); negative is hyperextended.
+    pub least_knee: Peak,
+    /// Hip, knee and ankle.
+    pub joints: Vec<JointPeaks>,
+    /// A stride from the middle, where the walk is long enough to have a steady one (four steps).
+    pub steady: Option<SteadyStride>,
+}
+
+/// Measures a walk.
+///
+/// # Errors
+///
+/// A motion without ground reactions or joint forces.
+pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitError> {
+    let series = Series::new(figure, motion)?;
+    let feet = FeetMeasures::new(figure, motion, &series);
+    let contacts: Vec<(f64, usize)> = touch_downs(motion);
+    let steps = contacts.len().saturating_sub(1);
+    let forward = |sample: usize| series.com[sample].z;
+    let percent = 100.0 / series.weight;
+    let force = |f: fn(&nalgebra::Vector3<f64>) -> f64, sign: f64| {
+        let values = |side: usize| series.forces[side].iter().map(move |force| sign * percent * f(force));
+        let peak = series.greatest(values(0)).max(series.greatest(values(1)));
+        Peak { value: sign * peak.value, ..peak }
+    };
+    Ok(WalkMeasures {
+        steps,
+        distance: forward(motion.len() - 1) - forward(0),
+        duration: motion.time()[motion.len() - 1],
+        double_supports: double_supports(motion, &contacts),
+        vertical: force(|f| f.y, 1.0),
+        braking: force(|f| f.z, -1.0),
+        pushing: force(|f| f.z, 1.0),
+        friction: series.greatest((0..motion.len()).map(|i| {
+            let total = series.forces[0][i] + series.forces[1][i];
+            total.x.hypot(total.z) / total.y
+        })),
+        foot_friction: series.greatest((0..motion.len()).map(|i| {
+            let loaded = series.forces.iter().map(|forces| forces[i]).filter(|f| f.y > 0.05 * series.weight);
+            loaded.map(|f| f.x.hypot(f.z) / f.y).fold(0.0, f64::max)
+        })),
+        slide: feet.slide,
+        sink: feet.sink,
+        clearance: feet.clearance,
+        cop_outside: feet.cop_outside,
+        least_knee: {
+            let knees = (0..motion.len()).map(|i| -series.knee[0][i].min(series.knee[1][i]));
+            let peak = series.greatest(knees);
+            Peak { value: -peak.value, ..peak }
+        },
+        joints: series.joint_peaks(),
+        steady: SteadyStride::find(motion, &series, &contacts),
+    })
+}
+
+impl Peak {
+    fn max(self, other: Self) -> Self {
+        if other.value > self.value { other } else { self }
+    }
+}
+
+/// Times of the contacts, and the side of each.
+fn touch_downs(motion: &Motion) -> Vec<(f64, usize)> {
+    motion
+        .events
+        .iter()
+        .filter_map(|event| match &event.kind {
+            EventKind::TouchDown { link } => FEET.iter().position(|foot| foot == link).map(|side| (event.time, side)),
+            _ => None,
+        })
+        .collect()
+}
+
+/// From each contact but the closing one to the next lift-off, in % of the stride that the two contacts around it make.
+fn double_supports(motion: &Motion, contacts: &[(f64, usize)]) -> Vec<f64> {
+    let lifts: Vec<f64> = motion
+        .events
+        .iter()
+        .filter(|event| matches!(event.kind, EventKind::LiftOff { .. }))
+        .map(|event| event.time)
+        .collect();
+    let spans = contacts.windows(2).map(|pair| (pair[0].0, 2.0 * (pair[1].0 - pair[0].0)));
+    spans
+        .filter_map(|(contact, stride)| {
+            let lift = lifts.iter().find(|lift| **lift > contact)?;
+            Some(100.0 * (lift - contact) / stride)
+        })
+        .collect()
+}

@@ -1,0 +1,92 @@
+//! Bands of human walking, and whether a stride lies inside.
+
+use super::SteadyStride;
+
+/// A range that people's walking lies in.
+#[derive(Clone, Copy, Debug)]
+pub struct Band {
+    /// What is measured.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The range.
+    pub range: (f64, f64),
+    value: fn(&SteadyStride) -> f64,
+}
+
+/// A band and where a stride lies.
+#[derive(Clone, Copy, Debug)]
+pub struct BandCheck {
+    /// The band.
+    pub band: &'static Band,
+    /// The stride's value.
+    pub value: f64,
+    /// Whether it lies inside.
+    pub inside: bool,
+}
+
+/// Holds a stride against a list of bands.
+pub fn check_bands(bands: &'static [Band], stride: &SteadyStride) -> Vec<BandCheck> {
+    let check = |band: &'static Band| {
+        let value = (band.value)(stride);
+        BandCheck { band, value, inside: (band.range.0..=band.range.1).contains(&value) }
+    };
+    bands.iter().map(check).collect()
+}
+
+const fn band(name: &'static str, unit: &'static str, lower: f64, upper: f64, value: fn(&SteadyStride) -> f64) -> Band {
+    Band { name, unit, range: (lower, upper), value }
+}
+
+/// The 22 bands that the walk's recipe was fitted to.
+#[rustfmt::skip]
+pub const RECIPE_BANDS: &[Band] = &[
+    band("mean vertical force", "%BW", 99.5, 100.5, |s| s.mean_vertical),
+    band("first vertical peak", "%BW", 100.0, 120.0, |s| s.first_peak),
+    band("vertical valley", "%BW", 65.0, 85.0, |s| s.valley),
+    band("second vertical peak", "%BW", 100.0, 120.0, |s| s.second_peak),
+    band("braking force", "%BW", -25.0, -10.0, |s| s.braking),
+    band("pushing force", "%BW", 10.0, 25.0, |s| s.pushing),
+    band("knee at contact", "°", 0.0, 10.0, |s| s.knee_contact),
+    band("knee in loading", "°", 12.0, 25.0, |s| s.knee_loading),
+    band("knee in swing", "°", 55.0, 70.0, |s| s.knee_swing),
+    band("hip range", "°", 38.0, 48.0, |s| s.hip_range),
+    band("ankle plantarflexion", "°", -20.0, -10.0, |s| s.ankle_least),
+    band("ankle dorsiflexion", "°", 8.0, 18.0, |s| s.ankle_greatest),
+    band("pelvic rotation", "°", 6.0, 14.0, |s| s.pelvic_rotation),
+    band("pelvic obliquity", "°", 6.0, 12.0, |s| s.pelvic_obliquity),
+    band("pelvic tilt", "°", 2.0, 5.0, |s| s.pelvic_tilt),
+    band("CoM rise", "cm", 3.0, 5.5, |s| s.com_vertical),
+    band("CoM sway", "cm", 3.0, 6.0, |s| s.com_lateral),
+    band("ankle plantarflexor moment", "N m/kg", 1.3, 1.8, |s| s.ankle_plantarflexor),
+    band("knee extensor moment", "N m/kg", 0.3, 0.9, |s| s.knee_extensor),
+    band("hip extensor moment", "N m/kg", 0.5, 1.0, |s| s.hip_extensor),
+    band("hip flexor moment", "N m/kg", 0.5, 1.0, |s| s.hip_flexor),
+    band("hip abductor moment", "N m/kg", 0.7, 1.1, |s| s.hip_abductor),
+];
+
+/// Textbook ranges; nobody has looked up where they come from.
+#[rustfmt::skip]
+pub const TEXTBOOK_BANDS: &[Band] = &[
+    band("first vertical peak", "%BW", 100.0, 120.0, |s| s.first_peak),
+    band("vertical valley", "%BW", 65.0, 85.0, |s| s.valley),
+    band("second vertical peak", "%BW", 100.0, 120.0, |s| s.second_peak),
+    band("braking force", "%BW", -25.0, 25.0, |s| s.braking),
+    band("pushing force", "%BW", -25.0, 25.0, |s| s.pushing),
+    band("one double support", "% stride", 9.0, 13.0, |s| s.double_support),
+    band("hip range", "°", 38.0, 48.0, |s| s.hip_range),
+    band("knee in swing", "°", 55.0, 70.0, |s| s.knee_swing),
+    band("knee in stance", "°", 12.0, 25.0, |s| s.knee_loading),
+    band("ankle plantarflexion", "°", -20.0, -10.0, |s| s.ankle_least),
+    band("ankle dorsiflexion", "°", 8.0, 18.0, |s| s.ankle_greatest),
+    band("pelvic obliquity", "°", 6.0, 12.0, |s| s.pelvic_obliquity),
+    band("pelvic rotation", "°", 6.0, 14.0, |s| s.pelvic_rotation),
+    band("pelvic tilt", "°", 2.0, 5.0, |s| s.pelvic_tilt),
+    band("CoM rise", "cm", 3.0, 5.5, |s| s.com_vertical),
+    band("CoM sway", "cm", 3.0, 6.0, |s| s.com_lateral),
+    band("ankle plantarflexor moment", "N m/kg", 1.3, 1.8, |s| s.ankle_plantarflexor),
+    band("knee extensor moment", "N m/kg", 0.3, 0.9, |s| s.knee_extensor),
+    band("hip extensor moment", "N m/kg", 0.5, 1.0, |s| s.hip_extensor),
+    band("hip flexor moment", "N m/kg", 0.5, 1.0, |s| s.hip_flexor),
+    band("hip abductor moment", "N m/kg", 0.7, 1.1, |s| s.hip_abductor),
+];

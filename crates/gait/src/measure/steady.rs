@@ -1,0 +1,145 @@
+//! One steady stride, from left contact to left contact, in the numbers that gait laboratories report.
+
+use super::series::Series;
+use solaris_model::{EventKind, Motion};
+
+/// The measures of a steady stride of the left leg. Forces in % of body weight, angles in degrees, excursions in cm,
+/// moments in N m/kg about the distal segment's axes.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "the names are the measures; the bands list them with units")]
+pub struct SteadyStride {
+    /// When it begins and ends (s).
+    pub span: (f64, f64),
+    /// Step length (m), speed (m/s) and cadence (steps/min).
+    pub step_length: f64,
+    pub speed: f64,
+    pub cadence: f64,
+    /// One double support and the stance, in % of the stride.
+    pub double_support: f64,
+    pub stance: f64,
+    pub mean_vertical: f64,
+    pub first_peak: f64,
+    pub valley: f64,
+    pub second_peak: f64,
+    pub braking: f64,
+    pub pushing: f64,
+    pub knee_contact: f64,
+    pub knee_loading: f64,
+    pub knee_swing: f64,
+    pub hip_range: f64,
+    pub ankle_least: f64,
+    pub ankle_greatest: f64,
+    pub pelvic_rotation: f64,
+    pub pelvic_obliquity: f64,
+    pub pelvic_tilt: f64,
+    pub com_vertical: f64,
+    pub com_lateral: f64,
+    pub ankle_plantarflexor: f64,
+    pub knee_extensor: f64,
+    pub hip_extensor: f64,
+    pub hip_flexor: f64,
+    pub hip_abductor: f64,
+}
+
+impl SteadyStride {
+    /// The stride from the middle-most left contact that has a step on either side of it.
+    pub(super) fn find(motion: &Motion, series: &Series<'_>, contacts: &[(f64, usize)]) -> Option<Self> {
+        // Contacts 1 … n + 1: the stride must begin at a second step and end before the closing one.
+        let strides = (1..contacts.len().saturating_sub(3)).filter(|&i| contacts[i].1 == 0);
+        let middle = contacts.len() as f64 / 2.0 - 1.5;
+        let begin = strides.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;
+        Some(Self::of(motion, series, (contacts[begin].0, contacts[begin + 2].0)))
+    }
+
+    fn of(motion: &Motion, series: &Series<'_>, span: (f64, f64)) -> Self {
+        let (start, end) = span;
+        let stride = end - start;
+        let window = Window { series, span };
+        let lift = |name: &str| {
+            let lift = motion.events.iter().find(
+                |event| matches!(&event.kind, EventKind::LiftOff { link } if link == name && event.time > start),
+            );
+            lift.map_or(f64::NAN, |event| (event.time - start) / stride)
+        };
+        let (double_support, toe_off) = (lift("right_foot"), lift("left_foot"));
+        let percent = 100.0 / series.weight;
+        let left = &series.forces[0];
+        let vertical = |i: usize| percent * left[i].y;
+        let along = |i: usize| percent * left[i].z;
+        let total = |i: usize| percent * (left[i].y + series.forces[1][i].y);
+        let degrees = |values: &'_ [f64]| values.iter().map(|x| x.to_degrees()).collect::<Vec<f64>>();
+        let (hip, knee, ankle) = (degrees(&series.hip[0]), degrees(&series.knee[0]), degrees(&series.ankle[0]));
+        let range = |f: &dyn Fn(usize) -> f64| window.most((0.0, 1.0), f) + window.most((0.0, 1.0), &|i| -f(i));
+        let pelvis = |axis: usize| range(&|i| series.pelvis[axis][i].to_degrees());
+        let moment = |joint: usize, axis: usize, sign: f64| {
+            window.most((0.0, 1.0), &|i| sign * series.moments[0][joint][i][axis])
+        };
+        let advance = window.at(end, &|i| series.com[i].z) - window.at(start, &|i| series.com[i].z);
+        Self {
+            span,
+            step_length: advance / 2.0,
+            speed: advance / stride,
+            cadence: 120.0 / stride,
+            double_support: 100.0 * double_support,
+            stance: 100.0 * toe_off,
+            mean_vertical: window.mean(&total),
+            first_peak: window.most((0.02, 0.25), &vertical),
+            valley: -window.most((double_support + 0.01, 0.5), &|i| -vertical(i)),
+            second_peak: window.most((0.30, toe_off), &vertical),
+            braking: -window.most((0.0, toe_off), &|i| -along(i)),
+            pushing: window.most((0.0, toe_off), &along),
+            knee_contact: window.at(start, &|i| knee[i]),
+            knee_loading: window.most((0.0, 0.28), &|i| knee[i]),
+            knee_swing: window.most((0.0, 1.0), &|i| knee[i]),
+            hip_range: range(&|i| hip[i]),
+            ankle_least: -window.most((0.0, 1.0), &|i| -ankle[i]),
+            ankle_greatest: window.most((0.0, 1.0), &|i| ankle[i]),
+            pelvic_rotation: pelvis(2),
+            pelvic_obliquity: pelvis(1),
+            pelvic_tilt: pelvis(0),
+            com_vertical: 100.0 * range(&|i| series.com[i].y),
+            com_lateral: 100.0 * range(&|i| series.com[i].x),
+            ankle_plantarflexor: moment(2, 0, 1.0),
+            knee_extensor: moment(1, 0, -1.0),
+            hip_extensor: moment(0, 0, 1.0),
+            hip_flexor: moment(0, 0, -1.0),
+            hip_abductor: moment(0, 2, 1.0),
+        }
+    }
+}
+
+/// Samples of one stride.
+struct Window<'a> {
+    series: &'a Series<'a>,
+    span: (f64, f64),
+}
+
+impl Window<'_> {
+    /// The greatest value at the samples in a part of the stride.
+    fn most(&self, (from, to): (f64, f64), f: &dyn Fn(usize) -> f64) -> f64 {
+        let (start, end) = self.span;
+        let inside = |i: &usize| {
+            let u = (self.series.time[*i] - start) / (end - start);
+            u >= from && u <= to
+        };
+        (0..self.series.time.len()).filter(inside).map(f).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The value at a time, linear between samples.
+    fn at(&self, time: f64, f: &dyn Fn(usize) -> f64) -> f64 {
+        let times = self.series.time;
+        let next = times.partition_point(|t| *t < time).clamp(1, times.len() - 1);
+        let share = (time - times[next - 1]) / (times[next] - times[next - 1]);
+        f(next - 1) + (f(next) - f(next - 1)) * share
+    }
+
+    /// The mean over the stride: trapezoids between the samples and its ends.
+    fn mean(&self, f: &dyn Fn(usize) -> f64) -> f64 {
+        let (start, end) = self.span;
+        let inside = (0..self.series.time.len()).filter(|&i| self.series.time[i] > start && self.series.time[i] < end);
+        let mut points = vec![(start, self.at(start, f))];
+        points.extend(inside.map(|i| (self.series.time[i], f(i))));
+        points.push((end, self.at(end, f)));
+        points.windows(2).map(|p| (p[1].0 - p[0].0) * (p[0].1 + p[1].1) / 2.0).sum::<f64>() / (end - start)
+    }
+}
