@@ -25,7 +25,9 @@ pub(crate) fn command() -> Command {
     Command::new("solaris")
         .version(env!("CARGO_PKG_VERSION"))
         .about("Motion of articulated figures that obeys physics")
-        .after_help("Example:\n  solaris walk --height 1.75 --mass 73 --step-frequency 110 --steps 10 -o walk.html")
+        .after_help(
+            "Example:\n  solaris walk --height 1.75 --mass 73 --step-frequency 110 --steps 10 -o walk.html",
+        )
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommand(walk())
@@ -102,7 +104,8 @@ fn walk() -> Command {
             Unit::Degrees => ("°", "DEGREES"),
             Unit::Metres => (" m", "M"),
         };
-        let symbol = if parameter.symbol.is_empty() { String::new() } else { format!("{}: ", parameter.symbol) };
+        let symbol =
+            if parameter.symbol.is_empty() { String::new() } else { format!("{}: ", parameter.symbol) };
         let (lower, upper) = parameter.range;
         command.arg(number(
             parameter.name,

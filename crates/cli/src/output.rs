@@ -15,7 +15,8 @@ pub(crate) enum Format {
 }
 
 /// Formats of a motion, by extension.
-const MOTION_FORMATS: [(&str, Format); 3] = [("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh)];
+const MOTION_FORMATS: [(&str, Format); 3] =
+    [("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh)];
 
 /// One file to write.
 #[derive(Debug)]
@@ -137,7 +138,8 @@ struct Part {
 impl Part {
     fn create(output: &Output) -> Result<Self, CliError> {
         let name = output.path.file_name().unwrap_or_default().to_string_lossy();
-        let beside = |suffix: &str| folder(&output.path).join(format!(".{name}.{}.{suffix}", std::process::id()));
+        let beside =
+            |suffix: &str| folder(&output.path).join(format!(".{name}.{}.{suffix}", std::process::id()));
         let before = output.path.exists().then(|| beside("before"));
         let part = Self { part: beside("part"), target: output.path.clone(), before, kept: false };
         match OpenOptions::new().write(true).create_new(true).open(&part.part) {

@@ -58,7 +58,11 @@ impl Body {
         let root = middle[0].q - 3;
         let known = 5 + 2 * 8;
         if figure.links().len() != known {
-            return Err(GaitError::OtherLinks { figure: figure.name().into(), links: figure.links().len(), known });
+            return Err(GaitError::OtherLinks {
+                figure: figure.name().into(),
+                links: figure.links().len(),
+                known,
+            });
         }
         Ok(Self {
             mass: figure.mass(),
@@ -97,7 +101,10 @@ fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment,
     let wanted = if parent.is_none() { wanted } else { &wanted[3..] };
     let axes = link.joint().kind().axes();
     let same = axes.len() == wanted.len()
-        && axes.iter().zip(wanted).all(|(dof, (kind, axis))| dof.axis.kind == *kind && dof.axis.direction == *axis);
+        && axes
+            .iter()
+            .zip(wanted)
+            .all(|(dof, (kind, axis))| dof.axis.kind == *kind && dof.axis.direction == *axis);
     if !same || link.joint().placement().rotation.angle() > 0.0 {
         return Err(GaitError::OtherJoint { joint: link.joint().name().into() });
     }

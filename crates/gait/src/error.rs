@@ -11,7 +11,9 @@ use solaris_profiles::ProfileError;
 pub enum GaitError {
     #[error("figure '{figure}' has no link '{link}'; the walker needs the links of the human figure")]
     MissingLink { figure: String, link: String },
-    #[error("figure '{figure}' has {links} links; the walker knows what to do with the {known} of the human figure")]
+    #[error(
+        "figure '{figure}' has {links} links; the walker knows what to do with the {known} of the human figure"
+    )]
     OtherLinks { figure: String, links: usize, known: usize },
     #[error("link '{link}' hangs on {parent}; the walker needs it on {wanted}")]
     OtherParent { link: String, parent: String, wanted: String },
@@ -20,9 +22,13 @@ pub enum GaitError {
          with axes parallel to the parent's"
     )]
     OtherJoint { joint: String },
-    #[error("link '{link}' has no sole point {part:?}; the walker needs heel and ball on the foot, the tip on the toes")]
+    #[error(
+        "link '{link}' has no sole point {part:?}; the walker needs heel and ball on the foot, the tip on the toes"
+    )]
     MissingSolePoint { link: &'static str, part: SolePart },
-    #[error("the legs differ: the offsets of left and right {segment} by {difference:.2e} m; the walker needs mirror images")]
+    #[error(
+        "the legs differ: the offsets of left and right {segment} by {difference:.2e} m; the walker needs mirror images"
+    )]
     LegsDiffer { segment: &'static str, difference: f64 },
     #[error(
         "the joint of the {segment} lies {offset:.2e} m to the side of the leg's plane; the walker needs hip, knee, ankle \
@@ -43,7 +49,9 @@ pub enum GaitError {
     },
     #[error("there is no style parameter '{name}'; there are {known}")]
     UnknownParameter { name: String, known: String },
-    #[error("step frequency, step length and speed are all given ({step_frequency} steps/min, {step_length} m, {speed} m/s); any two decide the third: drop one")]
+    #[error(
+        "step frequency, step length and speed are all given ({step_frequency} steps/min, {step_length} m, {speed} m/s); any two decide the third: drop one"
+    )]
     Overdetermined { step_frequency: f64, step_length: f64, speed: f64 },
     #[error(
         "step length {step_length:.3} m at {step_frequency} steps/min: {whose} friction would have to be {friction:.2}, and \

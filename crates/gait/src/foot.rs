@@ -50,9 +50,15 @@ impl FootPlane {
             // [left, up, f]·Rx(−angle)
             let (sa, ca) = angle.sin_cos();
             Matrix3::new(
-                lx, ca * ux - sa * f.x, sa * ux + ca * f.x, //
-                ly, ca * uy - sa * f.y, sa * uy + ca * f.y, //
-                lz, ca * uz - sa * f.z, sa * uz + ca * f.z,
+                lx,
+                ca * ux - sa * f.x,
+                sa * ux + ca * f.x, //
+                ly,
+                ca * uy - sa * f.y,
+                sa * uy + ca * f.y, //
+                lz,
+                ca * uz - sa * f.z,
+                sa * uz + ca * f.z,
             )
         };
         let pitched = |angle: f64| {
@@ -69,7 +75,13 @@ impl FootPlane {
     /// η = atan2(D·s, D_y)   v = hypot(D·s, D_y)   k from v² + (D·f)²   α = atan2(−D·f, v) + β(k)
     /// ```
     #[inline]
-    pub(crate) fn pose(&self, leg: &LegGeometry, hip_from_ankle: &Vector3<f64>, pitch: f64, toes: f64) -> LegPose {
+    pub(crate) fn pose(
+        &self,
+        leg: &LegGeometry,
+        hip_from_ankle: &Vector3<f64>,
+        pitch: f64,
+        toes: f64,
+    ) -> LegPose {
         let [side, up, forward] = self.split(hip_from_ankle);
         let v = side.hypot(up);
         let knee = leg.knee_for(v * v + forward * forward);

@@ -130,11 +130,7 @@ pub(crate) fn rotation([z, y, x]: Euler) -> Matrix3<f64> {
 
 /// The angles of R = Rz Ry Rx.
 pub(crate) fn euler(r: &Matrix3<f64>) -> Euler {
-    [
-        r[(1, 0)].atan2(r[(0, 0)]),
-        (-r[(2, 0)]).clamp(-1.0, 1.0).asin(),
-        r[(2, 1)].atan2(r[(2, 2)]),
-    ]
+    [r[(1, 0)].atan2(r[(0, 0)]), (-r[(2, 0)]).clamp(-1.0, 1.0).asin(), r[(2, 1)].atan2(r[(2, 2)])]
 }
 
 /// Rotation about x.

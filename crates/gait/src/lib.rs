@@ -21,7 +21,8 @@ mod walker;
 pub use error::GaitError;
 pub use leg::LegGeometry;
 pub use measure::{
-    Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands, measure,
+    Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,
+    measure,
 };
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stride::{Resolution, StridePlan};

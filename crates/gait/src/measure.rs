@@ -136,7 +136,9 @@ fn touch_downs(motion: &Motion) -> Vec<(f64, usize)> {
         .events
         .iter()
         .filter_map(|event| match &event.kind {
-            EventKind::TouchDown { link } => FEET.iter().position(|foot| foot == link).map(|side| (event.time, side)),
+            EventKind::TouchDown { link } => {
+                FEET.iter().position(|foot| foot == link).map(|side| (event.time, side))
+            }
             _ => None,
         })
         .collect()

@@ -26,7 +26,11 @@ pub(crate) struct UpperBody {
 }
 
 /// World rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin.
-fn upper_posture(body: &Body, trunk: &[laws::Euler; 5], arms: &[[f64; 2]; 2]) -> [(Matrix3<f64>, Vector3<f64>); 13] {
+fn upper_posture(
+    body: &Body,
+    trunk: &[laws::Euler; 5],
+    arms: &[[f64; 2]; 2],
+) -> [(Matrix3<f64>, Vector3<f64>); 13] {
     let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 13];
     let rotations = trunk.map(laws::rotation);
     let mut origin = Vector3::zeros();
@@ -73,7 +77,8 @@ impl UpperBody {
             })
             .collect();
         let centre = |i: usize| -> Vector3<f64> {
-            segments.iter().zip(&parts[i]).map(|(segment, (_, com))| com * segment.mass).sum::<Vector3<f64>>() / mass
+            segments.iter().zip(&parts[i]).map(|(segment, (_, com))| com * segment.mass).sum::<Vector3<f64>>()
+                / mass
         };
         let coms: Vec<Vector3<f64>> = (0..grid.count).map(centre).collect();
         let nodes = (0..grid.count)

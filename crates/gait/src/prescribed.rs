@@ -34,7 +34,7 @@ impl PrescribedNode {
         let force = Vector3::new(
             ((c.x - centre.x) * self.vertical + h.z) / y,
             self.vertical,
-            ((c.z - centre.z) * self.vertical - h.x) / y
+            ((c.z - centre.z) * self.vertical - h.x) / y,
         );
         let twist = h.y - (centre - c).cross(&force).y;
         TotalWrench { force, moment: centre.cross(&force) + Vector3::y() * twist }

@@ -111,7 +111,11 @@ impl Stance {
     }
 
     /// Gives the knee its law from contact (the jet `contact`) to the flat foot.
-    pub(crate) fn set_contact(&mut self, contact: Boundary, hip: impl Fn(f64) -> Vector3<f64>) -> Result<(), ProfileError> {
+    pub(crate) fn set_contact(
+        &mut self,
+        contact: Boundary,
+        hip: impl Fn(f64) -> Vector3<f64>,
+    ) -> Result<(), ProfileError> {
         let flat = self.flat_knee_jet(self.foot_flat, &hip);
         self.contact_knee = Some(Quintic::new(self.foot_flat, contact, flat)?);
         Ok(())

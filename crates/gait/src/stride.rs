@@ -86,7 +86,8 @@ impl StridePlan {
             laws.centre_of_mass(&grid, &momentum_rate, &mut com);
             let hip_nodes: Vec<[f64; 3]> = (0..n).map(|i| (com[i] - offset[i] + hips[i]).into()).collect();
             let spline = UniformSpline::periodic(0.0, 1.0 / n as f64, &hip_nodes)?;
-            let hip_at = |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, s2 * u);
+            let hip_at =
+                |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, s2 * u);
             let mut stance = Stance::new(&leg, style, Landing::Heel, Push::of(style));
             let rise = spare_height(&stance, style, &leg, |u| hip_at(u, 0.0));
             com.iter_mut().for_each(|c| c.y += rise);
@@ -97,7 +98,8 @@ impl StridePlan {
             let contact = stance.contact_jet(Some(knee), hip);
             let aim = Aim { thigh: style.thigh_swing, late_knee: style.knee_late_swing, beside: false };
             let mut swing = Swing::new(style, &stance.toe_off_jet(hip), &contact, &aim)?;
-            let heights: Vec<(f64, f64)> = swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
+            let heights: Vec<(f64, f64)> =
+                swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
             swing.clear_ground(&leg, style.clearance, &heights);
             let poses: Vec<LegPose> = (0..n)
                 .map(|i| match clock(i) {
@@ -262,7 +264,9 @@ impl Laws {
         let centre = feet
             .iter()
             .enumerate()
-            .map(|(i, [l, r])| l.cop * l.share + r.cop * r.share - Vector3::new(0.0, 0.0, 2.0 * step * clock(i)))
+            .map(|(i, [l, r])| {
+                l.cop * l.share + r.cop * r.share - Vector3::new(0.0, 0.0, 2.0 * step * clock(i))
+            })
             .collect();
         let vertical = acceleration.iter().map(|a| body.mass * (G + a)).collect();
         Ok(Self { mass: body.mass, height, vertical, feet, centre })

@@ -179,7 +179,14 @@ impl Pace {
         let (step_length, step_frequency, longest) = (self.step_length, self.step_frequency, String::new());
         for (whose, friction, limit) in [("the", total, FRICTION.0), ("a foot's", single, FRICTION.1)] {
             if friction.is_nan() || friction > limit {
-                return Err(GaitError::Friction { step_length, step_frequency, whose, friction, limit, longest });
+                return Err(GaitError::Friction {
+                    step_length,
+                    step_frequency,
+                    whose,
+                    friction,
+                    limit,
+                    longest,
+                });
             }
         }
         let check = plan.legs();
@@ -188,11 +195,16 @@ impl Pace {
             return Err(not_walkable(format!("a knee would be hyperextended by {degrees:.1}°")));
         }
         if check.lowest.is_nan() || check.lowest < -1e-3 {
-            return Err(not_walkable(format!("a foot would sink {:.1} mm into the ground", -check.lowest * 1e3)));
+            return Err(not_walkable(format!(
+                "a foot would sink {:.1} mm into the ground",
+                -check.lowest * 1e3
+            )));
         }
         if check.short.is_nan() || check.short > 1e-4 {
             let short = check.short * 1e3;
-            return Err(not_walkable(format!("a leg is {short:.1} mm too short to reach its foot on the ground")));
+            return Err(not_walkable(format!(
+                "a leg is {short:.1} mm too short to reach its foot on the ground"
+            )));
         }
         Ok(())
     }

@@ -20,7 +20,9 @@ fn compare(figure: &Figure, golden: &Value, plan: &StridePlan, differences: &mut
         for axis in 0..3 {
             let shift = if axis == 2 { wrapped } else { 0.0 };
             let place = |what: &'static str| move || format!("{what} {axis}, u = {u}");
-            differences.length.note((q[axis] - number(&golden["pelvis_pos"][i][axis])).abs(), place("pelvis"));
+            differences
+                .length
+                .note((q[axis] - number(&golden["pelvis_pos"][i][axis])).abs(), place("pelvis"));
             let com = plan.com(node)[axis] + shift;
             differences.length.note((com - number(&golden["com"][i][axis])).abs(), place("com"));
             let rate = plan.momentum_rate(node)[axis] - number(&golden["dH"][i][axis]);
@@ -30,26 +32,43 @@ fn compare(figure: &Figure, golden: &Value, plan: &StridePlan, differences: &mut
             let (segment, axis) = key.rsplit_once('_').expect("an axis");
             let link = figure.link_index(&link_name(segment)).expect("a link");
             let layout = figure.layout().joints()[link];
-            let place = layout.q + layout.nq - 3 + ["z", "y", "x"].iter().position(|a| *a == axis).expect("an axis");
-            differences.angle.note((q[place].to_degrees() - number(&values[i])).abs(), || format!("{key}, u = {u}"));
+            let place =
+                layout.q + layout.nq - 3 + ["z", "y", "x"].iter().position(|a| *a == axis).expect("an axis");
+            differences
+                .angle
+                .note((q[place].to_degrees() - number(&values[i])).abs(), || format!("{key}, u = {u}"));
         }
         let (forces, support, pitches) = (plan.forces(node), plan.support(node), plan.foot_pitches(u));
         for (side, name) in ["left", "right"].into_iter().enumerate() {
             let of = |key: &str| &golden[format!("{key}_{name}")][i];
-            differences.angle.note((pitches[side].0.to_degrees() - number(of("foot_pitch"))).abs(), || format!("pitch {name}, u = {u}"));
-            differences.angle.note((pitches[side].1.to_degrees() - number(of("toes_pitch"))).abs(), || format!("toes {name}, u = {u}"));
-            differences.share.note((support[side].share - number(of("share"))).abs(), || format!("{name}, u = {u}"));
-            differences.force.note((forces[side].force - vector(of("F"))).amax(), || format!("F {name}, u = {u}"));
+            differences.angle.note((pitches[side].0.to_degrees() - number(of("foot_pitch"))).abs(), || {
+                format!("pitch {name}, u = {u}")
+            });
+            differences.angle.note((pitches[side].1.to_degrees() - number(of("toes_pitch"))).abs(), || {
+                format!("toes {name}, u = {u}")
+            });
+            differences
+                .share
+                .note((support[side].share - number(of("share"))).abs(), || format!("{name}, u = {u}"));
+            differences
+                .force
+                .note((forces[side].force - vector(of("F"))).amax(), || format!("F {name}, u = {u}"));
             if support[side].share > 1e-9 {
                 let (x, z) = (forces[side].cop.x, forces[side].cop.z + wrapped);
-                differences.length.note((x - number(&of("cop")[0])).abs(), || format!("cop x {name}, u = {u}"));
-                differences.length.note((z - number(&of("cop")[1])).abs(), || format!("cop z {name}, u = {u}"));
+                differences
+                    .length
+                    .note((x - number(&of("cop")[0])).abs(), || format!("cop x {name}, u = {u}"));
+                differences
+                    .length
+                    .note((z - number(&of("cop")[1])).abs(), || format!("cop z {name}, u = {u}"));
             }
         }
         let total = forces[0].force + forces[1].force;
         differences.force.note((total - vector(&golden["F_total"][i])).amax(), || format!("F, u = {u}"));
         let free: f64 = forces.iter().map(|f| (f.moment - f.cop.cross(&f.force)).y).sum();
-        differences.force.note((free - number(&golden["free_moment"][i])).abs(), || format!("free moment, u = {u}"));
+        differences
+            .force
+            .note((free - number(&golden["free_moment"][i])).abs(), || format!("free moment, u = {u}"));
     }
 }
 
@@ -63,7 +82,10 @@ fn check(resolution: Resolution, length: f64, angle: f64, force: f64) {
         let plan = StridePlan::new(&figure, &style, resolution).expect("a stride");
         let mut differences = Differences::default();
         compare(&figure, &golden["strides"][format!("{step_frequency}")], &plan, &mut differences);
-        println!("{step_frequency} steps/min, {} nodes, {} passes:", resolution.nodes, resolution.stride_passes);
+        println!(
+            "{step_frequency} steps/min, {} nodes, {} passes:",
+            resolution.nodes, resolution.stride_passes
+        );
         differences.assert_below(length, angle, force);
     }
 }
@@ -84,9 +106,19 @@ fn the_style_is_the_golden_one() {
     let golden = golden();
     let leg = LegGeometry::of(&golden_figure(&golden)).expect("legs");
     let names = [
-        ("theta", "heel_strike_angle"), ("a1", "height1"), ("kc2", "knee_contact_acc"), ("kto", "knee_toe_off"),
-        ("toe", "toe_roll"), ("se", "share_exponent"), ("utk", "tip_roll"), ("vpp", "pivot"), ("w", "step_width"),
-        ("d", "double_support"), ("T", "stride_time"), ("S", "step_length"), ("clear", "clearance"),
+        ("theta", "heel_strike_angle"),
+        ("a1", "height1"),
+        ("kc2", "knee_contact_acc"),
+        ("kto", "knee_toe_off"),
+        ("toe", "toe_roll"),
+        ("se", "share_exponent"),
+        ("utk", "tip_roll"),
+        ("vpp", "pivot"),
+        ("w", "step_width"),
+        ("d", "double_support"),
+        ("T", "stride_time"),
+        ("S", "step_length"),
+        ("clear", "clearance"),
     ];
     for step_frequency in ["80", "95", "110", "125"] {
         let sf: f64 = step_frequency.parse().expect("a number");
@@ -97,7 +129,10 @@ fn the_style_is_the_golden_one() {
             let wanted = if theirs == "clear" { wanted * 1.75 / 1.741 } else { wanted };
             let found = debug.split_once(&format!("{ours}: ")).expect(ours).1;
             let found: f64 = found.split([',', ' ']).next().expect("a number").parse().expect("a number");
-            assert!((found - wanted).abs() < 1e-6 * wanted.abs().max(1.0), "{ours} at {step_frequency}: {found} is not {wanted}");
+            assert!(
+                (found - wanted).abs() < 1e-6 * wanted.abs().max(1.0),
+                "{ours} at {step_frequency}: {found} is not {wanted}"
+            );
         }
     }
 }

@@ -22,8 +22,12 @@ fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut D
         plan.configuration_at(u, &mut q);
         for axis in 0..3 {
             let place = |what: &'static str| move || format!("{what} {axis}, u = {u}");
-            differences.length.note((q[axis] - number(&golden["pelvis_pos"][i][axis])).abs(), place("pelvis"));
-            differences.length.note((plan.com(node)[axis] - number(&golden["com"][i][axis])).abs(), place("com"));
+            differences
+                .length
+                .note((q[axis] - number(&golden["pelvis_pos"][i][axis])).abs(), place("pelvis"));
+            differences
+                .length
+                .note((plan.com(node)[axis] - number(&golden["com"][i][axis])).abs(), place("com"));
             let rate = plan.momentum_rate(node)[axis] - number(&golden["dH"][i][axis]);
             differences.force.note(rate.abs(), place("dH"));
         }
@@ -31,15 +35,24 @@ fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut D
             let (segment, axis) = key.rsplit_once('_').expect("an axis");
             let link = figure.link_index(&link_name(segment)).expect("a link");
             let layout = figure.layout().joints()[link];
-            let place = layout.q + layout.nq - 3 + ["z", "y", "x"].iter().position(|a| *a == axis).expect("an axis");
-            differences.angle.note((q[place].to_degrees() - number(&values[i])).abs(), || format!("{key}, u = {u}"));
+            let place =
+                layout.q + layout.nq - 3 + ["z", "y", "x"].iter().position(|a| *a == axis).expect("an axis");
+            differences
+                .angle
+                .note((q[place].to_degrees() - number(&values[i])).abs(), || format!("{key}, u = {u}"));
         }
         let (forces, support, pitches) = (plan.forces(node), plan.support(u), plan.foot_pitches(u));
         for (side, name) in ["left", "right"].into_iter().enumerate() {
             let of = |key: &str| &golden[format!("{key}_{name}")][i];
-            differences.angle.note((pitches[side].0.to_degrees() - number(of("foot_pitch"))).abs(), || format!("pitch {name}, u = {u}"));
-            differences.angle.note((pitches[side].1.to_degrees() - number(of("toes_pitch"))).abs(), || format!("toes {name}, u = {u}"));
-            differences.share.note((support[side].share - number(of("share"))).abs(), || format!("{name}, u = {u}"));
+            differences.angle.note((pitches[side].0.to_degrees() - number(of("foot_pitch"))).abs(), || {
+                format!("pitch {name}, u = {u}")
+            });
+            differences.angle.note((pitches[side].1.to_degrees() - number(of("toes_pitch"))).abs(), || {
+                format!("toes {name}, u = {u}")
+            });
+            differences
+                .share
+                .note((support[side].share - number(of("share"))).abs(), || format!("{name}, u = {u}"));
             let share = support[side].share;
             if share <= 1e-9 {
                 continue;
@@ -52,7 +65,9 @@ fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut D
             let finish = u - (plan.steps() as f64 - 1.0) / 2.0;
             let d = plan.style().double_support;
             let shifting = u < d || finish > 0.5 + 0.5 * d;
-            differences.length.note(if shifting { 0.0 } else { moved.amax() }, || format!("cop {name}, u = {u}"));
+            differences
+                .length
+                .note(if shifting { 0.0 } else { moved.amax() }, || format!("cop {name}, u = {u}"));
             most_moved = most_moved.max(moved.amax());
             let stiffness = (forces[0].force.y + forces[1].force.y) / (plan.style().pivot * plan.com(node).y);
             let theirs = forces[side].force + moved * (share * stiffness);
@@ -66,7 +81,8 @@ fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut D
         let theirs: f64 = ["left", "right"]
             .iter()
             .map(|name| {
-                let (cop, force) = (&golden[format!("cop_{name}")][i], vector(&golden[format!("F_{name}")][i]));
+                let (cop, force) =
+                    (&golden[format!("cop_{name}")][i], vector(&golden[format!("F_{name}")][i]));
                 (Vector3::new(number(&cop[0]), 0.0, number(&cop[1])) - centre).cross(&force).y
             })
             .sum();
@@ -74,7 +90,10 @@ fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut D
         differences.force.note((ours - theirs).abs(), || format!("twist, u = {u}"));
     }
     assert!(compared >= clocks.len() / 2, "only {compared} samples were compared");
-    println!("{compared} samples, centres of pressure moved by at most {:.1} mm while the load shifts", most_moved * 1e3);
+    println!(
+        "{compared} samples, centres of pressure moved by at most {:.1} mm while the load shifts",
+        most_moved * 1e3
+    );
     assert!(most_moved < 0.03, "{most_moved}");
 }
 

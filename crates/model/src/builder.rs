@@ -183,7 +183,10 @@ impl FigureBuilder {
         let kinds: [(&'static str, Vec<&str>); 4] = [
             ("link", self.links.iter().map(|link| link.name.as_str()).collect()),
             ("joint", self.links.iter().map(|link| link.joint.name()).collect()),
-            ("frame", self.links.iter().flat_map(|link| &link.frames).map(|frame| frame.name.as_str()).collect()),
+            (
+                "frame",
+                self.links.iter().flat_map(|link| &link.frames).map(|frame| frame.name.as_str()).collect(),
+            ),
             ("angle", self.angles.iter().map(|(name, ..)| name.as_str()).collect()),
         ];
         for (kind, names) in kinds {
@@ -213,7 +216,11 @@ impl FigureBuilder {
         for link in &self.links {
             if let Some(parent) = link.parent.as_deref().filter(|parent| index(parent).is_none()) {
                 let nearest = nearest(parent, self.links.iter().map(|link| link.name.as_str()));
-                faults.push(Fault::UnknownParent { link: link.name.clone(), parent: parent.to_owned(), nearest });
+                faults.push(Fault::UnknownParent {
+                    link: link.name.clone(),
+                    parent: parent.to_owned(),
+                    nearest,
+                });
             }
         }
         let mut order: Vec<usize> = Vec::new();
@@ -298,11 +305,14 @@ impl FigureBuilder {
         let place: HashMap<String, usize> =
             order.iter().enumerate().map(|(at, &i)| (self.links[i].name.clone(), at)).collect();
         let mut specs: Vec<Option<LinkSpec>> = self.links.into_iter().map(Some).collect();
-        let links: Vec<Link> = order.iter().filter_map(|&i| specs[i].take()).map(|spec| finish(spec, &place)).collect();
+        let links: Vec<Link> =
+            order.iter().filter_map(|&i| specs[i].take()).map(|spec| finish(spec, &place)).collect();
         let layout = StateLayout::of(&links);
         let angles = angles
             .into_iter()
-            .filter_map(|(name, dof, sign)| layout.dof_index(&dof).map(|dof| AnatomicalAngle { name, dof, sign }))
+            .filter_map(|(name, dof, sign)| {
+                layout.dof_index(&dof).map(|dof| AnatomicalAngle { name, dof, sign })
+            })
             .collect();
         Figure { name: self.name, links, layout, angles, by_name: place, stature: self.stature }
     }

@@ -39,7 +39,9 @@ pub enum Fault {
          and the signs of the products", .axis[0], .axis[1], .axis[2]
     )]
     InertiaNotPhysical { link: String, axis: [f64; 3], moment: f64 },
-    #[error("link '{link}': the inertia is not symmetric: {row}{column} and {column}{row} differ by {difference:e} kg m²")]
+    #[error(
+        "link '{link}': the inertia is not symmetric: {row}{column} and {column}{row} differ by {difference:e} kg m²"
+    )]
     InertiaNotSymmetric { link: String, row: char, column: char, difference: f64 },
     #[error("link '{link}' has rotational inertia but no mass; give it mass or drop the inertia")]
     InertiaWithoutMass { link: String },
@@ -51,9 +53,13 @@ pub enum Fault {
         "link '{link}': the rotation of its {what} is no rotation, its quaternion has the length {length}; it must be 1"
     )]
     NotRotation { link: String, what: String, length: f64 },
-    #[error("dof '{dof}': limits {lower} to {upper} are no range; they must be numbers, the lower not above the upper")]
+    #[error(
+        "dof '{dof}': limits {lower} to {upper} are no range; they must be numbers, the lower not above the upper"
+    )]
     LimitsReversed { dof: String, lower: f64, upper: f64 },
-    #[error("joint '{joint}' has {count} degrees of freedom; a joint has at most six: split it with a massless link")]
+    #[error(
+        "joint '{joint}' has {count} degrees of freedom; a joint has at most six: split it with a massless link"
+    )]
     TooManyDofs { joint: String, count: usize },
     #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest.as_ref()))]
     UnknownDof { angle: String, dof: String, nearest: Option<String> },

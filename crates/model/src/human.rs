@@ -50,7 +50,9 @@ pub enum HumanError {
         known: String,
     },
     /// The segment's length is out of range.
-    #[error("length of segment '{name}' {length} m: at a height of {height} m it can be {lower:.3} to {upper:.3} m")]
+    #[error(
+        "length of segment '{name}' {length} m: at a height of {height} m it can be {lower:.3} to {upper:.3} m"
+    )]
     SegmentLength {
         /// The segment.
         name: String,
@@ -144,14 +146,21 @@ impl Human {
             factors.push((name.clone(), self.factor(name, *length)?));
         }
         Ok(build::figure(height, mass, |segment| {
-            factors.iter().rev().find(|(name, _)| name == segment || is_side_of(segment, name)).map_or(1.0, |(_, f)| *f)
+            factors
+                .iter()
+                .rev()
+                .find(|(name, _)| name == segment || is_side_of(segment, name))
+                .map_or(1.0, |(_, f)| *f)
         })?)
     }
 
     fn factor(&self, name: &str, length: f64) -> Result<f64, HumanError> {
         let names = || SEGMENTS.iter().map(|segment| segment.name);
-        let Some(segment) = SEGMENTS.iter().find(|s| s.name == name || (s.paired && is_side_of(name, s.name))) else {
-            let hint = nearest(name, names()).map_or_else(String::new, |name| format!(" (did you mean '{name}'?)"));
+        let Some(segment) =
+            SEGMENTS.iter().find(|s| s.name == name || (s.paired && is_side_of(name, s.name)))
+        else {
+            let hint =
+                nearest(name, names()).map_or_else(String::new, |name| format!(" (did you mean '{name}'?)"));
             let known = names().collect::<Vec<_>>().join(", ");
             return Err(HumanError::Segment { name: name.to_owned(), hint, known });
         };

@@ -125,7 +125,11 @@ mod tests {
     #[test]
     fn a_capsule_lies_between_its_cylinder_and_its_sphere() {
         let sphere = ShapeKind::Sphere { radius: 0.2 }.gyration_squared();
-        assert_relative_eq!(ShapeKind::Capsule { radius: 0.2, length: 1e-12 }.gyration_squared(), sphere, epsilon = 1e-12);
+        assert_relative_eq!(
+            ShapeKind::Capsule { radius: 0.2, length: 1e-12 }.gyration_squared(),
+            sphere,
+            epsilon = 1e-12
+        );
         let thin = ShapeKind::Capsule { radius: 1e-9, length: 3.0 }.gyration_squared();
         assert_relative_eq!(thin.x, 0.75, epsilon = 1e-8);
     }
@@ -149,7 +153,9 @@ mod tests {
         for shape in shapes {
             let inside = |p: Vector3<f64>| match shape {
                 ShapeKind::Box { size } => (0..3).all(|i| p[i].abs() <= size[i] / 2.0),
-                ShapeKind::Cylinder { radius, length } => p.xz().norm() <= radius && p.y.abs() <= length / 2.0,
+                ShapeKind::Cylinder { radius, length } => {
+                    p.xz().norm() <= radius && p.y.abs() <= length / 2.0
+                }
                 ShapeKind::Ellipsoid { radii } => p.component_div(&radii).norm() <= 1.0,
                 ShapeKind::Capsule { radius, length } => {
                     let q = Vector3::new(p.x, (p.y.abs() - length / 2.0).max(0.0), p.z);

@@ -185,7 +185,9 @@ impl Joint {
     pub(crate) fn normalize_axes(&mut self) {
         let JointKind::Axes(dofs) = &mut self.kind;
         for dof in dofs {
-            if let Some(unit) = dof.axis.direction.try_normalize(1e-12).filter(|unit| unit.iter().all(|x| x.is_finite())) {
+            if let Some(unit) =
+                dof.axis.direction.try_normalize(1e-12).filter(|unit| unit.iter().all(|x| x.is_finite()))
+            {
                 dof.axis.direction = unit;
             }
         }

@@ -40,7 +40,8 @@ pub use joint::{Axis, AxisKind, Dof, Joint, JointKind, Limits, Placement};
 pub use layout::{JointLayout, StateLayout};
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
 pub use motion::{
-    Contact, ContactTrack, Event, EventKind, Ground, Interval, Motion, MotionError, MotionInfo, Trajectory,
+    Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Motion, MotionError,
+    MotionInfo, Trajectory,
 };
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, Vector3};

@@ -2,7 +2,7 @@
 
 mod sample;
 
-pub use sample::Trajectory;
+pub use sample::{DifferenceStep, Trajectory};
 
 use crate::figure::Figure;
 use nalgebra::Vector3;
@@ -139,7 +139,10 @@ pub enum MotionError {
         rate: f64,
     },
     /// The duration is not one, or needs too many samples.
-    #[error("duration {duration} s at {rate} frames/s: it must be finite and need at most {} samples", Motion::MOST_SAMPLES)]
+    #[error(
+        "duration {duration} s at {rate} frames/s: it must be finite and need at most {} samples",
+        Motion::MOST_SAMPLES
+    )]
     Duration {
         /// What the trajectory says (s).
         duration: f64,
@@ -179,7 +182,9 @@ pub enum MotionError {
         value: f64,
     },
     /// The motion belongs to another figure.
-    #[error("the motion was made for a figure with fingerprint {expected:016x}, not for '{figure}' ({found:016x})")]
+    #[error(
+        "the motion was made for a figure with fingerprint {expected:016x}, not for '{figure}' ({found:016x})"
+    )]
     OtherFigure {
         /// Name of the figure at hand.
         figure: String,
@@ -237,17 +242,34 @@ impl Motion {
     ///
     /// A column of the wrong length, numbers that are not finite.
     pub fn set_tau(&mut self, tau: Vec<f64>) -> Result<(), MotionError> {
-        if let Some(i) = tau.iter().position(|x| !x.is_finite()) {
-            let (dof, value) = (format!("dof {}", i % self.nv), tau[i]);
-            let time = self.time.get(i / self.nv).copied().unwrap_or_default();
-            return Err(MotionError::NotFinite { what: "tau", dof, time, value });
-        }
-        if tau.len() != self.len() * self.nv {
-            let (samples, width) = (self.len(), self.nv);
-            return Err(MotionError::Length { what: "tau", found: tau.len(), samples, width });
-        }
+        self.check_column("tau", &tau)?;
         self.tau = tau;
         Ok(())
+    }
+
+    /// Replaces the accelerations, `nv` a sample.
+    ///
+    /// # Errors
+    ///
+    /// A column of the wrong length, numbers that are not finite.
+    pub fn set_a(&mut self, a: Vec<f64>) -> Result<(), MotionError> {
+        self.check_column("a", &a)?;
+        self.a = a;
+        Ok(())
+    }
+
+    fn check_column(&self, what: &'static str, column: &[f64]) -> Result<(), MotionError> {
+        if column.len() != self.len() * self.nv {
+            let (samples, width) = (self.len(), self.nv);
+            return Err(MotionError::Length { what, found: column.len(), samples, width });
+        }
+        match column.iter().position(|x| !x.is_finite()) {
+            None => Ok(()),
+            Some(i) => {
+                let (dof, time, value) = (format!("dof {}", i % self.nv), self.time[i / self.nv], column[i]);
+                Err(MotionError::NotFinite { what, dof, time, value })
+            }
+        }
     }
 
     /// Refuses a figure that the motion was not made for.

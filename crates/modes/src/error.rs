@@ -16,10 +16,20 @@ pub enum ReactionError {
         link: String,
     },
     /// A foot has no sole.
-    #[error("link '{link}' has no heel and no ball among its sole points, so it is not known where it presses")]
+    #[error(
+        "link '{link}' has no heel and no ball among its sole points, so it is not known where it presses"
+    )]
     NoSole {
         /// The link.
         link: String,
+    },
+    /// The root cannot slide everywhere.
+    #[error(
+        "joint '{joint}' does not begin with slides along three axes, so the whole figure's momentum is not its to set"
+    )]
+    NoSlides {
+        /// The root's joint.
+        joint: String,
     },
     /// There is no gravity to say what is up.
     #[error("gravity is zero; without it nothing says which way the ground lies")]

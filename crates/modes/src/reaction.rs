@@ -105,7 +105,8 @@ pub fn ground_reactions(
         cop_from_nominal: (0.0, 0.0),
     };
     let mut tau = Vec::with_capacity(motion.len() * tree.nv());
-    let mut tracks = feet.map(|foot| ContactTrack { link: foot.name, samples: Vec::with_capacity(motion.len()) });
+    let mut tracks =
+        feet.map(|foot| ContactTrack { link: foot.name, samples: Vec::with_capacity(motion.len()) });
     let slides = figure.links()[0].joint().kind().axes().iter();
     let slides: Vec<bool> = slides.map(|dof| dof.axis.kind == solaris_model::AxisKind::Translation).collect();
     for (frame, &time) in frames.into_iter().zip(motion.time()) {

@@ -95,10 +95,12 @@ mod tests {
 
     #[test]
     fn the_parts_add_up_to_the_whole() {
-        let total = TotalWrench { force: Vector3::new(20.0, 700.0, -90.0), moment: Vector3::new(-40.0, 12.0, 30.0) };
+        let total =
+            TotalWrench { force: Vector3::new(20.0, 700.0, -90.0), moment: Vector3::new(-40.0, 12.0, 30.0) };
         for share in [0.0, 0.2, 0.5, 1.0] {
             let [a, b] =
-                split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(share)).expect("pressed");
+                split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(share))
+                    .expect("pressed");
             assert_relative_eq!(a.force + b.force, total.force, epsilon = 1e-12);
             assert_relative_eq!(a.moment + b.moment, total.moment, epsilon = 1e-11);
             assert_relative_eq!(a.force.y, share * 700.0, epsilon = 1e-12);
@@ -107,8 +109,10 @@ mod tests {
 
     #[test]
     fn with_one_foot_everything_is_its_own() {
-        let total = TotalWrench { force: Vector3::new(5.0, 500.0, 9.0), moment: Vector3::new(-50.0, 3.0, -20.0) };
-        let [a, b] = split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(1.0)).expect("pressed");
+        let total =
+            TotalWrench { force: Vector3::new(5.0, 500.0, 9.0), moment: Vector3::new(-50.0, 3.0, -20.0) };
+        let [a, b] = split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(1.0))
+            .expect("pressed");
         assert_relative_eq!(a.force, total.force, epsilon = 1e-12);
         assert_relative_eq!(a.cop, Vector3::new(0.04, 0.0, -0.1), epsilon = 1e-12);
         assert_eq!(b, Contact::default());
@@ -117,6 +121,9 @@ mod tests {
     #[test]
     fn in_flight_there_is_nothing_to_split() {
         let total = TotalWrench { force: Vector3::new(0.0, -1.0, 0.0), moment: Vector3::zeros() };
-        assert_eq!(split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.0), &Vector3::y(), 1.4, &feet(0.5)), None);
+        assert_eq!(
+            split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.0), &Vector3::y(), 1.4, &feet(0.5)),
+            None
+        );
     }
 }

@@ -42,11 +42,20 @@ impl Piecewise {
     /// assert!((curve.at(0.4 - 1e-9).jerk - curve.at(0.4).jerk).abs() < 1e-4);
     /// # Ok::<(), solaris_profiles::ProfileError>(())
     /// ```
-    pub fn quintic_spline(knots: &[f64], values: &[f64], start: Boundary, end: Boundary) -> Result<Self, ProfileError> {
+    pub fn quintic_spline(
+        knots: &[f64],
+        values: &[f64],
+        start: Boundary,
+        end: Boundary,
+    ) -> Result<Self, ProfileError> {
         check_knots(knots)?;
         let inner = knots.len() - 2;
         if values.len() != inner {
-            return Err(ProfileError::Count { what: "values at inner knots", found: values.len(), needed: inner });
+            return Err(ProfileError::Count {
+                what: "values at inner knots",
+                found: values.len(),
+                needed: inner,
+            });
         }
         check_finite("value", values)?;
         check_finite("start", &start.numbers())?;
@@ -75,7 +84,9 @@ impl Piecewise {
         check_finite("value", values)?;
         let slopes = monotone_slopes(knots, values);
         let pieces = (0..knots.len() - 1)
-            .map(|i| Polynomial::cubic(knots[i + 1] - knots[i], values[i], slopes[i], values[i + 1], slopes[i + 1]))
+            .map(|i| {
+                Polynomial::cubic(knots[i + 1] - knots[i], values[i], slopes[i], values[i + 1], slopes[i + 1])
+            })
             .collect();
         Ok(Self { knots: knots.to_vec(), pieces, outside: Outside::Hold })
     }
@@ -134,7 +145,8 @@ fn solve_inner_jets(knots: &[f64], jets: &mut [Boundary]) {
     let mut factors: Vec<(Block, [f64; 2])> = Vec::with_capacity(inner);
     for i in 1..=inner {
         let (h, k) = (knots[i] - knots[i - 1], knots[i + 1] - knots[i]);
-        let (left, right) = (jets[i].position - jets[i - 1].position, jets[i + 1].position - jets[i].position);
+        let (left, right) =
+            (jets[i].position - jets[i - 1].position, jets[i + 1].position - jets[i].position);
         // j₁ of the left piece minus j₀ of the right one, and the same for the snap: lower·u₋ + diagonal·u + upper·u₊.
         let lower = [[-24.0 / (h * h), -3.0 / h], [-168.0 / (h * h * h), -24.0 / (h * h)]];
         let mut diagonal = [

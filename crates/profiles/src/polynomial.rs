@@ -27,13 +27,21 @@ impl Polynomial {
     /// c₅ = (12 Δ − 6 (v₁ + v₀) h + (a₁ − a₀) h²) / 2h⁵        Δ = x₁ − x₀
     /// ```
     pub(crate) fn quintic(h: f64, start: &Boundary, end: &Boundary) -> Self {
-        let (v0, a0, v1, a1) = (start.velocity * h, start.acceleration * h * h, end.velocity * h, end.acceleration * h * h);
+        let (v0, a0, v1, a1) =
+            (start.velocity * h, start.acceleration * h * h, end.velocity * h, end.acceleration * h * h);
         let delta = end.position - start.position;
         let c3 = (20.0 * delta - 8.0 * v1 - 12.0 * v0 - 3.0 * a0 + a1) / 2.0;
         let c4 = (-30.0 * delta + 14.0 * v1 + 16.0 * v0 + 3.0 * a0 - 2.0 * a1) / 2.0;
         let c5 = (12.0 * delta - 6.0 * (v1 + v0) + a1 - a0) / 2.0;
         let (h3, h2) = (h * h * h, h * h);
-        Self([start.position, start.velocity, start.acceleration / 2.0, c3 / h3, c4 / (h2 * h2), c5 / (h3 * h2)])
+        Self([
+            start.position,
+            start.velocity,
+            start.acceleration / 2.0,
+            c3 / h3,
+            c4 / (h2 * h2),
+            c5 / (h3 * h2),
+        ])
     }
 
     /// The cubic that meets position and velocity at both ends over `h > 0`.

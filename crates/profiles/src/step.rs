@@ -39,5 +39,9 @@ fn inside(t: f64, curve: impl Fn(f64) -> Sample) -> Sample {
     let clamped = t.clamp(0.0, 1.0);
     let sample = curve(clamped);
     // NaN is passed on, not hidden: its comparison with the span fails.
-    if (0.0..=1.0).contains(&t) || t.is_nan() { sample } else { Sample { position: sample.position, ..Sample::default() } }
+    if (0.0..=1.0).contains(&t) || t.is_nan() {
+        sample
+    } else {
+        Sample { position: sample.position, ..Sample::default() }
+    }
 }

@@ -95,7 +95,8 @@ impl<const D: usize> UniformSpline<D> {
     pub fn at(&self, coordinate: usize, t: f64) -> Sample {
         let (first, s) = self.locate(t);
         let h = self.step;
-        let column = |w: [f64; 6]| (0..6).map(|k| w[k] * self.coefficients[first + k][coordinate]).sum::<f64>();
+        let column =
+            |w: [f64; 6]| (0..6).map(|k| w[k] * self.coefficients[first + k][coordinate]).sum::<f64>();
         Sample {
             position: column(basis(s)),
             velocity: column(basis1(s)) / h,

@@ -2,16 +2,33 @@
 
 use approx::assert_relative_eq;
 use proptest::prelude::*;
-use solaris_profiles::{Boundary, CubicHermite, Outside, Piecewise, ProfileError, Quintic, Sample, UniformSpline, step};
+use solaris_profiles::{
+    Boundary, CubicHermite, Outside, Piecewise, ProfileError, Quintic, Sample, UniformSpline, step,
+};
 
 /// Velocity, acceleration and jerk against central differences of the one before.
 fn derivatives_agree(curve: impl Fn(f64) -> Sample, t: f64, scale: f64) {
     let h = 1e-5;
     let (a, b, s) = (curve(t - h), curve(t + h), curve(t));
     let tolerance = 1e-6 * scale;
-    assert_relative_eq!((b.position - a.position) / (2.0 * h), s.velocity, epsilon = tolerance, max_relative = 1e-6);
-    assert_relative_eq!((b.velocity - a.velocity) / (2.0 * h), s.acceleration, epsilon = tolerance, max_relative = 1e-6);
-    assert_relative_eq!((b.acceleration - a.acceleration) / (2.0 * h), s.jerk, epsilon = tolerance, max_relative = 1e-6);
+    assert_relative_eq!(
+        (b.position - a.position) / (2.0 * h),
+        s.velocity,
+        epsilon = tolerance,
+        max_relative = 1e-6
+    );
+    assert_relative_eq!(
+        (b.velocity - a.velocity) / (2.0 * h),
+        s.acceleration,
+        epsilon = tolerance,
+        max_relative = 1e-6
+    );
+    assert_relative_eq!(
+        (b.acceleration - a.acceleration) / (2.0 * h),
+        s.jerk,
+        epsilon = tolerance,
+        max_relative = 1e-6
+    );
 }
 
 fn number() -> impl Strategy<Value = f64> {
@@ -94,7 +111,8 @@ fn a_uniform_spline_reproduces_what_it_can() {
     // A sine with 40 samples a period: the error of the sixth-order spline is below (2π/40)⁶/… ≈ 1e-8.
     let n = 40;
     let tau = std::f64::consts::TAU;
-    let samples: Vec<[f64; 2]> = (0..n).map(|i| (tau * f64::from(i) / f64::from(n)).sin_cos().into()).collect();
+    let samples: Vec<[f64; 2]> =
+        (0..n).map(|i| (tau * f64::from(i) / f64::from(n)).sin_cos().into()).collect();
     let spline = UniformSpline::periodic(0.5, 1.0 / f64::from(n), &samples).expect("valid");
     for k in 0..97 {
         let t = 0.5 + f64::from(k) * 0.0313;
@@ -113,7 +131,8 @@ fn a_uniform_spline_reproduces_what_it_can() {
 
 #[test]
 fn a_resting_spline_rests() {
-    let samples: Vec<[f64; 1]> = (0..60).map(|i| [step::quintic((f64::from(i) - 20.0) / 20.0).position]).collect();
+    let samples: Vec<[f64; 1]> =
+        (0..60).map(|i| [step::quintic((f64::from(i) - 20.0) / 20.0).position]).collect();
     let spline = UniformSpline::resting(0.0, 0.1, &samples).expect("valid");
     for (i, sample) in samples.iter().enumerate() {
         assert_relative_eq!(spline.at(0, 0.1 * i as f64).position, sample[0], epsilon = 1e-14);
@@ -140,7 +159,10 @@ fn bad_input_is_refused() {
     let rest = Boundary::rest(0.0);
     assert_eq!(Quintic::new(0.0, rest, rest), Err(ProfileError::Duration { duration: 0.0 }));
     assert!(matches!(Quintic::new(1.0, Boundary::rest(f64::NAN), rest), Err(ProfileError::NotFinite { .. })));
-    assert!(matches!(CubicHermite::new(f64::INFINITY, (0.0, 0.0), (1.0, 0.0)), Err(ProfileError::NotFinite { .. })));
+    assert!(matches!(
+        CubicHermite::new(f64::INFINITY, (0.0, 0.0), (1.0, 0.0)),
+        Err(ProfileError::NotFinite { .. })
+    ));
     let unordered = Piecewise::quintic_spline(&[0.0, 1.0, 1.0], &[0.0], rest, rest);
     assert_eq!(unordered, Err(ProfileError::Knots { index: 2, time: 1.0, before: 1.0 }));
     let missing = Piecewise::quintic_spline(&[0.0, 1.0, 2.0], &[], rest, rest);

@@ -247,7 +247,9 @@ fn notes(step_frequency: f64, measures: &WalkMeasures) -> Vec<String> {
         );
     }
     if step_frequency < 90.0 {
-        notes.push("below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned());
+        notes.push(
+            "below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned(),
+        );
     }
     if measures.steady.is_none() {
         notes.push("no steady stride in so few steps: people's bands are for five and more".to_owned());

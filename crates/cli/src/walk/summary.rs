@@ -19,7 +19,8 @@ fn row(label: &'static str, value: impl Into<String>, unit: &'static str, note: 
 
 /// A title for the page.
 pub(super) fn title(report: &Report) -> String {
-    let steps = if report.walk.steps == 1 { "1 step".to_owned() } else { format!("{} steps", report.walk.steps) };
+    let steps =
+        if report.walk.steps == 1 { "1 step".to_owned() } else { format!("{} steps", report.walk.steps) };
     format!(
         "A person of {} m and {:.1} kg walks {steps} at {:.4} steps/min",
         report.person.height_m, report.person.mass_kg, report.walk.step_frequency_per_min
@@ -56,7 +57,12 @@ pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>
 fn rows(report: &Report) -> Vec<Row> {
     let (walk, whole) = (&report.walk, &report.whole_walk);
     let mut rows = vec![
-        row("step length", format!("{:.3}", walk.step_length_m), "m", ratio_note(walk.step_length_over_peoples)),
+        row(
+            "step length",
+            format!("{:.3}", walk.step_length_m),
+            "m",
+            ratio_note(walk.step_length_over_peoples),
+        ),
         row("speed", format!("{:.2}", walk.speed_m_s), "m/s", ""),
         row("cadence", format!("{:.1}", walk.step_frequency_per_min), "steps/min", ""),
         row("distance, time", format!("{:.2}, {:.2}", walk.distance_m, walk.duration_s), "m, s", ""),
@@ -64,19 +70,34 @@ fn rows(report: &Report) -> Vec<Row> {
     rows.extend(double_support_row(&walk.double_supports_percent, report));
     let at = |extreme: &Extreme| format!("at {:.2} s", extreme.at_s);
     rows.extend([
-        row("vertical force, peak", format!("{:.1}", whole.vertical_percent_bw.value), "%BW", at(&whole.vertical_percent_bw)),
+        row(
+            "vertical force, peak",
+            format!("{:.1}", whole.vertical_percent_bw.value),
+            "%BW",
+            at(&whole.vertical_percent_bw),
+        ),
         row(
             "fore-aft force, peaks",
             format!("{:.1} / {:.1}", whole.braking_percent_bw.value, whole.pushing_percent_bw.value),
             "%BW",
             "brake / push",
         ),
-        row("friction, both / one foot", format!("{:.2} / {:.2}", whole.friction.value, whole.foot_friction.value), "", ""),
+        row(
+            "friction, both / one foot",
+            format!("{:.2} / {:.2}", whole.friction.value, whole.foot_friction.value),
+            "",
+            "",
+        ),
         row("greatest slide", format!("{:.3}", 1e3 * whole.slide_m.value), "mm", "of a planted point"),
         row("greatest sink", format!("{:.3}", 1e3 * whole.sink_m.value), "mm", ""),
         row("toe clearance", format!("{:.1}", 1e3 * whole.toe_clearance_m.value), "mm", "least in mid-swing"),
         row("CoP outside the foot", format!("{:.1}", 1e3 * whole.cop_outside_m.value), "mm", ""),
-        row("least knee flexion", format!("{:.1}", whole.least_knee_deg.value), "°", at(&whole.least_knee_deg)),
+        row(
+            "least knee flexion",
+            format!("{:.1}", whole.least_knee_deg.value),
+            "°",
+            at(&whole.least_knee_deg),
+        ),
     ]);
     for joint in &whole.joints {
         let (moment, power) = match joint.joint {
@@ -97,7 +118,12 @@ fn rows(report: &Report) -> Vec<Row> {
         }
         let ratio = format!("{:.5}", stride.walk_ratio_m_min);
         rows.push(row("walk ratio", ratio, "m·min", "people 0.0065 (Sekiya 1996, PMC5430280)"));
-        rows.push(row("stance", format!("{:.1}", stride.stance_percent), "% stride", kirtley(stride.speed_m_s)));
+        rows.push(row(
+            "stance",
+            format!("{:.1}", stride.stance_percent),
+            "% stride",
+            kirtley(stride.speed_m_s),
+        ));
         rows.extend(report.bands.iter().map(list_row));
     }
     let forces = &report.forces;
@@ -115,11 +141,16 @@ fn rows(report: &Report) -> Vec<Row> {
 }
 
 fn ratio_note(ratio: f64) -> String {
-    if (ratio - 1.0).abs() < 5e-4 { "people's at this pace".to_owned() } else { format!("{ratio:.2} of people's at this pace") }
+    if (ratio - 1.0).abs() < 5e-4 {
+        "people's at this pace".to_owned()
+    } else {
+        format!("{ratio:.2} of people's at this pace")
+    }
 }
 
 fn double_support_row(supports: &[f64], report: &Report) -> Option<Row> {
-    let (least, most) = supports.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    let (least, most) =
+        supports.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
     if supports.is_empty() {
         return None;
     }

@@ -34,7 +34,13 @@ pub fn check_bands(bands: &'static [Band], stride: &SteadyStride) -> Vec<BandChe
     bands.iter().map(check).collect()
 }
 
-const fn band(name: &'static str, unit: &'static str, lower: f64, upper: f64, value: fn(&SteadyStride) -> f64) -> Band {
+const fn band(
+    name: &'static str,
+    unit: &'static str,
+    lower: f64,
+    upper: f64,
+    value: fn(&SteadyStride) -> f64,
+) -> Band {
     Band { name, unit, range: (lower, upper), value }
 }
 

@@ -14,6 +14,9 @@ const TOUCHING: f64 = 2e-3;
 const ROUND: f64 = 0.012;
 const HALF_WIDTH: f64 = 0.040;
 
+/// Middle of a swing: the part in which the toes must pass over the ground.
+const MID_SWING: (f64, f64) = (0.20, 0.65);
+
 /// What the feet do.
 pub(super) struct FeetMeasures {
     pub(super) slide: Peak,
@@ -30,8 +33,12 @@ impl FeetMeasures {
             pose.rotation * point + pose.translation
         };
         let nothing = Peak { value: 0.0, time: 0.0 };
-        let mut measures =
-            Self { slide: nothing, sink: nothing, clearance: Peak { value: f64::INFINITY, time: 0.0 }, cop_outside: nothing };
+        let mut measures = Self {
+            slide: nothing,
+            sink: nothing,
+            clearance: Peak { value: f64::INFINITY, time: 0.0 },
+            cop_outside: nothing,
+        };
         for planted in &motion.planted {
             let inside = |&i: &usize| (planted.start..=planted.end).contains(&series.time[i]);
             let samples = (0..motion.len()).filter(inside);
@@ -50,11 +57,14 @@ impl FeetMeasures {
                 .iter()
                 .enumerate()
                 .filter(|(index, link)| *index == foot || link.parent() == Some(foot))
-                .flat_map(|(index, link)| link.sole().iter().map(move |point| (index, point.part, point.position)))
+                .flat_map(|(index, link)| {
+                    link.sole().iter().map(move |point| (index, point.part, point.position))
+                })
                 .collect();
             for i in 0..motion.len() {
                 let time = series.time[i];
-                let places: Vec<Vector3<f64>> = points.iter().map(|(link, _, point)| place(i, *link, point)).collect();
+                let places: Vec<Vector3<f64>> =
+                    points.iter().map(|(link, _, point)| place(i, *link, point)).collect();
                 let lowest = places.iter().map(|p| p.y - ground).fold(f64::INFINITY, f64::min);
                 measures.sink = measures.sink.max(Peak { value: -lowest, time });
                 if series.forces[side][i].y > 0.05 * series.weight {
@@ -65,7 +75,7 @@ impl FeetMeasures {
             let tip = points.iter().find(|(_, part, _)| *part == SolePart::ToeTip);
             if let Some((link, _, point)) = tip {
                 for (from, to) in swings(motion, side) {
-                    let (from, to) = (from + 0.2 * (to - from), to - 0.2 * (to - from));
+                    let (from, to) = (from + MID_SWING.0 * (to - from), from + MID_SWING.1 * (to - from));
                     for i in (0..motion.len()).filter(|&i| (from..=to).contains(&series.time[i])) {
                         let height = place(i, *link, point).y - ground;
                         if height < measures.clearance.value {

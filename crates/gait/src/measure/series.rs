@@ -9,7 +9,8 @@ use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
 use solaris_model::{Figure, Motion};
 
 /// Joints of the leg whose moments are told, with their anatomical flexion.
-pub(super) const JOINTS: [(&str, &str); 3] = [("hip", "flexion"), ("knee", "flexion"), ("ankle", "dorsiflexion")];
+pub(super) const JOINTS: [(&str, &str); 3] =
+    [("hip", "flexion"), ("knee", "flexion"), ("ankle", "dorsiflexion")];
 
 /// Series over the samples; left and right are 0 and 1, angles rad, moments N m/kg.
 pub(super) struct Series<'a> {

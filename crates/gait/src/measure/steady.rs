@@ -47,7 +47,8 @@ impl SteadyStride {
         // Contacts 1 … n + 1: the stride must begin at a second step and end before the closing one.
         let strides = (1..contacts.len().saturating_sub(3)).filter(|&i| contacts[i].1 == 0);
         let middle = contacts.len() as f64 / 2.0 - 1.5;
-        let begin = strides.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;
+        let begin =
+            strides.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;
         Some(Self::of(motion, series, (contacts[begin].0, contacts[begin + 2].0)))
     }
 
@@ -68,8 +69,10 @@ impl SteadyStride {
         let along = |i: usize| percent * left[i].z;
         let total = |i: usize| percent * (left[i].y + series.forces[1][i].y);
         let degrees = |values: &'_ [f64]| values.iter().map(|x| x.to_degrees()).collect::<Vec<f64>>();
-        let (hip, knee, ankle) = (degrees(&series.hip[0]), degrees(&series.knee[0]), degrees(&series.ankle[0]));
-        let range = |f: &dyn Fn(usize) -> f64| window.most((0.0, 1.0), f) + window.most((0.0, 1.0), &|i| -f(i));
+        let (hip, knee, ankle) =
+            (degrees(&series.hip[0]), degrees(&series.knee[0]), degrees(&series.ankle[0]));
+        let range =
+            |f: &dyn Fn(usize) -> f64| window.most((0.0, 1.0), f) + window.most((0.0, 1.0), &|i| -f(i));
         let pelvis = |axis: usize| range(&|i| series.pelvis[axis][i].to_degrees());
         let moment = |joint: usize, axis: usize, sign: f64| {
             window.most((0.0, 1.0), &|i| sign * series.moments[0][joint][i][axis])
@@ -136,7 +139,8 @@ impl Window<'_> {
     /// The mean over the stride: trapezoids between the samples and its ends.
     fn mean(&self, f: &dyn Fn(usize) -> f64) -> f64 {
         let (start, end) = self.span;
-        let inside = (0..self.series.time.len()).filter(|&i| self.series.time[i] > start && self.series.time[i] < end);
+        let inside =
+            (0..self.series.time.len()).filter(|&i| self.series.time[i] > start && self.series.time[i] < end);
         let mut points = vec![(start, self.at(start, f))];
         points.extend(inside.map(|i| (self.series.time[i], f(i))));
         points.push((end, self.at(end, f)));

@@ -43,7 +43,8 @@ impl Foot {
         for j in 0..count {
             let episode = laws.episode(side, j);
             let at = |v: f64| {
-                Vector3::from(hip.spline.position(v + episode.contact)) - Vector3::new(0.0, 0.0, episode.print)
+                Vector3::from(hip.spline.position(v + episode.contact))
+                    - Vector3::new(0.0, 0.0, episode.print)
             };
             let (stance, contact) = stance(laws, leg, side, &episode, at)?;
             note_need(laws, leg, &episode, &stance, at, need);

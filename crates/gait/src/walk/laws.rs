@@ -1,8 +1,6 @@
 //! What is prescribed over a whole walk: contacts, height, load share and centre of pressure.
 
-use super::numbers::{
-    BEGIN, CORRECTION_AT, HEIGHT_IN, HEIGHT_OUT, SETTLE, SWING_IN, SWING_OUT,
-};
+use super::numbers::{BEGIN, CORRECTION_AT, HEIGHT_IN, HEIGHT_OUT, SETTLE, SWING_IN, SWING_OUT};
 use super::standing::Standing;
 use super::steps;
 use crate::body::Body;
@@ -194,7 +192,8 @@ impl WalkLaws {
         let fraction = match episode.kind {
             Kind::Step => law(v),
             Kind::First => {
-                let (from, to) = if side == 0 { (self.begin, 0.30) } else { (toe_off - 0.26, toe_off - 0.06) };
+                let (from, to) =
+                    if side == 0 { (self.begin, 0.30) } else { (toe_off - 0.26, toe_off - 0.06) };
                 if v < to { mix((v - from) / (to - from), standing, law(to)) } else { law(v) }
             }
             Kind::Last => {

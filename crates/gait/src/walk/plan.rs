@@ -19,9 +19,12 @@ use solaris_model::{Contact, Trajectory};
 use solaris_modes::FootSupport;
 use solaris_profiles::UniformSpline;
 
+/// Rest before and after the movement, in strides: longer than any difference formula reaches.
+const REST: f64 = 0.06;
+
 /// A planned walk: its posture, and what the ground is to do, at any time.
 ///
-/// Time 0 is the last instant of rest before it. Left and right feet are 0 and 1.
+/// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1.
 pub struct WalkPlan {
     pub(super) body: Body,
     pub(super) laws: WalkLaws,
@@ -89,12 +92,12 @@ impl WalkPlan {
 
     /// Time (s) of a clock.
     pub fn time(&self, clock: f64) -> f64 {
-        (clock - self.laws.begin) * self.laws.style.stride_time
+        (clock - self.laws.begin + REST) * self.laws.style.stride_time
     }
 
     /// Clock at a time (s).
     pub fn clock_at(&self, time: f64) -> f64 {
-        time / self.laws.style.stride_time + self.laws.begin
+        time / self.laws.style.stride_time + self.laws.begin - REST
     }
 
     /// Centre of mass at a node (m).
@@ -164,11 +167,16 @@ impl WalkPlan {
 
 impl Trajectory for WalkPlan {
     fn duration(&self) -> f64 {
-        self.time(self.laws.end)
+        self.time(self.laws.end + REST)
     }
 
     fn configuration(&self, t: f64, q: &mut [f64]) {
         self.configuration_at(self.clock_at(t), q);
+    }
+
+    /// The distance of the nodes (s).
+    fn resolution(&self) -> f64 {
+        self.grid.step
     }
 }
 
@@ -191,10 +199,9 @@ struct Timeline {
 impl Timeline {
     fn new(laws: &WalkLaws, rate: usize, stride_time: f64) -> Self {
         let n = rate as f64;
-        let first = ((laws.begin - 0.06) * n).floor() as isize;
-        let last = ((laws.end + 0.06) * n).ceil() as isize;
-        let grid =
-            Grid { count: (last - first + 1) as usize, step: stride_time / n, ends: Ends::Resting };
+        let first = ((laws.begin - REST) * n).floor() as isize;
+        let last = ((laws.end + REST) * n).ceil() as isize;
+        let grid = Grid { count: (last - first + 1) as usize, step: stride_time / n, ends: Ends::Resting };
         let node = |u: f64| ((u * n).round() as isize - first) as usize;
         Self { grid, rate, first, moving: (node(laws.begin), node(laws.end)) }
     }
@@ -269,8 +276,9 @@ impl Passes {
         let at_rest = laws.standing.com - laws.standing.pelvis;
         let momentum_rate =
             (0..count).map(|i| stride.momentum_rate(steady(i)) * laws.swinging(clocks[i]).powi(2)).collect();
-        let offset =
-            (0..count).map(|i| at_rest.lerp(&stride.com_offset[steady(i)], laws.walking(clocks[i]))).collect();
+        let offset = (0..count)
+            .map(|i| at_rest.lerp(&stride.com_offset[steady(i)], laws.walking(clocks[i])))
+            .collect();
         Self {
             steady_thigh: stride.contact.thigh.position,
             hips,
@@ -324,7 +332,8 @@ impl Passes {
     fn pass(&mut self, pass: usize, passes: usize) -> Result<Pass, GaitError> {
         let (count, leg) = (self.timeline.grid.count, self.body.leg);
         let (com, vertical) = self.centre_of_mass();
-        let pelvis: Vec<Vector3<f64>> = com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
+        let pelvis: Vec<Vector3<f64>> =
+            com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
         let mut need = vec![-9.0_f64; self.laws.steps + 1];
         let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
             let place = |i: usize| if side == 0 { pelvis[i] } else { mirror(&pelvis[i]) };

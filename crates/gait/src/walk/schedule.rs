@@ -3,8 +3,8 @@
 use super::laws::Kind;
 use super::plan::WalkPlan;
 use crate::prescribed::G;
-use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionError, MotionInfo, SolePart};
-use solaris_modes::{Support, SupportLaw};
+use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory as _};
+use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 
 /// Names of the feet's links, left and right.
 pub const FEET: [&str; 2] = ["left_foot", "right_foot"];
@@ -21,9 +21,10 @@ impl WalkPlan {
     ///
     /// # Errors
     ///
-    /// A rate that is none.
-    pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, MotionError> {
+    /// A rate that is none, and another figure than the plan's.
+    pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
         let mut motion = Motion::sample(figure, self, MotionInfo::on_earth(figure, rate))?;
+        balance_momentum(figure, self, &mut motion)?;
         motion.events = self.events();
         motion.planted = self.planted(figure);
         Ok(motion)
@@ -54,7 +55,7 @@ impl WalkPlan {
     /// toes' ball until they roll, their tip until it lifts.
     pub fn planted(&self, figure: &Figure) -> Vec<Interval> {
         let mut planted = Vec::new();
-        let end = self.time(self.laws.end);
+        let end = self.duration();
         for side in [0, 1] {
             for j in 0..self.laws.episode_count(side) {
                 let episode = self.laws.episode(side, j);
@@ -62,7 +63,11 @@ impl WalkPlan {
                 let clock = |v: f64| self.time(episode.contact + v).clamp(0.0, end);
                 let pushes = matches!(episode.kind, Kind::First | Kind::Step);
                 let landed = if matches!(episode.kind, Kind::First) { -1.0 } else { 0.0 };
-                let flat = if matches!(episode.kind, Kind::Step | Kind::Last) { self.laws.style.foot_flat } else { landed };
+                let flat = if matches!(episode.kind, Kind::Step | Kind::Last) {
+                    self.laws.style.foot_flat
+                } else {
+                    landed
+                };
                 let last = |v: f64| if pushes { clock(v) } else { end };
                 let spans = [
                     (FEET[side], SolePart::Heel, clock(landed), last(stance.heel_off())),

@@ -74,7 +74,11 @@ pub(super) fn rest_to_rest(
         .map(|i| match i {
             i if i <= first => before,
             i if i >= last => after,
-            i => x[i - first - 1][0] + x[i - first - 1][1] * amplitudes[0] + x[i - first - 1][2] * amplitudes[1],
+            i => {
+                x[i - first - 1][0]
+                    + x[i - first - 1][1] * amplitudes[0]
+                    + x[i - first - 1][2] * amplitudes[1]
+            }
         })
         .collect();
     (solution, amplitudes)

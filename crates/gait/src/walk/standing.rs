@@ -32,7 +32,8 @@ impl Standing {
         let mut com = pelvis;
         for _ in 0..25 {
             let hip = pelvis + hip_offset;
-            let level = leg.reach_squared(KNEE_STANDING) - (hip.x - ankle.x).powi(2) - (hip.z - ankle.z).powi(2);
+            let level =
+                leg.reach_squared(KNEE_STANDING) - (hip.x - ankle.x).powi(2) - (hip.z - ankle.z).powi(2);
             pelvis.y += ankle.y + level.max(0.0).sqrt() - hip.y;
             let pose = stance.pose(0.0, &(pelvis + hip_offset));
             com = pelvis + Momentum::new(body, &grid, &upper, &stance.plane, |_| [pose; 2]).com[0];

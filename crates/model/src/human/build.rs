@@ -27,7 +27,8 @@ pub(super) fn figure(height: f64, mass: f64, factor: impl Fn(&str) -> f64) -> Re
     }
     for &(name, joint, axis, left, right) in ANGLES {
         let paired = SEGMENTS.iter().any(|s| s.joint == joint && s.paired);
-        let sides: &[(&str, f64)] = if paired { &[("left_", left), ("right_", right)] } else { &[("", left)] };
+        let sides: &[(&str, f64)] =
+            if paired { &[("left_", left), ("right_", right)] } else { &[("", left)] };
         for (side, sign) in sides {
             builder = builder.angle(format!("{side}{name}"), format!("{side}{joint}.{axis}"), *sign < 0.0);
         }
@@ -90,7 +91,11 @@ impl Side {
 
     /// The joint, at the table's offset times the parent's scale; limits mirrored on the right.
     fn joint(&self, segment: &Segment, parent_scale: f64) -> Joint {
-        let name = if segment.paired { format!("{}{}", self.prefix, segment.joint) } else { segment.joint.to_owned() };
+        let name = if segment.paired {
+            format!("{}{}", self.prefix, segment.joint)
+        } else {
+            segment.joint.to_owned()
+        };
         let mut joint = Joint::new(name).at(self.vector(segment.offset) * parent_scale);
         if segment.parent.is_empty() {
             joint = joint.tx().ty().tz();
@@ -101,7 +106,9 @@ impl Side {
                 "ry" => joint.ry(),
                 _ => joint.rx(),
             };
-            if let Some(&(.., lower, upper)) = LIMITS.iter().find(|(j, a, ..)| *j == segment.joint && *a == axis) {
+            if let Some(&(.., lower, upper)) =
+                LIMITS.iter().find(|(j, a, ..)| *j == segment.joint && *a == axis)
+            {
                 let mirrored = self.is_right() && axis != "rx";
                 let (lower, upper) = if mirrored { (-upper, -lower) } else { (lower, upper) };
                 joint = joint.limited(lower.to_radians(), upper.to_radians());
@@ -114,13 +121,18 @@ impl Side {
         match *drawn {
             Drawn::Body { centre, radii } => Shape {
                 kind: ShapeKind::Ellipsoid { radii: Vector3::from(radii) * scale },
-                placement: Isometry3::from_parts(Translation3::from(self.vector(centre) * scale), UnitQuaternion::identity()),
+                placement: Isometry3::from_parts(
+                    Translation3::from(self.vector(centre) * scale),
+                    UnitQuaternion::identity(),
+                ),
             },
             Drawn::Limb { to, radius } => {
                 let to = self.vector(to) * scale;
                 let turn = UnitQuaternion::rotation_between(&Vector3::y(), &to);
                 // Straight down is the only direction without a unique turn from "up".
-                let turn = turn.unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+                let turn = turn.unwrap_or_else(|| {
+                    UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
+                });
                 Shape {
                     kind: ShapeKind::Capsule { radius: radius * scale, length: to.norm() },
                     placement: Isometry3::from_parts(Translation3::from(to / 2.0), turn),

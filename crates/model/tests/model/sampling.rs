@@ -161,7 +161,8 @@ fn a_duration_that_never_ends_is_refused() {
 #[test]
 fn times_and_forces_that_are_no_numbers_are_refused() {
     let figure = slider();
-    let new = |time| Motion::new(&figure, info(&figure, 10.0), time, [vec![0.0; 4], vec![0.0; 4], vec![0.0; 4]]);
+    let new =
+        |time| Motion::new(&figure, info(&figure, 10.0), time, [vec![0.0; 4], vec![0.0; 4], vec![0.0; 4]]);
     for time in [vec![0.0, f64::NAN], vec![0.1, 0.1], vec![0.2, 0.1]] {
         assert!(matches!(new(time).expect_err("no times"), MotionError::Time { sample: 1, .. }));
     }
