@@ -1,6 +1,7 @@
 //! The human body as the planner sees it: segments by role, their masses, the momentum of a posture.
 
 use crate::error::GaitError;
+use crate::foot::{mirror, mirror_rotation};
 use crate::leg::LegGeometry;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, Vector3 as V3};
@@ -29,6 +30,18 @@ pub(crate) struct Segment {
     pub(crate) mass: f64,
     pub(crate) com: Vector3<f64>,
     pub(crate) inertia: Matrix3<f64>,
+}
+
+impl Segment {
+    /// The mirror image in the body's middle plane.
+    pub(crate) fn mirrored(self) -> Self {
+        Self {
+            offset: mirror(&self.offset),
+            com: mirror(&self.com),
+            inertia: mirror_rotation(&self.inertia),
+            ..self
+        }
+    }
 }
 
 /// The figure's segments by role.

@@ -38,6 +38,11 @@ impl FootPlane {
         [v.dot(&self.left), v.y, v.dot(&self.forward)]
     }
 
+    /// The same, as a vector.
+    pub(crate) fn split_vector(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::from(self.split(v))
+    }
+
     /// World rotations of the left thigh, shank, foot and toes.
     #[inline]
     pub(crate) fn frames(&self, pose: &LegPose) -> [Matrix3<f64>; 4] {
@@ -96,7 +101,7 @@ pub(crate) fn mirror(v: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(-v.x, v.y, v.z)
 }
 
-/// The mirror image of a rotation in the body's middle plane.
+/// The mirror image of a rotation or a tensor in the body's middle plane.
 #[inline]
 #[rustfmt::skip]
 pub(crate) fn mirror_rotation(r: &Matrix3<f64>) -> Matrix3<f64> {

@@ -44,4 +44,22 @@ impl Grid {
         let unit = 1.0 / (60.0 * self.step);
         pair(1) * (45.0 * unit) - pair(2) * (9.0 * unit) + pair(3) * unit
     }
+
+    /// First derivatives at node `i` of the rows that `f` gives for nodes.
+    #[inline]
+    pub(crate) fn first_of<'a, const D: usize>(
+        &self,
+        i: usize,
+        f: impl Fn(usize) -> &'a [f64; D],
+    ) -> [f64; D] {
+        let unit = 1.0 / (60.0 * self.step);
+        let mut rates = [0.0; D];
+        for (k, weight) in [(1, 45.0 * unit), (2, -9.0 * unit), (3, unit)] {
+            let (after, before) = (f(self.at(i, k)), f(self.at(i, -k)));
+            for d in 0..D {
+                rates[d] += weight * (after[d] - before[d]);
+            }
+        }
+        rates
+    }
 }

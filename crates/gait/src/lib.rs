@@ -6,6 +6,7 @@ mod foot;
 mod grid;
 mod laws;
 mod leg;
+mod legs;
 mod measure;
 mod momentum;
 mod parameter;
@@ -15,6 +16,7 @@ mod stance;
 mod stride;
 mod style;
 mod swing;
+mod upper;
 mod walk;
 mod walker;
 

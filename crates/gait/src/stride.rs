@@ -2,15 +2,16 @@
 
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::foot::{LegPose, mirror};
+use crate::foot::{FootPlane, LegPose, mirror};
 use crate::grid::{Ends, Grid, SECOND};
 use crate::laws;
-use crate::momentum::{Momentum, UpperBody};
+use crate::momentum::MomentumKernel;
 use crate::posture::Posture;
 use crate::prescribed::{G, PrescribedNode};
 use crate::stance::{Landing, LegJet, Push, Stance};
 use crate::style::Style;
 use crate::swing::{Aim, Swing};
+use crate::upper::UpperBody;
 use nalgebra::{DMatrix, Vector3};
 use solaris_model::{Contact, Figure};
 use solaris_modes::FootSupport;
@@ -72,6 +73,7 @@ impl StridePlan {
         let laws = Laws::new(&body, style, n)?;
         let angles = |i: usize| angles(style, clock(i));
         let upper = UpperBody::new(&body, &grid, angles);
+        let mut kernel = MomentumKernel::new(&body, &grid, &upper, FootPlane::new(style.foot_yaw));
         let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();
         let toe_off = style.toe_off();
         let swinging = (0..n).filter(|&i| clock(i) > toe_off);
@@ -107,8 +109,7 @@ impl StridePlan {
                     u => swing.pose(&leg, u),
                 })
                 .collect();
-            let momentum =
-                Momentum::new(&body, &grid, &upper, &stance.plane, |i| [poses[i], poses[(i + half) % n]]);
+            let momentum = kernel.momentum(&upper, |i| [poses[i], poses[(i + half) % n]]);
             let rate: Vec<Vector3<f64>> = (0..n).map(|i| grid.first(i, |j| momentum.angular[j])).collect();
             let pelvis: Vec<Vector3<f64>> = (0..n).map(|i| com[i] - offset[i]).collect();
             let relaxation = if pass == 0 { 1.0 } else { 0.8 };

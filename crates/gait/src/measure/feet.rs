@@ -7,8 +7,8 @@ use crate::walk::FEET;
 use nalgebra::Vector3;
 use solaris_model::{EventKind, Figure, Motion, SolePart};
 
-/// A point this near to the ground touches it (m).
-const TOUCHING: f64 = 2e-3;
+/// A point this near to the ground touches it (m): soles and heel pads are soft.
+const TOUCHING: f64 = 5e-3;
 /// Heels, balls and tips are round: the centre of pressure may be this far from the model's point (m, for a height of
 /// 1.741 m), and this far to the side of the foot's axis.
 const ROUND: f64 = 0.012;

@@ -10,10 +10,11 @@ use crate::error::GaitError;
 use crate::foot::{FootPlane, LegPose, mirror};
 use crate::grid::{Ends, Grid, SECOND};
 use crate::laws;
-use crate::momentum::{Momentum, UpperBody};
+use crate::momentum::MomentumKernel;
 use crate::posture::Posture;
 use crate::prescribed::{G, PrescribedNode};
 use crate::stride::{Resolution, StridePlan};
+use crate::upper::UpperBody;
 use nalgebra::Vector3;
 use solaris_model::{Contact, Trajectory};
 use solaris_modes::FootSupport;
@@ -225,6 +226,7 @@ struct Passes {
     timeline: Timeline,
     steady_thigh: f64,
     upper: UpperBody,
+    kernel: MomentumKernel,
     /// Left and right hip against the pelvis, the right one mirrored.
     hips: [Vec<Vector3<f64>>; 2],
     /// Height without corrections and its second derivative, and the weights of the corrections, by node.
@@ -280,6 +282,7 @@ impl Passes {
             .map(|i| at_rest.lerp(&stride.com_offset[steady(i)], laws.walking(clocks[i])))
             .collect();
         Self {
+            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, FootPlane::new(laws.style.foot_yaw)),
             steady_thigh: stride.contact.thigh.position,
             hips,
             height,
@@ -353,8 +356,7 @@ impl Passes {
                 [0, 1].map(|side| feet[side].pose(&self.laws, &leg, u, &nodes[side][i].into()))
             })
             .collect();
-        let plane = FootPlane::new(self.laws.style.foot_yaw);
-        let momentum = Momentum::new(&self.body, &self.timeline.grid, &self.upper, &plane, |i| poses[i]);
+        let momentum = self.kernel.momentum(&self.upper, |i| poses[i]);
         let (first, last) = self.timeline.moving;
         let rate: Vec<Vector3<f64>> = (0..count)
             .map(|i| match i {

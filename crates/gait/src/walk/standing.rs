@@ -4,9 +4,10 @@ use super::numbers::{KNEE_STANDING, STANDING_AHEAD};
 use crate::body::Body;
 use crate::grid::{Ends, Grid};
 use crate::laws;
-use crate::momentum::{Momentum, UpperBody};
+use crate::momentum::MomentumKernel;
 use crate::stance::{Landing, Push, Stance};
 use crate::style::Style;
+use crate::upper::UpperBody;
 use nalgebra::Vector3;
 
 /// Pelvis and centre of mass when standing with both heels at z = 0 (m).
@@ -28,6 +29,7 @@ impl Standing {
         let hip_offset = laws::rotation(trunk[0]) * leg.hip;
         let stance = Stance::new(leg, style, Landing::Flat, Push::of(style));
         let ankle = stance.flat_ankle();
+        let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane);
         let mut pelvis = Vector3::new(0.0, 0.95 * leg.length(), ahead);
         let mut com = pelvis;
         for _ in 0..25 {
@@ -36,7 +38,7 @@ impl Standing {
                 leg.reach_squared(KNEE_STANDING) - (hip.x - ankle.x).powi(2) - (hip.z - ankle.z).powi(2);
             pelvis.y += ankle.y + level.max(0.0).sqrt() - hip.y;
             let pose = stance.pose(0.0, &(pelvis + hip_offset));
-            com = pelvis + Momentum::new(body, &grid, &upper, &stance.plane, |_| [pose; 2]).com[0];
+            com = pelvis + kernel.momentum(&upper, |_| [pose; 2]).com[0];
             pelvis.z += ahead - com.z;
         }
         Self { pelvis, com }

@@ -37,11 +37,11 @@ pub struct DifferenceStep {
 }
 
 impl DifferenceStep {
-    /// The multiple of a frame that is nearest to `resolution` (s), or the fraction of one that is just above it.
+    /// The shortest multiple of a frame that is not below `resolution` (s), or the shortest fraction of one that is not.
     pub fn new(resolution: f64, rate: f64) -> Self {
         let ratio = resolution * rate;
-        let frames = ratio.round().clamp(1.0, 1e6) as usize;
-        let per_frame = (1.0 / ratio).floor().clamp(1.0, 1e6) as usize;
+        let frames = (ratio - 1e-6).ceil().clamp(1.0, 1e6) as usize;
+        let per_frame = (1.0 / ratio + 1e-6).floor().clamp(1.0, 1e6) as usize;
         Self { frames, per_frame, length: frames as f64 / (rate * per_frame as f64) }
     }
 
@@ -65,8 +65,9 @@ impl Motion {
     /// Samples a trajectory `info.rate` times a second, from 0 to the first sample at or after its end.
     ///
     /// Velocities and accelerations are the sixth-order central differences of the positions, at the [`DifferenceStep`] of
-    /// the trajectory's [`Trajectory::resolution`]. So they are the derivatives of what is written, whatever the rate; over whole frames they add up to the
-    /// change in position; and a kink of the curve is spread over a few steps instead of being missed or infinite.
+    /// the trajectory's [`Trajectory::resolution`]. So they are the derivatives of what is written, whatever the rate; over
+    /// whole frames they add up to the change in position; and a kink of the curve is spread over a few steps instead of
+    /// being missed or infinite.
     ///
     /// # Errors
     ///

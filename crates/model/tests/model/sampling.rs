@@ -35,9 +35,10 @@ fn derivatives_of_a_sine_are_right_at_every_rate() {
     let curve = Curve(2.0, |t: f64| [(omega * t).sin(), (omega * t).cos()]);
     for rate in [1.0, 7.0, 30.0, 100.0, 120.0, 121.0, 1000.0] {
         let motion = Motion::sample(&figure, &curve, info(&figure, rate)).expect("finite");
-        // The step is the longest fraction of a frame of at most 1/120 s; truncation ω⁷h⁶/140 and ω⁸h⁶/560,
+        // The step is the shortest multiple or fraction of a frame of at least 1/120 s; truncation ω⁷h⁶/140 and ω⁸h⁶/560,
         // rounding of x and of ωt by ε, divided by h and h².
-        let h = 1.0 / (rate * (120.0 / rate).ceil());
+        let h =
+            if rate < 120.0 { 1.0 / (rate * (120.0 / rate).floor()) } else { (rate / 120.0).ceil() / rate };
         let first = omega.powi(7) * h.powi(6) / 140.0 + (8.0 + 4.0 * omega) * f64::EPSILON / h;
         let second = omega.powi(8) * h.powi(6) / 560.0 + (16.0 + 16.0 * omega) * f64::EPSILON / (h * h);
         assert_eq!(motion.len(), 1 + (2.0 * rate) as usize, "{rate}/s");

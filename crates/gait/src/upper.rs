@@ -1,0 +1,90 @@
+//! Trunk and arms over the nodes of a plan. They do not change from pass to pass: their part of the momentum is found once.
+
+use crate::body::{Body, Segment};
+use crate::grid::Grid;
+use crate::laws;
+use crate::momentum::Parts;
+use nalgebra::{Matrix3, Vector3};
+
+/// Trunk and arms over the nodes.
+#[derive(Clone, Debug)]
+pub(crate) struct UpperBody {
+    pelvis: Vec<Matrix3<f64>>,
+    parts: Vec<Parts>,
+}
+
+impl UpperBody {
+    /// Over the nodes of a grid, from the angles of trunk and arms at each of them.
+    pub(crate) fn new(
+        body: &Body,
+        grid: &Grid,
+        angles: impl Fn(usize) -> ([laws::Euler; 5], [[f64; 2]; 2]),
+    ) -> Self {
+        let segments: Vec<&Segment> = body.middle.iter().chain(body.arms.iter().flatten()).collect();
+        let postures: Vec<_> = (0..grid.count)
+            .map(|i| {
+                let (trunk, arms) = angles(i);
+                posture(body, &trunk, &arms)
+            })
+            .collect();
+        let parts = (0..grid.count)
+            .map(|i| {
+                let mut sum = Parts::default();
+                for (s, segment) in segments.iter().enumerate() {
+                    let (rotation, com) = postures[i][s];
+                    let rotation_rate = grid.first(i, |j| postures[j][s].0);
+                    let com_rate = grid.first(i, |j| postures[j][s].1);
+                    sum.add(segment, &rotation, &rotation_rate, &com, &com_rate);
+                }
+                sum
+            })
+            .collect();
+        Self { pelvis: postures.iter().map(|posture| posture[0].0).collect(), parts }
+    }
+
+    /// The pelvis' orientation at a node.
+    pub(crate) fn pelvis(&self, node: usize) -> &Matrix3<f64> {
+        &self.pelvis[node]
+    }
+
+    /// Momentum of trunk and arms at a node.
+    pub(crate) fn parts(&self, node: usize) -> &Parts {
+        &self.parts[node]
+    }
+}
+
+/// World rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin.
+fn posture(
+    body: &Body,
+    trunk: &[laws::Euler; 5],
+    arms: &[[f64; 2]; 2],
+) -> [(Matrix3<f64>, Vector3<f64>); 13] {
+    let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 13];
+    let rotations = trunk.map(laws::rotation);
+    let mut origin = Vector3::zeros();
+    let mut thorax_origin = origin;
+    for (i, (segment, rotation)) in body.middle.iter().zip(&rotations).enumerate() {
+        if i > 0 {
+            origin += rotations[i - 1] * segment.offset;
+        }
+        if i == 2 {
+            thorax_origin = origin;
+        }
+        parts[i] = (*rotation, origin + rotation * segment.com);
+    }
+    for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(arms).enumerate() {
+        let abduction = if side == 0 { laws::ARM_ABDUCTION } else { -laws::ARM_ABDUCTION };
+        let clavicle = rotations[2];
+        let upper = clavicle * laws::about_z(abduction) * laws::about_x(*shoulder);
+        let forearm = upper * laws::about_x(*elbow);
+        let chain = [clavicle, upper, forearm, forearm * laws::about_x(laws::HAND)];
+        let mut origin = thorax_origin + rotations[2] * arm[0].offset;
+        for (i, (segment, rotation)) in arm.iter().zip(&chain).enumerate() {
+            if i > 0 {
+                origin += chain[i - 1] * segment.offset;
+            }
+            parts[5 + 4 * side + i] = (*rotation, origin + rotation * segment.com);
+        }
+    }
+    parts
+}
