@@ -3,7 +3,9 @@
 //! Planning grows in proportion to the number of steps; compare times of one run only.
 
 use divan::{Bencher, black_box};
-use solaris_gait::{Extent, FEET, Resolution, StridePlan, Style, WALK_RATIO, WalkPlan, WalkRequest, measure, walk};
+use solaris_gait::{
+    Extent, FEET, Resolution, StridePlan, Style, WALK_RATIO, WalkPlan, WalkRequest, measure, walk,
+};
 use solaris_model::{Figure, human};
 use solaris_modes::ground_reactions;
 

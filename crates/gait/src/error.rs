@@ -47,6 +47,8 @@ pub enum GaitError {
         at: String,
         why: String,
     },
+    #[error("{nodes} nodes a stride: the planner takes an even number from 20 to 10000")]
+    Nodes { nodes: usize },
     #[error("there is no style parameter '{name}'; there are {known}")]
     UnknownParameter { name: String, known: String },
     #[error(

@@ -12,7 +12,6 @@ pub use steady::SteadyStride;
 
 use crate::error::GaitError;
 use crate::walk::FEET;
-use feet::FeetMeasures;
 use series::Series;
 use solaris_model::{EventKind, Figure, Motion};
 
@@ -84,7 +83,7 @@ pub struct WalkMeasures {
 /// A motion without ground reactions or joint forces.
 pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitError> {
     let series = Series::new(figure, motion)?;
-    let feet = FeetMeasures::new(figure, motion, &series);
+    let (sink, cop_outside) = feet::sink_and_cop(figure, motion, &series);
     let contacts: Vec<(f64, usize)> = touch_downs(motion);
     let steps = contacts.len().saturating_sub(1);
     let forward = |sample: usize| series.com[sample].z;
@@ -110,10 +109,10 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
             let loaded = series.forces.iter().map(|forces| forces[i]).filter(|f| f.y > 0.05 * series.weight);
             loaded.map(|f| f.x.hypot(f.z) / f.y).fold(0.0, f64::max)
         })),
-        slide: feet.slide,
-        sink: feet.sink,
-        clearance: feet.clearance,
-        cop_outside: feet.cop_outside,
+        slide: feet::slide(motion, &series),
+        sink,
+        clearance: feet::clearance(figure, motion, &series),
+        cop_outside,
         least_knee: {
             let knees = (0..motion.len()).map(|i| -series.knee[0][i].min(series.knee[1][i]));
             let peak = series.greatest(knees);
@@ -155,7 +154,7 @@ fn double_supports(motion: &Motion, contacts: &[(f64, usize)]) -> Vec<f64> {
     let spans = contacts.windows(2).map(|pair| (pair[0].0, 2.0 * (pair[1].0 - pair[0].0)));
     spans
         .filter_map(|(contact, stride)| {
-            let lift = lifts.iter().find(|lift| **lift > contact)?;
+            let lift = lifts.get(lifts.partition_point(|lift| *lift <= contact))?;
             Some(100.0 * (lift - contact) / stride)
         })
         .collect()

@@ -76,7 +76,7 @@ impl MomentumKernel {
         let hips = (0..grid.count)
             .map(|i| Hips([0, 1].map(|side| (hip(i, side), grid.first(i, |j| hip(j, side))))))
             .collect();
-        let legs = [LegMotion::new(&body.legs[0]), LegMotion::new(&body.legs[1].map(|s| s.mirrored()))];
+        let legs = [LegMotion::new(&body.legs[0]), LegMotion::new(&body.legs[1].map(Segment::mirrored))];
         let shapes = vec![[[0.0; LEG_SHAPE]; 2]; grid.count];
         Self { grid: *grid, plane, legs, mass: body.mass, hips, shapes }
     }

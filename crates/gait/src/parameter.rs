@@ -28,7 +28,7 @@ impl Unit {
         }
     }
 
-    fn from_si(self, value: f64) -> f64 {
+    fn of_si(self, value: f64) -> f64 {
         match self {
             Self::Degrees => value.to_degrees(),
             Self::Metres => value,
@@ -161,7 +161,7 @@ impl Parameter {
     /// Its value in a style, in its unit.
     pub fn get(&self, style: &Style) -> f64 {
         let mut copy = *style;
-        self.unit.from_si(*(self.place)(&mut copy))
+        self.unit.of_si(*(self.place)(&mut copy))
     }
 
     /// Sets it in a style, in its unit.

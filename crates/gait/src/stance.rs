@@ -273,7 +273,7 @@ impl Stance {
         (self.ankle_on_heel(pitch), pitch)
     }
 
-    /// Pitch of the toes about the tip: toe·((u − u_tt)/(u_to − u_tt))³.
+    /// Pitch of the toes about the tip: `toe·((u − u_tt)/(u_to − u_tt))³`.
     #[inline]
     fn toes(&self, u: f64) -> f64 {
         let x = (u - self.push.tip_roll_at) / (self.toe_off - self.push.tip_roll_at);

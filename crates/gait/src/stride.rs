@@ -39,6 +39,16 @@ impl Default for Resolution {
     }
 }
 
+impl Resolution {
+    fn check(self) -> Result<(), GaitError> {
+        if (20..=10_000).contains(&self.nodes) && self.nodes.is_multiple_of(2) {
+            Ok(())
+        } else {
+            Err(GaitError::Nodes { nodes: self.nodes })
+        }
+    }
+}
+
 /// A planned stride: left heel contact at u = 0 with its print at z = 0, right at u = ½ with its print one step ahead.
 pub struct StridePlan {
     pub(crate) body: Body,
@@ -64,6 +74,7 @@ impl StridePlan {
     }
 
     pub(crate) fn plan(body: Body, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {
+        resolution.check()?;
         let n = resolution.nodes;
         let half = n / 2;
         let grid = Grid { count: n, step: style.stride_time / n as f64, ends: Ends::Periodic };
@@ -92,7 +103,9 @@ impl StridePlan {
                 |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, s2 * u);
             let mut stance = Stance::new(&leg, style, Landing::Heel, Push::of(style));
             let rise = spare_height(&stance, style, &leg, |u| hip_at(u, 0.0));
-            com.iter_mut().for_each(|c| c.y += rise);
+            for com in &mut com {
+                com.y += rise;
+            }
             let hip = |u: f64| hip_at(u, rise);
             let knee = Boundary::new(style.knee_contact, style.knee_contact_rate, style.knee_contact_acc);
             stance.set_contact(knee, hip)?;

@@ -48,12 +48,6 @@ macro_rules! style_numbers {
                     $($name: q([$c0, $c1, $c2, $c3]) * $unit,)*
                 }
             }
-
-            /// All numbers with their names, in the order of the table.
-            #[cfg(test)]
-            pub(crate) fn named(&self) -> Vec<(&'static str, f64)> {
-                vec![$((stringify!($name), self.$name),)*]
-            }
         }
     };
 }

@@ -13,7 +13,7 @@ fn compare(figure: &Figure, golden: &Value, plan: &StridePlan, differences: &mut
     let mut q = vec![0.0; figure.layout().nq()];
     let step = plan.style().step_length;
     // The golden samples that fall on a node.
-    for i in (0..=40).filter(|i| i * n % 40 == 0) {
+    for i in (0..=40).filter(|i| (i * n).is_multiple_of(40)) {
         let (u, node) = (i as f64 / 40.0, i * n / 40 % n);
         plan.configuration(u, &mut q);
         let wrapped = if i == 40 { 2.0 * step } else { 0.0 };

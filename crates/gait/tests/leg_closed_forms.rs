@@ -47,12 +47,12 @@ fn the_knee_and_the_reach_are_inverse() {
 #[test]
 fn pitch_about_the_heel_is_recovered() {
     let leg = person();
-    for (pitch, knee, lean) in [(-17.0_f64, 7.0_f64, 15.0_f64), (-8.0, 15.0, 8.0), (0.0, 20.0, 3.0), (-25.0, 5.0, 25.0)] {
+    for (pitch, knee, lean) in
+        [(-17.0_f64, 7.0_f64, 15.0_f64), (-8.0, 15.0, 8.0), (0.0, 20.0, 3.0), (-25.0, 5.0, 25.0)]
+    {
         let (sin, cos) = pitch.to_radians().sin_cos();
-        let ankle = [
-            leg.ankle_height * cos - leg.heel_behind * sin,
-            leg.heel_behind * cos + leg.ankle_height * sin,
-        ];
+        let ankle =
+            [leg.ankle_height * cos - leg.heel_behind * sin, leg.heel_behind * cos + leg.ankle_height * sin];
         // The leg leans back: the hip is behind the ankle.
         let reach = leg.reach_squared(knee.to_radians()).sqrt();
         let (back, up) = lean.to_radians().sin_cos();
@@ -65,7 +65,9 @@ fn pitch_about_the_heel_is_recovered() {
 #[test]
 fn pitch_about_the_ball_is_recovered() {
     for leg in [thesis(), person()] {
-        for (pitch, knee, lean, side) in [(5.0_f64, 10.0_f64, 12.0_f64, 0.0_f64), (30.0, 25.0, 25.0, 0.05), (60.0, 40.0, 30.0, 0.1)] {
+        for (pitch, knee, lean, side) in
+            [(5.0_f64, 10.0_f64, 12.0_f64, 0.0_f64), (30.0, 25.0, 25.0, 0.05), (60.0, 40.0, 30.0, 0.1)]
+        {
             let angle = pitch.to_radians() + leg.ball_below.atan2(leg.ball_ahead);
             let r = leg.ball_ahead.hypot(leg.ball_below);
             let ankle = [r * angle.sin(), -r * angle.cos()];
@@ -86,11 +88,8 @@ fn a_straight_leg_on_the_ball_stands_as_the_thesis_says() {
     let leg = thesis();
     let (a, beta) = (leg.thigh + leg.shank, 0.4_f64);
     // Hip over the ball joint: ankle at L3 (−cos β, sin β), the leg at the angle β from the vertical.
-    let hip = [
-        0.0,
-        leg.ball_ahead * beta.sin() + a * beta.cos(),
-        -leg.ball_ahead * beta.cos() + a * beta.sin(),
-    ];
+    let hip =
+        [0.0, leg.ball_ahead * beta.sin() + a * beta.cos(), -leg.ball_ahead * beta.cos() + a * beta.sin()];
     assert_relative_eq!(leg.pitch_about_ball(hip, 0.0), beta, epsilon = 1e-7);
 }
 

@@ -114,7 +114,8 @@ mod tests {
         let [a, b] = split_at_pivot(&total, &Vector3::new(0.0, 1.0, 0.1), &Vector3::y(), 1.4, &feet(1.0))
             .expect("pressed");
         assert_relative_eq!(a.force, total.force, epsilon = 1e-12);
-        assert_relative_eq!(a.cop, Vector3::new(0.04, 0.0, -0.1), epsilon = 1e-12);
+        // (P × F) = M: −P_z F_y = −50 and P_x F_y = −20.
+        assert_relative_eq!(a.cop, Vector3::new(-0.04, 0.0, 0.1), epsilon = 1e-12);
         assert_eq!(b, Contact::default());
     }
 

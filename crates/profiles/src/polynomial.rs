@@ -22,17 +22,17 @@ impl Polynomial {
     /// The quintic that meets six boundary values over `h > 0`:
     ///
     /// ```text
-    /// c₃ = (20 Δ − (8 v₁ + 12 v₀) h − (3 a₀ − a₁) h²) / 2h³
-    /// c₄ = (−30 Δ + (14 v₁ + 16 v₀) h + (3 a₀ − 2 a₁) h²) / 2h⁴
-    /// c₅ = (12 Δ − 6 (v₁ + v₀) h + (a₁ − a₀) h²) / 2h⁵        Δ = x₁ − x₀
+    /// c₃ h³ =  10 Δ − (4 v₁ + 6 v₀) h − (3 a₀ − a₁) h²/2
+    /// c₄ h⁴ = −15 Δ + (7 v₁ + 8 v₀) h + (3 a₀ − 2 a₁) h²/2
+    /// c₅ h⁵ =   6 Δ − 3 (v₁ + v₀) h + (a₁ − a₀) h²/2        Δ = x₁ − x₀
     /// ```
     pub(crate) fn quintic(h: f64, start: &Boundary, end: &Boundary) -> Self {
         let (v0, a0, v1, a1) =
             (start.velocity * h, start.acceleration * h * h, end.velocity * h, end.acceleration * h * h);
         let delta = end.position - start.position;
-        let c3 = (20.0 * delta - 8.0 * v1 - 12.0 * v0 - 3.0 * a0 + a1) / 2.0;
-        let c4 = (-30.0 * delta + 14.0 * v1 + 16.0 * v0 + 3.0 * a0 - 2.0 * a1) / 2.0;
-        let c5 = (12.0 * delta - 6.0 * (v1 + v0) + a1 - a0) / 2.0;
+        let c3 = 10.0 * delta - 4.0 * v1 - 6.0 * v0 - 1.5 * a0 + 0.5 * a1;
+        let c4 = -15.0 * delta + 7.0 * v1 + 8.0 * v0 + 1.5 * a0 - a1;
+        let c5 = 6.0 * delta - 3.0 * (v1 + v0) + 0.5 * (a1 - a0);
         let (h3, h2) = (h * h * h, h * h);
         Self([
             start.position,

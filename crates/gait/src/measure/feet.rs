@@ -13,109 +13,108 @@ const TOUCHING: f64 = 5e-3;
 /// 1.741 m), and this far to the side of the foot's axis.
 const ROUND: f64 = 0.012;
 const HALF_WIDTH: f64 = 0.040;
-
 /// Middle of a swing: the part in which the toes must pass over the ground.
 const MID_SWING: (f64, f64) = (0.20, 0.65);
 
-/// What the feet do.
-pub(super) struct FeetMeasures {
-    pub(super) slide: Peak,
-    pub(super) sink: Peak,
-    pub(super) clearance: Peak,
-    pub(super) cop_outside: Peak,
+/// Greatest distance of a planted point from where it was when it was planted (m).
+pub(super) fn slide(motion: &Motion, series: &Series<'_>) -> Peak {
+    let mut worst = Peak { value: 0.0, time: 0.0 };
+    for planted in &motion.planted {
+        let mut first = None;
+        for i in series.samples(planted.start, planted.end) {
+            let Some(at) = series.place(i, planted.link, &planted.point) else { continue };
+            let from = *first.get_or_insert(at);
+            worst = worst.max(Peak { value: (at - from).norm(), time: series.time[i] });
+        }
+    }
+    worst
 }
 
-impl FeetMeasures {
-    pub(super) fn new(figure: &Figure, motion: &Motion, series: &Series<'_>) -> Self {
-        let ground = motion.info.ground.map_or(0.0, |ground| ground.height);
-        let place = |sample: usize, link: usize, point: &Vector3<f64>| {
-            let pose = &series.poses[sample][link];
-            pose.rotation * point + pose.translation
-        };
-        let nothing = Peak { value: 0.0, time: 0.0 };
-        let mut measures = Self {
-            slide: nothing,
-            sink: nothing,
-            clearance: Peak { value: f64::INFINITY, time: 0.0 },
-            cop_outside: nothing,
-        };
-        for planted in &motion.planted {
-            let inside = |&i: &usize| (planted.start..=planted.end).contains(&series.time[i]);
-            let samples = (0..motion.len()).filter(inside);
-            let mut first = None;
-            for i in samples {
-                let at = place(i, planted.link, &planted.point);
-                let from = *first.get_or_insert(at);
-                measures.slide = measures.slide.max(Peak { value: (at - from).norm(), time: series.time[i] });
+/// Greatest depth of a sole below the ground, and greatest distance of a loaded foot's centre of pressure outside the
+/// part that touches it (m).
+pub(super) fn sink_and_cop(figure: &Figure, motion: &Motion, series: &Series<'_>) -> (Peak, Peak) {
+    let ground = height(motion);
+    let scale = figure.stature().map_or(1.0, |height| height / REFERENCE_HEIGHT);
+    let mut sink = Peak { value: f64::NEG_INFINITY, time: 0.0 };
+    let mut outside = Peak { value: 0.0, time: 0.0 };
+    for (side, name) in FEET.iter().enumerate() {
+        let points = sole(figure, name);
+        for (i, &time) in series.time.iter().enumerate() {
+            let places: Vec<Vector3<f64>> =
+                points.iter().filter_map(|(link, _, point)| series.place(i, *link, point)).collect();
+            let lowest = places.iter().map(|p| p.y - ground).fold(f64::INFINITY, f64::min);
+            sink = sink.max(Peak { value: -lowest, time });
+            if series.forces[side][i].y > 0.05 * series.weight {
+                let value = outside_of(&series.cops[side][i], &places, ground, scale);
+                outside = outside.max(Peak { value, time });
             }
         }
-        let scale = figure.stature().map_or(1.0, |height| height / REFERENCE_HEIGHT);
-        for (side, name) in FEET.iter().enumerate() {
-            let Some(foot) = figure.link_index(name) else { continue };
-            let points: Vec<(usize, SolePart, Vector3<f64>)> = figure
-                .links()
-                .iter()
-                .enumerate()
-                .filter(|(index, link)| *index == foot || link.parent() == Some(foot))
-                .flat_map(|(index, link)| {
-                    link.sole().iter().map(move |point| (index, point.part, point.position))
-                })
-                .collect();
-            for i in 0..motion.len() {
-                let time = series.time[i];
-                let places: Vec<Vector3<f64>> =
-                    points.iter().map(|(link, _, point)| place(i, *link, point)).collect();
-                let lowest = places.iter().map(|p| p.y - ground).fold(f64::INFINITY, f64::min);
-                measures.sink = measures.sink.max(Peak { value: -lowest, time });
-                if series.forces[side][i].y > 0.05 * series.weight {
-                    let outside = outside(&series.cops[side][i], &places, ground, scale);
-                    measures.cop_outside = measures.cop_outside.max(Peak { value: outside, time });
-                }
-            }
-            let tip = points.iter().find(|(_, part, _)| *part == SolePart::ToeTip);
-            if let Some((link, _, point)) = tip {
-                for (from, to) in swings(motion, side) {
-                    let (from, to) = (from + MID_SWING.0 * (to - from), from + MID_SWING.1 * (to - from));
-                    for i in (0..motion.len()).filter(|&i| (from..=to).contains(&series.time[i])) {
-                        let height = place(i, *link, point).y - ground;
-                        if height < measures.clearance.value {
-                            measures.clearance = Peak { value: height, time: series.time[i] };
-                        }
-                    }
-                }
-            }
-        }
-        measures
     }
+    (sink, outside)
+}
+
+/// Least height of the toes' tip in the middle of the swings (m).
+pub(super) fn clearance(figure: &Figure, motion: &Motion, series: &Series<'_>) -> Peak {
+    let mut least = Peak { value: f64::INFINITY, time: 0.0 };
+    for (side, name) in FEET.iter().enumerate() {
+        let points = sole(figure, name);
+        let Some((link, _, tip)) = points.iter().find(|(_, part, _)| *part == SolePart::ToeTip) else {
+            continue;
+        };
+        for (lift, contact) in swings(motion, side) {
+            let at = |share: f64| lift + share * (contact - lift);
+            for i in series.samples(at(MID_SWING.0), at(MID_SWING.1)) {
+                let Some(place) = series.place(i, *link, tip) else { continue };
+                if place.y - height(motion) < least.value {
+                    least = Peak { value: place.y - height(motion), time: series.time[i] };
+                }
+            }
+        }
+    }
+    least
+}
+
+fn height(motion: &Motion) -> f64 {
+    motion.info.ground.map_or(0.0, |ground| ground.height)
+}
+
+/// The sole points of a foot and of its toes: link, part, position.
+fn sole(figure: &Figure, foot: &str) -> Vec<(usize, SolePart, Vector3<f64>)> {
+    let foot = figure.link_index(foot);
+    let links = figure.links().iter().enumerate();
+    links
+        .filter(|(index, link)| foot.is_some() && (Some(*index) == foot || link.parent() == foot))
+        .flat_map(|(index, link)| link.sole().iter().map(move |point| (index, point.part, point.position)))
+        .collect()
 }
 
 /// Lift-off and next contact of one foot's swings.
 fn swings(motion: &Motion, side: usize) -> Vec<(f64, f64)> {
-    let contacts = touch_downs(motion);
+    let contacts: Vec<f64> =
+        touch_downs(motion).into_iter().filter(|(_, foot)| *foot == side).map(|(time, _)| time).collect();
     motion
         .events
         .iter()
         .filter(|event| matches!(&event.kind, EventKind::LiftOff { link } if link == FEET[side]))
         .filter_map(|event| {
-            let next = contacts.iter().find(|(time, foot)| *foot == side && *time > event.time)?;
-            Some((event.time, next.0))
+            let next = contacts.get(contacts.partition_point(|time| *time <= event.time))?;
+            Some((event.time, *next))
         })
         .collect()
 }
 
 /// How far a centre of pressure lies outside of the part of a foot that touches the ground.
-fn outside(cop: &Vector3<f64>, points: &[Vector3<f64>], ground: f64, scale: f64) -> f64 {
+fn outside_of(cop: &Vector3<f64>, points: &[Vector3<f64>], ground: f64, scale: f64) -> f64 {
     let flat = |p: &Vector3<f64>| Vector3::new(p.x, ground, p.z);
-    let touching: Vec<Vector3<f64>> = points.iter().filter(|p| p.y - ground < TOUCHING).map(flat).collect();
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return 0.0 };
     let Some(axis) = (flat(last) - flat(first)).try_normalize(1e-9) else { return 0.0 };
     let along = |p: &Vector3<f64>| (p - first).dot(&axis);
-    let (least, most) = touching
-        .iter()
-        .map(along)
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
+    let touching = points.iter().filter(|p| p.y - ground < TOUCHING).map(|p| along(&flat(p)));
+    let (least, most) =
+        touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
     if least > most {
-        return f64::INFINITY;
+        // A loaded foot in the air: how far its nearest point is from where it should press.
+        return points.iter().map(|p| (p - cop).norm()).fold(f64::INFINITY, f64::min);
     }
     let x = along(cop);
     let side = (flat(cop) - flat(first) - axis * x).norm() - HALF_WIDTH * scale;

@@ -18,8 +18,11 @@ pub(super) struct Series<'a> {
     /// Body weight (N).
     pub(super) weight: f64,
     pub(super) com: Vec<Vector3<f64>>,
-    /// Poses of all links by sample.
-    pub(super) poses: Vec<Vec<Pose<f64>>>,
+    /// Poses of the links with soles, by sample.
+    poses: Vec<Pose<f64>>,
+    /// Place of each link among them.
+    places: Vec<Option<usize>>,
+    posed: usize,
     /// Force on each foot (N).
     pub(super) forces: [Vec<Vector3<f64>>; 2],
     pub(super) cops: [Vec<Vector3<f64>>; 2],
@@ -54,9 +57,12 @@ impl<'a> Series<'a> {
         let tree = Tree::<f64>::new(figure, motion.info.gravity)?;
         let mut workspace = Workspace::new(&tree);
         let (mut com, mut poses) = (Vec::new(), Vec::new());
+        let soled: Vec<usize> =
+            (0..figure.links().len()).filter(|&link| !figure.links()[link].sole().is_empty()).collect();
+        let places = (0..figure.links().len()).map(|link| soled.iter().position(|&s| s == link)).collect();
         for i in 0..motion.len() {
             com.push(center_of_mass(&tree, &mut workspace, motion.q(i))?);
-            poses.push((0..figure.links().len()).map(|link| *workspace.pose(link)).collect());
+            poses.extend(soled.iter().map(|&link| *workspace.pose(link)));
         }
         let mass = figure.mass();
         let joint = |side: usize, joint: usize| {
@@ -81,6 +87,8 @@ impl<'a> Series<'a> {
             weight: mass * G,
             com,
             poses,
+            places,
+            posed: soled.len(),
             forces: tracks.map(|track| track.samples.iter().map(|contact| contact.force).collect()),
             cops: tracks.map(|track| track.samples.iter().map(|contact| contact.cop).collect()),
             hip: sided("hip.flexion")?,
@@ -90,6 +98,17 @@ impl<'a> Series<'a> {
             moments,
             powers,
         })
+    }
+
+    /// A point of a link with a sole, in the world.
+    pub(super) fn place(&self, sample: usize, link: usize, point: &Vector3<f64>) -> Option<Vector3<f64>> {
+        self.places[link].map(|place| self.poses[sample * self.posed + place].transform(point))
+    }
+
+    /// The samples from one time to another.
+    pub(super) fn samples(&self, from: f64, to: f64) -> std::ops::Range<usize> {
+        let first = self.time.partition_point(|t| *t < from);
+        first..self.time.partition_point(|t| *t <= to).max(first)
     }
 
     /// The greatest value and when; the first sample's where all are NaN.

@@ -80,7 +80,7 @@ impl WalkLaws {
             style: *style,
             steps,
             begin: BEGIN,
-            end: (steps as f64 + 1.0) / 2.0 + SETTLE,
+            end: 0.5 * (steps as f64 + 1.0) + SETTLE,
             standing,
             amplitudes: Amplitudes::default(),
             mean_height,
@@ -258,7 +258,9 @@ impl WalkLaws {
         }
         // The solved centre of pressure holds: both feet give way by what their new shares leave.
         let shift = solved - centre(&feet);
-        feet.iter_mut().for_each(|foot| foot.cop += shift);
+        for foot in &mut feet {
+            foot.cop += shift;
+        }
         feet
     }
 }

@@ -37,7 +37,7 @@ pub(crate) fn golden_figure(golden: &Value) -> Figure {
     for segment in golden["figure"]["segments"].as_array().expect("segments") {
         let link = figure.link(&link_name(segment["name"].as_str().expect("a name"))).expect("a link");
         let near = |a: Vector3<f64>, b: Vector3<f64>, e: f64| {
-            assert!((a - b).amax() <= e, "{}: {a} is not {b}", link.name())
+            assert!((a - b).amax() <= e, "{}: {a} is not {b}", link.name());
         };
         near(link.joint().placement().translation.vector, vector(&segment["offset"]), 5.1e-8);
         near(*link.com(), vector(&segment["com"]), 5.1e-8);

@@ -87,7 +87,7 @@ impl Motion {
         let fine_step = 1.0 / (rate * substeps as f64);
         let duration = trajectory.duration();
         let frames = duration * rate;
-        if !(frames * substeps as f64 <= Self::MOST_SAMPLES as f64) {
+        if (frames * substeps as f64).is_nan() || frames * substeps as f64 > Self::MOST_SAMPLES as f64 {
             return Err(MotionError::Duration { duration, rate });
         }
         let samples = (frames - 1e-9).ceil().max(0.0) as usize + 1;
