@@ -1,4 +1,4 @@
-//! Everything that must pass before a change goes in, one step after another.
+//! Everything beside the tests that must pass before a change goes in, one step after another.
 
 use crate::golden;
 use crate::layers::{self, ROWS};

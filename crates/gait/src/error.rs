@@ -27,14 +27,14 @@ pub enum GaitError {
     )]
     MissingSolePoint { link: &'static str, part: SolePart },
     #[error(
-        "the legs differ: the offsets of left and right {segment} by {difference:.2e} m; the walker needs mirror images"
+        "the legs differ: left and right {joint} joint stand {difference:.2e} m from being mirror images, which the walker needs"
     )]
-    LegsDiffer { segment: &'static str, difference: f64 },
+    LegsDiffer { joint: &'static str, difference: f64 },
     #[error(
-        "the joint of the {segment} lies {offset:.2e} m to the side of the leg's plane; the walker needs hip, knee, ankle \
+        "the {joint} joint lies {offset:.2e} m to the side of the leg's plane; the walker needs hip, knee, ankle \
          and toes in one plane"
     )]
-    OutOfPlane { segment: &'static str, offset: f64 },
+    OutOfPlane { joint: &'static str, offset: f64 },
     #[error("{parameter} {value}{unit}: it must be {lower} to {upper}{unit}{why}")]
     Range { parameter: &'static str, value: f64, unit: &'static str, lower: f64, upper: f64, why: String },
     #[error("{parameter} {value}{unit}: this figure walks with {lower:.3} to {upper:.3}{unit} {at}{why}")]
@@ -47,6 +47,10 @@ pub enum GaitError {
         at: String,
         why: String,
     },
+    #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]
+    NoPath,
+    #[error("{passes} passes for a walk: at least 8 are needed, the last four of which only settle")]
+    Passes { passes: usize },
     #[error("{nodes} nodes a stride: the planner takes an even number from 20 to 10000")]
     Nodes { nodes: usize },
     #[error("there is no style parameter '{name}'; there are {known}")]

@@ -11,6 +11,8 @@ pub(crate) enum Ends {
     Resting,
 }
 
+/// First-derivative weights over 60.
+pub(crate) const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
 /// Second-derivative weights over 180.
 pub(crate) const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
 

@@ -52,14 +52,14 @@ impl LegGeometry {
             link(name)?.sole_point(part).copied().ok_or(GaitError::MissingSolePoint { link: name, part })
         };
         let offset = |name: &str| link(name).map(|link| link.joint().placement().translation.vector);
-        for name in ["thigh", "shank", "foot", "toes"] {
+        for (name, joint) in [("thigh", "hip"), ("shank", "knee"), ("foot", "ankle"), ("toes", "toes")] {
             let (left, right) = (offset(&format!("left_{name}"))?, offset(&format!("right_{name}"))?);
             let difference = (left - Vector3::new(-right.x, right.y, right.z)).amax();
             if difference > 1e-9 {
-                return Err(GaitError::LegsDiffer { segment: name, difference });
+                return Err(GaitError::LegsDiffer { joint, difference });
             }
             if name != "thigh" && left.x.abs() > 1e-9 {
-                return Err(GaitError::OutOfPlane { segment: name, offset: left.x });
+                return Err(GaitError::OutOfPlane { joint, offset: left.x });
             }
         }
         let (knee, ankle, ball) = (offset("left_shank")?, offset("left_foot")?, offset("left_toes")?);

@@ -72,7 +72,7 @@ pub struct WalkMeasures {
     pub least_knee: Peak,
     /// Hip, knee and ankle.
     pub joints: Vec<JointPeaks>,
-    /// A stride from the middle, where the walk is long enough to have a steady one (four steps).
+    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps).
     pub steady: Option<SteadyStride>,
 }
 

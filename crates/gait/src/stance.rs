@@ -4,6 +4,7 @@
 //! nearly straight, and a small error in the foot would be a large one in the knee.
 
 use crate::foot::{FootPlane, LegPose};
+use crate::grid::{FIRST, SECOND};
 use crate::leg::LegGeometry;
 use crate::style::Style;
 use nalgebra::Vector3;
@@ -309,8 +310,6 @@ const JET_STEP: f64 = 2e-3;
 
 /// Values and first two derivatives of several functions at once, from seven points.
 fn jets<const D: usize>(u: f64, h: f64, f: impl Fn(f64) -> [f64; D]) -> [Boundary; D] {
-    const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
-    const SECOND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
     let values: [[f64; D]; 7] = std::array::from_fn(|i| f(u + h * (i as f64 - 3.0)));
     std::array::from_fn(|d| {
         let sum = |weights: &[f64; 7]| (0..7).map(|i| weights[i] * values[i][d]).sum::<f64>();

@@ -41,11 +41,13 @@ impl Default for Resolution {
 
 impl Resolution {
     fn check(self) -> Result<(), GaitError> {
-        if (20..=10_000).contains(&self.nodes) && self.nodes.is_multiple_of(2) {
-            Ok(())
-        } else {
-            Err(GaitError::Nodes { nodes: self.nodes })
+        if !(20..=10_000).contains(&self.nodes) || !self.nodes.is_multiple_of(2) {
+            return Err(GaitError::Nodes { nodes: self.nodes });
         }
+        if self.walk_passes < 8 {
+            return Err(GaitError::Passes { passes: self.walk_passes });
+        }
+        Ok(())
     }
 }
 
@@ -96,7 +98,7 @@ impl StridePlan {
         let mut momentum_rate = vec![Vector3::zeros(); n];
         let mut last = None;
         for pass in 0..resolution.stride_passes.max(1) {
-            laws.centre_of_mass(&grid, &momentum_rate, &mut com);
+            laws.centre_of_mass(&grid, &momentum_rate, &mut com)?;
             let hip_nodes: Vec<[f64; 3]> = (0..n).map(|i| (com[i] - offset[i] + hips[i]).into()).collect();
             let spline = UniformSpline::periodic(0.0, 1.0 / n as f64, &hip_nodes)?;
             let hip_at =
@@ -293,7 +295,12 @@ impl Laws {
     /// ```
     ///
     /// It is unique, and nothing in it grows: the matrix D² − diag(k) is negative definite.
-    fn centre_of_mass(&self, grid: &Grid, momentum_rate: &[Vector3<f64>], com: &mut [Vector3<f64>]) {
+    fn centre_of_mass(
+        &self,
+        grid: &Grid,
+        momentum_rate: &[Vector3<f64>],
+        com: &mut [Vector3<f64>],
+    ) -> Result<(), GaitError> {
         let n = com.len();
         let unit = 1.0 / (180.0 * grid.step * grid.step);
         let mut matrix = DMatrix::zeros(n, n);
@@ -308,11 +315,12 @@ impl Laws {
             rhs[(i, 0)] = -k * self.centre[i].x + momentum_rate[i].z / my;
             rhs[(i, 1)] = -k * self.centre[i].z - momentum_rate[i].x / my;
         }
-        // (Never singular: see above.)
-        if matrix.lu().solve_mut(&mut rhs) {
-            for (i, c) in com.iter_mut().enumerate() {
-                (c.x, c.z) = (rhs[(i, 0)], rhs[(i, 1)]);
-            }
+        if !matrix.lu().solve_mut(&mut rhs) {
+            return Err(GaitError::NoPath);
         }
+        for (i, c) in com.iter_mut().enumerate() {
+            (c.x, c.z) = (rhs[(i, 0)], rhs[(i, 1)]);
+        }
+        Ok(())
     }
 }

@@ -166,6 +166,12 @@ impl Style {
         style
     }
 
+    /// Whether the step is shorter than any that the numbers were fitted to (0.538 of the leg), so that they are held at
+    /// their ends.
+    pub fn is_extrapolated(&self, leg: &LegGeometry) -> bool {
+        self.step_length / leg.length() < SIGMA.0 - 1.6 * SIGMA.1
+    }
+
     /// Toe-off of the left foot, in u.
     pub fn toe_off(&self) -> f64 {
         0.5 + self.double_support

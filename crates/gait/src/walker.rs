@@ -209,7 +209,7 @@ impl Pace {
         Ok(())
     }
 
-    /// Says how long a step may be where friction is the reason: the longest of twelve bisections that holds.
+    /// Says how long a step may be where friction is the reason: the longest that holds, by ten bisections.
     fn advise(&self, error: GaitError, body: &Body, request: &WalkRequest) -> GaitError {
         let GaitError::Friction { step_length, step_frequency, whose, friction, limit, .. } = error else {
             return error;

@@ -16,16 +16,14 @@ pub enum ReactionError {
         link: String,
     },
     /// A foot has no sole.
-    #[error(
-        "link '{link}' has no heel and no ball among its sole points, so it is not known where it presses"
-    )]
+    #[error("link '{link}' has no sole points, so it is not known where it presses")]
     NoSole {
         /// The link.
         link: String,
     },
     /// The root cannot slide everywhere.
     #[error(
-        "joint '{joint}' does not begin with slides along three axes, so the whole figure's momentum is not its to set"
+        "joint '{joint}' does not begin with slides along three axes at right angles, so the whole figure's momentum is not its to set"
     )]
     NoSlides {
         /// The root's joint.

@@ -19,3 +19,8 @@ pub mod prelude {
     };
     pub use solaris_modes::ground_reactions;
 }
+
+/// The project's pages: their Rust blocks are run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -2,7 +2,6 @@
 
 use super::{JointPeaks, Peak};
 use crate::error::GaitError;
-use crate::prescribed::G;
 use crate::walk::FEET;
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
@@ -84,7 +83,7 @@ impl<'a> Series<'a> {
         }
         Ok(Self {
             time: motion.time(),
-            weight: mass * G,
+            weight: mass * motion.info.gravity.norm(),
             com,
             poses,
             places,

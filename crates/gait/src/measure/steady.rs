@@ -42,10 +42,10 @@ pub struct SteadyStride {
 }
 
 impl SteadyStride {
-    /// The stride from the middle-most left contact that has a step on either side of it.
+    /// The stride from the middle-most left contact that has three steps before it and two after it; eight steps have one.
     pub(super) fn find(motion: &Motion, series: &Series<'_>, contacts: &[(f64, usize)]) -> Option<Self> {
-        // Contacts 1 … n + 1: the stride must begin at a second step and end before the closing one.
-        let strides = (1..contacts.len().saturating_sub(3)).filter(|&i| contacts[i].1 == 0);
+        // Contacts 1 … n and the closing one: three steps on either side belong to starting and braking.
+        let strides = (3..contacts.len().saturating_sub(5)).filter(|&i| contacts[i].1 == 0);
         let middle = contacts.len() as f64 / 2.0 - 1.5;
         let begin =
             strides.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;

@@ -61,6 +61,11 @@ impl WalkPlan {
         &self.laws.style
     }
 
+    /// Whether the style's numbers are held at the ends of what they were fitted to, see [`crate::Style::is_extrapolated`].
+    pub fn is_extrapolated(&self) -> bool {
+        self.laws.style.is_extrapolated(&self.body.leg)
+    }
+
     /// Number of steps, without the closing one.
     pub fn steps(&self) -> usize {
         self.laws.steps

@@ -97,6 +97,7 @@ impl Motion {
         for (k, row) in fine.chunks_exact_mut(nq.max(1)).enumerate() {
             trajectory.configuration((k as f64 - margin as f64) * fine_step, row);
         }
+        // Every coordinate is that of a one-axis degree of freedom; balls will need differences of their own.
         let mut columns = [(); 3].map(|()| Vec::with_capacity(samples * nq));
         for sample in 0..samples {
             let at = |k: usize, i: usize| fine[(sample * substeps + k * stride) * nq + i];
