@@ -1,16 +1,29 @@
 //! What can go wrong, in the words of the command line.
 
+use clap::ArgMatches;
 use solaris::gait::GaitError;
 use solaris::model::HumanError;
+use std::io::Write;
 use std::path::PathBuf;
+use std::process::ExitCode;
 
-/// Why a command could not be done; exit code 1.
+/// Why a command could not be done.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CliError {
-    #[error("--{option} {rest}")]
-    Option { option: String, rest: String },
+    /// The options contradict each other.
+    #[error("{0}")]
+    Usage(String),
+    #[error("--{option} {value}: {why}")]
+    Option { option: String, value: String, why: String },
+    /// A number that no option gave, but that those given lead to.
+    #[error("{name} {value}, from {from}: {why}")]
+    Derived { name: String, value: String, from: String, why: String },
     #[error("{option} {path}: {why}", path = .path.display())]
     Output { option: &'static str, path: PathBuf, why: String },
+    #[error(
+        "{duration:.0} s at {rate} frames/s make {frames:.0} frames, more than {most}; lower --rate or walk fewer steps"
+    )]
+    TooLong { duration: f64, rate: f64, frames: f64, most: f64 },
     #[error("standard output: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]
@@ -23,39 +36,69 @@ impl CliError {
         Self::Other(Box::new(error))
     }
 
-    /// The message `text`, which begins with what it is about, said of an option and its value.
-    fn of_option(option: &str, value: f64, text: &str) -> Self {
-        let rest = text.split_once(": ").map_or(text, |(_, rest)| rest);
-        Self::Option { option: option.to_owned(), rest: format!("{value}: {rest}") }
+    /// 2 where the command line cannot be understood, 1 where it cannot be done.
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        ExitCode::from(if matches!(self, Self::Usage(_)) { 2 } else { 1 })
     }
-}
 
-impl From<HumanError> for CliError {
-    fn from(error: HumanError) -> Self {
+    /// A height or a mass of which there is no person.
+    pub(crate) fn of_human(error: HumanError, matches: &ArgMatches) -> Self {
         match &error {
-            HumanError::Height { height } => Self::of_option("height", *height, &error.to_string()),
-            HumanError::Mass { mass, .. } => Self::of_option("mass", *mass, &error.to_string()),
+            HumanError::Height { height } => Self::of_value("height", *height, "m", &error, matches),
+            HumanError::Mass { mass, .. } => Self::of_value("mass", *mass, "kg", &error, matches),
             _ => Self::other(error),
         }
     }
-}
 
-impl From<GaitError> for CliError {
-    fn from(error: GaitError) -> Self {
+    /// A walk that cannot be.
+    pub(crate) fn of_gait(error: GaitError, matches: &ArgMatches) -> Self {
         match &error {
-            GaitError::Range { parameter, value, .. } | GaitError::StepLength { parameter, value, .. } => {
-                Self::of_option(&parameter.replace(' ', "-"), *value, &error.to_string())
+            GaitError::Range { parameter, value, unit, .. }
+            | GaitError::StepLength { parameter, value, unit, .. } => {
+                Self::of_value(parameter, *value, unit.trim(), &error, matches)
             }
             _ => Self::other(error),
         }
     }
+
+    /// `error`, whose message begins with a name and a value, said of the option of that name and its value as typed.
+    fn of_value(
+        name: &str,
+        value: f64,
+        unit: &str,
+        error: &dyn std::error::Error,
+        matches: &ArgMatches,
+    ) -> Self {
+        let text = error.to_string();
+        let why = text.split_once(": ").map_or(text.as_str(), |(_, why)| why).to_owned();
+        let option = name.replace(' ', "-");
+        if let Some(value) = typed(matches, &option) {
+            return Self::Option { option, value, why };
+        }
+        let pace = ["step-frequency", "step-length", "speed"];
+        let given = pace.iter().filter_map(|o| Some(format!("--{o} {}", typed(matches, o)?)));
+        let from = given.collect::<Vec<_>>().join(" and ");
+        let from = if from.is_empty() { "the defaults".to_owned() } else { from };
+        let value = (value * 1e4).round() / 1e4;
+        Self::Derived { name: name.to_owned(), value: format!("{value} {unit}"), from, why }
+    }
 }
 
-/// Prints an error and what to do next.
-#[allow(clippy::print_stderr, reason = "this is where errors are shown")]
+/// The value of an option as it was typed.
+pub(crate) fn typed(matches: &ArgMatches, option: &str) -> Option<String> {
+    let mut values = matches.try_get_raw(option).ok()??;
+    values.next().map(|value| value.to_string_lossy().into_owned())
+}
+
+/// Prints an error and what to do next. Where that cannot be printed either, the exit code has to do.
 pub(crate) fn show(error: &CliError) {
-    anstream::eprintln!("\x1b[1;31merror:\x1b[0m {error}");
-    if let CliError::Option { option, .. } = error {
-        anstream::eprintln!("\nsolaris walk --help tells what --{option} is");
-    }
+    let mut stderr = anstream::stderr().lock();
+    let _ = writeln!(stderr, "\x1b[1;31merror:\x1b[0m {error}");
+    let _ = match error {
+        CliError::Option { option, .. } => {
+            writeln!(stderr, "\nsolaris walk --help tells what --{option} is")
+        }
+        CliError::Usage(_) => writeln!(stderr, "\nFor more information, try '--help'."),
+        _ => Ok(()),
+    };
 }

@@ -21,7 +21,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             error::show(&error);
-            ExitCode::FAILURE
+            error.exit_code()
         }
     }
 }

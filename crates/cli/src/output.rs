@@ -1,8 +1,11 @@
 //! Output files: all of them are written beside their places and then renamed, or none is left.
 
+mod part;
+
 use crate::error::CliError;
-use std::fs::{self, OpenOptions};
-use std::io::{BufWriter, Write};
+use part::Part;
+use std::fs;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// What a file holds, by its extension.
@@ -24,6 +27,14 @@ struct Output {
     option: &'static str,
     path: PathBuf,
     format: Format,
+    /// Where the file will stand, links followed.
+    place: PathBuf,
+}
+
+impl Output {
+    fn refuse(&self, why: &dyn ToString) -> CliError {
+        refuse(self.option, &self.path, why.to_string())
+    }
 }
 
 /// The files that a command is to write, checked before the work begins.
@@ -37,25 +48,20 @@ impl Outputs {
         report: Option<&PathBuf>,
     ) -> Result<Self, CliError> {
         let mut outputs: Vec<Output> = Vec::new();
-        for path in paths {
-            let format = motion_format(path)
-                .ok_or_else(|| refuse("-o", path, "its extension must be .html, .csv or .bvh".to_owned()))?;
-            outputs.push(Output { option: "-o", path: path.clone(), format });
-        }
-        if let Some(path) = report {
-            if !extension(path).is_some_and(|extension| extension == "json") {
-                return Err(refuse("--report", path, "its extension must be .json".to_owned()));
+        let motions = paths.map(|path| ("-o", path, motion_format(path), ".html, .csv or .bvh"));
+        let report = report.map(|path| {
+            let is_json = extension(path).is_some_and(|extension| extension == "json");
+            ("--report", path, is_json.then_some(Format::Json), ".json")
+        });
+        for (option, path, format, known) in motions.chain(report) {
+            let refuse = |why: String| refuse(option, path, why);
+            let place = place(path).map_err(refuse)?;
+            let format = format.ok_or_else(|| refuse(format!("its extension must be {known}")))?;
+            if let Some(other) = outputs.iter().find(|output| output.place == place) {
+                let (option, path) = (other.option, other.path.display());
+                return Err(refuse(format!("{option} {path} is the same file; give each its own")));
             }
-            outputs.push(Output { option: "--report", path: path.clone(), format: Format::Json });
-        }
-        let mut places: Vec<PathBuf> = Vec::new();
-        for output in &outputs {
-            let place = place(output)?;
-            if places.contains(&place) {
-                let why = "two outputs have this name; give each its own".to_owned();
-                return Err(refuse(output.option, &output.path, why));
-            }
-            places.push(place);
+            outputs.push(Output { option, path: path.clone(), format, place });
         }
         Ok(Self(outputs))
     }
@@ -72,14 +78,14 @@ impl Outputs {
     ) -> Result<(), CliError> {
         let mut parts: Vec<Part> = Vec::new();
         for output in &self.0 {
-            let part = Part::create(output)?;
-            part.fill(output, |writer| write(output.format, writer))?;
+            let part = Part::create(&output.place).map_err(|error| output.refuse(&error))?;
+            part.fill(|writer| write(output.format, writer)).map_err(|error| output.refuse(&error))?;
             parts.push(part);
         }
         for i in 0..parts.len() {
             if let Err(error) = parts[i].install() {
                 parts[..i].iter().for_each(Part::withdraw);
-                return Err(refuse(self.0[i].option, &self.0[i].path, error.to_string()));
+                return Err(self.0[i].refuse(&error));
             }
         }
         parts.iter_mut().for_each(Part::keep);
@@ -105,96 +111,37 @@ fn folder(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 
-/// Where a file will stand, without links and dots on the way.
-fn place(output: &Output) -> Result<PathBuf, CliError> {
-    let folder = folder(&output.path);
-    let refuse = |why: String| refuse(output.option, &output.path, why);
-    let name = output.path.file_name().ok_or_else(|| refuse("it names no file".to_owned()))?;
+/// Where a file will stand, without links and dots on the way, or why it cannot.
+fn place(path: &Path) -> Result<PathBuf, String> {
+    let folder = folder(path);
+    let is_folder = "it is a folder; name a file";
+    if path.as_os_str().to_string_lossy().ends_with(std::path::is_separator) {
+        return Err(is_folder.to_owned());
+    }
+    let name = path.file_name().ok_or("it names no file")?;
+    let shown = folder.display();
     match fs::metadata(folder) {
-        Ok(found) if !found.is_dir() => {
-            Err(refuse(format!("'{}' is a file, not a folder", folder.display())))
-        }
-        Ok(_) if output.path.is_dir() => Err(refuse("it is a folder; name a file".to_owned())),
-        Ok(_) => fs::canonicalize(folder).map(|folder| folder.join(name)).map_err(|e| refuse(e.to_string())),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-            Err(refuse(format!("there is no folder '{}'; make it first", folder.display())))
-        }
-        Err(error) if error.kind() == std::io::ErrorKind::NotADirectory => {
-            Err(refuse(format!("a part of '{}' is a file, not a folder", folder.display())))
-        }
-        Err(error) => Err(refuse(error.to_string())),
-    }
-}
-
-/// A file under construction; whatever of it is left is removed when it is dropped before it is kept.
-struct Part {
-    part: PathBuf,
-    target: PathBuf,
-    /// What stood in the target's place, while the whole may still fail.
-    before: Option<PathBuf>,
-    kept: bool,
-}
-
-impl Part {
-    fn create(output: &Output) -> Result<Self, CliError> {
-        let name = output.path.file_name().unwrap_or_default().to_string_lossy();
-        let beside =
-            |suffix: &str| folder(&output.path).join(format!(".{name}.{}.{suffix}", std::process::id()));
-        let before = output.path.exists().then(|| beside("before"));
-        let part = Self { part: beside("part"), target: output.path.clone(), before, kept: false };
-        match OpenOptions::new().write(true).create_new(true).open(&part.part) {
-            Ok(_) => Ok(part),
-            Err(error) => Err(refuse(output.option, &output.path, error.to_string())),
+        Ok(found) if found.is_dir() => {}
+        Ok(_) => return Err(format!("'{shown}' is a file, not a folder")),
+        Err(error) => {
+            return Err(match error.kind() {
+                ErrorKind::NotFound => format!("there is no folder '{shown}'; make it first"),
+                ErrorKind::NotADirectory => format!("a part of '{shown}' is a file, not a folder"),
+                _ => error.to_string(),
+            });
         }
     }
-
-    fn fill(
-        &self,
-        output: &Output,
-        write: impl FnOnce(&mut dyn Write) -> Result<(), CliError>,
-    ) -> Result<(), CliError> {
-        let refuse = |error: std::io::Error| refuse(output.option, &output.path, error.to_string());
-        let file = OpenOptions::new().write(true).open(&self.part).map_err(refuse)?;
-        let mut writer = BufWriter::new(file);
-        write(&mut writer)?;
-        let file = writer.into_inner().map_err(|error| refuse(error.into_error()))?;
-        file.sync_all().map_err(refuse)
-    }
-
-    /// Puts the file in its place, what was there beside it.
-    fn install(&self) -> std::io::Result<()> {
-        if let Some(before) = &self.before {
-            fs::rename(&self.target, before)?;
+    match fs::metadata(path) {
+        Ok(found) if found.is_dir() => Err(is_folder.to_owned()),
+        Ok(found) if !found.is_file() => Err("it is there and no ordinary file".to_owned()),
+        Ok(found) if found.permissions().readonly() => {
+            Err("it is there and must not be written; make it writable or name another".to_owned())
         }
-        fs::rename(&self.part, &self.target).inspect_err(|_| self.restore())
-    }
-
-    /// Takes the file from its place again.
-    fn withdraw(&self) {
-        // The error that led here is told; one more says nothing new.
-        let _ = fs::remove_file(&self.target);
-        self.restore();
-    }
-
-    fn restore(&self) {
-        if let Some(before) = &self.before {
-            let _ = fs::rename(before, &self.target);
-        }
-    }
-
-    fn keep(&mut self) {
-        if let Some(before) = &self.before {
-            let _ = fs::remove_file(before);
-        }
-        self.kept = true;
-    }
-}
-
-impl Drop for Part {
-    fn drop(&mut self) {
-        if !self.kept {
-            let _ = fs::remove_file(&self.part);
-        }
+        // A link is followed: what it points at is replaced, not the link.
+        Ok(_) => fs::canonicalize(path).map_err(|error| error.to_string()),
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error.to_string()),
+        Err(_) if fs::symlink_metadata(path).is_ok() => Err("it is a link to nothing; remove it".to_owned()),
+        Err(_) => fs::canonicalize(folder).map(|folder| folder.join(name)).map_err(|e| e.to_string()),
     }
 }
 
@@ -259,5 +206,26 @@ mod tests {
         outputs.write(|_, writer| writer.write_all(b"new").map_err(CliError::Stdout)).expect("written");
         assert_eq!(names(folder.path()), ["a.csv", "b.bvh"]);
         assert_eq!(fs::read_to_string(folder.path().join("a.csv")).expect("there"), "new");
+    }
+
+    #[test]
+    fn what_a_killed_run_left_is_no_obstacle() {
+        let folder = tempfile::tempdir().expect("a folder");
+        // Process numbers come again, in containers at once.
+        let left = format!(".solaris-{}-0.part", std::process::id());
+        fs::write(folder.path().join(&left), "half").expect("written");
+        let outputs = outputs(folder.path(), &["a.csv", "b.bvh"]);
+        outputs.write(|_, writer| writer.write_all(b"new").map_err(CliError::Stdout)).expect("written");
+        assert_eq!(names(folder.path()), [left.as_str(), "a.csv", "b.bvh"]);
+    }
+
+    #[test]
+    fn an_error_while_writing_names_the_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let fails = |_, _: &mut dyn Write| Err(CliError::other(std::io::Error::other("it broke")));
+        let error = outputs(folder.path(), &["a.csv"]).write(fails).expect_err("it fails");
+        let path = folder.path().join("a.csv");
+        assert_eq!(error.to_string(), format!("-o {}: it broke", path.display()));
+        assert!(names(folder.path()).is_empty());
     }
 }

@@ -115,7 +115,7 @@ pub const PARAMETERS: &[Parameter] = &[
         symbol: "",
         help: "pitch of the toes at toe-off",
         unit: Unit::Degrees,
-        range: (20.0, 45.0),
+        range: (28.0, 45.0),
         place: |s| &mut s.toe_roll,
     },
     Parameter {

@@ -106,7 +106,7 @@ impl Pace {
         let longer = longest_over_default(step_frequency);
         let (lower, upper) = (default * (1.0 - STEP_LENGTH_MARGIN), default * (1.0 + longer));
         if !(lower * (1.0 - 1e-9)..=upper * (1.0 + 1e-9)).contains(&step_length) {
-            let at = format!("at {step_frequency:.4} steps/min");
+            let at = format!("at {} steps/min", tidy(step_frequency));
             let why = format!(
                 " (people of {height} m take {default:.3} m; shorter or longer, forces and knees leave people's range)"
             );
@@ -159,7 +159,7 @@ impl Pace {
     fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let not_walkable = |what: String| GaitError::NotWalkable {
             step_length: self.step_length,
-            step_frequency: self.step_frequency,
+            step_frequency: tidy(self.step_frequency),
             what,
         };
         let (_, (first, last)) = plan.nodes();
@@ -176,7 +176,8 @@ impl Pace {
                 single = single.max(friction(&foot.force));
             }
         }
-        let (step_length, step_frequency, longest) = (self.step_length, self.step_frequency, String::new());
+        let (step_length, step_frequency, longest) =
+            (self.step_length, tidy(self.step_frequency), String::new());
         for (whose, friction, limit) in [("the", total, FRICTION.0), ("a foot's", single, FRICTION.1)] {
             if friction.is_nan() || friction > limit {
                 return Err(GaitError::Friction {
@@ -266,6 +267,11 @@ fn settle(request: &WalkRequest, height: f64) -> Result<(f64, f64), GaitError> {
         }
         (None, None, None) => (DEFAULT_STEP_FREQUENCY, ratio * DEFAULT_STEP_FREQUENCY),
     })
+}
+
+/// A number for people: four decimals at most.
+fn tidy(number: f64) -> f64 {
+    (number * 1e4).round() / 1e4
 }
 
 /// How much longer than people's a step may be: 12 %, falling to 6 % from 115 to 118 steps/min, where ten steps would

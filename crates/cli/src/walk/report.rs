@@ -76,12 +76,12 @@ pub(crate) struct Whole {
     pub(crate) toe_clearance_m: Extreme,
     pub(crate) cop_outside_m: Extreme,
     pub(crate) least_knee_deg: Extreme,
-    pub(crate) joints: Vec<Joint>,
+    pub(crate) joints: Vec<JointPeaks>,
 }
 
 /// Moments in N m/kg, powers in W/kg.
 #[derive(Debug, Serialize)]
-pub(crate) struct Joint {
+pub(crate) struct JointPeaks {
     pub(crate) joint: &'static str,
     pub(crate) extension: Extreme,
     pub(crate) flexion: Extreme,
@@ -136,7 +136,7 @@ impl Report {
     ) -> Self {
         let style = plan.style();
         let m = measures;
-        let joint = |joint: &solaris::gait::JointPeaks| Joint {
+        let joint = |joint: &solaris::gait::JointPeaks| JointPeaks {
             joint: joint.joint,
             extension: extreme(joint.extension),
             flexion: extreme(joint.flexion),
@@ -182,7 +182,7 @@ impl Report {
                 cop_from_prescribed_m: pair(reactions.cop_from_nominal),
             },
             run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
-            notes: notes(style.step_frequency, m),
+            notes: notes(plan, m),
         }
     }
 
@@ -232,7 +232,8 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
 }
 
 /// What is known to be wrong with such a walk, said where it shows.
-fn notes(step_frequency: f64, measures: &WalkMeasures) -> Vec<String> {
+fn notes(plan: &WalkPlan, measures: &WalkMeasures) -> Vec<String> {
+    let step_frequency = plan.style().step_frequency;
     let mut notes = Vec::new();
     if measures.least_knee.value < 0.0 {
         notes.push(format!(
@@ -251,8 +252,17 @@ fn notes(step_frequency: f64, measures: &WalkMeasures) -> Vec<String> {
             "below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned(),
         );
     }
+    if plan.is_extrapolated() {
+        notes.push(
+            "steps are shorter than any that the style was fitted to: its numbers are held, and the knee lands too bent"
+                .to_owned(),
+        );
+    }
     if measures.steady.is_none() {
-        notes.push("no steady stride in so few steps: people's bands are for five and more".to_owned());
+        notes.push(
+            "too few steps for a steady stride, so there is nothing to hold against people's bands"
+                .to_owned(),
+        );
     }
     notes
 }

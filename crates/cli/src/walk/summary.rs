@@ -1,9 +1,13 @@
 //! The table that a walk prints, and the one on its page.
 
+use super::numbers::{beside, fixed, short, wrapped};
 use super::report::{BandList, Check, Extreme, Report};
 use solaris::view::TableRow;
 use std::fmt::Write;
 use std::path::Path;
+
+/// Columns of the lists of bands.
+const WIDTH: usize = 100;
 
 /// One line: what, how much, unit, and what to hold it against.
 struct Row {
@@ -19,165 +23,175 @@ fn row(label: &'static str, value: impl Into<String>, unit: &'static str, note: 
 
 /// A title for the page.
 pub(super) fn title(report: &Report) -> String {
-    let steps =
-        if report.walk.steps == 1 { "1 step".to_owned() } else { format!("{} steps", report.walk.steps) };
-    format!(
-        "A person of {} m and {:.1} kg walks {steps} at {:.4} steps/min",
-        report.person.height_m, report.person.mass_kg, report.walk.step_frequency_per_min
-    )
+    let (person, walk) = (&report.person, &report.walk);
+    let plural = if walk.steps == 1 { "" } else { "s" };
+    let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
+    format!("A person of {height} m and {mass} kg walks {} step{plural} at {pace} steps/min", walk.steps)
 }
 
 /// The rows for the page.
 pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
-    rows(report).into_iter().map(|r| TableRow::new(r.label, &r.value, r.unit, &r.note)).collect()
+    let mut all = walk_rows(report);
+    all.extend(steady_rows(report));
+    all.extend(report.bands.iter().map(|list| {
+        let [inside, outside] = names(list).map(|names| names.join(", "));
+        let value = format!("{} of {} inside", list.inside, list.of);
+        row(heading(list), value, "", format!("{}; outside: {outside}; inside: {inside}", list.source))
+    }));
+    all.extend(trust_rows(report));
+    all.extend(report.notes.iter().map(|note| row("note", "", "", note)));
+    all.iter().map(|r| TableRow::new(r.label, &r.value, r.unit, &r.note)).collect()
 }
 
 /// The table as it is printed.
 pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>) -> String {
-    let mut text = format!("{}\n\n", title(report));
-    for Row { label, value, unit, note } in rows(report) {
-        let line = format!("  {label:<28}{value:>15} {unit:<9} {note}");
-        let _ = writeln!(text, "{}", line.trim_end());
+    let mut text = format!("{}\n\n{}", title(report), lines(&walk_rows(report)));
+    if let Some(stride) = &report.steady_stride {
+        let (from, to) = stride.span_s;
+        let _ = writeln!(text, "\nA steady stride, from {from:.2} to {to:.2} s, and people's\n");
+        text.push_str(&lines(&steady_rows(report)));
     }
+    for list in &report.bands {
+        let _ =
+            writeln!(text, "\n{}: {} of {} inside ({})", heading(list), list.inside, list.of, list.source);
+        for (verdict, names) in ["inside", "outside"].iter().zip(names(list)) {
+            let names = if names.is_empty() { vec!["none".to_owned()] } else { names };
+            let _ = writeln!(text, "  {verdict:<9}{}", wrapped(&names, 11, WIDTH));
+        }
+    }
+    let _ = write!(text, "\nHow far to trust it\n\n{}", lines(&trust_rows(report)));
     for note in &report.notes {
         let _ = writeln!(text, "\nnote: {note}");
     }
     let mut written = written.peekable();
-    if written.peek().is_some() {
-        text.push('\n');
-    } else {
-        text.push_str("\nnothing is written; add -o walk.html to see it\n");
-    }
+    let hint =
+        if written.peek().is_some() { "\n" } else { "\nnothing is written; add -o walk.html to see it\n" };
+    text.push_str(hint);
     for path in written {
         let _ = writeln!(text, "wrote {}", path.display());
     }
     text
 }
 
-fn rows(report: &Report) -> Vec<Row> {
+fn lines(rows: &[Row]) -> String {
+    let line = |Row { label, value, unit, note }: &Row| {
+        let line = format!("  {label:<28}{value:>13} {unit:<9} {note}");
+        line.trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+fn at(extreme: &Extreme) -> String {
+    format!("at {:.2} s", extreme.at_s)
+}
+
+/// The whole walk.
+fn walk_rows(report: &Report) -> Vec<Row> {
     let (walk, whole) = (&report.walk, &report.whole_walk);
+    let pair = |a: &Extreme, b: &Extreme, d: usize| format!("{} / {}", fixed(a.value, d), fixed(b.value, d));
+    let millimetres = |extreme: &Extreme, decimals| fixed(1e3 * extreme.value, decimals);
+    let ratio = walk.step_length_over_peoples;
+    let people = if (ratio - 1.0).abs() < 5e-4 { String::new() } else { format!("{ratio:.2} of ") };
     let mut rows = vec![
-        row(
-            "step length",
-            format!("{:.3}", walk.step_length_m),
-            "m",
-            ratio_note(walk.step_length_over_peoples),
-        ),
-        row("speed", format!("{:.2}", walk.speed_m_s), "m/s", ""),
-        row("cadence", format!("{:.1}", walk.step_frequency_per_min), "steps/min", ""),
-        row("distance, time", format!("{:.2}, {:.2}", walk.distance_m, walk.duration_s), "m, s", ""),
+        row("step length", fixed(walk.step_length_m, 3), "m", format!("{people}people's at this pace")),
+        row("speed", fixed(walk.speed_m_s, 2), "m/s", ""),
+        row("cadence", fixed(walk.step_frequency_per_min, 1), "steps/min", ""),
+        row("distance", fixed(walk.distance_m, 2), "m", ""),
+        row("time", fixed(walk.duration_s, 2), "s", format!("{} frames", walk.frames)),
     ];
-    rows.extend(double_support_row(&walk.double_supports_percent, report));
-    let at = |extreme: &Extreme| format!("at {:.2} s", extreme.at_s);
+    rows.extend(double_support_row(&walk.double_supports_percent));
     rows.extend([
         row(
             "vertical force, peak",
-            format!("{:.1}", whole.vertical_percent_bw.value),
+            fixed(whole.vertical_percent_bw.value, 1),
             "%BW",
-            at(&whole.vertical_percent_bw),
+            format!("of one foot, {}", at(&whole.vertical_percent_bw)),
         ),
         row(
             "fore-aft force, peaks",
-            format!("{:.1} / {:.1}", whole.braking_percent_bw.value, whole.pushing_percent_bw.value),
+            pair(&whole.braking_percent_bw, &whole.pushing_percent_bw, 1),
             "%BW",
             "brake / push",
         ),
-        row(
-            "friction, both / one foot",
-            format!("{:.2} / {:.2}", whole.friction.value, whole.foot_friction.value),
-            "",
-            "",
-        ),
-        row("greatest slide", format!("{:.3}", 1e3 * whole.slide_m.value), "mm", "of a planted point"),
-        row("greatest sink", format!("{:.3}", 1e3 * whole.sink_m.value), "mm", ""),
-        row("toe clearance", format!("{:.1}", 1e3 * whole.toe_clearance_m.value), "mm", "least in mid-swing"),
-        row("CoP outside the foot", format!("{:.1}", 1e3 * whole.cop_outside_m.value), "mm", ""),
-        row(
-            "least knee flexion",
-            format!("{:.1}", whole.least_knee_deg.value),
-            "°",
-            at(&whole.least_knee_deg),
-        ),
+        row("friction needed", pair(&whole.friction, &whole.foot_friction, 2), "", "both feet / one foot"),
+        row("greatest slide", millimetres(&whole.slide_m, 3), "mm", "of a planted point"),
+        row("greatest sink", millimetres(&whole.sink_m, 3), "mm", "of a sole's point"),
+        row("toe clearance", millimetres(&whole.toe_clearance_m, 1), "mm", "least in mid-swing"),
+        row("CoP outside the foot", millimetres(&whole.cop_outside_m, 1), "mm", "at most"),
+        row("least knee flexion", fixed(whole.least_knee_deg.value, 1), "°", at(&whole.least_knee_deg)),
     ]);
     for joint in &whole.joints {
-        let (moment, power) = match joint.joint {
-            "hip" => ("hip moment, peaks", "hip power, peaks"),
-            "knee" => ("knee moment, peaks", "knee power, peaks"),
-            _ => ("ankle moment, peaks", "ankle power, peaks"),
+        let (moment, power, names) = match joint.joint {
+            "hip" => ("hip moment, peaks", "hip power, peaks", "extensor / flexor"),
+            "knee" => ("knee moment, peaks", "knee power, peaks", "extensor / flexor"),
+            _ => ("ankle moment, peaks", "ankle power, peaks", "plantarflexor / dorsiflexor"),
         };
-        let names = if joint.joint == "ankle" { "plantarflexor / dorsiflexor" } else { "extensor / flexor" };
-        let pair = |a: &Extreme, b: &Extreme| format!("{:.2} / {:.2}", a.value, b.value);
-        rows.push(row(moment, pair(&joint.extension, &joint.flexion), "N m/kg", names));
-        rows.push(row(power, pair(&joint.generated, &joint.absorbed), "W/kg", "given / taken"));
+        rows.push(row(moment, pair(&joint.extension, &joint.flexion, 2), "N m/kg", names));
+        rows.push(row(power, pair(&joint.generated, &joint.absorbed, 2), "W/kg", "generated / absorbed"));
     }
-    if let Some(stride) = &report.steady_stride {
-        let (from, to) = stride.span_s;
-        rows.push(row("a steady stride", format!("{from:.2} – {to:.2}"), "s", "and people's bands:"));
-        if let Some(textbook) = report.bands.iter().find(|list| list.name == "textbook") {
-            rows.extend(textbook.checks.iter().map(|check| check_row(check)));
-        }
-        let ratio = format!("{:.5}", stride.walk_ratio_m_min);
-        rows.push(row("walk ratio", ratio, "m·min", "people 0.0065 (Sekiya 1996, PMC5430280)"));
-        rows.push(row(
-            "stance",
-            format!("{:.1}", stride.stance_percent),
-            "% stride",
-            kirtley(stride.speed_m_s),
-        ));
-        rows.extend(report.bands.iter().map(list_row));
-    }
-    let forces = &report.forces;
-    if let Some(difference) = &forces.from_prescribed_n {
-        rows.push(row("force from prescribed", format!("{:.1}", difference.value), "N", at(difference)));
-    }
-    let time = &report.run_time;
-    rows.push(row(
-        "run time",
-        format!("{:.0} + {:.0}", 1e3 * time.planning_s, 1e3 * (time.with_forces_s - time.planning_s)),
-        "ms",
-        format!("plan + forces of {} frames", walk.frames),
-    ));
     rows
 }
 
-fn ratio_note(ratio: f64) -> String {
-    if (ratio - 1.0).abs() < 5e-4 {
-        "people's at this pace".to_owned()
-    } else {
-        format!("{ratio:.2} of people's at this pace")
+fn double_support_row(supports: &[f64]) -> Option<Row> {
+    let least = supports.iter().copied().reduce(f64::min)?;
+    let most = supports.iter().copied().reduce(f64::max)?;
+    let value = if most - least < 0.05 { fixed(most, 1) } else { format!("{least:.1} – {most:.1}") };
+    Some(row("double support", value, "% stride", if supports.len() > 1 { "each" } else { "" }))
+}
+
+/// A steady stride beside people's.
+fn steady_rows(report: &Report) -> Vec<Row> {
+    let Some(stride) = &report.steady_stride else { return Vec::new() };
+    // Kirtley, Whittle and Jefferson 1985: stance = 64.2 − 3.5 v.
+    let stance = format!("people {:.1} at this speed (Kirtley 1985)", 64.2 - 3.5 * stride.speed_m_s);
+    let ratio = "people 0.0065 (Sekiya 1996, PMC5430280)";
+    let mut rows = vec![
+        row("walk ratio", fixed(stride.walk_ratio_m_min, 5), "m·min", ratio),
+        row("stance", fixed(stride.stance_percent, 1), "% stride", stance),
+    ];
+    for list in report.bands.iter().filter(|list| list.name == "textbook") {
+        rows.extend(list.checks.iter().map(|check| {
+            let verdict = if check.inside { "inside" } else { "OUTSIDE" };
+            let note = format!("{verdict:<7} {} to {}, {}", check.lower, check.upper, list.source);
+            row(check.name, value(check), check.unit, note)
+        }));
     }
+    rows
 }
 
-fn double_support_row(supports: &[f64], report: &Report) -> Option<Row> {
-    let (least, most) =
-        supports.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
-    if supports.is_empty() {
-        return None;
+/// What the forces rest on and what the run cost.
+fn trust_rows(report: &Report) -> Vec<Row> {
+    let (forces, time) = (&report.forces, &report.run_time);
+    let mut rows = Vec::new();
+    if let Some(off) = &forces.from_prescribed_n {
+        rows.push(row(
+            "force off the planned one",
+            fixed(off.value, 1),
+            "N",
+            format!("at most, {}", at(off)),
+        ));
     }
-    let value = if most - least < 0.05 { format!("{most:.1}") } else { format!("{least:.1} – {most:.1}") };
-    let note = if report.walk.steps > 1 { "each" } else { "" };
-    Some(row("double support", value, "% stride", note))
+    let residual = format!("{:.0e} / {:.0e}", forces.root_residual_n, forces.root_residual_n_m);
+    rows.push(row("root residual", residual, "N / N m", "what no ground reaction explains"));
+    rows.push(row("double support", forces.double_support_split, "", "split: an assumption, no law"));
+    let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));
+    rows.push(row("run time", format!("{plan} + {rest}"), "ms", "plan + forces"));
+    rows
 }
 
-fn check_row(check: &Check) -> Row {
-    let verdict = if check.inside { "inside" } else { "OUTSIDE" };
-    let note = format!("{verdict} {} to {}, textbook range, not cited", check.lower, check.upper);
-    row(check.name, format!("{:.2}", check.value), check.unit, note)
+fn heading(list: &BandList) -> &'static str {
+    if list.name == "recipe" { "Recipe's bands" } else { "Textbook bands" }
 }
 
-/// Kirtley, Whittle and Jefferson 1985: stance = 64.2 − 3.5 v.
-fn kirtley(speed: f64) -> String {
-    format!("people {:.1} at this speed (Kirtley 1985)", 64.2 - 3.5 * speed)
+/// The bands that hold, and those that do not with their numbers.
+fn names(list: &BandList) -> [Vec<String>; 2] {
+    let (inside, outside): (Vec<&Check>, Vec<&Check>) = list.checks.iter().partition(|check| check.inside);
+    let off = |c: &&Check| format!("{} {} {} ({} to {})", c.name, value(c), c.unit, c.lower, c.upper);
+    [inside.iter().map(|check| check.name.to_owned()).collect(), outside.iter().map(off).collect()]
 }
 
-fn list_row(list: &BandList) -> Row {
-    let outside: Vec<String> = list
-        .checks
-        .iter()
-        .filter(|check| !check.inside)
-        .map(|check| format!("{} {:.2} ({} to {})", check.name, check.value, check.lower, check.upper))
-        .collect();
-    let label = if list.name == "recipe" { "recipe's bands held" } else { "textbook bands held" };
-    let note = if outside.is_empty() { String::new() } else { format!("outside: {}", outside.join(", ")) };
-    row(label, format!("{} of {}", list.inside, list.of), "", note)
+/// Two decimals for moments, one for the rest.
+fn value(check: &Check) -> String {
+    let decimals = if check.unit == "N m/kg" { 2 } else { 1 };
+    beside(check.value, (check.lower, check.upper), decimals)
 }

@@ -20,8 +20,9 @@ use solaris_model::{Contact, Trajectory};
 use solaris_modes::FootSupport;
 use solaris_profiles::UniformSpline;
 
-/// Rest before and after the movement, in strides: longer than any difference formula reaches.
-const REST: f64 = 0.06;
+/// Rest before and after the movement, in strides: longer than any difference formula reaches, and long enough for the
+/// splines to have come to rest (they ring by 0.43 a node).
+const REST: f64 = 0.2;
 
 /// A planned walk: its posture, and what the ground is to do, at any time.
 ///

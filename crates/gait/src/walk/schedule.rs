@@ -27,6 +27,11 @@ impl WalkPlan {
         balance_momentum(figure, self, &mut motion)?;
         motion.events = self.events();
         motion.planted = self.planted(figure);
+        // The last frame lies at or after the end, and the feet still stand.
+        let (end, last) = (self.duration(), motion.time()[motion.len() - 1]);
+        for planted in motion.planted.iter_mut().filter(|planted| planted.end >= end) {
+            planted.end = last;
+        }
         Ok(motion)
     }
 

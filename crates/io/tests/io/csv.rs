@@ -177,11 +177,11 @@ fn what_does_not_belong_together_is_refused() {
 fn no_number_that_is_none_leaves() {
     let figure = pendulum();
     let mut motion = swing(&figure, 10.0, 0.0);
-    let mut tau = vec![0.0; 33];
-    tau[3 * 4 + 1] = f64::NAN;
-    motion.set_tau(tau).expect("nv a sample");
+    let mut broken = track("bob", 11);
+    broken.samples[4].force.y = f64::NAN;
+    motion.contacts = vec![broken];
     let error = csv::write(&figure, &motion, &mut Vec::new()).expect_err("a NaN");
-    insta::assert_snapshot!(error, @"'wrist.rx.tau' at 0.4 s is NaN; a file holds finite numbers only");
+    insta::assert_snapshot!(error, @"'bob.fy' at 0.4 s is NaN; a file holds finite numbers only");
 }
 
 #[test]
