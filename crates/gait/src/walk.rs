@@ -5,6 +5,7 @@ mod check;
 mod feet;
 mod laws;
 mod numbers;
+mod passes;
 mod plan;
 mod schedule;
 mod solve;

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Differences, golden, golden_figure, link_name, number, vector};
+use common::{Differences, golden, golden_figure, number, vector};
 use serde_json::Value;
 use solaris_gait::{LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkPlan};
 use solaris_model::{Figure, Vector3};
@@ -31,25 +31,10 @@ fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut D
             let rate = plan.momentum_rate(node)[axis] - number(&golden["dH"][i][axis]);
             differences.force.note(rate.abs(), place("dH"));
         }
-        for (key, values) in golden["angles"].as_object().expect("angles") {
-            let (segment, axis) = key.rsplit_once('_').expect("an axis");
-            let link = figure.link_index(&link_name(segment)).expect("a link");
-            let layout = figure.layout().joints()[link];
-            let place =
-                layout.q + layout.nq - 3 + ["z", "y", "x"].iter().position(|a| *a == axis).expect("an axis");
-            differences
-                .angle
-                .note((q[place].to_degrees() - number(&values[i])).abs(), || format!("{key}, u = {u}"));
-        }
-        let (forces, support, pitches) = (plan.forces(node), plan.support(u), plan.foot_pitches(u));
+        differences.note_angles(figure, golden, i, &q, plan.foot_pitches(u));
+        let (forces, support) = (plan.forces(node), plan.support(u));
         for (side, name) in ["left", "right"].into_iter().enumerate() {
             let of = |key: &str| &golden[format!("{key}_{name}")][i];
-            differences.angle.note((pitches[side].0.to_degrees() - number(of("foot_pitch"))).abs(), || {
-                format!("pitch {name}, u = {u}")
-            });
-            differences.angle.note((pitches[side].1.to_degrees() - number(of("toes_pitch"))).abs(), || {
-                format!("toes {name}, u = {u}")
-            });
             differences
                 .share
                 .note((support[side].share - number(of("share"))).abs(), || format!("{name}, u = {u}"));

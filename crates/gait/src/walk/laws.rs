@@ -112,6 +112,13 @@ impl WalkLaws {
         fade(u, self.finish(u), SWING_IN, SWING_OUT)
     }
 
+    /// Angles of trunk and both arms.
+    pub(super) fn angles(&self, u: f64) -> ([laws::Euler; 5], [[f64; 2]; 2]) {
+        let (style, envelope) = (&self.style, self.swinging(u));
+        let arms = [laws::arm(style, u, envelope), laws::arm(style, u + 0.5, envelope)];
+        (laws::trunk(style, u, envelope), arms)
+    }
+
     /// Height of the centre of mass without corrections (m).
     pub(super) fn height(&self, u: f64) -> f64 {
         let standing = self.standing.com.y;

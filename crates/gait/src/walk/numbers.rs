@@ -2,6 +2,9 @@
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
+/// Rest before and after the movement, in strides: longer than any difference formula reaches, and long enough for the
+/// splines to have come to rest (they ring by 0.43 a node).
+pub(super) const REST: f64 = 0.2;
 /// Begin of the movement.
 pub(super) const BEGIN: f64 = -0.75;
 /// From the closing contact to rest.

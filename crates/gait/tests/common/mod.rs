@@ -70,6 +70,32 @@ pub(crate) struct Differences {
 }
 
 impl Differences {
+    /// Compares the angles `q` of all segments, and the pitches of foot and toes (rad), with the golden sample `i`.
+    pub(crate) fn note_angles(
+        &mut self,
+        figure: &Figure,
+        golden: &Value,
+        i: usize,
+        q: &[f64],
+        pitches: [(f64, f64); 2],
+    ) {
+        for (key, values) in golden["angles"].as_object().expect("angles") {
+            let (segment, axis) = key.rsplit_once('_').expect("an axis");
+            let link = figure.link_index(&link_name(segment)).expect("a link");
+            let layout = figure.layout().joints()[link];
+            let axis = ["z", "y", "x"].iter().position(|a| *a == axis).expect("an axis");
+            let found = q[layout.q + layout.nq - 3 + axis].to_degrees();
+            self.angle.note((found - number(&values[i])).abs(), || format!("{key}, sample {i}"));
+        }
+        for (name, (foot, toes)) in ["left", "right"].into_iter().zip(pitches) {
+            for (what, found) in [("foot", foot), ("toes", toes)] {
+                let wanted = number(&golden[format!("{what}_pitch_{name}")][i]);
+                self.angle
+                    .note((found.to_degrees() - wanted).abs(), || format!("{what} pitch {name}, sample {i}"));
+            }
+        }
+    }
+
     pub(crate) fn assert_below(&self, length: f64, angle: f64, force: f64) {
         for (what, worst, limit) in [
             ("length (m)", &self.length, length),
