@@ -1,22 +1,7 @@
 //! The vertical plane of a planted foot, and the frames of a leg that stands or swings in it.
 
-use crate::leg::LegGeometry;
+use crate::leg::{LegGeometry, LegPose};
 use nalgebra::{Matrix3, Vector3};
-
-/// A leg's posture: five angles (rad).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct LegPose {
-    /// Sideways angle of the line hip–ankle (η).
-    pub(crate) side: f64,
-    /// Forward angle of the thigh's axis (α).
-    pub(crate) thigh: f64,
-    /// Knee flexion (k).
-    pub(crate) knee: f64,
-    /// Foot pitch, toe down positive (γ).
-    pub(crate) pitch: f64,
-    /// Pitch of the toes (ε).
-    pub(crate) toes: f64,
-}
 
 /// Axes of the foot's vertical plane: forward and to the left.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,6 @@
 //! The geometry of a leg, and the closed forms that need nothing else.
 
 use crate::error::GaitError;
-use crate::foot::LegPose;
 use nalgebra::Vector3;
 use solaris_model::{Figure, SolePart};
 
@@ -33,6 +32,21 @@ pub struct LegGeometry {
     pub toe: f64,
     /// The left hip in the pelvis' frame.
     pub hip: Vector3<f64>,
+}
+
+/// A leg's posture: five angles (rad).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct LegPose {
+    /// Sideways angle of the line hip–ankle (η).
+    pub(crate) side: f64,
+    /// Forward angle of the thigh's axis (α).
+    pub(crate) thigh: f64,
+    /// Knee flexion (k).
+    pub(crate) knee: f64,
+    /// Foot pitch, toe down positive (γ).
+    pub(crate) pitch: f64,
+    /// Pitch of the toes (ε).
+    pub(crate) toes: f64,
 }
 
 impl LegGeometry {

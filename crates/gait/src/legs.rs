@@ -4,8 +4,8 @@
 //! follow from the products' rates, which are all that has to be differenced.
 
 use crate::body::Segment;
-use crate::foot::LegPose;
-use crate::momentum::Parts;
+use crate::leg::LegPose;
+use crate::parts::Parts;
 use nalgebra::{Matrix3, Vector3};
 
 /// How many products there are.

@@ -10,6 +10,7 @@ mod legs;
 mod measure;
 mod momentum;
 mod parameter;
+mod parts;
 mod posture;
 mod prescribed;
 mod stance;

@@ -4,47 +4,13 @@
 //! it give the angular momentum about the centre of mass, `L_c = L_o − M c × ċ`.
 
 use crate::body::{Body, Segment};
-use crate::foot::{FootPlane, LegPose, mirror};
+use crate::foot::{FootPlane, mirror};
 use crate::grid::Grid;
+use crate::leg::LegPose;
 use crate::legs::{LEG_SHAPE, LegMotion};
+use crate::parts::Parts;
 use crate::upper::UpperBody;
-use nalgebra::{Matrix3, Vector3};
-
-/// Sums over some segments, against the pelvis' origin.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Parts {
-    /// `Σ m r`
-    pub(crate) first: Vector3<f64>,
-    /// `Σ m ṙ`
-    pub(crate) rate: Vector3<f64>,
-    /// `Σ (I ω + m r × ṙ)`
-    pub(crate) angular: Vector3<f64>,
-}
-
-impl Parts {
-    /// Adds a segment: its orientation and centre of mass, and their rates. The spin is `ω = ½ Σ eᵢ × ėᵢ` over the axes.
-    pub(crate) fn add(
-        &mut self,
-        segment: &Segment,
-        rotation: &Matrix3<f64>,
-        rotation_rate: &Matrix3<f64>,
-        com: &Vector3<f64>,
-        com_rate: &Vector3<f64>,
-    ) {
-        let spin: Vector3<f64> =
-            (0..3).map(|i| rotation.column(i).cross(&rotation_rate.column(i))).sum::<Vector3<f64>>() * 0.5;
-        self.first += com * segment.mass;
-        self.rate += com_rate * segment.mass;
-        self.angular +=
-            rotation * (segment.inertia * rotation.tr_mul(&spin)) + com.cross(com_rate) * segment.mass;
-    }
-
-    fn join(&mut self, other: &Self) {
-        self.first += other.first;
-        self.rate += other.rate;
-        self.angular += other.angular;
-    }
-}
+use nalgebra::Vector3;
 
 /// The hips against the pelvis' origin at one node, each in its foot's plane (the right one mirrored), and their rates.
 #[derive(Clone, Copy, Debug)]

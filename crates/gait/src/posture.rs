@@ -1,8 +1,9 @@
 //! From pelvis, trunk, arms and legs to the figure's coordinates.
 
 use crate::body::{Body, Segment};
-use crate::foot::{FootPlane, LegPose, mirror_rotation};
+use crate::foot::{FootPlane, mirror_rotation};
 use crate::laws::{self, Euler};
+use crate::leg::LegPose;
 use nalgebra::Vector3;
 
 /// A whole posture: where the pelvis is, how trunk and arms are turned, and both legs' poses (left, right).

@@ -3,9 +3,9 @@
 //! Near the two ends of stance the knee is a law and the pitch of the foot is solved, never the reverse: there the leg is
 //! nearly straight, and a small error in the foot would be a large one in the knee.
 
-use crate::foot::{FootPlane, LegPose};
+use crate::foot::FootPlane;
 use crate::grid::{FIRST, SECOND};
-use crate::leg::LegGeometry;
+use crate::leg::{LegGeometry, LegPose};
 use crate::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, Quintic};

@@ -2,9 +2,10 @@
 
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::foot::{FootPlane, LegPose, mirror};
+use crate::foot::{FootPlane, mirror};
 use crate::grid::{Ends, Grid, SECOND};
 use crate::laws;
+use crate::leg::LegPose;
 use crate::momentum::MomentumKernel;
 use crate::posture::Posture;
 use crate::prescribed::{G, PrescribedNode};

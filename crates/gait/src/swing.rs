@@ -1,7 +1,6 @@
 //! One foot in the air: joint splines between the end of one stance and the begin of the next.
 
-use crate::foot::LegPose;
-use crate::leg::LegGeometry;
+use crate::leg::{LegGeometry, LegPose};
 use crate::stance::LegJet;
 use crate::style::Style;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError};

@@ -3,7 +3,7 @@
 use crate::body::{Body, Segment};
 use crate::grid::Grid;
 use crate::laws;
-use crate::momentum::Parts;
+use crate::parts::Parts;
 use nalgebra::{Matrix3, Vector3};
 
 /// Trunk and arms over the nodes.

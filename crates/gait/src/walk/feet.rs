@@ -2,8 +2,7 @@
 
 use super::laws::{Episode, Kind, WalkLaws};
 use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START, PITCH_FIRST, PITCH_LAST};
-use crate::foot::LegPose;
-use crate::leg::LegGeometry;
+use crate::leg::{LegGeometry, LegPose};
 use crate::stance::{Landing, LegJet, Push, Stance};
 use crate::swing::{Aim, Swing};
 use nalgebra::Vector3;

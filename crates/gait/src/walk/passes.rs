@@ -3,12 +3,12 @@
 use super::feet::{Foot, Hip};
 use super::laws::{Amplitudes, WalkLaws};
 use super::numbers::{CORRECTION, REST};
-use super::plan::WalkPlan;
 use super::solve::{Coordinate, factor, rest_to_rest};
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::foot::{FootPlane, LegPose, mirror};
+use crate::foot::{FootPlane, mirror};
 use crate::grid::{Ends, Grid, SECOND};
+use crate::leg::LegPose;
 use crate::momentum::MomentumKernel;
 use crate::prescribed::{G, PrescribedNode};
 use crate::stride::StridePlan;
@@ -18,11 +18,11 @@ use solaris_profiles::UniformSpline;
 
 /// The nodes of a walk.
 pub(super) struct Timeline {
-    grid: Grid,
+    pub(super) grid: Grid,
     /// Nodes a stride, and the first node's number.
-    rate: usize,
+    pub(super) rate: usize,
     first: isize,
-    moving: (usize, usize),
+    pub(super) moving: (usize, usize),
 }
 
 impl Timeline {
@@ -35,7 +35,7 @@ impl Timeline {
         Self { grid, rate, first, moving: (node(laws.begin), node(laws.end)) }
     }
 
-    fn clock(&self, node: usize) -> f64 {
+    pub(super) fn clock(&self, node: usize) -> f64 {
         (self.first + node as isize) as f64 / self.rate as f64
     }
 }
@@ -127,7 +127,8 @@ impl Passes {
         }
     }
 
-    pub(super) fn run(mut self, passes: usize) -> Result<WalkPlan, GaitError> {
+    /// Runs the passes; the last one is the walk.
+    pub(super) fn run(mut self, passes: usize) -> Result<Solved, GaitError> {
         let passes = passes.max(1);
         let mut last = None;
         for pass in 0..passes {
@@ -135,8 +136,7 @@ impl Passes {
         }
         let Some(Pass { feet, pelvis, rate, vertical }) = last else { unreachable!("at least one pass") };
         let Self { body, laws, timeline, corrections, offset, .. } = self;
-        let count = timeline.grid.count;
-        let nodes: Vec<PrescribedNode> = (0..count)
+        let nodes = (0..timeline.grid.count)
             .map(|i| PrescribedNode {
                 com: pelvis[i] + offset[i],
                 vertical: vertical[i],
@@ -144,20 +144,7 @@ impl Passes {
                 feet: laws.support(timeline.clock(i)),
             })
             .collect();
-        let (first, spacing) = (timeline.clock(0), 1.0 / timeline.rate as f64);
-        let spline = |values: Vec<[f64; 3]>| UniformSpline::resting(first, spacing, &values);
-        Ok(WalkPlan {
-            pelvis: spline(pelvis.iter().map(|&p| p.into()).collect())?,
-            force: spline(nodes.iter().map(|node| node.total().force.into()).collect())?,
-            grid: timeline.grid,
-            first,
-            moving: timeline.moving,
-            body,
-            laws,
-            feet,
-            nodes,
-            corrections,
-        })
+        Ok(Solved { body, laws, timeline, feet, pelvis, nodes, corrections })
     }
 
     fn pass(&mut self, pass: usize, passes: usize) -> Result<Pass, GaitError> {
@@ -248,6 +235,18 @@ impl Passes {
         let com = (0..count).map(|i| Vector3::new(x[i], heights[i], z[i])).collect();
         (com, vertical)
     }
+}
+
+/// A walk whose body and forces agree.
+pub(super) struct Solved {
+    pub(super) body: Body,
+    pub(super) laws: WalkLaws,
+    pub(super) timeline: Timeline,
+    pub(super) feet: [Foot; 2],
+    /// Pelvis at the nodes.
+    pub(super) pelvis: Vec<Vector3<f64>>,
+    pub(super) nodes: Vec<PrescribedNode>,
+    pub(super) corrections: Vec<f64>,
 }
 
 /// What one pass found.

@@ -3,13 +3,14 @@
 use super::feet::Foot;
 use super::laws::WalkLaws;
 use super::numbers::REST;
-use super::passes::{Passes, Timeline};
+use super::passes::{Passes, Solved, Timeline};
 use super::standing::Standing;
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::foot::{FootPlane, LegPose, mirror};
+use crate::foot::{FootPlane, mirror};
 use crate::grid::Grid;
 use crate::laws;
+use crate::leg::LegPose;
 use crate::posture::Posture;
 use crate::prescribed::PrescribedNode;
 use crate::stride::{Resolution, StridePlan};
@@ -25,16 +26,16 @@ pub struct WalkPlan {
     pub(super) body: Body,
     pub(super) laws: WalkLaws,
     pub(super) feet: [Foot; 2],
-    pub(super) pelvis: UniformSpline<3>,
-    pub(super) grid: Grid,
+    pelvis: UniformSpline<3>,
+    grid: Grid,
     /// Clock of the first node.
-    pub(super) first: f64,
+    first: f64,
     /// Nodes between which the body moves.
-    pub(super) moving: (usize, usize),
-    pub(super) nodes: Vec<PrescribedNode>,
+    moving: (usize, usize),
+    nodes: Vec<PrescribedNode>,
     /// Prescribed total force over the clock.
-    pub(super) force: UniformSpline<3>,
-    pub(super) corrections: Vec<f64>,
+    force: UniformSpline<3>,
+    corrections: Vec<f64>,
 }
 
 impl WalkPlan {
@@ -48,7 +49,22 @@ impl WalkPlan {
         let standing = Standing::new(&body, &style);
         let laws = WalkLaws::new(&body, &style, steps, stride.mean_height(), standing)?;
         let timeline = Timeline::new(&laws, resolution.nodes, style.stride_time);
-        Passes::new(body, laws, stride, timeline).run(resolution.walk_passes)
+        let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
+            Passes::new(body, laws, stride, timeline).run(resolution.walk_passes)?;
+        let (first, spacing) = (timeline.clock(0), 1.0 / timeline.rate as f64);
+        let spline = |values: Vec<[f64; 3]>| UniformSpline::resting(first, spacing, &values);
+        Ok(Self {
+            pelvis: spline(pelvis.iter().map(|&p| p.into()).collect())?,
+            force: spline(nodes.iter().map(|node| node.total().force.into()).collect())?,
+            grid: timeline.grid,
+            first,
+            moving: timeline.moving,
+            body,
+            laws,
+            feet,
+            nodes,
+            corrections,
+        })
     }
 
     /// The style of the steady part.
