@@ -47,6 +47,8 @@ impl Segment {
 /// The figure's segments by role.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
+    /// Of the figure, see [`Figure::fingerprint`].
+    pub(crate) fingerprint: u64,
     pub(crate) mass: f64,
     pub(crate) height: f64,
     pub(crate) leg: LegGeometry,
@@ -78,6 +80,7 @@ impl Body {
             });
         }
         Ok(Self {
+            fingerprint: figure.fingerprint(),
             mass: figure.mass(),
             height: figure.stature().unwrap_or(leg.length() / LEG_OVER_HEIGHT),
             leg,

@@ -51,6 +51,8 @@ pub enum GaitError {
     NoPath,
     #[error("{passes} passes for a walk: at least 8 are needed, the last four of which only settle")]
     Passes { passes: usize },
+    #[error("the style's {name} is {value}; it must be a finite number")]
+    StyleNotFinite { name: &'static str, value: f64 },
     #[error("{nodes} nodes a stride: the planner takes an even number from 20 to 10000")]
     Nodes { nodes: usize },
     #[error("there is no style parameter '{name}'; there are {known}")]

@@ -32,5 +32,5 @@ pub use stride::{Resolution, StridePlan};
 pub use style::{Style, WALK_RATIO};
 pub use walk::{FEET, WalkPlan};
 pub use walker::{
-    DEFAULT_STEP_FREQUENCY, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, WalkRequest, walk,
+    DEFAULT_STEP_FREQUENCY, Extent, FRICTION, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, WalkRequest, walk,
 };

@@ -78,6 +78,7 @@ impl StridePlan {
 
     pub(crate) fn plan(body: Body, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {
         resolution.check()?;
+        style.check()?;
         let n = resolution.nodes;
         let half = n / 2;
         let grid = Grid { count: n, step: style.stride_time / n as f64, ends: Ends::Periodic };

@@ -1,5 +1,6 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
+use crate::error::GaitError;
 use crate::leg::LegGeometry;
 
 /// Step length of people over height and step frequency, `S / (H · sf)` (min): `S = 0.0037·H·sf`. The thesis's law has
@@ -47,6 +48,11 @@ macro_rules! style_numbers {
                     anterior_tilt: 4.0 * DEGREE,
                     $($name: q([$c0, $c1, $c2, $c3]) * $unit,)*
                 }
+            }
+
+            /// The numbers of the table with their names.
+            fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+                [$((stringify!($name), self.$name),)*].into_iter()
             }
         }
     };
@@ -164,6 +170,23 @@ impl Style {
         }
         style.step_width *= height / 1.75;
         style
+    }
+
+    /// Refuses numbers that are none.
+    pub(crate) fn check(&self) -> Result<(), GaitError> {
+        let common = [
+            ("step_frequency", self.step_frequency),
+            ("step_length", self.step_length),
+            ("double_support", self.double_support),
+            ("stride_time", self.stride_time),
+            ("foot_yaw", self.foot_yaw),
+            ("clearance", self.clearance),
+            ("anterior_tilt", self.anterior_tilt),
+        ];
+        match common.into_iter().chain(self.numbers()).find(|(_, value)| !value.is_finite()) {
+            Some((name, value)) => Err(GaitError::StyleNotFinite { name, value }),
+            None => Ok(()),
+        }
     }
 
     /// Whether the step is shorter than any that the numbers were fitted to (0.538 of the leg), so that they are held at

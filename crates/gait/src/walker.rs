@@ -20,7 +20,7 @@ pub const DEFAULT_STEP_FREQUENCY: f64 = 110.0;
 /// Part of people's step length by which it may be longer or shorter.
 const STEP_LENGTH_MARGIN: f64 = 0.12;
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
-const FRICTION: (f64, f64) = (0.5, 0.6);
+pub const FRICTION: (f64, f64) = (0.5, 0.6);
 /// The most by which a knee may be hyperextended before a walk is refused (rad).
 const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
 

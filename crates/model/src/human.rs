@@ -26,8 +26,9 @@ pub enum HumanError {
     },
     /// The mass is out of range for the height.
     #[error(
-        "mass {mass} kg: at a height of {height} m a human figure has {lower:.1} to {upper:.1} kg \
-         (body mass index {} to {} kg/m²)", BODY_MASS_INDEX.0, BODY_MASS_INDEX.1
+        "mass {mass} kg: at a height of {height} m a human figure has {} to {} kg \
+         (body mass index {} to {} kg/m²)",
+        (.lower * 100.0 - 1e-6).ceil() / 100.0, (.upper * 100.0 + 1e-6).floor() / 100.0, BODY_MASS_INDEX.0, BODY_MASS_INDEX.1
     )]
     Mass {
         /// What was asked (kg).
@@ -138,7 +139,8 @@ impl Human {
             return Err(HumanError::Height { height });
         }
         let (lower, upper) = (BODY_MASS_INDEX.0 * height * height, BODY_MASS_INDEX.1 * height * height);
-        if !(lower..=upper).contains(&mass) {
+        // A mass that was computed from the index itself may miss it by rounding.
+        if !(lower * (1.0 - 1e-9)..=upper * (1.0 + 1e-9)).contains(&mass) {
             return Err(HumanError::Mass { mass, height, lower, upper });
         }
         let mut factors: Vec<(String, f64)> = Vec::new();

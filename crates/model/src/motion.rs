@@ -103,6 +103,15 @@ impl MotionInfo {
             rate,
         }
     }
+
+    pub(crate) fn check_figure(&self, figure: &Figure) -> Result<(), MotionError> {
+        let (expected, found) = (self.fingerprint, figure.fingerprint());
+        if expected == found {
+            Ok(())
+        } else {
+            Err(MotionError::OtherFigure { figure: figure.name().to_owned(), expected, found })
+        }
+    }
 }
 
 /// A sampled motion of one figure.
@@ -278,12 +287,7 @@ impl Motion {
     ///
     /// [`MotionError::OtherFigure`] when the fingerprints differ.
     pub fn check_figure(&self, figure: &Figure) -> Result<(), MotionError> {
-        let (expected, found) = (self.info.fingerprint, figure.fingerprint());
-        if expected == found {
-            Ok(())
-        } else {
-            Err(MotionError::OtherFigure { figure: figure.name().to_owned(), expected, found })
-        }
+        self.info.check_figure(figure)
     }
 
     /// Number of samples.

@@ -15,6 +15,12 @@ pub enum ReactionError {
         /// What was asked.
         link: String,
     },
+    /// Both feet are the same link.
+    #[error("link '{link}' is named as both feet; name two links")]
+    OneFootTwice {
+        /// The link.
+        link: String,
+    },
     /// A foot has no sole.
     #[error("link '{link}' has no sole points, so it is not known where it presses")]
     NoSole {

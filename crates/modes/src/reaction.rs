@@ -93,6 +93,9 @@ pub fn ground_reactions(
     let gravity = motion.info.gravity;
     let up = -gravity.try_normalize(1e-9).ok_or(ReactionError::NoGravity)?;
     let tree = Tree::<f64>::new(figure, gravity)?;
+    if feet[0] == feet[1] {
+        return Err(ReactionError::OneFootTwice { link: feet[0].to_owned() });
+    }
     let feet = [Foot::find(figure, feet[0])?, Foot::find(figure, feet[1])?];
     let scene = Scene { tree: &tree, feet: &feet, up, motion, law };
     let frames = scene.solve()?;

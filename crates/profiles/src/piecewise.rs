@@ -67,7 +67,7 @@ impl Piecewise {
         let pieces = (0..=inner)
             .map(|i| Polynomial::quintic(knots[i + 1] - knots[i], &jets[i], &jets[i + 1]))
             .collect();
-        Ok(Self { knots: knots.to_vec(), pieces, outside: Outside::Hold })
+        Self::new(knots, pieces)
     }
 
     /// The C¹ curve of cubic pieces through `values` that rises and falls only where they do (PCHIP: slopes by the
@@ -88,6 +88,12 @@ impl Piecewise {
                 Polynomial::cubic(knots[i + 1] - knots[i], values[i], slopes[i], values[i + 1], slopes[i + 1])
             })
             .collect();
+        Self::new(knots, pieces)
+    }
+
+    fn new(knots: &[f64], pieces: Vec<Polynomial>) -> Result<Self, ProfileError> {
+        // Spans too short for their values overflow.
+        pieces.iter().try_for_each(|piece| check_finite("coefficient", &piece.0))?;
         Ok(Self { knots: knots.to_vec(), pieces, outside: Outside::Hold })
     }
 

@@ -68,7 +68,10 @@ impl Quintic {
         check_duration(duration)?;
         check_finite("start", &start.numbers())?;
         check_finite("end", &end.numbers())?;
-        Ok(Self { duration, polynomial: Polynomial::quintic(duration, &start, &end) })
+        let polynomial = Polynomial::quintic(duration, &start, &end);
+        // A span too short for its values overflows.
+        check_finite("coefficient", &polynomial.0)?;
+        Ok(Self { duration, polynomial })
     }
 
     /// The curve at `t`; beyond its ends it goes on as the same polynomial.
@@ -99,7 +102,9 @@ impl CubicHermite {
         check_duration(duration)?;
         check_finite("start", &[x0, v0])?;
         check_finite("end", &[x1, v1])?;
-        Ok(Self { duration, polynomial: Polynomial::cubic(duration, x0, v0, x1, v1) })
+        let polynomial = Polynomial::cubic(duration, x0, v0, x1, v1);
+        check_finite("coefficient", &polynomial.0)?;
+        Ok(Self { duration, polynomial })
     }
 
     /// The curve at `t`; beyond its ends it goes on as the same polynomial.

@@ -163,6 +163,9 @@ fn bad_input_is_refused() {
         CubicHermite::new(f64::INFINITY, (0.0, 0.0), (1.0, 0.0)),
         Err(ProfileError::NotFinite { .. })
     ));
+    // A span too short for its values.
+    assert!(matches!(Quintic::new(1e-300, rest, Boundary::rest(1.0)), Err(ProfileError::NotFinite { .. })));
+    assert!(Piecewise::quintic_spline(&[0.0, 1e-200], &[], rest, Boundary::rest(1.0)).is_err());
     let unordered = Piecewise::quintic_spline(&[0.0, 1.0, 1.0], &[0.0], rest, rest);
     assert_eq!(unordered, Err(ProfileError::Knots { index: 2, time: 1.0, before: 1.0 }));
     let missing = Piecewise::quintic_spline(&[0.0, 1.0, 2.0], &[], rest, rest);

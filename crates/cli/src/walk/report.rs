@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 use solaris::gait::{
-    Band, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, WalkPlan, check_bands,
+    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, WalkPlan,
+    check_bands,
 };
 use solaris::model::Motion;
 use solaris::modes::ReactionReport;
@@ -241,6 +242,17 @@ fn notes(plan: &WalkPlan, measures: &WalkMeasures) -> Vec<String> {
             -measures.least_knee.value.to_degrees(),
             measures.least_knee.time
         ));
+    }
+    for (whose, peak, limit) in
+        [("both feet", measures.friction, FRICTION.0), ("one foot", measures.foot_friction, FRICTION.1)]
+    {
+        if peak.value > limit {
+            notes.push(format!(
+                "as written, the motion needs a friction of {:.2} under {whose} at {:.2} s, and soles hold {limit}: a leg \
+                 passes straight there; shorten the step",
+                peak.value, peak.time
+            ));
+        }
     }
     if step_frequency > 115.0 {
         notes.push(

@@ -23,7 +23,8 @@ impl WalkPlan {
     ///
     /// A rate that is none, and another figure than the plan's.
     pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
-        let mut motion = Motion::sample(figure, self, MotionInfo::on_earth(figure, rate))?;
+        let info = MotionInfo { fingerprint: self.body.fingerprint, ..MotionInfo::on_earth(figure, rate) };
+        let mut motion = Motion::sample(figure, self, info)?;
         balance_momentum(figure, self, &mut motion)?;
         motion.events = self.events();
         motion.planted = self.planted(figure);

@@ -96,11 +96,11 @@ impl Differences {
         }
     }
 
-    pub(crate) fn assert_below(&self, length: f64, angle: f64, force: f64) {
+    pub(crate) fn assert_below(&self, [length, angle, force, share]: [f64; 4]) {
         for (what, worst, limit) in [
             ("length (m)", &self.length, length),
             ("angle (degrees)", &self.angle, angle),
-            ("share", &self.share, 1e-3),
+            ("share", &self.share, share),
             ("force (N)", &self.force, force),
         ] {
             println!("  {what}: {:.2e} at {}", worst.0, worst.1);

@@ -71,12 +71,14 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// A rate that is not positive, a duration that is not finite, and positions that are not finite.
+    /// A figure that the information is not for, a rate that is not positive, a duration that is not finite, and positions
+    /// that are not finite.
     pub fn sample(
         figure: &Figure,
         trajectory: &impl Trajectory,
         info: MotionInfo,
     ) -> Result<Self, MotionError> {
+        info.check_figure(figure)?;
         let rate = info.rate;
         if !(rate > 0.0 && rate <= 1e5) {
             return Err(MotionError::Rate { rate });

@@ -2,7 +2,8 @@
 
 import uPlot from 'uplot';
 
-const minus = (text) => text.replace('-', '−');
+// A true minus sign, and none before zero.
+const minus = (text) => (Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−'));
 
 // The range of an axis; a curve that does not move lies in the middle of a range of 2.
 function yRange(_, low, high) {
