@@ -180,8 +180,8 @@ fn ends(figure: &Figure, plan: &WalkPlan, motion: &Motion, frames: &[Vec<Moving>
         let time = motion.time()[sample];
         for (j, name) in figure.layout().v_names().iter().enumerate() {
             let here = || format!("{name} {}", seconds(time));
-            worst.note(REST, motion.v(sample)[j].abs(), 1e-4, here);
-            worst.note(REST_A, motion.a(sample)[j].abs(), 2e-3, here);
+            worst.note(REST, motion.v(sample)[j].abs(), 1e-9, here);
+            worst.note(REST_A, motion.a(sample)[j].abs(), 1e-6, here);
         }
         let [left, right] = FEET.map(|foot| heel(figure, &frames[sample], foot));
         worst.note(FEET_APART, (left.z - right.z).abs(), 1e-6, || seconds(time));
