@@ -157,57 +157,62 @@ impl Pace {
 
     /// Whether soles and legs can do what the plan asks of them.
     fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
-        let not_walkable = |what: String| GaitError::NotWalkable {
-            step_length: self.step_length,
-            step_frequency: tidy(self.step_frequency),
-            what,
-        };
+        self.check_forces(plan)?;
+        self.check_legs(plan)
+    }
+
+    /// The prescribed forces press, and need no more friction than soles have.
+    fn check_forces(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let (_, (first, last)) = plan.nodes();
-        let weight = plan.weight();
         let (mut total, mut single) = (0.0_f64, 0.0_f64);
         for node in first..=last {
             let feet = plan.forces(node);
             let force = feet[0].force + feet[1].force;
             if force.y.is_nan() || force.y <= 0.0 {
-                return Err(not_walkable("the ground would have to pull at the feet".to_owned()));
+                return Err(self.not_walkable("the ground would have to pull at the feet".to_owned()));
             }
             total = total.max(friction(&force));
-            for foot in feet.iter().filter(|foot| foot.force.y > 0.05 * weight) {
+            for foot in feet.iter().filter(|foot| foot.force.y > 0.05 * plan.weight()) {
                 single = single.max(friction(&foot.force));
             }
         }
-        let (step_length, step_frequency, longest) =
-            (self.step_length, tidy(self.step_frequency), String::new());
         for (whose, friction, limit) in [("the", total, FRICTION.0), ("a foot's", single, FRICTION.1)] {
             if friction.is_nan() || friction > limit {
                 return Err(GaitError::Friction {
-                    step_length,
-                    step_frequency,
+                    step_length: self.step_length,
+                    step_frequency: tidy(self.step_frequency),
                     whose,
                     friction,
                     limit,
-                    longest,
+                    longest: String::new(),
                 });
             }
         }
-        let check = plan.legs();
-        if check.least_knee.is_nan() || check.least_knee < -HYPEREXTENSION {
-            let degrees = -check.least_knee.to_degrees();
-            return Err(not_walkable(format!("a knee would be hyperextended by {degrees:.1}°")));
-        }
-        if check.lowest.is_nan() || check.lowest < -1e-3 {
-            return Err(not_walkable(format!(
-                "a foot would sink {:.1} mm into the ground",
-                -check.lowest * 1e3
-            )));
-        }
-        if check.short.is_nan() || check.short > 1e-4 {
-            let short = check.short * 1e3;
-            return Err(not_walkable(format!(
-                "a leg is {short:.1} mm too short to reach its foot on the ground"
-            )));
-        }
         Ok(())
+    }
+
+    /// The legs reach their feet, the knees bend the right way, the feet stay above the ground.
+    fn check_legs(&self, plan: &WalkPlan) -> Result<(), GaitError> {
+        let legs = plan.legs();
+        let fails = |bad: bool, what: String| if bad { Err(self.not_walkable(what)) } else { Ok(()) };
+        let (knee, lowest, short) = (legs.least_knee, legs.lowest, legs.short);
+        fails(
+            knee.is_nan() || knee < -HYPEREXTENSION,
+            format!("a knee would be hyperextended by {:.1}°", -knee.to_degrees()),
+        )?;
+        fails(
+            lowest.is_nan() || lowest < -1e-3,
+            format!("a foot would sink {:.1} mm into the ground", -lowest * 1e3),
+        )?;
+        fails(
+            short.is_nan() || short > 1e-4,
+            format!("a leg is {:.1} mm too short to reach its foot on the ground", short * 1e3),
+        )
+    }
+
+    fn not_walkable(&self, what: String) -> GaitError {
+        let (step_length, step_frequency) = (self.step_length, tidy(self.step_frequency));
+        GaitError::NotWalkable { step_length, step_frequency, what }
     }
 
     /// Says how long a step may be where friction is the reason: the longest that holds, by ten bisections.
