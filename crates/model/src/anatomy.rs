@@ -4,14 +4,16 @@
 ///
 /// Flexion, abduction and internal rotation are positive, on both sides of the body; so are dorsiflexion of the ankle,
 /// extension of the toes, forward flexion and side bend and rotation to the left of the trunk, anterior tilt, elevation
-/// of the left side and forward rotation of the left side of the pelvis. `angle = sign · q[dof]`; moments and velocities
+/// of the left side and forward rotation of the left side of the pelvis. `angle = sign · q[coordinate]`; moments and velocities
 /// take the same sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnatomicalAngle {
     /// Its name, such as `left_knee.flexion`.
     pub name: String,
-    /// Index of the degree of freedom in `v` (and, for a one-axis degree of freedom, in `q`).
+    /// Index of the degree of freedom in `v`.
     pub dof: usize,
+    /// Index of its coordinate in `q`.
+    pub coordinate: usize,
     /// +1 or −1.
     pub sign: f64,
 }

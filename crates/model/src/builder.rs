@@ -5,10 +5,10 @@ use crate::fault::{Fault, FigureError, nearest};
 use crate::figure::Figure;
 use crate::inertia::{Inertia, Shape, second_moments};
 use crate::joint::{Joint, Placement};
-use crate::layout::{StateLayout, coordinate_names};
+use crate::layout::{StateLayout, velocity_names};
 use crate::link::{Link, NamedFrame, SolePart, SolePoint};
 use nalgebra::{Matrix3, Vector3};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A link as it is described, before it is checked.
 #[derive(Clone, Debug)]
@@ -180,7 +180,15 @@ impl FigureBuilder {
     }
 
     fn check_names(&self, faults: &mut Vec<Fault>) {
-        let kinds: [(&'static str, Vec<&str>); 4] = [
+        // Two joints of one name are a fault of their own.
+        let mut joints = HashSet::new();
+        let dofs: Vec<String> = self
+            .links
+            .iter()
+            .filter(|link| joints.insert(link.joint.name()))
+            .flat_map(|link| velocity_names(link.joint.name(), link.joint.kind()))
+            .collect();
+        let kinds: [(&'static str, Vec<&str>); 5] = [
             ("link", self.links.iter().map(|link| link.name.as_str()).collect()),
             ("joint", self.links.iter().map(|link| link.joint.name()).collect()),
             (
@@ -188,13 +196,15 @@ impl FigureBuilder {
                 self.links.iter().flat_map(|link| &link.frames).map(|frame| frame.name.as_str()).collect(),
             ),
             ("angle", self.angles.iter().map(|(name, ..)| name.as_str()).collect()),
+            ("dof", dofs.iter().map(String::as_str).collect()),
         ];
         for (kind, names) in kinds {
+            let mut counts: HashMap<&str, usize> = HashMap::new();
+            names.iter().for_each(|name| *counts.entry(name).or_default() += 1);
             for (index, name) in names.iter().enumerate() {
-                let count = names.iter().filter(|other| *other == name).count();
                 if name.trim().is_empty() {
                     faults.push(Fault::EmptyName { kind, index });
-                } else if count > 1 && names.iter().position(|other| other == name) == Some(index) {
+                } else if let Some(count) = counts.remove(name).filter(|count| *count > 1) {
                     faults.push(Fault::DuplicateName { kind, name: (*name).to_owned(), count });
                 }
             }
@@ -257,7 +267,11 @@ impl FigureBuilder {
     fn check_angles(&self, faults: &mut Vec<Fault>) -> Vec<(String, String, f64)> {
         let mut dofs: Vec<String> = Vec::new();
         for link in &self.links {
-            let names = coordinate_names(link.joint.name(), link.joint.kind());
+            // An angle is a coordinate; the velocities of a ball joint are the rates of none.
+            if link.joint.kind().quaternion().is_some() {
+                continue;
+            }
+            let names = velocity_names(link.joint.name(), link.joint.kind());
             // A one-dof joint also answers to its own name.
             dofs.extend((names.len() == 1).then(|| link.joint.name().to_owned()));
             dofs.extend(names);
@@ -311,7 +325,8 @@ impl FigureBuilder {
         let angles = angles
             .into_iter()
             .filter_map(|(name, dof, sign)| {
-                layout.dof_index(&dof).map(|dof| AnatomicalAngle { name, dof, sign })
+                let dof = layout.dof_index(&dof)?;
+                layout.coordinate(dof).map(|coordinate| AnatomicalAngle { name, dof, coordinate, sign })
             })
             .collect();
         Figure { name: self.name, links, layout, angles, by_name: place, stature: self.stature }
@@ -382,7 +397,16 @@ fn check_joint(joint: &Joint, faults: &mut Vec<Fault>) {
     if dofs.len() > 6 {
         faults.push(Fault::TooManyDofs { joint: joint.name().to_owned(), count: dofs.len() });
     }
-    let names = coordinate_names(joint.name(), joint.kind());
+    for what in &joint.misfits {
+        faults.push(Fault::NotForThisJoint { joint: joint.name().to_owned(), what });
+    }
+    let names = velocity_names(joint.name(), joint.kind());
+    for (index, name) in names.iter().enumerate() {
+        let armature = joint.kind().armature(index);
+        if !(armature >= 0.0 && armature.is_finite()) {
+            faults.push(Fault::Armature { dof: name.clone(), armature });
+        }
+    }
     for (index, (dof, name)) in dofs.iter().zip(names).enumerate() {
         // Every direction that is one has been normalised.
         if (dof.axis.direction.norm() - 1.0).abs().partial_cmp(&1e-9).is_none_or(std::cmp::Ordering::is_gt) {

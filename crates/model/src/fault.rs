@@ -61,6 +61,13 @@ pub enum Fault {
         "joint '{joint}' has {count} degrees of freedom; a joint has at most six: split it with a massless link"
     )]
     TooManyDofs { joint: String, count: usize },
+    #[error(
+        "joint '{joint}' was given {what}, which it cannot take: a ball or free joint has none, and a joint of axes needs \
+         the axis first"
+    )]
+    NotForThisJoint { joint: String, what: &'static str },
+    #[error("dof '{dof}': armature is {armature}; it must be a finite number, zero or more (kg m² or kg)")]
+    Armature { dof: String, armature: f64 },
     #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest.as_ref()))]
     UnknownDof { angle: String, dof: String, nearest: Option<String> },
 }

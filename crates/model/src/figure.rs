@@ -1,6 +1,7 @@
 //! The figure: an immutable tree of links.
 
 use crate::anatomy::AnatomicalAngle;
+use crate::joint::JointKind;
 use crate::layout::StateLayout;
 use crate::link::Link;
 use std::collections::HashMap;
@@ -81,6 +82,13 @@ impl Figure {
             for dof in link.joint.kind().axes() {
                 hash.text(dof.axis.stem());
                 hash.numbers(dof.axis.direction.iter());
+                dof.name.iter().for_each(|name| hash.text(name));
+                hash.numbers([dof.armature].iter().filter(|armature| **armature != 0.0));
+            }
+            match link.joint.kind() {
+                JointKind::Axes(_) => {}
+                JointKind::Ball { armature } => hash.numbers([4.0, *armature].iter()),
+                JointKind::Free { armature } => hash.numbers([7.0, *armature].iter()),
             }
             hash.numbers([link.mass].iter().chain(link.com.iter()).chain(link.inertia.iter()));
         }

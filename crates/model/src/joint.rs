@@ -1,4 +1,4 @@
-//! Joints: ordered lists of one-axis degrees of freedom.
+//! Joints: ordered lists of one-axis degrees of freedom, ball joints and free joints.
 
 use nalgebra::{Isometry3, Vector3};
 
@@ -60,23 +60,39 @@ pub struct Limits {
 }
 
 /// One degree of freedom of a joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Dof {
     /// Its axis.
     pub axis: Axis,
     /// Its range, if it has one.
     pub limits: Option<Limits>,
+    /// Inertia of what turns or slides with the coordinate besides the links, such as a rotor seen through its gear
+    /// (kg m² or kg): it adds to the diagonal of the mass matrix.
+    pub armature: f64,
+    /// Its name where it has one of its own; otherwise it is called `joint.axis`.
+    pub name: Option<String>,
 }
 
 /// What a joint lets its link do.
 ///
-/// Ball and free joints, whose `nq` differs from their `nv`, will be further variants: nothing outside this crate may
-/// assume that the two agree.
+/// Ball and free joints have more position coordinates (`nq`) than velocity coordinates (`nv`): a unit quaternion
+/// (x, y, z, w) turns link coordinates into those of the joint's frame. Their velocities are along the **link's own** axes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JointKind {
     /// Zero (a weld) to six one-axis degrees of freedom, applied in order: the first is nearest to the parent.
     Axes(Vec<Dof>),
+    /// Any rotation: `q` is a unit quaternion, `v` the angular velocity (rad/s) along the link's axes.
+    Ball {
+        /// Added to each of the three diagonal entries of the mass matrix (kg m²).
+        armature: f64,
+    },
+    /// Any motion: `q` is the place of the link's origin in the joint's frame (m), then a unit quaternion; `v` the
+    /// velocity of the link's origin (m/s), then the angular velocity (rad/s), both along the link's axes.
+    Free {
+        /// Added to each of the six diagonal entries of the mass matrix (kg, kg m²).
+        armature: f64,
+    },
 }
 
 impl JointKind {
@@ -84,6 +100,8 @@ impl JointKind {
     pub fn nq(&self) -> usize {
         match self {
             Self::Axes(dofs) => dofs.len(),
+            Self::Ball { .. } => 4,
+            Self::Free { .. } => 7,
         }
     }
 
@@ -91,13 +109,33 @@ impl JointKind {
     pub fn nv(&self) -> usize {
         match self {
             Self::Axes(dofs) => dofs.len(),
+            Self::Ball { .. } => 3,
+            Self::Free { .. } => 6,
         }
     }
 
-    /// The one-axis degrees of freedom, in order.
+    /// The one-axis degrees of freedom, in order; none for a ball or free joint.
     pub fn axes(&self) -> &[Dof] {
         match self {
             Self::Axes(dofs) => dofs,
+            Self::Ball { .. } | Self::Free { .. } => &[],
+        }
+    }
+
+    /// Where in the joint's `q` its unit quaternion (x, y, z, w) begins, if it has one.
+    pub fn quaternion(&self) -> Option<usize> {
+        match self {
+            Self::Axes(_) => None,
+            Self::Ball { .. } => Some(0),
+            Self::Free { .. } => Some(3),
+        }
+    }
+
+    /// What the velocity coordinate `index` of this joint adds to the diagonal of the mass matrix (kg or kg m²).
+    pub fn armature(&self, index: usize) -> f64 {
+        match self {
+            Self::Axes(dofs) => dofs[index].armature,
+            Self::Ball { armature } | Self::Free { armature } => *armature,
         }
     }
 }
@@ -115,12 +153,28 @@ pub struct Joint {
     pub(crate) name: String,
     pub(crate) placement: Placement,
     pub(crate) kind: JointKind,
+    /// What was asked of it that its kind does not take.
+    pub(crate) misfits: Vec<&'static str>,
 }
 
 impl Joint {
     /// A weld called `name` at the parent's origin; add degrees of freedom with the methods below.
     pub fn new(name: impl Into<String>) -> Self {
-        Self { name: name.into(), placement: Placement::identity(), kind: JointKind::Axes(Vec::new()) }
+        Self::of_kind(name.into(), JointKind::Axes(Vec::new()))
+    }
+
+    /// A ball joint called `name` at the parent's origin: see [`JointKind::Ball`].
+    pub fn ball(name: impl Into<String>) -> Self {
+        Self::of_kind(name.into(), JointKind::Ball { armature: 0.0 })
+    }
+
+    /// A free joint called `name` at the parent's origin: see [`JointKind::Free`].
+    pub fn free(name: impl Into<String>) -> Self {
+        Self::of_kind(name.into(), JointKind::Free { armature: 0.0 })
+    }
+
+    fn of_kind(name: String, kind: JointKind) -> Self {
+        Self { name, placement: Placement::identity(), kind, misfits: Vec::new() }
     }
 
     /// Places the joint's centre in the parent's frame (m), the axes parallel to the parent's.
@@ -137,8 +191,10 @@ impl Joint {
 
     /// Adds a degree of freedom after those there already.
     pub fn axis(mut self, axis: Axis) -> Self {
-        let JointKind::Axes(dofs) = &mut self.kind;
-        dofs.push(Dof { axis, limits: None });
+        match &mut self.kind {
+            JointKind::Axes(dofs) => dofs.push(Dof { axis, limits: None, armature: 0.0, name: None }),
+            _ => self.misfits.push("an axis"),
+        }
         self
     }
 
@@ -172,18 +228,40 @@ impl Joint {
         self.axis(Axis::translation(Vector3::z()))
     }
 
-    /// Gives the degree of freedom added last a range (rad or m). Without one before it, nothing happens.
-    pub fn limited(mut self, lower: f64, upper: f64) -> Self {
-        let JointKind::Axes(dofs) = &mut self.kind;
-        if let Some(dof) = dofs.last_mut() {
-            dof.limits = Some(Limits { lower, upper });
+    /// Gives the degree of freedom added last a range (rad or m).
+    pub fn limited(self, lower: f64, upper: f64) -> Self {
+        self.with_last("limits", |dof| dof.limits = Some(Limits { lower, upper }))
+    }
+
+    /// Gives the degree of freedom added last a name of its own, in place of `joint.axis`.
+    pub fn named(self, name: impl Into<String>) -> Self {
+        self.with_last("a name for a dof", |dof| dof.name = Some(name.into()))
+    }
+
+    /// Gives the degree of freedom added last, or every one of a ball or free joint, an armature (kg m² or kg).
+    pub fn armature(mut self, inertia: f64) -> Self {
+        match &mut self.kind {
+            JointKind::Ball { armature } | JointKind::Free { armature } => *armature = inertia,
+            JointKind::Axes(_) => return self.with_last("an armature", |dof| dof.armature = inertia),
+        }
+        self
+    }
+
+    /// Changes the degree of freedom added last; a joint without one cannot take `what`.
+    fn with_last(mut self, what: &'static str, change: impl FnOnce(&mut Dof)) -> Self {
+        match &mut self.kind {
+            JointKind::Axes(dofs) if !dofs.is_empty() => {
+                let last = dofs.len() - 1;
+                change(&mut dofs[last]);
+            }
+            _ => self.misfits.push(what),
         }
         self
     }
 
     /// Gives every axis that is a direction unit length.
     pub(crate) fn normalize_axes(&mut self) {
-        let JointKind::Axes(dofs) = &mut self.kind;
+        let JointKind::Axes(dofs) = &mut self.kind else { return };
         for dof in dofs {
             if let Some(unit) =
                 dof.axis.direction.try_normalize(1e-12).filter(|unit| unit.iter().all(|x| x.is_finite()))

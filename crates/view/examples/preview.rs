@@ -38,7 +38,7 @@ impl Sketch {
 
     fn set(&self, q: &mut [f64], angle: &str, degrees: f64) {
         if let Some(angle) = self.figure.anatomical_angle(angle) {
-            q[angle.dof] = angle.sign * degrees.to_radians();
+            q[angle.coordinate] = angle.sign * degrees.to_radians();
         }
     }
 

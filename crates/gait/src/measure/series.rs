@@ -47,7 +47,7 @@ impl<'a> Series<'a> {
         let tracks = [track(0)?, track(1)?];
         let angle = |name: String| -> Result<Vec<f64>, GaitError> {
             let angle = figure.anatomical_angle(&name).ok_or(GaitError::MissingAngle { angle: name })?;
-            Ok((0..motion.len()).map(|i| angle.sign * motion.q(i)[angle.dof]).collect())
+            Ok((0..motion.len()).map(|i| angle.sign * motion.q(i)[angle.coordinate]).collect())
         };
         let sided = |name: &str| -> Result<[Vec<f64>; 2], GaitError> {
             Ok([angle(format!("left_{name}"))?, angle(format!("right_{name}"))?])

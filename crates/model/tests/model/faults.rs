@@ -75,6 +75,12 @@ fn broken() -> Vec<(&'static str, FigureBuilder)> {
         ("limits", hinge(Joint::new("j").rx().rx().limited(0.5, -0.5))),
         ("limits without order", hinge(Joint::new("j").rx().limited(NAN, 0.5))),
         ("seven dofs", hinge(seven)),
+        ("axis of a ball", hinge(Joint::ball("j").rx())),
+        ("limits of nothing", hinge(Joint::new("j").limited(0.0, 1.0).rx())),
+        ("armature", hinge(Joint::new("j").rx().armature(-0.1))),
+        ("armature of a ball", hinge(Joint::ball("j").armature(NAN))),
+        ("dof twice", hinge(Joint::new("j").rx().named("flexion").ry().named("flexion"))),
+        ("angle of a ball", hinge(Joint::ball("j")).angle("swing", "j.wx", false)),
         ("angle", with([root("knee")]).angle("knee.flexion", "knee_joint.ry", false)),
     ]
 }
