@@ -1,6 +1,6 @@
 //! Axes of single degrees of freedom: a formula is written once in terms of `e` and costs what the axis costs.
 
-use crate::real::Real;
+use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
 
 /// What one degree of freedom has done: kept from the way out for the way back.
@@ -143,6 +143,26 @@ impl<T: Real> Direction<T> for Skew<'_, T> {
     fn turned(self, frame: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
         frame * self.rotation
     }
+}
+
+/// The rotation of the quaternion `(u, w)` of length `|q|`, whatever the length:
+///
+/// ```text
+/// R = 1 + s·(w·[u]× + [u]×²)          s = 2/|q|²
+/// ```
+pub(crate) fn quaternion_rotation<T: Real>([x, y, z, w]: [T; 4], squared_length: T) -> Matrix3<T> {
+    let s = (T::one() + T::one()) / squared_length;
+    let (sx, sy, sz) = (s * x, s * y, s * z);
+    let (xx, yy, zz) = (sx * x, sy * y, sz * z);
+    let (xy, xz, yz) = (sx * y, sx * z, sy * z);
+    let (wx, wy, wz) = (sx * w, sy * w, sz * w);
+    #[rustfmt::skip]
+    let rotation = Matrix3::new(
+        T::one() - (yy + zz), xy - wz,              xz + wy,
+        xy + wz,              T::one() - (xx + zz), yz - wx,
+        xz - wy,              yz + wx,              T::one() - (xx + yy),
+    );
+    rotation
 }
 
 /// The rotation about the unit vector `e` by an angle of sine `s` and cosine `c` (Rodrigues):

@@ -1,7 +1,7 @@
 //! Degrees of freedom, and how a recursion steps over one or over three.
 
 use crate::direction::Moved;
-use crate::real::Real;
+use crate::scalar::Real;
 use nalgebra::Vector3;
 use solaris_model::{Axis, AxisKind};
 

@@ -3,14 +3,14 @@
 use crate::direction::{apply, apply_transposed, cross, dot};
 use crate::error::DynamicsError;
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::real::Real;
+use crate::scalar::Real;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_result};
 
 /// Kinetic energy (J) of the state `q`, `v`:
 ///
 /// ```text
-/// T = ½ Σ m·|ċ|² + ω·I_c·ω
+/// T = ½ Σ m·|ċ|² + ω·I_c·ω + ½ Σ armature_k·v_k²
 /// ```
 ///
 /// a sum of terms none of which is negative. Also places the links and finds their velocities.
@@ -32,6 +32,9 @@ pub fn kinetic_energy<T: Real>(
         let velocity = twist.linear + cross(&twist.angular, &apply(rotation, &matter.com));
         let angular = apply_transposed(rotation, &twist.angular);
         twice += matter.mass * dot(&velocity, &velocity) + dot(&angular, &apply(&matter.inertia, &angular));
+    }
+    for &(k, armature) in &tree.armature {
+        twice += armature * v[k] * v[k];
     }
     let energy = twice * T::from_f64(0.5);
     check_result("the kinetic energy", &[energy])?;

@@ -45,6 +45,17 @@ pub enum DynamicsError {
         /// The value.
         value: String,
     },
+    /// The quaternion of a ball or free joint is no rotation.
+    #[error(
+        "the quaternion that starts at '{name}' has the squared length {squared}; it must be 1: normalise the \
+         configuration first (Figure::normalize)"
+    )]
+    Quaternion {
+        /// Its first entry.
+        name: String,
+        /// Its squared length.
+        squared: String,
+    },
     /// An external wrench names a link that does not exist.
     #[error("external wrench {index} acts on link {link}, but the figure's links are 0 to {last}")]
     NoSuchLink {

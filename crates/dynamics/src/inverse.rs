@@ -5,8 +5,8 @@ use crate::dof::{along, along_three};
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, place};
 use crate::matter::Matter;
-use crate::real::Real;
-use crate::spatial::Wrench;
+use crate::scalar::Real;
+use crate::spatial::{Pose, Wrench};
 use crate::tree::{Body, Tree};
 use crate::workspace::{LinkMotion, Load, Workspace, check, check_length};
 use nalgebra::{Matrix3, Vector3};
@@ -71,6 +71,9 @@ pub fn inverse_dynamics<T: Real>(
     outward(tree, workspace, v, a);
     apply_external(tree, workspace, external)?;
     inward(tree, workspace, tau);
+    for &(k, armature) in &tree.armature {
+        tau[k] += armature * a[k];
+    }
     check_forces(tree, tau)
 }
 
@@ -103,6 +106,9 @@ fn outward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let parent = body.parent.map(|parent| &ws.motions[parent]);
         let mut motion = at_joint(body, parent, &tree.gravity);
+        if let Some(slot) = body.sphere {
+            motion.fly(&ws.spheres[slot], &v[body.first..body.end], &a[body.first..body.end]);
+        }
         for k in body.first..body.single_end {
             let dof = &tree.dofs[k];
             let (moved, rate, acceleration) = (dof.moved(ws.moved[dof.q]), v[k] * dof.sign, a[k] * dof.sign);
@@ -172,6 +178,29 @@ impl<T: Real> FrameMotion<T> {
         self.angular_acceleration = e.add(rotated, acceleration);
         self.angular = e.add(angular, rate);
         self.acceleration = e.enter(self.acceleration, turn);
+    }
+
+    /// Past a ball or free joint that holds the link at `d`, turned by `R`; `u` and `w` are the linear and angular velocity
+    /// along the link's axes:
+    ///
+    /// ```text
+    /// a ← Rᵀ(a + α × d + ω × (ω × d)) + 2·Rᵀω × u + w × u + u̇      α ← Rᵀα + Rᵀω × w + ẇ      ω ← Rᵀω + w
+    /// ```
+    #[inline]
+    fn fly(&mut self, sphere: &Pose<T>, v: &[T], a: &[T]) {
+        let enter = |v: &Vector3<T>| apply_transposed(&sphere.rotation, v);
+        let angular = enter(&self.angular);
+        let (w, spun) = (last_three(v), last_three(a));
+        if v.len() == 6 {
+            let (u, d) = (first_three(v), &sphere.translation);
+            let carried = cross(&self.angular_acceleration, d) + cross(&self.angular, &cross(&self.angular, d));
+            let turned = cross(&(angular + angular + w), &u);
+            self.acceleration = enter(&(self.acceleration + carried)) + turned + first_three(a);
+        } else {
+            self.acceleration = enter(&self.acceleration);
+        }
+        self.angular_acceleration = enter(&self.angular_acceleration) + cross(&angular, &w) + spun;
+        self.angular = angular + w;
     }
 
     /// Past a slide along `e`:
@@ -266,6 +295,9 @@ fn inward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
             });
             tau[k] = force * dof.sign;
         }
+        if let Some(slot) = body.sphere {
+            load = load.land(&ws.spheres[slot], &mut tau[body.first..body.end]);
+        }
         if let Some(turned) = &body.turned {
             load = Load { force: apply(turned, &load.force), moment: apply(turned, &load.moment) };
         }
@@ -289,6 +321,17 @@ impl<T: Real> Load<T> {
         moment
     }
 
+    /// Force and moment along the link's axes go to `tau`; the load in the joint's frame of a ball or free joint.
+    #[inline]
+    fn land(self, sphere: &Pose<T>, tau: &mut [T]) -> Self {
+        let (linear, angular) = tau.split_at_mut(tau.len() - 3);
+        linear.iter_mut().zip(self.force.iter()).for_each(|(tau, force)| *tau = *force);
+        angular.iter_mut().zip(self.moment.iter()).for_each(|(tau, moment)| *tau = *moment);
+        let force = apply(&sphere.rotation, &self.force);
+        let moment = apply(&sphere.rotation, &self.moment) + cross(&sphere.translation, &force);
+        Self { force, moment }
+    }
+
     /// The force along `e`; afterwards the moment is about the origin before the slide.
     #[inline]
     fn leave_slide<E: Direction<T>>(&mut self, e: E, slide: Moved<T>) -> T {
@@ -296,6 +339,14 @@ impl<T: Real> Load<T> {
         self.moment -= e.crossed(&self.force, slide.s);
         e.dot(&self.force)
     }
+}
+
+fn first_three<T: Real>(values: &[T]) -> Vector3<T> {
+    Vector3::new(values[0], values[1], values[2])
+}
+
+fn last_three<T: Real>(values: &[T]) -> Vector3<T> {
+    first_three(&values[values.len() - 3..])
 }
 
 fn check_forces<T: Real>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {

@@ -3,7 +3,7 @@
 use crate::direction::{Direction, apply, cross};
 use crate::dof::{along, along_three};
 use crate::error::DynamicsError;
-use crate::real::Real;
+use crate::scalar::Real;
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check};
@@ -81,11 +81,19 @@ pub(crate) fn place<T: Real>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Re
     for (i, body) in tree.bodies.iter().enumerate() {
         let Pose { mut rotation, mut translation } =
             body.parent.map_or_else(Pose::identity, |parent| ws.poses[parent]);
-        let arm = apply(&rotation, &body.offset);
-        translation += arm;
+        let mut arm = apply(&rotation, &body.offset);
         if let Some(turned) = &body.turned {
             rotation *= turned;
         }
+        if let Some(slot) = body.sphere {
+            let sphere = &ws.spheres[slot];
+            arm += apply(&rotation, &sphere.translation);
+            rotation *= &sphere.rotation;
+            for k in body.first..body.end {
+                ws.axes[k] = rotation * &tree.dofs[k].axis;
+            }
+        }
+        translation += arm;
         for k in body.first..body.single_end {
             let dof = &tree.dofs[k];
             let moved = dof.moved(ws.moved[dof.q]);

@@ -3,7 +3,7 @@
 use crate::direction::{cross, dot};
 use crate::error::DynamicsError;
 use crate::kinematics::place;
-use crate::real::Real;
+use crate::scalar::Real;
 use crate::tree::Tree;
 use crate::workspace::{Composite, Load, Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -45,6 +45,9 @@ pub fn mass_matrix<T: Real>(
             let load = accelerating(tree, workspace, link, j);
             finite &= project(tree, workspace, link, j, load, matrix.as_mut_slice());
         }
+    }
+    for &(k, armature) in &tree.armature {
+        matrix[(k, k)] += armature;
     }
     if finite { Ok(()) } else { check_result("the mass matrix", matrix.as_slice()) }
 }

@@ -1,7 +1,7 @@
 //! Mass distributions, and constants rounded to the working precision.
 
 use crate::error::DynamicsError;
-use crate::real::Real;
+use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::Link;
 

@@ -3,7 +3,7 @@
 use crate::direction::{apply, apply_transposed, cross};
 use crate::error::DynamicsError;
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::real::Real;
+use crate::scalar::Real;
 use crate::spatial::Momentum;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_result};

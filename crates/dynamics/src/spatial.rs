@@ -1,6 +1,6 @@
 //! Positions, velocities, forces and momenta of rigid bodies, as pairs of vectors.
 
-use crate::real::Real;
+use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
 
 /// Where a link's frame stands in the world.

@@ -3,9 +3,9 @@
 use crate::dof::{Dof, Triple, triple};
 use crate::error::DynamicsError;
 use crate::matter::{Matter, constant, matter, vector};
-use crate::real::Real;
+use crate::scalar::Real;
 use nalgebra::{Matrix3, Vector3};
-use solaris_model::{Figure, JointKind, Link};
+use solaris_model::{Axis, Figure, JointKind, Link};
 
 /// A figure under a gravity, compiled for the recursions: constant, shared between any number of [`crate::Workspace`]s.
 ///
@@ -18,6 +18,10 @@ pub struct Tree<T> {
     pub(crate) slides: Vec<usize>,
     /// The degrees of freedom whose axis is none of the coordinate axes, by slot.
     pub(crate) skews: Vec<usize>,
+    /// The ball and free joints, by slot.
+    pub(crate) spheres: Vec<Sphere>,
+    /// Armature of the degrees of freedom that have one.
+    pub(crate) armature: Vec<(usize, T)>,
     pub(crate) gravity: Vector3<T>,
     pub(crate) mass: T,
     pub(crate) mass_inverse: T,
@@ -37,6 +41,8 @@ pub(crate) struct Body<T> {
     /// Those from here on are the three turns of `triple`.
     pub(crate) single_end: usize,
     pub(crate) triple: Option<Triple>,
+    /// The place in [`Tree::spheres`] of a ball or free joint.
+    pub(crate) sphere: Option<usize>,
     /// Whether no degree of freedom slides: then every axis goes through the link's origin.
     pub(crate) only_turns: bool,
     /// First coordinate in `q`.
@@ -47,6 +53,16 @@ pub(crate) struct Body<T> {
     pub(crate) turned: Option<Matrix3<T>>,
     /// What the link weighs; `None` for a link without mass.
     pub(crate) matter: Option<Matter<T>>,
+}
+
+/// A ball or free joint: first the link is placed as its coordinates say, then its degrees of freedom stand along the
+/// link's axes, none of which has moved.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sphere {
+    /// First of its quaternion's four entries in `q`.
+    pub(crate) quaternion: usize,
+    /// First of its position's three entries in `q`, for a free joint.
+    pub(crate) position: Option<usize>,
 }
 
 impl<T: Real> Tree<T> {
@@ -64,6 +80,8 @@ impl<T: Real> Tree<T> {
             dofs: Vec::with_capacity(layout.nv()),
             slides: Vec::new(),
             skews: Vec::new(),
+            spheres: Vec::new(),
+            armature: Vec::new(),
             gravity: vector("gravity", "", &gravity)?,
             mass: constant("the mass of figure ", figure.name(), figure.mass())?,
             mass_inverse: T::from_f64(if figure.mass() > 0.0 { figure.mass().recip() } else { 0.0 }),
@@ -73,19 +91,25 @@ impl<T: Real> Tree<T> {
             link_names: figure.links().iter().map(|link| link.name().to_owned()).collect(),
         };
         for (link, joint) in figure.links().iter().zip(layout.joints()) {
-            tree.push_dofs(link, joint.q)?;
+            let sphere = tree.push_dofs(link, joint.q)?;
             let placement = link.joint().placement();
             let mut rotation = placement.rotation;
             rotation.renormalize();
             let rotation = rotation.to_rotation_matrix();
             let (first, end) = (joint.v, joint.v + joint.nv);
-            let triple = triple(&tree.dofs[first..end]);
+            let triple = triple(&tree.dofs[first..end]).filter(|_| sphere.is_none());
+            let single_end = match (sphere, triple) {
+                (Some(_), _) => first,
+                (None, Some(_)) => end - 3,
+                (None, None) => end,
+            };
             tree.bodies.push(Body {
                 parent: link.parent(),
                 first,
                 end,
-                single_end: if triple.is_some() { end - 3 } else { end },
+                single_end,
                 triple,
+                sphere,
                 only_turns: tree.dofs[first..end].iter().all(|dof| dof.kind.turns()),
                 q: joint.q,
                 offset: vector("the origin of joint ", link.joint().name(), &placement.translation.vector)?,
@@ -97,17 +121,40 @@ impl<T: Real> Tree<T> {
         Ok(tree)
     }
 
-    fn push_dofs(&mut self, link: &Link, q: usize) -> Result<(), DynamicsError> {
-        let JointKind::Axes(axes) = link.joint().kind() else {
-            return Err(DynamicsError::Joint { joint: link.joint().name().to_owned() });
-        };
-        for (index, dof) in axes.iter().enumerate() {
-            let (k, dof) = (self.dofs.len(), Dof::new(&dof.axis, q + index, self.skews.len()));
-            self.skews.extend(dof.kind.is_skew().then_some(k));
-            self.slides.extend((!dof.kind.turns()).then_some(k));
-            self.dofs.push(dof);
+    /// Adds the degrees of freedom of a joint whose coordinates begin at `q`; the slot of a ball or free joint.
+    fn push_dofs(&mut self, link: &Link, q: usize) -> Result<Option<usize>, DynamicsError> {
+        let kind = link.joint().kind();
+        for index in 0..kind.nv() {
+            let armature = kind.armature(index);
+            if armature > 0.0 {
+                let armature = constant("the armature of joint ", link.joint().name(), armature)?;
+                self.armature.push((self.dofs.len() + index, armature));
+            }
         }
-        Ok(())
+        let position = match kind {
+            JointKind::Axes(axes) => {
+                for (index, dof) in axes.iter().enumerate() {
+                    self.push_dof(&dof.axis, q + index);
+                }
+                return Ok(None);
+            }
+            JointKind::Ball { .. } => None,
+            JointKind::Free { .. } => Some(q),
+            _ => return Err(DynamicsError::Joint { joint: link.joint().name().to_owned() }),
+        };
+        // The entry after the last coordinate is that of a degree of freedom that has not moved.
+        let (unmoved, axes) = (self.nq, [0, 1, 2].map(|i| Vector3::ith(i, 1.0)));
+        position.iter().for_each(|_| axes.iter().for_each(|e| self.push_dof(&Axis::translation(*e), unmoved)));
+        axes.iter().for_each(|e| self.push_dof(&Axis::rotation(*e), unmoved));
+        self.spheres.push(Sphere { quaternion: position.map_or(q, |q| q + 3), position });
+        Ok(Some(self.spheres.len() - 1))
+    }
+
+    fn push_dof(&mut self, axis: &Axis, q: usize) {
+        let (k, dof) = (self.dofs.len(), Dof::new(axis, q, self.skews.len()));
+        self.skews.extend(dof.kind.is_skew().then_some(k));
+        self.slides.extend((!dof.kind.turns() && q < self.nq).then_some(k));
+        self.dofs.push(dof);
     }
 
     /// Length of `q`.

@@ -1,11 +1,15 @@
 //! Scratch memory of the recursions, and where their results by link are read.
 
-use crate::direction::{Moved, rodrigues};
+use crate::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::error::DynamicsError;
-use crate::real::Real;
+use crate::scalar::Real;
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::{Body, Tree};
 use nalgebra::{Matrix3, Vector3};
+
+/// How far the squared length of a quaternion may be from 1: what an integrator leaves is used as the direction that it
+/// is, what was never meant as a rotation is refused.
+const UNIT: f64 = 1e-3;
 
 /// Scratch memory for one tree: allocated once, then no operation allocates.
 ///
@@ -14,13 +18,15 @@ use nalgebra::{Matrix3, Vector3};
 pub struct Workspace<T> {
     pub(crate) poses: Vec<Pose<T>>,
     pub(crate) twists: Vec<Twist<T>>,
-    /// For each coordinate of `q`, sine and cosine of its angle, or how far it has slid.
+    /// For each coordinate of `q`, sine and cosine of its angle, or how far it has slid; last those of no motion.
     pub(crate) moved: Vec<(T, T)>,
     /// Rotation matrices about the axes that are not coordinate axes.
     pub(crate) rotations: Vec<Matrix3<T>>,
+    /// Where the links of ball and free joints stand in their joints' frames.
+    pub(crate) spheres: Vec<Pose<T>>,
     /// Axis of each degree of freedom in world axes.
     pub(crate) axes: Vec<Vector3<T>>,
-    /// Offset of each joint from its parent's origin in world axes.
+    /// Offset of each joint, if it is free of its link, from its parent's origin in world axes.
     pub(crate) arms: Vec<Vector3<T>>,
     /// Velocity that a unit rate of each degree of freedom gives its link's origin, in world axes.
     pub(crate) levers: Vec<Vector3<T>>,
@@ -78,8 +84,9 @@ impl<T: Real> Workspace<T> {
         Self {
             poses: vec![Pose::identity(); links],
             twists: vec![Twist::zero(); links],
-            moved: vec![(T::zero(), T::one()); tree.nq()],
+            moved: vec![(T::zero(), T::one()); tree.nq() + 1],
             rotations: vec![Matrix3::identity(); tree.skews.len()],
+            spheres: vec![Pose::identity(); tree.spheres.len()],
             axes: vec![zero; dofs],
             arms: vec![zero; links],
             levers: vec![zero; dofs],
@@ -130,14 +137,15 @@ impl<T: Real> Workspace<T> {
     pub(crate) fn set_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
         let fits = self.poses.len() == tree.link_count()
             && self.axes.len() == tree.nv()
-            && self.moved.len() == tree.nq()
-            && self.rotations.len() == tree.skews.len();
+            && self.moved.len() == tree.nq() + 1
+            && self.rotations.len() == tree.skews.len()
+            && self.spheres.len() == tree.spheres.len();
         if !fits {
             return Err(DynamicsError::Workspace);
         }
         check("q", q, tree.nq(), |index| tree.q_name(index))?;
         // Sines of slides are found in vain: one loop over everything is the fastest.
-        T::sin_cos_all(q, &mut self.moved);
+        T::sin_cos_all(q, &mut self.moved[..tree.nq()]);
         for &k in &tree.slides {
             let index = tree.dofs[k].q;
             self.moved[index].0 = q[index];
@@ -146,6 +154,19 @@ impl<T: Real> Workspace<T> {
             let (dof, (s, c)) = (&tree.dofs[k], self.moved[tree.dofs[k].q]);
             if dof.kind.turns() {
                 *rotation = rodrigues(&dof.axis, s, c);
+            }
+        }
+        for (sphere, pose) in tree.spheres.iter().zip(&mut self.spheres) {
+            let entry = |index: usize| q[index];
+            let quaternion = [0, 1, 2, 3].map(|i| entry(sphere.quaternion + i));
+            let squared = quaternion.iter().fold(T::zero(), |sum, x| sum + *x * *x);
+            if !squared.all_within(1.0 - UNIT, 1.0 + UNIT) {
+                let (name, squared) = (tree.q_name(sphere.quaternion), format!("{squared:?}"));
+                return Err(DynamicsError::Quaternion { name, squared });
+            }
+            pose.rotation = quaternion_rotation(quaternion, squared);
+            if let Some(from) = sphere.position {
+                pose.translation = Vector3::new(entry(from), entry(from + 1), entry(from + 2));
             }
         }
         Ok(())

@@ -88,6 +88,12 @@ impl Real for Counted {
     fn is_finite(self) -> bool {
         self.0.is_finite()
     }
+    fn all_within(self, lower: f64, upper: f64) -> bool {
+        self.0.all_within(lower, upper)
+    }
+    fn recip_above(self, threshold: Self) -> Self {
+        Self(self.0.recip_above(threshold.0))
+    }
 }
 
 #[test]
