@@ -4,6 +4,7 @@
 mod ci;
 mod golden;
 mod layers;
+mod peers;
 mod workspace;
 
 use std::process::ExitCode;
@@ -14,6 +15,8 @@ cargo xtask CHORE
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
+  peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
+                                    times the kernel as other engines are timed; needs `cargo run --release -p xtask`
   help                              this list
 ";
 
@@ -26,6 +29,9 @@ fn main() -> ExitCode {
             golden::Options::parse(options).and_then(|options| golden::run(&options))
         }
         ["layers"] => layers::run(),
+        ["peers", ref options @ ..] => {
+            peers::Options::parse(options).and_then(|options| peers::run(&options))
+        }
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

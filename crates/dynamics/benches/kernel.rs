@@ -3,7 +3,10 @@
 
 use divan::{Bencher, black_box};
 use nalgebra::{DMatrix, Vector3};
-use solaris_dynamics::{Real, Tree, Workspace, forward_kinematics, inverse_dynamics, mass_matrix};
+use solaris_dynamics::{
+    Formulation, InverseDynamics, Real, Tree, Workspace, forward_dynamics, forward_kinematics,
+    inverse_dynamics, inverse_mass_matrix, mass_matrix,
+};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 use std::time::{Duration, Instant};
 
@@ -62,6 +65,18 @@ impl<T: Real> Case<T> {
         black_box(tau);
     }
 
+    fn forward(&mut self) {
+        let Self { tree, workspace, q, v, a, tau, .. } = self;
+        forward_dynamics(tree, workspace, black_box(q), v, tau, &[], a).expect("a valid state");
+        black_box(a);
+    }
+
+    fn inverse_mass_matrix(&mut self) {
+        inverse_mass_matrix(&self.tree, &mut self.workspace, black_box(&self.q), &mut self.matrix)
+            .expect("a valid state");
+        black_box(&mut self.matrix);
+    }
+
     fn kinematics(&mut self) {
         forward_kinematics(&self.tree, &mut self.workspace, black_box(&self.q)).expect("a valid state");
         black_box(&mut self.workspace);
@@ -96,6 +111,30 @@ fn human_inverse_dynamics<T: Real>(bencher: Bencher) {
     bencher.bench_local(|| case.inverse());
 }
 
+#[divan::bench(args = Formulation::ALL)]
+fn human_by_formulation(bencher: Bencher, formulation: Formulation) {
+    let figure = human(1.75, 73.0).expect("within range");
+    let mut dynamics = InverseDynamics::<f64>::new(&figure, Vector3::new(0.0, -9.806_65, 0.0), formulation)
+        .expect("finite constants");
+    let Case { q, v, a, mut tau, .. } = Case::human();
+    bencher.bench_local(|| {
+        dynamics.solve(black_box(&q), &v, &a, &[], &mut tau).expect("a valid state");
+        black_box(&mut tau);
+    });
+}
+
+#[divan::bench(types = [f64, f32])]
+fn human_forward_dynamics<T: Real>(bencher: Bencher) {
+    let mut case = Case::<T>::human();
+    bencher.bench_local(|| case.forward());
+}
+
+#[divan::bench]
+fn human_inverse_mass_matrix(bencher: Bencher) {
+    let mut case = Case::<f64>::human();
+    bencher.bench_local(|| case.inverse_mass_matrix());
+}
+
 #[divan::bench(types = [f64, f32])]
 fn human_forward_kinematics<T: Real>(bencher: Bencher) {
     let mut case = Case::<T>::human();
@@ -115,6 +154,12 @@ fn chain_inverse_dynamics(bencher: Bencher, links: usize) {
 }
 
 #[divan::bench(args = CHAINS)]
+fn chain_forward_dynamics(bencher: Bencher, links: usize) {
+    let mut case = Case::<f64>::chain(links);
+    bencher.bench_local(|| case.forward());
+}
+
+#[divan::bench(args = CHAINS)]
 fn chain_forward_kinematics(bencher: Bencher, links: usize) {
     let mut case = Case::<f64>::chain(links);
     bencher.bench_local(|| case.kinematics());
@@ -129,8 +174,9 @@ fn chain_mass_matrix(bencher: Bencher, links: usize) {
 /// Prints the exponents `p` of `time ∝ linksᵖ` between chains of 10 and 300 links.
 #[allow(clippy::print_stdout, reason = "a benchmark's result is what it prints")]
 fn report_growth() {
-    let operations: [(&str, Operation); 3] = [
+    let operations: [(&str, Operation); 4] = [
         ("inverse_dynamics", Case::inverse),
+        ("forward_dynamics", Case::forward),
         ("forward_kinematics", Case::kinematics),
         ("mass_matrix", Case::mass_matrix),
     ];

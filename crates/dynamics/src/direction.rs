@@ -1,6 +1,7 @@
 //! Axes of single degrees of freedom: a formula is written once in terms of `e` and costs what the axis costs.
 
 use crate::scalar::Real;
+use crate::symmetric::Symmetric;
 use nalgebra::{Matrix3, Vector3};
 
 /// What one degree of freedom has done: kept from the way out for the way back.
@@ -31,6 +32,18 @@ pub(crate) trait Direction<T: Real>: Copy {
 
     /// `frame·e`
     fn of(self, frame: &Matrix3<T>) -> Vector3<T>;
+
+    /// `Mᵀ·e`
+    fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T>;
+
+    /// `S·e`
+    fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T>;
+
+    /// `R·S·Rᵀ`: from the frame after a turn about `e` to the one before it.
+    fn leave_symmetric(self, matrix: &Symmetric<T>, turn: Moved<T>) -> Symmetric<T>;
+
+    /// `R·M·Rᵀ`: from the frame after a turn about `e` to the one before it.
+    fn leave_matrix(self, matrix: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T>;
 
     /// `frame·R`: the axes of a frame, turned about `e` of that frame.
     fn turned(self, frame: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T>;
@@ -88,6 +101,51 @@ impl<T: Real, const A: usize> Direction<T> for Along<A> {
     }
 
     #[inline]
+    fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T> {
+        Vector3::new(matrix[(A, 0)], matrix[(A, 1)], matrix[(A, 2)])
+    }
+
+    #[inline]
+    fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
+        Vector3::new(matrix.at(0, A), matrix.at(1, A), matrix.at(2, A))
+    }
+
+    #[inline]
+    fn leave_symmetric(self, matrix: &Symmetric<T>, turn: Moved<T>) -> Symmetric<T> {
+        let (s, c) = (turn.s, turn.c);
+        let (ab, ac) = (matrix.at(A, Self::B), matrix.at(A, Self::C));
+        let (bb, cc, bc) =
+            (matrix.at(Self::B, Self::B), matrix.at(Self::C, Self::C), matrix.at(Self::B, Self::C));
+        // Rows first, then columns.
+        let (b_of_b, b_of_c) = (c * bb - s * bc, c * bc - s * cc);
+        let (c_of_b, c_of_c) = (c * bc + s * bb, c * cc + s * bc);
+        let mut out = *matrix;
+        out.set(A, Self::B, c * ab - s * ac);
+        out.set(A, Self::C, c * ac + s * ab);
+        out.set(Self::B, Self::B, c * b_of_b - s * b_of_c);
+        out.set(Self::B, Self::C, c * b_of_c + s * b_of_b);
+        out.set(Self::C, Self::C, c * c_of_c + s * c_of_b);
+        out
+    }
+
+    #[inline]
+    fn leave_matrix(self, matrix: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
+        let (s, c) = (turn.s, turn.c);
+        let mut out = *matrix;
+        for column in 0..3 {
+            let (b, d) = (matrix[(Self::B, column)], matrix[(Self::C, column)]);
+            out[(Self::B, column)] = c * b - s * d;
+            out[(Self::C, column)] = c * d + s * b;
+        }
+        for row in 0..3 {
+            let (b, d) = (out[(row, Self::B)], out[(row, Self::C)]);
+            out[(row, Self::B)] = c * b - s * d;
+            out[(row, Self::C)] = c * d + s * b;
+        }
+        out
+    }
+
+    #[inline]
     fn turned(self, frame: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
         let mut out = *frame;
         for row in 0..3 {
@@ -137,6 +195,26 @@ impl<T: Real> Direction<T> for Skew<'_, T> {
     #[inline]
     fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
         apply(frame, self.axis)
+    }
+
+    #[inline]
+    fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T> {
+        apply_transposed(matrix, self.axis)
+    }
+
+    #[inline]
+    fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
+        matrix.times(self.axis)
+    }
+
+    #[inline]
+    fn leave_symmetric(self, matrix: &Symmetric<T>, _: Moved<T>) -> Symmetric<T> {
+        matrix.rotated(self.rotation)
+    }
+
+    #[inline]
+    fn leave_matrix(self, matrix: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
+        self.rotation * matrix * self.rotation.transpose()
     }
 
     #[inline]

@@ -17,6 +17,8 @@ pub(crate) struct Dof<T> {
     pub(crate) q: usize,
     /// Its place among the axes that need a rotation matrix.
     pub(crate) slot: usize,
+    /// Inertia that turns or slides with it besides the links'.
+    pub(crate) armature: T,
 }
 
 /// Turning or sliding, along which axis.
@@ -42,6 +44,25 @@ pub(crate) enum Triple {
     Yzx,
     Zxy,
     Zyx,
+}
+
+impl Triple {
+    /// Whether the third axis is the first crossed with the second.
+    pub(crate) fn is_cyclic(self) -> bool {
+        matches!(self, Self::Xyz | Self::Yzx | Self::Zxy)
+    }
+
+    /// The coordinate axis of each turn.
+    pub(crate) fn axes(self) -> [usize; 3] {
+        match self {
+            Self::Xyz => [0, 1, 2],
+            Self::Xzy => [0, 2, 1],
+            Self::Yxz => [1, 0, 2],
+            Self::Yzx => [1, 2, 0],
+            Self::Zxy => [2, 0, 1],
+            Self::Zyx => [2, 1, 0],
+        }
+    }
 }
 
 /// The triple at the end of a joint's degrees of freedom, if there is one, its axes pointing along the coordinate axes.
@@ -158,7 +179,7 @@ impl<T: Real> Dof<T> {
             (AxisKind::Translation, None) => Kind::SlideSkew,
         };
         let sign = T::from_f64(coordinate.map_or(1.0, |i| direction[i].signum()));
-        Self { kind, sign, axis: direction.map(T::from_f64), q, slot }
+        Self { kind, sign, axis: direction.map(T::from_f64), q, slot, armature: T::zero() }
     }
 
     /// What it has done, from the pair kept for its coordinate.

@@ -56,6 +56,31 @@ pub enum DynamicsError {
         /// Its squared length.
         squared: String,
     },
+    /// A frame is said to be on a link that does not exist.
+    #[error("there is no link {link}: the figure's links are 0 to {last}")]
+    UnknownLink {
+        /// The link asked for.
+        link: usize,
+        /// The last link of the tree.
+        last: usize,
+    },
+    /// No frame and no link has this name.
+    #[error("the figure has no frame and no link called '{name}'{}", hint(.nearest.as_ref()))]
+    UnknownFrame {
+        /// The name asked for.
+        name: String,
+        /// The nearest name of a frame or link, if any is near.
+        nearest: Option<String>,
+    },
+    /// The root cannot be pushed by the ground in closed form.
+    #[error(
+        "the root '{link}' does not begin with three translations in different directions, which the ground's \
+         acceleration in closed form needs; use hybrid_dynamics"
+    )]
+    Root {
+        /// The root.
+        link: String,
+    },
     /// An external wrench names a link that does not exist.
     #[error("external wrench {index} acts on link {link}, but the figure's links are 0 to {last}")]
     NoSuchLink {
@@ -76,6 +101,17 @@ pub enum DynamicsError {
         /// Force and moment.
         wrench: String,
     },
+    /// A force cannot accelerate a degree of freedom.
+    #[error(
+        "dof '{dof}' has no inertia to oppose its force ({inertia}), so its acceleration cannot be found; \
+         give what it moves mass or inertia about its axis, give it an armature, or prescribe its acceleration"
+    )]
+    NoInertia {
+        /// The degree of freedom.
+        dof: String,
+        /// The inertia found.
+        inertia: String,
+    },
     /// The state is finite but the result is not.
     #[error(
         "{what} came out as {value}: the state is finite, but too large for this precision; \
@@ -87,4 +123,9 @@ pub enum DynamicsError {
         /// Its value.
         value: String,
     },
+}
+
+/// The nearest name, as a question.
+fn hint(nearest: Option<&String>) -> String {
+    nearest.map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
 }

@@ -4,11 +4,12 @@ use crate::direction::{Direction, Moved, apply, apply_transposed, cross};
 use crate::dof::{along, along_three};
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, place};
+use crate::load::Load;
 use crate::matter::Matter;
 use crate::scalar::Real;
 use crate::spatial::{Pose, Wrench};
 use crate::tree::{Body, Tree};
-use crate::workspace::{LinkMotion, Load, Workspace, check, check_length};
+use crate::workspace::{LinkMotion, Workspace, check, check_length};
 use nalgebra::{Matrix3, Vector3};
 
 /// The generalized forces `tau` (N m or N) that move the figure with accelerations `a` through the state `q`, `v`.
@@ -193,7 +194,8 @@ impl<T: Real> FrameMotion<T> {
         let (w, spun) = (last_three(v), last_three(a));
         if v.len() == 6 {
             let (u, d) = (first_three(v), &sphere.translation);
-            let carried = cross(&self.angular_acceleration, d) + cross(&self.angular, &cross(&self.angular, d));
+            let carried =
+                cross(&self.angular_acceleration, d) + cross(&self.angular, &cross(&self.angular, d));
             let turned = cross(&(angular + angular + w), &u);
             self.acceleration = enter(&(self.acceleration + carried)) + turned + first_three(a);
         } else {
@@ -218,7 +220,7 @@ impl<T: Real> FrameMotion<T> {
 
 /// `K = [α]× + [ω]×²`
 #[inline]
-fn field<T: Real>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T> {
+pub(crate) fn field<T: Real>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T> {
     let (w, d) = (angular, acceleration);
     let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
     let (xy, xz, yz) = (w.x * w.y, w.x * w.z, w.y * w.z);
@@ -231,21 +233,28 @@ fn field<T: Real>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T>
     field
 }
 
-/// What moves the matter of one link: `f = m·a + K·h` and `n = h × a + ∫ r × K·r dm`, where the integral is the
-/// antisymmetric part of `K·∫ r·rᵀ dm`.
+/// What moves the matter of one link: `f = m·a + K·h` and `n = h × a + ∫ r × K·r dm`.
 #[inline]
 fn inertial_load<T: Real>(matter: &Matter<T>, a: &Vector3<T>, k: &Matrix3<T>) -> Load<T> {
+    let Load { force, moment } = whirling_load(matter, k);
+    Load { force: a * matter.mass + force, moment: cross(&matter.first, a) + moment }
+}
+
+/// What keeps the matter of one link on its way about its origin: `f = K·h` and `n = ∫ r × K·r dm`, the antisymmetric part
+/// of `K·∫ r·rᵀ dm`.
+#[inline]
+pub(crate) fn whirling_load<T: Real>(matter: &Matter<T>, k: &Matrix3<T>) -> Load<T> {
     let s = &matter.second;
-    let whirl = Vector3::new(
+    let moment = Vector3::new(
         k.m31 * s.xy + k.m32 * s.yy + k.m33 * s.yz - (k.m21 * s.xz + k.m22 * s.yz + k.m23 * s.zz),
         k.m11 * s.xz + k.m12 * s.yz + k.m13 * s.zz - (k.m31 * s.xx + k.m32 * s.xy + k.m33 * s.xz),
         k.m21 * s.xx + k.m22 * s.xy + k.m23 * s.xz - (k.m11 * s.xy + k.m12 * s.yy + k.m13 * s.yz),
     );
-    Load { force: a * matter.mass + apply(k, &matter.first), moment: cross(&matter.first, a) + whirl }
+    Load { force: apply(k, &matter.first), moment }
 }
 
 /// Takes what acts from outside off what the joints have to carry.
-fn apply_external<T: Real>(
+pub(crate) fn apply_external<T: Real>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     external: &[(usize, Wrench<T>)],
@@ -296,60 +305,26 @@ fn inward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
             tau[k] = force * dof.sign;
         }
         if let Some(slot) = body.sphere {
-            load = load.land(&ws.spheres[slot], &mut tau[body.first..body.end]);
+            load.land(&ws.spheres[slot], &mut tau[body.first..body.end]);
         }
         if let Some(turned) = &body.turned {
-            load = Load { force: apply(turned, &load.force), moment: apply(turned, &load.moment) };
+            load.leave_frame(turned);
         }
+        load.shift(&body.offset);
         // The root is carried by the world.
-        let carried = body.parent.map_or(&mut ws.base, |parent| &mut ws.loads[parent]);
-        carried.force += load.force;
-        carried.moment += load.moment + cross(&body.offset, &load.force);
+        body.parent.map_or(&mut ws.base, |parent| &mut ws.loads[parent]).add(&load);
     }
 }
 
-impl<T: Real> Load<T> {
-    pub(crate) fn zero() -> Self {
-        Self { force: Vector3::zeros(), moment: Vector3::zeros() }
-    }
-
-    /// The moment about `e`; afterwards the load stands in the frame before the turn.
-    #[inline]
-    fn leave_turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>) -> T {
-        let moment = e.dot(&self.moment);
-        *self = Self { force: e.leave(self.force, turn), moment: e.leave(self.moment, turn) };
-        moment
-    }
-
-    /// Force and moment along the link's axes go to `tau`; the load in the joint's frame of a ball or free joint.
-    #[inline]
-    fn land(self, sphere: &Pose<T>, tau: &mut [T]) -> Self {
-        let (linear, angular) = tau.split_at_mut(tau.len() - 3);
-        linear.iter_mut().zip(self.force.iter()).for_each(|(tau, force)| *tau = *force);
-        angular.iter_mut().zip(self.moment.iter()).for_each(|(tau, moment)| *tau = *moment);
-        let force = apply(&sphere.rotation, &self.force);
-        let moment = apply(&sphere.rotation, &self.moment) + cross(&sphere.translation, &force);
-        Self { force, moment }
-    }
-
-    /// The force along `e`; afterwards the moment is about the origin before the slide.
-    #[inline]
-    fn leave_slide<E: Direction<T>>(&mut self, e: E, slide: Moved<T>) -> T {
-        // d × f = −(f × d)
-        self.moment -= e.crossed(&self.force, slide.s);
-        e.dot(&self.force)
-    }
-}
-
-fn first_three<T: Real>(values: &[T]) -> Vector3<T> {
+pub(crate) fn first_three<T: Real>(values: &[T]) -> Vector3<T> {
     Vector3::new(values[0], values[1], values[2])
 }
 
-fn last_three<T: Real>(values: &[T]) -> Vector3<T> {
+pub(crate) fn last_three<T: Real>(values: &[T]) -> Vector3<T> {
     first_three(&values[values.len() - 3..])
 }
 
-fn check_forces<T: Real>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
+pub(crate) fn check_forces<T: Real>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
     if tau.iter().fold(true, |finite, value| finite & value.is_finite()) {
         return Ok(());
     }

@@ -131,7 +131,7 @@ pub(crate) fn is_finite<T: Real>(v: &Vector3<T>) -> bool {
 }
 
 /// The error of a result that is not finite, with the first such value.
-fn overflow<I: Iterator<Item = String>>(
+pub(crate) fn overflow<I: Iterator<Item = String>>(
     finite: bool,
     what: &str,
     values: impl Fn() -> I,

@@ -3,9 +3,10 @@
 use crate::direction::{cross, dot};
 use crate::error::DynamicsError;
 use crate::kinematics::place;
+use crate::load::Load;
 use crate::scalar::Real;
 use crate::tree::Tree;
-use crate::workspace::{Composite, Load, Workspace, check_length, check_result};
+use crate::workspace::{Composite, Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// The mass matrix `M` (`nv` × `nv`) at `q`, in kg, kg m, kg m²: kinetic energy is `½ vᵀ·M·v`.
@@ -54,7 +55,7 @@ pub fn mass_matrix<T: Real>(
 
 /// For each degree of freedom the velocity that a unit rate gives its link's origin, and for each link the way from its
 /// parent's origin to its own; world axes.
-fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+pub(crate) fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
         // How far the degrees of freedom after k carry the link's origin away from the axis of k.
         let mut slid = Vector3::zeros();
@@ -77,7 +78,7 @@ fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 /// ```text
 /// h' = h + m·r          I' = I + (2·h·r + m·r·r)·1 − (h·rᵀ + r·hᵀ + m·r·rᵀ)
 /// ```
-fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+pub(crate) fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
         *composite = body.matter.as_ref().map_or_else(Composite::zero, |matter| Composite {
             mass: matter.mass,
@@ -100,7 +101,7 @@ fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 }
 
 /// What accelerates all that link `link` carries by 1 along its degree of freedom `j`, about the link's origin.
-fn accelerating<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
+pub(crate) fn accelerating<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
     let (Composite { mass, first, inertia }, lever) = (&ws.composites[link], &ws.levers[j]);
     let (force, moment) = (lever * *mass, cross(first, lever));
     if tree.dofs[j].kind.turns() {
@@ -153,7 +154,7 @@ fn project<T: Real>(
 }
 
 impl<T: Real> Composite<T> {
-    fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self { mass: T::zero(), first: Vector3::zeros(), inertia: Matrix3::zeros() }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::DynamicsError;
 use crate::scalar::Real;
+use crate::symmetric::Symmetric;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::Link;
 
@@ -21,17 +22,6 @@ pub(crate) struct Matter<T> {
     pub(crate) inertia_at_origin: Matrix3<T>,
 }
 
-/// The six different entries of a symmetric matrix.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Symmetric<T> {
-    pub(crate) xx: T,
-    pub(crate) yy: T,
-    pub(crate) zz: T,
-    pub(crate) xy: T,
-    pub(crate) xz: T,
-    pub(crate) yz: T,
-}
-
 /// The mass distribution of a link; every moment is formed in double precision and rounded once.
 pub(crate) fn matter<T: Real>(link: &Link) -> Result<Option<Matter<T>>, DynamicsError> {
     if link.mass() <= 0.0 {
@@ -43,19 +33,11 @@ pub(crate) fn matter<T: Real>(link: &Link) -> Result<Option<Matter<T>>, Dynamics
     for x in at_origin.iter().chain(second.iter()) {
         constant::<T>("the inertia of link ", link.name(), *x)?;
     }
-    let entry = |i: usize, j: usize| T::from_f64(second[(i, j)]);
     Ok(Some(Matter {
         mass: constant("the mass of link ", link.name(), m)?,
         com: vector("the centre of mass of link ", link.name(), c)?,
         first: vector("mass times centre of mass of link ", link.name(), &(c * m))?,
-        second: Symmetric {
-            xx: entry(0, 0),
-            yy: entry(1, 1),
-            zz: entry(2, 2),
-            xy: entry(0, 1),
-            xz: entry(0, 2),
-            yz: entry(1, 2),
-        },
+        second: Symmetric::of(&second.map(T::from_f64)),
         inertia: inertia.map(T::from_f64),
         inertia_at_origin: at_origin.map(T::from_f64),
     }))

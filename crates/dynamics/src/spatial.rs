@@ -24,12 +24,12 @@ impl<T: Real> Pose<T> {
     }
 }
 
-/// How a link moves, in world axes.
+/// How a link moves, in world axes: its velocity, or, where an operation says so, its acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<T> {
-    /// Velocity of the link's origin (m/s).
+    /// Velocity (m/s) or acceleration (m/s²) of the link's origin.
     pub linear: Vector3<T>,
-    /// Angular velocity of the link (rad/s).
+    /// Angular velocity (rad/s) or angular acceleration (rad/s²) of the link.
     pub angular: Vector3<T>,
 }
 
@@ -40,12 +40,12 @@ impl<T: Real> Twist<T> {
     }
 }
 
-/// A force and a moment on a link, in world axes, the moment about the world's origin.
+/// A force and a moment on a link, in world axes, the moment about the world's origin where nothing else is said.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<T> {
     /// Force (N).
     pub force: Vector3<T>,
-    /// Moment about the world's origin (N m).
+    /// Moment (N m), about the world's origin where nothing else is said.
     pub moment: Vector3<T>,
 }
 
@@ -54,13 +54,24 @@ impl<T: Real> Wrench<T> {
     pub fn at(point: &Vector3<T>, force: Vector3<T>, moment: Vector3<T>) -> Self {
         Self { force, moment: moment + point.cross(&force) }
     }
+
+    /// The moment (N m) about a `point` of the world (m), in world axes.
+    pub fn moment_about(&self, point: &Vector3<T>) -> Vector3<T> {
+        self.moment - point.cross(&self.force)
+    }
+
+    /// The same wrench along the axes of a frame that stands at `pose`, and about that frame's origin.
+    pub fn seen_from(&self, pose: &Pose<T>) -> Self {
+        let moment = self.moment_about(&pose.translation);
+        Self { force: pose.rotation.tr_mul(&self.force), moment: pose.rotation.tr_mul(&moment) }
+    }
 }
 
-/// Momentum of a whole figure, in world axes.
+/// Momentum of a whole figure, in world axes, the angular part about the world's origin where nothing else is said.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momentum<T> {
     /// Linear momentum (kg m/s).
     pub linear: Vector3<T>,
-    /// Angular momentum about the world's origin (kg m²/s).
+    /// Angular momentum (kg m²/s), about the world's origin where nothing else is said.
     pub angular: Vector3<T>,
 }

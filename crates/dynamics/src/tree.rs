@@ -43,6 +43,9 @@ pub(crate) struct Body<T> {
     pub(crate) triple: Option<Triple>,
     /// The place in [`Tree::spheres`] of a ball or free joint.
     pub(crate) sphere: Option<usize>,
+    /// Whether its link can turn in every way without turning anything else: the last three degrees of freedom are those of
+    /// a ball, or three turns about different axes, and have no armature.
+    pub(crate) turns_freely: bool,
     /// Whether no degree of freedom slides: then every axis goes through the link's origin.
     pub(crate) only_turns: bool,
     /// First coordinate in `q`.
@@ -110,6 +113,8 @@ impl<T: Real> Tree<T> {
                 single_end,
                 triple,
                 sphere,
+                turns_freely: (triple.is_some() || sphere.is_some())
+                    && tree.dofs[end - 3..end].iter().all(|dof| dof.armature.is_zero()),
                 only_turns: tree.dofs[first..end].iter().all(|dof| dof.kind.turns()),
                 q: joint.q,
                 offset: vector("the origin of joint ", link.joint().name(), &placement.translation.vector)?,
@@ -123,20 +128,13 @@ impl<T: Real> Tree<T> {
 
     /// Adds the degrees of freedom of a joint whose coordinates begin at `q`; the slot of a ball or free joint.
     fn push_dofs(&mut self, link: &Link, q: usize) -> Result<Option<usize>, DynamicsError> {
-        let kind = link.joint().kind();
-        for index in 0..kind.nv() {
-            let armature = kind.armature(index);
-            if armature > 0.0 {
-                let armature = constant("the armature of joint ", link.joint().name(), armature)?;
-                self.armature.push((self.dofs.len() + index, armature));
-            }
-        }
+        let (kind, first) = (link.joint().kind(), self.dofs.len());
         let position = match kind {
             JointKind::Axes(axes) => {
                 for (index, dof) in axes.iter().enumerate() {
                     self.push_dof(&dof.axis, q + index);
                 }
-                return Ok(None);
+                return self.arm(link, first).map(|()| None);
             }
             JointKind::Ball { .. } => None,
             JointKind::Free { .. } => Some(q),
@@ -144,10 +142,24 @@ impl<T: Real> Tree<T> {
         };
         // The entry after the last coordinate is that of a degree of freedom that has not moved.
         let (unmoved, axes) = (self.nq, [0, 1, 2].map(|i| Vector3::ith(i, 1.0)));
-        position.iter().for_each(|_| axes.iter().for_each(|e| self.push_dof(&Axis::translation(*e), unmoved)));
+        position
+            .iter()
+            .for_each(|_| axes.iter().for_each(|e| self.push_dof(&Axis::translation(*e), unmoved)));
         axes.iter().for_each(|e| self.push_dof(&Axis::rotation(*e), unmoved));
         self.spheres.push(Sphere { quaternion: position.map_or(q, |q| q + 3), position });
-        Ok(Some(self.spheres.len() - 1))
+        self.arm(link, first).map(|()| Some(self.spheres.len() - 1))
+    }
+
+    /// Gives the degrees of freedom from `first` on the armature of the joint.
+    fn arm(&mut self, link: &Link, first: usize) -> Result<(), DynamicsError> {
+        for (index, dof) in self.dofs[first..].iter_mut().enumerate() {
+            let armature = link.joint().kind().armature(index);
+            if armature > 0.0 {
+                dof.armature = constant("the armature of joint ", link.joint().name(), armature)?;
+                self.armature.push((first + index, dof.armature));
+            }
+        }
+        Ok(())
     }
 
     fn push_dof(&mut self, axis: &Axis, q: usize) {
@@ -155,6 +167,12 @@ impl<T: Real> Tree<T> {
         self.skews.extend(dof.kind.is_skew().then_some(k));
         self.slides.extend((!dof.kind.turns() && q < self.nq).then_some(k));
         self.dofs.push(dof);
+    }
+
+    /// The ball or free joint that degree of freedom `k` belongs to, and which of that joint's it is.
+    pub(crate) fn sphere_of(&self, k: usize) -> Option<(&Sphere, usize)> {
+        let body = &self.bodies[self.bodies.partition_point(|body| body.end <= k)];
+        body.sphere.map(|slot| (&self.spheres[slot], k - body.first))
     }
 
     /// Length of `q`.

@@ -1,7 +1,11 @@
 //! Scratch memory of the recursions, and where their results by link are read.
 
+use crate::articulated::Articulated;
+use crate::coriolis::Flow;
 use crate::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::error::DynamicsError;
+use crate::load::Load;
+use crate::propagation::{Hinge, Yielding};
 use crate::scalar::Real;
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::{Body, Tree};
@@ -18,6 +22,8 @@ const UNIT: f64 = 1e-3;
 pub struct Workspace<T> {
     pub(crate) poses: Vec<Pose<T>>,
     pub(crate) twists: Vec<Twist<T>>,
+    /// Acceleration of each link's origin and angular acceleration, in world axes.
+    pub(crate) accelerations: Vec<Twist<T>>,
     /// For each coordinate of `q`, sine and cosine of its angle, or how far it has slid; last those of no motion.
     pub(crate) moved: Vec<(T, T)>,
     /// Rotation matrices about the axes that are not coordinate axes.
@@ -32,6 +38,16 @@ pub struct Workspace<T> {
     pub(crate) levers: Vec<Vector3<T>>,
     /// Offset of each link's origin from its parent's, in world axes.
     pub(crate) reaches: Vec<Vector3<T>>,
+    /// Rates of `axes`, `levers` and `reaches`.
+    pub(crate) axis_rates: Vec<Vector3<T>>,
+    pub(crate) lever_rates: Vec<Vector3<T>>,
+    pub(crate) reach_rates: Vec<Vector3<T>>,
+    /// Where the links' origins are as seen from the centre of mass, in world axes.
+    pub(crate) offsets: Vec<Vector3<T>>,
+    /// How what each link carries moves about the link's origin.
+    pub(crate) flows: Vec<Flow<T>>,
+    /// What each joint transmits to its link.
+    pub(crate) reactions: Vec<Wrench<T>>,
     /// Motion of each link in its own frame.
     pub(crate) motions: Vec<LinkMotion<T>>,
     /// Load on each link in its own frame, about its own origin.
@@ -40,6 +56,17 @@ pub struct Workspace<T> {
     pub(crate) base: Load<T>,
     /// Each link with all that it carries, in world axes about its own origin.
     pub(crate) composites: Vec<Composite<T>>,
+    /// Each link with what hangs from it, its free joints giving way, in the link's own frame.
+    pub(crate) articulated: Vec<Articulated<T>>,
+    /// How each degree of freedom answers to accelerations.
+    pub(crate) hinges: Vec<Hinge<T>>,
+    /// How the links of joints that give way to every turn do so.
+    pub(crate) yieldings: Vec<Yielding<T>>,
+    /// Acceleration of the link that velocities alone bring past each degree of freedom, in the frame after it: angular
+    /// for a turn, linear for a slide. A ball or free joint has its own as a whole, at its first slide and its last turn.
+    pub(crate) drifts: Vec<Vector3<T>>,
+    /// Acceleration of each joint's place that the parent's velocity alone brings, in the parent's frame.
+    pub(crate) offset_drifts: Vec<Vector3<T>>,
     pub(crate) zeros: Vec<T>,
 }
 
@@ -54,13 +81,6 @@ pub(crate) struct LinkMotion<T> {
     pub(crate) acceleration: Vector3<T>,
     /// `K = [α]× + [ω]×²`: a point at `r` has the acceleration `a + K·r`.
     pub(crate) field: Matrix3<T>,
-}
-
-/// A force and its moment about the origin of the frame it is written in.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Load<T> {
-    pub(crate) force: Vector3<T>,
-    pub(crate) moment: Vector3<T>,
 }
 
 /// Mass, first moment and inertia of several links taken as one body.
@@ -84,6 +104,7 @@ impl<T: Real> Workspace<T> {
         Self {
             poses: vec![Pose::identity(); links],
             twists: vec![Twist::zero(); links],
+            accelerations: vec![Twist::zero(); links],
             moved: vec![(T::zero(), T::one()); tree.nq() + 1],
             rotations: vec![Matrix3::identity(); tree.skews.len()],
             spheres: vec![Pose::identity(); tree.spheres.len()],
@@ -91,10 +112,21 @@ impl<T: Real> Workspace<T> {
             arms: vec![zero; links],
             levers: vec![zero; dofs],
             reaches: vec![zero; links],
+            axis_rates: vec![zero; dofs],
+            lever_rates: vec![zero; dofs],
+            reach_rates: vec![zero; links],
+            offsets: vec![zero; links],
+            flows: vec![Flow::zero(); links],
+            reactions: vec![Wrench { force: zero, moment: zero }; links],
             motions: vec![rest; links],
             loads: vec![Load::zero(); links],
             base: Load::zero(),
             composites: vec![Composite { mass: T::zero(), first: zero, inertia: Matrix3::zeros() }; links],
+            articulated: vec![Articulated::zero(); links],
+            hinges: vec![Hinge::idle(); dofs],
+            yieldings: vec![Yielding::idle(); links],
+            drifts: vec![zero; dofs],
+            offset_drifts: vec![zero; links],
             zeros: vec![T::zero(); dofs],
         }
     }
@@ -123,6 +155,26 @@ impl<T: Real> Workspace<T> {
     /// Where the tree has no such link.
     pub fn velocity(&self, link: usize) -> &Twist<T> {
         &self.twists[link]
+    }
+
+    /// How a link accelerates, since the last operation on this workspace that is said to find the links' accelerations:
+    /// acceleration of its origin (m/s²) and angular acceleration (rad/s²), in world axes, gravity not taken off.
+    ///
+    /// # Panics
+    ///
+    /// Where the tree has no such link.
+    pub fn acceleration(&self, link: usize) -> &Twist<T> {
+        &self.accelerations[link]
+    }
+
+    /// What a link's joint transmits to it from its parent, or from the world to the root, since the last
+    /// [`crate::joint_reactions`]: in world axes about the world's origin.
+    ///
+    /// # Panics
+    ///
+    /// Where the tree has no such link.
+    pub fn reaction(&self, link: usize) -> &Wrench<T> {
+        &self.reactions[link]
     }
 
     /// What the last three turns of a joint with a triple have done.

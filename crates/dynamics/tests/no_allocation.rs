@@ -6,11 +6,11 @@ mod support;
 
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics as dynamics;
-use solaris_dynamics::Wrench;
+use solaris_dynamics::{Derivatives, Frame, JacobianAxes, Wrench};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use support::Kernel;
-use support::random::{Random, tree};
+use support::random::{Joints, Random, random_configuration, tree, tree_of};
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
@@ -45,6 +45,55 @@ fn allocations(work: impl FnOnce()) -> usize {
 #[test]
 fn the_counter_counts() {
     assert_eq!(allocations(|| drop(std::hint::black_box(vec![1, 2, 3]))), 1);
+}
+
+#[test]
+fn no_question_allocates() {
+    let mut random = Random::new(12);
+    let figure = tree_of(Joints::EveryArmed, &mut random, 12, 1.0);
+    let q = random_configuration(&mut random, &figure);
+    let n = figure.layout().nv();
+    let Kernel { tree, workspace: mut ws } = Kernel::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0));
+    let (v, a, mut tau) = (random.slice(n, 1.0), random.slice(n, 1.0), vec![0.0; n]);
+    let [mut three, mut six, mut square] = [3, 6, n].map(|rows| DMatrix::zeros(rows, n));
+    let mut regressor = DMatrix::zeros(n, 10 * tree.link_count());
+    let mut derivatives = <Derivatives>::new(&figure, Vector3::new(0.0, -9.81, 0.0)).expect("finite constants");
+    let external: [(usize, Wrench<f64>); 2] = [random.wrench(12), random.wrench(12)];
+    let (frame, axes, ws) = (Frame::at(7, Vector3::x()), JacobianAxes::Frame, &mut ws);
+    let count = allocations(|| {
+        let mut all = || {
+            dynamics::jacobian(&tree, ws, &q, &frame, axes, &mut six)?;
+            dynamics::jacobian_rate(&tree, ws, &q, &v, &frame, axes, &mut six)?;
+            dynamics::accelerations(&tree, ws, &q, &v, &a)?;
+            dynamics::drift(&tree, ws, &q, &v)?;
+            dynamics::composite_body(&tree, ws, &q)?;
+            dynamics::center_of_mass_jacobian(&tree, ws, &q, &mut three)?;
+            dynamics::centroidal_momentum_matrix(&tree, ws, &q, &mut six)?;
+            dynamics::centroidal_momentum(&tree, ws, &q, &v)?;
+            dynamics::centroidal_momentum_rate(&tree, ws, &q, &v, &a)?;
+            dynamics::coriolis_matrix(&tree, ws, &q, &v, &mut square)?;
+            dynamics::gravity_torques(&tree, ws, &q, &mut tau)?;
+            dynamics::joint_reactions(&tree, ws, &q, &v, &a, &external, &mut tau)?;
+            dynamics::torque_regressor(&tree, ws, &q, &v, &a, &mut regressor)?;
+            derivatives.inverse_dynamics(&q, &v, &a, &external)?;
+            derivatives.forward_dynamics(&q, &v, &tau, &external).map(|_| ())
+        };
+        assert_eq!(all(), Ok(()));
+    });
+    assert_eq!(count, 0);
+}
+
+#[test]
+fn the_ground_allocates_nothing() {
+    let figure = solaris_model::human(1.7, 70.0).expect("within range");
+    let Kernel { tree, mut workspace } = Kernel::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0));
+    let (rest, mut a, mut tau, force) = ([0.0; 66], [0.0; 66], [0.0; 66], Vector3::y());
+    let count = allocations(|| {
+        let ws = &mut workspace;
+        let done = dynamics::ground_acceleration(&tree, ws, &rest, &rest, &mut a, &[], &force, &mut tau);
+        assert_eq!(done, Ok(()));
+    });
+    assert_eq!(count, 0);
 }
 
 #[test]

@@ -2,100 +2,11 @@
 
 mod support;
 
-use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
-use serde::Deserialize;
-use solaris_dynamics::{Real, Wrench};
-use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Placement};
+use nalgebra::Vector3;
+use solaris_dynamics::Real;
+use solaris_model::Figure;
+use support::reference::{Model, State, external, figure, models};
 use support::{Kernel, relative_error};
-
-#[derive(Deserialize)]
-struct File {
-    models: Vec<Model>,
-}
-
-#[derive(Deserialize)]
-struct Model {
-    name: String,
-    gravity: [f64; 3],
-    joints: Vec<FileJoint>,
-    states: Vec<State>,
-}
-
-#[derive(Deserialize)]
-struct FileJoint {
-    name: String,
-    parent: i64,
-    #[serde(rename = "type")]
-    kind: String,
-    axis: [f64; 3],
-    #[serde(rename = "R")]
-    rotation: [f64; 9],
-    p: [f64; 3],
-    mass: f64,
-    com: [f64; 3],
-    inertia: [f64; 6],
-}
-
-#[derive(Deserialize)]
-struct State {
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    qdd: Vec<f64>,
-    tau_id: Vec<f64>,
-    bias: Vec<f64>,
-    grav: Vec<f64>,
-    kinetic: f64,
-    potential: f64,
-    com: [f64; 3],
-    #[serde(rename = "M")]
-    mass_matrix: Option<Vec<f64>>,
-    fext: Option<Vec<[f64; 6]>>,
-    tau_id_ext: Option<Vec<f64>>,
-}
-
-fn models() -> Vec<Model> {
-    let file: File =
-        serde_json::from_str(include_str!("../../../fixtures/reference/dynamics.json")).expect("the schema");
-    assert_eq!(file.models.len(), 48);
-    file.models
-}
-
-/// One link a joint, on a welded base: link `i + 1` is body `i` of the file.
-fn figure(model: &Model) -> Figure {
-    let base = LinkSpec::root("base", Joint::new("base weld"));
-    let links = model.joints.iter().map(|joint| {
-        let axis = Vector3::from(joint.axis);
-        let axis = if joint.kind == "P" { Axis::translation(axis) } else { Axis::rotation(axis) };
-        let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_row_slice(&joint.rotation));
-        let rotation = UnitQuaternion::from_rotation_matrix(&rotation);
-        let placement = Placement::from_parts(Translation3::from(joint.p), rotation);
-        let parent = usize::try_from(joint.parent).map_or("base", |parent| &model.joints[parent].name);
-        let [xx, xy, xz, yy, yz, zz] = joint.inertia;
-        LinkSpec::child(&joint.name, parent, Joint::new(&joint.name).placed(placement).axis(axis))
-            .mass(joint.mass)
-            .com(Vector3::from(joint.com))
-            .inertia(Inertia::Tensor(Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)))
-    });
-    links
-        .fold(FigureBuilder::new(&model.name).link(base), FigureBuilder::link)
-        .build()
-        .expect("a valid figure")
-}
-
-/// The wrenches of the file, which stand in the links' own frames, in world axes about the world's origin.
-fn external<T: Real>(kernel: &mut Kernel<T>, q: &[T], wrenches: &[[f64; 6]]) -> Vec<(usize, Wrench<T>)> {
-    kernel.place(q);
-    let pose = |body: usize| *kernel.workspace.pose(body + 1);
-    wrenches
-        .iter()
-        .enumerate()
-        .map(|(body, w)| {
-            let turn = |x, y, z| pose(body).rotation * Vector3::new(x, y, z).map(T::from_f64);
-            let (moment, force) = (turn(w[0], w[1], w[2]), turn(w[3], w[4], w[5]));
-            (body + 1, Wrench::at(&pose(body).translation, force, moment))
-        })
-        .collect()
-}
 
 /// Compares every quantity of every state, each relative to its own largest entry, and tells the worst of each.
 fn compare<T: Real + Into<f64>>(tolerance: f64) {

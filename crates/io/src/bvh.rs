@@ -5,10 +5,11 @@
 //!
 //! - A `JOINT` is a link; its channels turn in the joint's own order (`Zrotation Yrotation Xrotation` for Z-Y-X), written
 //!   from the parent outwards. Axes that a joint lacks follow with zeros, because many readers want three.
+//! - A ball or free joint turns in the order Z-Y-X, its angles found from its quaternion so that they go on from frame to frame.
 //! - Angles are those of the motion: never wrapped, so they run past 180° without a flip.
 //! - The root has three position channels, in world coordinates, and no offset.
-//! - Held are joints that turn at most once about each of x, y, z (or against them), without a turned placement, below a
-//!   root that may slide before it turns. Any other joint is refused by name.
+//! - Held are ball joints and joints that turn at most once about each of x, y, z (or against them), without a turned placement,
+//!   below a root that may be free or slide before it turns. Any other joint is refused by name.
 //! - An end-effector ends at its tip; a link without one ends in a stub of 5 cm towards its centre of mass.
 //! - Velocities, forces, contacts and events have no place in BVH.
 

@@ -10,6 +10,9 @@
 //! | `LINK.mx my mz` | its moment about the world's origin, world axes | N m |
 //! | `LINK.px py pz` | centre of pressure | m |
 //!
+//! A ball joint J has the columns `J.qx.q J.qy.q J.qz.q J.qw.q` (a unit quaternion) and `J.wx.v …`, `J.wx.a …`, `J.wx.tau …`
+//! (along the link's own axes); a free joint has `J.px.q …`, `J.vx.v …`, `J.vx.a …`, `J.vx.tau …` before these.
+//!
 //! All `.q` stand first, then all `.v`, all `.a`, all `.tau`, then the contacts link by link; [`read`] takes them in any
 //! order. Numbers have the fewest digits that read back to the same bits. A table keeps no events, no planted intervals
 //! and nothing of [`solaris_model::MotionInfo`]: who reads it back has to know them.

@@ -100,8 +100,8 @@ impl fmt::Display for FigureError {
 
 impl std::error::Error for FigureError {}
 
-/// The name in `names` that is nearest to `wanted`, if any is near.
-pub(crate) fn nearest<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
+/// The name in `names` that is nearest to `wanted`, if any is near: what a message about an unknown name can suggest.
+pub fn nearest<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
     names
         .map(|name| (edit_distance(wanted, name), name))
         .min()

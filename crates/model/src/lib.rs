@@ -2,19 +2,28 @@
 
 mod anatomy;
 mod builder;
+mod chains;
+mod configuration;
+mod euler;
 mod fault;
 mod figure;
+mod fuse;
 mod human;
 mod inertia;
 mod joint;
 mod layout;
 mod link;
 mod motion;
+mod reroot;
 
 pub use anatomy::AnatomicalAngle;
 pub use builder::{FigureBuilder, LinkSpec};
-pub use fault::{Fault, FigureError};
+pub use chains::{Chain, Chains};
+pub use configuration::ConfigurationError;
+pub use euler::{BallState, EulerError, EulerOrder, EulerState, GimbalDistance};
+pub use fault::{Fault, FigureError, nearest};
 pub use figure::Figure;
+pub use fuse::{FuseError, Fused, LinkPlace};
 pub use human::{Human, HumanError, human};
 pub use inertia::{Inertia, Shape, ShapeKind};
 pub use joint::{Axis, AxisKind, Dof, Joint, JointKind, Limits, Placement};
@@ -24,5 +33,6 @@ pub use motion::{
     Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Motion, MotionError,
     MotionInfo, Trajectory,
 };
+pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 
-pub use nalgebra::{Isometry3, Matrix3, Rotation3, Vector3};
+pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};

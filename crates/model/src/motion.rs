@@ -4,8 +4,10 @@ mod sample;
 
 pub use sample::{DifferenceStep, Trajectory};
 
+use crate::configuration::rotation::read;
 use crate::figure::Figure;
 use nalgebra::Vector3;
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// The ground: a horizontal plane.
@@ -190,6 +192,19 @@ pub enum MotionError {
         /// The number.
         value: f64,
     },
+    /// A quaternion does not have unit length.
+    #[error(
+        "the quaternion of joint '{joint}' at {time} s has the length {length}; it must be 1 to within {}: normalise it",
+        Motion::UNIT_TOLERANCE
+    )]
+    Quaternion {
+        /// The joint's name.
+        joint: String,
+        /// When (s).
+        time: f64,
+        /// Its length.
+        length: f64,
+    },
     /// The motion belongs to another figure.
     #[error(
         "the motion was made for a figure with fingerprint {expected:016x}, not for '{figure}' ({found:016x})"
@@ -211,11 +226,15 @@ impl Motion {
     /// The most samples that a trajectory is turned into.
     pub const MOST_SAMPLES: usize = 100_000_000;
 
-    /// A motion from its columns: `time` (s), `q` (`nq` a sample), `v` and `a` (`nv` a sample).
+    /// How far from 1 the length of a quaternion may be: tables are often printed with few digits.
+    pub const UNIT_TOLERANCE: f64 = 1e-3;
+
+    /// A motion from its columns: `time` (s), `q` (`nq` a sample), `v` and `a` (`nv` a sample). Quaternions stay as they are.
     ///
     /// # Errors
     ///
-    /// Columns of the wrong length and numbers that are not finite.
+    /// Columns of the wrong length, numbers that are not finite, and quaternions whose length is not 1 to within
+    /// [`Motion::UNIT_TOLERANCE`].
     pub fn new(
         figure: &Figure,
         info: MotionInfo,
@@ -241,6 +260,7 @@ impl Motion {
                 return Err(MotionError::NotFinite { what, dof, time, value });
             }
         }
+        check_quaternions(figure, &time, &q)?;
         let (events, planted, contacts, tau) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         Ok(Self { info, events, planted, contacts, nq, nv, time, q, v, a, tau })
     }
@@ -333,4 +353,19 @@ impl Motion {
     fn row(sample: usize, width: usize) -> Range<usize> {
         sample * width..(sample + 1) * width
     }
+}
+
+/// Refuses quaternions that are far from unit length.
+fn check_quaternions(figure: &Figure, time: &[f64], q: &[f64]) -> Result<(), MotionError> {
+    let nq = figure.layout().nq();
+    for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
+        let Some(first) = link.joint().kind().quaternion() else { continue };
+        for (row, &time) in q.chunks_exact(nq).zip(time) {
+            let length = read(&row[at.q + first..]).norm();
+            if (length - 1.0).abs().partial_cmp(&Motion::UNIT_TOLERANCE).is_none_or(Ordering::is_gt) {
+                return Err(MotionError::Quaternion { joint: link.joint().name().to_owned(), time, length });
+            }
+        }
+    }
+    Ok(())
 }

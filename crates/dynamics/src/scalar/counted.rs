@@ -73,6 +73,18 @@ impl Operations {
     }
 }
 
+fn multiplied(operations: &mut Operations) {
+    operations.multiplications += 1;
+}
+
+fn added(operations: &mut Operations) {
+    operations.additions += 1;
+}
+
+fn divided(operations: &mut Operations) {
+    operations.divisions += 1;
+}
+
 /// Adds to this thread's count.
 #[inline]
 fn count(change: impl FnOnce(&mut Operations)) {
@@ -86,7 +98,7 @@ impl Add for Counted {
 
     #[inline]
     fn add(self, other: Self) -> Self {
-        count(|operations| operations.additions += 1);
+        count(added);
         Self(self.0 + other.0)
     }
 }
@@ -96,7 +108,7 @@ impl Sub for Counted {
 
     #[inline]
     fn sub(self, other: Self) -> Self {
-        count(|operations| operations.additions += 1);
+        count(added);
         Self(self.0 - other.0)
     }
 }
@@ -106,7 +118,7 @@ impl Mul for Counted {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        count(|operations| operations.multiplications += 1);
+        count(multiplied);
         Self(self.0 * other.0)
     }
 }
@@ -116,7 +128,7 @@ impl Div for Counted {
 
     #[inline]
     fn div(self, other: Self) -> Self {
-        count(|operations| operations.divisions += 1);
+        count(divided);
         Self(self.0 / other.0)
     }
 }
@@ -169,7 +181,7 @@ impl Real for Counted {
 
     /// One division, whichever side the number is on: what it costs in lanes.
     fn recip_above(self, threshold: Self) -> Self {
-        count(|operations| operations.divisions += 1);
+        count(divided);
         Self(self.0.recip_above(threshold.0))
     }
 }

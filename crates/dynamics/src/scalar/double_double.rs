@@ -210,16 +210,18 @@ mod tests {
         let product = x * DoubleDouble::from_parts(1.0, -TINY);
         assert!((product - DoubleDouble::one()).abs().to_f64() < 5.0 * 2.0_f64.powi(-106));
         // (1 + t)² = 1 + 2·t + t²
-        assert_eq!((x * x - x - x + DoubleDouble::one()).abs().to_f64(), 0.0);
+        assert_eq!(x * x - x - x + DoubleDouble::one(), DoubleDouble::zero());
         // 1/(1 + t) = 1 − t + t²
         let reciprocal = DoubleDouble::one() / x;
-        assert_eq!((reciprocal - DoubleDouble::one() + DoubleDouble::from_f64(TINY)).to_f64(), 0.0);
+        assert_eq!(reciprocal, DoubleDouble::from_parts(1.0, -TINY));
     }
 
     #[test]
     fn sums_that_cancel_keep_what_is_left() {
         let (a, b) = (DoubleDouble::from_parts(1e16, 0.3), DoubleDouble::from_parts(1e16, 0.1));
-        assert_eq!((a - b).to_f64(), 0.3 - 0.1);
+        assert_eq!(a - b, DoubleDouble::from_f64(0.3) - DoubleDouble::from_f64(0.1));
+        let (c, d) = (DoubleDouble::from_parts(1.0, TINY), DoubleDouble::from_parts(-1.0, TINY * TINY));
+        assert_eq!((c + d).to_parts(), (TINY, TINY * TINY));
     }
 
     #[test]

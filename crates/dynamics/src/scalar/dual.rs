@@ -104,6 +104,7 @@ impl<const N: usize> Sub for Dual<N> {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the product rule has a sum")]
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
 
@@ -114,6 +115,7 @@ impl<const N: usize> Mul for Dual<N> {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl, reason = "the quotient rule has a difference and a product")]
 impl<const N: usize> Div for Dual<N> {
     type Output = Self;
 

@@ -149,8 +149,9 @@ mod tests {
     #[test]
     fn each_lane_decides_for_itself() {
         let x = Lanes::new([2.0, 1.0, f64::NAN, -4.0]);
-        assert_eq!(x.recip_above(Lanes::splat(1.0)).to_array(), [0.5, 0.0, 0.0, 0.0]);
-        assert_eq!(x.recip_above(Lanes::new([1.0, 0.5, 0.0, -8.0])).to_array(), [0.5, 1.0, 0.0, -0.25]);
+        assert_eq!(x.recip_above(Lanes::splat(1.0)), Lanes::new([0.5, 0.0, 0.0, 0.0]));
+        let thresholds = Lanes::new([1.0, 0.5, 0.0, -8.0]);
+        assert_eq!(x.recip_above(thresholds), Lanes::new([0.5, 1.0, 0.0, -0.25]));
     }
 
     #[test]

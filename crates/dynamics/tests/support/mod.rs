@@ -4,6 +4,7 @@
 
 pub(crate) mod oracle;
 pub(crate) mod random;
+pub(crate) mod reference;
 
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::{DynamicsError, Real, Tree, Workspace, Wrench};
@@ -32,6 +33,50 @@ impl<T: Real> Kernel<T> {
         let mut tau = vec![T::zero(); self.tree.nv()];
         solaris_dynamics::inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, external, &mut tau)?;
         Ok(tau)
+    }
+
+    pub(crate) fn forward(
+        &mut self,
+        q: &[T],
+        v: &[T],
+        tau: &[T],
+        external: &[(usize, Wrench<T>)],
+    ) -> Result<Vec<T>, DynamicsError> {
+        let mut a = vec![T::zero(); self.tree.nv()];
+        solaris_dynamics::forward_dynamics(&self.tree, &mut self.workspace, q, v, tau, external, &mut a)?;
+        Ok(a)
+    }
+
+    /// Accelerations and forces; what is not given comes in as NaN, so that it would show if it were read.
+    pub(crate) fn hybrid(
+        &mut self,
+        [q, v]: [&[T]; 2],
+        prescribed: &[bool],
+        [a, tau]: [&[T]; 2],
+        external: &[(usize, Wrench<T>)],
+    ) -> Result<[Vec<T>; 2], DynamicsError> {
+        let nan = T::from_f64(f64::NAN);
+        let keep = |values: &[T], given: bool| -> Vec<T> {
+            values.iter().zip(prescribed).map(|(x, p)| if *p == given { *x } else { nan }).collect()
+        };
+        let (mut a, mut tau) = (keep(a, true), keep(tau, false));
+        solaris_dynamics::hybrid_dynamics(
+            &self.tree,
+            &mut self.workspace,
+            q,
+            v,
+            prescribed,
+            external,
+            &mut a,
+            &mut tau,
+        )?;
+        Ok([a, tau])
+    }
+
+    pub(crate) fn inverse_mass_matrix(&mut self, q: &[T]) -> Result<DMatrix<T>, DynamicsError> {
+        let mut matrix = DMatrix::zeros(self.tree.nv(), self.tree.nv());
+        solaris_dynamics::inverse_mass_matrix(&self.tree, &mut self.workspace, q, &mut matrix)?;
+        Ok(matrix)
     }
 
     pub(crate) fn bias(&mut self, q: &[T], v: &[T]) -> Result<Vec<T>, DynamicsError> {

@@ -52,7 +52,7 @@ impl Random {
     }
 
     /// Half of them without rotation.
-    fn placement(&mut self) -> Placement {
+    pub(crate) fn placement(&mut self) -> Placement {
         let turn = if self.below(2) == 0 { Vector3::zeros() } else { self.vector(2.0) };
         Placement::from_parts(Translation3::from(self.vector(0.5)), UnitQuaternion::from_scaled_axis(turn))
     }
@@ -67,29 +67,78 @@ impl Random {
     }
 }
 
+/// Which joints a random tree has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Joints {
+    /// Joints of 0 to 6 one-axis dofs of every kind.
+    OneAxis,
+    /// Ball and free joints too, and half of the joints with an armature.
+    Every,
+    /// As `Every`, but all joints with an armature: every mass matrix is regular.
+    EveryArmed,
+}
+
 /// A tree of `links` links: joints of 0 to 6 dofs of every kind, one in five links without mass, masses spread over
 /// twice `decades` powers of ten.
 pub(crate) fn tree(random: &mut Random, links: usize, decades: f64) -> Figure {
+    tree_of(Joints::OneAxis, random, links, decades)
+}
+
+/// A tree as [`tree`] makes it, with the joints asked for; link `l3` has a frame `f3`, where there are more than one-axis
+/// joints.
+pub(crate) fn tree_of(joints: Joints, random: &mut Random, links: usize, decades: f64) -> Figure {
     let parents: Vec<usize> = (1..links).map(|i| random.below(i)).collect();
     let mut builder = FigureBuilder::new("random");
     for i in 0..links {
-        let mut joint = Joint::new(format!("j{i}")).placed(random.placement());
-        for _ in 0..[0, 1, 1, 2, 3, 3, 6][random.below(7)] {
-            joint = joint.axis(random.axis());
-        }
-        // Half of the joints with room for them end in three turns about different coordinate axes.
-        if joint.kind().nv() <= 3 && random.below(2) == 0 {
-            let (first, step) = (random.below(3), 1 + random.below(2));
-            for turn in 0..3 {
-                joint = joint.axis(Axis::rotation(Vector3::ith((first + turn * step) % 3, 1.0)));
-            }
-        }
-        let link = match i.checked_sub(1) {
+        let joint = joint(joints, random, &format!("j{i}")).placed(random.placement());
+        let mut link = match i.checked_sub(1) {
             None => LinkSpec::root("l0", joint),
             Some(before) => LinkSpec::child(format!("l{i}"), format!("l{}", parents[before]), joint),
         };
+        if joints != Joints::OneAxis {
+            link = link.frame(format!("f{i}"), random.placement());
+        }
         let massless = parents.contains(&i) && random.below(5) == 0;
         builder = builder.link(if massless { link } else { random.matter(link, decades) });
     }
     builder.build().expect("a valid figure")
+}
+
+fn joint(joints: Joints, random: &mut Random, name: &str) -> Joint {
+    let whole = if joints == Joints::OneAxis { None } else { Some(random.below(6)) };
+    let armature = match joints {
+        Joints::OneAxis => 0.0,
+        Joints::Every => 0.3 * random.below(2) as f64,
+        Joints::EveryArmed => 0.3,
+    };
+    let mut joint = match whole {
+        Some(0 | 1) => return Joint::ball(name).armature(armature),
+        Some(2) => return Joint::free(name).armature(armature),
+        _ => Joint::new(name),
+    };
+    for _ in 0..[0, 1, 1, 2, 3, 3, 6][random.below(7)] {
+        joint = joint.axis(random.axis()).armature(armature);
+    }
+    // Half of the joints with room for them end in three turns about different coordinate axes.
+    if joint.kind().nv() <= 3 && random.below(2) == 0 {
+        let (first, step) = (random.below(3), 1 + random.below(2));
+        for turn in 0..3 {
+            joint =
+                joint.axis(Axis::rotation(Vector3::ith((first + turn * step) % 3, 1.0))).armature(armature);
+        }
+    }
+    joint
+}
+
+/// A configuration with coordinates to 1.2 either way and any rotation, its quaternion of unit length.
+pub(crate) fn random_configuration(random: &mut Random, figure: &Figure) -> Vec<f64> {
+    let layout = figure.layout();
+    let mut q = random.slice(layout.nq(), 1.2);
+    for (link, at) in figure.links().iter().zip(layout.joints()) {
+        if let Some(from) = link.joint().kind().quaternion() {
+            let turn = UnitQuaternion::from_scaled_axis(random.vector(2.0));
+            q[at.q + from..][..4].copy_from_slice(turn.coords.as_slice());
+        }
+    }
+    q
 }

@@ -1,7 +1,10 @@
 //! What of a figure fits BVH: offsets, and for each joint its channels.
 
 use crate::error::{BvhFault, IoError};
-use solaris_model::{AxisKind, Figure, JointKind, Link, Vector3};
+use solaris_model::{AxisKind, EulerOrder, Figure, JointKind, Link, Vector3};
+
+/// The order in which a ball or free joint is written: the most common in BVH.
+pub(super) const ORDER: EulerOrder = EulerOrder::Zyx;
 
 /// Length of the stub at the end of a link without a tip (m).
 const STUB: f64 = 0.05;
@@ -31,8 +34,17 @@ pub(super) struct Node {
 pub(super) struct Turn {
     /// 0, 1, 2 for x, y, z.
     pub(super) axis: usize,
-    /// Index in q and the sign of the coordinate; `None` for an axis that the joint lacks.
-    pub(super) source: Option<(usize, f64)>,
+    pub(super) source: Source,
+}
+
+/// Where the angle of a rotation channel comes from.
+pub(super) enum Source {
+    /// The joint lacks this axis.
+    Nothing,
+    /// Index in q and the sign of the coordinate.
+    Coordinate(usize, f64),
+    /// Where in q a quaternion begins, and which of its angles in [`ORDER`] this is.
+    Quaternion(usize, usize),
 }
 
 impl Skeleton {
@@ -83,8 +95,17 @@ impl Skeleton {
 
 /// The rotations of a link's joint, whose coordinates start at `first` in q; slides of the root go to `slides`.
 fn turns(link: &Link, first: usize, slides: &mut Vec<(usize, Vector3<f64>)>) -> Result<Vec<Turn>, BvhFault> {
-    let JointKind::Axes(dofs) = link.joint().kind() else { return Err(BvhFault::Kind) };
     let mut turns: Vec<Turn> = Vec::new();
+    let dofs = match link.joint().kind() {
+        JointKind::Axes(dofs) => dofs,
+        JointKind::Ball { .. } => return Ok(quaternion(first)),
+        JointKind::Free { .. } if link.parent().is_some() => return Err(BvhFault::SlidingJoint),
+        JointKind::Free { .. } => {
+            slides.extend((0..3).map(|axis| (first + axis, Vector3::ith(axis, 1.0))));
+            return Ok(quaternion(first + 3));
+        }
+        _ => return Err(BvhFault::Kind),
+    };
     for (i, dof) in dofs.iter().enumerate() {
         let direction = dof.axis.direction;
         match dof.axis.kind {
@@ -102,16 +123,22 @@ fn turns(link: &Link, first: usize, slides: &mut Vec<(usize, Vector3<f64>)>) -> 
                 if turns.iter().any(|turn| turn.axis == axis) {
                     return Err(BvhFault::RepeatedAxis { axis: ['x', 'y', 'z'][axis] });
                 }
-                turns.push(Turn { axis, source: Some((first + i, direction[axis].signum())) });
+                turns.push(Turn { axis, source: Source::Coordinate(first + i, direction[axis].signum()) });
             }
         }
     }
     for axis in [2, 1, 0] {
         if turns.iter().all(|turn| turn.axis != axis) {
-            turns.push(Turn { axis, source: None });
+            turns.push(Turn { axis, source: Source::Nothing });
         }
     }
     Ok(turns)
+}
+
+/// The three rotations of a quaternion that begins at `first` in q.
+fn quaternion(first: usize) -> Vec<Turn> {
+    let turn = |(part, axis)| Turn { axis, source: Source::Quaternion(first, part) };
+    ORDER.axes().into_iter().enumerate().map(turn).collect()
 }
 
 fn end(link: &Link) -> Vector3<f64> {

@@ -1,9 +1,9 @@
 //! A skeleton and its motion to text.
 
 use super::Unit;
-use super::skeleton::Skeleton;
+use super::skeleton::{ORDER, Skeleton, Source};
 use crate::error::IoError;
-use solaris_model::{Figure, Motion, MotionError, Vector3};
+use solaris_model::{Figure, Motion, MotionError, UnitQuaternion, Vector3};
 use std::io::{self, Write};
 
 /// Names of the axes in channels.
@@ -33,8 +33,16 @@ pub fn write(figure: &Figure, motion: &Motion, unit: Unit, out: &mut impl Write)
     hierarchy(&skeleton, unit, out)?;
     write!(out, "MOTION\nFrames: {}\nFrame Time: {}\n", motion.len(), 1.0 / rate)?;
     let order = skeleton.order();
+    // The angles of a quaternion go on from those of the frame before: never wrapped, like the others.
+    let mut angles = vec![[0.0; 3]; skeleton.nodes.len()];
     for sample in 0..motion.len() {
-        let values = frame(&skeleton, &order, motion.q(sample), unit);
+        let q = motion.q(sample);
+        for (node, angles) in skeleton.nodes.iter().zip(&mut angles) {
+            if let Source::Quaternion(first, _) = node.turns[0].source {
+                *angles = ORDER.angles_near(&rotation(&q[first..]), angles);
+            }
+        }
+        let values = frame(&skeleton, &order, q, &angles, unit);
         if let Some(i) = values.iter().position(|value| !value.is_finite()) {
             // Every node has three channels after the root's three positions.
             let link = &skeleton.nodes[order[(i / 3).saturating_sub(1)]].name;
@@ -90,13 +98,24 @@ fn hierarchy(skeleton: &Skeleton, unit: Unit, out: &mut impl Write) -> io::Resul
     Ok(())
 }
 
-/// The channels of one sample: the root's position, then the rotations of every node in the order of the file.
-fn frame(skeleton: &Skeleton, order: &[usize], q: &[f64], unit: Unit) -> Vec<f64> {
+/// The channels of one sample: the root's position, then the rotations of every node in the order of the file. `angles` (rad)
+/// are those of each node's quaternion.
+fn frame(skeleton: &Skeleton, order: &[usize], q: &[f64], angles: &[[f64; 3]], unit: Unit) -> Vec<f64> {
     let position = skeleton.slides.iter().fold(skeleton.origin, |p, (i, direction)| p + direction * q[*i]);
     let position = position * unit.per_metre();
-    let turns = order.iter().flat_map(|&node| &skeleton.nodes[node].turns);
-    let angles = turns.map(|turn| turn.source.map_or(0.0, |(i, sign)| sign * q[i].to_degrees()));
-    position.iter().copied().chain(angles).collect()
+    let turns =
+        order.iter().flat_map(|&node| skeleton.nodes[node].turns.iter().map(move |turn| (node, turn)));
+    let degrees = turns.map(|(node, turn)| match turn.source {
+        Source::Nothing => 0.0,
+        Source::Coordinate(i, sign) => sign * q[i].to_degrees(),
+        Source::Quaternion(_, part) => angles[node][part].to_degrees(),
+    });
+    position.iter().copied().chain(degrees).collect()
+}
+
+/// The rotation of a quaternion (x, y, z, w), which a motion keeps near unit length.
+fn rotation(q: &[f64]) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_quaternion([q[0], q[1], q[2], q[3]].into())
 }
 
 fn lengths(vector: Vector3<f64>, unit: Unit) -> String {

@@ -1,13 +1,14 @@
 //! What a reader of BVH sees is what the figure does.
 
 use crate::bvh_reader::{Bvh, parse};
-use crate::motions::{Full, full_human, info, swing};
+use crate::motions::{Full, full_human, info, swing, thrown, thrown_angles};
 use solaris_io::{
     IoError,
     bvh::{self, Unit},
 };
 use solaris_model::{
-    Axis, AxisKind, Figure, FigureBuilder, Isometry3, Joint, LinkSpec, Motion, Rotation3, Vector3, human,
+    Axis, AxisKind, Figure, FigureBuilder, Isometry3, Joint, LinkSpec, Matrix3, Motion, Rotation3, Vector3,
+    human,
 };
 
 fn text(figure: &Figure, motion: &Motion, unit: Unit) -> String {
@@ -24,6 +25,17 @@ fn poses(figure: &Figure, q: &[f64]) -> Vec<(Rotation3<f64>, Vector3<f64>)> {
         let placement = link.joint().placement();
         let mut origin = parent.1 + parent.0 * placement.translation.vector;
         let mut rotation = parent.0 * placement.rotation.to_rotation_matrix();
+        if let Some(first) = link.joint().kind().quaternion() {
+            let q = &q[layout.q..][..layout.nq];
+            // Place and turn by the definition of a quaternion: v + 2w·u×v + 2·u×(u×v).
+            if first == 3 {
+                origin += rotation * Vector3::new(q[0], q[1], q[2]);
+            }
+            let (u, w) = (Vector3::new(q[first], q[first + 1], q[first + 2]), q[first + 3]);
+            let turned = |v: Vector3<f64>| v + (u.cross(&v) * w + u.cross(&u.cross(&v))) * 2.0;
+            let columns = [Vector3::x(), Vector3::y(), Vector3::z()].map(turned);
+            rotation *= Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns));
+        }
         for (dof, q) in link.joint().kind().axes().iter().zip(&q[layout.q..]) {
             match dof.axis.kind {
                 AxisKind::Rotation => rotation *= Rotation3::new(dof.axis.direction * *q),
@@ -151,6 +163,25 @@ fn angles_run_on_past_half_a_turn() {
 }
 
 #[test]
+fn ball_and_free_joints_are_three_rotations_that_run_on() {
+    let (figure, motion) = thrown(30.0);
+    let file = parse(&text(&figure, &motion, Unit::default()));
+    let distance = greatest_distance(&figure, &motion, &file, 0.01);
+    assert!(distance < 1e-7, "{distance} m");
+    let order = ["Zrotation", "Yrotation", "Xrotation"];
+    assert_eq!(file.nodes[0].channels[3..], order);
+    assert_eq!(file.nodes[1].channels, order);
+    for (node, joint) in [("trunk", 0), ("arm", 1)] {
+        for (part, channel) in order.into_iter().enumerate() {
+            for (frame, angle) in file.channel(node, channel).into_iter().enumerate() {
+                let expected = thrown_angles(motion.time()[frame])[joint][part].to_degrees();
+                assert!((angle - expected).abs() < 1e-6, "{node} {channel} in frame {frame}: {angle}°");
+            }
+        }
+    }
+}
+
+#[test]
 fn what_does_not_fit_is_refused_by_name() {
     let child = |joint: Joint| {
         FigureBuilder::new("f")
@@ -164,6 +195,7 @@ fn what_does_not_fit_is_refused_by_name() {
         child(Joint::new("wrist").rx().rz().rx()),
         child(Joint::new("hinge").ry().axis(oblique)),
         child(Joint::new("drawer").tz()),
+        child(Joint::free("balloon")),
         FigureBuilder::new("f").link(LinkSpec::root("base", Joint::new("late").ry().tx()).mass(1.0)),
         FigureBuilder::new("f").link(LinkSpec::root("left arm", Joint::new("j").ry()).mass(1.0)),
     ];

@@ -1,6 +1,6 @@
 //! Tables read back bit for bit, and say where they are wrong.
 
-use crate::motions::{Full, full_human, info, swing, track};
+use crate::motions::{Full, full_human, info, swing, thrown, track};
 use solaris_io::{IoError, csv};
 use solaris_model::{Contact, ContactTrack, Figure, FigureBuilder, Joint, LinkSpec, Motion};
 
@@ -36,6 +36,32 @@ fn a_table_reads_back_bit_for_bit() {
     assert_eq!(bits(&back), bits(&motion));
     assert_eq!(back.contacts, motion.contacts);
     assert_eq!(back.len(), 31);
+}
+
+#[test]
+fn free_and_ball_joints_have_more_columns_of_positions_than_of_velocities() {
+    let (figure, mut motion) = thrown(10.0);
+    motion.set_tau((0..110).map(|i| f64::from(i).sin()).collect()).expect("nv a sample");
+    motion.contacts = vec![track("hand", 11)];
+    let table = text(&figure, &motion);
+    let header: Vec<&str> = table.lines().next().unwrap_or_default().split(',').collect();
+    assert_eq!(header.len(), 1 + 12 + 3 * 10 + 9);
+    assert_eq!(
+        header[1..8].join(" "),
+        "root.px.q root.py.q root.pz.q root.qx.q root.qy.q root.qz.q root.qw.q"
+    );
+    assert_eq!(header[8..13].join(" "), "shoulder.qx.q shoulder.qy.q shoulder.qz.q shoulder.qw.q elbow.rx.q");
+    for (ending, at) in [("v", 13), ("a", 23), ("tau", 33)] {
+        let names =
+            "root.vx root.vy root.vz root.wx root.wy root.wz shoulder.wx shoulder.wy shoulder.wz elbow.rx";
+        let expected: Vec<String> = names.split(' ').map(|name| format!("{name}.{ending}")).collect();
+        assert_eq!(header[at..at + 10], expected);
+    }
+    let back = csv::read(&figure, &table, motion.info.clone()).expect("what was written");
+    assert_eq!(bits(&back), bits(&motion));
+    let broken = table.replacen(&header[4..8].join(","), "root.qx.q,root.qy.q,root.qz.q,root.w.q", 1);
+    let error = csv::read(&figure, &broken, motion.info.clone()).expect_err("no qw");
+    assert!(error.to_string().contains("'root.qw.q' is missing"), "{error}");
 }
 
 #[test]

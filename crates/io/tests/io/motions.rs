@@ -1,6 +1,9 @@
 //! Motions to write: a moving human and small figures.
 
-use solaris_model::{Contact, ContactTrack, Figure, Motion, MotionInfo, Trajectory, Vector3, human};
+use solaris_model::{
+    Contact, ContactTrack, EulerOrder, Figure, FigureBuilder, Joint, LinkSpec, Motion, MotionInfo,
+    Trajectory, Vector3, human,
+};
 use std::io::{Error, Write};
 
 /// Every coordinate swings with an amplitude, a frequency and a phase of its own about a middle that drifts.
@@ -68,4 +71,41 @@ impl Write for Full {
     fn flush(&mut self) -> std::io::Result<()> {
         Ok(())
     }
+}
+
+/// A free root, a ball joint below it and a hinge below that.
+pub(crate) fn thrown_figure() -> Figure {
+    let at = |y: f64| Vector3::new(0.1, y, 0.2);
+    FigureBuilder::new("thrown")
+        .link(LinkSpec::root("trunk", Joint::free("root").at(at(0.9))).mass(9.0))
+        .link(LinkSpec::child("arm", "trunk", Joint::ball("shoulder").at(at(0.3))).mass(2.0))
+        .link(LinkSpec::child("hand", "arm", Joint::new("elbow").at(at(-0.3)).rx()).mass(1.0).tip(at(-0.2)))
+        .build()
+        .expect("valid")
+}
+
+/// The angles of the root and of the shoulder (rad, Z-Y-X) in a motion of [`thrown_figure`].
+pub(crate) fn thrown_angles(t: f64) -> [[f64; 3]; 2] {
+    [[7.0 * t, 0.4 * (3.0 * t).sin(), 0.3 - t], [0.5 * t, (2.0 * t).cos() - 0.2, -9.0 * t]]
+}
+
+/// Moves [`thrown_figure`] through more than a whole turn of root and arm.
+pub(crate) fn thrown(rate: f64) -> (Figure, Motion) {
+    struct Thrown;
+    impl Trajectory for Thrown {
+        fn duration(&self) -> f64 {
+            1.0
+        }
+
+        fn configuration(&self, t: f64, q: &mut [f64]) {
+            let [root, arm] = thrown_angles(t).map(|angles| EulerOrder::Zyx.rotation(&angles));
+            q[..3].copy_from_slice(&[t, 3.0 * t - 4.9 * t * t, -0.3]);
+            q[3..7].copy_from_slice(root.coords.as_slice());
+            q[7..11].copy_from_slice(arm.coords.as_slice());
+            q[11] = t.sin();
+        }
+    }
+    let figure = thrown_figure();
+    let motion = Motion::sample(&figure, &Thrown, info(&figure, rate)).expect("a finite motion");
+    (figure, motion)
 }

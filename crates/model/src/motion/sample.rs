@@ -1,7 +1,10 @@
 //! From a curve that can be evaluated at any time to samples with their derivatives.
 
 use super::{Motion, MotionError, MotionInfo};
+use crate::configuration::rotation::{apply, between, log, read, unit};
 use crate::figure::Figure;
+use crate::joint::JointKind;
+use nalgebra::Vector3;
 
 /// A planned motion: positions at any time. Sampling is the last thing that happens to it.
 pub trait Trajectory {
@@ -54,6 +57,76 @@ impl DifferenceStep {
     fn first(&self, value: impl Fn(usize) -> f64) -> f64 {
         weighted(&FIRST, value) / self.length
     }
+
+    /// Adds the velocities and accelerations of one joint in the middle of seven values of its `q`, to be settled before.
+    fn of_joint<'a>(
+        &self,
+        kind: &JointKind,
+        q: impl Fn(usize) -> &'a [f64],
+        v: &mut Vec<f64>,
+        a: &mut Vec<f64>,
+    ) {
+        match kind {
+            JointKind::Axes(dofs) => {
+                for i in 0..dofs.len() {
+                    v.push(self.first(|k| q(k)[i]));
+                    a.push(self.second(|k| q(k)[i]));
+                }
+            }
+            JointKind::Ball { .. } => {
+                let [velocity, acceleration] = self.of_turn(&q);
+                v.extend(velocity.iter());
+                a.extend(acceleration.iter());
+            }
+            JointKind::Free { .. } => {
+                let [velocity, acceleration] = self.of_turn(|k| &q(k)[3..]);
+                let inwards = read(&q(3)[3..]).conjugate();
+                let linear = apply(&inwards, &Vector3::from_fn(|i, _| self.first(|k| q(k)[i])));
+                let second = apply(&inwards, &Vector3::from_fn(|i, _| self.second(|k| q(k)[i])));
+                v.extend(linear.iter().chain(velocity.iter()));
+                // The axes of v turn with the link: v = Rᵀẋ, v̇ = Rᵀẍ − ω×v.
+                a.extend((second - velocity.cross(&linear)).iter().chain(acceleration.iter()));
+            }
+        }
+    }
+
+    /// Angular velocity and acceleration along the turning axes, from seven unit quaternions without a change of sign.
+    ///
+    /// With `φ` the turn from the middle, `ω = φ̇ − ½ φ×φ̇ + …`: there, at `φ = 0`, `ω = φ̇` and `ω̇ = φ̈ − ½ φ̇×φ̇ = φ̈`.
+    fn of_turn<'a>(&self, q: impl Fn(usize) -> &'a [f64]) -> [Vector3<f64>; 2] {
+        let middle = read(q(3));
+        let turns: [Vector3<f64>; 7] = std::array::from_fn(|k| log(&between(&middle, &read(q(k)))));
+        [
+            Vector3::from_fn(|i, _| self.first(|k| turns[k][i])),
+            Vector3::from_fn(|i, _| self.second(|k| turns[k][i])),
+        ]
+    }
+}
+
+/// Gives the quaternions of all rows unit length, and each the sign that is nearer to the row before: a rotation has two
+/// quaternions, and differences must not see which one a curve takes. Numbers that are not finite are left to be refused.
+fn settle(figure: &Figure, rows: &mut [f64], time: impl Fn(usize) -> f64) -> Result<(), MotionError> {
+    let nq = figure.layout().nq();
+    for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
+        let Some(first) = link.joint().kind().quaternion() else { continue };
+        let mut before = None;
+        for (k, row) in rows.chunks_exact_mut(nq).enumerate() {
+            let turn = &mut row[at.q + first..][..4];
+            if turn.iter().any(|x| !x.is_finite()) {
+                continue;
+            }
+            let Some(mut q) = unit(&read(turn)) else {
+                let joint = link.joint().name().to_owned();
+                return Err(MotionError::Quaternion { joint, time: time(k), length: 0.0 });
+            };
+            if before.is_some_and(|before| q.dot(&before) < 0.0) {
+                q = -q;
+            }
+            turn.copy_from_slice(q.coords.as_slice());
+            before = Some(q);
+        }
+    }
+    Ok(())
 }
 
 fn weighted(weights: &[f64; 7], value: impl Fn(usize) -> f64) -> f64 {
@@ -69,10 +142,20 @@ impl Motion {
     /// whole frames they add up to the change in position; and a kink of the curve is spread over a few steps instead of
     /// being missed or infinite.
     ///
+    /// **Ball and free joints** are differenced as rotations: with `φ_k` the turn from the middle value to value k along the link's
+    /// axes, and `x` the place of a free joint,
+    ///
+    /// ```text
+    /// φ_k = log(R_mᵀ·R_k)      ω = φ̇      ω̇ = φ̈      v = R_mᵀ·ẋ      v̇ = R_mᵀ·ẍ − ω×v
+    /// ```
+    ///
+    /// The turn may pass half a turn, but must stay below a third of one in a step. Quaternions need not have unit length: they
+    /// are normalised, and written with the sign that is nearer to the value before.
+    ///
     /// # Errors
     ///
-    /// A figure that the information is not for, a rate that is not positive, a duration that is not finite, and positions
-    /// that are not finite.
+    /// A figure that the information is not for, a rate that is not positive, a duration that is not finite, positions
+    /// that are not finite, and zero quaternions.
     pub fn sample(
         figure: &Figure,
         trajectory: &impl Trajectory,
@@ -83,7 +166,7 @@ impl Motion {
         if !(rate > 0.0 && rate <= 1e5) {
             return Err(MotionError::Rate { rate });
         }
-        let nq = figure.layout().nq();
+        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
         let step = DifferenceStep::new(trajectory.resolution(), rate);
         let (stride, substeps) = (step.frames, step.per_frame);
         let fine_step = 1.0 / (rate * substeps as f64);
@@ -99,14 +182,14 @@ impl Motion {
         for (k, row) in fine.chunks_exact_mut(nq.max(1)).enumerate() {
             trajectory.configuration((k as f64 - margin as f64) * fine_step, row);
         }
-        // Every coordinate is that of a one-axis degree of freedom; balls will need differences of their own.
-        let mut columns = [(); 3].map(|()| Vec::with_capacity(samples * nq));
+        settle(figure, &mut fine, |k| (k as f64 - margin as f64) * fine_step)?;
+        let mut columns = [nq, nv, nv].map(|width| Vec::with_capacity(samples * width));
         for sample in 0..samples {
-            let at = |k: usize, i: usize| fine[(sample * substeps + k * stride) * nq + i];
-            for i in 0..nq {
-                columns[0].push(at(3, i));
-                columns[1].push(step.first(|k| at(k, i)));
-                columns[2].push(step.second(|k| at(k, i)));
+            let row = |k: usize| &fine[(sample * substeps + k * stride) * nq..][..nq];
+            columns[0].extend_from_slice(row(3));
+            for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
+                let [_, v, a] = &mut columns;
+                step.of_joint(link.joint().kind(), |k| &row(k)[at.q..][..at.nq], v, a);
             }
         }
         let time = (0..samples).map(|sample| sample as f64 / rate).collect();

@@ -34,19 +34,14 @@ impl fmt::Debug for DoubleDouble {
 
 /// `(d, e)`: a positive number as d·10^(e − 31), where d has 32 digits.
 fn digits(x: DoubleDouble) -> (u128, i32) {
-    let full = 10_u128.pow(DIGITS as u32);
+    let least = 10_u128.pow(DIGITS as u32 - 1);
+    let at = |exponent: i32| nearest(shifted(x, DIGITS - 1 - exponent));
     let mut exponent = x.high.log10().floor() as i32;
-    loop {
-        let digits = nearest(shifted(x, DIGITS - 1 - exponent));
-        // The logarithm of a number beside a power of ten may be the next one's.
-        if digits >= full {
-            exponent += 1;
-        } else if digits < full / 10 {
-            exponent -= 1;
-        } else {
-            return (digits, exponent);
-        }
+    // Just below a power of ten, the logarithm is that of the power.
+    if at(exponent) < least {
+        exponent -= 1;
     }
+    (at(exponent).clamp(least, 10 * least - 1), exponent)
 }
 
 /// The nearest whole number of a positive number below 2¹²⁷.

@@ -8,7 +8,7 @@ const LARGEST: f64 = 1e15;
 
 /// A quarter turn as the sum of three numbers of double precision: 161 bits.
 const QUARTER_TURN: [f64; 3] =
-    [1.570_796_326_794_896_6, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
+    [std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 /// Sine and cosine of an angle (rad), with errors below 1e-31; beyond 1e15 rad no better than those of `f64`.
 pub(super) fn sin_cos(angle: DoubleDouble) -> (DoubleDouble, DoubleDouble) {

@@ -1,0 +1,140 @@
+//! Articulated-body inertia: what a link with all that hangs from it opposes to being accelerated, its free joints
+//! giving way.
+
+use crate::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::matter::Matter;
+use crate::scalar::Real;
+use crate::symmetric::Symmetric;
+use nalgebra::{Matrix3, Vector3};
+
+/// Moment and force about the origin of a frame for an angular acceleration `α` and an acceleration `a` of that origin,
+/// everything in that frame:
+///
+/// ```text
+/// n = A·α + B·a          f = Bᵀ·α + C·a
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Articulated<T> {
+    /// `A`
+    pub(crate) angular: Symmetric<T>,
+    /// `B`
+    pub(crate) coupling: Matrix3<T>,
+    /// `C`
+    pub(crate) linear: Symmetric<T>,
+}
+
+impl<T: Real> Articulated<T> {
+    pub(crate) fn zero() -> Self {
+        Self { angular: Symmetric::zero(), coupling: Matrix3::zeros(), linear: Symmetric::zero() }
+    }
+
+    /// Adds a link's own matter: to `A` its inertia about its origin, to `B` `[h]×`, to `C` `m·1`.
+    #[inline]
+    pub(crate) fn add_matter(&mut self, matter: &Matter<T>) {
+        let (h, b, c) = (&matter.first, &mut self.coupling, &mut self.linear);
+        self.angular.add(&Symmetric::of(&matter.inertia_at_origin));
+        b.m12 -= h.z;
+        b.m13 += h.y;
+        b.m21 += h.z;
+        b.m23 -= h.x;
+        b.m31 -= h.y;
+        b.m32 += h.x;
+        c.xx += matter.mass;
+        c.yy += matter.mass;
+        c.zz += matter.mass;
+    }
+
+    #[inline]
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.angular.add(&other.angular);
+        self.coupling += other.coupling;
+        self.linear.add(&other.linear);
+    }
+
+    /// Nothing is left against turning.
+    #[inline]
+    pub(crate) fn clear_turning(&mut self) {
+        (self.angular, self.coupling) = (Symmetric::zero(), Matrix3::zeros());
+    }
+
+    /// Moment and force for an angular acceleration about `e` by 1.
+    #[inline]
+    pub(crate) fn of_turn<E: Direction<T>>(&self, e: E) -> (Vector3<T>, Vector3<T>) {
+        (e.of_symmetric(&self.angular), e.of_transposed(&self.coupling))
+    }
+
+    /// Moment and force for an acceleration along `e` by 1.
+    #[inline]
+    pub(crate) fn of_slide<E: Direction<T>>(&self, e: E) -> (Vector3<T>, Vector3<T>) {
+        (e.of(&self.coupling), e.of_symmetric(&self.linear))
+    }
+
+    /// Moment and force for an angular acceleration.
+    #[inline]
+    pub(crate) fn of_angular(&self, angular: &Vector3<T>) -> (Vector3<T>, Vector3<T>) {
+        (self.angular.times(angular), apply_transposed(&self.coupling, angular))
+    }
+
+    /// Moment and force for an acceleration of the origin.
+    #[inline]
+    pub(crate) fn of_linear(&self, linear: &Vector3<T>) -> (Vector3<T>, Vector3<T>) {
+        (apply(&self.coupling, linear), self.linear.times(linear))
+    }
+
+    /// Lets a degree of freedom give way: `I ← I − U·Uᵀ/D`, where `U` are the moment and the force that go with its
+    /// acceleration.
+    #[inline]
+    pub(crate) fn give_way(&mut self, moment: &Vector3<T>, force: &Vector3<T>, inverse: T) {
+        let (scaled_moment, scaled_force) = (moment * inverse, force * inverse);
+        self.angular.subtract_outer(&scaled_moment, moment);
+        self.linear.subtract_outer(&scaled_force, force);
+        for column in 0..3 {
+            for row in 0..3 {
+                self.coupling[(row, column)] -= scaled_moment[row] * force[column];
+            }
+        }
+    }
+
+    /// From the frame after a turn about `e` to the one before it: `R·X·Rᵀ` for every block.
+    #[inline]
+    pub(crate) fn leave_turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>) {
+        self.angular = e.leave_symmetric(&self.angular, turn);
+        self.coupling = e.leave_matrix(&self.coupling, turn);
+        self.linear = e.leave_symmetric(&self.linear, turn);
+    }
+
+    /// From a turned frame to the one that it was turned from: `R·X·Rᵀ` for every block.
+    #[inline]
+    pub(crate) fn leave_frame(&mut self, rotation: &Matrix3<T>) {
+        self.angular = self.angular.rotated(rotation);
+        self.coupling = rotation * self.coupling * rotation.transpose();
+        self.linear = self.linear.rotated(rotation);
+    }
+
+    /// From an origin at `d` to the one that `d` is measured from:
+    ///
+    /// ```text
+    /// B' = B + [d]×·C          A' = A − B·[d]× + [d]×·B'ᵀ
+    /// ```
+    #[inline]
+    pub(crate) fn shift(&mut self, d: &Vector3<T>) {
+        let (b, c) = (self.coupling, &self.linear);
+        let columns =
+            [Vector3::new(c.xx, c.xy, c.xz), Vector3::new(c.xy, c.yy, c.yz), Vector3::new(c.xz, c.yz, c.zz)];
+        for (column, of_c) in columns.iter().enumerate() {
+            let shifted = b.column(column) + cross(d, of_c);
+            self.coupling.set_column(column, &shifted);
+        }
+        // Rows of −B·[d]× are d × (rows of B), written out; columns of [d]×·B'ᵀ are d × (rows of B').
+        let row = |m: &Matrix3<T>, i: usize| Vector3::new(m[(i, 0)], m[(i, 1)], m[(i, 2)]);
+        let before = [0, 1, 2].map(|i| cross(d, &row(&b, i)));
+        let after = [0, 1, 2].map(|i| cross(d, &row(&self.coupling, i)));
+        let a = &mut self.angular;
+        a.xx += before[0].x + after[0].x;
+        a.yy += before[1].y + after[1].y;
+        a.zz += before[2].z + after[2].z;
+        a.xy += before[0].y + after[1].x;
+        a.xz += before[0].z + after[2].x;
+        a.yz += before[1].z + after[2].y;
+    }
+}

@@ -1,0 +1,310 @@
+//! Derivatives of inverse and forward dynamics: the same recursions over dual numbers.
+
+use crate::direction::quaternion_rotation;
+use crate::error::DynamicsError;
+use crate::forward::forward_dynamics;
+use crate::inverse::inverse_dynamics;
+use crate::scalar::Dual;
+use crate::spatial::Wrench;
+use crate::tree::Tree;
+use crate::workspace::{Workspace, check, check_length};
+use nalgebra::{DMatrix, Vector3};
+use solaris_model::Figure;
+
+/// An operation of the kernel that can be differentiated: `(tree, workspace, q, v, input, external, output)`.
+///
+/// [`inverse_dynamics`] is one, its input `a` and its output `tau`; [`forward_dynamics`] is another, with these two swapped.
+pub type Operation<T> = fn(
+    &Tree<T>,
+    &mut Workspace<T>,
+    &[T],
+    &[T],
+    &[T],
+    &[(usize, Wrench<T>)],
+    &mut [T],
+) -> Result<(), DynamicsError>;
+
+/// Finds derivatives of one figure's dynamics, exact to rounding, `N` directions in a pass.
+///
+/// It owns a [`Tree`] and a [`Workspace`] over [`Dual<N>`] and the results; after [`Derivatives::new`] nothing allocates
+/// (but a list of more external wrenches than there are links, the first time). Whole matrices are fastest with the `N` of
+/// the default; for [`Derivatives::along`], one direction, take `Derivatives::<1>`.
+///
+/// # Derivatives by a configuration
+///
+/// `∂/∂q` is along the tangent: column `k` answers to the step that a unit rate of `v_k` takes,
+///
+/// ```text
+/// one axis  q̇ = e_k          ball  q̇ = ½ q ⊗ (e, 0)          free  ṗ = R·e,  q̇ = ½ q ⊗ (e, 0)
+/// ```
+///
+/// so that every matrix is `nv` × `nv` and a step `q ⊕ δ` ([`Figure::integrate`]) changes the output by `by_q·δ`. External
+/// wrenches are constants in world axes.
+///
+/// # Examples
+///
+/// A pendulum of 2 kg at half a metre, hanging: the slope of its torque by the angle is m·g·l, by the acceleration m·l².
+///
+/// ```
+/// use solaris_dynamics::Derivatives;
+/// use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
+///
+/// let bob = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(2.0).com(Vector3::new(0.0, -0.5, 0.0));
+/// let figure = FigureBuilder::new("pendulum").link(bob).build()?;
+/// let mut derivatives = <Derivatives>::new(&figure, Vector3::new(0.0, -9.81, 0.0))?;
+/// let partials = derivatives.inverse_dynamics(&[0.0], &[0.0], &[0.0], &[])?;
+/// assert!((partials.by_q[(0, 0)] - 9.81).abs() < 1e-15 && (partials.by_input[(0, 0)] - 0.5).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Derivatives<const N: usize = 8> {
+    tree: Tree<Dual<N>>,
+    workspace: Workspace<Dual<N>>,
+    q: Vec<Dual<N>>,
+    v: Vec<Dual<N>>,
+    input: Vec<Dual<N>>,
+    output: Vec<Dual<N>>,
+    external: Vec<(usize, Wrench<Dual<N>>)>,
+    partials: Partials,
+}
+
+/// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Partials {
+    /// The output itself: `tau` of inverse dynamics, `a` of forward dynamics.
+    pub value: Vec<f64>,
+    /// By the configuration, along the tangent.
+    pub by_q: DMatrix<f64>,
+    /// By the velocity.
+    pub by_v: DMatrix<f64>,
+    /// By the input: the acceleration of inverse dynamics (this is the mass matrix), the force of forward dynamics (its
+    /// inverse).
+    pub by_input: DMatrix<f64>,
+}
+
+/// A direction to differentiate along: how fast each argument changes. Each slice has length `nv`.
+#[derive(Clone, Copy, Debug)]
+pub struct Along<'a> {
+    /// Rate of the configuration, along the tangent.
+    pub q: &'a [f64],
+    /// Rate of the velocity.
+    pub v: &'a [f64],
+    /// Rate of the input.
+    pub input: &'a [f64],
+}
+
+/// Which argument the columns of a pass belong to.
+#[derive(Clone, Copy)]
+enum Argument {
+    Q,
+    V,
+    Input,
+}
+
+impl<const N: usize> Derivatives<N> {
+    /// What it takes for `figure` under the acceleration of `gravity` (m/s², world axes).
+    ///
+    /// # Errors
+    ///
+    /// As for [`Tree::new`].
+    pub fn new(figure: &Figure, gravity: Vector3<f64>) -> Result<Self, DynamicsError> {
+        const { assert!(N > 0, "a pass needs a direction") }
+        let tree = Tree::new(figure, gravity)?;
+        let (nq, nv, zero) = (tree.nq(), tree.nv(), Dual::constant(0.0));
+        let square = || DMatrix::zeros(nv, nv);
+        Ok(Self {
+            workspace: Workspace::new(&tree),
+            q: vec![zero; nq],
+            v: vec![zero; nv],
+            input: vec![zero; nv],
+            output: vec![zero; nv],
+            external: Vec::with_capacity(tree.link_count()),
+            partials: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            tree,
+        })
+    }
+
+    /// The forces of [`inverse_dynamics`] and their derivatives by `q`, `v` and `a`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`inverse_dynamics`]; [`DynamicsError::Overflow`] too where only a derivative is beyond the precision.
+    pub fn inverse_dynamics(
+        &mut self,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        external: &[(usize, Wrench<f64>)],
+    ) -> Result<&Partials, DynamicsError> {
+        self.of(inverse_dynamics, q, v, a, external)
+    }
+
+    /// The accelerations of [`forward_dynamics`] and their derivatives by `q`, `v` and `tau`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`forward_dynamics`]; [`DynamicsError::Overflow`] too where only a derivative is beyond the precision.
+    pub fn forward_dynamics(
+        &mut self,
+        q: &[f64],
+        v: &[f64],
+        tau: &[f64],
+        external: &[(usize, Wrench<f64>)],
+    ) -> Result<&Partials, DynamicsError> {
+        self.of(forward_dynamics, q, v, tau, external)
+    }
+
+    /// The output of any `operation` and its derivatives by `q`, `v` and its input.
+    ///
+    /// # Errors
+    ///
+    /// Those of the operation.
+    pub fn of(
+        &mut self,
+        operation: Operation<Dual<N>>,
+        q: &[f64],
+        v: &[f64],
+        input: &[f64],
+        external: &[(usize, Wrench<f64>)],
+    ) -> Result<&Partials, DynamicsError> {
+        self.set(q, v, input, external)?;
+        let nv = self.tree.nv();
+        if nv == 0 {
+            // No column would ask whether the call is right.
+            self.run(operation)?;
+        }
+        for argument in [Argument::Q, Argument::V, Argument::Input] {
+            for from in (0..nv).step_by(N) {
+                let columns = from..nv.min(from + N);
+                self.still(q, v, input);
+                columns.clone().for_each(|k| self.seed(argument, k, k - from, 1.0));
+                self.run(operation)?;
+                for k in columns {
+                    let matrix = self.partials.of(argument);
+                    for (row, output) in self.output.iter().enumerate() {
+                        matrix[(row, k)] = output.partial(k - from);
+                    }
+                }
+            }
+        }
+        Ok(&self.partials)
+    }
+
+    /// The output of any `operation`, written to `value`, and its derivative along one `direction`, written to `slope`; both
+    /// of length `nv`.
+    ///
+    /// # Errors
+    ///
+    /// Those of the operation, and for a direction or result of the wrong length.
+    #[expect(clippy::too_many_arguments, reason = "a state, a direction, and what comes of them")]
+    pub fn along(
+        &mut self,
+        operation: Operation<Dual<N>>,
+        q: &[f64],
+        v: &[f64],
+        input: &[f64],
+        external: &[(usize, Wrench<f64>)],
+        direction: &Along<'_>,
+        value: &mut [f64],
+        slope: &mut [f64],
+    ) -> Result<(), DynamicsError> {
+        self.set(q, v, input, external)?;
+        let nv = self.tree.nv();
+        check_length("value", value.len(), nv)?;
+        check_length("slope", slope.len(), nv)?;
+        self.still(q, v, input);
+        let arguments = [
+            (Argument::Q, "the direction of q", direction.q),
+            (Argument::V, "the direction of v", direction.v),
+            (Argument::Input, "the direction of the input", direction.input),
+        ];
+        for (argument, what, rates) in arguments {
+            check(what, rates, nv, |index| self.tree.v_name(index))?;
+            rates.iter().enumerate().for_each(|(k, rate)| self.seed(argument, k, 0, *rate));
+        }
+        self.run(operation)?;
+        value.copy_from_slice(&self.partials.value);
+        slope.iter_mut().zip(&self.output).for_each(|(slope, output)| *slope = output.partial(0));
+        Ok(())
+    }
+
+    /// Checks the lengths of the arguments and takes the wrenches over.
+    fn set(
+        &mut self,
+        q: &[f64],
+        v: &[f64],
+        input: &[f64],
+        external: &[(usize, Wrench<f64>)],
+    ) -> Result<(), DynamicsError> {
+        check_length("q", q.len(), self.tree.nq())?;
+        check_length("v", v.len(), self.tree.nv())?;
+        check_length("the input", input.len(), self.tree.nv())?;
+        self.external.clear();
+        self.external.extend(external.iter().map(|(link, Wrench { force, moment })| {
+            (*link, Wrench { force: force.map(Dual::constant), moment: moment.map(Dual::constant) })
+        }));
+        Ok(())
+    }
+
+    /// Sets the arguments, without any derivative.
+    fn still(&mut self, q: &[f64], v: &[f64], input: &[f64]) {
+        for (to, from) in [(&mut self.q, q), (&mut self.v, v), (&mut self.input, input)] {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = Dual::constant(*from));
+        }
+    }
+
+    /// Adds `rate` times the unit rate of entry `k` of an argument to its derivatives along direction `lane`.
+    fn seed(&mut self, argument: Argument, k: usize, lane: usize, rate: f64) {
+        match argument {
+            Argument::Q => self.seed_position(k, lane, rate),
+            Argument::V => add_partial(&mut self.v[k], lane, rate),
+            Argument::Input => add_partial(&mut self.input[k], lane, rate),
+        }
+    }
+
+    /// Moves the configuration along the tangent of degree of freedom `k`.
+    fn seed_position(&mut self, k: usize, lane: usize, rate: f64) {
+        let dof = &self.tree.dofs[k];
+        let Some((sphere, index)) = self.tree.sphere_of(k) else {
+            return add_partial(&mut self.q[dof.q], lane, rate);
+        };
+        let quaternion = [0, 1, 2, 3].map(|i| self.q[sphere.quaternion + i].value());
+        let e = dof.axis.map(Dual::value);
+        if let Some(position) = sphere.position.filter(|_| index < 3) {
+            let squared = quaternion.iter().map(|x| x * x).sum();
+            let way = quaternion_rotation(quaternion, squared) * e * rate;
+            (0..3).for_each(|i| add_partial(&mut self.q[position + i], lane, way[i]));
+        } else {
+            // ½ (u, w) ⊗ (e, 0) = ½ (w·e + u × e, −u·e)
+            let ([x, y, z, w], half) = (quaternion, rate / 2.0);
+            let u = Vector3::new(x, y, z);
+            let turn = e * w + u.cross(&e);
+            let parts = [turn.x, turn.y, turn.z, -u.dot(&e)];
+            (0..4).for_each(|i| add_partial(&mut self.q[sphere.quaternion + i], lane, parts[i] * half));
+        }
+    }
+
+    /// One pass.
+    fn run(&mut self, operation: Operation<Dual<N>>) -> Result<(), DynamicsError> {
+        let Self { tree, workspace, q, v, input, external, output, partials } = self;
+        operation(tree, workspace, q, v, input, external, output)?;
+        partials.value.iter_mut().zip(output).for_each(|(value, output)| *value = output.value());
+        Ok(())
+    }
+}
+
+impl Partials {
+    fn of(&mut self, argument: Argument) -> &mut DMatrix<f64> {
+        match argument {
+            Argument::Q => &mut self.by_q,
+            Argument::V => &mut self.by_v,
+            Argument::Input => &mut self.by_input,
+        }
+    }
+}
+
+fn add_partial<const N: usize>(number: &mut Dual<N>, lane: usize, rate: f64) {
+    let mut partials = number.partials();
+    partials[lane] += rate;
+    *number = Dual::new(number.value(), partials);
+}

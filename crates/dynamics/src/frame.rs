@@ -1,0 +1,111 @@
+//! Frames fixed to links.
+
+use crate::acceleration::carried;
+use crate::direction::{apply, cross};
+use crate::error::DynamicsError;
+use crate::scalar::Real;
+use crate::spatial::{Pose, Twist};
+use crate::tree::Tree;
+use crate::workspace::Workspace;
+use nalgebra::{Matrix3, Vector3};
+use solaris_model::{Figure, nearest};
+
+/// A frame fixed to a link: what a Jacobian is asked about.
+///
+/// ```
+/// use solaris_dynamics::Frame;
+/// use solaris_model::{Vector3, human};
+///
+/// let ann = human(1.65, 58.0)?;
+/// let hand = Frame::<f64>::named(&ann, "left_hand")?;
+/// assert_eq!(hand, Frame::of_link(ann.link_index("left_hand").unwrap()));
+/// let error = Frame::<f64>::named(&ann, "left_hnd").unwrap_err();
+/// assert!(error.to_string().ends_with("did you mean 'left_hand'?"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<T> {
+    /// Index of the link.
+    pub link: usize,
+    /// Where the frame stands in the link's frame (m).
+    pub placement: Pose<T>,
+}
+
+impl<T: Real> Frame<T> {
+    /// The link's own frame.
+    pub fn of_link(link: usize) -> Self {
+        Self { link, placement: Pose::identity() }
+    }
+
+    /// A frame with the link's axes at a `point` of the link (m, the link's frame).
+    pub fn at(link: usize, point: Vector3<T>) -> Self {
+        Self { link, placement: Pose { rotation: Matrix3::identity(), translation: point } }
+    }
+
+    /// The frame of the figure called `name`, or, if no frame is, the own frame of the link called so.
+    ///
+    /// # Errors
+    ///
+    /// [`DynamicsError::UnknownFrame`] with the nearest name.
+    pub fn named(figure: &Figure, name: &str) -> Result<Self, DynamicsError> {
+        let frames = || {
+            let links = figure.links().iter().enumerate();
+            links.flat_map(|(index, link)| link.frames().iter().map(move |frame| (index, frame)))
+        };
+        if let Some((link, frame)) = frames().find(|(_, frame)| frame.name == name) {
+            let mut rotation = frame.placement.rotation;
+            rotation.renormalize();
+            let placement = Pose {
+                rotation: rotation.to_rotation_matrix().matrix().map(T::from_f64),
+                translation: frame.placement.translation.vector.map(T::from_f64),
+            };
+            return Ok(Self { link, placement });
+        }
+        figure.link_index(name).map(Self::of_link).ok_or_else(|| {
+            let links = figure.links().iter().map(solaris_model::Link::name);
+            let names = frames().map(|(_, frame)| frame.name.as_str()).chain(links);
+            DynamicsError::UnknownFrame { name: name.to_owned(), nearest: nearest(name, names) }
+        })
+    }
+
+    /// Where the frame stands in the world, since the last operation on the workspace that is said to place the links.
+    ///
+    /// # Panics
+    ///
+    /// Where the tree has no such link; so the others.
+    pub fn pose(&self, workspace: &Workspace<T>) -> Pose<T> {
+        let link = &workspace.poses[self.link];
+        Pose {
+            rotation: link.rotation * self.placement.rotation,
+            translation: link.transform(&self.placement.translation),
+        }
+    }
+
+    /// How the frame moves, in world axes, since the last operation that is said to find the links' velocities.
+    pub fn velocity(&self, workspace: &Workspace<T>) -> Twist<T> {
+        let Twist { linear, angular } = workspace.twists[self.link];
+        Twist { linear: linear + cross(&angular, &self.arm(workspace)), angular }
+    }
+
+    /// How the frame accelerates, in world axes, since the last operation that is said to find the links' accelerations:
+    ///
+    /// ```text
+    /// ẍ + α × r + ω × (ω × r)
+    /// ```
+    pub fn acceleration(&self, workspace: &Workspace<T>) -> Twist<T> {
+        let (spin, Twist { linear, angular }) =
+            (workspace.twists[self.link].angular, workspace.accelerations[self.link]);
+        Twist { linear: linear + carried(&spin, &angular, &self.arm(workspace)), angular }
+    }
+
+    /// From the link's origin to the frame's, in world axes.
+    pub(crate) fn arm(&self, workspace: &Workspace<T>) -> Vector3<T> {
+        apply(&workspace.poses[self.link].rotation, &self.placement.translation)
+    }
+
+    /// Refuses a link that the tree does not have.
+    pub(crate) fn check(&self, tree: &Tree<T>) -> Result<(), DynamicsError> {
+        let last = tree.link_count() - 1;
+        if self.link <= last { Ok(()) } else { Err(DynamicsError::UnknownLink { link: self.link, last }) }
+    }
+}

@@ -1,0 +1,75 @@
+//! Forces with their moments, handed from frame to frame.
+
+use crate::direction::{Direction, Moved, apply, cross};
+use crate::scalar::Real;
+use crate::spatial::Pose;
+use nalgebra::{Matrix3, Vector3};
+
+/// A force and its moment about the origin of the frame it is written in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Load<T> {
+    pub(crate) force: Vector3<T>,
+    pub(crate) moment: Vector3<T>,
+}
+
+impl<T: Real> Load<T> {
+    pub(crate) fn zero() -> Self {
+        Self { force: Vector3::zeros(), moment: Vector3::zeros() }
+    }
+
+    /// The moment about `e`; afterwards the load stands in the frame before the turn.
+    #[inline]
+    pub(crate) fn leave_turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>) -> T {
+        let moment = e.dot(&self.moment);
+        *self = Self { force: e.leave(self.force, turn), moment: e.leave(self.moment, turn) };
+        moment
+    }
+
+    /// Force and moment along the link's axes go to `tau`; afterwards the load stands in the joint's frame of a ball or free
+    /// joint.
+    #[inline]
+    pub(crate) fn land(&mut self, sphere: &Pose<T>, tau: &mut [T]) {
+        let (linear, angular) = tau.split_at_mut(tau.len() - 3);
+        linear.iter_mut().zip(self.force.iter()).for_each(|(tau, force)| *tau = *force);
+        angular.iter_mut().zip(self.moment.iter()).for_each(|(tau, moment)| *tau = *moment);
+        self.leave_frame(&sphere.rotation);
+        self.shift(&sphere.translation);
+    }
+
+    /// From the frame after three turns to the one before them.
+    #[inline]
+    pub(crate) fn leave_three<X: Direction<T>, Y: Direction<T>, Z: Direction<T>>(
+        &mut self,
+        (x, y, z): (X, Y, Z),
+        turns: &[Moved<T>; 3],
+    ) {
+        let leave = |v| x.leave(y.leave(z.leave(v, turns[2]), turns[1]), turns[0]);
+        *self = Self { force: leave(self.force), moment: leave(self.moment) };
+    }
+
+    /// The force along `e`; afterwards the moment is about the origin before the slide.
+    #[inline]
+    pub(crate) fn leave_slide<E: Direction<T>>(&mut self, e: E, slide: Moved<T>) -> T {
+        // d × f = −(f × d)
+        self.moment -= e.crossed(&self.force, slide.s);
+        e.dot(&self.force)
+    }
+
+    #[inline]
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.force += other.force;
+        self.moment += other.moment;
+    }
+
+    /// From a turned frame to the one that it was turned from.
+    #[inline]
+    pub(crate) fn leave_frame(&mut self, rotation: &Matrix3<T>) {
+        *self = Self { force: apply(rotation, &self.force), moment: apply(rotation, &self.moment) };
+    }
+
+    /// From an origin at `d` to the one that `d` is measured from.
+    #[inline]
+    pub(crate) fn shift(&mut self, d: &Vector3<T>) {
+        self.moment += cross(d, &self.force);
+    }
+}

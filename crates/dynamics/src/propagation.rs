@@ -1,0 +1,44 @@
+//! The three passes of forward and hybrid dynamics, everything in the links' own frames.
+//!
+//! Velocities run outwards and leave the accelerations that they bring by themselves ([`velocity_terms`]). Then the links
+//! are gathered inwards ([`gather`]): each joint passes on what hangs from it as one body, whose free degrees of freedom
+//! give way and whose prescribed ones do not. Accelerations run outwards at last ([`accelerate`]).
+
+mod inward;
+mod outward;
+mod velocity;
+mod yielding;
+
+pub(crate) use inward::{gather, gather_loads};
+pub(crate) use outward::accelerate;
+pub(crate) use velocity::{no_velocity_terms, velocity_terms};
+pub(crate) use yielding::Yielding;
+
+use crate::scalar::Real;
+use crate::tree::Body;
+use nalgebra::Vector3;
+
+/// What one degree of freedom has to do with the acceleration of its link: kept from the way in for the way out.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hinge<T> {
+    /// `U`: moment and force that go with an acceleration by 1.
+    moment: Vector3<T>,
+    force: Vector3<T>,
+    /// `1/D`, where `D` is the force that an acceleration by 1 takes; zero where the acceleration is prescribed.
+    pub(crate) inverse: T,
+    /// The force that is left for the acceleration once the bias is served; of a prescribed acceleration, the bias.
+    force_left: T,
+}
+
+impl<T: Real> Hinge<T> {
+    pub(crate) fn idle() -> Self {
+        let (moment, force) = (Vector3::zeros(), Vector3::zeros());
+        Self { moment, force, inverse: T::zero(), force_left: T::zero() }
+    }
+}
+
+/// Whether the joint of a body gives way to every turn of its link.
+#[inline]
+fn turns_freely<T: Real>(body: &Body<T>, prescribed: impl Fn(usize) -> bool) -> bool {
+    body.turns_freely && !(body.end - 3..body.end).any(prescribed)
+}

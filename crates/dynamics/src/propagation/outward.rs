@@ -1,0 +1,192 @@
+//! Outwards, last: accelerations.
+
+use super::yielding::ThreeTurns;
+use super::{Hinge, turns_freely};
+use crate::direction::{Direction, Moved, apply_transposed, cross};
+use crate::dof::{Dof, along, along_three};
+use crate::scalar::Real;
+use crate::spatial::Pose;
+use crate::tree::{Body, Tree};
+use crate::workspace::{LinkMotion, Workspace};
+use nalgebra::Vector3;
+
+/// Accelerations, from the root outwards, over a world that itself has the acceleration `base`: writes `a` where it is not
+/// `prescribed`, `tau` where it is.
+pub(crate) fn accelerate<T: Real>(
+    tree: &Tree<T>,
+    ws: &mut Workspace<T>,
+    base: &Vector3<T>,
+    prescribed: impl Fn(usize) -> bool + Copy,
+    a: &mut [T],
+    tau: &mut [T],
+) {
+    let mut answer = Answer { dofs: &tree.dofs, hinges: &ws.hinges, prescribed, a, tau };
+    for (i, body) in tree.bodies.iter().enumerate() {
+        let parent = body.parent.map(|parent| &ws.motions[parent]);
+        let mut moving = Accelerating::at_joint(body, parent, base, &ws.offset_drifts[i]);
+        let yields = turns_freely(body, answer.prescribed);
+        if let Some(slot) = body.sphere {
+            moving.fly(&ws.spheres[slot], body, &ws.drifts);
+            for k in body.first..body.end - if yields { 3 } else { 0 } {
+                along!(&tree.dofs[k], ws.rotations, |e| turn {
+                    moving.let_turn(e, k, &mut answer);
+                }, slide {
+                    moving.let_slide(e, k, &mut answer);
+                });
+            }
+            if yields {
+                let angular = ws.yieldings[i].angular(&moving.linear);
+                answer.a[body.end - 3..body.end].copy_from_slice((angular - moving.angular).as_slice());
+                moving.angular = angular;
+            }
+        }
+        for k in body.first..body.single_end {
+            let dof = &tree.dofs[k];
+            let moved = dof.moved(ws.moved[dof.q]);
+            along!(dof, ws.rotations, |e| turn {
+                moving.turn(e, moved, &ws.drifts[k]);
+                moving.let_turn(e, k, &mut answer);
+            }, slide {
+                moving.linear += e.crossed(&moving.angular, moved.s) + ws.drifts[k];
+                moving.let_slide(e, k, &mut answer);
+            });
+        }
+        if let Some(triple) = body.triple.filter(|_| yields) {
+            let (turns, k) = (ws.last_three(body), body.single_end);
+            let drifts = &ws.drifts[k..][..3];
+            along_three!(triple, |x, y, z| {
+                moving.turn(x, turns[0], &drifts[0]);
+                moving.turn(y, turns[1], &drifts[1]);
+                moving.turn(z, turns[2], &drifts[2]);
+                let angular = ws.yieldings[i].angular(&moving.linear);
+                let relative = angular - moving.angular;
+                let turning = ThreeTurns::new(triple, (x, y, z), &turns);
+                answer.a[k..][..3].copy_from_slice(&turning.accelerations(relative));
+                moving.angular = angular;
+            });
+        } else if let Some(triple) = body.triple {
+            let (turns, k) = (ws.last_three(body), body.single_end);
+            let drifts = &ws.drifts[k..][..3];
+            along_three!(triple, |x, y, z| {
+                moving.turn(x, turns[0], &drifts[0]);
+                moving.let_turn(x, k, &mut answer);
+                moving.turn(y, turns[1], &drifts[1]);
+                moving.let_turn(y, k + 1, &mut answer);
+                moving.turn(z, turns[2], &drifts[2]);
+                moving.let_turn(z, k + 2, &mut answer);
+            });
+        }
+        ws.motions[i].angular_acceleration = moving.angular;
+        ws.motions[i].acceleration = moving.linear;
+    }
+}
+
+/// Angular acceleration of a frame and acceleration of its origin.
+struct Accelerating<T> {
+    angular: Vector3<T>,
+    linear: Vector3<T>,
+}
+
+/// Where the accelerations come from and where they go.
+struct Answer<'a, T, P> {
+    dofs: &'a [Dof<T>],
+    hinges: &'a [Hinge<T>],
+    prescribed: P,
+    a: &'a mut [T],
+    tau: &'a mut [T],
+}
+
+impl<T: Real> Accelerating<T> {
+    /// Of the joint's frame before its first degree of freedom.
+    #[inline]
+    fn at_joint(
+        body: &Body<T>,
+        parent: Option<&LinkMotion<T>>,
+        base: &Vector3<T>,
+        drift: &Vector3<T>,
+    ) -> Self {
+        let (angular, linear) = parent.map_or((Vector3::zeros(), *base), |parent| {
+            let angular = parent.angular_acceleration;
+            (angular, parent.acceleration + cross(&angular, &body.offset) + drift)
+        });
+        body.turned.as_ref().map_or(Self { angular, linear }, |turned| Self {
+            angular: apply_transposed(turned, &angular),
+            linear: apply_transposed(turned, &linear),
+        })
+    }
+
+    /// Past a turn about `e`, without its own acceleration.
+    #[inline]
+    fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, drift: &Vector3<T>) {
+        self.angular = e.enter(self.angular, turn) + drift;
+        self.linear = e.enter(self.linear, turn);
+    }
+
+    /// Past the place of a ball or free joint, without the accelerations of its degrees of freedom.
+    fn fly(&mut self, sphere: &Pose<T>, body: &Body<T>, drifts: &[Vector3<T>]) {
+        self.linear =
+            apply_transposed(&sphere.rotation, &(self.linear + cross(&self.angular, &sphere.translation)));
+        self.angular = apply_transposed(&sphere.rotation, &self.angular) + drifts[body.end - 1];
+        if body.end - body.first == 6 {
+            self.linear += drifts[body.first];
+        }
+    }
+
+    #[inline]
+    fn let_turn<E: Direction<T>, P: Fn(usize) -> bool>(
+        &mut self,
+        e: E,
+        k: usize,
+        answer: &mut Answer<'_, T, P>,
+    ) {
+        let acceleration = answer.acceleration(k, self);
+        self.angular = e.add(self.angular, acceleration);
+        answer.force(k, self, acceleration);
+    }
+
+    #[inline]
+    fn let_slide<E: Direction<T>, P: Fn(usize) -> bool>(
+        &mut self,
+        e: E,
+        k: usize,
+        answer: &mut Answer<'_, T, P>,
+    ) {
+        let acceleration = answer.acceleration(k, self);
+        self.linear = e.add(self.linear, acceleration);
+        answer.force(k, self, acceleration);
+    }
+}
+
+impl<T: Real, P: Fn(usize) -> bool> Answer<'_, T, P> {
+    /// `q̈ = (u − U·a)/D` of a free degree of freedom, whose link would have the acceleration `a` without it.
+    #[inline]
+    fn acceleration(&mut self, k: usize, without: &Accelerating<T>) -> T {
+        let (hinge, sign) = (&self.hinges[k], self.dofs[k].sign);
+        if (self.prescribed)(k) {
+            return self.a[k] * sign;
+        }
+        let acceleration = (hinge.force_left - hinge.opposes(without)) * hinge.inverse;
+        self.a[k] = acceleration * sign;
+        acceleration
+    }
+
+    /// `τ = U·a + b` of a prescribed degree of freedom, whose link has the acceleration `a`.
+    #[inline]
+    fn force(&mut self, k: usize, with: &Accelerating<T>, acceleration: T) {
+        if (self.prescribed)(k) {
+            let (hinge, dof) = (&self.hinges[k], &self.dofs[k]);
+            let force = hinge.opposes(with) + hinge.force_left + dof.armature * acceleration;
+            self.tau[k] = force * dof.sign;
+        }
+    }
+}
+
+impl<T: Real> Hinge<T> {
+    /// The force along the degree of freedom that an acceleration of its link asks for.
+    #[inline]
+    fn opposes(&self, moving: &Accelerating<T>) -> T {
+        let (m, f, angular, linear) = (&self.moment, &self.force, &moving.angular, &moving.linear);
+        (m.x * angular.x + m.y * angular.y + m.z * angular.z)
+            + (f.x * linear.x + f.y * linear.y + f.z * linear.z)
+    }
+}

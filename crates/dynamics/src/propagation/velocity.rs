@@ -1,0 +1,74 @@
+//! Outwards, first: what velocities bring.
+
+use crate::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::dof::{along, along_three};
+use crate::inverse::{field, first_three, last_three, whirling_load};
+use crate::load::Load;
+use crate::scalar::Real;
+use crate::tree::Tree;
+use crate::workspace::Workspace;
+use nalgebra::Vector3;
+
+/// Velocities, from the root outwards: every link's angular velocity, the accelerations that velocities bring without
+/// any acceleration of a degree of freedom, and the loads that keep the links' matter on its way.
+pub(crate) fn velocity_terms<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
+    for (i, body) in tree.bodies.iter().enumerate() {
+        let (mut angular, mut drift) = (Vector3::zeros(), Vector3::zeros());
+        if let Some(parent) = body.parent {
+            angular = ws.motions[parent].angular;
+            drift = apply(&ws.motions[parent].field, &body.offset);
+        }
+        ws.offset_drifts[i] = drift;
+        if let Some(turned) = &body.turned {
+            angular = apply_transposed(turned, &angular);
+        }
+        if let Some(slot) = body.sphere {
+            let (sphere, v) = (&ws.spheres[slot], &v[body.first..body.end]);
+            let (before, w) = (apply_transposed(&sphere.rotation, &angular), last_three(v));
+            if v.len() == 6 {
+                let carried = cross(&angular, &cross(&angular, &sphere.translation));
+                let turned = cross(&(before + before + w), &first_three(v));
+                ws.drifts[body.first] = apply_transposed(&sphere.rotation, &carried) + turned;
+            }
+            ws.drifts[body.end - 1] = cross(&before, &w);
+            angular = before + w;
+        }
+        for k in body.first..body.single_end {
+            let dof = &tree.dofs[k];
+            let (moved, rate) = (dof.moved(ws.moved[dof.q]), v[k] * dof.sign);
+            along!(dof, ws.rotations, |e| turn {
+                ws.drifts[k] = turning(e, &mut angular, moved, rate);
+            }, slide {
+                let carried = e.add(e.crossed(&angular, moved.s), rate + rate);
+                ws.drifts[k] = cross(&angular, &carried);
+            });
+        }
+        if let Some(triple) = body.triple {
+            let (turns, from) = (ws.last_three(body), body.single_end);
+            let (rates, drifts) = (&v[from..][..3], &mut ws.drifts[from..][..3]);
+            along_three!(triple, |x, y, z| {
+                drifts[0] = turning(x, &mut angular, turns[0], rates[0]);
+                drifts[1] = turning(y, &mut angular, turns[1], rates[1]);
+                drifts[2] = turning(z, &mut angular, turns[2], rates[2]);
+            });
+        }
+        let field = field(&angular, &Vector3::zeros());
+        ws.loads[i] = body.matter.as_ref().map_or_else(Load::zero, |matter| whirling_load(matter, &field));
+        (ws.motions[i].angular, ws.motions[i].field) = (angular, field);
+    }
+}
+
+/// `ω ← Rᵀω + e·q̇`; what it returns is `Rᵀω × e·q̇`.
+#[inline]
+fn turning<T: Real, E: Direction<T>>(e: E, angular: &mut Vector3<T>, turn: Moved<T>, rate: T) -> Vector3<T> {
+    let before = e.enter(*angular, turn);
+    *angular = e.add(before, rate);
+    e.crossed(&before, rate)
+}
+
+/// A figure at rest that carries nothing.
+pub(crate) fn no_velocity_terms<T: Real>(ws: &mut Workspace<T>) {
+    ws.drifts.fill(Vector3::zeros());
+    ws.offset_drifts.fill(Vector3::zeros());
+    ws.loads.fill(Load::zero());
+}

@@ -1,0 +1,110 @@
+//! Joints that let their link turn in every way: what they pass on is the same whichever angles describe the turn.
+
+use crate::articulated::Articulated;
+use crate::direction::{Direction, Moved, apply, apply_transposed};
+use crate::dof::Triple;
+use crate::load::Load;
+use crate::scalar::Real;
+use crate::symmetric::Factor;
+use nalgebra::{Matrix3, Vector3};
+
+/// How a link turns whose joint gives way to every turn, `n` being the moment that the joint hands on:
+///
+/// ```text
+/// n = A·α + B·a + n₀          α = A⁻¹·(n − n₀) − G·a          G = A⁻¹·B
+/// ```
+///
+/// Put into the force, this leaves no inertia against turning: `C ← C − Bᵀ·G`, `f ← f₀ + Gᵀ·(n − n₀)`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Yielding<T> {
+    factor: Factor<T>,
+    /// `G`
+    coupling: Matrix3<T>,
+    /// `A⁻¹·(n − n₀)`
+    turning: Vector3<T>,
+}
+
+impl<T: Real> Yielding<T> {
+    pub(crate) fn idle() -> Self {
+        Self { factor: Factor::zero(), coupling: Matrix3::zeros(), turning: Vector3::zeros() }
+    }
+
+    /// Lets the link of `inertia` turn under the joint's `moment`; `inertia` and `load` become those of what is left.
+    #[inline]
+    pub(crate) fn give_way(inertia: &mut Articulated<T>, load: &mut Load<T>, moment: Vector3<T>) -> Self {
+        let (factor, b) = (inertia.angular.factor(), inertia.coupling);
+        let columns = [0, 1, 2].map(|i| Vector3::new(b[(0, i)], b[(1, i)], b[(2, i)]));
+        let [x, y, z] = columns.map(|column| factor.solve(&column));
+        let c = &mut inertia.linear;
+        c.xx -= columns[0].dot(&x);
+        c.yy -= columns[1].dot(&y);
+        c.zz -= columns[2].dot(&z);
+        c.xy -= columns[0].dot(&y);
+        c.xz -= columns[0].dot(&z);
+        c.yz -= columns[1].dot(&z);
+        inertia.clear_turning();
+        let mut yielding =
+            Self { factor, coupling: Matrix3::from_columns(&[x, y, z]), turning: Vector3::zeros() };
+        yielding.pass(load, moment);
+        yielding
+    }
+
+    /// A new load under a new moment.
+    #[inline]
+    pub(crate) fn pass(&mut self, load: &mut Load<T>, moment: Vector3<T>) {
+        let left = moment - load.moment;
+        self.turning = self.factor.solve(&left);
+        load.force += apply_transposed(&self.coupling, &left);
+        load.moment = moment;
+    }
+
+    /// Angular acceleration of the link whose origin has the acceleration `linear`.
+    #[inline]
+    pub(crate) fn angular(&self, linear: &Vector3<T>) -> Vector3<T> {
+        self.turning - apply(&self.coupling, linear)
+    }
+
+    /// 1 over what each of the link's axes has of inertia once those before it have given way.
+    pub(crate) fn pivots(&self) -> [T; 3] {
+        self.factor.pivots
+    }
+}
+
+/// Three turns about different coordinate axes `e_1`, `e_2`, `e_3`, seen after the second: there `e_1` has leant over
+/// towards `e_3`,
+///
+/// ```text
+/// e_1 → cos q_2·e_1 ± sin q_2·e_3
+/// ```
+#[derive(Clone, Copy)]
+pub(crate) struct ThreeTurns<T, X, Y, Z> {
+    axes: (X, Y, Z),
+    last: Moved<T>,
+    upright: T,
+    lean: T,
+}
+
+impl<T: Real, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T, X, Y, Z> {
+    #[inline]
+    pub(crate) fn new(triple: Triple, axes: (X, Y, Z), turns: &[Moved<T>; 3]) -> Self {
+        let lean = if triple.is_cyclic() { turns[1].s } else { -turns[1].s };
+        Self { axes, last: turns[2], upright: T::one() / turns[1].c, lean }
+    }
+
+    /// The moment on the link, along its own axes, whose parts along the three axes are `tau`.
+    #[inline]
+    pub(crate) fn moment(&self, tau: &[T]) -> Vector3<T> {
+        let (x, y, z) = self.axes;
+        let along = x.add(Vector3::zeros(), (tau[0] - self.lean * tau[2]) * self.upright);
+        z.enter(z.add(y.add(along, tau[1]), tau[2]), self.last)
+    }
+
+    /// The accelerations of the three turns that add up to the angular acceleration `relative`, along the link's axes.
+    #[inline]
+    pub(crate) fn accelerations(&self, relative: Vector3<T>) -> [T; 3] {
+        let (x, y, z) = self.axes;
+        let before = z.leave(relative, self.last);
+        let first = x.dot(&before) * self.upright;
+        [first, y.dot(&before), z.dot(&before) - self.lean * first]
+    }
+}

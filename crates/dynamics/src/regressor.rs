@@ -1,0 +1,130 @@
+//! Forces as a linear function of the masses: what system identification asks.
+
+use crate::acceleration::{accelerations, carried};
+use crate::climb::{Step, climb};
+use crate::direction::{cross, dot};
+use crate::error::DynamicsError;
+use crate::load::Load;
+use crate::mass_matrix::levers;
+use crate::scalar::Real;
+use crate::spatial::Twist;
+use crate::tree::Tree;
+use crate::workspace::{Workspace, check_length, check_result};
+use nalgebra::{DMatrix, Matrix3, Vector3};
+use solaris_model::Figure;
+
+/// Number of inertial parameters of a link.
+pub const INERTIAL_PARAMETERS: usize = 10;
+
+/// Rows and columns of the six parameters of the inertia.
+const INERTIA: [(usize, usize); 6] = [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)];
+
+/// The inertial parameters `π` of all links, ten for each, in the order of the links:
+///
+/// ```text
+/// m, m·c_x, m·c_y, m·c_z, I_xx, I_xy, I_yy, I_xz, I_yz, I_zz
+/// ```
+///
+/// in kg, kg m and kg m², along the link's own axes, the inertia about the link's **origin** (Pinocchio's order). A link
+/// without mass has ten zeros.
+pub fn inertial_parameters(figure: &Figure) -> Vec<f64> {
+    let parameters = |link: &solaris_model::Link| {
+        let (m, c) = (link.mass(), link.com());
+        if m <= 0.0 {
+            return [0.0; INERTIAL_PARAMETERS];
+        }
+        let inertia = link.inertia() + (Matrix3::identity() * c.norm_squared() - c * c.transpose()) * m;
+        let [xx, xy, yy, xz, yz, zz] = INERTIA.map(|entry| inertia[entry]);
+        [m, m * c.x, m * c.y, m * c.z, xx, xy, yy, xz, yz, zz]
+    };
+    figure.links().iter().flat_map(parameters).collect()
+}
+
+/// The regressor `Y` (`nv` × 10·links) of inverse dynamics at `q`, `v`, `a`:
+///
+/// ```text
+/// tau = Y·π
+/// ```
+///
+/// with `π` as [`inertial_parameters`] orders it; `Y` depends on the figure's joints and on gravity, not on its masses.
+/// Armatures and external wrenches have no part in it: `Y·π` is the force of the links alone.
+///
+/// With `a` the acceleration of a link's origin less gravity, the link needs `(f, n)` about its origin:
+///
+/// ```text
+/// by m:    (a, 0)
+/// by m·c:  (K·e, e × a)        K = [α]× + [ω]×²
+/// by I:    (0, E·α + ω × E·ω)  E the derivative of I
+/// ```
+///
+/// Also places the links and finds their velocities and accelerations.
+///
+/// # Source
+///
+/// C. G. Atkeson, C. H. An, J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", Int. J.
+/// Robotics Research 5 (1986) 101–119.
+///
+/// # Errors
+///
+/// As for [`crate::jacobian`].
+pub fn torque_regressor<T: Real>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    v: &[T],
+    a: &[T],
+    matrix: &mut DMatrix<T>,
+) -> Result<(), DynamicsError> {
+    check_length("each column of the regressor", matrix.nrows(), tree.nv())?;
+    check_length("each row of the regressor", matrix.ncols(), INERTIAL_PARAMETERS * tree.link_count())?;
+    accelerations(tree, workspace, q, v, a)?;
+    levers(tree, workspace);
+    matrix.as_mut_slice().fill(T::zero());
+    let ws = &*workspace;
+    for (link, body) in tree.bodies.iter().enumerate() {
+        let mut loads = loads_by_parameter(tree, ws, link);
+        climb(tree, link, body.end, |step| match step {
+            Step::Dof(k) => {
+                let turns = tree.dofs[k].kind.turns();
+                for (parameter, load) in loads.iter().enumerate() {
+                    let along = dot(&ws.levers[k], &load.force);
+                    let about = if turns { dot(&ws.axes[k], &load.moment) } else { T::zero() };
+                    matrix[(k, INERTIAL_PARAMETERS * link + parameter)] = along + about;
+                }
+            }
+            Step::Parent(link) => {
+                for load in &mut loads {
+                    load.moment += cross(&ws.reaches[link], &load.force);
+                }
+            }
+        });
+    }
+    check_result("the regressor", matrix.as_slice())
+}
+
+/// What moves a link, by each of its parameters: world axes, about the link's origin.
+fn loads_by_parameter<T: Real>(
+    tree: &Tree<T>,
+    ws: &Workspace<T>,
+    link: usize,
+) -> [Load<T>; INERTIAL_PARAMETERS] {
+    let (rotation, spin) = (&ws.poses[link].rotation, &ws.twists[link].angular);
+    let Twist { linear, angular } = &ws.accelerations[link];
+    let (acceleration, axis) =
+        (linear - tree.gravity, |i: usize| -> Vector3<T> { rotation.column(i).into() });
+    let mut loads = [Load::zero(); INERTIAL_PARAMETERS];
+    loads[0].force = acceleration;
+    for i in 0..3 {
+        let e = axis(i);
+        loads[1 + i] = Load { force: carried(spin, angular, &e), moment: cross(&e, &acceleration) };
+    }
+    for (load, (row, column)) in loads[4..].iter_mut().zip(INERTIA) {
+        let (x, y) = (axis(row), axis(column));
+        let times = |w: &Vector3<T>| {
+            let once = x * dot(&y, w);
+            if row == column { once } else { once + y * dot(&x, w) }
+        };
+        load.moment = times(angular) + cross(spin, &times(spin));
+    }
+    loads
+}

@@ -1,0 +1,137 @@
+//! Symmetric 3 × 3 matrices.
+
+use crate::scalar::Real;
+use nalgebra::{Matrix3, Vector3};
+
+/// The six different entries of a symmetric matrix.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Symmetric<T> {
+    pub(crate) xx: T,
+    pub(crate) yy: T,
+    pub(crate) zz: T,
+    pub(crate) xy: T,
+    pub(crate) xz: T,
+    pub(crate) yz: T,
+}
+
+impl<T: Real> Symmetric<T> {
+    pub(crate) fn zero() -> Self {
+        let o = T::zero();
+        Self { xx: o, yy: o, zz: o, xy: o, xz: o, yz: o }
+    }
+
+    /// The upper triangle of `m`.
+    #[inline]
+    pub(crate) fn of(m: &Matrix3<T>) -> Self {
+        Self { xx: m.m11, yy: m.m22, zz: m.m33, xy: m.m12, xz: m.m13, yz: m.m23 }
+    }
+
+    #[inline]
+    pub(crate) fn at(&self, row: usize, column: usize) -> T {
+        match (row, column) {
+            (0, 0) => self.xx,
+            (1, 1) => self.yy,
+            (2, 2) => self.zz,
+            (0, 1) | (1, 0) => self.xy,
+            (0, 2) | (2, 0) => self.xz,
+            _ => self.yz,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn set(&mut self, row: usize, column: usize, value: T) {
+        let entry = match (row, column) {
+            (0, 0) => &mut self.xx,
+            (1, 1) => &mut self.yy,
+            (2, 2) => &mut self.zz,
+            (0, 1) | (1, 0) => &mut self.xy,
+            (0, 2) | (2, 0) => &mut self.xz,
+            _ => &mut self.yz,
+        };
+        *entry = value;
+    }
+
+    #[inline]
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.xx += other.xx;
+        self.yy += other.yy;
+        self.zz += other.zz;
+        self.xy += other.xy;
+        self.xz += other.xz;
+        self.yz += other.yz;
+    }
+
+    /// `S ← S − u·wᵀ`, where the product is symmetric.
+    #[inline]
+    pub(crate) fn subtract_outer(&mut self, u: &Vector3<T>, w: &Vector3<T>) {
+        self.xx -= u.x * w.x;
+        self.yy -= u.y * w.y;
+        self.zz -= u.z * w.z;
+        self.xy -= u.x * w.y;
+        self.xz -= u.x * w.z;
+        self.yz -= u.y * w.z;
+    }
+
+    /// `S·v`
+    #[inline]
+    pub(crate) fn times(&self, v: &Vector3<T>) -> Vector3<T> {
+        Vector3::new(
+            self.xx * v.x + self.xy * v.y + self.xz * v.z,
+            self.xy * v.x + self.yy * v.y + self.yz * v.z,
+            self.xz * v.x + self.yz * v.y + self.zz * v.z,
+        )
+    }
+
+    /// `R·S·Rᵀ`
+    #[inline]
+    pub(crate) fn rotated(&self, rotation: &Matrix3<T>) -> Self {
+        #[rustfmt::skip]
+        let full = Matrix3::new(
+            self.xx, self.xy, self.xz,
+            self.xy, self.yy, self.yz,
+            self.xz, self.yz, self.zz,
+        );
+        Self::of(&(rotation * full * rotation.transpose()))
+    }
+}
+
+/// A symmetric matrix as `L·D·Lᵀ`, `L` with ones on its diagonal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Factor<T> {
+    /// `1/D`
+    pub(crate) pivots: [T; 3],
+    yx: T,
+    zx: T,
+    zy: T,
+}
+
+impl<T: Real> Factor<T> {
+    pub(crate) fn zero() -> Self {
+        let o = T::zero();
+        Self { pivots: [o; 3], yx: o, zx: o, zy: o }
+    }
+
+    /// The vector that the matrix takes to `v`.
+    #[inline]
+    pub(crate) fn solve(&self, v: &Vector3<T>) -> Vector3<T> {
+        let y = v.y - self.yx * v.x;
+        let z = v.z - self.zx * v.x - self.zy * y;
+        let z = z * self.pivots[2];
+        let y = y * self.pivots[1] - self.zy * z;
+        Vector3::new(v.x * self.pivots[0] - self.yx * y - self.zx * z, y, z)
+    }
+}
+
+impl<T: Real> Symmetric<T> {
+    /// The factors of a positive definite matrix; a pivot of zero makes them infinite.
+    #[inline]
+    pub(crate) fn factor(&self) -> Factor<T> {
+        let x = T::one() / self.xx;
+        let (yx, zx) = (self.xy * x, self.xz * x);
+        let y = T::one() / (self.yy - yx * self.xy);
+        let left = self.yz - yx * self.xz;
+        let zy = left * y;
+        let z = T::one() / (self.zz - zx * self.xz - zy * left);
+        Factor { pivots: [x, y, z], yx, zx, zy }
+    }
+}

@@ -1,0 +1,11 @@
+//! Denavit-Hartenberg frames: the laws that they obey, the source's tables and matrices, the printed summary, the pictures.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod appendix_b;
+mod appendix_c;
+mod figures;
+mod laws;
+mod pictures;
+mod summary;

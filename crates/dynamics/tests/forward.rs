@@ -1,0 +1,168 @@
+//! Forward and hybrid dynamics against the numbers of another engine and against inverse dynamics.
+
+mod support;
+
+use nalgebra::{DMatrix, DVector, Vector3};
+use proptest::prelude::*;
+use solaris_dynamics::DynamicsError;
+use solaris_model::{FigureBuilder, Joint, LinkSpec};
+use support::random::{Random, tree};
+use support::reference::{external, figure, models};
+use support::{Kernel, largest, relative_error};
+
+/// Every quantity within `10·κ(M)·ε` of its largest entry; of what is left of it where `τ` and the bias cancel (in one of
+/// the states of one degree of freedom, by a factor of 4).
+#[test]
+fn forward_and_hybrid_dynamics_agree_with_the_reference() {
+    let mut compared = 0;
+    for model in models() {
+        let mut kernel = Kernel::<f64>::new(&figure(&model), Vector3::from(model.gravity));
+        for (number, state) in model.states.iter().enumerate() {
+            let left: Vec<f64> = state.tau_in.iter().zip(&state.bias).map(|(tau, bias)| tau - bias).collect();
+            let cancelled = (largest(&state.bias) / largest(&left)).max(1.0);
+            let tolerance = 10.0 * state.condition * f64::EPSILON * cancelled;
+            let mut check = |what: &str, found: &[f64], expected: &[f64]| {
+                let error = relative_error(found, expected);
+                assert!(
+                    error <= tolerance,
+                    "{} state {number}: {what} {error:e} > {tolerance:e}",
+                    model.name
+                );
+                compared += 1;
+            };
+            let (q, v) = (&state.q, &state.qd);
+            check("a", &kernel.forward(q, v, &state.tau_in, &[]).expect("valid"), &state.qdd_fd);
+            let hybrid = &state.hybrid;
+            let given = [hybrid.qdd_p.as_slice(), &hybrid.tau_d];
+            let [a, tau] = kernel.hybrid([q, v], &hybrid.prescribed, given, &[]).expect("valid");
+            check("a of hybrid dynamics", &a, &hybrid.qdd);
+            check("tau of hybrid dynamics", &tau, &hybrid.tau);
+            if let (Some(fext), Some(expected)) = (&state.fext, &state.qdd_fd_ext) {
+                let wrenches = external(&mut kernel, q, fext);
+                let a = kernel.forward(q, v, &state.tau_in, &wrenches).expect("valid");
+                check("a with wrenches", &a, expected);
+            }
+        }
+    }
+    assert_eq!(compared, 48 * (3 * 3 + 1), "every quantity is compared");
+}
+
+/// The least eigenvalue and the condition of a mass matrix, infinite where it is singular: random joints repeat axes.
+fn spectrum(matrix: &DMatrix<f64>) -> (f64, f64) {
+    if matrix.is_empty() {
+        return (1.0, 1.0);
+    }
+    let eigenvalues = matrix.clone().symmetric_eigenvalues();
+    let (least, most) = (eigenvalues.min(), eigenvalues.max());
+    (least, if least > 0.0 { most / least } else { f64::INFINITY })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100, max_global_rejects: 10_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Accelerations come back from the forces that inverse dynamics finds for them, whichever are prescribed.
+    #[test]
+    fn hybrid_dynamics_is_inverse_dynamics_turned_around(seed in any::<u64>(), links in 1_usize..16) {
+        let mut random = Random::new(seed);
+        let figure = tree(&mut random, links, 1.0);
+        let mut kernel = Kernel::<f64>::new(&figure, random.vector(9.81));
+        let n = kernel.tree.nv();
+        let (q, v, a) = (random.slice(n, 2.0), random.slice(n, 3.0), random.slice(n, 5.0));
+        let wrenches = [random.wrench(links), random.wrench(links)];
+        let tau = kernel.inverse(&q, &v, &a, &wrenches).expect("valid");
+        let matrix = kernel.mass_matrix(&q).expect("valid");
+        let (least, condition) = spectrum(&matrix);
+        prop_assume!(condition < 1e10);
+        // An error of ε in the forces is one of ε/λ in the accelerations.
+        let scale = largest(&tau) / least;
+        for mode in 0..4 {
+            let prescribed: Vec<bool> = (0..n).map(|_| match mode {
+                0 => false,
+                1 => true,
+                _ => random.below(2) == 0,
+            }).collect();
+            let found = kernel.hybrid([&q, &v], &prescribed, [&a, &tau], &wrenches).expect("valid");
+            let error = largest(&found[0].iter().zip(&a).map(|(x, y)| x - y).collect::<Vec<_>>());
+            prop_assert!(error <= 1e-13 * scale.max(largest(&a)), "a: {error:e} of {scale:e}, mode {mode}");
+            let error = largest(&found[1].iter().zip(&tau).map(|(x, y)| x - y).collect::<Vec<_>>());
+            let allowed = 1e-12 * largest(&tau) * condition.max(1.0);
+            prop_assert!(error <= allowed, "tau: {error:e}, mode {mode}");
+        }
+        let forward = kernel.forward(&q, &v, &tau, &wrenches).expect("valid");
+        let none = kernel.hybrid([&q, &v], &vec![false; n], [&a, &tau], &wrenches).expect("valid");
+        prop_assert_eq!(forward, none[0].clone());
+    }
+
+    /// `M_DD·q̈_D = τ_D − C_D` and `τ_P = C_P + M_PD·q̈_D`, with `C` the forces of the prescribed accelerations alone.
+    #[test]
+    fn hybrid_dynamics_is_the_dense_partition(seed in any::<u64>(), links in 2_usize..10) {
+        let mut random = Random::new(seed);
+        let figure = tree(&mut random, links, 0.5);
+        let mut kernel = Kernel::<f64>::new(&figure, random.vector(9.81));
+        let n = kernel.tree.nv();
+        let (q, v, a, tau) =
+            (random.slice(n, 2.0), random.slice(n, 3.0), random.slice(n, 5.0), random.slice(n, 20.0));
+        let prescribed: Vec<bool> = (0..n).map(|_| random.below(2) == 0).collect();
+        let free: Vec<usize> = (0..n).filter(|k| !prescribed[*k]).collect();
+        let held: Vec<f64> = (0..n).map(|k| if prescribed[k] { a[k] } else { 0.0 }).collect();
+        let bias = kernel.inverse(&q, &v, &held, &[]).expect("valid");
+        let matrix = kernel.mass_matrix(&q).expect("valid");
+        let inner = matrix.select_rows(&free).select_columns(&free);
+        let (_, condition) = spectrum(&inner);
+        prop_assume!(condition < 1e7);
+        let right = DVector::from_iterator(free.len(), free.iter().map(|&k| tau[k] - bias[k]));
+        let solved = inner.cholesky().map_or_else(|| right.clone(), |factor| factor.solve(&right));
+        let mut expected = held.clone();
+        free.iter().zip(solved.iter()).for_each(|(&k, x)| expected[k] = *x);
+        let forces = kernel.inverse(&q, &v, &expected, &[]).expect("valid");
+        let [found_a, found_tau] = kernel.hybrid([&q, &v], &prescribed, [&a, &tau], &[]).expect("valid");
+        let tolerance = 1e-14 * condition.max(100.0);
+        prop_assert!(relative_error(&found_a, &expected) <= tolerance * 10.0);
+        prop_assert!(relative_error(&found_tau, &forces) <= tolerance * 10.0);
+    }
+
+    #[test]
+    fn the_inverse_mass_matrix_is_one(seed in any::<u64>(), links in 1_usize..12) {
+        let mut random = Random::new(seed);
+        let figure = tree(&mut random, links, 0.5);
+        let mut kernel = Kernel::<f64>::new(&figure, random.vector(9.81));
+        let n = kernel.tree.nv();
+        let q = random.slice(n, 2.0);
+        let matrix = kernel.mass_matrix(&q).expect("valid");
+        let (_, condition) = spectrum(&matrix);
+        prop_assume!(condition < 1e9);
+        let inverse = kernel.inverse_mass_matrix(&q).expect("valid");
+        let error = (&matrix * &inverse - DMatrix::identity(n, n)).norm();
+        prop_assert!(error <= 1e-14 * condition.max(100.0), "{error:e} at condition {condition:e}");
+        prop_assert!((&inverse - inverse.transpose()).norm() <= 1e-14 * condition.max(100.0) * inverse.norm());
+    }
+}
+
+/// `q̈ = τ/(m·l² + J)`: the armature takes its part of the force.
+#[test]
+fn armature_takes_its_part_of_the_force() {
+    let bob = LinkSpec::root("bob", Joint::new("pivot").rz().armature(0.3))
+        .mass(2.0)
+        .com(Vector3::new(0.5, 0.0, 0.0));
+    let figure = FigureBuilder::new("pendulum").link(bob).build().expect("valid");
+    let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+    let a = kernel.forward(&[0.4], &[3.0], &[1.6], &[]).expect("valid");
+    assert!((a[0] - 1.6 / (2.0 * 0.25 + 0.3)).abs() < 1e-15, "{a:?}");
+    assert!((kernel.inverse(&[0.4], &[3.0], &a, &[]).expect("valid")[0] - 1.6).abs() < 1e-15);
+    assert!((kernel.kinetic(&[0.4], &[3.0]) - 0.5 * 0.8 * 9.0).abs() < 1e-14);
+    let [a, tau] = kernel.hybrid([&[0.4], &[3.0]], &[true], [&[2.0], &[0.0]], &[]).expect("valid");
+    assert!((tau[0] - a[0] * 0.8).abs() < 1e-15);
+}
+
+#[test]
+fn a_degree_of_freedom_without_inertia_is_named() {
+    // A point mass on the axis that it turns about.
+    let bob = LinkSpec::root("bob", Joint::new("pivot").rz()).mass(2.0).com(Vector3::new(0.0, 0.0, 0.5));
+    let figure = FigureBuilder::new("needle").link(bob).build().expect("valid");
+    let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+    let error = kernel.forward(&[0.0], &[0.0], &[1.0], &[]).expect_err("no inertia");
+    assert!(matches!(&error, DynamicsError::NoInertia { dof, .. } if dof == "pivot.rz"), "{error}");
+    // Prescribed, it needs no force.
+    let [_, tau] = kernel.hybrid([&[0.0], &[0.0]], &[true], [&[5.0], &[0.0]], &[]).expect("prescribed");
+    assert_eq!(tau[0].to_bits(), 0.0_f64.to_bits());
+}
