@@ -101,6 +101,16 @@ pub enum DynamicsError {
         /// Force and moment.
         wrench: String,
     },
+    /// A contact names a link that does not exist, or has a number that is not finite.
+    #[error("contact {index} is {contact}; its link must be one of 0 to {last} and its numbers finite")]
+    Contact {
+        /// Its place in the list of contacts.
+        index: usize,
+        /// The contact.
+        contact: String,
+        /// The last link of the tree.
+        last: usize,
+    },
     /// A force cannot accelerate a degree of freedom.
     #[error(
         "dof '{dof}' has no inertia to oppose its force ({inertia}), so its acceleration cannot be found; \

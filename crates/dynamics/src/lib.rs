@@ -4,6 +4,7 @@ mod acceleration;
 mod articulated;
 mod centroidal;
 mod climb;
+mod contact;
 mod coriolis;
 pub mod denavit_hartenberg;
 mod derivatives;
@@ -39,6 +40,7 @@ pub use centroidal::{
     CompositeBody, center_of_mass_jacobian, centroidal_momentum, centroidal_momentum_matrix,
     centroidal_momentum_rate, composite_body,
 };
+pub use contact::{Contact, Contacts, contact_dynamics};
 pub use coriolis::{coriolis_matrix, gravity_torques};
 pub use derivatives::{Along, Derivatives, Operation, Partials};
 pub use energy::{kinetic_energy, potential_energy};

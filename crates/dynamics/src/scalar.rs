@@ -46,6 +46,9 @@ pub trait Real:
     + SubAssign
     + MulAssign
 {
+    /// The distance from 1 to the next number.
+    const EPSILON: f64;
+
     /// The nearest number to `x`; in every lane, and without derivatives, where there are such.
     fn from_f64(x: f64) -> Self;
 

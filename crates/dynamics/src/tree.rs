@@ -142,10 +142,10 @@ impl<T: Real> Tree<T> {
         };
         // The entry after the last coordinate is that of a degree of freedom that has not moved.
         let (unmoved, axes) = (self.nq, [0, 1, 2].map(|i| Vector3::ith(i, 1.0)));
-        position
-            .iter()
-            .for_each(|_| axes.iter().for_each(|e| self.push_dof(&Axis::translation(*e), unmoved)));
-        axes.iter().for_each(|e| self.push_dof(&Axis::rotation(*e), unmoved));
+        let slides = position.iter().flat_map(|_| axes.map(Axis::translation));
+        for axis in slides.chain(axes.map(Axis::rotation)) {
+            self.push_dof(&axis, unmoved);
+        }
         self.spheres.push(Sphere { quaternion: position.map_or(q, |q| q + 3), position });
         self.arm(link, first).map(|()| Some(self.spheres.len() - 1))
     }

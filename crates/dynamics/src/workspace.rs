@@ -13,7 +13,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// How far the squared length of a quaternion may be from 1: what an integrator leaves is used as the direction that it
 /// is, what was never meant as a rotation is refused.
-const UNIT: f64 = 1e-3;
+pub(crate) const UNIT: f64 = 1e-3;
 
 /// Scratch memory for one tree: allocated once, then no operation allocates.
 ///

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::DynamicsError;
 use solaris_model::{FigureBuilder, Joint, LinkSpec};
-use support::random::{Random, tree};
+use support::random::{Joints, Random, random_configuration, tree_of};
 use support::reference::{external, figure, models};
 use support::{Kernel, largest, relative_error};
 
@@ -64,10 +64,11 @@ proptest! {
     #[test]
     fn hybrid_dynamics_is_inverse_dynamics_turned_around(seed in any::<u64>(), links in 1_usize..16) {
         let mut random = Random::new(seed);
-        let figure = tree(&mut random, links, 1.0);
+        let figure = tree_of(Joints::Every, &mut random, links, 1.0);
         let mut kernel = Kernel::<f64>::new(&figure, random.vector(9.81));
         let n = kernel.tree.nv();
-        let (q, v, a) = (random.slice(n, 2.0), random.slice(n, 3.0), random.slice(n, 5.0));
+        let q = random_configuration(&mut random, &figure);
+        let (v, a) = (random.slice(n, 3.0), random.slice(n, 5.0));
         let wrenches = [random.wrench(links), random.wrench(links)];
         let tau = kernel.inverse(&q, &v, &a, &wrenches).expect("valid");
         let matrix = kernel.mass_matrix(&q).expect("valid");
@@ -97,11 +98,11 @@ proptest! {
     #[test]
     fn hybrid_dynamics_is_the_dense_partition(seed in any::<u64>(), links in 2_usize..10) {
         let mut random = Random::new(seed);
-        let figure = tree(&mut random, links, 0.5);
+        let figure = tree_of(Joints::Every, &mut random, links, 0.5);
         let mut kernel = Kernel::<f64>::new(&figure, random.vector(9.81));
         let n = kernel.tree.nv();
-        let (q, v, a, tau) =
-            (random.slice(n, 2.0), random.slice(n, 3.0), random.slice(n, 5.0), random.slice(n, 20.0));
+        let q = random_configuration(&mut random, &figure);
+        let (v, a, tau) = (random.slice(n, 3.0), random.slice(n, 5.0), random.slice(n, 20.0));
         let prescribed: Vec<bool> = (0..n).map(|_| random.below(2) == 0).collect();
         let free: Vec<usize> = (0..n).filter(|k| !prescribed[*k]).collect();
         let held: Vec<f64> = (0..n).map(|k| if prescribed[k] { a[k] } else { 0.0 }).collect();
@@ -124,10 +125,10 @@ proptest! {
     #[test]
     fn the_inverse_mass_matrix_is_one(seed in any::<u64>(), links in 1_usize..12) {
         let mut random = Random::new(seed);
-        let figure = tree(&mut random, links, 0.5);
+        let figure = tree_of(Joints::Every, &mut random, links, 0.5);
         let mut kernel = Kernel::<f64>::new(&figure, random.vector(9.81));
         let n = kernel.tree.nv();
-        let q = random.slice(n, 2.0);
+        let q = random_configuration(&mut random, &figure);
         let matrix = kernel.mass_matrix(&q).expect("valid");
         let (_, condition) = spectrum(&matrix);
         prop_assume!(condition < 1e9);

@@ -200,7 +200,9 @@ impl FigureBuilder {
         ];
         for (kind, names) in kinds {
             let mut counts: HashMap<&str, usize> = HashMap::new();
-            names.iter().for_each(|name| *counts.entry(name).or_default() += 1);
+            for name in &names {
+                *counts.entry(name).or_default() += 1;
+            }
             for (index, name) in names.iter().enumerate() {
                 if name.trim().is_empty() {
                     faults.push(Fault::EmptyName { kind, index });

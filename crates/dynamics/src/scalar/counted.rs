@@ -161,6 +161,8 @@ impl One for Counted {
 }
 
 impl Real for Counted {
+    const EPSILON: f64 = f64::EPSILON;
+
     fn from_f64(x: f64) -> Self {
         Self(x)
     }

@@ -173,6 +173,8 @@ impl One for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
+    const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
+
     fn from_f64(x: f64) -> Self {
         Self::from_f64(x)
     }

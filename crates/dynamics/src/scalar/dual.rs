@@ -159,6 +159,8 @@ impl<const N: usize> One for Dual<N> {
 }
 
 impl<const N: usize> Real for Dual<N> {
+    const EPSILON: f64 = f64::EPSILON;
+
     #[inline]
     fn from_f64(x: f64) -> Self {
         Self::constant(x)

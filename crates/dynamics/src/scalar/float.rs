@@ -4,6 +4,8 @@ use super::Real;
 use super::sine;
 
 impl Real for f64 {
+    const EPSILON: f64 = Self::EPSILON;
+
     fn from_f64(x: f64) -> Self {
         x
     }
@@ -37,6 +39,8 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    const EPSILON: f64 = Self::EPSILON as f64;
+
     fn from_f64(x: f64) -> Self {
         x as Self
     }

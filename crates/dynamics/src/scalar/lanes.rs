@@ -114,6 +114,8 @@ impl<const N: usize> One for Lanes<N> {
 }
 
 impl<const N: usize> Real for Lanes<N> {
+    const EPSILON: f64 = f64::EPSILON;
+
     #[inline]
     fn from_f64(x: f64) -> Self {
         Self::splat(x)

@@ -1,0 +1,290 @@
+//! Contacts whose acceleration is prescribed and whose wrench is sought.
+
+mod least_norm;
+
+use crate::direction::{apply, apply_transposed, cross};
+use crate::error::DynamicsError;
+use crate::forward::{check_accelerations, check_given, set_state};
+use crate::inverse::apply_external;
+use crate::kinematics::{is_finite, place};
+use crate::load::Load;
+use crate::propagation::{accelerate, gather, gather_loads, no_velocity_terms};
+use crate::scalar::Real;
+use crate::spatial::Wrench;
+use crate::tree::Tree;
+use crate::workspace::{Workspace, check_length, check_result};
+use least_norm::LeastNorm;
+use nalgebra::Vector3;
+
+/// A point of a link, or the link as a whole, held to an acceleration by an unknown force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact<T> {
+    /// The link.
+    pub link: usize,
+    /// Where it is held, in the link's frame (m).
+    pub point: Vector3<T>,
+    /// The acceleration of that point (m/s², world axes): zero for one that stays where it is.
+    pub acceleration: Vector3<T>,
+    /// The angular acceleration of the link (rad/s², world axes) where it is held as well, and so a moment is sought
+    /// besides the force; `None` for a contact that hands on a force alone.
+    pub angular: Option<Vector3<T>>,
+}
+
+impl<T: Real> Contact<T> {
+    /// A point of a link (m, link's frame) that stays where it is.
+    pub fn point(link: usize, point: Vector3<T>) -> Self {
+        Self { link, point, acceleration: Vector3::zeros(), angular: None }
+    }
+
+    /// A link that neither moves nor turns; the force is said to act at `point` (m, link's frame).
+    pub fn fixed(link: usize, point: Vector3<T>) -> Self {
+        Self { angular: Some(Vector3::zeros()), ..Self::point(link, point) }
+    }
+}
+
+/// The contacts of a figure, with the memory to solve for them: made once, then no call allocates.
+#[derive(Clone, Debug)]
+pub struct Contacts<T> {
+    contacts: Vec<Contact<T>>,
+    solver: LeastNorm<T>,
+    /// What is prescribed, less what there is without contact; afterwards what is left of it.
+    right: Vec<T>,
+    /// Contact accelerations of the last pass.
+    found: Vec<T>,
+    wrenches: Vec<(usize, Wrench<T>)>,
+    /// Accelerations and forces under a unit of one contact force.
+    response: Vec<T>,
+    response_forces: Vec<T>,
+}
+
+/// One scalar condition: an axis of a contact.
+#[derive(Clone, Copy)]
+struct Row<T> {
+    contact: Contact<T>,
+    axis: usize,
+    turns: bool,
+}
+
+impl<T: Real> Contacts<T> {
+    /// Contacts of a figure.
+    pub fn new(tree: &Tree<T>, contacts: Vec<Contact<T>>) -> Self {
+        let rows = contacts.iter().map(|contact| if contact.angular.is_some() { 6 } else { 3 }).sum();
+        let nothing = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
+        Self {
+            wrenches: contacts.iter().map(|contact| (contact.link, nothing)).collect(),
+            contacts,
+            solver: LeastNorm::new(rows),
+            right: vec![T::zero(); rows],
+            found: vec![T::zero(); rows],
+            response: vec![T::zero(); tree.nv()],
+            response_forces: vec![T::zero(); tree.nv()],
+        }
+    }
+
+    /// The contacts, to change what is prescribed between calls; whether one holds the link's rotation must not change.
+    pub fn contacts_mut(&mut self) -> &mut [Contact<T>] {
+        &mut self.contacts
+    }
+
+    /// Link and wrench that acts on it (world axes, about the world's origin), by contact, as the last call found them.
+    pub fn wrenches(&self) -> &[(usize, Wrench<T>)] {
+        &self.wrenches
+    }
+
+    /// What the last call left of the prescribed accelerations, by contact and axis (three linear, then three angular
+    /// where there are such): rounding, unless the contacts ask for what they cannot have together.
+    pub fn residuals(&self) -> &[T] {
+        &self.right
+    }
+
+    fn rows(&self) -> impl Iterator<Item = Row<T>> + '_ {
+        self.contacts.iter().flat_map(|&contact| {
+            let count = if contact.angular.is_some() { 6 } else { 3 };
+            (0..count).map(move |row| Row { contact, axis: row % 3, turns: row >= 3 })
+        })
+    }
+}
+
+/// Hybrid dynamics with contacts: finds their wrenches along with the unknown accelerations and forces.
+///
+/// As [`crate::hybrid_dynamics`], and besides, the contacts' accelerations are prescribed and their wrenches `λ` unknown:
+///
+/// ```text
+/// J_D·M_DD⁻¹·J_Dᵀ·λ = a_c − (J·q̈ + J̇·v) without contact
+/// ```
+///
+/// with one pass each way for each column of the left side. Where contacts share what they hold (four feet of a stiff
+/// table), only the sum of their effects is determined: of all `λ` that bring the accelerations about, the one with the
+/// **least sum of squares** (N and N m alike) is given. A row counts as dependent where less than the root of the
+/// precision of its own inverse inertia is left once the rows before it hold. Where dependent rows contradict each other,
+/// the first ones win and [`Contacts::residuals`] tells what the others miss.
+///
+/// The contacts pull as well as push, and do not slip: whether they would is for the caller to see from the wrenches.
+/// Also places the links.
+///
+/// # Errors
+///
+/// As for [`crate::hybrid_dynamics`], and [`DynamicsError::Contact`] for a contact with a link that does not exist or a
+/// number that is not finite.
+///
+/// # Examples
+///
+/// A rod on two pins along its length: what each carries along it is not determined, so that each carries half.
+///
+/// ```
+/// use solaris_dynamics::{Contact, Contacts, Tree, Workspace, contact_dynamics};
+/// use solaris_model::{FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
+///
+/// let rod = LinkSpec::root("rod", Joint::free("root")).mass(2.0).inertia(Inertia::diagonal(0.1, 0.01, 0.1));
+/// let figure = FigureBuilder::new("rod").link(rod).build()?;
+/// let tree = Tree::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0))?;
+/// let mut workspace = Workspace::new(&tree);
+/// let pins = [0.5, -0.5].map(|y| Contact::point(0, Vector3::new(0.0, y, 0.0)));
+/// let mut contacts = Contacts::new(&tree, pins.to_vec());
+/// let q = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+/// let (mut a, mut tau) = ([0.0; 6], [0.0; 6]);
+/// contact_dynamics(&tree, &mut workspace, &mut contacts, &q, &[0.0; 6], &[false; 6], &[], &mut a, &mut tau)?;
+/// assert!(a.iter().all(|a| a.abs() < 1e-12));
+/// assert!((contacts.wrenches()[0].1.force.y - 9.81).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the state, what is known and what is sought are slices of their own"
+)]
+pub fn contact_dynamics<T: Real>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    contacts: &mut Contacts<T>,
+    q: &[T],
+    v: &[T],
+    prescribed: &[bool],
+    external: &[(usize, Wrench<T>)],
+    a: &mut [T],
+    tau: &mut [T],
+) -> Result<(), DynamicsError> {
+    check_length("prescribed", prescribed.len(), tree.nv())?;
+    check_given("a", a, tree, |k| prescribed[k])?;
+    check_given("tau", tau, tree, |k| !prescribed[k])?;
+    check_contacts(tree, contacts)?;
+    let held = |k: usize| prescribed[k];
+    set_state(tree, workspace, q, v, external)?;
+    place(tree, workspace)?;
+    gather(tree, workspace, held, a, tau);
+    accelerate(tree, workspace, &-tree.gravity, held, a, tau);
+    check_accelerations(tree, workspace, a)?;
+    measure(tree, workspace, contacts, true);
+    prescribe(contacts);
+
+    respond(tree, workspace, contacts, held);
+    contacts.solver.solve(&contacts.right);
+    collect(workspace, contacts);
+
+    set_state(tree, workspace, q, v, external)?;
+    apply_external(tree, workspace, &contacts.wrenches)?;
+    gather(tree, workspace, held, a, tau);
+    accelerate(tree, workspace, &-tree.gravity, held, a, tau);
+    check_accelerations(tree, workspace, a)?;
+    check_result("a force of hybrid dynamics", tau)?;
+    measure(tree, workspace, contacts, true);
+    prescribe(contacts);
+    Ok(())
+}
+
+fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(), DynamicsError> {
+    if contacts.response.len() != tree.nv() {
+        return Err(DynamicsError::Workspace);
+    }
+    for (index, contact) in contacts.contacts.iter().enumerate() {
+        let numbers = [contact.point, contact.acceleration, contact.angular.unwrap_or_else(Vector3::zeros)];
+        if contact.link >= tree.link_count() || !numbers.iter().all(is_finite) {
+            let (contact, last) = (format!("{contact:?}"), tree.link_count() - 1);
+            return Err(DynamicsError::Contact { index, contact, last });
+        }
+    }
+    Ok(())
+}
+
+/// Accelerations of the contacts in the last pass; `moving` takes in what velocities and the gravity of the world bring.
+fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T>, moving: bool) {
+    let mut row = 0;
+    for contact in &contacts.contacts {
+        let (motion, pose, r) = (&ws.motions[contact.link], &ws.poses[contact.link], &contact.point);
+        let mut linear = motion.acceleration + cross(&motion.angular_acceleration, r);
+        if moving {
+            linear += cross(&motion.angular, &cross(&motion.angular, r));
+        }
+        let mut linear = apply(&pose.rotation, &linear);
+        if moving {
+            linear += tree.gravity;
+        }
+        contacts.found[row..][..3].copy_from_slice(linear.as_slice());
+        row += 3;
+        if contact.angular.is_some() {
+            let angular = apply(&pose.rotation, &motion.angular_acceleration);
+            contacts.found[row..][..3].copy_from_slice(angular.as_slice());
+            row += 3;
+        }
+    }
+}
+
+/// What is prescribed, less what was found.
+fn prescribe<T: Real>(contacts: &mut Contacts<T>) {
+    let mut row = 0;
+    for contact in &contacts.contacts {
+        for wanted in std::iter::once(contact.acceleration).chain(contact.angular) {
+            for axis in 0..3 {
+                contacts.right[row] = wanted[axis] - contacts.found[row];
+                row += 1;
+            }
+        }
+    }
+}
+
+/// Fills the solver's matrix: accelerations of the contacts under a unit of each contact force, everything else at rest
+/// and without gravity. The joints stay as the last pass gathered them.
+fn respond<T: Real>(
+    tree: &Tree<T>,
+    ws: &mut Workspace<T>,
+    contacts: &mut Contacts<T>,
+    held: impl Fn(usize) -> bool + Copy,
+) {
+    no_velocity_terms(ws);
+    contacts.response.fill(T::zero());
+    // Taken out so that the workspace can be borrowed; an empty vector takes no memory.
+    let no_force = std::mem::take(&mut ws.zeros);
+    for column in 0..contacts.right.len() {
+        let Some(row) = contacts.rows().nth(column) else { continue };
+        let mut axis = Vector3::zeros();
+        axis[row.axis] = T::one();
+        let axis = apply_transposed(&ws.poses[row.contact.link].rotation, &axis);
+        ws.loads.fill(Load::zero());
+        ws.loads[row.contact.link] = if row.turns {
+            Load { force: Vector3::zeros(), moment: -axis }
+        } else {
+            Load { force: -axis, moment: -cross(&row.contact.point, &axis) }
+        };
+        gather_loads(tree, ws, held, &no_force);
+        // What is prescribed has no acceleration of its own here: it stays zero in `response`.
+        let (a, tau) = (&mut contacts.response, &mut contacts.response_forces);
+        accelerate(tree, ws, &Vector3::zeros(), held, a, tau);
+        measure(tree, ws, contacts, false);
+        contacts.solver.set_column(column, &contacts.found);
+    }
+    ws.zeros = no_force;
+}
+
+/// Reads the wrenches off the solution.
+fn collect<T: Real>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
+    let (solution, mut row) = (contacts.solver.solution(), 0);
+    let mut next = || {
+        row += 3;
+        Vector3::new(solution[row - 3], solution[row - 2], solution[row - 1])
+    };
+    for (contact, (_, wrench)) in contacts.contacts.iter().zip(&mut contacts.wrenches) {
+        let force = next();
+        let moment = if contact.angular.is_some() { next() } else { Vector3::zeros() };
+        let point = ws.poses[contact.link].transform(&contact.point);
+        *wrench = Wrench::at(&point, force, moment);
+    }
+}
