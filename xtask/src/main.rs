@@ -5,6 +5,8 @@ mod ci;
 mod golden;
 mod layers;
 mod peers;
+mod report;
+mod timing;
 mod workspace;
 
 use std::process::ExitCode;
@@ -17,6 +19,7 @@ cargo xtask CHORE
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
                                     times the kernel as other engines are timed; needs `cargo run --release -p xtask`
+  report                            measures digits and times, and writes them into docs/accuracy.md and its pictures
   help                              this list
 ";
 
@@ -32,6 +35,7 @@ fn main() -> ExitCode {
         ["peers", ref options @ ..] => {
             peers::Options::parse(options).and_then(|options| peers::run(&options))
         }
+        ["report", ..] => report::run(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

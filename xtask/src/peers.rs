@@ -5,8 +5,8 @@
 
 mod model;
 mod states;
-mod timing;
 
+use crate::timing;
 use model::Model;
 use solaris_dynamics::{DynamicsError, Tree, Workspace, forward_dynamics, inverse_dynamics, mass_matrix};
 use states::States;

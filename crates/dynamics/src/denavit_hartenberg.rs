@@ -25,8 +25,8 @@ pub use summary::Summary;
 pub use tables::{about_fixed_axes, heterogeneous, homogeneous};
 
 use crate::error::DynamicsError;
-use crate::workspace::check;
-use nalgebra::{IsometryMatrix3, Matrix3, Quaternion, Rotation3, Translation3, UnitQuaternion, Vector3};
+use crate::workspace::{UNIT, check};
+use nalgebra::{IsometryMatrix3, Quaternion, Rotation3, Translation3, UnitQuaternion, Vector3};
 use solaris_model::Figure;
 
 /// The rationalised links of a figure.
@@ -103,7 +103,7 @@ pub enum Base {
 }
 
 impl Base {
-    /// The transform `B` at `q`, which has length `nq` and unit quaternions.
+    /// The transform `B` at `q`, which has length `nq` and unit quaternions (up to rounding).
     pub fn at(&self, q: &[f64]) -> IsometryMatrix3<f64> {
         match self {
             Self::Identity => IsometryMatrix3::identity(),
@@ -139,16 +139,10 @@ impl Rationalized {
     /// row and column 0 are row and column 3.
     pub fn transform(&self, q: f64) -> IsometryMatrix3<f64> {
         let (theta, s) = if self.slides { (self.theta, self.s + q) } else { (self.theta + q, self.s) };
-        let ((st, ct), (sa, ca)) = (exact_sin_cos(theta), exact_sin_cos(self.alpha));
-        #[rustfmt::skip]
-        let rotation = Matrix3::new(
-            ct, -st * ca,  st * sa,
-            st,  ct * ca, -ct * sa,
-            0.0,      sa,       ca,
-        );
+        let (st, ct) = exact_sin_cos(theta);
         IsometryMatrix3::from_parts(
             Translation3::new(self.a * ct, self.a * st, s),
-            Rotation3::from_matrix_unchecked(rotation),
+            Rotation3::from_matrix_unchecked(Row { alpha: self.alpha, theta }.rotation()),
         )
     }
 }
@@ -185,9 +179,9 @@ impl DenavitHartenberg {
     ///
     /// # Errors
     ///
-    /// [`DynamicsError`] for a slice of the wrong length or an entry that is not finite.
+    /// [`DynamicsError`] for a slice of the wrong length, an entry that is not finite or a quaternion that is no rotation.
     pub fn frames(&self, q: &[f64]) -> Result<Vec<IsometryMatrix3<f64>>, DynamicsError> {
-        check("q", q, self.nq, |index| self.q_names[index].clone())?;
+        self.check(q)?;
         let mut frames: Vec<IsometryMatrix3<f64>> = Vec::with_capacity(self.links.len());
         for link in &self.links {
             let before = link.parent.map_or_else(IsometryMatrix3::identity, |parent| frames[parent]);
@@ -195,6 +189,19 @@ impl DenavitHartenberg {
             frames.push(before * link.base.at(q) * link.transform(coordinate));
         }
         Ok(frames)
+    }
+
+    fn check(&self, q: &[f64]) -> Result<(), DynamicsError> {
+        check("q", q, self.nq, |index| self.q_names[index].clone())?;
+        for link in &self.links {
+            let Base::Moved { quaternion, .. } = link.base else { continue };
+            let squared: f64 = q[quaternion..][..4].iter().map(|x| x * x).sum();
+            if (squared - 1.0).abs() > UNIT {
+                let (name, squared) = (self.q_names[quaternion].clone(), squared.to_string());
+                return Err(DynamicsError::Quaternion { name, squared });
+            }
+        }
+        Ok(())
     }
 
     /// Where the figure's links stand in the world at `q` (length `nq`), by their index.

@@ -70,7 +70,7 @@ pub fn jacobian<T: Real>(
     let ws = &*workspace;
     let turn = turn(ws, frame, axes);
     visit_columns(tree, ws, frame, |k, arm, _| {
-        write(matrix, k, &turned(&turn, column(tree, ws, k, arm)));
+        write(matrix, k, &turned(turn.as_ref(), column(tree, ws, k, arm)));
     });
     check_result("the Jacobian", matrix.as_slice())
 }
@@ -108,7 +108,7 @@ pub fn jacobian_rate<T: Real>(
             rate.linear -= cross(spin, &column.linear);
             rate.angular -= cross(spin, &column.angular);
         }
-        write(matrix, k, &turned(&turn, rate));
+        write(matrix, k, &turned(turn.as_ref(), rate));
     });
     check_result("the rate of the Jacobian", matrix.as_slice())
 }
@@ -170,8 +170,8 @@ fn turn<T: Real>(ws: &Workspace<T>, frame: &Frame<T>, axes: JacobianAxes) -> Opt
     (axes == JacobianAxes::Frame).then(|| ws.poses[frame.link].rotation * frame.placement.rotation)
 }
 
-fn turned<T: Real>(turn: &Option<Matrix3<T>>, column: Twist<T>) -> Twist<T> {
-    turn.as_ref().map_or(column, |turn| Twist {
+fn turned<T: Real>(turn: Option<&Matrix3<T>>, column: Twist<T>) -> Twist<T> {
+    turn.map_or(column, |turn| Twist {
         linear: apply_transposed(turn, &column.linear),
         angular: apply_transposed(turn, &column.angular),
     })

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! with W, Ẇ, Ẅ from the root outwards and c, D, F back. The numbers are those of Vasilonikolidakis (1991); `docs/sources.md`
-//! lists what is misprinted there (Ẅ for Ẇ in (3.27) and (3.32), the third term of (3.42), the sign in (4.12), and more).
+//! has a table of the slips that are put right here.
 //!
 //! The thesis orders coordinates (1 x y z)ᵀ; here they are (x y z 1)ᵀ: its row and column 0 are row and column 3, and its
 //! rows and columns 1, 2, 3 are 0, 1, 2. Traces and products are the same in either order.

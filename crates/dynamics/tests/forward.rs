@@ -4,8 +4,9 @@ mod support;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
-use solaris_dynamics::DynamicsError;
-use solaris_model::{FigureBuilder, Joint, LinkSpec};
+use solaris_dynamics::scalar::{Counted, DoubleDouble, Dual, Lanes};
+use solaris_dynamics::{DynamicsError, Real, Wrench};
+use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec};
 use support::random::{Joints, Random, random_configuration, tree_of};
 use support::reference::{external, figure, models};
 use support::{Kernel, largest, relative_error};
@@ -166,4 +167,63 @@ fn a_degree_of_freedom_without_inertia_is_named() {
     // Prescribed, it needs no force.
     let [_, tau] = kernel.hybrid([&[0.0], &[0.0]], &[true], [&[5.0], &[0.0]], &[]).expect("prescribed");
     assert_eq!(tau[0].to_bits(), 0.0_f64.to_bits());
+}
+
+/// Accelerations, and what hybrid dynamics finds where every third acceleration is prescribed, over the scalar `T`.
+fn both<T: Real>(figure: &Figure, [q, v, a, tau]: [&[f64]; 4]) -> Vec<T> {
+    let cast = |values: &[f64]| values.iter().map(|x| T::from_f64(*x)).collect::<Vec<T>>();
+    let mut kernel = Kernel::<T>::new(figure, Vector3::new(0.0, -9.81, 0.0));
+    let (q, v, a, tau) = (cast(q), cast(v), cast(a), cast(tau));
+    let wrench = Wrench { force: Vector3::new(3.0, 4.0, 5.0), moment: Vector3::x() };
+    let wrench = Wrench { force: wrench.force.map(T::from_f64), moment: wrench.moment.map(T::from_f64) };
+    let external = [(figure.links().len() - 1, wrench)];
+    let prescribed: Vec<bool> = (0..v.len()).map(|k| k % 3 == 0).collect();
+    let mut all = kernel.forward(&q, &v, &tau, &external).expect("valid");
+    let found = kernel.hybrid([&q, &v], &prescribed, [&a, &tau], &external).expect("valid");
+    all.extend(found.into_iter().flatten());
+    all.extend(kernel.inverse_mass_matrix(&q).expect("valid").iter());
+    all
+}
+
+#[test]
+fn every_scalar_gives_the_same_answers() {
+    let mut random = Random::new(5);
+    let figure = tree_of(Joints::EveryArmed, &mut random, 9, 0.5);
+    let (q, n) = (random_configuration(&mut random, &figure), figure.layout().nv());
+    let (v, a, tau) = (random.slice(n, 2.0), random.slice(n, 5.0), random.slice(n, 20.0));
+    let state: [&[f64]; 4] = [&q, &v, &a, &tau];
+    let bits = |values: &mut dyn Iterator<Item = f64>| values.map(f64::to_bits).collect::<Vec<_>>();
+    let plain = both::<f64>(&figure, state);
+    let expected = bits(&mut plain.iter().copied());
+    assert_eq!(bits(&mut both::<Dual<2>>(&figure, state).iter().map(|x| x.value())), expected);
+    assert_eq!(bits(&mut both::<Counted>(&figure, state).iter().map(|x| x.value())), expected);
+    assert_eq!(bits(&mut both::<Lanes<4>>(&figure, state).iter().map(|x| x.lane(3))), expected);
+    let exact: Vec<f64> = both::<DoubleDouble>(&figure, state).iter().map(|x| x.to_f64()).collect();
+    assert!(relative_error(&plain, &exact) < 1e-12);
+    let single: Vec<f64> = both::<f32>(&figure, state).into_iter().map(f64::from).collect();
+    assert!(relative_error(&single, &exact) < 1e-4);
+}
+
+#[test]
+fn what_is_read_must_be_finite_and_of_the_right_length() {
+    let bob = LinkSpec::root("bob", Joint::new("pivot").rx().ry()).mass(2.0).com(Vector3::new(0.5, 0.1, 0.2));
+    let bob = bob.inertia(Inertia::diagonal(0.1, 0.1, 0.1));
+    let figure = FigureBuilder::new("pendulum").link(bob).build().expect("valid");
+    let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+    let (state, nan) = ([0.1, 0.2], f64::NAN);
+    let not_finite = |error: DynamicsError, wanted: &str| {
+        assert!(
+            matches!(&error, DynamicsError::NotFinite { what, dof, .. } if *what == wanted && dof == "pivot.ry")
+        );
+    };
+    not_finite(kernel.forward(&state, &state, &[0.0, nan], &[]).expect_err("NaN"), "tau");
+    not_finite(kernel.forward(&state, &[0.0, nan], &state, &[]).expect_err("NaN"), "v");
+    not_finite(kernel.forward(&[0.0, f64::INFINITY], &state, &state, &[]).expect_err("infinite"), "q");
+    let held =
+        kernel.hybrid([&state; 2], &[true, true], [&[0.0, nan], &state], &[]).expect_err("NaN is read");
+    not_finite(held, "a");
+    // What is not read may be anything.
+    assert!(kernel.hybrid([&state; 2], &[true, false], [&[0.0, nan], &[nan, 0.0]], &[]).is_ok());
+    let error = kernel.forward(&state, &state, &[0.0], &[]).expect_err("one force is missing");
+    assert_eq!(error, DynamicsError::Length { what: "tau", expected: 2, found: 1 });
 }

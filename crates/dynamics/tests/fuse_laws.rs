@@ -5,7 +5,7 @@ mod support;
 #[path = "support/every_joint.rs"]
 mod every_joint;
 
-use every_joint::{Root, State, figure, is_whole};
+use every_joint::{Root, State, figure, is_whole, rebuilt};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use solaris_dynamics::scalar::{Counted, Operations};
@@ -136,6 +136,16 @@ proptest! {
         }
     }
 
+    /// The builder finds nothing wrong with it.
+    #[test]
+    fn the_small_figure_is_valid(seed in any::<u64>()) {
+        let case = Case::random(seed);
+        let again = rebuilt(case.fused.figure());
+        prop_assert!(again.is_ok(), "{again:?}");
+        let again = again.expect("valid");
+        prop_assert_eq!(again.layout().v_names(), case.fused.figure().layout().v_names());
+    }
+
     /// States come back, with the fused values in place.
     #[test]
     fn states_come_back(seed in any::<u64>()) {
@@ -199,7 +209,7 @@ fn the_cost_drops_in_proportion() {
         assert_eq!(ops.sines as usize, nv, "{table}");
     }
     for (share, dofs) in shares {
-        assert!((share - dofs).abs() < 0.04, "{all:?}\n{table}");
+        assert!(share <= dofs && share > dofs - 0.04, "{all:?}\n{table}");
     }
 }
 

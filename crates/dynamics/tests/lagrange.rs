@@ -70,6 +70,9 @@ fn three_formulations_agree_in_single_precision() {
     assert!(off < 1e-5 && apart < 1e-5, "off by {off:e}, apart by {apart:e}");
 }
 
+/// `q`, `v`, `a`, wrenches and the length of `tau`.
+type Call<'a> = (&'a [f64], &'a [f64], &'a [f64], &'a [(usize, Wrench<f64>)], usize);
+
 #[test]
 fn the_same_faults_get_the_same_answer() {
     let figure = human(1.75, 73.0).expect("within range");
@@ -79,7 +82,6 @@ fn the_same_faults_get_the_same_answer() {
     let far = [(21, force(1.0))];
     let wild = [(3, force(1.0)), (20, force(f64::INFINITY))];
     let huge = vec![1e200; 66];
-    type Call<'a> = (&'a [f64], &'a [f64], &'a [f64], &'a [(usize, Wrench<f64>)], usize);
     let calls: [Call; 8] = [
         (&good[1..], &good, &good, &[], 66),
         (&bad, &good, &good, &[], 66),

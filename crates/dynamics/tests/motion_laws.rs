@@ -48,6 +48,24 @@ fn person() -> Figure {
     human(1.75, 73.0).expect("within range")
 }
 
+/// A state or forces of the human seen in a mirror across the plane x = 0: left and right change places, and so do the
+/// senses of slides along x and of turns about y and z.
+fn mirror(figure: &Figure, values: &[f64]) -> Vec<f64> {
+    let layout = figure.layout();
+    let names = layout.v_names().iter();
+    let other = names.map(|name| {
+        let twin = if let Some(rest) = name.strip_prefix("left_") {
+            format!("right_{rest}")
+        } else {
+            name.strip_prefix("right_").map_or_else(|| name.clone(), |rest| format!("left_{rest}"))
+        };
+        let flips = [".tx", ".ry", ".rz"].iter().any(|axis| name.ends_with(axis));
+        let value = values[layout.dof_index(&twin).expect("a twin")];
+        if flips { -value } else { value }
+    });
+    other.collect()
+}
+
 /// The derivative of `f` at 0, with an error of the order of `h⁴`.
 fn derivative<V>(mut f: impl FnMut(f64) -> V) -> V
 where
@@ -128,6 +146,20 @@ proptest! {
         case.a[..3].copy_from_slice(GRAVITY.as_slice());
         let tau = case.kernel.inverse(&case.q, &case.v, &case.a, &[]).expect("valid");
         prop_assert!(largest(&tau) < 1e-11, "{tau:?}");
+    }
+
+    /// What the left side does, mirrored, takes of the right side the same forces, mirrored.
+    #[test]
+    fn a_mirrored_motion_takes_mirrored_forces(seed in any::<u64>()) {
+        let mut case = Case::human(seed);
+        let figure = person();
+        let mirrored = |values: &[f64]| mirror(&figure, values);
+        let tau = case.kernel.inverse(&case.q, &case.v, &case.a, &[]).expect("valid");
+        let [q, v, a] = [&case.q, &case.v, &case.a].map(|values| mirrored(values));
+        let other = case.kernel.inverse(&q, &v, &a, &[]).expect("valid");
+        prop_assert!(relative_error(&other, &mirrored(&tau)) < 1e-13);
+        let found = case.kernel.forward(&q, &v, &other, &[]).expect("valid");
+        prop_assert!(relative_error(&found, &a) < 1e-9);
     }
 
     /// Momentum changes at the rate of gravity, the wrenches from outside, and what the root's joint passes on.

@@ -5,9 +5,10 @@ mod support;
 #[path = "support/every_joint.rs"]
 mod every_joint;
 
-use every_joint::{Root, State, figure, is_whole};
-use nalgebra::Vector3;
+use every_joint::{Root, State, figure, is_whole, rebuilt};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
+use solaris_dynamics::scalar::Dual;
 use solaris_dynamics::{RootView, RootViewError, relink};
 use solaris_model::{Axis, Figure, FigureBuilder, Joint, LinkSpec, RerootError, RootAt, SolePart, human};
 use support::random::Random;
@@ -173,6 +174,16 @@ proptest! {
         }
     }
 
+    /// The builder finds nothing wrong with it.
+    #[test]
+    fn the_views_figure_is_valid(seed in any::<u64>()) {
+        let Some(case) = Case::random(seed, Root::Any) else { return Ok(()) };
+        let again = rebuilt(case.view.figure());
+        prop_assert!(again.is_ok(), "{again:?}");
+        let again = again.expect("valid");
+        prop_assert_eq!(again.layout().v_names(), case.view.figure().layout().v_names());
+    }
+
     /// To the view and back, and from the view there and back.
     #[test]
     fn states_come_back(seed in any::<u64>(), free in any::<bool>()) {
@@ -234,6 +245,35 @@ fn a_human_on_its_left_foot() {
     for (k, name) in case.figure.layout().v_names().iter().enumerate().skip(6) {
         let dof = case.view.figure().layout().dof_index(name).expect("the same name");
         assert!((there.v[dof] - v[k]).abs() < 1e-15, "{name}");
+    }
+}
+
+/// Through dual numbers along time, the velocities of the view are the rates of its positions, its accelerations those of
+/// its velocities: no recursion of the accelerations is asked.
+#[test]
+fn accelerations_of_the_view_are_rates_of_its_velocities() {
+    let figure = person();
+    let state = State::random(&figure, &mut Random::new(21));
+    let along = |x: &[f64], rate: &[f64]| {
+        x.iter().zip(rate).map(|(x, r)| Dual::new(*x, [*r])).collect::<Vec<Dual<1>>>()
+    };
+    let still = |x: &[f64]| along(x, &vec![0.0; x.len()]);
+    let (q, v, a) = (along(&state.q, &state.v), along(&state.v, &state.a), still(&state.a));
+    let view = RootView::<Dual<1>>::new(&figure, 12, RootAt::Joint).expect("massive links");
+    let (mut q_view, mut v_view, mut a_view) = (still(&[0.0; 67]), still(&[0.0; 66]), still(&[0.0; 66]));
+    view.to_view(&q, &v, &a, &mut q_view, &mut v_view, &mut a_view).expect("valid");
+    for (v, a) in v_view.iter().zip(&a_view) {
+        assert!((v.partial(0) - a.value()).abs() < 1e-11, "{v:?} {a:?}");
+    }
+    let turn = UnitQuaternion::from_quaternion(Quaternion::new(
+        q_view[6].value(),
+        q_view[3].value(),
+        q_view[4].value(),
+        q_view[5].value(),
+    ));
+    let moves = turn * Vector3::new(v_view[0].value(), v_view[1].value(), v_view[2].value());
+    for (i, x) in q_view[..3].iter().enumerate() {
+        assert!((x.partial(0) - moves[i]).abs() < 1e-12);
     }
 }
 

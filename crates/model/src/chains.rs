@@ -26,7 +26,7 @@ use std::fmt;
 #[derive(Clone, Debug)]
 pub struct Chains {
     figure: String,
-    chains: Vec<Chain>,
+    all: Vec<Chain>,
     link_count: usize,
     dof_count: usize,
 }
@@ -68,10 +68,10 @@ impl Chains {
         }
         let mut seen = vec![false; links.len()];
         let ends = (0..links.len()).filter(|i| bodies[*i] == *i && !has_more[*i]);
-        let chains = ends.map(|end| chain(figure, &bodies, end, &mut seen)).collect();
+        let all = ends.map(|end| chain(figure, &bodies, end, &mut seen)).collect();
         Self {
             figure: figure.name().to_owned(),
-            chains,
+            all,
             link_count: links.len(),
             dof_count: figure.layout().nv(),
         }
@@ -79,17 +79,17 @@ impl Chains {
 
     /// The chains, in the order of their end-effectors in the figure.
     pub fn iter(&self) -> std::slice::Iter<'_, Chain> {
-        self.chains.iter()
+        self.all.iter()
     }
 
     /// Number of chains.
     pub fn len(&self) -> usize {
-        self.chains.len()
+        self.all.len()
     }
 
     /// Never: a figure has a root.
     pub fn is_empty(&self) -> bool {
-        self.chains.is_empty()
+        self.all.is_empty()
     }
 
     /// Degrees of freedom of the figure.
@@ -99,7 +99,7 @@ impl Chains {
 
     /// Degrees of freedom of all chains, those counted again that several of them have.
     pub fn dofs_with_repeats(&self) -> usize {
-        self.chains.iter().map(|chain| chain.dofs.len()).sum()
+        self.all.iter().map(|chain| chain.dofs.len()).sum()
     }
 }
 
@@ -152,7 +152,7 @@ fn chain(figure: &Figure, bodies: &[usize], end: usize, seen: &mut [bool]) -> Ch
 /// A table: one row a chain, with what earlier chains have as well and its share of the chain's dofs, and the sums.
 impl fmt::Display for Chains {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let width = self.chains.iter().map(|chain| chain.name.chars().count()).max().unwrap_or(0).max(12);
+        let width = self.all.iter().map(|chain| chain.name.chars().count()).max().unwrap_or(0).max(12);
         let count = |n: usize, noun: &str| format!("{n} {noun}{}", if n == 1 { "" } else { "s" });
         let (links, dofs) = (count(self.link_count, "link"), count(self.dof_count, "dof"));
         writeln!(f, "{}: {links}, {dofs}, {}", self.figure, count(self.len(), "chain"))?;

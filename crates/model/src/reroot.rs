@@ -33,7 +33,7 @@ pub enum RootAt {
 /// (P·E(e₁, q₁)·…·E(eₙ, qₙ))⁻¹ = E(−eₙ, qₙ)·…·E(−e₁, q₁)·P⁻¹
 /// ```
 ///
-/// so that the coordinates keep their values and their forces, in the opposite order; the link that was the parent gets
+/// so that the coordinates keep their values, in the opposite order; the link that was the parent gets
 /// the frame in which the joint was placed, and its own frame stays as a named frame, if its name is not taken. A ball
 /// joint turned round has the conjugate quaternion. All joints and degrees of freedom keep their names but those of the
 /// old root's joint; the new root's joint is called `world~LINK`.

@@ -8,7 +8,7 @@ use crate::error::ReactionError;
 use crate::split::{FootSupport, TotalWrench, split_at_pivot};
 use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, Wrench, center_of_mass, inverse_dynamics};
-use solaris_model::{Contact, ContactTrack, Figure, Motion, SolePart};
+use solaris_model::{AxisKind, Contact, ContactTrack, Figure, JointKind, Motion, SolePart};
 
 /// What a planner knows of the feet at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,8 +110,7 @@ pub fn ground_reactions(
     let mut tau = Vec::with_capacity(motion.len() * tree.nv());
     let mut tracks =
         feet.map(|foot| ContactTrack { link: foot.name, samples: Vec::with_capacity(motion.len()) });
-    let slides = figure.links()[0].joint().kind().axes().iter();
-    let slides: Vec<bool> = slides.map(|dof| dof.axis.kind == solaris_model::AxisKind::Translation).collect();
+    let slides = slides(figure.links()[0].joint().kind());
     for (frame, &time) in frames.into_iter().zip(motion.time()) {
         for (residual, slide) in frame.tau[root.v..root.v + root.nv].iter().zip(&slides) {
             let greatest = if *slide { &mut report.root_residual.0 } else { &mut report.root_residual.1 };
@@ -195,5 +194,15 @@ impl<L: SupportLaw> Scene<'_, L> {
             from_prescribed: support.force.map(|force| (total.force - force).norm()),
             cop_from_nominal: (centre - nominal).norm(),
         })
+    }
+}
+
+/// Which degrees of freedom of a joint slide: their forces are in N, the others' in N m.
+fn slides(joint: &JointKind) -> Vec<bool> {
+    match joint {
+        JointKind::Free { .. } => (0..6).map(|k| k < 3).collect(),
+        _ => (0..joint.nv())
+            .map(|k| joint.axes().get(k).is_some_and(|dof| dof.axis.kind == AxisKind::Translation))
+            .collect(),
     }
 }

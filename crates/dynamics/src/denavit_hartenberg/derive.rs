@@ -14,8 +14,8 @@ struct Dof {
     axis: Vector3<f64>,
     slides: bool,
     place: IsometryMatrix3<f64>,
-    /// The first of a ball or free joint: where in `q` its quaternion and its position are.
-    state: Option<(usize, Option<usize>)>,
+    /// The first of a ball or free joint has its state.
+    state: Option<State>,
     children: Vec<usize>,
 }
 
@@ -58,6 +58,20 @@ pub(super) fn derive(figure: &Figure) -> Result<DenavitHartenberg, DynamicsError
         heirs.push(heir);
         links.push(link);
     }
+    let grounded = carry(riders, &stands, &mut links);
+    let layout = figure.layout();
+    Ok(DenavitHartenberg {
+        links,
+        grounded,
+        nq: layout.nq(),
+        q_names: layout.q_names().to_vec(),
+        v_names: layout.v_names().to_vec(),
+        link_names: figure.links().iter().map(|link| link.name().to_owned()).collect(),
+    })
+}
+
+/// Hangs the figure's links on the frames that carry them; those that are left do not move.
+fn carry(riders: Vec<Rider>, stands: &[Stand], links: &mut [Rationalized]) -> Vec<Carried> {
     let mut grounded = Vec::new();
     for (link, (carrier, place)) in riders.into_iter().enumerate() {
         match carrier {
@@ -68,15 +82,7 @@ pub(super) fn derive(figure: &Figure) -> Result<DenavitHartenberg, DynamicsError
             None => grounded.push(Carried { link, placement: place }),
         }
     }
-    let layout = figure.layout();
-    Ok(DenavitHartenberg {
-        links,
-        grounded,
-        nq: layout.nq(),
-        q_names: layout.q_names().to_vec(),
-        v_names: layout.v_names().to_vec(),
-        link_names: figure.links().iter().map(|link| link.name().to_owned()).collect(),
-    })
+    grounded
 }
 
 /// What stands between the frame before and the axis of `dof`, and the stand of what it moves in the frame at the axis.
@@ -135,18 +141,16 @@ fn choose(dofs: &[Dof], k: usize, at_axis: &Stand) -> (Option<usize>, Step) {
             best = Some((served, *child, step));
         }
     }
-    match best {
-        Some((_, child, step)) => (Some(child), step),
-        None => {
-            let own = Line {
-                point: at_axis.moved.translation.vector,
-                axis: Vector3::z(),
-                slides: dofs[k].slides,
-                scale: at_axis.scale,
-            };
-            (None, own.last(&at_axis.frame))
-        }
+    if let Some((_, child, step)) = best {
+        return (Some(child), step);
     }
+    let own = Line {
+        point: at_axis.moved.translation.vector,
+        axis: Vector3::z(),
+        slides: dofs[k].slides,
+        scale: at_axis.scale,
+    };
+    (None, own.last(&at_axis.frame))
 }
 
 /// `a⁻¹·b`, with the difference of the origins taken before it is turned.
@@ -206,8 +210,11 @@ fn placement(link: &Link) -> IsometryMatrix3<f64> {
 
 type Axes = Vec<(AxisKind, Vector3<f64>)>;
 
+/// Where in `q` the quaternion of a ball or free joint and the position of a free joint are.
+type State = (usize, Option<usize>);
+
 /// The axes of a joint whose coordinates begin at `q`, and of a ball or free joint where its state is.
-fn axes(link: &Link, q: usize) -> Result<(Axes, Option<(usize, Option<usize>)>), DynamicsError> {
+fn axes(link: &Link, q: usize) -> Result<(Axes, Option<State>), DynamicsError> {
     let three = |kind| [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| (kind, axis));
     let (turns, slides) = (three(AxisKind::Rotation), three(AxisKind::Translation));
     match link.joint().kind() {

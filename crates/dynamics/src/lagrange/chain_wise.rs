@@ -66,8 +66,8 @@ pub fn chain_wise<T: Real, P: Products>(
     })
 }
 
-/// Step 3: A, its derivatives, W, Ẇ, Ẅ and ∂W/∂q of chain `p`, by (4.1) to (4.9). (The thesis lists W⁻¹ and ∂A/∂q where Ẇ and
-/// ∂W/∂q are needed; W⁻¹ is not.)
+/// Step 3: A, its derivatives, W, Ẇ, Ẅ and ∂W/∂q of chain `p`, by (4.1) to (4.9). (Slip 18: W⁻¹ is not
+/// needed.)
 fn outwards<T: Real, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut LagrangianWorkspace<T>, p: usize) {
     let mut before = None;
     for &j in &lagrangian.chains[p].links {
@@ -79,6 +79,7 @@ fn outwards<T: Real, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut Lagran
 }
 
 /// Steps 4 and 5: c and D of chain `p` by (4.10) and (4.11), with `c_{n+1} = 0` and `D_{n+1} = 0`, and its forces by (4.12).
+/// (Slips 19 to 21.)
 fn inwards<T: Real, P: Products>(
     lagrangian: &Lagrangian<T, P>,
     ws: &LagrangianWorkspace<T>,

@@ -82,7 +82,9 @@ impl<T: Real> Lagrangian<T> {
         let links = links.collect::<Result<Vec<_>, _>>()?;
         let mut carriers = vec![None; figure.links().len()];
         for (k, link) in frames.links.iter().enumerate() {
-            link.carried.iter().for_each(|carried| carriers[carried.link] = Some(k));
+            for carried in &link.carried {
+                carriers[carried.link] = Some(k);
+            }
         }
         let chains = chains(&links);
         Ok(Self { tree, links, carriers, chains, products: PhantomData })
@@ -156,8 +158,7 @@ fn compile<T: Real>(figure: &Figure, tree: &Tree<T>, link: &Rationalized) -> Res
 ///
 /// # Source
 ///
-/// Vasilonikolidakis (1991), §3.7, with `+∫ xy dm`, `+∫ xz dm` and `+∫ yz dm` off the diagonal (printed with a sign of
-/// its own in one place).
+/// Vasilonikolidakis (1991), §3.7, with slip 10 of the table in `docs/sources.md` put right.
 fn pseudo_inertia(figure: &Figure, carried: &Carried) -> Matrix4<f64> {
     let link: &FigureLink = &figure.links()[carried.link];
     let rotation = carried.placement.rotation.matrix();
@@ -189,7 +190,9 @@ fn chains<T>(links: &[Link<T>]) -> Vec<Chain> {
         let mut way: Vec<usize> = std::iter::successors(Some(end), |k| links[*k].parent).collect();
         way.reverse();
         let first_new = way.iter().take_while(|k| seen[**k]).count();
-        way.iter().for_each(|k| seen[*k] = true);
+        for k in &way {
+            seen[*k] = true;
+        }
         Chain { links: way, first_new }
     })
     .collect()

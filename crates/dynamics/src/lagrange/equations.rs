@@ -1,7 +1,8 @@
 //! The equations of §4.4, one function each, in the thesis's order.
 //!
 //! Numbers are those of Vasilonikolidakis (1991); coordinates here are (x y z 1)ᵀ, the thesis's (1 x y z)ᵀ. The base `B_j` of
-//! a branch or of the root stands before `A_j`: with it `W_{j−1}` below is `W_{j−1}·B_j`, and likewise for Ẇ and Ẅ.
+//! a branch or of the root stands before `A_j`: with it `W_{j−1}` below is `W_{j−1}·B_j`, and likewise for Ẇ and Ẅ. "Slip n" is row n of the table of
+//! slips in `docs/sources.md`.
 
 use super::constants::Link;
 use super::products::{
@@ -105,8 +106,8 @@ fn transform<T: Real>(link: &Link<T>, coordinate: &Coordinate<T>) -> Matrix4<T> 
     transform
 }
 
-/// (4.3): the rows of `A` turned by a right angle, or for a slide a single one, along the z axis before `A`. (In the thesis's
-/// `A_2` and `A_3` of §4.7 the one stands in the wrong row.)
+/// (4.3): the rows of `A` turned by a right angle, or for a slide a single one, along the z axis before `A`. (Slip
+/// 14: in `A_2` and `A_3` of §4.7 it stands elsewhere.)
 ///
 /// ```text
 ///                  | −sθ  −cθ·cα   cθ·sα  −a·sθ |                   | 0 0 0 0 |
@@ -128,7 +129,7 @@ fn first_derivative<T: Real>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
     derivative
 }
 
-/// (4.4), where the thesis prints ∂²A/∂q̇² for ∂²A/∂q²: the first two rows of `−A`; for a slide zero.
+/// (4.4) (slip 13): the first two rows of `−A`; for a slide zero.
 #[inline]
 fn second_derivative<T: Real>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
     let mut derivative = Matrix4::zeros();
@@ -174,7 +175,7 @@ fn rate<P: Products, T: Real>(
     out
 }
 
-/// (4.8), after §3.8 with `Ẇ_0 = Ẅ_0 = 0` (where the thesis prints `A'·q̇` for `2·Ẇ·A'·q̇`), with `[A, A', A'']`:
+/// (4.8) (slips 3 and 4), after §3.8 with `Ẇ_0 = Ẅ_0 = 0`; given `[A, A', A'']`:
 ///
 /// ```text
 /// Ẅ_j = Ẅ_{j−1}·A_j + 2·Ẇ_{j−1}·A'_j·q̇_j + W_{j−1}·A''_j·q̇_j² + ∂W_j/∂q_j·q̈_j
@@ -212,7 +213,7 @@ pub(super) struct Balance<T> {
 }
 
 impl<T: Real> Balance<T> {
-    /// The own terms of (4.10) and (4.11), `m_i·r_i`, the last column of `J_i`, and `J_i·Ẅ_iᵀ`.
+    /// The own terms of (4.10) and (4.11) (slip 1), `m_i·r_i`, the last column of `J_i`, and `J_i·Ẅ_iᵀ`.
     #[inline]
     pub(super) fn own<P: Products>(inertia: &Matrix4<T>, motion: &Motion<T>) -> Self {
         Self { c: inertia.column(3).into_owned(), d: by_transposed::<P, T>(inertia, &motion.acceleration) }
@@ -272,7 +273,7 @@ impl<T: Real> Balance<T> {
         Self { c, d }
     }
 
-    /// (4.12), where the thesis has its minus sign inside the trace:
+    /// (4.12) (slip 5):
     ///
     /// ```text
     /// F_i = tr(∂W_i/∂q_i·D_i) − gᵀ·∂W_i/∂q_i·c_i

@@ -26,11 +26,13 @@ pub(super) struct Way {
 }
 
 impl JointMap {
-    pub(super) fn to_view(self) -> Way {
+    /// From the declared figure to the view.
+    pub(super) fn forth(self) -> Way {
         Way { from: self.declared, to: self.view }
     }
 
-    pub(super) fn from_view(self) -> Way {
+    /// From the view to the declared figure.
+    pub(super) fn back(self) -> Way {
         Way { from: self.view, to: self.declared }
     }
 

@@ -46,7 +46,9 @@ fn state(figure: &Figure, random: &mut Random) -> Vec<f64> {
         if let Some(at) = link.joint().kind().quaternion() {
             let quaternion = &mut q[joint.q + at..][..4];
             let norm = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
-            quaternion.iter_mut().for_each(|x| *x /= norm);
+            for x in quaternion {
+                *x /= norm;
+            }
         }
     }
     q
@@ -308,10 +310,14 @@ fn the_frames_refuse_what_is_no_state() {
     let frames = DenavitHartenberg::of(&figure).expect("known joints");
     let mut q = vec![0.0; 66];
     q[4] = f64::NAN;
-    let answers = [frames.frames(&q[..60]), frames.frames(&q)].map(|answer| answer.unwrap_err().to_string());
+    let free = FigureBuilder::new("rock").link(LinkSpec::root("rock", Joint::free("rock")).mass(1.0)).build();
+    let free = DenavitHartenberg::of(&free.expect("valid")).expect("known joints");
+    let answers = [frames.frames(&q[..60]), frames.frames(&q), free.frames(&[0.0; 7])]
+        .map(|answer| answer.expect_err("no state").to_string());
     insta::assert_snapshot!(answers.join("\n"), @"
     q has 60 entries, but the figure needs 66
     q of dof 'root.ry' is NaN; it must be a finite number
+    the quaternion that starts at 'rock.qx' has the squared length 0; it must be 1: normalise the configuration first (Figure::normalize)
     ");
 }
 

@@ -1,8 +1,12 @@
 //! Random figures with joints of every kind, and random states of them.
 
+#![allow(dead_code, reason = "each test uses a part of it")]
+
 use crate::support::random::Random;
 use nalgebra::{Matrix3, Translation3, UnitQuaternion, Vector3};
-use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, JointKind, LinkSpec, Placement};
+use solaris_model::{
+    Axis, Figure, FigureBuilder, FigureError, Inertia, Joint, JointKind, LinkSpec, Placement,
+};
 
 /// How the root is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,4 +125,21 @@ impl State {
 /// Whether a joint can stand still only as a whole.
 pub(crate) fn is_whole(kind: &JointKind) -> bool {
     kind.quaternion().is_some()
+}
+
+/// The figure built once more by the builder, which checks everything.
+pub(crate) fn rebuilt(figure: &Figure) -> Result<Figure, FigureError> {
+    let mut builder = FigureBuilder::new(figure.name());
+    for link in figure.links() {
+        let (name, joint) = (link.name(), link.joint().clone());
+        let parent = link.parent().map(|parent| figure.links()[parent].name());
+        let spec = parent.map_or_else(
+            || LinkSpec::root(name, joint.clone()),
+            |parent| LinkSpec::child(name, parent, joint.clone()),
+        );
+        let spec = spec.mass(link.mass()).com(*link.com()).inertia(Inertia::Tensor(*link.inertia()));
+        let spec = link.frames().iter().fold(spec, |spec, frame| spec.frame(&frame.name, frame.placement));
+        builder = builder.link(spec);
+    }
+    builder.build()
 }

@@ -8,7 +8,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector4};
 /// Below this, `sin h/h` is 1 to rounding.
 const TINY: f64 = 1e-8;
 /// A quaternion's squared length is 1 to rounding within this.
-const UNIT: f64 = 8.0 * f64::EPSILON;
+const UNIT: f64 = 4.0 * f64::EPSILON;
 
 /// The quaternion at the head of a slice (x, y, z, w).
 pub(crate) fn read(q: &[f64]) -> Quaternion<f64> {
@@ -16,7 +16,7 @@ pub(crate) fn read(q: &[f64]) -> Quaternion<f64> {
 }
 
 /// Whether the squared length is 1 to rounding.
-pub(crate) fn is_unit(q: &Quaternion<f64>) -> bool {
+fn is_unit(q: &Quaternion<f64>) -> bool {
     (q.norm_squared() - 1.0).abs() <= UNIT
 }
 

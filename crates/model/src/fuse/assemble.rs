@@ -135,9 +135,9 @@ impl Small<'_> {
 
     /// A link without mass, moved by the first degrees of freedom of a joint that is split.
     fn between(&mut self, link: &Link, number: usize, part: Part, names: &[String]) -> Link {
-        let joint = self.unused(link.joint.name(), number);
+        let (name, joint) = self.unused(&link.name, &link.joint.name, number);
         Link {
-            name: self.unused(&link.name, number),
+            name,
             parent: None,
             joint: joint_of(joint, part, names),
             mass: 0.0,
@@ -150,13 +150,14 @@ impl Small<'_> {
         }
     }
 
-    /// `name~number`, or the next number that no link and no joint has.
-    fn unused(&mut self, name: &str, number: usize) -> String {
+    /// `link~number` and `joint~number`, or with the next number that neither links nor joints have.
+    fn unused(&mut self, link: &str, joint: &str, number: usize) -> (String, String) {
         let mut number = number;
         loop {
-            let candidate = format!("{name}~{number}");
-            if self.names.insert(candidate.clone()) {
-                return candidate;
+            let (link, joint) = (format!("{link}~{number}"), format!("{joint}~{number}"));
+            if !self.names.contains(&link) && !self.names.contains(&joint) {
+                self.names.extend([link.clone(), joint.clone()]);
+                return (link, joint);
             }
             number += 1;
         }

@@ -52,7 +52,7 @@ fn rotation([x, y, z, w]: [f64; 4]) -> UnitQuaternion<f64> {
 /// ```
 ///
 /// holds for every slide, and for a turn whose axis is not displaced by `C`. Otherwise the displacement goes to the right,
-/// past slides as far as the link or the next part; past turns it cannot go, and the joint is split.
+/// past slides as far as the link; past turns it cannot go, and the joint is split.
 fn left_of_axes(placement: &Placement, dofs: &[Dof], held: &[Option<f64>]) -> Left {
     // From the outside inwards; turned round at the end.
     let mut parts: Vec<Part> = Vec::new();
@@ -65,10 +65,10 @@ fn left_of_axes(placement: &Placement, dofs: &[Dof], held: &[Option<f64>]) -> Le
         }
         let (kind, axis) = (dof.axis.kind, dof.axis.direction);
         if kind == AxisKind::Rotation && displaces(&still, &axis) {
+            // A split leaves a turn in the open part, so that only the link itself can be beyond these slides.
             if open.dofs.iter().all(|dof| dof.axis.kind == AxisKind::Translation) {
-                let passed = Translation3::from(still.rotation.inverse() * still.translation.vector);
-                let after = parts.last_mut().map_or(&mut beyond, |part| &mut part.placement);
-                *after = passed * *after;
+                let passed = still.rotation.inverse() * still.translation.vector;
+                beyond.translation.vector += passed;
                 still.translation = Translation3::identity();
             } else {
                 let empty = Part { placement: Placement::identity(), dofs: Vec::new(), indices: Vec::new() };

@@ -38,7 +38,17 @@ fn check(figure: &Figure) -> Chains {
 
 #[test]
 fn the_human_has_five_chains() {
-    insta::assert_snapshot!(check(&human(1.75, 73.0).expect("within range")), @"");
+    insta::assert_snapshot!(check(&human(1.75, 73.0).expect("within range")), @"
+    human: 21 links, 66 dofs, 5 chains
+                                       of these in an earlier chain
+    chain  end-effector  links   dofs  links   dofs
+        1  head              5     18      0      0    0 %
+        2  left_hand         7     24      3     12   50 %
+        3  left_toes         5     18      1      6   33 %
+        4  right_hand        7     24      3     12   50 %
+        5  right_toes        5     18      1      6   33 %
+      sum                   29    102      8     36   35 %
+    ");
 }
 
 #[test]
@@ -70,7 +80,14 @@ fn welded_links_are_part_of_the_body_that_carries_them() {
         ("bracket", "right", 0),
         ("finger", "bracket", 1),
     ]));
-    insta::assert_snapshot!(chains, @"");
+    insta::assert_snapshot!(chains, @"
+    arm: 8 links, 4 dofs, 2 chains
+                                       of these in an earlier chain
+    chain  end-effector  links   dofs  links   dofs
+        1  left              5      2      0      0    0 %
+        2  finger            5      2      2      0    0 %
+      sum                   10      4      2      0    0 %
+    ");
     assert_eq!(
         chains.iter().map(|chain| chain.links.clone()).collect::<Vec<_>>(),
         [vec![0, 1, 2, 3, 4], vec![0, 1, 5, 6, 7]]
@@ -79,7 +96,13 @@ fn welded_links_are_part_of_the_body_that_carries_them() {
 
 #[test]
 fn a_figure_without_branches_is_one_chain() {
-    insta::assert_snapshot!(check(&figure(&[("bob", "", 1)])), @"");
+    insta::assert_snapshot!(check(&figure(&[("bob", "", 1)])), @"
+    arm: 1 link, 1 dof, 1 chain
+                                       of these in an earlier chain
+    chain  end-effector  links   dofs  links   dofs
+        1  bob               1      1      0      0    0 %
+      sum                    1      1      0      0    0 %
+    ");
     let welded = check(&figure(&[("rock", "", 0)]));
     assert_eq!((welded.len(), welded.dofs_with_repeats()), (1, 0));
 }

@@ -150,7 +150,7 @@ proptest! {
             step[3..6].copy_from_slice(along(axes[0], angle).as_slice());
             step[6..9].copy_from_slice(along(axes[1], angle).as_slice());
             let back = difference(&figure, &q, &integrate(&figure, &q, &step));
-            prop_assert!(off(&back, &step) <= 16.0 * EPSILON, "turn of {angle}: {step:?} {back:?}");
+            prop_assert!(off(&back, &step) <= 32.0 * EPSILON, "turn of {angle}: {step:?} {back:?}");
         }
     }
 

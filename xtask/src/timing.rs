@@ -4,19 +4,19 @@ use solaris_dynamics::DynamicsError;
 use std::time::Instant;
 
 /// Something to do with the state of an index.
-pub(super) type Operation<C> = fn(&mut C, usize) -> Result<(), DynamicsError>;
+pub(crate) type Operation<C> = fn(&mut C, usize) -> Result<(), DynamicsError>;
 
 /// Time of one call (ns), over the rounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Time {
-    pub(super) median: f64,
-    pub(super) least: f64,
+pub(crate) struct Time {
+    pub(crate) median: f64,
+    pub(crate) least: f64,
 }
 
 /// Times every operation in `rounds` blocks of about `block` ms, cycling through the states 0 to `count − 1`.
 ///
 /// In each round every operation has one block, so that a slow spell of the machine strikes all of them.
-pub(super) fn run<C>(
+pub(crate) fn run<C>(
     case: &mut C,
     operations: &[(&str, Operation<C>)],
     count: usize,
