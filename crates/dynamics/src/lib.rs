@@ -62,3 +62,5 @@ pub use scalar::Real;
 pub use spatial::{Momentum, Pose, Twist, Wrench};
 pub use tree::Tree;
 pub use workspace::Workspace;
+
+pub use nalgebra::{DMatrix, IsometryMatrix3, Matrix3, Vector3};

@@ -194,23 +194,30 @@ fn the_cost_drops_in_proportion() {
             &["clavicle", "shoulder", "elbow", "wrist", "neck", "head", "lumbar", "thorax", "right_"],
         ),
     ];
-    let mut table = String::from("frozen | dofs | multiplications | additions | sines | share\n");
+    let mut table = vec![row("nothing", 66, all, 1.0)];
     let mut shares = Vec::new();
     for (name, joints) in rows {
         let (_, fused) = frozen(joints);
         let (nv, ops) = (fused.figure().layout().nv(), operations(fused.figure()));
         let share =
             (ops.multiplications + ops.additions) as f64 / (all.multiplications + all.additions) as f64;
-        table += &format!(
-            "{name} | {nv} | {} | {} | {} | {share:.3}\n",
-            ops.multiplications, ops.additions, ops.sines
-        );
+        table.push(row(name, nv, ops, share));
         shares.push((share, nv as f64 / 66.0));
-        assert_eq!(ops.sines as usize, nv, "{table}");
+        assert_eq!(ops.sines as usize, nv, "{table:?}");
     }
     for (share, dofs) in shares {
-        assert!(share <= dofs && share > dofs - 0.04, "{all:?}\n{table}");
+        assert!(share <= dofs && share > dofs - 0.04, "{all:?}\n{table:?}");
     }
+    let table = table.concat();
+    for page in [include_str!("../../../docs/dynamics.md"), include_str!("../README.md")] {
+        assert!(page.contains(&table), "docs/dynamics.md and the crate's README should say\n\n{table}\n");
+    }
+}
+
+/// A row of the table of the documentation.
+fn row(name: &str, dofs: usize, operations: Operations, share: f64) -> String {
+    let Operations { multiplications, additions, .. } = operations;
+    format!("| {name} | {dofs} | {multiplications} | {additions} | {:.0} % |\n", 100.0 * share)
 }
 
 /// Between one posture and the next the frozen arms cost nothing, and the torques that hold them are there.

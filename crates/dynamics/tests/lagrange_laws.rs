@@ -6,11 +6,12 @@ use nalgebra::{Matrix3, Matrix4, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::denavit_hartenberg::{Carried, DenavitHartenberg};
 use solaris_dynamics::lagrange::{Lagrangian, LagrangianWorkspace, Products, chain_wise, tree_wise};
-use solaris_dynamics::{Formulation, InverseDynamics, Wrench};
+use solaris_dynamics::scalar::{DoubleDouble, Dual, Lanes};
+use solaris_dynamics::{Formulation, InverseDynamics, Real, Wrench};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 use support::oracle::Oracle;
 use support::random::{Joints, Random, random_configuration, tree, tree_of};
-use support::relative_error;
+use support::{largest, relative_error};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
@@ -230,6 +231,42 @@ fn long_chains_agree() {
         let error = relative_error(&chains, &fast);
         assert!(error < 1e-12, "{links} links about {axes} axes: {error:e}");
     }
+}
+
+/// Derivatives along one direction, several states at once, and twice the digits.
+#[test]
+fn other_scalars_run_through_the_same_code() {
+    let mut random = Random::new(21);
+    let figure = tree_of(Joints::OneAxis, &mut random, 7, 1.0);
+    let n = figure.layout().nv();
+    let [q, v, a] = [2.0, 3.0, 5.0].map(|scale| random.slice(n, scale));
+    let plain = solve(&figure, GRAVITY, [&q, &v, &a], &[]);
+    let [_, _, dual] = in_scalar(&figure, [&q, &v, &a], |x| Dual::<1>::new(x, [x]));
+    let exact = in_scalar(&figure, [&q, &v, &a], DoubleDouble::from_f64);
+    for (i, tau) in in_scalar(&figure, [&q, &v, &a], |x| Dual::<1>::new(x, [x])).iter().enumerate() {
+        let parts = |tau: &[Dual<1>]| tau.iter().map(|tau| tau.partial(0)).collect::<Vec<_>>();
+        assert!(relative_error(&parts(tau), &parts(&dual)) < 1e-12);
+        assert!(tau.iter().zip(&plain[i]).all(|(tau, plain)| tau.value().to_bits() == plain.to_bits()));
+    }
+    for (i, tau) in in_scalar(&figure, [&q, &v, &a], |x| Lanes::<2>::new([x, 0.5 * x])).iter().enumerate() {
+        assert!(tau.iter().zip(&plain[i]).all(|(tau, plain)| tau.lane(0).to_bits() == plain.to_bits()));
+    }
+    // α, θ⁰, a and s are derived in double precision: both walks share their rounding, the fast formulation does not.
+    let digits = |tau: &[DoubleDouble]| tau.iter().map(|tau| tau.to_f64()).collect::<Vec<_>>();
+    let apart: Vec<f64> = exact[0].iter().zip(&exact[1]).map(|(x, y)| (*x - *y).to_f64()).collect();
+    let scale = largest(&digits(&exact[2]));
+    assert!(largest(&apart) < 1e-28 * scale && largest(&apart) > 0.0, "{apart:?}");
+    assert!(relative_error(&digits(&exact[0]), &digits(&exact[2])) < 1e-13);
+}
+
+fn in_scalar<T: Real>(figure: &Figure, state: [&[f64]; 3], number: impl Fn(f64) -> T) -> [Vec<T>; 3] {
+    let [q, v, a] = state.map(|values| values.iter().map(|x| number(*x)).collect::<Vec<_>>());
+    Formulation::ALL.map(|formulation| {
+        let mut dynamics = InverseDynamics::new(figure, GRAVITY, formulation).expect("finite constants");
+        let mut tau = vec![T::zero(); v.len()];
+        dynamics.solve(&q, &v, &a, &[], &mut tau).expect("a valid state");
+        tau
+    })
 }
 
 /// Full and short products differ by products with zero and one alone.

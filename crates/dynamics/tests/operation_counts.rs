@@ -200,7 +200,7 @@ fn the_page_holds_what_is_counted() {
     assert!(found == counted, "docs/operations.md should say\n\n{counted}\n");
 }
 
-/// §4.2 and §4.3 of the corrections: the printed totals are not the sums of the printed steps.
+/// The printed totals are not the sums of the printed steps: slip 23 of `docs/sources.md`.
 #[test]
 fn the_printed_totals_are_off() {
     for n in [1.0, 12.0, 66.0] {
@@ -232,6 +232,6 @@ fn the_recursions_are_linear() {
 #[test]
 fn the_polynomials_are_those_of_the_page() {
     assert!((uicker(1.0).0 - 214.0).abs() < 1e-9 && (uicker(1.0).1 - 166.0).abs() < 1e-9);
-    assert!((uicker(63.0).0 / 5.26e8 - 1.0).abs() < 1e-3, "as maths says");
+    assert!((uicker(63.0).0 / 5.26e8 - 1.0).abs() < 1e-3, "to the three digits of an independent sum");
     assert!((hollerbach(10.0).0 - 7708.0).abs() < 1e-9);
 }

@@ -8,7 +8,8 @@ use crate::joint::{Joint, Placement};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::{Link, NamedFrame, SolePart, SolePoint};
 use nalgebra::{Matrix3, Vector3};
-use std::collections::{HashMap, HashSet};
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, HashMap, HashSet};
 
 /// A link as it is described, before it is checked.
 #[derive(Clone, Debug)]
@@ -216,7 +217,11 @@ impl FigureBuilder {
     /// The order of the links, parents first, or `None` where there is no tree.
     fn check_tree(&self, faults: &mut Vec<Fault>) -> Option<Vec<usize>> {
         let before = faults.len();
-        let index = |name: &str| self.links.iter().position(|link| link.name == name);
+        let mut places: HashMap<&str, usize> = HashMap::new();
+        for (i, link) in self.links.iter().enumerate() {
+            places.entry(&link.name).or_insert(i);
+        }
+        let index = |name: &str| places.get(name).copied();
         let roots: Vec<String> =
             self.links.iter().filter(|link| link.parent.is_none()).map(|link| link.name.clone()).collect();
         match roots.len() {
@@ -237,15 +242,19 @@ impl FigureBuilder {
         }
         let mut order: Vec<usize> = Vec::new();
         let mut placed = vec![false; self.links.len()];
-        loop {
-            // The first link not yet placed whose parent is; an unknown parent counts as placed, it has its own fault.
-            let next = (0..self.links.len()).find(|&i| {
-                let parent = self.links[i].parent.as_deref().and_then(index);
-                !placed[i] && parent.is_none_or(|parent| placed[parent])
-            });
-            let Some(next) = next else { break };
+        let mut children = vec![Vec::new(); self.links.len()];
+        // Links whose parent is placed, the first one on top; an unknown parent counts as placed, it has its own fault.
+        let mut ready = BinaryHeap::new();
+        for (i, link) in self.links.iter().enumerate() {
+            match link.parent.as_deref().and_then(index) {
+                Some(parent) => children[parent].push(i),
+                None => ready.push(Reverse(i)),
+            }
+        }
+        while let Some(Reverse(next)) = ready.pop() {
             placed[next] = true;
             order.push(next);
+            ready.extend(children[next].iter().copied().map(Reverse));
         }
         if let Some(start) = placed.iter().position(|placed| !placed) {
             faults.push(Fault::Cycle { links: self.cycle_from(start, &index) });

@@ -12,7 +12,11 @@ pub use solaris_view as view;
 
 /// What a first program needs.
 pub mod prelude {
-    pub use solaris_dynamics::{Tree, Workspace, forward_kinematics, inverse_dynamics, mass_matrix};
+    pub use solaris_dynamics::{
+        DMatrix, Derivatives, DynamicsError, Formulation, Frame, InverseDynamics, JacobianAxes, Tree,
+        Workspace, Wrench, bias, center_of_mass, forward_dynamics, forward_kinematics, hybrid_dynamics,
+        inverse_dynamics, jacobian, mass_matrix, velocities,
+    };
     pub use solaris_gait::{Extent, WalkRequest, measure, walk};
     pub use solaris_model::{
         Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, MotionInfo, Trajectory, Vector3, human,
@@ -24,3 +28,7 @@ pub mod prelude {
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/dynamics.md")]
+struct Dynamics;

@@ -83,13 +83,7 @@ const RATIOS: Option<OtherInverse> = inverse([4.5e-16, 2.6e-7], [5e-16, 2.8e-7],
 
 /// Figures and states that break careless recursions.
 #[rustfmt::skip]
-pub(super) const HARD: [Case; 11] = [
-    Case {
-        name: "chain of 30, tip",
-        sample: |random| tipped_chain(random, 10, 2.0_f64.powi(10)),
-        inverse: RATIOS,
-        forward: forward([8e-15, 1.1e-5], [3.5e-12, 3e-3]),
-    },
+pub(super) const HARD: [Case; 10] = [
     Case {
         name: "chain of 30",
         sample: |random| chain(random, 30),

@@ -7,6 +7,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Acceleration of gravity (m/s²): the multiple of 1/16 next to the standard one.
 pub(super) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.8125, 0.0);
 
+/// How far the joints of chains are bent (rad): a nearly straight chain has the worst mass matrix.
+const STRAIGHT: f64 = 0.3;
+
 /// A figure with a state, the accelerations asked of inverse dynamics and the forces given to forward dynamics.
 pub(super) struct Sample {
     pub(super) figure: Figure,
@@ -64,7 +67,7 @@ fn single(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
-/// Links of 1 to 2 kg in a chain, each turning about a coordinate axis of either sense.
+/// Links of 1 to 2 kg and about 0.3 m in a chain, each turning about a coordinate axis of either sense.
 pub(super) fn chain(random: &mut Random, links: usize) -> Result<Sample, String> {
     weighted_chain(random, links, |mass, _| mass)
 }
@@ -89,16 +92,16 @@ pub(super) fn fast_chain(random: &mut Random, links: usize) -> Result<Sample, St
 /// A chain on a root that slides and turns, `distance` (m) away from the world's origin along every axis.
 pub(super) fn distant_chain(random: &mut Random, links: usize, distance: f64) -> Result<Sample, String> {
     let root = Joint::new("root").tx().ty().tz().rz().ry().rx();
-    let figure = build(random, links, |_, i| (i == 0).then(|| root.clone()), |mass, _| mass)?;
-    let mut sample = with_state(random, figure);
+    let figure = build(random, links, |i| (i == 0).then(|| root.clone()), |mass, _| mass)?;
+    let mut sample = with_state(random, figure, STRAIGHT);
     sample.q[..3].fill(distance);
     Ok(sample)
 }
 
 /// One body on a joint Z-Y-X that is `d` (rad) short of gimbal lock.
 pub(super) fn near_lock(random: &mut Random, d: f64) -> Result<Sample, String> {
-    let figure = build(random, 1, |_, _| Some(Joint::new("joint").rz().ry().rx()), |mass, _| mass)?;
-    let mut sample = with_state(random, figure);
+    let figure = build(random, 1, |_| Some(Joint::new("joint").rz().ry().rx()), |mass, _| mass)?;
+    let mut sample = with_state(random, figure, PI);
     sample.q[1] = single(FRAC_PI_2 - d);
     Ok(sample)
 }
@@ -110,9 +113,7 @@ pub(super) fn person(random: &mut Random) -> Result<Sample, String> {
         builder.link(rounded(link, link.parent().map(|parent| exact.links()[parent].name())))
     });
     let figure = builder.build().map_err(|error| error.to_string())?;
-    let mut sample = with_state(random, figure);
-    sample.q.iter_mut().for_each(|q| *q = single(*q / PI));
-    Ok(sample)
+    Ok(with_state(random, figure, 1.0))
 }
 
 /// The human with a left shoulder that is `d` (rad) short of gimbal lock.
@@ -128,43 +129,46 @@ fn weighted_chain(
     links: usize,
     weigh: impl Fn(f64, usize) -> f64,
 ) -> Result<Sample, String> {
-    let figure = build(random, links, |_, _| None, weigh)?;
-    Ok(with_state(random, figure))
+    let figure = build(random, links, |_| None, weigh)?;
+    Ok(with_state(random, figure, STRAIGHT))
 }
 
 /// A chain with the joints that `joint` gives, and turns about coordinate axes where it gives none.
 fn build(
     random: &mut Random,
     links: usize,
-    joint: impl Fn(&mut Random, usize) -> Option<Joint>,
+    joint: impl Fn(usize) -> Option<Joint>,
     weigh: impl Fn(f64, usize) -> f64,
 ) -> Result<Figure, String> {
     let mut builder = FigureBuilder::new("chain");
     for i in 0..links {
-        let joint = joint(random, i).unwrap_or_else(|| {
+        let joint = joint(i).unwrap_or_else(|| {
             let sense = if random.below(2) == 0 { 1.0 } else { -1.0 };
             let axis = Vector3::ith(random.below(3) as usize, sense);
             Joint::new(format!("joint {i}")).axis(Axis::rotation(axis))
         });
-        let joint = joint.at(random.steps(20));
+        let aside = random.steps(3);
+        let along = Vector3::new(0.0, -0.25 - random.below(9) as f64 / 64.0, 0.0);
+        let joint = joint.at(aside + along);
         let link = match i.checked_sub(1) {
             None => LinkSpec::root("link 0", joint),
             Some(parent) => LinkSpec::child(format!("link {i}"), format!("link {parent}"), joint),
         };
         let mass = weigh(random.mass(), i);
         // Second moments of a body a few centimetres across.
-        let root = Matrix3::from_fn(|_, _| random.step(std::env::var("ST").map_or(6, |x| x.parse().unwrap()))) + Matrix3::identity() / 64.0;
+        let root = Matrix3::from_fn(|_, _| random.step(4)) + Matrix3::identity() / 64.0;
         let second = root * root.transpose() * mass;
         let inertia = Matrix3::identity() * second.trace() - second;
-        builder = builder.link(link.mass(mass).com(random.steps(16)).inertia(Inertia::Tensor(inertia)));
+        builder = builder.link(link.mass(mass).com(random.steps(4) + along / 2.0).inertia(Inertia::Tensor(inertia)));
     }
     builder.build().map_err(|error| error.to_string())
 }
 
-fn with_state(random: &mut Random, figure: Figure) -> Sample {
+/// `figure` in a state with coordinates to `reach` either way.
+fn with_state(random: &mut Random, figure: Figure, reach: f64) -> Sample {
     let n = figure.layout().nv();
     Sample {
-        q: random.numbers(n, std::env::var("QS").map_or(PI, |x| x.parse().unwrap())),
+        q: random.numbers(n, reach),
         v: random.numbers(n, 1.0),
         a: random.numbers(n, 1.0),
         tau: random.numbers(n, 1.0),

@@ -7,7 +7,7 @@ use crate::matter::constant;
 use crate::scalar::Real;
 use crate::tree::Tree;
 use nalgebra::{IsometryMatrix3, Matrix3, Matrix4, Vector3};
-use solaris_model::{Figure, Link as FigureLink};
+use solaris_model::Figure;
 use std::marker::PhantomData;
 
 /// A figure under a gravity, compiled for the Lagrangian recursions: constant, shared between any number of
@@ -160,7 +160,7 @@ fn compile<T: Real>(figure: &Figure, tree: &Tree<T>, link: &Rationalized) -> Res
 ///
 /// Vasilonikolidakis (1991), §3.7, with slip 10 of the table in `docs/sources.md` put right.
 fn pseudo_inertia(figure: &Figure, carried: &Carried) -> Matrix4<f64> {
-    let link: &FigureLink = &figure.links()[carried.link];
+    let link = &figure.links()[carried.link];
     let rotation = carried.placement.rotation.matrix();
     let inertia = rotation * link.inertia() * rotation.transpose();
     let (m, c) = (link.mass(), (carried.placement * nalgebra::Point3::from(*link.com())).coords);

@@ -5,7 +5,7 @@ use crate::support::random::{Random, tree};
 use nalgebra::{IsometryMatrix3, Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::denavit_hartenberg::{Base, DenavitHartenberg, rows};
-use solaris_model::{AxisKind, Figure, FigureBuilder, Joint, JointKind, LinkSpec, Placement, human};
+use solaris_model::{Axis, AxisKind, Figure, FigureBuilder, Joint, JointKind, LinkSpec, Placement, human};
 
 /// Poses of the links as products of what the figure says, one motion after the other.
 fn expected(figure: &Figure, q: &[f64]) -> Vec<Matrix4<f64>> {
@@ -193,67 +193,44 @@ fn a_figure_100_km_away_has_the_constants_of_one_at_home() {
             .build()
             .expect("valid")
     };
-    let skew_free = |figure| {
-        let frames = DenavitHartenberg::of(&figure).expect("known joints").links;
-        frames
-            .into_iter()
-            .map(|link| (link.alpha, link.theta, link.a, link.s, link.carried))
-            .collect::<Vec<_>>()
+    let constants = |root| {
+        let links = DenavitHartenberg::of(&figure(root)).expect("known joints").links;
+        let constants = links.into_iter().map(|link| (link.alpha, link.theta, link.a, link.s, link.carried));
+        constants.collect::<Vec<_>>()
     };
-    assert_eq!(skew_free(figure(Vector3::zeros())), skew_free(figure(Vector3::new(1e5, -1e5, 1e5))));
+    let at_home = constants(Vector3::zeros());
+    assert_eq!(constants(Vector3::new(1e5, -1e5, 1e5)), at_home);
+    // Along the first axis too, where the world's z would serve.
+    assert_eq!(constants(Vector3::new(0.0, 0.0, 1e5)), at_home);
 }
 
-fn skew() -> solaris_model::Axis {
-    solaris_model::Axis::rotation(Vector3::new(1.0, 2.0, -3.0))
+fn skew() -> Axis {
+    Axis::rotation(Vector3::new(1.0, 2.0, -3.0))
+}
+
+/// Whether a second axis, tilted by `angle` about y, needs a base where its joint is at `at` from the first one's.
+fn needs_base(angle: f64, at: Vector3<f64>) -> bool {
+    let axis = Axis::rotation(Vector3::new(angle.sin(), 0.0, angle.cos()));
+    let figure = FigureBuilder::new("arm")
+        .link(LinkSpec::root("a", Joint::new("a").rz()).mass(1.0))
+        .link(LinkSpec::child("b", "a", Joint::new("b").at(at).axis(axis)).mass(1.0))
+        .link(LinkSpec::child("c", "b", Joint::new("c").at(Vector3::x()).rx()).mass(1.0))
+        .build()
+        .expect("valid");
+    let frames = DenavitHartenberg::of(&figure).expect("known joints");
+    let q = [0.3, -0.8, 0.5];
+    assert_near(&frames.poses(&q).expect("a valid state"), &expected(&figure, &q), 1e-13);
+    frames.links[1].base != Base::Identity
 }
 
 #[test]
 fn nearly_parallel_axes_get_a_base_instead_of_a_frame_far_away() {
-    let tilted = |angle: f64| {
-        let axis = Vector3::new(angle.sin(), 0.0, angle.cos());
-        let figure = FigureBuilder::new("arm")
-            .link(LinkSpec::root("a", Joint::new("a").rz()).mass(1.0))
-            .link(
-                LinkSpec::child(
-                    "b",
-                    "a",
-                    Joint::new("b").at(Vector3::y()).axis(solaris_model::Axis::rotation(axis)),
-                )
-                .mass(1.0),
-            )
-            .link(LinkSpec::child("c", "b", Joint::new("c").at(Vector3::x()).rx()).mass(1.0))
-            .build()
-            .expect("valid");
-        let frames = DenavitHartenberg::of(&figure).expect("known joints");
-        let q = [0.3, -0.8, 0.5];
-        assert_near(&frames.poses(&q).expect("a valid state"), &expected(&figure, &q), 1e-14);
-        frames.links[1].base != Base::Identity
-    };
-    // The axes' common normal lies at the joints here: no need for a base at any angle; and where it does not:
-    let aside = |angle: f64| {
-        let axis = Vector3::new(angle.sin(), 0.0, angle.cos());
-        let figure = FigureBuilder::new("arm")
-            .link(LinkSpec::root("a", Joint::new("a").rz()).mass(1.0))
-            .link(
-                LinkSpec::child(
-                    "b",
-                    "a",
-                    Joint::new("b").at(Vector3::x()).axis(solaris_model::Axis::rotation(axis)),
-                )
-                .mass(1.0),
-            )
-            .build()
-            .expect("valid");
-        let frames = DenavitHartenberg::of(&figure).expect("known joints");
-        let q = [0.3, -0.8];
-        assert_near(&frames.poses(&q).expect("a valid state"), &expected(&figure, &q), 1e-13);
-        frames.links[1].base != Base::Identity
-    };
-    assert_eq!([1e-15, 1e-12, 1e-6, 1e-2, 0.04, 1.0].map(tilted), [false; 6]);
-    assert_eq!(
-        [1e-15, 1e-12, 1e-6, 1e-2, 0.04, 0.06, 1.0].map(aside),
-        [false, true, true, true, true, false, false]
-    );
+    let angles = [1e-15, 1e-12, 1e-6, 1e-2, 0.04, 0.06, 1.0];
+    // The axes' common normal goes through the joints, and stays there.
+    assert_eq!(angles.map(|angle| needs_base(angle, Vector3::y())), [false; 7]);
+    // It runs away along the axes.
+    let expected = [false, true, true, true, true, false, false];
+    assert_eq!(angles.map(|angle| needs_base(angle, Vector3::x())), expected);
 }
 
 #[test]

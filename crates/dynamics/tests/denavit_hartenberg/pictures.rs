@@ -14,10 +14,12 @@ fn compare(name: &str, drawn: &str) {
     }
     let kept = std::fs::read_to_string(&path).unwrap_or_default();
     let is_same = words(&kept).len() == words(drawn).len()
-        && words(&kept).iter().zip(words(drawn)).all(|(kept, drawn)| match (kept.parse(), drawn.parse()) {
-            // A last digit may be rounded otherwise elsewhere.
-            (Ok(kept), Ok(drawn)) => f64::abs(kept - drawn) < 0.15,
-            _ => *kept == drawn,
+        && words(&kept).iter().zip(words(drawn)).all(|(kept, drawn)| {
+            match (kept.parse::<f64>(), drawn.parse::<f64>()) {
+                // A last digit may be rounded otherwise elsewhere.
+                (Ok(kept), Ok(drawn)) => (kept - drawn).abs() < 0.15,
+                _ => *kept == drawn,
+            }
         });
     assert!(is_same, "docs/{name} is not what the code draws: draw it anew with UPDATE_PICTURES=1");
 }

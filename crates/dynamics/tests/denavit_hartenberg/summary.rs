@@ -10,6 +10,16 @@ fn a_branching_arm() {
 }
 
 #[test]
+fn the_page_holds_the_summary_of_the_arm() {
+    let page = include_str!("../../../../docs/dynamics.md");
+    let (_, rest) =
+        page.split_once("compared by the test denavit_hartenberg -->\n```text\n").expect("a summary");
+    let (found, _) = rest.split_once("```\n<!-- end of table -->").expect("its end");
+    let printed = Summary::of(&branching_arm()).expect("known joints").to_string();
+    assert!(found == printed, "docs/dynamics.md should say\n\n{printed}\n");
+}
+
+#[test]
 fn the_human_of_66_dofs() {
     insta::assert_snapshot!(Summary::of(&human(1.75, 73.0).expect("within range")).expect("known joints"));
 }
