@@ -19,7 +19,7 @@ cargo xtask CHORE
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
                                     times the kernel as other engines are timed; needs `cargo run --release -p xtask`
-  report                            measures digits and times, and writes them into docs/accuracy.md and its pictures
+  report                            measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md
   help                              this list
 ";
 
@@ -35,7 +35,7 @@ fn main() -> ExitCode {
         ["peers", ref options @ ..] => {
             peers::Options::parse(options).and_then(|options| peers::run(&options))
         }
-        ["report", ..] => report::run(),
+        ["report"] => report::run(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

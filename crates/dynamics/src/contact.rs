@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 
 /// A point of a link, or the link as a whole, held to an acceleration by an unknown force.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact<T> {
+pub struct ContactConstraint<T> {
     /// The link.
     pub link: usize,
     /// Where it is held, in the link's frame (m).
@@ -30,7 +30,7 @@ pub struct Contact<T> {
     pub angular: Option<Vector3<T>>,
 }
 
-impl<T: Real> Contact<T> {
+impl<T: Real> ContactConstraint<T> {
     /// A point of a link (m, link's frame) that stays where it is.
     pub fn point(link: usize, point: Vector3<T>) -> Self {
         Self { link, point, acceleration: Vector3::zeros(), angular: None }
@@ -45,7 +45,7 @@ impl<T: Real> Contact<T> {
 /// The contacts of a figure, with the memory to solve for them: made once, then no call allocates.
 #[derive(Clone, Debug)]
 pub struct Contacts<T> {
-    contacts: Vec<Contact<T>>,
+    list: Vec<ContactConstraint<T>>,
     solver: LeastNorm<T>,
     /// What is prescribed, less what there is without contact; afterwards what is left of it.
     right: Vec<T>,
@@ -60,19 +60,19 @@ pub struct Contacts<T> {
 /// One scalar condition: an axis of a contact.
 #[derive(Clone, Copy)]
 struct Row<T> {
-    contact: Contact<T>,
+    contact: ContactConstraint<T>,
     axis: usize,
     turns: bool,
 }
 
 impl<T: Real> Contacts<T> {
     /// Contacts of a figure.
-    pub fn new(tree: &Tree<T>, contacts: Vec<Contact<T>>) -> Self {
+    pub fn new(tree: &Tree<T>, contacts: Vec<ContactConstraint<T>>) -> Self {
         let rows = contacts.iter().map(|contact| if contact.angular.is_some() { 6 } else { 3 }).sum();
         let nothing = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
         Self {
             wrenches: contacts.iter().map(|contact| (contact.link, nothing)).collect(),
-            contacts,
+            list: contacts,
             solver: LeastNorm::new(rows),
             right: vec![T::zero(); rows],
             found: vec![T::zero(); rows],
@@ -82,8 +82,8 @@ impl<T: Real> Contacts<T> {
     }
 
     /// The contacts, to change what is prescribed between calls; whether one holds the link's rotation must not change.
-    pub fn contacts_mut(&mut self) -> &mut [Contact<T>] {
-        &mut self.contacts
+    pub fn contacts_mut(&mut self) -> &mut [ContactConstraint<T>] {
+        &mut self.list
     }
 
     /// Link and wrench that acts on it (world axes, about the world's origin), by contact, as the last call found them.
@@ -98,7 +98,7 @@ impl<T: Real> Contacts<T> {
     }
 
     fn rows(&self) -> impl Iterator<Item = Row<T>> + '_ {
-        self.contacts.iter().flat_map(|&contact| {
+        self.list.iter().flat_map(|&contact| {
             let count = if contact.angular.is_some() { 6 } else { 3 };
             (0..count).map(move |row| Row { contact, axis: row % 3, turns: row >= 3 })
         })
@@ -115,9 +115,12 @@ impl<T: Real> Contacts<T> {
 ///
 /// with one pass each way for each column of the left side. Where contacts share what they hold (four feet of a stiff
 /// table), only the sum of their effects is determined: of all `λ` that bring the accelerations about, the one with the
-/// **least sum of squares** (N and N m alike) is given. A row counts as dependent where less than the root of the
-/// precision of its own inverse inertia is left once the rows before it hold. Where dependent rows contradict each other,
-/// the first ones win and [`Contacts::residuals`] tells what the others miss.
+/// **least sum of squares** (N and N m alike) is given. The rows are taken in the order of how much of their own inverse
+/// inertia is left once the rows before them hold; one of which less than the root of the precision is left counts as
+/// dependent. Where dependent rows contradict each other, or something prescribed does, some have to give in.
+///
+/// Returns how much is missing: the greatest difference between a prescribed acceleration of a contact and the one found
+/// (m/s² and rad/s² alike), rounding unless the contacts cannot have what they ask for. [`Contacts::residuals`] has all.
 ///
 /// The contacts pull as well as push, and do not slip: whether they would is for the caller to see from the wrenches.
 /// Also places the links.
@@ -132,19 +135,20 @@ impl<T: Real> Contacts<T> {
 /// A rod on two pins along its length: what each carries along it is not determined, so that each carries half.
 ///
 /// ```
-/// use solaris_dynamics::{Contact, Contacts, Tree, Workspace, contact_dynamics};
+/// use solaris_dynamics::{ContactConstraint, Contacts, Tree, Workspace, contact_dynamics};
 /// use solaris_model::{FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
 ///
 /// let rod = LinkSpec::root("rod", Joint::free("root")).mass(2.0).inertia(Inertia::diagonal(0.1, 0.01, 0.1));
 /// let figure = FigureBuilder::new("rod").link(rod).build()?;
 /// let tree = Tree::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0))?;
 /// let mut workspace = Workspace::new(&tree);
-/// let pins = [0.5, -0.5].map(|y| Contact::point(0, Vector3::new(0.0, y, 0.0)));
+/// let pins = [0.5, -0.5].map(|y| ContactConstraint::point(0, Vector3::new(0.0, y, 0.0)));
 /// let mut contacts = Contacts::new(&tree, pins.to_vec());
 /// let q = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
 /// let (mut a, mut tau) = ([0.0; 6], [0.0; 6]);
-/// contact_dynamics(&tree, &mut workspace, &mut contacts, &q, &[0.0; 6], &[false; 6], &[], &mut a, &mut tau)?;
-/// assert!(a.iter().all(|a| a.abs() < 1e-12));
+/// let (v, free) = ([0.0; 6], [false; 6]);
+/// let missing = contact_dynamics(&tree, &mut workspace, &mut contacts, &q, &v, &free, &[], &mut a, &mut tau)?;
+/// assert!(missing < 1e-12 && a.iter().all(|a| a.abs() < 1e-12));
 /// assert!((contacts.wrenches()[0].1.force.y - 9.81).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -162,7 +166,7 @@ pub fn contact_dynamics<T: Real>(
     external: &[(usize, Wrench<T>)],
     a: &mut [T],
     tau: &mut [T],
-) -> Result<(), DynamicsError> {
+) -> Result<f64, DynamicsError> {
     check_length("prescribed", prescribed.len(), tree.nv())?;
     check_given("a", a, tree, |k| prescribed[k])?;
     check_given("tau", tau, tree, |k| !prescribed[k])?;
@@ -188,14 +192,14 @@ pub fn contact_dynamics<T: Real>(
     check_result("a force of hybrid dynamics", tau)?;
     measure(tree, workspace, contacts, true);
     prescribe(contacts);
-    Ok(())
+    Ok(contacts.right.iter().fold(0.0, |missing, left| left.greatest().max((-*left).greatest()).max(missing)))
 }
 
 fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(), DynamicsError> {
     if contacts.response.len() != tree.nv() {
         return Err(DynamicsError::Workspace);
     }
-    for (index, contact) in contacts.contacts.iter().enumerate() {
+    for (index, contact) in contacts.list.iter().enumerate() {
         let numbers = [contact.point, contact.acceleration, contact.angular.unwrap_or_else(Vector3::zeros)];
         if contact.link >= tree.link_count() || !numbers.iter().all(is_finite) {
             let (contact, last) = (format!("{contact:?}"), tree.link_count() - 1);
@@ -208,7 +212,7 @@ fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(),
 /// Accelerations of the contacts in the last pass; `moving` takes in what velocities and the gravity of the world bring.
 fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T>, moving: bool) {
     let mut row = 0;
-    for contact in &contacts.contacts {
+    for contact in &contacts.list {
         let (motion, pose, r) = (&ws.motions[contact.link], &ws.poses[contact.link], &contact.point);
         let mut linear = motion.acceleration + cross(&motion.angular_acceleration, r);
         if moving {
@@ -231,7 +235,7 @@ fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T
 /// What is prescribed, less what was found.
 fn prescribe<T: Real>(contacts: &mut Contacts<T>) {
     let mut row = 0;
-    for contact in &contacts.contacts {
+    for contact in &contacts.list {
         for wanted in std::iter::once(contact.acceleration).chain(contact.angular) {
             for axis in 0..3 {
                 contacts.right[row] = wanted[axis] - contacts.found[row];
@@ -281,7 +285,7 @@ fn collect<T: Real>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
         row += 3;
         Vector3::new(solution[row - 3], solution[row - 2], solution[row - 1])
     };
-    for (contact, (_, wrench)) in contacts.contacts.iter().zip(&mut contacts.wrenches) {
+    for (contact, (_, wrench)) in contacts.list.iter().zip(&mut contacts.wrenches) {
         let force = next();
         let moment = if contact.angular.is_some() { next() } else { Vector3::zeros() };
         let point = ws.poses[contact.link].transform(&contact.point);

@@ -2,8 +2,9 @@
 
 use crate::direction::quaternion_rotation;
 use crate::error::DynamicsError;
-use crate::forward::forward_dynamics;
+use crate::forward::{forward_dynamics, inverse_mass_matrix};
 use crate::inverse::inverse_dynamics;
+use crate::mass_matrix::mass_matrix;
 use crate::scalar::Dual;
 use crate::spatial::Wrench;
 use crate::tree::Tree;
@@ -27,8 +28,8 @@ pub type Operation<T> = fn(
 /// Finds derivatives of one figure's dynamics, exact to rounding, `N` directions in a pass.
 ///
 /// It owns a [`Tree`] and a [`Workspace`] over [`Dual<N>`] and the results; after [`Derivatives::new`] nothing allocates
-/// (but a list of more external wrenches than there are links, the first time). Whole matrices are fastest with the `N` of
-/// the default; for [`Derivatives::along`], one direction, take `Derivatives::<1>`.
+/// (but a list of more external wrenches than there are links, the first time). The default `N` suits whole matrices; for
+/// [`Derivatives::along`], one direction, take `Derivatives::<1>::of_width`.
 ///
 /// # Derivatives by a configuration
 ///
@@ -51,15 +52,17 @@ pub type Operation<T> = fn(
 ///
 /// let bob = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(2.0).com(Vector3::new(0.0, -0.5, 0.0));
 /// let figure = FigureBuilder::new("pendulum").link(bob).build()?;
-/// let mut derivatives = <Derivatives>::new(&figure, Vector3::new(0.0, -9.81, 0.0))?;
+/// let mut derivatives = Derivatives::new(&figure, Vector3::new(0.0, -9.81, 0.0))?;
 /// let partials = derivatives.inverse_dynamics(&[0.0], &[0.0], &[0.0], &[])?;
 /// assert!((partials.by_q[(0, 0)] - 9.81).abs() < 1e-15 && (partials.by_input[(0, 0)] - 0.5).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Derivatives<const N: usize = 8> {
+pub struct Derivatives<const N: usize = 4> {
     tree: Tree<Dual<N>>,
     workspace: Workspace<Dual<N>>,
+    plain: Tree<f64>,
+    plain_workspace: Workspace<f64>,
     q: Vec<Dual<N>>,
     v: Vec<Dual<N>>,
     input: Vec<Dual<N>>,
@@ -101,19 +104,32 @@ enum Argument {
     Input,
 }
 
-impl<const N: usize> Derivatives<N> {
+impl Derivatives {
     /// What it takes for `figure` under the acceleration of `gravity` (m/s², world axes).
     ///
     /// # Errors
     ///
     /// As for [`Tree::new`].
     pub fn new(figure: &Figure, gravity: Vector3<f64>) -> Result<Self, DynamicsError> {
+        Self::of_width(figure, gravity)
+    }
+}
+
+impl<const N: usize> Derivatives<N> {
+    /// As [`Derivatives::new`], with any number of directions in a pass.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Tree::new`].
+    pub fn of_width(figure: &Figure, gravity: Vector3<f64>) -> Result<Self, DynamicsError> {
         const { assert!(N > 0, "a pass needs a direction") }
-        let tree = Tree::new(figure, gravity)?;
+        let (tree, plain) = (Tree::new(figure, gravity)?, Tree::new(figure, gravity)?);
         let (nq, nv, zero) = (tree.nq(), tree.nv(), Dual::constant(0.0));
         let square = || DMatrix::zeros(nv, nv);
         Ok(Self {
             workspace: Workspace::new(&tree),
+            plain_workspace: Workspace::new(&plain),
+            plain,
             q: vec![zero; nq],
             v: vec![zero; nv],
             input: vec![zero; nv],
@@ -124,7 +140,7 @@ impl<const N: usize> Derivatives<N> {
         })
     }
 
-    /// The forces of [`inverse_dynamics`] and their derivatives by `q`, `v` and `a`.
+    /// The forces of [`inverse_dynamics`] and their derivatives by `q`, `v` and `a`, the last by [`mass_matrix`].
     ///
     /// # Errors
     ///
@@ -136,10 +152,13 @@ impl<const N: usize> Derivatives<N> {
         a: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
-        self.of(inverse_dynamics, q, v, a, external)
+        self.sweep(&[Argument::Q, Argument::V], inverse_dynamics, q, v, a, external)?;
+        mass_matrix(&self.plain, &mut self.plain_workspace, q, &mut self.partials.by_input)?;
+        Ok(&self.partials)
     }
 
-    /// The accelerations of [`forward_dynamics`] and their derivatives by `q`, `v` and `tau`.
+    /// The accelerations of [`forward_dynamics`] and their derivatives by `q`, `v` and `tau`, the last by
+    /// [`inverse_mass_matrix`].
     ///
     /// # Errors
     ///
@@ -151,10 +170,12 @@ impl<const N: usize> Derivatives<N> {
         tau: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
-        self.of(forward_dynamics, q, v, tau, external)
+        self.sweep(&[Argument::Q, Argument::V], forward_dynamics, q, v, tau, external)?;
+        inverse_mass_matrix(&self.plain, &mut self.plain_workspace, q, &mut self.partials.by_input)?;
+        Ok(&self.partials)
     }
 
-    /// The output of any `operation` and its derivatives by `q`, `v` and its input.
+    /// The output of any `operation` and its derivatives by `q`, `v` and its input, all through dual numbers.
     ///
     /// # Errors
     ///
@@ -167,13 +188,27 @@ impl<const N: usize> Derivatives<N> {
         input: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
+        self.sweep(&[Argument::Q, Argument::V, Argument::Input], operation, q, v, input, external)?;
+        Ok(&self.partials)
+    }
+
+    /// Finds the output and its derivatives by `arguments`.
+    fn sweep(
+        &mut self,
+        arguments: &[Argument],
+        operation: Operation<Dual<N>>,
+        q: &[f64],
+        v: &[f64],
+        input: &[f64],
+        external: &[(usize, Wrench<f64>)],
+    ) -> Result<(), DynamicsError> {
         self.set(q, v, input, external)?;
         let nv = self.tree.nv();
         if nv == 0 {
             // No column would ask whether the call is right.
             self.run(operation)?;
         }
-        for argument in [Argument::Q, Argument::V, Argument::Input] {
+        for &argument in arguments {
             for from in (0..nv).step_by(N) {
                 let columns = from..nv.min(from + N);
                 self.still(q, v, input);
@@ -187,7 +222,7 @@ impl<const N: usize> Derivatives<N> {
                 }
             }
         }
-        Ok(&self.partials)
+        Ok(())
     }
 
     /// The output of any `operation`, written to `value`, and its derivative along one `direction`, written to `slope`; both
@@ -286,7 +321,7 @@ impl<const N: usize> Derivatives<N> {
 
     /// One pass.
     fn run(&mut self, operation: Operation<Dual<N>>) -> Result<(), DynamicsError> {
-        let Self { tree, workspace, q, v, input, external, output, partials } = self;
+        let Self { tree, workspace, q, v, input, external, output, partials, .. } = self;
         operation(tree, workspace, q, v, input, external, output)?;
         partials.value.iter_mut().zip(output).for_each(|(value, output)| *value = output.value());
         Ok(())

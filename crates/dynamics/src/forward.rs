@@ -91,6 +91,10 @@ pub fn forward_dynamics<T: Real>(
 /// # Errors
 ///
 /// As for [`forward_dynamics`].
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the state, what is known and what is sought are slices of their own"
+)]
 pub fn hybrid_dynamics<T: Real>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,

@@ -53,13 +53,7 @@ impl<T: Real> Frame<T> {
             links.flat_map(|(index, link)| link.frames().iter().map(move |frame| (index, frame)))
         };
         if let Some((link, frame)) = frames().find(|(_, frame)| frame.name == name) {
-            let mut rotation = frame.placement.rotation;
-            rotation.renormalize();
-            let placement = Pose {
-                rotation: rotation.to_rotation_matrix().matrix().map(T::from_f64),
-                translation: frame.placement.translation.vector.map(T::from_f64),
-            };
-            return Ok(Self { link, placement });
+            return Ok(Self { link, placement: Pose::of(&frame.placement) });
         }
         figure.link_index(name).map(Self::of_link).ok_or_else(|| {
             let links = figure.links().iter().map(solaris_model::Link::name);
@@ -74,11 +68,7 @@ impl<T: Real> Frame<T> {
     ///
     /// Where the tree has no such link; so the others.
     pub fn pose(&self, workspace: &Workspace<T>) -> Pose<T> {
-        let link = &workspace.poses[self.link];
-        Pose {
-            rotation: link.rotation * self.placement.rotation,
-            translation: link.transform(&self.placement.translation),
-        }
+        workspace.poses[self.link].then(&self.placement)
     }
 
     /// How the frame moves, in world axes, since the last operation that is said to find the links' velocities.

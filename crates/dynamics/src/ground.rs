@@ -36,8 +36,8 @@ use nalgebra::Vector3;
 ///
 /// # Source
 ///
-/// Vasilonikolidakis (1991), §6.6, who solves a 3 × 3 system that takes two more passes; that its matrix is the total mass
-/// times the identity is shown there for no case, and holds always. See `docs/sources.md`.
+/// Vasilonikolidakis (1991), §6.6, eqs. (6.5)–(6.21), who finds the same acceleration by a 3 × 3 system and two passes; the
+/// matrix of that system is the total mass times the identity, and so it need not be formed. See `docs/sources.md`.
 ///
 /// # Errors
 ///

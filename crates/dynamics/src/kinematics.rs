@@ -90,7 +90,7 @@ pub(crate) fn place<T: Real>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Re
             arm += apply(&rotation, &sphere.translation);
             rotation *= &sphere.rotation;
             for k in body.first..body.end {
-                ws.axes[k] = rotation * &tree.dofs[k].axis;
+                ws.axes[k] = apply(&rotation, &tree.dofs[k].axis);
             }
         }
         translation += arm;

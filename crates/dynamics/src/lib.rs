@@ -40,7 +40,7 @@ pub use centroidal::{
     CompositeBody, center_of_mass_jacobian, centroidal_momentum, centroidal_momentum_matrix,
     centroidal_momentum_rate, composite_body,
 };
-pub use contact::{Contact, Contacts, contact_dynamics};
+pub use contact::{ContactConstraint, Contacts, contact_dynamics};
 pub use coriolis::{coriolis_matrix, gravity_torques};
 pub use derivatives::{Along, Derivatives, Operation, Partials};
 pub use energy::{kinetic_energy, potential_energy};

@@ -72,6 +72,9 @@ pub trait Real:
     /// Derivatives are not looked at.
     fn all_within(self, lower: f64, upper: f64) -> bool;
 
+    /// The greatest value of its lanes, to put numbers in an order that all lanes share; a NaN comes last.
+    fn greatest(self) -> f64;
+
     /// 1/x in the lanes whose value x is above the threshold, and zero in the others (a NaN among them).
     ///
     /// A solve skips a dependent row by it, in some lanes and not in others, without a branch of its own. A dual number

@@ -1,7 +1,7 @@
 //! Positions, velocities, forces and momenta of rigid bodies, as pairs of vectors.
 
 use crate::scalar::Real;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Isometry3, Matrix3, Vector3};
 
 /// Where a link's frame stands in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +16,26 @@ impl<T: Real> Pose<T> {
     /// The world's own frame.
     pub fn identity() -> Self {
         Self { rotation: Matrix3::identity(), translation: Vector3::zeros() }
+    }
+
+    /// The same placement in this scalar; its rotation is made one once more in double precision.
+    pub fn of(placement: &Isometry3<f64>) -> Self {
+        let mut rotation = placement.rotation;
+        rotation.renormalize();
+        Self {
+            rotation: rotation.to_rotation_matrix().matrix().map(T::from_f64),
+            translation: placement.translation.vector.map(T::from_f64),
+        }
+    }
+
+    /// Where a frame stands in the world that stands at `inner` in this one.
+    pub fn then(&self, inner: &Self) -> Self {
+        Self { rotation: self.rotation * inner.rotation, translation: self.transform(&inner.translation) }
+    }
+
+    /// Where the world stands in this frame.
+    pub fn inverse(&self) -> Self {
+        Self { rotation: self.rotation.transpose(), translation: -self.rotation.tr_mul(&self.translation) }
     }
 
     /// World coordinates (m) of a `point` of the link.
@@ -65,6 +85,12 @@ impl<T: Real> Wrench<T> {
         let moment = self.moment_about(&pose.translation);
         Self { force: pose.rotation.tr_mul(&self.force), moment: pose.rotation.tr_mul(&moment) }
     }
+
+    /// The wrench in world axes and about the world's origin, where this one is along the axes of a frame that stands at
+    /// `pose` and about that frame's origin: the inverse of [`Wrench::seen_from`].
+    pub fn from_frame(&self, pose: &Pose<T>) -> Self {
+        Self::at(&pose.translation, pose.rotation * self.force, pose.rotation * self.moment)
+    }
 }
 
 /// Momentum of a whole figure, in world axes, the angular part about the world's origin where nothing else is said.
@@ -74,4 +100,27 @@ pub struct Momentum<T> {
     pub linear: Vector3<T>,
     /// Angular momentum (kg m²/s), about the world's origin where nothing else is said.
     pub angular: Vector3<T>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Pose, Wrench};
+    use nalgebra::{Isometry3, Vector3};
+
+    #[test]
+    fn there_and_back_changes_nothing() {
+        let pose =
+            Pose::<f64>::of(&Isometry3::new(Vector3::new(1.0, -2.0, 0.5), Vector3::new(0.3, 0.8, -0.4)));
+        let here = pose.then(&pose.inverse());
+        assert!(
+            (here.rotation - Pose::identity().rotation).amax() < 1e-15 && here.translation.amax() < 1e-15
+        );
+        let wrench = Wrench { force: Vector3::new(3.0, 4.0, 5.0), moment: Vector3::new(-1.0, 0.5, 2.0) };
+        let back = wrench.seen_from(&pose).from_frame(&pose);
+        assert!((back.force - wrench.force).amax() < 1e-14 && (back.moment - wrench.moment).amax() < 1e-14);
+        // A force along x one metre up has the moment −1 about z.
+        let up = Pose::of(&Isometry3::translation(0.0, 1.0, 0.0));
+        let push = Wrench { force: Vector3::x(), moment: Vector3::zeros() };
+        assert_eq!(push.from_frame(&up).moment, -Vector3::z());
+    }
 }

@@ -4,7 +4,7 @@ mod support;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
-use solaris_dynamics::{Contact, Contacts, DynamicsError, Real, Tree, Wrench, contact_dynamics};
+use solaris_dynamics::{ContactConstraint, Contacts, DynamicsError, Real, Tree, Wrench, contact_dynamics};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec};
 use support::random::{Random, tree};
 use support::{Kernel, largest};
@@ -16,7 +16,7 @@ type Solved<T> = (Vec<T>, Vec<T>, Vec<(usize, Wrench<T>)>, Vec<T>);
 
 fn solve<T: Real>(
     kernel: &mut Kernel<T>,
-    list: &[Contact<T>],
+    list: &[ContactConstraint<T>],
     [q, v]: [&[T]; 2],
     prescribed: &[bool],
     [a, tau]: [&[T]; 2],
@@ -24,12 +24,19 @@ fn solve<T: Real>(
     let mut contacts = Contacts::new(&kernel.tree, list.to_vec());
     let (mut a, mut tau) = (a.to_vec(), tau.to_vec());
     let Kernel { tree, workspace } = kernel;
-    contact_dynamics(tree, workspace, &mut contacts, q, v, prescribed, &[], &mut a, &mut tau)?;
+    let missing = contact_dynamics(tree, workspace, &mut contacts, q, v, prescribed, &[], &mut a, &mut tau)?;
+    let largest =
+        contacts.residuals().iter().fold(0.0_f64, |most, x| most.max(x.greatest()).max((-*x).greatest()));
+    assert_eq!(missing.to_bits(), largest.to_bits());
     Ok((a, tau, contacts.wrenches().to_vec(), contacts.residuals().to_vec()))
 }
 
 /// Acceleration of a point of a link by differences of its velocity along the motion.
-fn acceleration(kernel: &mut Kernel<f64>, contact: &Contact<f64>, [q, v, a]: [&[f64]; 3]) -> Vector3<f64> {
+fn acceleration(
+    kernel: &mut Kernel<f64>,
+    contact: &ContactConstraint<f64>,
+    [q, v, a]: [&[f64]; 3],
+) -> Vector3<f64> {
     let step = 1e-4;
     let mut velocity = |t: f64| {
         let at = |x: &[f64], dx: &[f64], ddx: &[f64]| -> Vec<f64> {
@@ -64,9 +71,9 @@ proptest! {
         let eigenvalues = if n == 0 { DVector::zeros(1) } else { matrix.symmetric_eigenvalues() };
         prop_assume!(eigenvalues.min() > 1e-4 * eigenvalues.max());
         let link = links - 1;
-        let contact = Contact {
+        let contact = ContactConstraint {
             acceleration: random.vector(2.0),
-            ..Contact::point(link, random.vector(0.3))
+            ..ContactConstraint::point(link, random.vector(0.3))
         };
         let solved = solve(&mut kernel, &[contact], [&q, &v], &prescribed, [&a, &tau]).expect("valid");
         let (found_a, found_tau, wrenches, residuals) = solved;
@@ -96,7 +103,7 @@ const AT_REST: [f64; 7] = [0.1, 0.7, 0.2, 0.0, 0.0, 0.0, 1.0];
 fn four_feet_of_a_table_share_the_load_with_the_least_squares() {
     let (figure, feet) = table();
     let mut kernel = Kernel::<f64>::new(&figure, GRAVITY);
-    let contacts: Vec<_> = feet.iter().map(|foot| Contact::point(0, *foot)).collect();
+    let contacts: Vec<_> = feet.iter().map(|foot| ContactConstraint::point(0, *foot)).collect();
     // A push sideways and a moment, so that the feet carry different loads.
     let tau = [7.0, -3.0, 5.0, 2.0, 1.5, -4.0];
     let free = [false; 6];
@@ -128,7 +135,9 @@ fn lanes_of_different_rank_are_solved_at_once() {
     // In the second lane two feet stand at the same place.
     let contacts: Vec<_> = [(feet[0], feet[0]), (feet[1], feet[0])]
         .iter()
-        .map(|(first, second)| Contact::point(0, Vector3::from_fn(|i, _| Lanes::new([first[i], second[i]]))))
+        .map(|(first, second)| {
+            ContactConstraint::point(0, Vector3::from_fn(|i, _| Lanes::new([first[i], second[i]])))
+        })
         .collect();
     let splat = |values: &[f64]| values.iter().map(|x| Lanes::splat(*x)).collect::<Vec<_>>();
     let (q, zero, tau) = (splat(&AT_REST), splat(&[0.0; 6]), splat(&[7.0, -3.0, 5.0, 2.0, 1.5, -4.0]));
@@ -136,7 +145,7 @@ fn lanes_of_different_rank_are_solved_at_once() {
         solve(&mut kernel, &contacts, [&q, &zero], &[false; 6], [&zero, &tau]).expect("valid");
     for (lane, places) in [[feet[0], feet[1]], [feet[0], feet[0]]].iter().enumerate() {
         let mut single = Kernel::<f64>::new(&figure, GRAVITY);
-        let contacts = places.map(|place| Contact::point(0, place));
+        let contacts = places.map(|place| ContactConstraint::point(0, place));
         let tau = [7.0, -3.0, 5.0, 2.0, 1.5, -4.0];
         let (expected, _, single_wrenches, _) =
             solve(&mut single, &contacts, [&AT_REST, &[0.0; 6]], &[false; 6], [&[0.0; 6], &tau])
@@ -154,8 +163,11 @@ fn lanes_of_different_rank_are_solved_at_once() {
 fn contacts_that_contradict_each_other_tell_what_they_miss() {
     let (figure, feet) = table();
     let mut kernel = Kernel::<f64>::new(&figure, GRAVITY);
-    let up = Contact { acceleration: Vector3::new(0.0, 3.0, 0.0), ..Contact::point(0, feet[0]) };
-    let contacts = [Contact::point(0, feet[0]), up];
+    let up = ContactConstraint {
+        acceleration: Vector3::new(0.0, 3.0, 0.0),
+        ..ContactConstraint::point(0, feet[0])
+    };
+    let contacts = [ContactConstraint::point(0, feet[0]), up];
     let (_, _, _, residuals) =
         solve(&mut kernel, &contacts, [&AT_REST, &[0.0; 6]], &[false; 6], [&[0.0; 6]; 2]).expect("valid");
     assert!(largest(&residuals[..3]) < 1e-10 && (residuals[4] - 3.0).abs() < 1e-9, "{residuals:?}");
@@ -165,7 +177,7 @@ fn contacts_that_contradict_each_other_tell_what_they_miss() {
 fn a_fixed_link_hands_on_its_whole_weight_and_moment() {
     let (figure, _) = table();
     let mut kernel = Kernel::<f64>::new(&figure, GRAVITY);
-    let held = [Contact::fixed(0, Vector3::new(0.3, 0.0, 0.0))];
+    let held = [ContactConstraint::fixed(0, Vector3::new(0.3, 0.0, 0.0))];
     let (a, _, wrenches, _) =
         solve(&mut kernel, &held, [&AT_REST, &[0.0; 6]], &[false; 6], [&[0.0; 6]; 2]).expect("valid");
     let (_, wrench) = &wrenches[0];
@@ -180,7 +192,7 @@ fn a_fixed_link_hands_on_its_whole_weight_and_moment() {
 fn a_contact_of_no_link_is_refused() {
     let (figure, _) = table();
     let mut kernel = Kernel::<f64>::new(&figure, GRAVITY);
-    let wrong = [Contact::point(3, Vector3::zeros())];
+    let wrong = [ContactConstraint::point(3, Vector3::zeros())];
     let error = solve(&mut kernel, &wrong, [&AT_REST, &[0.0; 6]], &[false; 6], [&[0.0; 6]; 2])
         .expect_err("no link 3");
     assert!(matches!(error, DynamicsError::Contact { index: 0, last: 0, .. }), "{error}");
@@ -201,4 +213,51 @@ fn a_contact_of_no_link_is_refused() {
         &mut tau,
     );
     assert_eq!(result, Err(DynamicsError::Workspace));
+}
+
+/// Points under both feet of a person who stands bent, with no force in any joint: most of what
+/// the points hold is held several times over, along directions that are none of the coordinate axes.
+#[test]
+fn many_points_under_both_feet_hold_to_rounding() {
+    use solaris_dynamics::scalar::DoubleDouble;
+    use solaris_model::human;
+    let person = human(1.75, 73.0).expect("within range");
+    let n = person.layout().nv();
+    let mut random = Random::new(8);
+    // At rest: points of a foot that turns cannot all stay where they are.
+    let (q, v) = (random.slice(n, 0.05), vec![0.0; n]);
+    let feet = ["left_foot", "right_foot"].map(|name| person.link_index(name).expect("a foot"));
+    for points in [2, 3, 4] {
+        let mut kernel = Kernel::<f64>::new(&person, GRAVITY);
+        let corners = [(-0.03, -0.05), (0.04, -0.05), (0.04, 0.12), (-0.03, 0.12)];
+        let list: Vec<_> = feet
+            .iter()
+            .flat_map(|&foot| {
+                corners[..points]
+                    .iter()
+                    .map(move |(x, z)| ContactConstraint::point(foot, Vector3::new(*x, -0.06, *z)))
+            })
+            .collect();
+        let free = vec![false; n];
+        let zero = vec![0.0; n];
+        let (a, _, wrenches, residuals) =
+            solve(&mut kernel, &list, [&q, &v], &free, [&zero, &zero]).expect("valid");
+        let scale = largest(&a);
+        assert!(largest(&residuals) < 1e-9 * scale, "{points} points: {:e} of {scale}", largest(&residuals));
+
+        let wide = |values: &[f64]| values.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
+        let wide_list: Vec<_> = list
+            .iter()
+            .map(|c| ContactConstraint::point(c.link, c.point.map(DoubleDouble::from_f64)))
+            .collect();
+        let mut wide_kernel = Kernel::<DoubleDouble>::new(&person, GRAVITY);
+        let (_, _, expected, _) =
+            solve(&mut wide_kernel, &wide_list, [&wide(&q), &wide(&v)], &free, [&wide(&zero), &wide(&zero)])
+                .expect("valid");
+        let greatest = wrenches.iter().map(|(_, w)| w.force.norm()).fold(0.0, f64::max);
+        for ((_, found), (_, wanted)) in wrenches.iter().zip(&expected) {
+            let error = (found.force - wanted.force.map(DoubleDouble::to_f64)).norm();
+            assert!(error < 1e-7 * greatest, "{points} points: {error:e} N of {greatest} N");
+        }
+    }
 }

@@ -29,7 +29,8 @@ pub(super) struct Accuracy {
 
 /// Measures a case over [`SAMPLES`] figures and states.
 pub(super) fn measure(case: &Case) -> Result<Accuracy, String> {
-    let mut random = Random::new(case.name.bytes().fold(1, |seed, byte| seed * 31 % 65_521 + u64::from(byte)));
+    let mut random =
+        Random::new(case.name.bytes().fold(1, |seed, byte| seed * 31 % 65_521 + u64::from(byte)));
     let mut logarithms = [0.0; 11];
     for index in 0..SAMPLES {
         let sample = (case.sample)(&mut random)?;
@@ -67,10 +68,19 @@ fn one(sample: &Sample) -> Result<[f64; 11], DynamicsError> {
 }
 
 pub(super) fn inverse<T: Real>(sample: &Sample, formulation: Formulation) -> Result<Vec<T>, DynamicsError> {
+    inverse_of(sample, formulation, &cast(&sample.a))
+}
+
+/// Inverse dynamics of a sample with accelerations `a` in place of its own.
+pub(super) fn inverse_of<T: Real>(
+    sample: &Sample,
+    formulation: Formulation,
+    a: &[T],
+) -> Result<Vec<T>, DynamicsError> {
     let mut dynamics = InverseDynamics::new(&sample.figure, GRAVITY, formulation)?;
-    let [q, v, a] = [&sample.q, &sample.v, &sample.a].map(|x| cast(x));
+    let [q, v] = [&sample.q, &sample.v].map(|x| cast(x));
     let mut tau = vec![T::zero(); v.len()];
-    dynamics.solve(&q, &v, &a, &[], &mut tau)?;
+    dynamics.solve(&q, &v, a, &[], &mut tau)?;
     Ok(tau)
 }
 

@@ -159,7 +159,8 @@ fn build(
         let root = Matrix3::from_fn(|_, _| random.step(4)) + Matrix3::identity() / 64.0;
         let second = root * root.transpose() * mass;
         let inertia = Matrix3::identity() * second.trace() - second;
-        builder = builder.link(link.mass(mass).com(random.steps(4) + along / 2.0).inertia(Inertia::Tensor(inertia)));
+        builder = builder
+            .link(link.mass(mass).com(random.steps(4) + along / 2.0).inertia(Inertia::Tensor(inertia)));
     }
     builder.build().map_err(|error| error.to_string())
 }
@@ -202,7 +203,11 @@ mod tests {
             let place = link.joint().placement();
             assert_eq!(place.rotation.angle().to_bits(), 0, "{}", link.name());
             let vectors = [place.translation.vector, *link.com()];
-            vectors.into_iter().flat_map(<[f64; 3]>::from).chain([link.mass()]).chain(link.inertia().iter().copied().collect::<Vec<_>>())
+            vectors
+                .into_iter()
+                .flat_map(<[f64; 3]>::from)
+                .chain([link.mass()])
+                .chain(link.inertia().iter().copied().collect::<Vec<_>>())
         });
         let state = [&sample.q, &sample.v, &sample.a, &sample.tau].into_iter().flatten().copied();
         links.chain(state)

@@ -177,6 +177,10 @@ impl Real for Counted {
         self.0.is_finite()
     }
 
+    fn greatest(self) -> f64 {
+        self.0.greatest()
+    }
+
     fn all_within(self, lower: f64, upper: f64) -> bool {
         self.0.all_within(lower, upper)
     }

@@ -187,6 +187,10 @@ impl Real for DoubleDouble {
         self.high.is_finite() & self.low.is_finite()
     }
 
+    fn greatest(self) -> f64 {
+        self.to_f64().greatest()
+    }
+
     fn all_within(self, lower: f64, upper: f64) -> bool {
         (Self::from_f64(lower)..=Self::from_f64(upper)).contains(&self)
     }

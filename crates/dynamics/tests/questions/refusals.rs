@@ -56,7 +56,7 @@ fn states_that_are_not_finite_are_refused() {
         &bad,
         &mut matrix(n, 10 * tree.link_count())
     )));
-    let mut derivatives = <Derivatives>::new(&case.figure, case.gravity).expect("finite constants");
+    let mut derivatives = Derivatives::new(&case.figure, case.gravity).expect("finite constants");
     assert!(refused(derivatives.inverse_dynamics(q, v, &bad, &[]).map(|_| ())));
     assert_eq!(
         message(derivatives.inverse_dynamics(q, v, &a[1..], &[])),

@@ -1,8 +1,9 @@
 //! Forces as a linear function of the masses.
 
 use crate::case::{Case, difference, matrix};
-use crate::support::Kernel;
 use crate::support::random::Joints;
+use crate::support::reference::{figure, models};
+use crate::support::{Kernel, relative_error};
 use nalgebra::{DVector, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::{inertial_parameters, torque_regressor};
@@ -45,4 +46,21 @@ fn parameters_are_in_pinocchio_s_order() {
     assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     let two = FigureBuilder::new("two").link(massless).link(child).build().expect("a valid figure");
     assert_eq!(inertial_parameters(&two)[..11], [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+}
+
+/// Every state of every figure of another engine: its torques.
+#[test]
+fn regressor_times_parameters_are_the_reference_s_forces() {
+    for model in models() {
+        let figure = figure(&model);
+        let mut kernel = Kernel::<f64>::new(&figure, model.gravity.into());
+        let parameters = DVector::from_vec(inertial_parameters(&figure));
+        for state in &model.states {
+            let mut y = matrix(state.qd.len(), parameters.len());
+            let Kernel { tree, workspace } = &mut kernel;
+            torque_regressor(tree, workspace, &state.q, &state.qd, &state.qdd, &mut y).expect("valid");
+            let error = relative_error((y * &parameters).as_slice(), &state.tau_id);
+            assert!(error < 1e-13, "{}: {error:e}", model.name);
+        }
+    }
 }
