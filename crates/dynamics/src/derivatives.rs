@@ -1,12 +1,12 @@
 //! Derivatives of inverse and forward dynamics: the same recursions over dual numbers.
 
-use crate::direction::quaternion_rotation;
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
+use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::inverse_dynamics;
-use crate::mass_matrix::mass_matrix;
 use crate::scalar::Dual;
 use crate::spatial::Wrench;
+use crate::spatial::direction::quaternion_rotation;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check, check_length};
 use nalgebra::{DMatrix, Vector3};

@@ -1,15 +1,19 @@
 //! Forward and hybrid dynamics: the motion that forces bring about.
 
-use crate::dof::Triple;
+pub(crate) mod articulated;
+pub(crate) mod contact;
+pub(crate) mod propagation;
+
 use crate::error::DynamicsError;
+use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms, velocity_terms};
 use crate::inverse::apply_external;
-use crate::load::Load;
-use crate::propagation::{accelerate, gather, gather_loads, no_velocity_terms, velocity_terms};
 use crate::scalar::Real;
 use crate::spatial::Wrench;
+use crate::spatial::load::Load;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
+use solaris_model::EulerOrder;
 
 /// The accelerations `a` that the generalized forces `tau` give the figure in the state `q`, `v`.
 ///
@@ -192,7 +196,7 @@ pub(crate) fn check_accelerations<T: Real>(
     let bad = tree.bodies.iter().enumerate().rev().find_map(|(i, body)| {
         let pivots = workspace.yieldings[i].pivots();
         if let Some(axis) = pivots.iter().position(infinite).filter(|_| body.turns_freely) {
-            let order = body.triple.map_or([0, 1, 2], Triple::axes);
+            let order = body.triple.map_or([0, 1, 2], EulerOrder::axes);
             return order.iter().position(|of| *of == axis).map(|turn| (body.end - 3 + turn, pivots[axis]));
         }
         let single_end = if pivots[0].is_zero() { body.end } else { body.end - 3 };

@@ -1,9 +1,9 @@
 //! Dynamics of fused figures, and what stands on links of another figure.
 
-use crate::direction::{apply, cross};
 use crate::error::DynamicsError;
 use crate::inverse::inverse_dynamics;
 use crate::scalar::Real;
+use crate::spatial::direction::{apply, cross};
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check, check_length};

@@ -1,13 +1,17 @@
 //! Inverse dynamics: the generalized forces of a given motion.
 
-use crate::direction::{Direction, Moved, apply, apply_transposed, cross};
-use crate::dof::{along, along_three};
+pub(crate) mod ground;
+pub(crate) mod reactions;
+pub(crate) mod regressor;
+
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, place};
-use crate::load::Load;
-use crate::matter::Matter;
 use crate::scalar::Real;
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::spatial::load::Load;
 use crate::spatial::{Pose, Wrench};
+use crate::tree::dof::{along, along_three};
+use crate::tree::matter::Matter;
 use crate::tree::{Body, Tree};
 use crate::workspace::{LinkMotion, Workspace, check, check_length};
 use nalgebra::{Matrix3, Vector3};

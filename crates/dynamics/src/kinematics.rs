@@ -1,11 +1,16 @@
 //! Poses and velocities of the links.
 
-use crate::direction::{Direction, apply, cross};
-use crate::dof::{along, along_three};
+pub(crate) mod acceleration;
+pub(crate) mod climb;
+pub(crate) mod frame;
+pub(crate) mod jacobian;
+
 use crate::error::DynamicsError;
 use crate::scalar::Real;
+use crate::spatial::direction::{Direction, apply, cross};
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
+use crate::tree::dof::{along, along_three};
 use crate::workspace::{Workspace, check};
 use nalgebra::Vector3;
 

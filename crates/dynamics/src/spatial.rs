@@ -1,5 +1,9 @@
 //! Positions, velocities, forces and momenta of rigid bodies, as pairs of vectors.
 
+pub(crate) mod direction;
+pub(crate) mod load;
+pub(crate) mod symmetric;
+
 use crate::scalar::Real;
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
@@ -119,7 +123,7 @@ mod tests {
         let back = wrench.seen_from(&pose).from_frame(&pose);
         assert!((back.force - wrench.force).amax() < 1e-14 && (back.moment - wrench.moment).amax() < 1e-14);
         // A force along x one metre up has the moment −1 about z.
-        let up = Pose::of(&Isometry3::translation(0.0, 1.0, 0.0));
+        let up = Pose::<f64>::of(&Isometry3::translation(0.0, 1.0, 0.0));
         let push = Wrench { force: Vector3::x(), moment: Vector3::zeros() };
         assert_eq!(push.from_frame(&up).moment, -Vector3::z());
     }

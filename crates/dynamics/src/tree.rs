@@ -1,11 +1,14 @@
 //! The constants of a figure, in the form in which the recursions read them.
 
-use crate::dof::{Dof, Triple, triple};
+pub(crate) mod dof;
+pub(crate) mod matter;
+
 use crate::error::DynamicsError;
-use crate::matter::{Matter, constant, matter, vector};
 use crate::scalar::Real;
+use crate::tree::dof::{Dof, triple};
+use crate::tree::matter::{Matter, constant, matter, vector};
 use nalgebra::{Matrix3, Vector3};
-use solaris_model::{Axis, Figure, JointKind, Link};
+use solaris_model::{Axis, EulerOrder, Figure, JointKind, Link};
 
 /// A figure under a gravity, compiled for the recursions: constant, shared between any number of [`crate::Workspace`]s.
 ///
@@ -40,7 +43,7 @@ pub(crate) struct Body<T> {
     pub(crate) end: usize,
     /// Those from here on are the three turns of `triple`.
     pub(crate) single_end: usize,
-    pub(crate) triple: Option<Triple>,
+    pub(crate) triple: Option<EulerOrder>,
     /// The place in [`Tree::spheres`] of a ball or free joint.
     pub(crate) sphere: Option<usize>,
     /// Whether its link can turn in every way without turning anything else: the last three degrees of freedom are those of

@@ -1,12 +1,12 @@
 //! Scratch memory of the recursions, and where their results by link are read.
 
-use crate::articulated::Articulated;
-use crate::coriolis::Flow;
-use crate::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::error::DynamicsError;
-use crate::load::Load;
-use crate::propagation::{Hinge, Yielding};
+use crate::forward::articulated::Articulated;
+use crate::forward::propagation::{Hinge, Yielding};
+use crate::inertia::coriolis::Flow;
 use crate::scalar::Real;
+use crate::spatial::direction::{Moved, quaternion_rotation, rodrigues};
+use crate::spatial::load::Load;
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::{Body, Tree};
 use nalgebra::{Matrix3, Vector3};

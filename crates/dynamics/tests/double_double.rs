@@ -1,5 +1,7 @@
 //! The scalar of 32 digits against exact integers, long constants and identities.
 
+#![allow(clippy::approx_constant, reason = "angles near quarter turns are what is tested")]
+
 mod support;
 
 use solaris_dynamics::Real;

@@ -97,12 +97,15 @@ impl EulerOrder {
         Self::ALL.into_iter().find(|order| kind.axes().len() == 3 && fits(order))
     }
 
-    /// +1 where the axes follow each other cyclically (X-Y-Z, Y-Z-X, Z-X-Y), −1 otherwise: `e_i × e_j = sense·e_k`.
+    /// Whether the axes follow each other cyclically (X-Y-Z, Y-Z-X, Z-X-Y): the third is the first crossed with the
+    /// second.
+    pub fn is_cyclic(self) -> bool {
+        matches!(self, Self::Xyz | Self::Yzx | Self::Zxy)
+    }
+
+    /// +1 for a cyclic order, −1 otherwise: `e_i × e_j = sense·e_k`.
     fn sense(self) -> f64 {
-        match self {
-            Self::Xyz | Self::Yzx | Self::Zxy => 1.0,
-            Self::Xzy | Self::Yxz | Self::Zyx => -1.0,
-        }
+        if self.is_cyclic() { 1.0 } else { -1.0 }
     }
 
     /// The velocity map `J`: the angular velocity (rad/s) of the link against the joint's frame, along the **link's** axes, is

@@ -3,9 +3,9 @@
 use super::products::{Full, Products, Short};
 use crate::denavit_hartenberg::{Base, Carried, DenavitHartenberg, Rationalized, exact_sin_cos};
 use crate::error::DynamicsError;
-use crate::matter::constant;
 use crate::scalar::Real;
 use crate::tree::Tree;
+use crate::tree::matter::constant;
 use nalgebra::{IsometryMatrix3, Matrix3, Matrix4, Vector3};
 use solaris_model::Figure;
 use std::marker::PhantomData;

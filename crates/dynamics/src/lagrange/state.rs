@@ -3,10 +3,10 @@
 use super::constants::{Lagrangian, Link, LinkBase};
 use super::equations::{Balance, Coordinate, Motion};
 use super::products::{Placement, Products, product};
-use crate::direction::cross;
 use crate::error::DynamicsError;
 use crate::kinematics::is_finite;
 use crate::scalar::Real;
+use crate::spatial::direction::cross;
 use crate::spatial::{Pose, Wrench};
 use crate::workspace::{Workspace, check, check_length};
 use nalgebra::{Matrix4, Vector3};

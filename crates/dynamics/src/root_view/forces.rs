@@ -2,10 +2,10 @@
 
 use super::RootView;
 use super::path::{Moving, rotation, unit};
-use crate::direction::{apply, cross, dot};
 use crate::error::DynamicsError;
 use crate::scalar::Real;
 use crate::spatial::Wrench;
+use crate::spatial::direction::{apply, cross, dot};
 use crate::workspace::{check, check_length, check_result};
 use nalgebra::Vector3;
 

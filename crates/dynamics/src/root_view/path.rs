@@ -1,9 +1,9 @@
 //! How one link stands and moves: a recursion along its own path from the world.
 
-use crate::direction::{apply, apply_transposed, cross, quaternion_rotation};
 use crate::error::DynamicsError;
-use crate::matter::vector;
 use crate::scalar::Real;
+use crate::spatial::direction::{apply, apply_transposed, cross, quaternion_rotation};
+use crate::tree::matter::vector;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, JointKind, Placement};
 

@@ -3,8 +3,8 @@
 //! What holds for one way holds for the way back: every map is its own inverse.
 
 use super::path::{conjugate, rotation, unit};
-use crate::direction::{apply, apply_transposed, cross};
 use crate::scalar::Real;
+use crate::spatial::direction::{apply, apply_transposed, cross};
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::JointLayout;
 

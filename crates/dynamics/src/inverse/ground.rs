@@ -1,13 +1,13 @@
 //! The acceleration of a figure that the ground pushes with a known force, in closed form.
 
-use crate::centroidal::{first_slope, gather_first};
-use crate::direction::{cross, dot};
 use crate::error::DynamicsError;
+use crate::inertia::centroidal::{first_slope, gather_first};
+use crate::inertia::mass_matrix::levers;
 use crate::inverse::{check_forces, inverse_dynamics};
 use crate::kinematics::place;
-use crate::mass_matrix::levers;
 use crate::scalar::Real;
 use crate::spatial::Wrench;
+use crate::spatial::direction::{cross, dot};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_length, check_result};
 use nalgebra::Vector3;

@@ -2,13 +2,13 @@
 
 use super::yielding::ThreeTurns;
 use super::{Hinge, Yielding, turns_freely};
-use crate::articulated::Articulated;
-use crate::direction::{Direction, Moved};
-use crate::dof::{along, along_three};
+use crate::forward::articulated::Articulated;
 use crate::inverse::last_three;
-use crate::load::Load;
 use crate::scalar::Real;
 use crate::spatial::Pose;
+use crate::spatial::direction::{Direction, Moved};
+use crate::spatial::load::Load;
+use crate::tree::dof::{along, along_three};
 use crate::tree::{Body, Tree};
 use crate::workspace::Workspace;
 use nalgebra::Vector3;

@@ -3,12 +3,12 @@
 //! Everything is summed from the root's origin, so that nothing but the centre's own place depends on where the figure
 //! stands.
 
-use crate::acceleration::{accelerations, carried};
-use crate::direction::{apply, apply_transposed, cross, dot};
 use crate::error::DynamicsError;
+use crate::inertia::mass_matrix::{accelerating, gather, levers};
+use crate::kinematics::acceleration::{accelerations, carried};
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::mass_matrix::{accelerating, gather, levers};
 use crate::scalar::Real;
+use crate::spatial::direction::{apply, apply_transposed, cross, dot};
 use crate::spatial::{Momentum, Twist, Wrench};
 use crate::tree::Tree;
 use crate::workspace::{Composite, Workspace, check_length, check_result};

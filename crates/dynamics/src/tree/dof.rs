@@ -1,9 +1,9 @@
 //! Degrees of freedom, and how a recursion steps over one or over three.
 
-use crate::direction::Moved;
 use crate::scalar::Real;
+use crate::spatial::direction::Moved;
 use nalgebra::Vector3;
-use solaris_model::{Axis, AxisKind};
+use solaris_model::{Axis, AxisKind, EulerOrder};
 
 /// One degree of freedom.
 #[derive(Clone, Copy, Debug)]
@@ -34,50 +34,21 @@ pub(crate) enum Kind {
     SlideSkew,
 }
 
-/// Three turns about different coordinate axes, the last of their joint: what most joints of living things are. The
-/// recursions step over them at once; the formula of each turn is the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Triple {
-    Xyz,
-    Xzy,
-    Yxz,
-    Yzx,
-    Zxy,
-    Zyx,
-}
-
-impl Triple {
-    /// Whether the third axis is the first crossed with the second.
-    pub(crate) fn is_cyclic(self) -> bool {
-        matches!(self, Self::Xyz | Self::Yzx | Self::Zxy)
-    }
-
-    /// The coordinate axis of each turn.
-    pub(crate) fn axes(self) -> [usize; 3] {
-        match self {
-            Self::Xyz => [0, 1, 2],
-            Self::Xzy => [0, 2, 1],
-            Self::Yxz => [1, 0, 2],
-            Self::Yzx => [1, 2, 0],
-            Self::Zxy => [2, 0, 1],
-            Self::Zyx => [2, 1, 0],
-        }
-    }
-}
-
-/// The triple at the end of a joint's degrees of freedom, if there is one, its axes pointing along the coordinate axes.
-pub(crate) fn triple<T: Real>(dofs: &[Dof<T>]) -> Option<Triple> {
+/// The order of the three turns about different coordinate axes that a joint's degrees of freedom end with, if they do, the axes
+/// pointing along the coordinate axes: what most joints of living things are. The recursions step over them at once; the
+/// formula of each turn is the same.
+pub(crate) fn triple<T: Real>(dofs: &[Dof<T>]) -> Option<EulerOrder> {
     let last = dofs.last_chunk::<3>()?;
     if last.iter().any(|dof| dof.sign != T::one()) {
         return None;
     }
     match last.map(|dof| dof.kind) {
-        [Kind::TurnX, Kind::TurnY, Kind::TurnZ] => Some(Triple::Xyz),
-        [Kind::TurnX, Kind::TurnZ, Kind::TurnY] => Some(Triple::Xzy),
-        [Kind::TurnY, Kind::TurnX, Kind::TurnZ] => Some(Triple::Yxz),
-        [Kind::TurnY, Kind::TurnZ, Kind::TurnX] => Some(Triple::Yzx),
-        [Kind::TurnZ, Kind::TurnX, Kind::TurnY] => Some(Triple::Zxy),
-        [Kind::TurnZ, Kind::TurnY, Kind::TurnX] => Some(Triple::Zyx),
+        [Kind::TurnX, Kind::TurnY, Kind::TurnZ] => Some(EulerOrder::Xyz),
+        [Kind::TurnX, Kind::TurnZ, Kind::TurnY] => Some(EulerOrder::Xzy),
+        [Kind::TurnY, Kind::TurnX, Kind::TurnZ] => Some(EulerOrder::Yxz),
+        [Kind::TurnY, Kind::TurnZ, Kind::TurnX] => Some(EulerOrder::Yzx),
+        [Kind::TurnZ, Kind::TurnX, Kind::TurnY] => Some(EulerOrder::Zxy),
+        [Kind::TurnZ, Kind::TurnY, Kind::TurnX] => Some(EulerOrder::Zyx),
         _ => None,
     }
 }
@@ -85,31 +56,31 @@ pub(crate) fn triple<T: Real>(dofs: &[Dof<T>]) -> Option<Triple> {
 /// Runs a formula with `$a`, `$b`, `$c` as the directions of `$triple`.
 macro_rules! along_three {
     ($triple:expr, |$a:ident, $b:ident, $c:ident| $formula:expr) => {{
-        use $crate::direction::Along;
-        use $crate::dof::Triple;
+        use solaris_model::EulerOrder;
+        use $crate::spatial::direction::Along;
         let (x, y, z) = (Along::<0>, Along::<1>, Along::<2>);
         match $triple {
-            Triple::Xyz => {
+            EulerOrder::Xyz => {
                 let ($a, $b, $c) = (x, y, z);
                 $formula
             }
-            Triple::Xzy => {
+            EulerOrder::Xzy => {
                 let ($a, $b, $c) = (x, z, y);
                 $formula
             }
-            Triple::Yxz => {
+            EulerOrder::Yxz => {
                 let ($a, $b, $c) = (y, x, z);
                 $formula
             }
-            Triple::Yzx => {
+            EulerOrder::Yzx => {
                 let ($a, $b, $c) = (y, z, x);
                 $formula
             }
-            Triple::Zxy => {
+            EulerOrder::Zxy => {
                 let ($a, $b, $c) = (z, x, y);
                 $formula
             }
-            Triple::Zyx => {
+            EulerOrder::Zyx => {
                 let ($a, $b, $c) = (z, y, x);
                 $formula
             }
@@ -121,8 +92,8 @@ pub(crate) use along_three;
 /// Runs one of two formulas with `$e` as the direction of the degree of freedom `$dof`.
 macro_rules! along {
     ($dof:expr, $rotations:expr, |$e:ident| turn $turn:expr, slide $slide:expr) => {{
-        use $crate::direction::{Along, Skew};
-        use $crate::dof::Kind;
+        use $crate::spatial::direction::{Along, Skew};
+        use $crate::tree::dof::Kind;
         let dof = $dof;
         match dof.kind {
             Kind::TurnX => {

@@ -1,14 +1,14 @@
 //! The Coriolis matrix, and what gravity asks of the joints.
 
-use crate::acceleration::rates;
-use crate::climb::{Step, climb};
-use crate::direction::{cross, dot};
 use crate::error::DynamicsError;
+use crate::inertia::mass_matrix::{accelerating, gather, levers};
 use crate::inverse::inverse_dynamics;
+use crate::kinematics::acceleration::rates;
+use crate::kinematics::climb::{Step, climb};
 use crate::kinematics::velocities;
-use crate::load::Load;
-use crate::mass_matrix::{accelerating, gather, levers};
 use crate::scalar::Real;
+use crate::spatial::direction::{cross, dot};
+use crate::spatial::load::Load;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};

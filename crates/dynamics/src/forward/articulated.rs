@@ -1,10 +1,10 @@
 //! Articulated-body inertia: what a link with all that hangs from it opposes to being accelerated, its free joints
 //! giving way.
 
-use crate::direction::{Direction, Moved, apply, apply_transposed, cross};
-use crate::matter::Matter;
 use crate::scalar::Real;
-use crate::symmetric::Symmetric;
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::spatial::symmetric::Symmetric;
+use crate::tree::matter::Matter;
 use nalgebra::{Matrix3, Vector3};
 
 /// Moment and force about the origin of a frame for an angular acceleration `α` and an acceleration `a` of that origin,

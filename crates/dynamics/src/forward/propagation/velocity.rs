@@ -1,11 +1,11 @@
 //! Outwards, first: what velocities bring.
 
-use crate::direction::{Direction, Moved, apply, apply_transposed, cross};
-use crate::dof::{along, along_three};
 use crate::inverse::{field, first_three, last_three, whirling_load};
-use crate::load::Load;
 use crate::scalar::Real;
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::spatial::load::Load;
 use crate::tree::Tree;
+use crate::tree::dof::{along, along_three};
 use crate::workspace::Workspace;
 use nalgebra::Vector3;
 

@@ -1,10 +1,10 @@
 //! Momentum and centre of mass.
 
-use crate::direction::{apply, apply_transposed, cross};
 use crate::error::DynamicsError;
 use crate::kinematics::{forward_kinematics, velocities};
 use crate::scalar::Real;
 use crate::spatial::Momentum;
+use crate::spatial::direction::{apply, apply_transposed, cross};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_result};
 use nalgebra::Vector3;

@@ -1,10 +1,10 @@
 //! The mass matrix, by composite bodies.
 
-use crate::direction::{cross, dot};
 use crate::error::DynamicsError;
 use crate::kinematics::place;
-use crate::load::Load;
 use crate::scalar::Real;
+use crate::spatial::direction::{cross, dot};
+use crate::spatial::load::Load;
 use crate::tree::Tree;
 use crate::workspace::{Composite, Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};

@@ -2,7 +2,7 @@
 
 use crate::error::DynamicsError;
 use crate::scalar::Real;
-use crate::symmetric::Symmetric;
+use crate::spatial::symmetric::Symmetric;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::Link;
 

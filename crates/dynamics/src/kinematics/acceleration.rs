@@ -1,10 +1,10 @@
 //! Accelerations of the links.
 
-use crate::direction::cross;
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, overflow, velocities};
 use crate::scalar::Real;
 use crate::spatial::Twist;
+use crate::spatial::direction::cross;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check};
 use nalgebra::Vector3;

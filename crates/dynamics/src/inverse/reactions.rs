@@ -1,11 +1,11 @@
 //! What the joints carry.
 
-use crate::direction::apply;
 use crate::error::DynamicsError;
 use crate::inverse::inverse_dynamics;
 use crate::kinematics::place;
 use crate::scalar::Real;
 use crate::spatial::Wrench;
+use crate::spatial::direction::apply;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_result};
 

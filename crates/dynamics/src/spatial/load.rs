@@ -1,8 +1,8 @@
 //! Forces with their moments, handed from frame to frame.
 
-use crate::direction::{Direction, Moved, apply, cross};
 use crate::scalar::Real;
 use crate::spatial::Pose;
+use crate::spatial::direction::{Direction, Moved, apply, cross};
 use nalgebra::{Matrix3, Vector3};
 
 /// A force and its moment about the origin of the frame it is written in.

@@ -1,13 +1,13 @@
 //! Forces as a linear function of the masses: what system identification asks.
 
-use crate::acceleration::{accelerations, carried};
-use crate::climb::{Step, climb};
-use crate::direction::{cross, dot};
 use crate::error::DynamicsError;
-use crate::load::Load;
-use crate::mass_matrix::levers;
+use crate::inertia::mass_matrix::levers;
+use crate::kinematics::acceleration::{accelerations, carried};
+use crate::kinematics::climb::{Step, climb};
 use crate::scalar::Real;
 use crate::spatial::Twist;
+use crate::spatial::direction::{cross, dot};
+use crate::spatial::load::Load;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};

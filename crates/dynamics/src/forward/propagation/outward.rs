@@ -2,10 +2,10 @@
 
 use super::yielding::ThreeTurns;
 use super::{Hinge, turns_freely};
-use crate::direction::{Direction, Moved, apply_transposed, cross};
-use crate::dof::{Dof, along, along_three};
 use crate::scalar::Real;
 use crate::spatial::Pose;
+use crate::spatial::direction::{Direction, Moved, apply_transposed, cross};
+use crate::tree::dof::{Dof, along, along_three};
 use crate::tree::{Body, Tree};
 use crate::workspace::{LinkMotion, Workspace};
 use nalgebra::Vector3;

@@ -1,9 +1,9 @@
 //! Kinetic and potential energy.
 
-use crate::direction::{apply, apply_transposed, cross, dot};
 use crate::error::DynamicsError;
 use crate::kinematics::{forward_kinematics, velocities};
 use crate::scalar::Real;
+use crate::spatial::direction::{apply, apply_transposed, cross, dot};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_result};
 

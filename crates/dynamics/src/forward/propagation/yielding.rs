@@ -1,12 +1,12 @@
 //! Joints that let their link turn in every way: what they pass on is the same whichever angles describe the turn.
 
-use crate::articulated::Articulated;
-use crate::direction::{Direction, Moved, apply, apply_transposed};
-use crate::dof::Triple;
-use crate::load::Load;
+use crate::forward::articulated::Articulated;
 use crate::scalar::Real;
-use crate::symmetric::Factor;
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed};
+use crate::spatial::load::Load;
+use crate::spatial::symmetric::Factor;
 use nalgebra::{Matrix3, Vector3};
+use solaris_model::EulerOrder;
 
 /// How a link turns whose joint gives way to every turn, `n` being the moment that the joint hands on:
 ///
@@ -86,8 +86,8 @@ pub(crate) struct ThreeTurns<T, X, Y, Z> {
 
 impl<T: Real, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T, X, Y, Z> {
     #[inline]
-    pub(crate) fn new(triple: Triple, axes: (X, Y, Z), turns: &[Moved<T>; 3]) -> Self {
-        let lean = if triple.is_cyclic() { turns[1].s } else { -turns[1].s };
+    pub(crate) fn new(order: EulerOrder, axes: (X, Y, Z), turns: &[Moved<T>; 3]) -> Self {
+        let lean = if order.is_cyclic() { turns[1].s } else { -turns[1].s };
         Self { axes, last: turns[2], upright: T::one() / turns[1].c, lean }
     }
 

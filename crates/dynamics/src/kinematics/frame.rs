@@ -1,9 +1,9 @@
 //! Frames fixed to links.
 
-use crate::acceleration::carried;
-use crate::direction::{apply, cross};
 use crate::error::DynamicsError;
+use crate::kinematics::acceleration::carried;
 use crate::scalar::Real;
+use crate::spatial::direction::{apply, cross};
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
 use crate::workspace::Workspace;

@@ -2,15 +2,15 @@
 
 mod least_norm;
 
-use crate::direction::{apply, apply_transposed, cross};
 use crate::error::DynamicsError;
+use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms};
 use crate::forward::{check_accelerations, check_given, set_state};
 use crate::inverse::apply_external;
 use crate::kinematics::{is_finite, place};
-use crate::load::Load;
-use crate::propagation::{accelerate, gather, gather_loads, no_velocity_terms};
 use crate::scalar::Real;
 use crate::spatial::Wrench;
+use crate::spatial::direction::{apply, apply_transposed, cross};
+use crate::spatial::load::Load;
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_length, check_result};
 use least_norm::LeastNorm;

@@ -1,14 +1,14 @@
 //! Jacobians of frames, and their rates.
 
-use crate::acceleration::rates;
-use crate::climb::{Step, climb};
-use crate::direction::{apply_transposed, cross};
 use crate::error::DynamicsError;
-use crate::frame::Frame;
+use crate::inertia::mass_matrix::levers;
+use crate::kinematics::acceleration::rates;
+use crate::kinematics::climb::{Step, climb};
+use crate::kinematics::frame::Frame;
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::mass_matrix::levers;
 use crate::scalar::Real;
 use crate::spatial::Twist;
+use crate::spatial::direction::{apply_transposed, cross};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};

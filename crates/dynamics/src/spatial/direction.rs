@@ -1,7 +1,7 @@
 //! Axes of single degrees of freedom: a formula is written once in terms of `e` and costs what the axis costs.
 
 use crate::scalar::Real;
-use crate::symmetric::Symmetric;
+use crate::spatial::symmetric::Symmetric;
 use nalgebra::{Matrix3, Vector3};
 
 /// What one degree of freedom has done: kept from the way out for the way back.
