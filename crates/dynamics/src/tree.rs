@@ -137,6 +137,9 @@ impl<T: Real> Tree<T> {
                 for (index, dof) in axes.iter().enumerate() {
                     self.push_dof(&dof.axis, q + index);
                 }
+                for k in (first..self.dofs.len().saturating_sub(1)).rev() {
+                    self.dofs[k].has_lever |= self.dofs[k + 1].has_lever;
+                }
                 return self.arm(link, first).map(|()| None);
             }
             JointKind::Ball { .. } => None,

@@ -7,6 +7,7 @@ use crate::inertia::coriolis::Flow;
 use crate::scalar::Real;
 use crate::spatial::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::spatial::load::Load;
+use crate::spatial::symmetric::Symmetric;
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::{Body, Tree};
 use nalgebra::{Matrix3, Vector3};
@@ -88,7 +89,7 @@ pub(crate) struct LinkMotion<T> {
 pub(crate) struct Composite<T> {
     pub(crate) mass: T,
     pub(crate) first: Vector3<T>,
-    pub(crate) inertia: Matrix3<T>,
+    pub(crate) inertia: Symmetric<T>,
 }
 
 impl<T: Real> Workspace<T> {
@@ -121,7 +122,7 @@ impl<T: Real> Workspace<T> {
             motions: vec![rest; links],
             loads: vec![Load::zero(); links],
             base: Load::zero(),
-            composites: vec![Composite { mass: T::zero(), first: zero, inertia: Matrix3::zeros() }; links],
+            composites: vec![Composite::zero(); links],
             articulated: vec![Articulated::zero(); links],
             hinges: vec![Hinge::idle(); dofs],
             yieldings: vec![Yielding::idle(); links],

@@ -32,7 +32,7 @@ impl<T: Real> Articulated<T> {
     #[inline]
     pub(crate) fn add_matter(&mut self, matter: &Matter<T>) {
         let (h, b, c) = (&matter.first, &mut self.coupling, &mut self.linear);
-        self.angular.add(&Symmetric::of(&matter.inertia_at_origin));
+        self.angular.add(&matter.inertia_at_origin);
         b.m12 -= h.z;
         b.m13 += h.y;
         b.m21 += h.z;

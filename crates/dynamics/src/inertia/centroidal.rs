@@ -43,7 +43,8 @@ pub fn composite_body<T: Real>(
     let Composite { mass, first, inertia } = workspace.composites[0];
     let arm = first * tree.mass_inverse;
     // The root's origin is not the centre: I_c = I − (r·h·1 − r·hᵀ) with h = m·r.
-    let inertia = inertia - Matrix3::from_diagonal_element(dot(&arm, &first)) + arm * first.transpose();
+    let inertia =
+        inertia.full() - Matrix3::from_diagonal_element(dot(&arm, &first)) + arm * first.transpose();
     let center = workspace.poses[0].translation + arm;
     check_result("the centre of mass", center.as_slice())?;
     check_result("the inertia of the figure", inertia.as_slice())?;

@@ -116,7 +116,7 @@ fn gather_flows<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
         ws.flows[i] = body.matter.as_ref().map_or_else(Flow::zero, |matter| {
             let (rotation, spin) = (&ws.poses[i].rotation, &ws.twists[i].angular);
             // The second moments ∫ r·rᵀ dm, from the inertia.
-            let inertia = &matter.inertia_at_origin;
+            let inertia = matter.inertia_at_origin.full();
             let second = Matrix3::from_diagonal_element(inertia.trace() * half) - inertia;
             let second = rotation * second * rotation.transpose();
             let turned = |i: usize| cross(spin, &second.column(i).into());
@@ -148,7 +148,7 @@ fn write_column<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usiz
         let (axis, rate) = (&ws.axes[j], &ws.axis_rates[j]);
         force += cross(rate, &composite.first) + cross(axis, &flow.first);
         // r × (e × ṙ) = e·(r·ṙ) − ṙ·(r·e)
-        moment += composite.inertia * rate + axis * flow.second.trace() - flow.second * axis;
+        moment += composite.inertia.times(rate) + axis * flow.second.trace() - flow.second * axis;
     }
     climb(tree, link, j + 1, |step| match step {
         Step::Dof(k) => {

@@ -3,11 +3,12 @@
 use crate::error::DynamicsError;
 use crate::kinematics::place;
 use crate::scalar::Real;
-use crate::spatial::direction::{cross, dot};
+use crate::spatial::direction::{apply, cross, dot};
 use crate::spatial::load::Load;
+use crate::spatial::symmetric::Symmetric;
 use crate::tree::Tree;
 use crate::workspace::{Composite, Workspace, check_length, check_result};
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use nalgebra::{DMatrix, Vector3};
 
 /// The mass matrix `M` (`nv` × `nv`) at `q`, in kg, kg m, kg m²: kinetic energy is `½ vᵀ·M·v`.
 ///
@@ -58,6 +59,11 @@ pub fn mass_matrix<T: Real>(
 /// parent's origin to its own; world axes.
 pub(crate) fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
+        if body.only_turns {
+            // Its levers are zero, and stay so.
+            ws.reaches[i] = ws.arms[i];
+            continue;
+        }
         // How far the degrees of freedom after k carry the link's origin away from the axis of k.
         let mut slid = Vector3::zeros();
         for k in (body.first..body.end).rev() {
@@ -83,8 +89,8 @@ pub(crate) fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
         *composite = body.matter.as_ref().map_or_else(Composite::zero, |matter| Composite {
             mass: matter.mass,
-            first: pose.rotation * matter.first,
-            inertia: pose.rotation * matter.inertia_at_origin * pose.rotation.transpose(),
+            first: apply(&pose.rotation, &matter.first),
+            inertia: matter.inertia_at_origin.rotated(&pose.rotation),
         });
     }
     for (i, body) in tree.bodies.iter().enumerate().rev() {
@@ -92,25 +98,35 @@ pub(crate) fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
         let (Composite { mass, first: h, inertia }, r) = (ws.composites[i], ws.reaches[i]);
         // With u = h + m·r/2, the shift is 2·u·r·1 − (u·rᵀ + r·uᵀ).
         let u = h + r * (mass * T::from_f64(0.5));
-        let (outer, trace) = (u * r.transpose(), dot(&u, &r));
-        let shift = Matrix3::from_diagonal_element(trace + trace) - outer - outer.transpose();
+        let (x, y, z) = (u.x * r.x, u.y * r.y, u.z * r.z);
+        let shift = Symmetric {
+            xx: y + z + (y + z),
+            yy: x + z + (x + z),
+            zz: x + y + (x + y),
+            xy: -(u.x * r.y + r.x * u.y),
+            xz: -(u.x * r.z + r.x * u.z),
+            yz: -(u.y * r.z + r.y * u.z),
+        };
         let carried = &mut ws.composites[parent];
         carried.mass += mass;
         carried.first += h + r * mass;
-        carried.inertia += inertia + shift;
+        carried.inertia.add(&inertia);
+        carried.inertia.add(&shift);
     }
 }
 
 /// What accelerates all that link `link` carries by 1 along its degree of freedom `j`, about the link's origin.
 pub(crate) fn accelerating<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
-    let (Composite { mass, first, inertia }, lever) = (&ws.composites[link], &ws.levers[j]);
-    let (force, moment) = (lever * *mass, cross(first, lever));
-    if tree.dofs[j].kind.turns() {
-        let axis = &ws.axes[j];
-        Load { force: force + cross(axis, first), moment: moment + inertia * axis }
-    } else {
-        Load { force, moment }
+    let Composite { mass, first, inertia } = &ws.composites[link];
+    let (dof, axis, lever) = (&tree.dofs[j], &ws.axes[j], &ws.levers[j]);
+    if !dof.kind.turns() {
+        return Load { force: lever * *mass, moment: cross(first, lever) };
     }
+    let mut load = Load { force: cross(axis, first), moment: inertia.times(axis) };
+    if dof.has_lever {
+        load.add(&Load { force: lever * *mass, moment: cross(first, lever) });
+    }
+    load
 }
 
 /// Writes the forces that `load` on `link` asks of degree of freedom `j` and of all before it, as far as the root, into
@@ -138,8 +154,11 @@ fn project<T: Real>(
         } else {
             let parts = axes.iter().zip(&ws.levers[dofs.clone()]).zip(&tree.dofs[dofs.clone()]);
             for (entry, ((axis, lever), dof)) in column.iter_mut().zip(parts) {
-                let along = dot(lever, &force);
-                *entry = if dof.kind.turns() { dot(axis, &moment) + along } else { along };
+                *entry = match (dof.kind.turns(), dof.has_lever) {
+                    (true, false) => dot(axis, &moment),
+                    (true, true) => dot(axis, &moment) + dot(lever, &force),
+                    (false, _) => dot(lever, &force),
+                };
             }
         }
         for k in dofs {
@@ -154,6 +173,6 @@ fn project<T: Real>(
 
 impl<T: Real> Composite<T> {
     pub(crate) fn zero() -> Self {
-        Self { mass: T::zero(), first: Vector3::zeros(), inertia: Matrix3::zeros() }
+        Self { mass: T::zero(), first: Vector3::zeros(), inertia: Symmetric::zero() }
     }
 }

@@ -1,6 +1,7 @@
 //! Symmetric 3 × 3 matrices.
 
 use crate::scalar::Real;
+use crate::spatial::direction::dot;
 use nalgebra::{Matrix3, Vector3};
 
 /// The six different entries of a symmetric matrix.
@@ -82,16 +83,31 @@ impl<T: Real> Symmetric<T> {
         )
     }
 
-    /// `R·S·Rᵀ`
+    /// All nine entries.
     #[inline]
-    pub(crate) fn rotated(&self, rotation: &Matrix3<T>) -> Self {
+    pub(crate) fn full(&self) -> Matrix3<T> {
         #[rustfmt::skip]
         let full = Matrix3::new(
             self.xx, self.xy, self.xz,
             self.xy, self.yy, self.yz,
             self.xz, self.yz, self.zz,
         );
-        Self::of(&(rotation * full * rotation.transpose()))
+        full
+    }
+
+    /// `R·S·Rᵀ`
+    #[inline]
+    pub(crate) fn rotated(&self, rotation: &Matrix3<T>) -> Self {
+        let row = |i: usize| Vector3::new(rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)]);
+        let (rows, [x, y, z]) = ([row(0), row(1), row(2)], [0, 1, 2].map(|i| self.times(&row(i))));
+        Self {
+            xx: dot(&rows[0], &x),
+            yy: dot(&rows[1], &y),
+            zz: dot(&rows[2], &z),
+            xy: dot(&rows[0], &y),
+            xz: dot(&rows[0], &z),
+            yz: dot(&rows[1], &z),
+        }
     }
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct Dof<T> {
     pub(crate) q: usize,
     /// Its place among the axes that need a rotation matrix.
     pub(crate) slot: usize,
+    /// Whether it slides, or a later one of its joint does, so that its rate gives the link's origin a velocity.
+    pub(crate) has_lever: bool,
     /// Inertia that turns or slides with it besides the links'.
     pub(crate) armature: T,
 }
@@ -150,7 +152,15 @@ impl<T: Real> Dof<T> {
             (AxisKind::Translation, None) => Kind::SlideSkew,
         };
         let sign = T::from_f64(coordinate.map_or(1.0, |i| direction[i].signum()));
-        Self { kind, sign, axis: direction.map(T::from_f64), q, slot, armature: T::zero() }
+        Self {
+            kind,
+            sign,
+            axis: direction.map(T::from_f64),
+            q,
+            slot,
+            has_lever: !kind.turns(),
+            armature: T::zero(),
+        }
     }
 
     /// What it has done, from the pair kept for its coordinate.

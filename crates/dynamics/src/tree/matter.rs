@@ -19,7 +19,7 @@ pub(crate) struct Matter<T> {
     /// Rotational inertia about the centre of mass.
     pub(crate) inertia: Matrix3<T>,
     /// Rotational inertia about the link's origin.
-    pub(crate) inertia_at_origin: Matrix3<T>,
+    pub(crate) inertia_at_origin: Symmetric<T>,
 }
 
 /// The mass distribution of a link; every moment is formed in double precision and rounded once.
@@ -39,7 +39,7 @@ pub(crate) fn matter<T: Real>(link: &Link) -> Result<Option<Matter<T>>, Dynamics
         first: vector("mass times centre of mass of link ", link.name(), &(c * m))?,
         second: Symmetric::of(&second.map(T::from_f64)),
         inertia: inertia.map(T::from_f64),
-        inertia_at_origin: at_origin.map(T::from_f64),
+        inertia_at_origin: Symmetric::of(&at_origin.map(T::from_f64)),
     }))
 }
 
