@@ -1,13 +1,17 @@
 //! Time of one call of the recursions: for a human, and for chains of growing length, whose time must grow no faster
 //! than their length. `cargo bench -p solaris-dynamics`; the growth exponents come last.
 
+#[path = "../tests/support/chain.rs"]
+mod chain;
+
+use chain::chain;
 use divan::{Bencher, black_box};
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::{
     Formulation, InverseDynamics, Real, Tree, Workspace, forward_dynamics, forward_kinematics,
     inverse_dynamics, inverse_mass_matrix, mass_matrix,
 };
-use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
+use solaris_model::{Figure, human};
 use std::time::{Duration, Instant};
 
 const CHAINS: [usize; 4] = [10, 100, 300, 1000];
@@ -87,22 +91,6 @@ impl<T: Real> Case<T> {
             .expect("a valid state");
         black_box(&mut self.matrix);
     }
-}
-
-/// Links of 1 kg and 0.1 m, turning about x, y and z by turns.
-fn chain(links: usize) -> Figure {
-    let mut builder = FigureBuilder::new("chain");
-    for i in 0..links {
-        let axis = Axis::rotation(Vector3::ith(i % 3, 1.0));
-        let joint = Joint::new(format!("joint {i}")).at(Vector3::new(0.0, -0.1, 0.02)).axis(axis);
-        let link = match i.checked_sub(1) {
-            None => LinkSpec::root("link 0", joint),
-            Some(parent) => LinkSpec::child(format!("link {i}"), format!("link {parent}"), joint),
-        };
-        let inertia = Inertia::diagonal(1e-3, 2e-3, 1.5e-3);
-        builder = builder.link(link.mass(1.0).com(Vector3::new(0.01, -0.05, 0.0)).inertia(inertia));
-    }
-    builder.build().expect("a valid figure")
 }
 
 #[divan::bench(types = [f64, f32])]

@@ -2,17 +2,13 @@
 
 mod support;
 
-#[path = "support/every_joint.rs"]
-mod every_joint;
-
-use every_joint::{Root, State, figure, is_whole, rebuilt};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use solaris_dynamics::scalar::{Counted, Operations};
 use solaris_dynamics::{FusedForces, Real, relink};
 use solaris_model::{Figure, Fused, human};
-use support::random::Random;
-use support::{Kernel, largest, relative_error};
+use support::random::{Random, Root, State, tree_on};
+use support::{Kernel, is_whole, largest, rebuilt, relative_error};
 
 /// A figure, its fused one, and a state of both with the fused degrees of freedom at rest.
 struct Case {
@@ -27,7 +23,7 @@ struct Case {
 impl Case {
     fn random(seed: u64) -> Self {
         let mut random = Random::new(seed);
-        let figure = figure(&mut random, Root::Any);
+        let figure = tree_on(Root::Any, &mut random);
         let gravity = random.vector(10.0);
         let mut state = State::random(&figure, &mut random);
         let mut dofs = Vec::new();

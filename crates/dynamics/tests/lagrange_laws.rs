@@ -10,7 +10,7 @@ use solaris_dynamics::scalar::{DoubleDouble, Dual, Lanes};
 use solaris_dynamics::{Formulation, InverseDynamics, Real, Wrench};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 use support::oracle::Oracle;
-use support::random::{Joints, Random, random_configuration, tree, tree_of};
+use support::random::{Joints, Random, Sample, State, random_configuration, tree_of};
 use support::{largest, relative_error};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
@@ -32,12 +32,7 @@ fn solve(
 
 /// The worst difference of the Lagrangian formulations from virtual work on a random tree.
 fn off_virtual_work(seed: u64, decades: f64) -> f64 {
-    let mut random = Random::new(seed);
-    let links = 1 + random.below(9);
-    let figure = tree(&mut random, links, decades);
-    let (n, gravity) = (figure.layout().nv(), random.vector(10.0));
-    let (q, v, a) = (random.slice(n, 2.0), random.slice(n, 3.0), random.slice(n, 10.0));
-    let external = [random.wrench(links), random.wrench(links), random.wrench(links)];
+    let Sample { figure, gravity, state: State { q, v, a }, external } = Sample::random(seed, decades);
     let oracle = Oracle::new(&figure, gravity, &q, &v, &a);
     let mut worst = 0.0_f64;
     for external in [&[][..], &external] {

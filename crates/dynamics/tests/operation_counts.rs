@@ -1,10 +1,13 @@
 //! The table of `docs/operations.md`, counted by running the code over a scalar that counts.
 
+mod support;
+
 use nalgebra::Vector3;
 use solaris_dynamics::lagrange::{Lagrangian, LagrangianWorkspace, Products, chain_wise, tree_wise};
 use solaris_dynamics::scalar::{Counted, Operations};
 use solaris_dynamics::{Tree, Workspace, inverse_dynamics};
-use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
+use solaris_model::{Figure, human};
+use support::chain::chain;
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
@@ -38,22 +41,6 @@ fn columns() -> Vec<Column> {
             Column { name, figure, lagrangian, chains }
         })
         .collect()
-}
-
-/// Links of 1 kg and 0.1 m, turning about x, y and z by turns.
-fn chain(links: usize) -> Figure {
-    let mut builder = FigureBuilder::new("chain");
-    for i in 0..links {
-        let axis = Axis::rotation(Vector3::ith(i % 3, 1.0));
-        let joint = Joint::new(format!("joint {i}")).at(Vector3::new(0.0, -0.1, 0.02)).axis(axis);
-        let link = match i.checked_sub(1) {
-            None => LinkSpec::root("link 0", joint),
-            Some(parent) => LinkSpec::child(format!("link {i}"), format!("link {parent}"), joint),
-        };
-        let inertia = Inertia::diagonal(1e-3, 2e-3, 1.5e-3);
-        builder = builder.link(link.mass(1.0).com(Vector3::new(0.01, -0.05, 0.0)).inertia(inertia));
-    }
-    builder.build().expect("a valid figure")
 }
 
 /// Uicker's count for one chain of `n`, §3.9.

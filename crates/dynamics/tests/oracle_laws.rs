@@ -5,20 +5,15 @@ mod support;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use support::oracle::Oracle;
-use support::random::{Random, tree};
+use support::random::{Sample, State};
 use support::{Kernel, relative_error};
 
 /// The worst relative difference of any operation on a random tree in a random state.
 fn worst(seed: u64, decades: f64) -> (&'static str, f64) {
-    let mut random = Random::new(seed);
-    let links = 1 + random.below(9);
-    let figure = tree(&mut random, links, decades);
-    let (n, gravity) = (figure.layout().nv(), random.vector(10.0));
-    let (q, v, a) = (random.slice(n, 2.0), random.slice(n, 3.0), random.slice(n, 10.0));
-    let external = [random.wrench(links), random.wrench(links), random.wrench(links)];
+    let Sample { figure, gravity, state: State { q, v, a }, external } = Sample::random(seed, decades);
     let (mut kernel, oracle) =
         (Kernel::<f64>::new(&figure, gravity), Oracle::new(&figure, gravity, &q, &v, &a));
-    let at_rest = Oracle::new(&figure, gravity, &q, &v, &vec![0.0; n]);
+    let at_rest = Oracle::new(&figure, gravity, &q, &v, &vec![0.0; a.len()]);
     let mut errors = vec![
         (
             "tau",

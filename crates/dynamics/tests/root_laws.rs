@@ -2,17 +2,13 @@
 
 mod support;
 
-#[path = "support/every_joint.rs"]
-mod every_joint;
-
-use every_joint::{Root, State, figure, is_whole, rebuilt};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::scalar::Dual;
 use solaris_dynamics::{RootView, RootViewError, relink};
 use solaris_model::{Axis, Figure, FigureBuilder, Joint, LinkSpec, RerootError, RootAt, SolePart, human};
-use support::random::Random;
-use support::{Kernel, largest, relative_error};
+use support::random::{Random, Root, State, tree_on};
+use support::{Kernel, is_whole, largest, rebuilt, relative_error};
 
 /// A figure and a view of it in the same state.
 struct Case {
@@ -28,7 +24,7 @@ impl Case {
     /// A random tree from a random link; `None` where that link cannot be the root.
     fn random(seed: u64, root: Root) -> Option<Self> {
         let mut random = Random::new(seed);
-        let figure = figure(&mut random, root);
+        let figure = tree_on(root, &mut random);
         let gravity = random.vector(10.0);
         let link = random.below(figure.links().len());
         let at = [RootAt::Joint, RootAt::Tip, RootAt::Point(random.vector(0.3))][random.below(3)];

@@ -2,13 +2,14 @@
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
+pub(crate) mod chain;
 pub(crate) mod oracle;
 pub(crate) mod random;
 pub(crate) mod reference;
 
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::{DynamicsError, Real, Tree, Workspace, Wrench};
-use solaris_model::Figure;
+use solaris_model::{Figure, FigureBuilder, FigureError, Inertia, JointKind, LinkSpec};
 
 /// A figure compiled in the precision `T`, with its workspace, and results returned by value.
 pub(crate) struct Kernel<T> {
@@ -128,4 +129,26 @@ pub(crate) fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
     assert!(differences.iter().all(|difference| difference.is_finite()), "not finite: {found:?}");
     let (error, scale) = (largest(&differences), largest(expected));
     if scale > 0.0 { error / scale } else { error }
+}
+
+/// Whether a joint can stand still only as a whole.
+pub(crate) fn is_whole(kind: &JointKind) -> bool {
+    kind.quaternion().is_some()
+}
+
+/// The figure built once more by the builder, which checks everything.
+pub(crate) fn rebuilt(figure: &Figure) -> Result<Figure, FigureError> {
+    let mut builder = FigureBuilder::new(figure.name());
+    for link in figure.links() {
+        let (name, joint) = (link.name(), link.joint().clone());
+        let parent = link.parent().map(|parent| figure.links()[parent].name());
+        let spec = parent.map_or_else(
+            || LinkSpec::root(name, joint.clone()),
+            |parent| LinkSpec::child(name, parent, joint.clone()),
+        );
+        let spec = spec.mass(link.mass()).com(*link.com()).inertia(Inertia::Tensor(*link.inertia()));
+        let spec = link.frames().iter().fold(spec, |spec, frame| spec.frame(&frame.name, frame.placement));
+        builder = builder.link(spec);
+    }
+    builder.build()
 }
