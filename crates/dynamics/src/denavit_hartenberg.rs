@@ -25,7 +25,7 @@ pub use summary::Summary;
 pub use tables::{about_fixed_axes, heterogeneous, homogeneous};
 
 use crate::error::DynamicsError;
-use crate::workspace::{UNIT, check};
+use crate::workspace::{check, check_quaternion};
 use nalgebra::{IsometryMatrix3, Quaternion, Rotation3, Translation3, UnitQuaternion, Vector3};
 use solaris_model::Figure;
 
@@ -195,11 +195,8 @@ impl DenavitHartenberg {
         check("q", q, self.nq, |index| self.q_names[index].clone())?;
         for link in &self.links {
             let Base::Moved { quaternion, .. } = link.base else { continue };
-            let squared: f64 = q[quaternion..][..4].iter().map(|x| x * x).sum();
-            if (squared - 1.0).abs() > UNIT {
-                let (name, squared) = (self.q_names[quaternion].clone(), squared.to_string());
-                return Err(DynamicsError::Quaternion { name, squared });
-            }
+            let entries = [0, 1, 2, 3].map(|i| q[quaternion + i]);
+            check_quaternion(&entries, || self.q_names[quaternion].clone())?;
         }
         Ok(())
     }

@@ -32,6 +32,14 @@ pub enum DynamicsError {
         /// The length found.
         found: usize,
     },
+    /// A frame does not stand at a finite place.
+    #[error("the placement of a frame on link '{link}' holds {value}; it must be finite numbers")]
+    FrameNotFinite {
+        /// The link.
+        link: String,
+        /// The number.
+        value: String,
+    },
     /// The workspace was made for another tree.
     #[error("the workspace was made for another tree; make one with Workspace::new for this tree")]
     Workspace,
@@ -113,14 +121,12 @@ pub enum DynamicsError {
     },
     /// A force cannot accelerate a degree of freedom.
     #[error(
-        "dof '{dof}' has no inertia to oppose its force ({inertia}), so its acceleration cannot be found; \
+        "dof '{dof}' has no inertia to oppose its force, none beyond rounding, so its acceleration cannot be found; \
          give what it moves mass or inertia about its axis, give it an armature, or prescribe its acceleration"
     )]
     NoInertia {
         /// The degree of freedom.
         dof: String,
-        /// The inertia found.
-        inertia: String,
     },
     /// The state is finite but the result is not.
     #[error(

@@ -10,7 +10,7 @@ pub use error::RootViewError;
 
 use crate::error::DynamicsError;
 use crate::scalar::Real;
-use crate::workspace::{check, check_length, check_result};
+use crate::workspace::{check, check_length, check_quaternion, check_result};
 use declared_root::DeclaredRoot;
 use path::Path;
 use reverse::JointMap;
@@ -139,7 +139,7 @@ impl<T: Real> RootView<T> {
     ///
     /// As for [`to_view`](Self::to_view).
     pub fn positions_to_view(&self, q: &[T], q_view: &mut [T]) -> Result<(), DynamicsError> {
-        check("q", q, self.declared.nq(), |k| self.declared.q_names()[k].clone())?;
+        check_positions(&self.declared, q)?;
         check_length("q_view", q_view.len(), self.view().nq())?;
         let root = self.to_root.run(q, &[], &[]);
         q_view[..3].copy_from_slice(root.translation.as_slice());
@@ -201,9 +201,19 @@ fn joint_maps(figure: &Figure, rerooted: &Rerooted) -> Vec<JointMap> {
 }
 
 fn check_state<T: Real>(layout: &StateLayout, q: &[T], v: &[T], a: &[T]) -> Result<(), DynamicsError> {
-    check("q", q, layout.nq(), |k| layout.q_names()[k].clone())?;
+    check_positions(layout, q)?;
     check("v", v, layout.nv(), |k| layout.v_names()[k].clone())?;
     check("a", a, layout.nv(), |k| layout.v_names()[k].clone())
+}
+
+fn check_positions<T: Real>(layout: &StateLayout, q: &[T]) -> Result<(), DynamicsError> {
+    check("q", q, layout.nq(), |k| layout.q_names()[k].clone())?;
+    // A joint with more positions than velocities ends with a quaternion.
+    for joint in layout.joints().iter().filter(|joint| joint.nq != joint.nv) {
+        let from = joint.q + joint.nq - 4;
+        check_quaternion(&[0, 1, 2, 3].map(|i| q[from + i]), || layout.q_names()[from].clone())?;
+    }
+    Ok(())
 }
 
 fn check_lengths<T>(layout: &StateLayout, q: &[T], v: &[T], a: &[T]) -> Result<(), DynamicsError> {

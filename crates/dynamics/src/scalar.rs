@@ -80,6 +80,12 @@ pub trait Real:
     /// A solve skips a dependent row by it, in some lanes and not in others, without a branch of its own. A dual number
     /// has the derivatives of the side that its value is on; those of the threshold do not count.
     fn recip_above(self, threshold: Self) -> Self;
+
+    /// 1/x in the lanes whose value x is above the threshold, and NaN in the others.
+    ///
+    /// Where nothing but rounding is left of a number that has to be positive, its reciprocal means nothing: whoever looks at
+    /// the result has to see that.
+    fn recip_or_nan(self, threshold: Self) -> Self;
 }
 
 /// `+=`, `-=`, `*=` by way of `+`, `-`, `*`.

@@ -14,7 +14,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// How far the squared length of a quaternion may be from 1: what an integrator leaves is used as the direction that it
 /// is, what was never meant as a rotation is refused.
-pub(crate) const UNIT: f64 = 1e-3;
+const UNIT: f64 = 1e-3;
 
 /// Scratch memory for one tree: allocated once, then no operation allocates.
 ///
@@ -212,11 +212,7 @@ impl<T: Real> Workspace<T> {
         for (sphere, pose) in tree.spheres.iter().zip(&mut self.spheres) {
             let entry = |index: usize| q[index];
             let quaternion = [0, 1, 2, 3].map(|i| entry(sphere.quaternion + i));
-            let squared = quaternion.iter().fold(T::zero(), |sum, x| sum + *x * *x);
-            if !squared.all_within(1.0 - UNIT, 1.0 + UNIT) {
-                let (name, squared) = (tree.q_name(sphere.quaternion), format!("{squared:?}"));
-                return Err(DynamicsError::Quaternion { name, squared });
-            }
+            let squared = check_quaternion(&quaternion, || tree.q_name(sphere.quaternion))?;
             pose.rotation = quaternion_rotation(quaternion, squared);
             if let Some(from) = sphere.position {
                 pose.translation = Vector3::new(entry(from), entry(from + 1), entry(from + 2));
@@ -240,6 +236,18 @@ pub(crate) fn check<T: Real>(
     }
     let bad = values.iter().position(|value| !value.is_finite()).unwrap_or_default();
     Err(DynamicsError::NotFinite { what, dof: name(bad), value: format!("{:?}", values[bad]) })
+}
+
+/// Refuses a quaternion that is no rotation; tells its squared length.
+pub(crate) fn check_quaternion<T: Real>(
+    quaternion: &[T; 4],
+    name: impl Fn() -> String,
+) -> Result<T, DynamicsError> {
+    let squared = quaternion.iter().fold(T::zero(), |sum, x| sum + *x * *x);
+    if squared.all_within(1.0 - UNIT, 1.0 + UNIT) {
+        return Ok(squared);
+    }
+    Err(DynamicsError::Quaternion { name: name(), squared: format!("{squared:?}") })
 }
 
 /// Refuses the wrong length.

@@ -261,3 +261,30 @@ fn many_points_under_both_feet_hold_to_rounding() {
         }
     }
 }
+
+#[test]
+fn a_contact_can_change_its_link_but_not_its_kind() {
+    let leg = LinkSpec::child("leg", "top", Joint::new("hinge").rx())
+        .mass(2.0)
+        .inertia(Inertia::diagonal(0.1, 0.1, 0.1));
+    let top = LinkSpec::root("top", Joint::free("root")).mass(20.0).inertia(Inertia::diagonal(2.0, 3.0, 2.5));
+    let two = FigureBuilder::new("two")
+        .link(top)
+        .link(leg.com(Vector3::new(0.0, -0.3, 0.1)))
+        .build()
+        .expect("valid");
+    let mut kernel = Kernel::<f64>::new(&two, GRAVITY);
+    let mut contacts = Contacts::new(&kernel.tree, vec![ContactConstraint::point(0, Vector3::y())]);
+    let q: Vec<f64> = AT_REST.iter().copied().chain([0.3]).collect();
+    let Kernel { tree, workspace } = &mut kernel;
+    contacts.contacts_mut()[0] = ContactConstraint::point(1, Vector3::x());
+    let (mut a, mut tau, free) = ([0.0; 7], [0.0; 7], [false; 7]);
+    let mut solve = |contacts: &mut Contacts<f64>| {
+        contact_dynamics(tree, workspace, contacts, &q, &[0.0; 7], &free, &[], &mut a, &mut tau)
+    };
+    let missing = solve(&mut contacts).expect("valid");
+    assert!(missing < 1e-12 && contacts.wrenches()[0].0 == 1, "{missing}");
+    contacts.contacts_mut()[0] = ContactConstraint::fixed(1, Vector3::x());
+    let error = solve(&mut contacts).expect_err("six conditions in place of three");
+    assert!(matches!(error, DynamicsError::Length { expected: 3, found: 6, .. }), "{error}");
+}

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::scalar::{Counted, DoubleDouble, Dual, Lanes};
 use solaris_dynamics::{DynamicsError, Real, Wrench};
-use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec};
+use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec};
 use support::random::{Joints, Random, random_configuration, tree_of};
 use support::reference::{external, figure, models};
 use support::{Kernel, largest, relative_error};
@@ -85,9 +85,9 @@ proptest! {
             }).collect();
             let found = kernel.hybrid([&q, &v], &prescribed, [&a, &tau], &wrenches).expect("valid");
             let error = largest(&found[0].iter().zip(&a).map(|(x, y)| x - y).collect::<Vec<_>>());
-            prop_assert!(error <= 1e-13 * scale.max(largest(&a)), "a: {error:e} of {scale:e}, mode {mode}");
+            prop_assert!(error <= 20.0 * f64::EPSILON * scale.max(largest(&a)), "a: {error:e} of {scale:e}, mode {mode}");
             let error = largest(&found[1].iter().zip(&tau).map(|(x, y)| x - y).collect::<Vec<_>>());
-            let allowed = 1e-12 * largest(&tau) * condition.max(1.0);
+            let allowed = 1e-14 * largest(&tau) * condition.max(100.0);
             prop_assert!(error <= allowed, "tau: {error:e}, mode {mode}");
         }
         let forward = kernel.forward(&q, &v, &tau, &wrenches).expect("valid");
@@ -118,9 +118,9 @@ proptest! {
         free.iter().zip(solved.iter()).for_each(|(&k, x)| expected[k] = *x);
         let forces = kernel.inverse(&q, &v, &expected, &[]).expect("valid");
         let [found_a, found_tau] = kernel.hybrid([&q, &v], &prescribed, [&a, &tau], &[]).expect("valid");
-        let tolerance = 1e-14 * condition.max(100.0);
-        prop_assert!(relative_error(&found_a, &expected) <= tolerance * 10.0);
-        prop_assert!(relative_error(&found_tau, &forces) <= tolerance * 10.0);
+        let tolerance = 10.0 * f64::EPSILON * condition.max(100.0);
+        prop_assert!(relative_error(&found_a, &expected) <= tolerance);
+        prop_assert!(relative_error(&found_tau, &forces) <= tolerance);
     }
 
     #[test]
@@ -163,7 +163,7 @@ fn a_degree_of_freedom_without_inertia_is_named() {
     let figure = FigureBuilder::new("needle").link(bob).build().expect("valid");
     let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
     let error = kernel.forward(&[0.0], &[0.0], &[1.0], &[]).expect_err("no inertia");
-    assert!(matches!(&error, DynamicsError::NoInertia { dof, .. } if dof == "pivot.rz"), "{error}");
+    assert_eq!(error, DynamicsError::NoInertia { dof: "pivot.rz".into() });
     // Prescribed, it needs no force.
     let [_, tau] = kernel.hybrid([&[0.0], &[0.0]], &[true], [&[5.0], &[0.0]], &[]).expect("prescribed");
     assert_eq!(tau[0].to_bits(), 0.0_f64.to_bits());
@@ -226,4 +226,29 @@ fn what_is_read_must_be_finite_and_of_the_right_length() {
     assert!(kernel.hybrid([&state; 2], &[true, false], [&[0.0, nan], &[nan, 0.0]], &[]).is_ok());
     let error = kernel.forward(&state, &state, &[0.0], &[]).expect_err("one force is missing");
     assert_eq!(error, DynamicsError::Length { what: "tau", expected: 2, found: 1 });
+}
+
+/// Nothing but rounding is left of the inertia of a point mass about a line through it, whatever the joint's axes.
+#[test]
+fn a_point_mass_on_a_skew_axis_has_no_inertia_about_it() {
+    let place = Vector3::new(0.1, 0.2, -0.5);
+    let joints = [
+        Joint::new("hinge").axis(Axis::rotation(place)),
+        Joint::new("turns").rz().ry().rx(),
+        Joint::ball("ball"),
+        Joint::free("free"),
+    ];
+    for joint in joints {
+        let name = joint.name().to_owned();
+        let bob = LinkSpec::root("bob", joint).mass(1.0).com(place);
+        let figure = FigureBuilder::new("needle").link(bob).build().expect("valid");
+        let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+        let (mut q, n) = (vec![0.0; figure.layout().nq()], figure.layout().nv());
+        figure.neutral(&mut q).expect("the right length");
+        let state = vec![0.0; n];
+        let error = kernel.forward(&q, &state, &vec![1.0; n], &[]).expect_err("no inertia");
+        assert!(matches!(error, DynamicsError::NoInertia { .. }), "{name}: {error}");
+        let error = kernel.inverse_mass_matrix(&q).expect_err("singular");
+        assert!(matches!(error, DynamicsError::NoInertia { .. }), "{name}: {error}");
+    }
 }

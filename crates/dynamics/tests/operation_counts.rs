@@ -5,7 +5,7 @@ mod support;
 use nalgebra::Vector3;
 use solaris_dynamics::lagrange::{Lagrangian, LagrangianWorkspace, Products, chain_wise, tree_wise};
 use solaris_dynamics::scalar::{Counted, Operations};
-use solaris_dynamics::{Tree, Workspace, inverse_dynamics};
+use solaris_dynamics::{Tree, Workspace, forward_dynamics, inverse_dynamics};
 use solaris_model::{Figure, human};
 use support::chain::chain;
 
@@ -213,6 +213,27 @@ fn the_recursions_are_linear() {
         (long.multiplications - short.multiplications, long.additions - short.additions)
     };
     assert_eq!(period(30), period(90));
+}
+
+/// Thirty links more cost the same wherever they are added: the fast forms grow with the number of links, and not faster.
+#[test]
+fn inverse_and_forward_dynamics_are_linear() {
+    let period = |start: usize| {
+        let count = |links: usize| {
+            let tree = Tree::<Counted>::new(&chain(links), GRAVITY).expect("finite constants");
+            let (mut ws, state, mut out) =
+                (Workspace::new(&tree), vec![Counted::new(0.3); links], vec![Counted::new(0.0); links]);
+            let (done, inverse) =
+                Counted::measure(|| inverse_dynamics(&tree, &mut ws, &state, &state, &state, &[], &mut out));
+            let (solved, forward) =
+                Counted::measure(|| forward_dynamics(&tree, &mut ws, &state, &state, &state, &[], &mut out));
+            assert_eq!((done, solved), (Ok(()), Ok(())));
+            [inverse, forward].map(|o| [o.multiplications, o.additions, o.divisions])
+        };
+        let (short, long) = (count(start), count(start + 30));
+        [0, 1].map(|i| [0, 1, 2].map(|j| long[i][j] - short[i][j]))
+    };
+    assert_eq!(period(30), period(270));
 }
 
 /// One of Uicker's sums over a chain of one: 32 + 86 + 171 + 53 − 128.

@@ -13,13 +13,15 @@ pub use solaris_view as view;
 /// What a first program needs.
 pub mod prelude {
     pub use solaris_dynamics::{
-        DMatrix, Derivatives, DynamicsError, Formulation, Frame, InverseDynamics, JacobianAxes, Tree,
-        Workspace, Wrench, bias, center_of_mass, forward_dynamics, forward_kinematics, hybrid_dynamics,
-        inverse_dynamics, jacobian, mass_matrix, velocities,
+        ContactConstraint, Contacts, DMatrix, Derivatives, DynamicsError, Formulation, Frame,
+        InverseDynamics, JacobianAxes, RootView, Tree, Workspace, Wrench, bias, center_of_mass,
+        contact_dynamics, coriolis_matrix, forward_dynamics, forward_kinematics, hybrid_dynamics,
+        inverse_dynamics, inverse_mass_matrix, jacobian, mass_matrix, velocities,
     };
     pub use solaris_gait::{Extent, WalkRequest, measure, walk};
     pub use solaris_model::{
-        Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, MotionInfo, Trajectory, Vector3, human,
+        Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, MotionInfo, Placement, RootAt, Trajectory,
+        Vector3, human,
     };
     pub use solaris_modes::ground_reactions;
 }

@@ -81,7 +81,8 @@ impl<T: Real> Contacts<T> {
         }
     }
 
-    /// The contacts, to change what is prescribed between calls; whether one holds the link's rotation must not change.
+    /// The contacts, to change what is prescribed between calls. As many as before must hold their link's rotation: another
+    /// number of conditions is refused.
     pub fn contacts_mut(&mut self) -> &mut [ContactConstraint<T>] {
         &mut self.list
     }
@@ -199,6 +200,7 @@ fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(),
     if contacts.response.len() != tree.nv() {
         return Err(DynamicsError::Workspace);
     }
+    check_length("the conditions of all contacts", contacts.rows().count(), contacts.right.len())?;
     for (index, contact) in contacts.list.iter().enumerate() {
         let numbers = [contact.point, contact.acceleration, contact.angular.unwrap_or_else(Vector3::zeros)];
         if contact.link >= tree.link_count() || !numbers.iter().all(is_finite) {
@@ -285,10 +287,10 @@ fn collect<T: Real>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
         row += 3;
         Vector3::new(solution[row - 3], solution[row - 2], solution[row - 1])
     };
-    for (contact, (_, wrench)) in contacts.list.iter().zip(&mut contacts.wrenches) {
+    for (contact, (link, wrench)) in contacts.list.iter().zip(&mut contacts.wrenches) {
         let force = next();
         let moment = if contact.angular.is_some() { next() } else { Vector3::zeros() };
         let point = ws.poses[contact.link].transform(&contact.point);
-        *wrench = Wrench::at(&point, force, moment);
+        (*link, *wrench) = (contact.link, Wrench::at(&point, force, moment));
     }
 }

@@ -96,6 +96,16 @@ impl<T: Real> Frame<T> {
     /// Refuses a link that the tree does not have.
     pub(crate) fn check(&self, tree: &Tree<T>) -> Result<(), DynamicsError> {
         let last = tree.link_count() - 1;
-        if self.link <= last { Ok(()) } else { Err(DynamicsError::UnknownLink { link: self.link, last }) }
+        if self.link > last {
+            return Err(DynamicsError::UnknownLink { link: self.link, last });
+        }
+        let Pose { rotation, translation } = &self.placement;
+        match rotation.iter().chain(translation.iter()).find(|x| !x.is_finite()) {
+            None => Ok(()),
+            Some(x) => Err(DynamicsError::FrameNotFinite {
+                link: tree.link_name(self.link),
+                value: format!("{x:?}"),
+            }),
+        }
     }
 }

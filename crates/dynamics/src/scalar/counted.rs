@@ -190,6 +190,12 @@ impl Real for Counted {
         count(divided);
         Self(self.0.recip_above(threshold.0))
     }
+
+    /// One division.
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        count(divided);
+        Self(self.0.recip_or_nan(threshold.0))
+    }
 }
 
 #[cfg(test)]

@@ -198,6 +198,10 @@ impl Real for DoubleDouble {
     fn recip_above(self, threshold: Self) -> Self {
         if self > threshold { Self::one() / self } else { Self::zero() }
     }
+
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        if self > threshold { Self::one() / self } else { Self::from_f64(f64::NAN) }
+    }
 }
 
 #[cfg(test)]
@@ -237,6 +241,7 @@ mod tests {
         assert!(x.all_within(1.0, 2.0) && !x.all_within(0.0, 1.0));
         assert!(!DoubleDouble::from_f64(f64::NAN).all_within(-1.0, 1.0));
         assert_eq!((x.recip_above(y).to_f64(), y.recip_above(x).to_f64()), (1.0, 0.0));
+        assert!((x.recip_or_nan(y).to_f64() - 1.0).abs() <= 0.0 && y.recip_or_nan(x).to_f64().is_nan());
     }
 
     #[test]

@@ -192,6 +192,12 @@ impl<const N: usize> Real for Dual<N> {
         let reciprocal = self.value.recip_above(threshold.value);
         self.chain(reciprocal, -(reciprocal * reciprocal))
     }
+
+    #[inline]
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        let reciprocal = self.value.recip_or_nan(threshold.value);
+        self.chain(reciprocal, -(reciprocal * reciprocal))
+    }
 }
 
 #[cfg(test)]

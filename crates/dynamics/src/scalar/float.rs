@@ -40,6 +40,11 @@ impl Real for f64 {
     fn recip_above(self, threshold: Self) -> Self {
         if self > threshold { 1.0 / self } else { 0.0 }
     }
+
+    #[inline]
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        if self > threshold { 1.0 / self } else { Self::NAN }
+    }
 }
 
 impl Real for f32 {
@@ -78,5 +83,10 @@ impl Real for f32 {
     #[inline]
     fn recip_above(self, threshold: Self) -> Self {
         if self > threshold { 1.0 / self } else { 0.0 }
+    }
+
+    #[inline]
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        if self > threshold { 1.0 / self } else { Self::NAN }
     }
 }

@@ -146,6 +146,11 @@ impl<const N: usize> Real for Lanes<N> {
     fn recip_above(self, threshold: Self) -> Self {
         Self(from_fn(|i| self.0[i].recip_above(threshold.0[i])))
     }
+
+    #[inline]
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        Self(from_fn(|i| self.0[i].recip_or_nan(threshold.0[i])))
+    }
 }
 
 #[cfg(test)]

@@ -39,6 +39,9 @@ pub(crate) trait Direction<T: Real>: Copy {
     /// `S·e`
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T>;
 
+    /// How much of `e·S·e` can be rounding, where `S` has no negative eigenvalue.
+    fn rounding(self, matrix: &Symmetric<T>) -> T;
+
     /// `R·S·Rᵀ`: from the frame after a turn about `e` to the one before it.
     fn leave_symmetric(self, matrix: &Symmetric<T>, turn: Moved<T>) -> Symmetric<T>;
 
@@ -108,6 +111,12 @@ impl<T: Real, const A: usize> Direction<T> for Along<A> {
     #[inline]
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
         Vector3::new(matrix.at(0, A), matrix.at(1, A), matrix.at(2, A))
+    }
+
+    /// None: it is an entry of the matrix.
+    #[inline]
+    fn rounding(self, _: &Symmetric<T>) -> T {
+        T::zero()
     }
 
     #[inline]
@@ -205,6 +214,11 @@ impl<T: Real> Direction<T> for Skew<'_, T> {
     #[inline]
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
         matrix.times(self.axis)
+    }
+
+    #[inline]
+    fn rounding(self, matrix: &Symmetric<T>) -> T {
+        (matrix.xx + matrix.yy + matrix.zz) * T::from_f64(4.0 * T::EPSILON)
     }
 
     #[inline]

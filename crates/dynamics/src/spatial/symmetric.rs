@@ -139,15 +139,16 @@ impl<T: Real> Factor<T> {
 }
 
 impl<T: Real> Symmetric<T> {
-    /// The factors of a positive definite matrix; a pivot of zero makes them infinite.
+    /// The factors of a positive definite matrix. A pivot of which nothing but rounding is left makes them NaN.
     #[inline]
     pub(crate) fn factor(&self) -> Factor<T> {
-        let x = T::one() / self.xx;
+        let rounding = T::from_f64(4.0 * T::EPSILON);
+        let x = self.xx.recip_or_nan((self.yy + self.zz) * rounding);
         let (yx, zx) = (self.xy * x, self.xz * x);
-        let y = T::one() / (self.yy - yx * self.xy);
+        let y = (self.yy - yx * self.xy).recip_or_nan(self.yy * rounding);
         let left = self.yz - yx * self.xz;
         let zy = left * y;
-        let z = T::one() / (self.zz - zx * self.xz - zy * left);
+        let z = (self.zz - zx * self.xz - zy * left).recip_or_nan(self.zz * rounding);
         Factor { pivots: [x, y, z], yx, zx, zy }
     }
 }

@@ -294,7 +294,7 @@ fn the_frames_refuse_what_is_no_state() {
     insta::assert_snapshot!(answers.join("\n"), @"
     q has 60 entries, but the figure needs 66
     q of dof 'root.ry' is NaN; it must be a finite number
-    the quaternion that starts at 'rock.qx' has the squared length 0; it must be 1: normalise the configuration first (Figure::normalize)
+    the quaternion that starts at 'rock.qx' has the squared length 0.0; it must be 1: normalise the configuration first (Figure::normalize)
     ");
 }
 

@@ -35,6 +35,10 @@ proptest! {
     fn the_mass_matrix_is_that_of_energy_and_forces(seed in any::<u64>()) {
         let mut case = Case::random(seed);
         let m = case.kernel.mass_matrix(&case.q).expect("valid");
+        prop_assert!((&m - m.transpose()).amax() <= 0.0, "symmetric to the last bit");
+        let mut armed = Case::with(Joints::EveryArmed, seed);
+        let regular = armed.kernel.mass_matrix(&armed.q).expect("valid");
+        prop_assert!(regular.is_empty() || regular.cholesky().is_some(), "positive definite");
         let v = nalgebra::DVector::from_row_slice(&case.v);
         let energy = case.kernel.kinetic(&case.q, &case.v);
         prop_assert!((v.dot(&(&m * &v)) / 2.0 - energy).abs() < 1e-12 * energy.max(1.0));

@@ -225,32 +225,36 @@ impl<T: Real> Carried<T> {
     fn let_turn<E: Direction<T>>(&mut self, e: E, armature: T, known: Known<T>) -> Hinge<T> {
         let (moment, force) = self.inertia.of_turn(e);
         let (diagonal, bias) = (e.dot(&moment) + armature, e.dot(&self.load.moment));
-        self.give_way(moment, force, diagonal, bias, known)
+        let rounding = e.rounding(&self.inertia.angular);
+        self.give_way(moment, force, [diagonal, rounding], bias, known)
     }
 
     #[inline]
     fn let_slide<E: Direction<T>>(&mut self, e: E, armature: T, known: Known<T>) -> Hinge<T> {
         let (moment, force) = self.inertia.of_slide(e);
         let (diagonal, bias) = (e.dot(&force) + armature, e.dot(&self.load.force));
-        self.give_way(moment, force, diagonal, bias, known)
+        let rounding = e.rounding(&self.inertia.linear);
+        self.give_way(moment, force, [diagonal, rounding], bias, known)
     }
 
     /// ```text
     /// free:         u = τ − b      I ← I − U·Uᵀ/D      p ← p + U·u/D
     /// prescribed:                                       p ← p + U·q̈
     /// ```
+    ///
+    /// A `D` that is not above its own rounding opposes nothing; the result then is NaN.
     #[inline]
     fn give_way(
         &mut self,
         moment: Vector3<T>,
         force: Vector3<T>,
-        diagonal: T,
+        [diagonal, rounding]: [T; 2],
         bias: T,
         known: Known<T>,
     ) -> Hinge<T> {
         let (inverse, force_left, acceleration) = match known {
             Known::Force(tau) => {
-                let inverse = T::one() / diagonal;
+                let inverse = diagonal.recip_or_nan(rounding);
                 self.inertia.give_way(&moment, &force, inverse);
                 (inverse, tau - bias, (tau - bias) * inverse)
             }
