@@ -3,7 +3,6 @@
 use crate::error::DynamicsError;
 use crate::forward::articulated::Articulated;
 use crate::forward::propagation::{Hinge, Yielding};
-use crate::inertia::coriolis::Flow;
 use crate::scalar::Real;
 use crate::spatial::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::spatial::load::Load;
@@ -90,6 +89,21 @@ pub(crate) struct Composite<T> {
     pub(crate) mass: T,
     pub(crate) first: Vector3<T>,
     pub(crate) inertia: Symmetric<T>,
+}
+
+/// How the matter that a link carries moves about the link's origin, in world axes: `r` the way there, `ṙ` its rate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flow<T> {
+    /// `∫ ṙ dm`
+    pub(crate) first: Vector3<T>,
+    /// `∫ ṙ·rᵀ dm`
+    pub(crate) second: Matrix3<T>,
+}
+
+impl<T: Real> Flow<T> {
+    pub(crate) fn zero() -> Self {
+        Self { first: Vector3::zeros(), second: Matrix3::zeros() }
+    }
 }
 
 impl<T: Real> Workspace<T> {

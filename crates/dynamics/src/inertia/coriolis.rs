@@ -10,23 +10,8 @@ use crate::scalar::Real;
 use crate::spatial::direction::{cross, dot};
 use crate::spatial::load::Load;
 use crate::tree::Tree;
-use crate::workspace::{Workspace, check_length, check_result};
-use nalgebra::{DMatrix, Matrix3, Vector3};
-
-/// How the matter that a link carries moves about the link's origin, in world axes: `r` the way there, `ṙ` its rate.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Flow<T> {
-    /// `∫ ṙ dm`
-    first: Vector3<T>,
-    /// `∫ ṙ·rᵀ dm`
-    second: Matrix3<T>,
-}
-
-impl<T: Real> Flow<T> {
-    pub(crate) fn zero() -> Self {
-        Self { first: Vector3::zeros(), second: Matrix3::zeros() }
-    }
-}
+use crate::workspace::{Flow, Workspace, check_length, check_result};
+use nalgebra::{DMatrix, Matrix3};
 
 /// The Coriolis matrix `C` (`nv` × `nv`) of the state `q`, `v`: `C·v` are the Coriolis and centrifugal forces,
 ///

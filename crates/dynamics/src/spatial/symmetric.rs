@@ -1,7 +1,6 @@
 //! Symmetric 3 × 3 matrices.
 
 use crate::scalar::Real;
-use crate::spatial::direction::dot;
 use nalgebra::{Matrix3, Vector3};
 
 /// The six different entries of a symmetric matrix.
@@ -101,12 +100,12 @@ impl<T: Real> Symmetric<T> {
         let row = |i: usize| Vector3::new(rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)]);
         let (rows, [x, y, z]) = ([row(0), row(1), row(2)], [0, 1, 2].map(|i| self.times(&row(i))));
         Self {
-            xx: dot(&rows[0], &x),
-            yy: dot(&rows[1], &y),
-            zz: dot(&rows[2], &z),
-            xy: dot(&rows[0], &y),
-            xz: dot(&rows[0], &z),
-            yz: dot(&rows[1], &z),
+            xx: rows[0].dot(&x),
+            yy: rows[1].dot(&y),
+            zz: rows[2].dot(&z),
+            xy: rows[0].dot(&y),
+            xz: rows[0].dot(&z),
+            yz: rows[1].dot(&z),
         }
     }
 }
