@@ -40,6 +40,11 @@ impl<T: Real> ContactConstraint<T> {
     pub fn fixed(link: usize, point: Vector3<T>) -> Self {
         Self { angular: Some(Vector3::zeros()), ..Self::point(link, point) }
     }
+
+    /// How many numbers are prescribed.
+    fn conditions(&self) -> usize {
+        if self.angular.is_some() { 6 } else { 3 }
+    }
 }
 
 /// The contacts of a figure, with the memory to solve for them: made once, then no call allocates.
@@ -68,7 +73,7 @@ struct Row<T> {
 impl<T: Real> Contacts<T> {
     /// Contacts of a figure.
     pub fn new(tree: &Tree<T>, contacts: Vec<ContactConstraint<T>>) -> Self {
-        let rows = contacts.iter().map(|contact| if contact.angular.is_some() { 6 } else { 3 }).sum();
+        let rows = contacts.iter().map(ContactConstraint::conditions).sum();
         let nothing = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
         Self {
             wrenches: contacts.iter().map(|contact| (contact.link, nothing)).collect(),
@@ -100,8 +105,7 @@ impl<T: Real> Contacts<T> {
 
     fn rows(&self) -> impl Iterator<Item = Row<T>> + '_ {
         self.list.iter().flat_map(|&contact| {
-            let count = if contact.angular.is_some() { 6 } else { 3 };
-            (0..count).map(move |row| Row { contact, axis: row % 3, turns: row >= 3 })
+            (0..contact.conditions()).map(move |row| Row { contact, axis: row % 3, turns: row >= 3 })
         })
     }
 }
