@@ -1,10 +1,13 @@
 //! Building a figure: everything that is wrong is found here, all at once.
 
+mod check;
+
 use crate::anatomy::AnatomicalAngle;
+use crate::coupling::followers;
 use crate::fault::{Fault, FigureError, nearest};
 use crate::figure::Figure;
-use crate::inertia::{Inertia, Shape, second_moments};
-use crate::joint::{Joint, Placement};
+use crate::inertia::{Inertia, Shape};
+use crate::joint::{Follow, Joint, Placement};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::{Link, NamedFrame, SolePart, SolePoint};
 use nalgebra::{Matrix3, Vector3};
@@ -165,12 +168,12 @@ impl FigureBuilder {
         }
         self.check_names(&mut faults);
         for link in &self.links {
-            check_numbers(link, &mut faults);
-            check_joint(&link.joint, &mut faults);
-            check_inertia(link, &mut faults);
+            check::link(link, &mut faults);
         }
         let order = self.check_tree(&mut faults);
-        let angles = self.check_angles(&mut faults);
+        let coordinates = self.coordinates();
+        self.check_followers(&coordinates, &mut faults);
+        let angles = self.check_angles(&coordinates, &mut faults);
         if let Some(order) = &order {
             self.check_mass(order, &mut faults);
         }
@@ -275,21 +278,51 @@ impl FigureBuilder {
         }
     }
 
-    fn check_angles(&self, faults: &mut Vec<Fault>) -> Vec<(String, String, f64)> {
-        let mut dofs: Vec<String> = Vec::new();
+    /// The degrees of freedom that have a coordinate, each with what it follows; the velocities of a ball joint are the rates
+    /// of none. A one-dof joint also answers to its own name.
+    fn coordinates(&self) -> HashMap<String, Option<&Follow>> {
+        let mut coordinates = HashMap::new();
         for link in &self.links {
-            // An angle is a coordinate; the velocities of a ball joint are the rates of none.
-            if link.joint.kind().quaternion().is_some() {
-                continue;
+            let dofs = link.joint.kind().axes();
+            for (name, dof) in velocity_names(link.joint.name(), link.joint.kind()).into_iter().zip(dofs) {
+                if dofs.len() == 1 {
+                    coordinates.entry(link.joint.name().to_owned()).or_insert(dof.follows.as_ref());
+                }
+                coordinates.insert(name, dof.follows.as_ref());
             }
-            let names = velocity_names(link.joint.name(), link.joint.kind());
-            // A one-dof joint also answers to its own name.
-            dofs.extend((names.len() == 1).then(|| link.joint.name().to_owned()));
-            dofs.extend(names);
         }
+        coordinates
+    }
+
+    fn check_followers(&self, coordinates: &HashMap<String, Option<&Follow>>, faults: &mut Vec<Fault>) {
+        for link in &self.links {
+            let dofs = link.joint.kind().axes();
+            for (dof, follows) in velocity_names(link.joint.name(), link.joint.kind()).into_iter().zip(dofs) {
+                let Some(Follow { dof: leader, curve }) = &follows.follows else { continue };
+                let leader = leader.clone();
+                if let Some(why) = curve.fault() {
+                    faults.push(Fault::Curve { dof: dof.clone(), leader: leader.clone(), why });
+                }
+                match coordinates.get(&leader) {
+                    None => {
+                        let nearest = nearest(&leader, coordinates.keys().map(String::as_str));
+                        faults.push(Fault::UnknownLeader { dof, leader, nearest });
+                    }
+                    Some(Some(_)) => faults.push(Fault::FollowsFollower { dof, leader }),
+                    Some(None) => {}
+                }
+            }
+        }
+    }
+
+    fn check_angles(
+        &self,
+        coordinates: &HashMap<String, Option<&Follow>>,
+        faults: &mut Vec<Fault>,
+    ) -> Vec<(String, String, f64)> {
         for (angle, dof, _) in &self.angles {
-            if !dofs.contains(dof) {
-                let nearest = nearest(dof, dofs.iter().map(String::as_str));
+            if !coordinates.contains_key(dof) {
+                let nearest = nearest(dof, coordinates.keys().map(String::as_str));
                 faults.push(Fault::UnknownDof { angle: angle.clone(), dof: dof.clone(), nearest });
             }
         }
@@ -340,7 +373,8 @@ impl FigureBuilder {
                 layout.coordinate(dof).map(|coordinate| AnatomicalAngle { name, dof, coordinate, sign })
             })
             .collect();
-        Figure { name: self.name, links, layout, angles, by_name: place, stature: self.stature }
+        let followers = followers(&links, &layout);
+        Figure { name: self.name, links, layout, angles, followers, by_name: place, stature: self.stature }
     }
 }
 
@@ -360,104 +394,5 @@ fn finish(spec: LinkSpec, place: &HashMap<String, usize>) -> Link {
         tip: spec.tip,
         sole: spec.sole,
         frames: spec.frames,
-    }
-}
-
-fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {
-    let mut check = |what: String, values: &[f64]| {
-        if let Some(value) = values.iter().find(|value| !value.is_finite()) {
-            faults.push(Fault::NotFinite { link: link.name.clone(), what, value: *value });
-        }
-    };
-    check("mass".into(), &[link.mass]);
-    check("centre of mass".into(), link.com.as_slice());
-    if let Inertia::Tensor(tensor) = &link.inertia {
-        check("inertia".into(), tensor.as_slice());
-    }
-    let placements = [("joint origin".to_owned(), link.joint.placement())].into_iter();
-    let frames = link.frames.iter().map(|frame| (format!("frame '{}'", frame.name), &frame.placement));
-    let shape = link.shape.iter().map(|shape| ("place of its shape".to_owned(), &shape.placement));
-    let mut lengths = Vec::new();
-    for (what, placement) in placements.chain(frames).chain(shape) {
-        check(what.clone(), placement.translation.vector.as_slice());
-        check(what.clone(), placement.rotation.coords.as_slice());
-        lengths.push((what, placement.rotation.coords.norm()));
-    }
-    if let Some(tip) = &link.tip {
-        check("tip".into(), tip.as_slice());
-    }
-    for point in &link.sole {
-        check(format!("sole point {:?}", point.part), point.position.as_slice());
-    }
-    for (what, length) in lengths.into_iter().filter(|(_, length)| (length - 1.0).abs() > 1e-6) {
-        faults.push(Fault::NotRotation { link: link.name.clone(), what, length });
-    }
-    let uniform = if let Inertia::Uniform(shape) = &link.inertia { Some(shape) } else { None };
-    let drawn = link.shape.as_ref().filter(|shape| Some(*shape) != uniform);
-    for shape in uniform.into_iter().chain(drawn) {
-        for (what, value) in shape.kind.lengths() {
-            if value.is_nan() || value <= 0.0 || value.is_infinite() {
-                faults.push(Fault::ShapeNotPositive { link: link.name.clone(), what, value });
-            }
-        }
-    }
-}
-
-fn check_joint(joint: &Joint, faults: &mut Vec<Fault>) {
-    let dofs = joint.kind().axes();
-    if dofs.len() > 6 {
-        faults.push(Fault::TooManyDofs { joint: joint.name().to_owned(), count: dofs.len() });
-    }
-    for what in &joint.misfits {
-        faults.push(Fault::NotForThisJoint { joint: joint.name().to_owned(), what });
-    }
-    let names = velocity_names(joint.name(), joint.kind());
-    for (index, name) in names.iter().enumerate() {
-        let armature = joint.kind().armature(index);
-        if !(armature >= 0.0 && armature.is_finite()) {
-            faults.push(Fault::Armature { dof: name.clone(), armature });
-        }
-    }
-    for (index, (dof, name)) in dofs.iter().zip(names).enumerate() {
-        // Every direction that is one has been normalised.
-        if (dof.axis.direction.norm() - 1.0).abs().partial_cmp(&1e-9).is_none_or(std::cmp::Ordering::is_gt) {
-            let (joint, axis) = (joint.name().to_owned(), dof.axis.direction.into());
-            faults.push(Fault::ZeroAxis { joint, index: index + 1, axis });
-        }
-        if let Some(limits) = dof.limits
-            && limits.lower.partial_cmp(&limits.upper).is_none_or(std::cmp::Ordering::is_gt)
-        {
-            faults.push(Fault::LimitsReversed { dof: name, lower: limits.lower, upper: limits.upper });
-        }
-    }
-}
-
-fn check_inertia(link: &LinkSpec, faults: &mut Vec<Fault>) {
-    if link.mass < 0.0 {
-        faults.push(Fault::NegativeMass { link: link.name.clone(), mass: link.mass });
-    }
-    let Inertia::Tensor(tensor) = &link.inertia else { return };
-    if !tensor.iter().all(|entry| entry.is_finite()) {
-        return;
-    }
-    let scale = tensor.amax();
-    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-        let difference = tensor[(row, column)] - tensor[(column, row)];
-        if difference.abs() > 1e-9 * scale {
-            let name = |i: usize| ['x', 'y', 'z'][i];
-            let (row, column) = (name(row), name(column));
-            faults.push(Fault::InertiaNotSymmetric { link: link.name.clone(), row, column, difference });
-        }
-    }
-    let (values, axes) = second_moments(&((tensor + tensor.transpose()) / 2.0));
-    let least = values.imin();
-    // Numbers printed with few digits may miss zero by rounding: a flat body is physical.
-    if values[least] < -1e-9 * scale {
-        let axis = axes.column(least);
-        let (axis, moment) = ([axis[0], axis[1], axis[2]], values[least]);
-        faults.push(Fault::InertiaNotPhysical { link: link.name.clone(), axis, moment });
-    }
-    if link.mass == 0.0 && scale > 0.0 {
-        faults.push(Fault::InertiaWithoutMass { link: link.name.clone() });
     }
 }

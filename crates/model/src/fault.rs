@@ -1,5 +1,6 @@
 //! What can be wrong with a figure.
 
+use crate::source::Part;
 use std::fmt;
 
 /// One fault of a figure: the thing, its value, why it cannot be, and what to do.
@@ -68,8 +69,77 @@ pub enum Fault {
     NotForThisJoint { joint: String, what: &'static str },
     #[error("dof '{dof}': armature is {armature}; it must be a finite number, zero or more (kg m² or kg)")]
     Armature { dof: String, armature: f64 },
+    #[error("dof '{dof}': {what} is {value}; it must be a finite number{rule}")]
+    Passive { dof: String, what: &'static str, value: f64, rule: &'static str },
+    #[error("dof '{dof}' follows '{leader}', which is not a coordinate of this figure{}", hint(.nearest.as_ref()))]
+    UnknownLeader { dof: String, leader: String, nearest: Option<String> },
+    #[error("dof '{dof}' follows '{leader}', which follows another one itself; let both follow that one")]
+    FollowsFollower { dof: String, leader: String },
+    #[error("dof '{dof}' follows '{leader}' along a curve that is none: {why}")]
+    Curve { dof: String, leader: String, why: String },
     #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest.as_ref()))]
     UnknownDof { angle: String, dof: String, nearest: Option<String> },
+}
+
+impl Fault {
+    /// The part of the figure that the fault is about, its name, and the field of it, or an empty one.
+    pub fn subject(&self) -> (Part, &str, &'static str) {
+        fn first(names: &[String]) -> &str {
+            names.first().map_or("", String::as_str)
+        }
+        match self {
+            Self::Empty | Self::NoRoot => (Part::Figure, "", "links"),
+            Self::Stature { .. } => (Part::Figure, "", "stature"),
+            Self::ManyRoots { links } => (Part::Link, links.last().map_or("", String::as_str), "parent"),
+            Self::Cycle { links } => (Part::Link, first(links), "parent"),
+            Self::DuplicateName { kind, name, .. } => (part(kind), name, "name"),
+            Self::EmptyName { kind, .. } => (part(kind), "", "name"),
+            Self::UnknownParent { link, .. } => (Part::Link, link, "parent"),
+            Self::NotFinite { link, what, .. } | Self::NotRotation { link, what, .. } => {
+                (Part::Link, link, field(what))
+            }
+            Self::NegativeMass { link, .. } | Self::InertiaWithoutMass { link } => (Part::Link, link, "mass"),
+            Self::InertiaNotPhysical { link, .. } | Self::InertiaNotSymmetric { link, .. } => {
+                (Part::Link, link, "inertia")
+            }
+            Self::ShapeNotPositive { link, .. } => (Part::Link, link, "shape"),
+            Self::MasslessSubtree { joint, .. }
+            | Self::ZeroAxis { joint, .. }
+            | Self::TooManyDofs { joint, .. }
+            | Self::NotForThisJoint { joint, .. } => (Part::Joint, joint, ""),
+            Self::LimitsReversed { dof, .. } => (Part::Dof, dof, "limits"),
+            Self::Armature { dof, .. } => (Part::Dof, dof, "armature"),
+            Self::Passive { dof, what, .. } => (Part::Dof, dof, what),
+            Self::UnknownLeader { dof, .. } | Self::FollowsFollower { dof, .. } | Self::Curve { dof, .. } => {
+                (Part::Dof, dof, "follows")
+            }
+            Self::UnknownDof { angle, .. } => (Part::Angle, angle, ""),
+        }
+    }
+}
+
+fn part(kind: &str) -> Part {
+    match kind {
+        "link" => Part::Link,
+        "joint" => Part::Joint,
+        "frame" => Part::Frame,
+        "angle" => Part::Angle,
+        _ => Part::Dof,
+    }
+}
+
+/// The field of a link that a number belongs to.
+fn field(what: &str) -> &'static str {
+    match what {
+        "mass" => "mass",
+        "centre of mass" => "com",
+        "inertia" => "inertia",
+        "tip" => "tip",
+        "joint origin" => "joint",
+        "place of its shape" => "shape",
+        _ if what.starts_with("sole") => "sole",
+        _ => "frames",
+    }
 }
 
 fn quoted(names: &[String]) -> String {

@@ -1,6 +1,7 @@
 //! The figure: an immutable tree of links.
 
 use crate::anatomy::AnatomicalAngle;
+use crate::coupling::Follower;
 use crate::joint::JointKind;
 use crate::layout::StateLayout;
 use crate::link::Link;
@@ -15,6 +16,7 @@ pub struct Figure {
     pub(crate) links: Vec<Link>,
     pub(crate) layout: StateLayout,
     pub(crate) angles: Vec<AnatomicalAngle>,
+    pub(crate) followers: Vec<Follower>,
     pub(crate) by_name: HashMap<String, usize>,
     pub(crate) stature: Option<f64>,
 }
@@ -70,7 +72,8 @@ impl Figure {
         self.stature
     }
 
-    /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses.
+    /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses (not springs,
+    /// dampers and friction).
     pub fn fingerprint(&self) -> u64 {
         let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
         for link in &self.links {
@@ -84,11 +87,15 @@ impl Figure {
                 hash.numbers(dof.axis.direction.iter());
                 dof.name.iter().for_each(|name| hash.text(name));
                 hash.numbers([dof.armature].iter().filter(|armature| **armature != 0.0));
+                if let Some(follow) = &dof.follows {
+                    hash.text(&follow.dof);
+                    hash.numbers(follow.curve.numbers().iter());
+                }
             }
             match link.joint.kind() {
                 JointKind::Axes(_) => {}
-                JointKind::Ball { armature } => hash.numbers([4.0, *armature].iter()),
-                JointKind::Free { armature } => hash.numbers([7.0, *armature].iter()),
+                JointKind::Ball { armature, .. } => hash.numbers([4.0, *armature].iter()),
+                JointKind::Free { armature, .. } => hash.numbers([7.0, *armature].iter()),
             }
             hash.numbers([link.mass].iter().chain(link.com.iter()).chain(link.inertia.iter()));
         }

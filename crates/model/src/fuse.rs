@@ -85,6 +85,7 @@ impl Figure {
                 return Err(FuseError::Twice { dof: name });
             }
         }
+        self.hold_followers(&mut held)?;
         Ok(assemble::assemble(self, &held))
     }
 
@@ -164,7 +165,22 @@ impl Figure {
         if let Some(bad) = bad {
             return Err(FuseError::NotFinite { name: self.layout.q_names()[bad].clone(), value: q[bad] });
         }
+        self.hold_followers(&mut held)?;
         Ok(assemble::assemble(self, &held))
+    }
+
+    /// What follows a held degree of freedom is held where that one puts it; a follower cannot be held alone.
+    fn hold_followers(&self, held: &mut [Option<f64>]) -> Result<(), FuseError> {
+        for follower in &self.followers {
+            let leader = held[follower.leader_coordinate];
+            if leader.is_none() && held[follower.coordinate].is_some() {
+                let [dof, leader] =
+                    [follower.dof, follower.leader].map(|dof| self.layout.v_names()[dof].clone());
+                return Err(FuseError::Follower { dof, leader });
+            }
+            held[follower.coordinate] = leader.map(|leader| follower.curve.at(leader)[0]);
+        }
+        Ok(())
     }
 
     fn dof_name(&self, dof: usize) -> Result<String, FuseError> {

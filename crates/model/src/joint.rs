@@ -1,5 +1,6 @@
 //! Joints: ordered lists of one-axis degrees of freedom, ball joints and free joints.
 
+use crate::curve::Curve;
 use nalgebra::{Isometry3, Vector3};
 
 /// Where a joint's frame stands in its parent link's frame when the joint is at zero: rotation and translation (m).
@@ -59,6 +60,41 @@ pub struct Limits {
     pub upper: f64,
 }
 
+/// What acts on a degree of freedom without being asked: a spring, a damper, dry friction.
+///
+/// ```text
+/// τ = stiffness·(q − rest) + damping·v + friction·sign(v)
+/// ```
+///
+/// is what a motion needs against it, besides what the links need.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Passive {
+    /// Of the spring (N m/rad or N/m).
+    pub stiffness: f64,
+    /// The coordinate at which the spring is at rest (rad or m).
+    pub rest: f64,
+    /// Of the damper (N m s/rad or N s/m).
+    pub damping: f64,
+    /// Dry friction (N m or N).
+    pub friction: f64,
+}
+
+impl Passive {
+    /// Whether nothing acts.
+    pub fn is_none(&self) -> bool {
+        [self.stiffness, self.damping, self.friction].iter().all(|x| x.abs() == 0.0)
+    }
+}
+
+/// What ties a degree of freedom to another one of the figure: see [`crate::Follower`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follow {
+    /// Name of the degree of freedom that leads.
+    pub dof: String,
+    /// The follower's coordinate over that of its leader.
+    pub curve: Curve,
+}
+
 /// One degree of freedom of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dof {
@@ -71,6 +107,10 @@ pub struct Dof {
     pub armature: f64,
     /// Its name where it has one of its own; otherwise it is called `joint.axis`.
     pub name: Option<String>,
+    /// Spring, damper, friction.
+    pub passive: Passive,
+    /// What it follows, where it has no freedom of its own.
+    pub follows: Option<Follow>,
 }
 
 /// What a joint lets its link do.
@@ -86,12 +126,16 @@ pub enum JointKind {
     Ball {
         /// Added to each of the three diagonal entries of the mass matrix (kg m²).
         armature: f64,
+        /// Acts on the angular velocity, and with its stiffness on the rotation vector from the neutral orientation.
+        passive: Passive,
     },
     /// Any motion: `q` is the place of the link's origin in the joint's frame (m), then a unit quaternion; `v` the
     /// velocity of the link's origin (m/s), then the angular velocity (rad/s), both along the link's axes.
     Free {
         /// Added to each of the six diagonal entries of the mass matrix (kg, kg m²).
         armature: f64,
+        /// Acts on all six velocities; a free joint has no spring.
+        passive: Passive,
     },
 }
 
@@ -135,7 +179,15 @@ impl JointKind {
     pub fn armature(&self, index: usize) -> f64 {
         match self {
             Self::Axes(dofs) => dofs[index].armature,
-            Self::Ball { armature } | Self::Free { armature } => *armature,
+            Self::Ball { armature, .. } | Self::Free { armature, .. } => *armature,
+        }
+    }
+
+    /// What acts on the velocity coordinate `index` of this joint.
+    pub fn passive(&self, index: usize) -> &Passive {
+        match self {
+            Self::Axes(dofs) => &dofs[index].passive,
+            Self::Ball { passive, .. } | Self::Free { passive, .. } => passive,
         }
     }
 }
@@ -165,12 +217,12 @@ impl Joint {
 
     /// A ball joint called `name` at the parent's origin: see [`JointKind::Ball`].
     pub fn ball(name: impl Into<String>) -> Self {
-        Self::of_kind(name.into(), JointKind::Ball { armature: 0.0 })
+        Self::of_kind(name.into(), JointKind::Ball { armature: 0.0, passive: Passive::default() })
     }
 
     /// A free joint called `name` at the parent's origin: see [`JointKind::Free`].
     pub fn free(name: impl Into<String>) -> Self {
-        Self::of_kind(name.into(), JointKind::Free { armature: 0.0 })
+        Self::of_kind(name.into(), JointKind::Free { armature: 0.0, passive: Passive::default() })
     }
 
     fn of_kind(name: String, kind: JointKind) -> Self {
@@ -193,7 +245,10 @@ impl Joint {
     /// Adds a degree of freedom after those there already.
     pub fn axis(mut self, axis: Axis) -> Self {
         match &mut self.kind {
-            JointKind::Axes(dofs) => dofs.push(Dof { axis, limits: None, armature: 0.0, name: None }),
+            JointKind::Axes(dofs) => {
+                let (limits, name, follows) = (None, None, None);
+                dofs.push(Dof { axis, limits, armature: 0.0, name, passive: Passive::default(), follows });
+            }
             _ => self.misfits.push("an axis"),
         }
         self
@@ -242,10 +297,24 @@ impl Joint {
     /// Gives the degree of freedom added last, or every one of a ball or free joint, an armature (kg m² or kg).
     pub fn armature(mut self, inertia: f64) -> Self {
         match &mut self.kind {
-            JointKind::Ball { armature } | JointKind::Free { armature } => *armature = inertia,
+            JointKind::Ball { armature, .. } | JointKind::Free { armature, .. } => *armature = inertia,
             JointKind::Axes(_) => return self.with_last("an armature", |dof| dof.armature = inertia),
         }
         self
+    }
+
+    /// Gives the degree of freedom added last, or every one of a ball or free joint, a spring, a damper, friction.
+    pub fn passive(mut self, acts: Passive) -> Self {
+        match &mut self.kind {
+            JointKind::Ball { passive, .. } | JointKind::Free { passive, .. } => *passive = acts,
+            JointKind::Axes(_) => return self.with_last("a spring or damper", |dof| dof.passive = acts),
+        }
+        self
+    }
+
+    /// Makes the degree of freedom added last follow the one called `dof`, along `curve`: see [`crate::Follower`].
+    pub fn following(self, dof: impl Into<String>, curve: Curve) -> Self {
+        self.with_last("a leader", |last| last.follows = Some(Follow { dof: dof.into(), curve }))
     }
 
     /// Changes the degree of freedom added last; a joint without one cannot take `what`.

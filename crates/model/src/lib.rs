@@ -4,6 +4,8 @@ mod anatomy;
 mod builder;
 mod chains;
 mod configuration;
+mod coupling;
+mod curve;
 mod euler;
 mod fault;
 mod figure;
@@ -14,25 +16,33 @@ mod joint;
 mod layout;
 mod link;
 mod motion;
+mod record;
 mod reroot;
+mod source;
+#[cfg(feature = "ron")]
+mod text;
 
 pub use anatomy::AnatomicalAngle;
 pub use builder::{FigureBuilder, LinkSpec};
 pub use chains::{Chain, Chains};
 pub use configuration::ConfigurationError;
+pub use coupling::Follower;
+pub use curve::Curve;
 pub use euler::{BallState, EulerError, EulerOrder, EulerState, GimbalDistance};
 pub use fault::{Fault, FigureError, nearest};
 pub use figure::Figure;
 pub use fuse::{FuseError, Fused, LinkPlace};
 pub use human::{Human, HumanError, human};
 pub use inertia::{Inertia, Shape, ShapeKind};
-pub use joint::{Axis, AxisKind, Dof, Joint, JointKind, Limits, Placement};
+pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, Placement};
 pub use layout::{JointLayout, StateLayout};
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
 pub use motion::{
     Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Motion, MotionError,
     MotionInfo, Trajectory,
 };
+pub use record::{ForceRecord, Record};
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
+pub use source::{Finding, FindingKind, Part, Place, SourceMap, TextError, TextFault};
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};

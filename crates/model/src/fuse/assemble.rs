@@ -4,6 +4,7 @@ use super::Fused;
 use super::carried::{LinkPlace, absorb, compose, frame_names, moved};
 use super::joint::{Left, Part, left};
 use crate::anatomy::AnatomicalAngle;
+use crate::coupling::followers;
 use crate::figure::Figure;
 use crate::joint::{Joint, JointKind, Placement};
 use crate::layout::{JointLayout, StateLayout, velocity_names};
@@ -63,7 +64,8 @@ fn with_links(full: &Figure, links: Vec<Link>, dofs: &[Option<usize>]) -> Figure
     });
     let angles = angles.collect();
     let by_name = links.iter().enumerate().map(|(i, link)| (link.name.clone(), i)).collect();
-    Figure { name: full.name.clone(), links, layout, angles, by_name, stature: full.stature }
+    let followers = followers(&links, &layout);
+    Figure { name: full.name.clone(), links, layout, angles, followers, by_name, stature: full.stature }
 }
 
 /// The links of the small figure, as far as they are there.

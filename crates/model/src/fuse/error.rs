@@ -4,6 +4,16 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FuseError {
+    /// The degree of freedom follows one that is not fused.
+    #[error(
+        "dof '{dof}' follows '{leader}', so it cannot stand still alone; fuse '{leader}', and it comes along"
+    )]
+    Follower {
+        /// The follower's name.
+        dof: String,
+        /// The name of the one that leads.
+        leader: String,
+    },
     /// No degree of freedom has this name.
     #[error(
         "dof '{name}' cannot be fused: the figure has none of that name{}",

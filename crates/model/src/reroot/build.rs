@@ -3,6 +3,7 @@
 use super::reverse::reversed;
 use super::{JointInView, RerootError, Rerooted};
 use crate::anatomy::AnatomicalAngle;
+use crate::coupling::followers;
 use crate::figure::Figure;
 use crate::fuse::LinkPlace;
 use crate::fuse::carried::{compose, frame_names, moved};
@@ -110,7 +111,16 @@ fn with_links(declared: &Figure, links: Vec<Link>, joints: &[Option<JointInView>
     };
     let angles = declared.angles.iter().filter_map(angle).collect();
     let by_name = links.iter().enumerate().map(|(i, link)| (link.name.clone(), i)).collect();
-    Figure { name: declared.name.clone(), links, layout, angles, by_name, stature: declared.stature }
+    let followers = followers(&links, &layout);
+    Figure {
+        name: declared.name.clone(),
+        links,
+        layout,
+        angles,
+        followers,
+        by_name,
+        stature: declared.stature,
+    }
 }
 
 /// Refuses joints that cannot be turned round.
@@ -123,7 +133,7 @@ fn check(figure: &Figure, path: &[usize]) -> Result<(), RerootError> {
     let mut hanging = vec![false; figure.links.len()];
     for &link in &path[..path.len() - 1] {
         let joint = &figure.links[link].joint;
-        if matches!(joint.kind, JointKind::Free { armature } if armature != 0.0) {
+        if matches!(joint.kind, JointKind::Free { armature, .. } if armature != 0.0) {
             return Err(RerootError::FreeArmature { joint: joint.name.clone(), root });
         }
         hanging[link] = true;

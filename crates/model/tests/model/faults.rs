@@ -1,8 +1,8 @@
 //! Every fault of a figure is found, and says what to do.
 
 use solaris_model::{
-    Axis, Fault, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Matrix3, NamedFrame, Placement, Shape,
-    ShapeKind, SolePart, Vector3,
+    Axis, Curve, Fault, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Matrix3, NamedFrame, Passive,
+    Placement, Shape, ShapeKind, SolePart, Vector3,
 };
 use std::collections::HashSet;
 use std::mem::discriminant;
@@ -31,6 +31,10 @@ fn tensor(rows: [[f64; 3]; 3]) -> Inertia {
 
 fn capsule(radius: f64, length: f64) -> Shape {
     Shape { kind: ShapeKind::Capsule { radius, length }, placement: Placement::identity() }
+}
+
+fn line() -> Curve {
+    Curve::linear(1.0, 0.0)
 }
 
 /// A figure for every fault, with the part of the tree or of a link that is wrong.
@@ -79,6 +83,14 @@ fn broken() -> Vec<(&'static str, FigureBuilder)> {
         ("limits of nothing", hinge(Joint::new("j").limited(0.0, 1.0).rx())),
         ("armature", hinge(Joint::new("j").rx().armature(-0.1))),
         ("armature of a ball", hinge(Joint::ball("j").armature(NAN))),
+        ("damping", hinge(Joint::new("j").rx().passive(Passive { damping: -0.1, ..Passive::default() }))),
+        (
+            "spring of a free joint",
+            hinge(Joint::free("j").passive(Passive { stiffness: 1.0, ..Passive::default() })),
+        ),
+        ("no leader", hinge(Joint::new("j").rx().tx().following("j.ry", line()))),
+        ("follows itself", hinge(Joint::new("j").rx().following("j.rx", line()))),
+        ("no curve", hinge(Joint::new("j").rx().tx().following("j.rx", Curve::Polynomial(vec![NAN])))),
         ("dof twice", hinge(Joint::new("j").rx().named("flexion").ry().named("flexion"))),
         ("angle of a ball", hinge(Joint::ball("j")).angle("swing", "j.wx", false)),
         ("angle", with([root("knee")]).angle("knee.flexion", "knee_joint.ry", false)),

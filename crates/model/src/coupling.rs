@@ -1,0 +1,91 @@
+//! Degrees of freedom that follow others.
+
+use crate::curve::Curve;
+use crate::figure::Figure;
+use crate::layout::StateLayout;
+use crate::link::Link;
+
+/// A degree of freedom whose coordinate is a function of another's: it has a place in `q`, `v`, `a` and `tau`, and no
+/// freedom of its own.
+///
+/// The centre of a knee that moves as the knee bends is a slide that follows the angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follower {
+    /// Its index in `v`.
+    pub dof: usize,
+    /// Its coordinate's index in `q`.
+    pub coordinate: usize,
+    /// Index in `v` of the degree of freedom that it follows, which follows none itself.
+    pub leader: usize,
+    /// That one's coordinate's index in `q`.
+    pub leader_coordinate: usize,
+    /// Its coordinate over that of its leader (rad or m).
+    pub curve: Curve,
+}
+
+/// The followers among the degrees of freedom of `links` whose leaders are there.
+pub(crate) fn followers(links: &[Link], layout: &StateLayout) -> Vec<Follower> {
+    let mut found = Vec::new();
+    for (link, at) in links.iter().zip(layout.joints()) {
+        for (i, dof) in link.joint.kind().axes().iter().enumerate() {
+            let Some(follow) = &dof.follows else { continue };
+            let Some(leader) = layout.dof_index(&follow.dof) else { continue };
+            let Some(leader_coordinate) = layout.coordinate(leader) else { continue };
+            let (dof, coordinate, curve) = (at.v + i, at.q + i, follow.curve.clone());
+            found.push(Follower { dof, coordinate, leader, leader_coordinate, curve });
+        }
+    }
+    found
+}
+
+impl Figure {
+    /// The degrees of freedom that follow others, in the order of the figure.
+    pub fn followers(&self) -> &[Follower] {
+        &self.followers
+    }
+
+    /// Whether the degree of freedom `dof` follows another.
+    pub fn follows(&self, dof: usize) -> bool {
+        self.followers.iter().any(|follower| follower.dof == dof)
+    }
+
+    /// Puts every follower where its leader puts it, in position, velocity and acceleration.
+    ///
+    /// ```text
+    /// y = f(x)      ẏ = f′·ẋ      ÿ = f′·ẍ + f″·ẋ²
+    /// ```
+    ///
+    /// `q` has length `nq`, `v` and `a` have length `nv`; only the entries of followers change.
+    ///
+    /// # Panics
+    ///
+    /// Where a slice is shorter than that.
+    pub fn follow(&self, q: &mut [f64], v: &mut [f64], a: &mut [f64]) {
+        for f in &self.followers {
+            let [value, first, second] = f.curve.at(q[f.leader_coordinate]);
+            let rate = v[f.leader];
+            q[f.coordinate] = value;
+            v[f.dof] = first * rate;
+            a[f.dof] = first * a[f.leader] + second * rate * rate;
+        }
+    }
+
+    /// Gives the forces of followers to their leaders, at the configuration `q` (length `nq`): what the leader's coordinate
+    /// feels of all that moves with it.
+    ///
+    /// ```text
+    /// τ_x ← τ_x + Σ f′·τ_y        τ_y ← 0
+    /// ```
+    ///
+    /// Virtual work asks for just this, so the result is exact for any motion that obeys [`follow`](Self::follow).
+    ///
+    /// # Panics
+    ///
+    /// Where `q` is shorter than `nq` or `tau` than `nv`.
+    pub fn fold_forces(&self, q: &[f64], tau: &mut [f64]) {
+        for f in &self.followers {
+            let force = std::mem::take(&mut tau[f.dof]);
+            tau[f.leader] += f.curve.at(q[f.leader_coordinate])[1] * force;
+        }
+    }
+}
