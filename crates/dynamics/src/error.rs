@@ -128,6 +128,17 @@ pub enum DynamicsError {
         /// The degree of freedom.
         dof: String,
     },
+    /// The motion of a figure in which degrees of freedom follow others.
+    #[error(
+        "dof '{dof}' follows '{leader}' and is not free to be accelerated; Coupling::forward_dynamics finds the motion of \
+         figures with followers"
+    )]
+    Follower {
+        /// The first that follows.
+        dof: String,
+        /// Whom it follows.
+        leader: String,
+    },
     /// The state is finite but the result is not.
     #[error(
         "{what} came out as {value}: the state is finite, but too large for this precision; \

@@ -137,6 +137,7 @@ pub fn inverse_mass_matrix<T: Real>(
     let n = tree.nv();
     check_length("each column of the inverse mass matrix", matrix.nrows(), n)?;
     check_length("each row of the inverse mass matrix", matrix.ncols(), n)?;
+    tree.check_free()?;
     workspace.set_positions(tree, q)?;
     no_velocity_terms(workspace);
     // Taken out so that the workspace can be borrowed; an empty vector takes no memory.
@@ -162,6 +163,7 @@ pub(crate) fn set_state<T: Real>(
     v: &[T],
     external: &[(usize, Wrench<T>)],
 ) -> Result<(), DynamicsError> {
+    tree.check_free()?;
     workspace.set_positions(tree, q)?;
     check("v", v, tree.nv(), |index| tree.v_name(index))?;
     velocity_terms(tree, workspace, v);

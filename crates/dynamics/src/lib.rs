@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod coupling;
 pub mod denavit_hartenberg;
 mod derivatives;
 mod error;
@@ -16,6 +17,7 @@ mod spatial;
 mod tree;
 mod workspace;
 
+pub use coupling::Coupling;
 pub use derivatives::{Along, Derivatives, Operation, Partials};
 pub use error::DynamicsError;
 pub use formulation::{Formulation, InverseDynamics};

@@ -26,6 +26,8 @@ pub struct Tree<T> {
     /// Armature of the degrees of freedom that have one.
     pub(crate) armature: Vec<(usize, T)>,
     pub(crate) gravity: Vector3<T>,
+    /// The first degree of freedom that follows another, and that one.
+    pub(crate) follower: Option<(usize, usize)>,
     pub(crate) mass: T,
     pub(crate) mass_inverse: T,
     nq: usize,
@@ -89,6 +91,7 @@ impl<T: Real> Tree<T> {
             spheres: Vec::new(),
             armature: Vec::new(),
             gravity: vector("gravity", "", &gravity)?,
+            follower: figure.followers().first().map(|f| (f.dof, f.leader)),
             mass: constant("the mass of figure ", figure.name(), figure.mass())?,
             mass_inverse: T::from_f64(if figure.mass() > 0.0 { figure.mass().recip() } else { 0.0 }),
             nq: layout.nq(),
@@ -204,6 +207,13 @@ impl<T: Real> Tree<T> {
     /// Total mass (kg).
     pub fn mass(&self) -> T {
         self.mass
+    }
+
+    /// Refuses to accelerate what is not free: the recursions know nothing of followers.
+    pub(crate) fn check_free(&self) -> Result<(), DynamicsError> {
+        self.follower.map_or(Ok(()), |(dof, leader)| {
+            Err(DynamicsError::Follower { dof: self.v_name(dof), leader: self.v_name(leader) })
+        })
     }
 
     /// Name of an entry of `q`.

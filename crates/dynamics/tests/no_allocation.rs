@@ -124,6 +124,25 @@ fn maps_to_other_figures_allocate_nothing() {
 }
 
 #[test]
+fn what_follows_allocates_nothing() {
+    let joint = solaris_model::Joint::new("wire").tx().ty();
+    let joint = joint.following("wire.tx", solaris_model::Curve::Polynomial(vec![0.0, 0.0, 1.0]));
+    let bead = solaris_model::LinkSpec::root("bead", joint).mass(0.3);
+    let figure = solaris_model::FigureBuilder::new("bead").link(bead).build().expect("valid");
+    let Kernel { tree, workspace: mut ws } = Kernel::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0));
+    let (mut coupling, state, mut a, mut tau) =
+        (dynamics::Coupling::new(&figure), [0.3; 2], [0.0; 2], [0.0; 2]);
+    let count = allocations(|| {
+        let mut all = || {
+            coupling.inverse_dynamics(&tree, &mut ws, &state, &state, &state, &[], &mut tau)?;
+            coupling.forward_dynamics(&tree, &mut ws, &state, &state, &state, &[], &mut a)
+        };
+        assert_eq!(all(), Ok(()));
+    });
+    assert_eq!(count, 0);
+}
+
+#[test]
 fn no_formulation_allocates() {
     let mut random = Random::new(13);
     let figure = tree_of(Joints::EveryArmed, &mut random, 12, 1.0);

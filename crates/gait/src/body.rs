@@ -2,6 +2,7 @@
 
 use crate::error::GaitError;
 use crate::foot::{mirror, mirror_rotation};
+use crate::lacks;
 use crate::leg::LegGeometry;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, Vector3 as V3};
@@ -61,6 +62,7 @@ pub(crate) struct Body {
 
 impl Body {
     pub(crate) fn of(figure: &Figure) -> Result<Self, GaitError> {
+        lacks::check(figure)?;
         let leg = LegGeometry::of(figure)?;
         let segment = |name: &str, parent: Option<&str>| segment(figure, name, parent);
         let middle_of = |i: usize| segment(MIDDLE[i], i.checked_sub(1).map(|p| MIDDLE[p]));
@@ -71,14 +73,6 @@ impl Body {
             Ok([of(0)?, of(1)?, of(2)?, of(3)?])
         };
         let root = middle[0].q - 3;
-        let known = 5 + 2 * 8;
-        if figure.links().len() != known {
-            return Err(GaitError::OtherLinks {
-                figure: figure.name().into(),
-                links: figure.links().len(),
-                known,
-            });
-        }
         Ok(Self {
             fingerprint: figure.fingerprint(),
             mass: figure.mass(),
@@ -97,8 +91,8 @@ impl Body {
     }
 }
 
-fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, GaitError> {
-    let missing = || GaitError::MissingLink { figure: figure.name().into(), link: name.into() };
+pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, GaitError> {
+    let missing = || GaitError::MissingLinks { figure: figure.name().into(), links: vec![name.into()] };
     let index = figure.link_index(name).ok_or_else(missing)?;
     let link = &figure.links()[index];
     let found = link.parent().map(|parent| figure.links()[parent].name());

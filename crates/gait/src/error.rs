@@ -9,12 +9,14 @@ use solaris_profiles::ProfileError;
 #[non_exhaustive]
 #[allow(missing_docs, reason = "each message says what its fields are")]
 pub enum GaitError {
-    #[error("figure '{figure}' has no link '{link}'; the walker needs the links of the human figure")]
-    MissingLink { figure: String, link: String },
+    #[error("figure '{figure}' has no link {}; the walker needs the links of the human figure", quoted(.links))]
+    MissingLinks { figure: String, links: Vec<String> },
     #[error(
         "figure '{figure}' has {links} links; the walker knows what to do with the {known} of the human figure"
     )]
     OtherLinks { figure: String, links: usize, known: usize },
+    #[error("figure '{figure}' cannot walk; {} things are amiss:{}", .lacks.len(), listed(.lacks))]
+    CannotWalk { figure: String, lacks: Vec<GaitError> },
     #[error("link '{link}' hangs on {parent}; the walker needs it on {wanted}")]
     OtherParent { link: String, parent: String, wanted: String },
     #[error(
@@ -86,4 +88,12 @@ pub enum GaitError {
     Dynamics(#[from] DynamicsError),
     #[error("the walk does not close: {0}; this is a fault of the planner")]
     Profile(#[from] ProfileError),
+}
+
+fn listed(lacks: &[GaitError]) -> String {
+    lacks.iter().map(|lack| format!("\n  - {lack}")).collect()
+}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ")
 }

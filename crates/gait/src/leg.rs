@@ -58,9 +58,10 @@ impl LegGeometry {
     /// in the leg's plane.
     pub fn of(figure: &Figure) -> Result<Self, GaitError> {
         let link = |name: &str| {
-            figure
-                .link(name)
-                .ok_or_else(|| GaitError::MissingLink { figure: figure.name().into(), link: name.into() })
+            figure.link(name).ok_or_else(|| GaitError::MissingLinks {
+                figure: figure.name().into(),
+                links: vec![name.into()],
+            })
         };
         let sole = |name: &'static str, part: SolePart| {
             link(name)?.sole_point(part).copied().ok_or(GaitError::MissingSolePoint { link: name, part })

@@ -4,6 +4,7 @@ mod body;
 mod error;
 mod foot;
 mod grid;
+mod lacks;
 mod laws;
 mod leg;
 mod legs;
@@ -22,6 +23,7 @@ mod walk;
 mod walker;
 
 pub use error::GaitError;
+pub use lacks::lacks;
 pub use leg::LegGeometry;
 pub use measure::{
     Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,

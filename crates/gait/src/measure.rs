@@ -4,7 +4,7 @@
 
 mod bands;
 mod feet;
-mod series;
+pub(crate) mod series;
 mod steady;
 
 pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};

@@ -3,7 +3,7 @@
 use solaris_gait::{
     Extent, FEET, GaitError, LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkRequest, walk,
 };
-use solaris_model::{FigureBuilder, Joint, LinkSpec, human};
+use solaris_model::{FigureBuilder, Inertia, Joint, LinkSpec, human};
 use solaris_modes::{ReactionError, ground_reactions};
 
 fn refused(request: &WalkRequest) -> String {
@@ -66,5 +66,40 @@ fn a_figure_that_is_no_person_is_refused() {
         .build()
         .expect("a figure");
     let error = walk(&pendulum, &WalkRequest::default()).err().expect("a refusal");
-    insta::assert_snapshot!(error, @"figure 'pendulum' has no link 'left_thigh'; the walker needs the links of the human figure");
+    let text = error.to_string();
+    assert!(text.starts_with("figure 'pendulum' has no link 'pelvis', 'abdomen', 'thorax',"), "{text}");
+    assert!(
+        text.ends_with("'right_foot', 'right_toes'; the walker needs the links of the human figure"),
+        "{text}"
+    );
+}
+
+#[test]
+fn all_that_a_figure_lacks_is_said_at_once() {
+    let ann = solaris_model::human(1.75, 73.0).expect("within range");
+    assert_eq!(solaris_gait::lacks(&ann), []);
+    // The same links, but without soles, without angles, without arms, and with one knee a hinge.
+    let mut builder = FigureBuilder::new("robot");
+    for link in
+        ann.links().iter().filter(|link| !link.name().contains("arm") && !link.name().contains("hand"))
+    {
+        let joint = link.joint().clone();
+        let joint = if joint.name() == "left_knee" {
+            Joint::new("left_knee").placed(*joint.placement()).rx()
+        } else {
+            joint
+        };
+        let spec = match link.parent() {
+            Some(parent) => LinkSpec::child(link.name(), ann.links()[parent].name(), joint),
+            None => LinkSpec::root(link.name(), joint),
+        };
+        builder =
+            builder.link(spec.mass(link.mass()).com(*link.com()).inertia(Inertia::Tensor(*link.inertia())));
+    }
+    let robot = builder.build().expect("a figure");
+    let error = walk(&robot, &WalkRequest::default()).err().expect("a refusal");
+    insta::assert_snapshot!(error);
+    // To measure its walk, angles are needed as well.
+    let all: Vec<String> = solaris_gait::lacks(&robot).iter().map(ToString::to_string).collect();
+    assert!(all.contains(&"the figure has no anatomical angle 'left_hip.flexion'".to_owned()), "{all:?}");
 }

@@ -7,6 +7,11 @@ use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
 use solaris_model::{Figure, Motion};
 
+/// The angles of each leg that are measured, after `left_` and `right_`.
+pub(crate) const SIDED_ANGLES: [&str; 3] = ["hip.flexion", "knee.flexion", "ankle.dorsiflexion"];
+/// The angles of the pelvis that are measured, after `pelvis.`.
+pub(crate) const PELVIS_ANGLES: [&str; 3] = ["tilt", "obliquity", "rotation"];
+
 /// Joints of the leg whose moments are told, with their anatomical flexion.
 pub(super) const JOINTS: [(&str, &str); 3] =
     [("hip", "flexion"), ("knee", "flexion"), ("ankle", "dorsiflexion")];
@@ -90,10 +95,10 @@ impl<'a> Series<'a> {
             posed: soled.len(),
             forces: tracks.map(|track| track.samples.iter().map(|contact| contact.force).collect()),
             cops: tracks.map(|track| track.samples.iter().map(|contact| contact.cop).collect()),
-            hip: sided("hip.flexion")?,
-            knee: sided("knee.flexion")?,
-            ankle: sided("ankle.dorsiflexion")?,
-            pelvis: [pelvis("tilt")?, pelvis("obliquity")?, pelvis("rotation")?],
+            hip: sided(SIDED_ANGLES[0])?,
+            knee: sided(SIDED_ANGLES[1])?,
+            ankle: sided(SIDED_ANGLES[2])?,
+            pelvis: [pelvis(PELVIS_ANGLES[0])?, pelvis(PELVIS_ANGLES[1])?, pelvis(PELVIS_ANGLES[2])?],
             moments,
             powers,
         })
