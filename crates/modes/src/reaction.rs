@@ -4,11 +4,12 @@
 //! outside. In single support it belongs to the foot that stands; in double support it is shared by the pivot split.
 //! With the feet's wrenches applied, the root's forces vanish and the joints' forces are those of the motion on its feet.
 
+use crate::carrier::Carrier;
 use crate::error::ReactionError;
 use crate::split::{FootSupport, TotalWrench, split_at_pivot};
 use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, Wrench, center_of_mass, inverse_dynamics};
-use solaris_model::{AxisKind, Contact, ContactTrack, Figure, JointKind, Motion, SolePart};
+use solaris_model::{AxisKind, Contact, ContactTrack, Figure, JointKind, Motion};
 
 /// What a planner knows of the feet at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,9 +44,7 @@ pub struct ReactionReport {
 /// A foot: the links that carry its wrench.
 struct Foot {
     name: String,
-    link: usize,
-    /// The toes' link, with its ball and tip, where the figure has one.
-    toes: Option<(usize, Vector3<f64>, Vector3<f64>)>,
+    carrier: Carrier,
 }
 
 impl Foot {
@@ -57,20 +56,10 @@ impl Foot {
         if figure.links()[link].sole().is_empty() {
             return Err(ReactionError::NoSole { link: name.to_owned() });
         }
-        let toes = figure.links().iter().enumerate().find_map(|(index, child)| {
-            let (ball, tip) = (child.sole_point(SolePart::Ball)?, child.sole_point(SolePart::ToeTip)?);
-            (child.parent() == Some(link)).then_some((index, *ball, *tip))
-        });
-        Ok(Self { name: name.to_owned(), link, toes })
-    }
-
-    /// The link that a centre of pressure acts on: the toes once it has passed the ball.
-    fn carrier(&self, workspace: &Workspace<f64>, cop: &Vector3<f64>) -> usize {
-        let Some((toes, ball, tip)) = self.toes else { return self.link };
-        let pose = workspace.pose(toes);
-        let place = |point: Vector3<f64>| pose.rotation * point + pose.translation;
-        let (ball, tip) = (place(ball), place(tip));
-        if (cop - ball).dot(&(tip - ball)) > 0.0 { toes } else { self.link }
+        let links = figure.links().iter().enumerate();
+        let toes = links.filter(|(_, child)| child.parent() == Some(link));
+        let carrier = toes.map(|(toes, _)| toes).find_map(|toes| Carrier::of_two(figure, link, toes));
+        Ok(Self { name: name.to_owned(), carrier: carrier.unwrap_or(Carrier::of_one(link)) })
     }
 }
 
@@ -183,7 +172,7 @@ impl<L: SupportLaw> Scene<'_, L> {
         let centre = total.centre_of_pressure(&self.up, nominal.dot(&self.up)).unwrap_or(nominal);
         let wrench = |side: usize| {
             let contact = contacts[side];
-            let link = self.feet[side].carrier(workspace, &contact.cop);
+            let link = self.feet[side].carrier.link(workspace, &contact.cop);
             (link, Wrench { force: contact.force, moment: contact.moment })
         };
         let external = [wrench(0), wrench(1)];

@@ -1,0 +1,214 @@
+//! Measured forces at the times of a motion.
+
+use crate::carrier::Carrier;
+use nalgebra::Vector3;
+use solaris_dynamics::{Workspace, Wrench};
+use solaris_model::{Contact, Figure, ForceRecord};
+
+/// How far (s) two times may be apart and still be the same.
+const SAME_TIME: f64 = 1e-9;
+
+/// What acts on a figure from outside, at the times of its motion.
+#[derive(Clone, Debug)]
+pub struct Loads {
+    tracks: Vec<Track>,
+}
+
+#[derive(Clone, Debug)]
+struct Track {
+    carrier: Carrier,
+    samples: Vec<Contact>,
+}
+
+/// Why measured forces do not fit a motion.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LoadError {
+    /// A force acts on nothing.
+    #[error("figure '{figure}' has no link '{link}' for a force to act on{}", near(.nearest.as_deref()))]
+    UnknownLink {
+        /// The figure.
+        figure: String,
+        /// What was asked.
+        link: String,
+        /// The link whose name is nearest.
+        nearest: Option<String>,
+    },
+    /// Not one link or two.
+    #[error("a force acts on {links} links; name one, or two: the foot and its toes")]
+    Links {
+        /// How many were named.
+        links: usize,
+    },
+    /// The second of two links does not say where it begins.
+    #[error(
+        "link '{toes}' has no ball and toe tip in its sole, so it is not known from where on it carries the force on \
+         '{foot}'; name one link"
+    )]
+    NoBall {
+        /// The first link.
+        foot: String,
+        /// The second.
+        toes: String,
+    },
+    /// The numbers are no record.
+    #[error(
+        "the force on '{link}' has {samples} samples at {times} times; it must have one a time, at least one"
+    )]
+    Length {
+        /// The link.
+        link: String,
+        /// Samples.
+        samples: usize,
+        /// Times.
+        times: usize,
+    },
+    /// A time that does not rise, or a number that is not finite.
+    #[error("the force on '{link}': sample {sample} at {time} s {problem}")]
+    Sample {
+        /// The link.
+        link: String,
+        /// Its index.
+        sample: usize,
+        /// When (s).
+        time: f64,
+        /// What is wrong.
+        problem: &'static str,
+    },
+    /// The motion goes on where the forces do not.
+    #[error(
+        "the motion lasts from {} s to {} s, the force on '{link}' is known from {} s to {} s; cut the motion, or give the \
+         forces for all of it", .motion.0, .motion.1, .force.0, .force.1
+    )]
+    Range {
+        /// The link.
+        link: String,
+        /// First and last time of the motion (s).
+        motion: (f64, f64),
+        /// First and last time of the force (s).
+        force: (f64, f64),
+    },
+}
+
+fn near(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!(" (is '{name}' meant?)"))
+}
+
+impl Loads {
+    /// What `records` say at the times (s) of a motion.
+    ///
+    /// Where a time of a record agrees to 1e-9 s its sample is used as it is; between samples force and moment (about the
+    /// world's origin) run straight, and the centre of pressure is weighted by the force. Beyond a record, for less than one
+    /// of its mean steps, the end's sample stays. Nothing is filtered and nothing is cut off: a force of a few newtons
+    /// has a centre of pressure that means little, and its wrench is right all the same.
+    ///
+    /// # Errors
+    ///
+    /// Links that the figure does not have, a second link without ball and toe tip, records that are none, and a motion that goes on
+    /// where a record does not.
+    pub fn at_times(figure: &Figure, records: &[ForceRecord], time: &[f64]) -> Result<Self, LoadError> {
+        let tracks = records.iter().map(|record| {
+            let carrier = carrier(figure, &record.links)?;
+            check(record)?;
+            Ok(Track { carrier, samples: sampled(record, time)? })
+        });
+        Ok(Self { tracks: tracks.collect::<Result<_, _>>()? })
+    }
+
+    /// Whether a link depends on where the figure is.
+    pub(crate) fn move_over_links(&self) -> bool {
+        self.tracks.iter().any(|track| track.carrier.moves())
+    }
+
+    /// What acts at a time of the motion, by link, with the links placed by `workspace`.
+    pub(crate) fn wrenches(
+        &self,
+        workspace: &Workspace<f64>,
+        sample: usize,
+        out: &mut Vec<(usize, Wrench<f64>)>,
+    ) {
+        out.clear();
+        out.extend(self.tracks.iter().map(|track| {
+            let Contact { force, moment, cop } = track.samples[sample];
+            (track.carrier.link(workspace, &cop), Wrench { force, moment })
+        }));
+    }
+}
+
+fn carrier(figure: &Figure, links: &[String]) -> Result<Carrier, LoadError> {
+    let find = |name: &String| {
+        figure.link_index(name).ok_or_else(|| LoadError::UnknownLink {
+            figure: figure.name().to_owned(),
+            link: name.clone(),
+            nearest: solaris_model::nearest(name, figure.links().iter().map(solaris_model::Link::name)),
+        })
+    };
+    match links {
+        [link] => Ok(Carrier::of_one(find(link)?)),
+        [foot, toes] => Carrier::of_two(figure, find(foot)?, find(toes)?)
+            .ok_or_else(|| LoadError::NoBall { foot: foot.clone(), toes: toes.clone() }),
+        _ => Err(LoadError::Links { links: links.len() }),
+    }
+}
+
+fn check(record: &ForceRecord) -> Result<(), LoadError> {
+    let (link, samples, times) = (record.links[0].clone(), record.samples.len(), record.time.len());
+    if samples != times || times == 0 {
+        return Err(LoadError::Length { link, samples, times });
+    }
+    for (sample, (&time, contact)) in record.time.iter().zip(&record.samples).enumerate() {
+        let problem = if !(time.is_finite() && (sample == 0 || time > record.time[sample - 1])) {
+            "does not come after the one before it"
+        } else if !numbers(contact).all(f64::is_finite) {
+            "holds a number that is not finite"
+        } else {
+            continue;
+        };
+        return Err(LoadError::Sample { link, sample, time, problem });
+    }
+    Ok(())
+}
+
+fn numbers(contact: &Contact) -> impl Iterator<Item = f64> {
+    [contact.force, contact.moment, contact.cop].into_iter().flat_map(|v| [v.x, v.y, v.z])
+}
+
+/// The record at the motion's times.
+fn sampled(record: &ForceRecord, time: &[f64]) -> Result<Vec<Contact>, LoadError> {
+    let (first, last) = (record.time[0], record.time[record.time.len() - 1]);
+    let step = (last - first) / (record.time.len() - 1).max(1) as f64;
+    let margin = step.max(SAME_TIME);
+    if let Some((begin, end)) = range(time)
+        && (begin < first - margin || end > last + margin)
+    {
+        let (link, motion) = (record.links[0].clone(), (begin, end));
+        return Err(LoadError::Range { link, motion, force: (first, last) });
+    }
+    Ok(time.iter().map(|&t| at(record, t)).collect())
+}
+
+fn range(time: &[f64]) -> Option<(f64, f64)> {
+    let (least, greatest) =
+        time.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &t| (a.min(t), b.max(t)));
+    (least <= greatest).then_some((least, greatest))
+}
+
+/// One time, inside the record or by its end.
+fn at(record: &ForceRecord, t: f64) -> Contact {
+    let (times, samples) = (&record.time, &record.samples);
+    let after = times.partition_point(|time| *time < t - SAME_TIME);
+    let Some(&next) = times.get(after) else { return samples[times.len() - 1] };
+    if after == 0 || next <= t + SAME_TIME {
+        return samples[after];
+    }
+    let (a, b) = (&samples[after - 1], &samples[after]);
+    let s = (t - times[after - 1]) / (next - times[after - 1]);
+    let between = |a: &Vector3<f64>, b: &Vector3<f64>| a * (1.0 - s) + b * s;
+    let (weight, other) = ((1.0 - s) * a.force.norm(), s * b.force.norm());
+    let cop = if weight + other > 0.0 {
+        (a.cop * weight + b.cop * other) / (weight + other)
+    } else {
+        Vector3::zeros()
+    };
+    Contact { force: between(&a.force, &b.force), moment: between(&a.moment, &b.moment), cop }
+}
