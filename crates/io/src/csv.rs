@@ -16,19 +16,18 @@
 //! All `.q` stand first, then all `.v`, all `.a`, all `.tau`, then the contacts link by link; [`read`] takes them in any
 //! order. Numbers have the fewest digits that read back to the same bits. A table keeps no events, no planted intervals
 //! and nothing of [`solaris_model::MotionInfo`]: who reads it back has to know them.
+//!
+//! [`read_table`] takes any table of finite numbers below one line of headings: commas between fields, quotes where a
+//! heading holds one, a byte order mark, line ends of Windows, blank lines, spaces around fields. Semicolons and tabs between fields
+//! are refused, because a comma may then be a decimal point.
 
 mod read;
+mod table;
 mod write;
 
 pub use read::{frame_rate, read};
+pub use table::{read_table, write_table};
 pub use write::write;
-
-/// Endings of the nine columns of a contact, in order.
-const CONTACT: [&str; 9] = ["fx", "fy", "fz", "mx", "my", "mz", "px", "py", "pz"];
-/// Ending of the columns of generalized forces.
-const TAU: &str = "tau";
-/// Heading of the column of times.
-const TIME: &str = "time";
 
 /// A degree of freedom's column, such as `left_knee.rx.q`.
 fn heading(name: &str, ending: &str) -> String {

@@ -1,5 +1,6 @@
 //! Why a motion cannot be written or a text cannot be read.
 
+use crate::sto::StoFault;
 use solaris_model::{MotionError, Vector3};
 
 /// Why a motion cannot be written or a text is not one.
@@ -55,8 +56,12 @@ pub enum IoError {
         figure: String,
     },
     /// A heading that stands twice.
-    #[error("line 1, column {column}: '{name}' is also the heading of column {first}; remove one of them")]
+    #[error(
+        "line {line}, column {column}: '{name}' is also the heading of column {first}; remove one of them"
+    )]
     DuplicateColumn {
+        /// Line of the headings, from 1.
+        line: u64,
         /// Number of the second, from 1.
         column: usize,
         /// The heading.
@@ -103,6 +108,12 @@ pub enum IoError {
         /// Frames a second (1/s).
         rate: f64,
     },
+    /// A table in degrees, and nothing says which of its columns are angles.
+    #[error(
+        "its header says inDegrees=yes, and translations are never in degrees: name the figure that says which coordinates \
+         turn (--figure)"
+    )]
+    DegreesWithoutFigure,
     /// A joint that BVH cannot hold.
     #[error("joint '{joint}' cannot be written as BVH: {fault}")]
     BvhJoint {
@@ -126,6 +137,172 @@ pub enum IoError {
         /// The motion's gravity (m/s²).
         gravity: Vector3<f64>,
     },
+    /// A header of a `.mot` or `.sto` table that is wrong.
+    #[error("line {line}: {fault}")]
+    Sto {
+        /// Line, from 1.
+        line: u64,
+        /// What is wrong.
+        fault: StoFault,
+    },
+    /// A heading that a `.mot` or `.sto` table cannot hold.
+    #[error("column '{name}' cannot be written to a .sto table: headings there are one word; rename it")]
+    StoHeading {
+        /// The heading.
+        name: String,
+    },
+    /// A force of an `ExternalLoads` file that its table cannot feed.
+    #[error("external force '{force}': {problem}")]
+    ExternalForce {
+        /// The force's name.
+        force: String,
+        /// What is wrong and what to do.
+        problem: ExternalForceProblem,
+    },
+    /// A table that is not separated by commas.
+    #[error(
+        "line {line}: the headings stand between {separator}, not commas; save the table with commas between fields and points in numbers"
+    )]
+    Separator {
+        /// Line, from 1.
+        line: u64,
+        /// What stands between them.
+        separator: &'static str,
+    },
+    /// A heading of no letters.
+    #[error("line {line}, column {column}: the heading is empty; name the column or remove it")]
+    EmptyHeading {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// Number of the column, from 1.
+        column: usize,
+    },
+    /// A heading with a line end in it.
+    #[error("line {line}, column {column}: the heading does not end in its line; close its quotes")]
+    OpenHeading {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// Number of the column, from 1.
+        column: usize,
+    },
+    /// A table without rows.
+    #[error("line {line}: there are headings and no rows below them")]
+    NoRows {
+        /// Line of the headings, from 1.
+        line: u64,
+    },
+    /// Columns that a record needs and does not have.
+    #[error("line {line}: {}", missing_columns(.columns))]
+    MissingColumns {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// Each with the heading that is most like it, among those that mean nothing else.
+        columns: Vec<(String, Option<String>)>,
+    },
+    /// A table of states that has no times and cannot do without.
+    #[error(
+        "line {line}: there is no column 'time'; without it, velocities and accelerations cannot be found: add it, or give `.v` and `.a` of every degree of freedom (missing: '{missing}')"
+    )]
+    NoTime {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// The first column that is missing.
+        missing: String,
+    },
+    /// A column of a degree of freedom that the figure does not have.
+    #[error(
+        "line {line}, column {column}: '{name}' is no coordinate of figure '{figure}'{}; rename or remove it",
+        .nearest.as_ref().map_or_else(String::new, |name| format!(" (is '{name}' meant?)"))
+    )]
+    UnknownDof {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// Number of the column, from 1.
+        column: usize,
+        /// Its heading.
+        name: String,
+        /// The figure's name.
+        figure: String,
+        /// The heading that is most like it.
+        nearest: Option<String>,
+    },
+    /// Two headings that mean the same coordinate.
+    #[error("line {line}: columns '{first}' and '{second}' are the same coordinate; remove one of them")]
+    SameCoordinate {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// The heading that stands first.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// A time that does not come after the one before it.
+    #[error(
+        "line {line}, column {column} ('time'): {time} s does not come after {before} s; times must rise"
+    )]
+    TimeOrder {
+        /// Line, from 1.
+        line: u64,
+        /// Number of the column, from 1.
+        column: usize,
+        /// The time (s).
+        time: f64,
+        /// The time of the row before (s).
+        before: f64,
+    },
+    /// A quaternion without unit length.
+    #[error(
+        "line {line}: the quaternion of joint '{joint}' (x, y, z, w) has the length {length}; it must be 1 to within {}: \
+         normalise it",
+        solaris_model::Motion::UNIT_TOLERANCE
+    )]
+    Quaternion {
+        /// Line, from 1.
+        line: u64,
+        /// The joint's name.
+        joint: String,
+        /// Its length.
+        length: f64,
+    },
+    /// A table without the forces that were asked for.
+    #[error(
+        "line {line}: no column begins a force with the prefix '{prefix}': neither '{prefix}.fx' nor \
+         '{prefix}ground_force_vx' is there; {}", prefixes(.known)
+    )]
+    NoForce {
+        /// Line of the headings, from 1.
+        line: u64,
+        /// What was asked.
+        prefix: String,
+        /// The prefixes that the table has.
+        known: Vec<String>,
+    },
+}
+
+/// All missing columns in one sentence.
+fn missing_columns(columns: &[(String, Option<String>)]) -> String {
+    const MOST: usize = 12;
+    let name = |(name, nearest): &(String, Option<String>)| match nearest {
+        Some(nearest) => format!("'{name}' (is '{nearest}' meant?)"),
+        None => format!("'{name}'"),
+    };
+    let shown: Vec<String> = columns.iter().take(MOST).map(name).collect();
+    let more = match columns.len().saturating_sub(MOST) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let (what, verb, them) =
+        if columns.len() == 1 { ("column", "is", "it") } else { ("columns", "are", "them") };
+    format!("{what} {}{more} {verb} missing; add {them}, or rename what is meant", shown.join(", "))
+}
+
+/// Which prefixes a table of forces has.
+fn prefixes(known: &[String]) -> String {
+    if known.is_empty() {
+        return "the table holds no forces".to_owned();
+    }
+    let quoted: Vec<String> = known.iter().map(|prefix| format!("'{prefix}'")).collect();
+    format!("its prefixes are {}", quoted.join(", "))
 }
 
 /// What is wrong with a contact track.
@@ -149,6 +326,30 @@ pub enum ContactProblem {
         /// Samples of the motion.
         samples: usize,
     },
+}
+
+/// What keeps an external force from being read from a table.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExternalForceProblem {
+    /// Not three columns.
+    #[error(
+        "its {what} is called '{identifier}', and {found} headings of the table begin so{}; there must be three",
+        .nearest.as_ref().map_or_else(String::new, |name| format!(" (the nearest is '{name}')"))
+    )]
+    Columns {
+        /// Force, point or torque.
+        what: &'static str,
+        /// What their headings begin with.
+        identifier: String,
+        /// How many do.
+        found: usize,
+        /// The heading that is most like it.
+        nearest: Option<String>,
+    },
+    /// The table has no times.
+    #[error("the table has no column 'time'")]
+    NoTime,
 }
 
 /// Why a joint does not fit BVH.

@@ -6,5 +6,24 @@ pub mod bvh;
 #[cfg(feature = "csv")]
 pub mod csv;
 mod error;
+pub mod headings;
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+mod import;
+#[cfg(feature = "mjcf")]
+pub mod mjcf;
+#[cfg(feature = "opensim")]
+pub mod opensim;
+pub mod record;
+pub mod sto;
+mod table;
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+mod tree;
+#[cfg(feature = "urdf")]
+pub mod urdf;
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+mod xml;
 
-pub use error::{BvhFault, ContactProblem, IoError};
+pub use error::{BvhFault, ContactProblem, ExternalForceProblem, IoError};
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+pub use import::Import;
+pub use table::Table;

@@ -1,8 +1,8 @@
 //! A table to a motion.
 
-use super::{CONTACT, TAU, TIME, heading};
+use super::{heading, read_table};
 use crate::error::IoError;
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::table::{CONTACT, TAU, TIME};
 use solaris_model::{Contact, ContactTrack, Figure, Motion, MotionInfo, Vector3};
 use std::collections::HashMap;
 
@@ -23,12 +23,13 @@ pub fn read(figure: &Figure, text: &str, info: MotionInfo) -> Result<Motion, IoE
     if !(info.rate > 0.0 && info.rate <= 1e5) {
         return Err(solaris_model::MotionError::Rate { rate: info.rate }.into());
     }
-    let (header, rows) = table(text)?;
-    let columns = Columns::find(figure, &header)?;
-    let mut time = Vec::with_capacity(rows.len());
+    let table = read_table(text)?;
+    let columns = Columns::find(figure, &table.columns)?;
+    let mut time = Vec::with_capacity(table.len());
     let mut parts: [Vec<f64>; 4] = Default::default();
     let mut contacts: Vec<Vec<Contact>> = vec![Vec::new(); columns.contacts.len()];
-    for (line, row) in rows {
+    for (index, &line) in table.lines.iter().enumerate() {
+        let row = table.row(index);
         time.push(row[columns.time]);
         if let [.., before, now] = time[..]
             && ((now - before) * info.rate - 1.0).abs() > FRAME_TOLERANCE
@@ -62,41 +63,11 @@ pub fn read(figure: &Figure, text: &str, info: MotionInfo) -> Result<Motion, IoE
 ///
 /// A text that is no table of numbers, or has no column `time`.
 pub fn frame_rate(text: &str) -> Result<Option<f64>, IoError> {
-    let (header, rows) = table(text)?;
-    let column = header.iter().position(|name| name == TIME).ok_or_else(|| missing(TIME))?;
-    let [(_, first), .., (_, last)] = &rows[..] else { return Ok(None) };
-    let rate = (rows.len() - 1) as f64 / (last[column] - first[column]);
+    let table = read_table(text)?;
+    let column = table.column(TIME).ok_or_else(|| missing(TIME))?;
+    let [first, .., last] = &table.values_of(column).collect::<Vec<f64>>()[..] else { return Ok(None) };
+    let rate = (table.len() - 1) as f64 / (last - first);
     Ok((rate.is_finite() && rate > 0.0).then_some(rate))
-}
-
-/// The header, and the numbers of every row with its line.
-#[allow(clippy::type_complexity, reason = "a local pair of header and rows")]
-fn table(text: &str) -> Result<(Vec<String>, Vec<(u64, Vec<f64>)>), IoError> {
-    let mut reader =
-        ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
-    let mut header: Option<Vec<String>> = None;
-    let (mut rows, mut record) = (Vec::new(), StringRecord::new());
-    // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
-    while reader.read_record(&mut record).map_err(|error| IoError::Write(error.into()))? {
-        let line = record.position().map_or(0, csv::Position::line);
-        let Some(header) = &header else {
-            header = Some(record.iter().map(str::to_owned).collect());
-            continue;
-        };
-        if record.len() != header.len() {
-            return Err(IoError::RowLength { line, found: record.len(), expected: header.len() });
-        }
-        let mut row = Vec::with_capacity(header.len());
-        for (i, field) in record.iter().enumerate() {
-            let value = field.parse().ok().filter(|value: &f64| value.is_finite());
-            row.push(value.ok_or_else(|| {
-                let (name, text) = (header[i].clone(), field.to_owned());
-                IoError::Number { line, column: i + 1, name, text }
-            })?);
-        }
-        rows.push((line, row));
-    }
-    Ok((header.ok_or(IoError::NoHeader)?, rows))
 }
 
 /// Where in a row each number of a motion stands.
@@ -109,13 +80,8 @@ struct Columns {
 
 impl Columns {
     fn find(figure: &Figure, header: &[String]) -> Result<Self, IoError> {
-        let mut places: HashMap<&str, usize> = HashMap::new();
-        for (column, name) in header.iter().enumerate() {
-            if let Some(first) = places.insert(name, column) {
-                let (column, first) = (column + 1, first + 1);
-                return Err(IoError::DuplicateColumn { column, name: name.clone(), first });
-            }
-        }
+        let places: HashMap<&str, usize> =
+            header.iter().enumerate().map(|(column, name)| (name.as_str(), column)).collect();
         let mut used = vec![false; header.len()];
         let mut take = |column: String| match places.get(column.as_str()) {
             Some(&place) => {

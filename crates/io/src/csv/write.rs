@@ -1,7 +1,8 @@
 //! A motion to a table.
 
-use super::{CONTACT, TAU, TIME, heading};
+use super::heading;
 use crate::error::{ContactProblem, IoError};
+use crate::table::{CONTACT, TAU, TIME};
 use solaris_model::{Contact, Figure, Motion};
 use std::io::{self, Write};
 
@@ -78,7 +79,7 @@ fn check_contacts(figure: &Figure, motion: &Motion) -> Result<(), IoError> {
 }
 
 /// The fewest digits that read back to the same bits; an exponent only where zeros would fill the field.
-fn number(value: f64, text: &mut Vec<u8>) -> io::Result<()> {
+pub(super) fn number(value: f64, text: &mut Vec<u8>) -> io::Result<()> {
     let size = value.abs();
     if size == 0.0 || (1e-5..1e16).contains(&size) {
         write!(text, "{value}")
@@ -87,7 +88,7 @@ fn number(value: f64, text: &mut Vec<u8>) -> io::Result<()> {
     }
 }
 
-fn writing(error: csv::Error) -> IoError {
+pub(super) fn writing(error: csv::Error) -> IoError {
     IoError::Write(error.into())
 }
 

@@ -1,0 +1,102 @@
+//! MJCF: the models of MuJoCo.
+//!
+//! | element | becomes |
+//! |---|---|
+//! | `<body>` | a link; one without joints is part of its parent's link, its frame stays by its name |
+//! | `<joint>` `hinge`, `slide` | a degree of freedom called like the joint, at MuJoCo's `qpos` (a `ref` is where it starts) |
+//! | `ball`, `free`, `<freejoint>` | a ball or free joint |
+//! | several joints of a body | one joint of several degrees of freedom where their anchors allow it, else joints in a row with massless links between them |
+//! | `<inertial>`, or `<geom>`s by volume and density (or mass) | mass, centre of mass, inertia |
+//! | the heaviest of the geoms | the link's shape, for drawing |
+//! | `armature`, `damping`, `stiffness` with `springref`, `frictionloss` | what acts on the degree of freedom |
+//! | `range` | limits of hinges and slides |
+//! | `<site>` with a name | a frame |
+//! | `<frame>`, `<default>`, `class`, `childclass`, `<compiler>` | are applied |
+//! | `<option gravity>` | gravity; MuJoCo's own default is (0, 0, −9.81) |
+//!
+//! Joints without a name are called `BODY_joint` (a free one `root`), bodies without one `bodyN` with MuJoCo's number; a
+//! joint of several degrees of freedom is called like its body, a massless link in front of a body `BODY_JOINT` after the last
+//! joint that moves it. Meshes, tendons, actuators, equalities, contacts, sensors and keyframes are listed by name; a file that
+//! includes others or makes bodies (`<include>`, `<replicate>`, `<attach>`, `<composite>`, `<flexcomp>`) is refused.
+//!
+//! MuJoCo's numbers for free and ball joints differ from ours: [`state_from_mujoco`] is the one place that converts them.
+
+#![allow(clippy::doc_markdown, reason = "MuJoCo is a name, not code")]
+
+mod bodies;
+mod chain;
+mod compiler;
+mod defaults;
+mod geom;
+mod inertia;
+mod joint;
+mod orientation;
+mod sections;
+mod state;
+
+pub use state::{StateError, forces_from_mujoco, forces_to_mujoco, state_from_mujoco, state_to_mujoco};
+
+use crate::import::Import;
+use crate::tree;
+use crate::xml::{self, Reader, tag};
+use compiler::Compiler;
+use defaults::Defaults;
+use solaris_model::{Part, SourceMap, TextError};
+
+/// Bodies may be nested as deep as memory allows: nothing here recurses.
+const DEEPEST: usize = usize::MAX;
+
+/// A model from the text of an MJCF file.
+///
+/// # Errors
+///
+/// [`TextError`] with every fault and its place.
+///
+/// # Examples
+///
+/// ```
+/// let text = r#"
+///     <mujoco model="pendulum">
+///       <worldbody>
+///         <body name="bob" pos="0 0 2">
+///           <joint name="pivot" axis="0 1 0" range="-90 90" damping="0.1"/>
+///           <geom type="capsule" fromto="0 0 0 0 0 -1" size="0.05"/>
+///         </body>
+///       </worldbody>
+///     </mujoco>"#;
+/// let import = solaris_io::mjcf::read(text)?;
+/// assert_eq!(import.figure.layout().v_names(), ["pivot"]);
+/// // 1000 kg/m³ · π · 0.05² · (1 + 4/3 · 0.05)
+/// assert!((import.figure.mass() - 8.377_580).abs() < 1e-6);
+/// # Ok::<(), solaris_model::TextError>(())
+/// ```
+pub fn read(text: &str) -> Result<Import, TextError> {
+    let document = xml::parse(text, DEEPEST)?;
+    let root = document.root_element();
+    let name = root.tag_name().name();
+    if name != "mujoco" {
+        let message = format!("the root element is <{name}>, not <mujoco>: this is no MJCF");
+        return Err(TextError::one(text, tag(root), message));
+    }
+    let mut reader = Reader::new(text);
+    sections::refuse_makers(&mut reader, root);
+    if let Some(error) = reader.error() {
+        return Err(error);
+    }
+    reader.check_attributes(root, &["model"]);
+    let gravity = sections::read(&mut reader, root);
+    let compiler = Compiler::read(&mut reader, root);
+    let defaults = Defaults::read(&mut reader, root);
+    let mut places = SourceMap::default();
+    places.put(Part::Figure, "", tag(root));
+    let bodies = bodies::read(&mut reader, root, &compiler, &defaults, &mut places);
+    if bodies.is_empty() {
+        reader.fault(tag(root), "the model has no <body>");
+        return Err(reader
+            .error()
+            .unwrap_or_else(|| TextError::one(text, tag(root), "the model has no <body>")));
+    }
+    let name = root.attribute("model").filter(|name| !name.trim().is_empty()).unwrap_or("mujoco");
+    let (figure, findings) = tree::finish(reader, name, bodies, places)?;
+    Ok(Import { figure, findings, gravity, gravity_is_given: true })
+}

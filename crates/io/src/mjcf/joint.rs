@@ -1,0 +1,159 @@
+//! `<joint>` and `<freejoint>`.
+
+use super::compiler::Compiler;
+use super::defaults::Resolved;
+use crate::xml::{Node, Reader, tag};
+use solaris_model::{Limits, Passive, Placement, Vector3};
+
+/// What a joint lets its body do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Hinge,
+    Slide,
+    Ball,
+    Free,
+}
+
+/// What an element says, in its body's frame.
+#[derive(Clone)]
+pub(super) struct Joint<'a> {
+    pub(super) node: Node<'a>,
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    pub(super) anchor: Vector3<f64>,
+    pub(super) axis: Vector3<f64>,
+    /// MuJoCo's coordinate in the pose of the file (rad, m).
+    pub(super) reference: f64,
+    pub(super) limits: Option<Limits>,
+    pub(super) armature: f64,
+    pub(super) passive: Passive,
+}
+
+/// Attributes that are read.
+const READ: [&str; 15] = [
+    "name",
+    "class",
+    "type",
+    "pos",
+    "axis",
+    "ref",
+    "range",
+    "limited",
+    "armature",
+    "damping",
+    "stiffness",
+    "springref",
+    "frictionloss",
+    "group",
+    "user",
+];
+/// Attributes of the solver.
+const SOLVER: [&str; 6] =
+    ["solreflimit", "solimplimit", "solreffriction", "solimpfriction", "margin", "springyield"];
+
+/// Lists the attributes that are not read.
+pub(super) fn check_attributes(reader: &mut Reader, node: Node) {
+    reader.check_attributes_but(node, &READ, &SOLVER);
+}
+
+/// Reads a joint that stands in `frame`, a frame of its body; `name` is what it is called.
+pub(super) fn read<'a>(
+    reader: &mut Reader,
+    element: &Resolved<'a>,
+    name: String,
+    frame: &Placement,
+    compiler: &Compiler,
+) -> Joint<'a> {
+    let node = element.node;
+    let kinds = [("hinge", Kind::Hinge), ("slide", Kind::Slide), ("ball", Kind::Ball), ("free", Kind::Free)];
+    let kind = match element.said("type") {
+        _ if node.tag_name().name() == "freejoint" => Kind::Free,
+        Some(said) => reader.choice(said, "type", &kinds).unwrap_or(Kind::Hinge),
+        None => Kind::Hinge,
+    };
+    let unit = if kind == Kind::Hinge { compiler.angle } else { 1.0 };
+    let anchor = Vector3::from(element.numbers(reader, "pos").unwrap_or_default());
+    let axis = element.numbers(reader, "axis").map_or_else(Vector3::z, Vector3::from);
+    let reference = element.number(reader, "ref").unwrap_or(0.0) * unit;
+    let limits = limits(reader, element, kind, &name, unit, compiler);
+    let stiffness = linear(reader, element, "stiffness");
+    let mut passive = Passive {
+        stiffness,
+        rest: element.number(reader, "springref").unwrap_or(0.0) * unit,
+        damping: linear(reader, element, "damping"),
+        friction: element.number(reader, "frictionloss").unwrap_or(0.0),
+    };
+    if kind == Kind::Free && stiffness != 0.0 {
+        let message = format!(
+            "the spring of a free joint (stiffness {stiffness}) has no place in a figure; it is left out"
+        );
+        reader.unsupported(element.span("stiffness"), &name, message);
+        passive.stiffness = 0.0;
+    }
+    if passive.stiffness == 0.0 || matches!(kind, Kind::Ball | Kind::Free) {
+        passive.rest = 0.0;
+    }
+    let armature = element.number(reader, "armature").unwrap_or(0.0);
+    if kind == Kind::Free && armature != 0.0 {
+        let message = "its armature acts on the velocity along the body's axes here, along the world's in MuJoCo: forces differ \
+                       by armature·(ω × v)";
+        reader.note(element.span("armature"), &name, message);
+    }
+    if kind == Kind::Free && node.attribute("align").is_some_and(|align| align == "true") {
+        let message =
+            "'align' is not applied: the free joint moves the body's own frame, not that of its inertia";
+        reader.unsupported(element.span("align"), &name, message);
+    }
+    Joint {
+        node,
+        name,
+        kind,
+        anchor: frame.rotation * anchor + frame.translation.vector,
+        axis: frame.rotation * axis,
+        reference: if matches!(kind, Kind::Hinge | Kind::Slide) { reference } else { 0.0 },
+        limits,
+        armature,
+        passive,
+    }
+}
+
+/// A coefficient that may be followed by those of higher powers.
+fn linear(reader: &mut Reader, element: &Resolved, attribute: &str) -> f64 {
+    let numbers = element.list(reader, attribute, 1..=3).unwrap_or_default();
+    if numbers.iter().skip(1).any(|number| *number != 0.0) {
+        let name = element.text("name").unwrap_or("joint");
+        let message = format!("only the first number of '{attribute}', its linear part, is read");
+        reader.unsupported(element.span(attribute), name, message);
+    }
+    numbers.first().copied().unwrap_or(0.0)
+}
+
+fn limits(
+    reader: &mut Reader,
+    element: &Resolved,
+    kind: Kind,
+    name: &str,
+    unit: f64,
+    compiler: &Compiler,
+) -> Option<Limits> {
+    let range: Option<[f64; 2]> = element.numbers(reader, "range");
+    let choices = [("true", Some(true)), ("false", Some(false)), ("auto", None)];
+    let said = element.said("limited").and_then(|said| reader.choice(said, "limited", &choices)).flatten();
+    // MuJoCo's `auto`: limited where there is a range.
+    let auto = compiler.autolimits && range.is_some_and(|[lower, upper]| lower < upper);
+    if !said.unwrap_or(auto) {
+        return None;
+    }
+    let Some([lower, upper]) = range else {
+        reader.fault(tag(element.node), format!("joint '{name}' is limited and has no 'range'"));
+        return None;
+    };
+    match kind {
+        Kind::Hinge | Kind::Slide => Some(Limits { lower: lower * unit, upper: upper * unit }),
+        Kind::Ball => {
+            reader.unsupported(element.span("range"), name, "the range of a ball joint is not read");
+            None
+        }
+        Kind::Free => None,
+    }
+}

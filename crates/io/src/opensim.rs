@@ -1,0 +1,144 @@
+//! Models and external loads of OpenSim.
+//!
+//! [`read`] takes a model (`.osim`) of version 4, or of versions 2 and 3, and makes a figure of its bodies and joints:
+//!
+//! | element | becomes |
+//! |---|---|
+//! | `Body` | a link, or a frame of that name where it is welded to another |
+//! | `PhysicalOffsetFrame`, `location_in_parent` … | placements; orientations are body-fixed x-y-z angles |
+//! | `PinJoint` | a rotation about z |
+//! | `SliderJoint` | a slide along x |
+//! | `WeldJoint` | nothing: its bodies are one link |
+//! | `UniversalJoint` | rotations about x, then y |
+//! | `BallJoint`, `GimbalJoint` | rotations about x, then y, then z, named by their coordinates |
+//! | `PlanarJoint` | slides along x and y, then a rotation about z |
+//! | `FreeJoint` | slides along x, y, z, then rotations about x, y, z |
+//! | `CustomJoint` | its translations along axes of the parent's frame, then its three rotations about axes that turn along |
+//! | `CoordinateCouplerConstraint` | the dependent coordinate follows the independent one |
+//!
+//! A degree of freedom has the name of its coordinate. An axis that a coordinate drives by any other function than itself is
+//! a degree of freedom that **follows** the coordinate (see [`solaris_model::Follower`]), named `JOINT.tx …`: that is how a
+//! knee's centre moves as it bends, with both derivatives. Functions are `Constant`, `LinearFunction`,
+//! `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`), `GCVSpline` of degree 3 without
+//! smoothing, and any of these in a `MultiplierFunction`; all are kept exactly.
+//!
+//! The world is the model's ground: y up, x forward, z to the right. A link's frame has the directions of its body's frame and its
+//! origin at the joint; where that is not the body's origin, the body's frame stays by its name.
+//!
+//! Muscles, actuators, other forces and constraints, controllers, markers, wrapping and geometry are listed, not read.
+//!
+//! [`external_loads`] reads which columns of a table are forces on which bodies.
+
+mod axes;
+mod component;
+mod coordinate;
+mod couplers;
+mod curves;
+mod element;
+mod frames;
+mod function;
+mod joint;
+mod layout;
+mod loads;
+mod older;
+mod rest;
+mod spline;
+
+pub use loads::{ExternalForce, ExternalLoads, external_loads};
+
+use crate::import::Import;
+use crate::tree::finish;
+use crate::xml::{self, Node, Reader};
+use element::words;
+use solaris_model::{TextError, Vector3};
+
+/// How deep elements may be nested.
+const DEEPEST: usize = 100;
+
+/// Reads an OpenSim model.
+///
+/// # Errors
+///
+/// [`TextError`] with every fault that was found and its place: text that is no XML, a version that cannot be read, frames and
+/// coordinates that are not there, joints and functions that cannot be kept, bodies that no mass distribution has.
+///
+/// # Examples
+///
+/// ```
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="swing">
+///   <BodySet><objects><Body name="rod">
+///     <mass>2</mass><mass_center>0 -0.5 0</mass_center><inertia>0.1 0.01 0.1 0 0 0</inertia>
+///   </Body></objects></BodySet>
+///   <JointSet><objects><PinJoint name="pivot">
+///     <socket_parent_frame>/ground</socket_parent_frame>
+///     <socket_child_frame>/bodyset/rod</socket_child_frame>
+///     <coordinates><Coordinate name="angle" /></coordinates>
+///   </PinJoint></objects></JointSet>
+/// </Model></OpenSimDocument>"#;
+/// let import = solaris_io::opensim::read(text)?;
+/// assert_eq!(import.figure.layout().q_names(), ["angle"]);
+/// assert_eq!((import.gravity.y, import.gravity_is_given), (-9.80665, false));
+/// # Ok::<(), solaris_model::TextError>(())
+/// ```
+pub fn read(text: &str) -> Result<Import, TextError> {
+    let document = xml::parse(text, DEEPEST)?;
+    let (model, version) = model_of(&document, text)?;
+    let mut reader = Reader::new(text);
+    let gravity = gravity(&mut reader, model);
+    let layout = if version < FIRST_OF_FOUR {
+        older::read(&mut reader, model)
+    } else {
+        layout::read(&mut reader, model)
+    };
+    let tree = layout.tree(&mut reader, model);
+    rest::list(&mut reader, model);
+    // What hangs on an unreadable joint, or on nothing, would be at fault for that alone.
+    if !tree.whole {
+        reader.error().map_or(Ok(()), Err)?;
+    }
+    let name = model.attribute("name").unwrap_or("model");
+    let (figure, findings) = finish(reader, name, tree.bodies, tree.places)?;
+    let gravity_is_given = gravity.is_some();
+    let gravity = gravity.unwrap_or_else(|| Vector3::new(0.0, -9.80665, 0.0));
+    Ok(Import { figure, findings, gravity, gravity_is_given })
+}
+
+/// The first version with frames of their own.
+const FIRST_OF_FOUR: u32 = 40_000;
+/// The versions before, whose bodies hold their joints: from, and below.
+const OLDER: std::ops::Range<u32> = 20_000..30_500;
+
+/// The model of a document and the document's version.
+fn model_of<'a>(document: &'a roxmltree::Document<'a>, text: &str) -> Result<(Node<'a>, u32), TextError> {
+    let root = document.root_element();
+    let refuse = |node: Node, message: String| Err(TextError::one(text, xml::tag(node), message));
+    let name = root.tag_name().name();
+    if name != "OpenSimDocument" {
+        return refuse(
+            root,
+            format!("the root element is <{name}>; a model of OpenSim is an <OpenSimDocument>"),
+        );
+    }
+    let Some(model) = xml::element(root, "Model") else {
+        let found = xml::elements(root).next().map_or("nothing", |child| child.tag_name().name());
+        return refuse(root, format!("the document holds <{found}>, and no <Model>"));
+    };
+    let told = root.attribute("Version").unwrap_or_default();
+    let Ok(version) = told.trim().parse::<u32>() else {
+        return refuse(
+            root,
+            format!("the version is '{}', which is no number such as 40000", xml::shown(told)),
+        );
+    };
+    if version >= FIRST_OF_FOUR || OLDER.contains(&version) {
+        return Ok((model, version));
+    }
+    refuse(root, format!("documents of version {version} are not read; open and save it in OpenSim 4"))
+}
+
+/// The gravity that the file gives.
+fn gravity(reader: &mut Reader, model: Node) -> Option<Vector3<f64>> {
+    let node = xml::element(model, "gravity").filter(|node| !words(*node).is_empty())?;
+    let numbers = reader.text_numbers(node, 3..=3)?;
+    Some(Vector3::new(numbers[0], numbers[1], numbers[2]))
+}

@@ -1,0 +1,152 @@
+//! What a joint of OpenSim does, as a joint of a figure.
+
+use super::coordinate::Coordinate;
+use super::couplers::Couplers;
+use super::curves::compose;
+use crate::xml::Reader;
+use solaris_model::{Axis, AxisKind, Curve, Joint, Placement, UnitQuaternion, Vector3};
+use std::ops::Range;
+
+/// One motion of a joint: along or about an axis of the frame that the motions before it have moved.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub(super) kind: AxisKind,
+    pub(super) direction: Vector3<f64>,
+    pub(super) moves: Moves,
+}
+
+/// How far a step goes (rad or m).
+#[derive(Clone, Debug)]
+pub(super) enum Moves {
+    /// Always so far.
+    By(f64),
+    /// As far as the joint's coordinate of this number says.
+    With(usize),
+    /// A function of that coordinate.
+    Along(usize, Curve),
+}
+
+impl Step {
+    /// As far as a coordinate says.
+    pub(super) fn with(kind: AxisKind, direction: Vector3<f64>, coordinate: usize) -> Self {
+        Self { kind, direction, moves: Moves::With(coordinate) }
+    }
+
+    fn transform(&self, by: f64) -> Placement {
+        match self.kind {
+            AxisKind::Translation => {
+                Placement::translation(self.direction.x * by, self.direction.y * by, self.direction.z * by)
+            }
+            AxisKind::Rotation => Placement::rotation(self.direction * by),
+        }
+    }
+}
+
+/// A joint that is still steps.
+pub(super) struct Chain<'a> {
+    pub(super) name: &'a str,
+    pub(super) span: Range<usize>,
+    /// Where the steps begin, in the parent body's frame.
+    pub(super) from: Placement,
+    pub(super) steps: Vec<Step>,
+    /// Where they end, in the child body's frame.
+    pub(super) to: Placement,
+    pub(super) coordinates: &'a [Coordinate],
+}
+
+impl Chain<'_> {
+    /// The joint, and where the body's frame stands in the frame that it moves.
+    ///
+    /// What is constant goes to the left, past the steps, which it turns, into the joint's placement:
+    ///
+    /// ```text
+    /// step(a, x)·K = K·step(R_K⁻¹·a, x)        X_FB⁻¹ = R⁻¹·T(−p)
+    /// ```
+    ///
+    /// so the moved frame has the directions of the body's frame, and stands in it where the joint does.
+    pub(super) fn joint(self, reader: &mut Reader, couplers: &Couplers) -> (Joint, Placement) {
+        let origin = self.to.translation.vector;
+        let beyond = Placement::translation(-origin.x, -origin.y, -origin.z);
+        let mut fixed = Placement::from_parts(Vector3::zeros().into(), self.to.rotation.inverse());
+        let mut moving = Vec::new();
+        for mut step in self.steps.iter().cloned().rev() {
+            if let Moves::By(by) = step.moves {
+                fixed = if by == 0.0 { fixed } else { step.transform(by) * fixed };
+            } else {
+                if fixed.rotation != UnitQuaternion::identity() {
+                    step.direction = fixed.rotation.inverse() * step.direction;
+                }
+                moving.push(step);
+            }
+        }
+        let names = self.names();
+        let mut joint = Joint::new(self.name).placed(product(&self.from, &fixed));
+        for (step, name) in moving.into_iter().rev().zip(names) {
+            joint = self.add(joint, step, reader, couplers);
+            if let Some(name) = name {
+                joint = joint.named(name);
+            }
+        }
+        (joint, if origin == Vector3::zeros() { Placement::identity() } else { beyond })
+    }
+
+    /// The names of the moving steps that follow a coordinate, by the file's axes, which constants may turn; nothing for the
+    /// others, and where the axis is oblique or not the only one.
+    fn names(&self) -> Vec<Option<String>> {
+        let moving = || self.steps.iter().filter(|step| !matches!(step.moves, Moves::By(_)));
+        let stem = |step: &Step| {
+            let letter =
+                (0..3).find(|&i| step.direction == Vector3::ith(i, 1.0)).map(|i| ["x", "y", "z"][i])?;
+            Some(if step.kind == AxisKind::Rotation { format!("r{letter}") } else { format!("t{letter}") })
+        };
+        let name = |step: &Step| {
+            let stem = stem(step).filter(|_| matches!(step.moves, Moves::Along(..)))?;
+            let same = moving().filter(|other| other.kind == step.kind && other.direction == step.direction);
+            (same.count() == 1).then(|| format!("{}.{stem}", self.name))
+        };
+        moving().map(name).collect()
+    }
+
+    fn add(&self, joint: Joint, step: Step, reader: &mut Reader, couplers: &Couplers) -> Joint {
+        let joint = joint.axis(Axis { kind: step.kind, direction: step.direction });
+        match step.moves {
+            Moves::By(_) => joint,
+            Moves::With(i) => {
+                let coordinate = &self.coordinates[i];
+                let mut joint = joint.named(&coordinate.name);
+                if let Some((lower, upper)) = coordinate.limits {
+                    joint = joint.limited(lower, upper);
+                }
+                match couplers.get(&coordinate.name) {
+                    Some(lead) => joint.following(&lead.leader, lead.curve.clone()),
+                    None => joint,
+                }
+            }
+            Moves::Along(i, curve) => {
+                let name = &self.coordinates[i].name;
+                let Some(lead) = couplers.get(name) else { return joint.following(name, curve) };
+                // The coordinate follows another one itself.
+                let Some(both) = compose(&curve, &lead.curve) else {
+                    let message = format!(
+                        "joint '{}': an axis is a spline of coordinate '{name}', which is a bent function of '{}' itself; \
+                         that cannot be kept: make the constraint's function linear, or remove the constraint",
+                        self.name, lead.leader
+                    );
+                    reader.fault(self.span.clone(), message);
+                    return joint;
+                };
+                joint.following(&lead.leader, both)
+            }
+        }
+    }
+}
+
+/// `a·b`, to the bit where one of them is the identity.
+pub(super) fn product(a: &Placement, b: &Placement) -> Placement {
+    let identity = Placement::identity();
+    match (*a == identity, *b == identity) {
+        (true, _) => *b,
+        (_, true) => *a,
+        _ => a * b,
+    }
+}

@@ -1,0 +1,52 @@
+//! Names of components as paths: `/bodyset/pelvis`, `../pelvis_offset`.
+
+use crate::xml::Node;
+
+/// The absolute path of a component below the model: the names of the components that it stands in.
+///
+/// Lists (`objects`, `frames`, `components`) have no part in it; a set without a name has that of its element in small letters.
+pub(super) fn path_of(node: Node, model: Node) -> String {
+    let above = node.ancestors().take_while(|ancestor| *ancestor != model);
+    let mut names: Vec<String> = above
+        .filter_map(|ancestor| {
+            let tag = ancestor.tag_name().name();
+            let name = ancestor.attribute("name").map(|name| name.trim().to_owned());
+            name.or_else(|| tag.ends_with("Set").then(|| tag.to_lowercase()))
+        })
+        .collect();
+    names.reverse();
+    joined(&names)
+}
+
+/// The absolute path that `path` is when the component at `from` says it.
+pub(super) fn resolved(from: &str, path: &str) -> String {
+    let start = if path.starts_with('/') { "" } else { from };
+    let mut names: Vec<&str> = Vec::new();
+    for name in start.split('/').chain(path.split('/')) {
+        match name {
+            "" | "." => {}
+            ".." => {
+                names.pop();
+            }
+            name => names.push(name),
+        }
+    }
+    joined(&names)
+}
+
+fn joined<S: AsRef<str>>(names: &[S]) -> String {
+    names.iter().fold(String::new(), |path, name| path + "/" + name.as_ref())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_those_of_a_file_system() {
+        assert_eq!(resolved("/jointset/knee", "/bodyset/tibia"), "/bodyset/tibia");
+        assert_eq!(resolved("/jointset/knee", "tibia_offset"), "/jointset/knee/tibia_offset");
+        assert_eq!(resolved("/jointset/knee/tibia_offset", "../../../bodyset/tibia"), "/bodyset/tibia");
+        assert_eq!(resolved("/a", "../../../b/./c"), "/b/c");
+    }
+}

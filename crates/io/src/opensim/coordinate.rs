@@ -1,0 +1,63 @@
+//! Coordinates of joints.
+
+use super::element::{child_flag, child_number, name_of};
+use crate::xml::{Node, Reader, element, elements, elements_called, tag};
+use solaris_model::{Part, SourceMap};
+use std::ops::Range;
+
+/// A coordinate of a joint.
+pub(super) struct Coordinate {
+    pub(super) name: String,
+    pub(super) limits: Option<(f64, f64)>,
+    pub(super) span: Range<usize>,
+}
+
+/// The coordinates of a joint, in the order of the file.
+pub(super) fn of_joint(reader: &mut Reader, joint: Node, places: &mut SourceMap) -> Vec<Coordinate> {
+    // Version 4 has them in `coordinates`, versions before in a set.
+    let lists = elements_called(joint, "coordinates")
+        .chain(elements_called(joint, "CoordinateSet").flat_map(|set| elements_called(set, "objects")));
+    let nodes: Vec<Node> = lists.flat_map(elements).collect();
+    nodes.into_iter().filter_map(|node| read(reader, node, places)).collect()
+}
+
+fn read(reader: &mut Reader, node: Node, places: &mut SourceMap) -> Option<Coordinate> {
+    if node.tag_name().name() != "Coordinate" {
+        reader.unread_element(node);
+        return None;
+    }
+    let name = name_of(reader, node)?.to_owned();
+    let range = element(node, "range").filter(|range| !super::words(*range).is_empty());
+    let limits = range.and_then(|range| reader.text_numbers(range, 2..=2)).map(|pair| (pair[0], pair[1]));
+    places.put(Part::Dof, &name, tag(node));
+    if let Some(range) = range {
+        places.put_field(Part::Dof, &name, "limits", tag(range));
+    }
+    held(reader, node, &name);
+    reader.check_elements(
+        node,
+        &["default_value", "range", "clamped", "locked", "prescribed", "prescribed_function", "motion_type"],
+        &["default_speed_value", "is_free_to_satisfy_constraints"],
+    );
+    Some(Coordinate { name, limits, span: tag(node) })
+}
+
+/// Lists what holds a coordinate in OpenSim and does not here.
+fn held(reader: &mut Reader, node: Node, name: &str) {
+    let at = child_number(reader, node, "default_value").unwrap_or(0.0);
+    let mut list = |what: &str, message: String| {
+        if child_flag(reader, node, what, false) {
+            let span = element(node, what).map_or_else(|| tag(node), tag);
+            reader.unsupported(span, format!("coordinate '{name}'"), message);
+        }
+    };
+    list(
+        "locked",
+        format!("it is locked at {at} in the file and free here; give it this value in the motion"),
+    );
+    list("prescribed", "its motion is prescribed in the file and free here".to_owned());
+    list(
+        "clamped",
+        "it is clamped to its range in the file; here the range is reported, not enforced".to_owned(),
+    );
+}

@@ -1,0 +1,121 @@
+//! Functions of functions.
+
+use solaris_model::Curve;
+
+/// The most coefficients that a polynomial of a polynomial may have.
+const MOST: usize = 64;
+
+/// How near to ±1 a slope is taken for it.
+pub(super) const UNIT: f64 = 1e-9;
+
+/// Slope and offset of a curve that is a line.
+pub(super) fn line(curve: &Curve) -> Option<(f64, f64)> {
+    let Curve::Polynomial(coefficients) = curve else { return None };
+    let at = |i: usize| coefficients.get(i).copied().unwrap_or(0.0);
+    coefficients.iter().skip(2).all(|c| *c == 0.0).then(|| (at(1), at(0)))
+}
+
+/// The value of a curve that has the same everywhere.
+pub(super) fn constant(curve: &Curve) -> Option<f64> {
+    line(curve).filter(|(slope, _)| *slope == 0.0).map(|(_, offset)| offset)
+}
+
+/// `outer(inner(x))`, where it is again a curve: everything of a line, a line of everything, and polynomials.
+pub(super) fn compose(outer: &Curve, inner: &Curve) -> Option<Curve> {
+    if let Some((slope, offset)) = line(outer) {
+        return Some(raised(inner.scaled(slope), offset));
+    }
+    match (outer, inner, line(inner)) {
+        (Curve::Cubics { knots, pieces }, _, Some((slope, offset))) if slope != 0.0 => {
+            Some(of_line(knots, pieces, slope, offset))
+        }
+        (_, _, Some((_, offset))) if constant(inner).is_some() => {
+            Some(Curve::Polynomial(vec![outer.at(offset)[0]]))
+        }
+        (Curve::Polynomial(outer), Curve::Polynomial(inner), _) => {
+            let few = outer.len().saturating_mul(inner.len()) <= MOST;
+            few.then(|| Curve::Polynomial(substituted(outer, inner)))
+        }
+        _ => None,
+    }
+}
+
+/// A curve plus `offset`.
+fn raised(curve: Curve, offset: f64) -> Curve {
+    match curve {
+        Curve::Cubics { knots, mut pieces } => {
+            for piece in &mut pieces {
+                piece[0] += offset;
+            }
+            Curve::Cubics { knots, pieces }
+        }
+        Curve::Polynomial(mut coefficients) => {
+            if coefficients.is_empty() {
+                coefficients.push(0.0);
+            }
+            coefficients[0] += offset;
+            Curve::Polynomial(coefficients)
+        }
+        other => other,
+    }
+}
+
+/// Cubic pieces over `slope·u + offset`.
+fn of_line(knots: &[f64], pieces: &[[f64; 4]], slope: f64, offset: f64) -> Curve {
+    let mut over: Vec<f64> = knots.iter().map(|knot| (knot - offset) / slope).collect();
+    let stretched = |[a, b, c, d]: [f64; 4]| [a, b * slope, c * slope * slope, d * slope * slope * slope];
+    if slope > 0.0 {
+        return Curve::Cubics { knots: over, pieces: pieces.iter().map(|piece| stretched(*piece)).collect() };
+    }
+    over.reverse();
+    // Each piece now begins where it ended.
+    let turned = |(piece, pair): (&[f64; 4], &[f64])| {
+        let ([a, b, c, d], h) = (*piece, pair[1] - pair[0]);
+        stretched([a + h * (b + h * (c + h * d)), b + h * (2.0 * c + 3.0 * h * d), c + 3.0 * h * d, d])
+    };
+    let pieces = pieces.iter().zip(knots.windows(2)).rev().map(turned).collect();
+    Curve::Cubics { knots: over, pieces }
+}
+
+fn substituted(outer: &[f64], inner: &[f64]) -> Vec<f64> {
+    outer.iter().rev().fold(Vec::new(), |sum: Vec<f64>, c| {
+        let mut next = vec![0.0; (sum.len() + inner.len()).saturating_sub(1).max(1)];
+        for (i, a) in sum.iter().enumerate() {
+            for (j, b) in inner.iter().enumerate() {
+                next[i + j] += a * b;
+            }
+        }
+        next[0] += c;
+        next
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn composed_curves_are_the_one_of_the_other() {
+        let bend = Curve::Cubics {
+            knots: vec![-1.0, 0.0, 2.0],
+            pieces: vec![[0.5, -0.2, 0.3, 0.4], [1.0, 1.6, 1.5, -0.2]],
+        };
+        let (square, up, down) =
+            (Curve::Polynomial(vec![1.0, 0.5, 2.0]), Curve::linear(0.7, 0.2), Curve::linear(-1.5, 0.3));
+        let pairs = [(&bend, &up), (&bend, &down), (&down, &bend), (&square, &square), (&square, &down)];
+        for (outer, inner) in pairs {
+            let both = compose(outer, inner).expect("these can be composed");
+            for x in [-3.0, -1.1, -0.4, 0.05, 0.9, 2.5] {
+                let [i, di, ddi] = inner.at(x);
+                let [o, d, dd] = outer.at(i);
+                let expected = [o, d * di, dd * di * di + d * ddi];
+                for k in 0..3 {
+                    assert_relative_eq!(both.at(x)[k], expected[k], epsilon = 1e-12, max_relative = 1e-12);
+                }
+            }
+        }
+        assert_eq!(compose(&bend, &square), None);
+        assert_eq!(compose(&bend, &Curve::linear(0.0, 0.0)), Some(Curve::Polynomial(vec![1.0])));
+    }
+}

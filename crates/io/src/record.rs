@@ -1,0 +1,127 @@
+//! Tables to records: what was recorded of a motion, and the forces that were measured beside it.
+//!
+//! Two conventions are read, whatever the file's format:
+//!
+//! | | solaris | `OpenSim` |
+//! |---|---|---|
+//! | positions | `DOF.q` | `DOF` |
+//! | velocities, accelerations | `DOF.v`, `DOF.a`, where they are known | – |
+//! | forces on a link | `PREFIX.fx fy fz` | `PREFIXground_force_vx vy vz` |
+//! | where they act | `PREFIX.px py pz`, where it is known | `PREFIXground_force_px py pz` |
+//! | moments | `PREFIX.mx my mz`, about the world's origin | `PREFIXground_torque_x y z`, about that point |
+//!
+//! A table is of the first kind where any heading ends in `.q`, `.v` or `.a`. A one-dof joint's own name stands for its
+//! degree of freedom in both. Columns of degrees of freedom that follow others may be missing and are not used: they
+//! are where their leaders put them.
+//!
+//! Where the table's header says degrees, coordinates that turn (and their `.v`, `.a`) are turned into radians; slides, quaternions and the
+//! velocities of ball and free joints never are.
+
+mod columns;
+mod forces;
+
+pub use forces::{force_prefixes, forces};
+
+use crate::error::IoError;
+use crate::record::columns::Columns;
+use crate::table::{TIME, Table};
+use solaris_model::{Figure, Motion, Record};
+
+/// A record, and what of its table it does not use.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recorded {
+    /// What was recorded.
+    pub record: Record,
+    /// Headings of columns that mean nothing for the figure. Columns of forces (`.tau`, contacts) are not among them.
+    pub ignored: Vec<String>,
+}
+
+/// What `table` says of the motion of `figure`.
+///
+/// The columns may come in any order. Every coordinate needs its position. `.v` and `.a` may be there or not for each degree of freedom, of
+/// a ball or free joint whole or not at all. A table without `time` is taken where nothing has to be differentiated: its rows
+/// are unrelated states, numbered 0, 1, 2 …. Quaternions must have unit length to within [`Motion::UNIT_TOLERANCE`] and stay as they are.
+///
+/// # Errors
+///
+/// All missing columns at once; a column `.q`, `.v`, `.a` or `.tau` of nothing in the figure; two columns for one
+/// coordinate; times that do not rise, and no times where they are needed; quaternions that are none; no rows.
+///
+/// # Examples
+///
+/// ```
+/// use solaris_io::{csv, record};
+/// use solaris_model::{FigureBuilder, Joint, LinkSpec};
+///
+/// let figure = FigureBuilder::new("arm").link(LinkSpec::root("arm", Joint::new("elbow").rx()).mass(1.0)).build()?;
+/// let table = csv::read_table("time,elbow.q\n0,0.5\n0.1,0.6\n")?;
+/// let recorded = record::read(&figure, &table)?;
+/// assert_eq!((recorded.record.q, recorded.record.known_v), (vec![0.5, 0.6], vec![false]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read(figure: &Figure, table: &Table) -> Result<Recorded, IoError> {
+    let columns = Columns::find(figure, table)?;
+    if table.is_empty() {
+        return Err(IoError::NoRows { line: table.header_line });
+    }
+    let time = match table.column(TIME) {
+        Some(column) => times(table, column)?,
+        None => (0..table.len()).map(|row| row as f64).collect(),
+    };
+    let part = |places: &[Option<usize>]| -> Vec<f64> {
+        let rows = (0..table.len()).map(|row| table.row(row));
+        rows.flat_map(|row| places.iter().map(|place| place.map_or(0.0, |place| row[place]))).collect()
+    };
+    let [mut q, mut v, mut a] = [&columns.q, &columns.v, &columns.a].map(|places| part(places));
+    if table.in_degrees == Some(true) {
+        for (dof, &coordinate) in &columns.turning {
+            for (numbers, (place, width)) in [&mut q, &mut v, &mut a].into_iter().zip([
+                (coordinate, columns.q.len()),
+                (*dof, columns.v.len()),
+                (*dof, columns.v.len()),
+            ]) {
+                numbers.iter_mut().skip(place).step_by(width).for_each(|x| *x = x.to_radians());
+            }
+        }
+    }
+    let (nq, nv) = (columns.q.len(), columns.v.len());
+    for row in 0..table.len() {
+        let q = &mut q[row * nq..][..nq];
+        figure.follow(q, &mut v[row * nv..][..nv], &mut a[row * nv..][..nv]);
+        check_quaternions(figure, q, table.lines[row])?;
+    }
+    let known = |places: &[Option<usize>]| -> Vec<bool> { places.iter().map(Option::is_some).collect() };
+    let (mut known_v, mut known_a) = (known(&columns.v), known(&columns.a));
+    for follower in figure.followers() {
+        known_v[follower.dof] = known_v[follower.leader];
+        known_a[follower.dof] = known_v[follower.leader] && known_a[follower.leader];
+    }
+    let record = Record { time, q, v, a, known_v, known_a };
+    Ok(Recorded { record, ignored: columns.ignored })
+}
+
+/// The times, rising.
+pub(crate) fn times(table: &Table, column: usize) -> Result<Vec<f64>, IoError> {
+    let time: Vec<f64> = table.values_of(column).collect();
+    match (1..time.len()).find(|&row| time[row] <= time[row - 1]) {
+        None => Ok(time),
+        Some(row) => Err(IoError::TimeOrder {
+            line: table.lines[row],
+            column: column + 1,
+            time: time[row],
+            before: time[row - 1],
+        }),
+    }
+}
+
+fn check_quaternions(figure: &Figure, q: &[f64], line: u64) -> Result<(), IoError> {
+    for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
+        let Some(first) = link.joint().kind().quaternion() else { continue };
+        let quaternion = &q[at.q + first..][..4];
+        let length = quaternion.iter().fold(0.0_f64, |length, x| length.hypot(*x));
+        if (length - 1.0).abs() > Motion::UNIT_TOLERANCE {
+            return Err(IoError::Quaternion { line, joint: link.joint().name().to_owned(), length });
+        }
+    }
+    Ok(())
+}

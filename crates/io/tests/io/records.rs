@@ -1,0 +1,181 @@
+//! Records of states and forces from tables.
+
+use crate::motions::{Full, full_human};
+use solaris_io::{IoError, Table, csv, record};
+use solaris_model::{Curve, Figure, FigureBuilder, Joint, LinkSpec, Vector3};
+use std::f64::consts::FRAC_PI_2;
+
+fn table(text: &str) -> Table {
+    csv::read_table(text).expect("a table")
+}
+
+/// A leg whose knee slides as it bends, on a pelvis that slides and tilts.
+fn leg() -> Figure {
+    let root = Joint::new("ground_pelvis").tx().named("pelvis_tx").rz().named("pelvis_tilt");
+    let knee = Joint::new("knee_r").tx().named("slide").following("knee_angle_r", Curve::linear(0.5, 0.1));
+    let knee = knee.rz().named("knee_angle_r");
+    FigureBuilder::new("leg")
+        .link(LinkSpec::root("pelvis", root).mass(1.0))
+        .link(LinkSpec::child("shank", "pelvis", knee).mass(1.0))
+        .link(LinkSpec::child("foot", "shank", Joint::new("ankle_r").rz().named("ankle_angle_r")).mass(1.0))
+        .build()
+        .expect("valid")
+}
+
+/// A thrown body with an arm on a ball joint.
+fn thrown() -> Figure {
+    FigureBuilder::new("thrown")
+        .link(LinkSpec::root("body", Joint::free("root")).mass(1.0))
+        .link(LinkSpec::child("arm", "body", Joint::ball("shoulder")).mass(1.0))
+        .link(LinkSpec::child("hand", "arm", Joint::new("wrist").rx()).mass(1.0))
+        .build()
+        .expect("valid")
+}
+
+#[test]
+fn opensim_degrees_are_for_what_turns() {
+    let mut given = table(
+        "time,ankle_angle_r,knee_angle_r,pelvis_tx,pelvis_tilt,emg\n0,90,-90,1.5,45,3\n0.1,0,180,2,0,3\n",
+    );
+    given.in_degrees = Some(true);
+    let found = record::read(&leg(), &given).expect("all there");
+    let pi = FRAC_PI_2 * 2.0;
+    let expected = [1.5, pi / 4.0, 0.1 - 0.25 * pi, -FRAC_PI_2, FRAC_PI_2, 2.0, 0.0, 0.1 + 0.5 * pi, pi, 0.0];
+    assert_eq!(found.record.q, expected);
+    assert_eq!(found.record.known_v, [false; 5]);
+    assert_eq!(found.ignored, ["emg"]);
+    given.in_degrees = Some(false);
+    assert_eq!(record::read(&leg(), &given).expect("all there").record.q[3].to_bits(), (-90.0_f64).to_bits());
+}
+
+#[test]
+fn velocities_and_accelerations_are_optional_for_each_coordinate() {
+    let text = "knee_angle_r.q,time,pelvis_tx.q,pelvis_tilt.q,pelvis_tilt.v,ankle_r.q,ankle_r.v,ankle_r.a,foot.fx,slide.q,note\n\
+                0.2,0,1,2,3,4,5,6,7,8,9\n";
+    let found = record::read(&leg(), &table(text)).expect("all there");
+    let record = found.record;
+    assert_eq!((record.q, record.v), (vec![1.0, 2.0, 0.2, 0.2, 4.0], vec![0.0, 3.0, 0.0, 0.0, 5.0]));
+    assert_eq!(record.known_v, [false, true, false, false, true]);
+    assert_eq!((record.known_a, record.a[4]), (vec![false, false, false, false, true], 6.0));
+    assert_eq!(found.ignored, ["note"]);
+}
+
+#[test]
+fn unrelated_states_need_no_time() {
+    let text = "wrist.q,wrist.v,wrist.a\n1,2,3\n-4,5,6\n";
+    let figure = FigureBuilder::new("f")
+        .link(LinkSpec::root("hand", Joint::new("wrist").rx()).mass(1.0))
+        .build()
+        .expect("valid");
+    let record = record::read(&figure, &table(text)).expect("states").record;
+    assert_eq!((record.time, record.q), (vec![0.0, 1.0], vec![1.0, -4.0]));
+    assert_eq!((record.v, record.a), (vec![2.0, 5.0], vec![3.0, 6.0]));
+    let error = record::read(&figure, &table("wrist.q,wrist.v\n1,2\n")).expect_err("no accelerations");
+    assert!(error.to_string().contains("missing: 'wrist.rx.a'"), "{error}");
+}
+
+#[test]
+fn the_table_of_a_motion_is_its_record() {
+    let (figure, motion) = full_human();
+    let mut text = Vec::new();
+    csv::write(&figure, &motion, &mut text).expect("a vector");
+    let table = table(&String::from_utf8(text).expect("text"));
+    let found = record::read(&figure, &table).expect("all there");
+    assert!(found.ignored.is_empty());
+    assert!(found.record.known_a.iter().all(|known| *known));
+    assert_eq!(found.record.time, motion.time());
+    for row in 0..motion.len() {
+        assert_eq!(&found.record.q[row * 66..][..66], motion.q(row));
+        assert_eq!(&found.record.a[row * 66..][..66], motion.a(row));
+    }
+    for track in &motion.contacts {
+        let forces =
+            record::forces(&table, std::slice::from_ref(&track.link), &track.link).expect("its columns");
+        assert_eq!(forces.samples, track.samples);
+        assert_eq!(forces.time, motion.time());
+    }
+    // The other writer's errors are the caller's: nothing here holds a file.
+    let mut full = Full { left: 10 };
+    assert!(matches!(csv::write_table(&table, &mut full), Err(IoError::Write(_))));
+}
+
+const GRF: &str = "time,ground_force_vx,ground_force_vy,ground_force_vz,ground_force_px,ground_force_py,ground_force_pz,\
+    1_ground_force_vx,1_ground_force_vy,1_ground_force_vz,1_ground_force_px,1_ground_force_py,1_ground_force_pz,\
+    ground_torque_x,ground_torque_y,ground_torque_z,1_ground_torque_x,1_ground_torque_y,1_ground_torque_z";
+
+#[test]
+fn torques_of_opensim_are_about_the_centre_of_pressure() {
+    let text = format!(
+        "{GRF}\n0,1,2,3,4,5,6,0,0,0,0,0,0,10,20,30,0,0,0\n0.1,0,700,0,0.5,0,-0.1,7,8,9,0,1,0,0,1,0,0,0,0\n"
+    );
+    let right = record::forces(&table(&text), &["calcn_r".to_owned()], "").expect("empty prefix");
+    // (4, 5, 6) × (1, 2, 3) = (3, −6, 3)
+    assert_eq!(right.samples[0].moment, Vector3::new(13.0, 14.0, 33.0));
+    assert_eq!(right.samples[0].cop, Vector3::new(4.0, 5.0, 6.0));
+    // (0.5, 0, −0.1) × (0, 700, 0) = (70, 0, 350)
+    assert_eq!(right.samples[1].moment, Vector3::new(70.0, 1.0, 350.0));
+    let left = record::forces(&table(&text), &["calcn_l".to_owned()], "1_").expect("prefix");
+    assert_eq!(left.samples[1].force, Vector3::new(7.0, 8.0, 9.0));
+    assert_eq!(left.samples[1].moment, Vector3::new(9.0, 0.0, -7.0));
+    assert_eq!(record::force_prefixes(&table(&text)), ["", "1_"]);
+}
+
+#[test]
+fn mistakes_in_states_are_answered() {
+    let unit = "0,0,0,0,0,0,1";
+    let thrown_head = "time,root.px.q,root.py.q,root.pz.q,root.qx.q,root.qy.q,root.qz.q,root.qw.q,\
+                       shoulder.qx.q,shoulder.qy.q,shoulder.qz.q,shoulder.qw.q,wrist.q";
+    let good = "time,knee_angle_r.q,pelvis_tx.q,pelvis_tilt.q,ankle_angle_r.q";
+    let cases: [(Figure, String); 15] = [
+        (leg(), "time,knee_r.q,pelvis_tx.q,pelvis_tilt.q,ankle_angle_r.q\n0,1,2,3,4\n".to_owned()),
+        (leg(), "time,knee_angle_r.v\n0,1\n".to_owned()),
+        (leg(), "time,knee_angle_l,pelvis_tx,pelvis_tilt\n0,1,2,3\n".to_owned()),
+        (leg(), "pelvis_tx,pelvis_tilt,knee_angle_r,ankle_angle_r\n0,1,2,3\n".to_owned()),
+        (leg(), format!("{good},hip.q\n0,1,2,3,4,5\n")),
+        (leg(), format!("{good},ankle_angel_r.v\n0,1,2,3,4,5\n")),
+        (leg(), format!("{good},hip.tau\n0,1,2,3,4,5\n")),
+        (leg(), format!("{good},ankle_r.q\n0,1,2,3,4,5\n")),
+        (leg(), format!("{good}\n0.5,1,2,3,4\n0.5,1,2,3,4\n")),
+        (leg(), format!("{good}\n")),
+        (thrown(), format!("{thrown_head}\n0,{unit},0,0,0,0.99,0\n")),
+        (thrown(), format!("{thrown_head},shoulder.wx.v\n0,{unit},0,0,0,1,0,7\n")),
+        (thrown(), format!("{}\n0,{unit},0,0,1,0\n", thrown_head.replace(",shoulder.qz.q", ""))),
+        (thrown(), "time,root.px,root.py,root.pz\n0,1,2,3\n".to_owned()),
+        (full_human().0, "time,left_knee.rx.q\n0,1\n".to_owned()),
+    ];
+    let answers = cases.map(|(figure, text)| match record::read(&figure, &table(&text)) {
+        Ok(found) => format!("ACCEPTED, without {:?}", found.ignored),
+        Err(error) => error.to_string(),
+    });
+    insta::assert_snapshot!(answers.join("\n"));
+}
+
+#[test]
+fn mistakes_in_forces_are_answered() {
+    let zeros = format!("{}0", "0,".repeat(18));
+    let toes = ["foot".to_owned(), "toes".to_owned()];
+    let cases = [
+        (format!("{GRF}\n{zeros}\n"), &toes[..1], "2_"),
+        (format!("{}\n{zeros}\n", GRF.replacen("force_vz", "force_v3", 1)), &toes[..1], ""),
+        (format!("{}\n{zeros}\n", GRF.replacen("torque_y", "torque_Y", 1)), &toes[..1], ""),
+        (format!("{}\n{zeros}\n", GRF.replacen("time", "t", 1)), &toes[..1], "1_"),
+        (format!("{GRF}\n"), &toes[..1], ""),
+        (format!("{GRF}\n{zeros}\n{zeros}\n"), &toes[..1], ""),
+        (
+            "time,foot.fx,foot.fy,foot.fz,foot.mx,foot.my,foot.mz\n0,1,2,3,4,5,6\n".to_owned(),
+            &toes[..],
+            "foot",
+        ),
+        (
+            "time,foot.fx,foot.fy,foot.fz,foot.mx,foot.my,foot.mz\n0,1,2,3,4,5,6\n".to_owned(),
+            &toes[..1],
+            "foot",
+        ),
+        ("time,knee.q\n0,1\n".to_owned(), &toes[..1], "foot"),
+    ];
+    let answers = cases.map(|(text, links, prefix)| match record::forces(&table(&text), links, prefix) {
+        Ok(_) => "ACCEPTED".to_owned(),
+        Err(error) => error.to_string(),
+    });
+    insta::assert_snapshot!(answers.join("\n"));
+}

@@ -1,0 +1,133 @@
+//! Tables of OpenSim.
+
+use solaris_io::{Table, sto};
+use std::fmt::Write;
+
+fn written(table: &Table) -> String {
+    let mut bytes = Vec::new();
+    sto::write(table, &mut bytes).expect("finite numbers and a vector");
+    String::from_utf8(bytes).expect("text")
+}
+
+fn table() -> Table {
+    Table {
+        title: "a swing".to_owned(),
+        in_degrees: Some(true),
+        columns: ["time", "knee_angle_r", "pelvis_tx"].map(str::to_owned).to_vec(),
+        values: vec![0.0, -0.0, 1.0 / 3.0, 0.1 + 0.2, f64::MAX, -5e-324, 1e-7, 1e22, 123_456_789.125],
+        lines: vec![8, 9, 10],
+        header_line: 7,
+    }
+}
+
+#[test]
+fn a_table_reads_back_bit_for_bit() {
+    let table = table();
+    let back = sto::read(&written(&table)).expect("what was written");
+    let bits = |table: &Table| table.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    assert_eq!((bits(&back), &back), (bits(&table), &table));
+}
+
+#[test]
+fn a_table_looks_like_this() {
+    insta::assert_snapshot!(written(&table()).replace('\t', " | "));
+}
+
+#[test]
+fn titles_are_kept_whatever_they_begin_with() {
+    for title in ["", "nRows=7", "endheader", "version of mine", "name", "two words"] {
+        let table = Table { title: title.to_owned(), in_degrees: None, ..table() };
+        let back = sto::read(&written(&table)).expect("what was written");
+        assert_eq!((back.title.as_str(), back.in_degrees, back.len()), (title, None, 3));
+    }
+}
+
+#[test]
+fn headers_of_all_ages_are_read() {
+    let motion = "Coordinates\nversion=1\nnRows=2\nnColumns=3\ninDegrees=yes\n\nUnits are S.I. units (second, meters, Newtons, ...)\n\
+        Angles are in degrees.\n\nendheader\ntime\ta\tb\n      0.00000000\t     10.32995988\t 1\n 0.01\t2\t3\n";
+    let read = sto::read(motion).expect("a motion");
+    assert_eq!((read.title.as_str(), read.in_degrees, read.len()), ("Coordinates", Some(true), 2));
+    assert_eq!((read.header_line, read.lines.as_slice(), read.row(0)[1]), (11, &[12, 13][..], 10.329_959_88));
+    // Windows, trailing tabs, no title, blanks before the headings.
+    let plates = "\u{feff}version=1\t\t\r\nnRows=1\t\t\r\nnColumns=2\t\r\ninDegrees=no\t\r\nendheader\t\r\n\r\ntime\tf\t\t\r\n0.5\t-1e3\t\t\r\n\r\n";
+    let read = sto::read(plates).expect("a table");
+    assert_eq!(
+        (read.title.as_str(), read.in_degrees, read.values.as_slice()),
+        ("", Some(false), &[0.5, -1000.0][..])
+    );
+    // SIMM, and files that say nothing of rows and columns.
+    let simm = "name walk\ndatacolumns 2\ndatarows 1\notherdata 1\nrange 0.0 1.0\nendheader\ntime a\n0 1\n";
+    assert_eq!(sto::read(simm).expect("a motion").title, "walk");
+    let radians = "old\nAngles are in radians.\nendheader\ntime a\n0 1\n";
+    assert_eq!(sto::read(radians).expect("a motion").in_degrees, Some(false));
+    assert_eq!(sto::read("t\nendheader\ntime\n").expect("no rows").len(), 0);
+    let spaced = "t\nnColumns=2\nendheader\ntime\tleft knee\n0\t1\n";
+    assert_eq!(sto::read(spaced).expect("a heading of two words").columns[1], "left knee");
+}
+
+fn with(change: (&str, &str)) -> String {
+    "t\nversion=1\nnRows=2\nnColumns=3\ninDegrees=no\nendheader\ntime\ta\tb\n0\t1\t2\n0.1\t3\t4\n"
+        .replacen(change.0, change.1, 1)
+}
+
+#[test]
+fn bad_tables_are_answered_with_line_and_column() {
+    let cases = [
+        ("empty", String::new()),
+        ("blank", "\n \r\n".to_owned()),
+        ("binary", "\u{0}\u{1}\u{2}\u{7f}".to_owned()),
+        ("csv", "time,a.q\n0,1\n".to_owned()),
+        ("no endheader", with(("endheader\n", ""))),
+        ("ends after the header", "t\nendheader\n\n".to_owned()),
+        ("nan", with(("0.1\t3", "0.1\tnan"))),
+        ("infinity", with(("0.1\t3", "0.1\tinf"))),
+        ("too large", with(("0.1\t3", "0.1\t1e999"))),
+        ("a word", with(("0.1\t3", "0.1\tthree"))),
+        ("a decimal comma", with(("0.1\t3", "0,1\t3"))),
+        ("short row", with(("\t4", ""))),
+        ("long row", with(("\t4", "\t4\t5"))),
+        ("a gap", with(("0\t1\t2", "0\t\t2"))),
+        ("cut off", with(("0.1\t3\t4\n", ""))),
+        ("cut off in a row", with(("0.1\t3\t4\n", "0.1\t3"))),
+        ("more rows than told", with(("nRows=2", "nRows=1"))),
+        ("other columns than told", with(("nColumns=3", "nColumns=4"))),
+        ("rows are a word", with(("nRows=2", "nRows=two"))),
+        ("rows are negative", with(("nRows=2", "nRows=-2"))),
+        ("columns beyond numbers", with(("nColumns=3", "nColumns=99999999999999999999999"))),
+        ("degrees perhaps", with(("inDegrees=no", "inDegrees=perhaps"))),
+        ("heading twice", with(("\ta\tb", "\ta\ta"))),
+        ("empty heading", with(("time\ta\tb", "time\t\tb"))),
+        ("no time", with(("time", "frame"))),
+    ];
+    let mut said = String::new();
+    for (name, text) in cases {
+        let error = sto::read(&text).err().map_or_else(|| "READ".to_owned(), |error| error.to_string());
+        let _ = writeln!(said, "{name}: {error}");
+    }
+    assert!(!said.contains("READ"), "{said}");
+    insta::assert_snapshot!(said);
+}
+
+#[test]
+fn what_a_table_cannot_hold_is_not_written() {
+    let refused = |table: Table| sto::write(&table, &mut Vec::new()).expect_err("refused").to_string();
+    let mut not_finite = table();
+    not_finite.values[4] = f64::NAN;
+    let mut spaced = table();
+    spaced.columns[1] = "left knee".to_owned();
+    let mut twice = table();
+    twice.columns[2] = "time".to_owned();
+    insta::assert_snapshot!([not_finite, spaced, twice].map(refused).join("\n"));
+}
+
+/// A hundred thousand rows in well under a second.
+#[test]
+fn long_tables_are_read() {
+    let mut text = "t\nnRows=100000\nnColumns=3\nendheader\ntime\ta\tb\n".to_owned();
+    for i in 0..100_000 {
+        let _ = writeln!(text, "{i}\t0.25\t-1e-3");
+    }
+    let table = sto::read(&text).expect("long, not wrong");
+    assert_eq!((table.len(), table.lines[99_999]), (100_000, 100_005));
+}
