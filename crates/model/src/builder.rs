@@ -1,15 +1,17 @@
 //! Building a figure: everything that is wrong is found here, all at once.
 
 mod check;
+mod hints;
 
 use crate::anatomy::AnatomicalAngle;
 use crate::coupling::followers;
-use crate::fault::{Fault, FigureError, nearest};
+use crate::fault::{Fault, FigureError};
 use crate::figure::Figure;
 use crate::inertia::{Inertia, Shape};
 use crate::joint::{Follow, Joint, Placement};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::{Link, NamedFrame, SolePart, SolePoint};
+use hints::Hints;
 use nalgebra::{Matrix3, Vector3};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
@@ -160,7 +162,7 @@ impl FigureBuilder {
     ///
     /// [`FigureError`] with every fault that was found.
     pub fn build(mut self) -> Result<Figure, FigureError> {
-        let mut faults = Vec::new();
+        let (mut faults, mut hints) = (Vec::new(), Hints::default());
         // Names follow from the axes, so these come first.
         self.links.iter_mut().for_each(|link| link.joint.normalize_axes());
         if let Some(stature) = self.stature.filter(|h| h.is_nan() || *h <= 0.0 || h.is_infinite()) {
@@ -170,10 +172,10 @@ impl FigureBuilder {
         for link in &self.links {
             check::link(link, &mut faults);
         }
-        let order = self.check_tree(&mut faults);
+        let order = self.check_tree(&mut hints, &mut faults);
         let coordinates = self.coordinates();
-        self.check_followers(&coordinates, &mut faults);
-        let angles = self.check_angles(&coordinates, &mut faults);
+        self.check_followers(&coordinates, &mut hints, &mut faults);
+        let angles = self.check_angles(&coordinates, &mut hints, &mut faults);
         if let Some(order) = &order {
             self.check_mass(order, &mut faults);
         }
@@ -218,7 +220,7 @@ impl FigureBuilder {
     }
 
     /// The order of the links, parents first, or `None` where there is no tree.
-    fn check_tree(&self, faults: &mut Vec<Fault>) -> Option<Vec<usize>> {
+    fn check_tree(&self, hints: &mut Hints, faults: &mut Vec<Fault>) -> Option<Vec<usize>> {
         let before = faults.len();
         let mut places: HashMap<&str, usize> = HashMap::new();
         for (i, link) in self.links.iter().enumerate() {
@@ -235,7 +237,7 @@ impl FigureBuilder {
         }
         for link in &self.links {
             if let Some(parent) = link.parent.as_deref().filter(|parent| index(parent).is_none()) {
-                let nearest = nearest(parent, self.links.iter().map(|link| link.name.as_str()));
+                let nearest = hints.nearest(parent, self.links.iter().map(|link| link.name.as_str()));
                 faults.push(Fault::UnknownParent {
                     link: link.name.clone(),
                     parent: parent.to_owned(),
@@ -268,12 +270,14 @@ impl FigureBuilder {
     /// The names on the cycle that the ancestors of `start` run into.
     fn cycle_from(&self, start: usize, index: &impl Fn(&str) -> Option<usize>) -> Vec<String> {
         let mut path = vec![start];
+        let mut at = HashMap::from([(start, 0)]);
         loop {
             let last = path[path.len() - 1];
             let Some(parent) = self.links[last].parent.as_deref().and_then(index) else { return Vec::new() };
-            if let Some(from) = path.iter().position(|&link| link == parent) {
+            if let Some(&from) = at.get(&parent) {
                 return path[from..].iter().map(|&link| self.links[link].name.clone()).collect();
             }
+            at.insert(parent, path.len());
             path.push(parent);
         }
     }
@@ -294,7 +298,12 @@ impl FigureBuilder {
         coordinates
     }
 
-    fn check_followers(&self, coordinates: &HashMap<String, Option<&Follow>>, faults: &mut Vec<Fault>) {
+    fn check_followers(
+        &self,
+        coordinates: &HashMap<String, Option<&Follow>>,
+        hints: &mut Hints,
+        faults: &mut Vec<Fault>,
+    ) {
         for link in &self.links {
             let dofs = link.joint.kind().axes();
             for (dof, follows) in velocity_names(link.joint.name(), link.joint.kind()).into_iter().zip(dofs) {
@@ -305,7 +314,7 @@ impl FigureBuilder {
                 }
                 match coordinates.get(&leader) {
                     None => {
-                        let nearest = nearest(&leader, coordinates.keys().map(String::as_str));
+                        let nearest = hints.nearest(&leader, coordinates.keys().map(String::as_str));
                         faults.push(Fault::UnknownLeader { dof, leader, nearest });
                     }
                     Some(Some(_)) => faults.push(Fault::FollowsFollower { dof, leader }),
@@ -318,11 +327,12 @@ impl FigureBuilder {
     fn check_angles(
         &self,
         coordinates: &HashMap<String, Option<&Follow>>,
+        hints: &mut Hints,
         faults: &mut Vec<Fault>,
     ) -> Vec<(String, String, f64)> {
         for (angle, dof, _) in &self.angles {
             if !coordinates.contains_key(dof) {
-                let nearest = nearest(dof, coordinates.keys().map(String::as_str));
+                let nearest = hints.nearest(dof, coordinates.keys().map(String::as_str));
                 faults.push(Fault::UnknownDof { angle: angle.clone(), dof: dof.clone(), nearest });
             }
         }
@@ -342,20 +352,22 @@ impl FigureBuilder {
             }
         }
         // A massless subtree is reported once, at the joint nearest to the root that moves it.
-        let mut reported = vec![false; self.links.len()];
+        let mut subtrees: Vec<Vec<usize>> = Vec::new();
+        let mut inside: Vec<Option<usize>> = vec![None; self.links.len()];
         for &i in order {
-            let inside = parent(i).is_some_and(|parent| reported[parent]);
-            reported[i] = inside || (!massive[i] && self.links[i].joint.kind().nv() > 0);
-            if reported[i] && !inside {
-                let mut links = vec![i];
-                for &j in order {
-                    if parent(j).is_some_and(|parent| links.contains(&parent)) {
-                        links.push(j);
-                    }
-                }
-                let links = links.into_iter().map(|link| self.links[link].name.clone()).collect();
-                faults.push(Fault::MasslessSubtree { joint: self.links[i].joint.name().to_owned(), links });
+            inside[i] = parent(i).and_then(|parent| inside[parent]);
+            if inside[i].is_none() && !massive[i] && self.links[i].joint.kind().nv() > 0 {
+                inside[i] = Some(subtrees.len());
+                subtrees.push(Vec::new());
             }
+            if let Some(subtree) = inside[i] {
+                subtrees[subtree].push(i);
+            }
+        }
+        for subtree in subtrees {
+            let joint = self.links[subtree[0]].joint.name().to_owned();
+            let links = subtree.into_iter().map(|link| self.links[link].name.clone()).collect();
+            faults.push(Fault::MasslessSubtree { joint, links });
         }
     }
 

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 /// An articulated figure, valid by construction (see [`crate::FigureBuilder`]).
 ///
 /// Links are ordered so that every parent comes before its children; link 0 is the root.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     pub(crate) name: String,
     pub(crate) links: Vec<Link>,

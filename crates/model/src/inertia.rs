@@ -59,6 +59,40 @@ impl ShapeKind {
         }
     }
 
+    /// Volume (m³).
+    pub fn volume(&self) -> f64 {
+        use std::f64::consts::PI;
+        match *self {
+            Self::Box { size } => size.product(),
+            Self::Cylinder { radius: r, length: l } => PI * r * r * l,
+            Self::Ellipsoid { radii } => 4.0 / 3.0 * PI * radii.product(),
+            Self::Capsule { radius: r, length: l } => PI * r * r * (l + 4.0 / 3.0 * r),
+            Self::Sphere { radius: r } => 4.0 / 3.0 * PI * r * r * r,
+        }
+    }
+
+    /// Half of what it measures along its own x, y, z (m).
+    pub(crate) fn half_extents(&self) -> Vector3<f64> {
+        match *self {
+            Self::Box { size } => size / 2.0,
+            Self::Cylinder { radius: r, length: l } => Vector3::new(r, l / 2.0, r),
+            Self::Ellipsoid { radii } => radii,
+            Self::Capsule { radius: r, length: l } => Vector3::new(r, l / 2.0 + r, r),
+            Self::Sphere { radius: r } => Vector3::repeat(r),
+        }
+    }
+
+    /// How far it reaches from its centre along a unit vector in its own axes (m).
+    pub(crate) fn reach(&self, along: &Vector3<f64>) -> f64 {
+        match *self {
+            Self::Box { size } => along.abs().dot(&size) / 2.0,
+            Self::Cylinder { radius: r, length: l } => r * along.xz().norm() + l / 2.0 * along.y.abs(),
+            Self::Ellipsoid { radii } => along.component_mul(&radii).norm(),
+            Self::Capsule { radius: r, length: l } => r + l / 2.0 * along.y.abs(),
+            Self::Sphere { radius: r } => r,
+        }
+    }
+
     /// Principal moments of inertia per unit of mass about the centre, shape axes (m²).
     ///
     /// A uniform solid has **no** products of inertia about its own axes; the thesis's §3.7 gives a box some, and an
@@ -173,6 +207,7 @@ mod tests {
                 }
             }
             assert_relative_eq!(shape.gyration_squared(), sum / mass, max_relative = 0.01);
+            assert_relative_eq!(shape.volume(), mass / f64::from(n).powi(3), max_relative = 0.01);
         }
     }
 }

@@ -23,7 +23,7 @@ pub struct JointLayout {
 /// a name of its own; a repeated axis gets a number (`wrist.rx2`); a one-dof joint also answers to its own name. A ball
 /// joint has `joint.qx … qw` in `q` and `joint.wx, wy, wz` in `v`; a free joint has `joint.px, py, pz` and `joint.vx, vy,
 /// vz` before these.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StateLayout {
     joints: Vec<JointLayout>,
     q_names: Vec<String>,

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod anatomy;
+mod base;
 mod builder;
 mod chains;
 mod configuration;
@@ -14,15 +15,19 @@ mod human;
 mod inertia;
 mod joint;
 mod layout;
+mod limits;
 mod link;
+mod lint;
 mod motion;
 mod record;
 mod reroot;
+mod scale;
 mod source;
 #[cfg(feature = "ron")]
-mod text;
+pub mod text;
 
 pub use anatomy::AnatomicalAngle;
+pub use base::{Base, BaseError};
 pub use builder::{FigureBuilder, LinkSpec};
 pub use chains::{Chain, Chains};
 pub use configuration::ConfigurationError;
@@ -36,13 +41,16 @@ pub use human::{Human, HumanError, human};
 pub use inertia::{Inertia, Shape, ShapeKind};
 pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, Placement};
 pub use layout::{JointLayout, StateLayout};
+pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
+pub use lint::Extent;
 pub use motion::{
     Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Motion, MotionError,
     MotionInfo, Trajectory,
 };
 pub use record::{ForceRecord, Record};
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
+pub use scale::{ScaleError, Scaling};
 pub use source::{Finding, FindingKind, Part, Place, SourceMap, TextError, TextFault};
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};

@@ -125,7 +125,7 @@ impl SourceMap {
         self.field(part, name, "")
     }
 
-    fn field(&self, part: Part, name: &str, field: &'static str) -> Option<&Range<usize>> {
+    pub(crate) fn field(&self, part: Part, name: &str, field: &'static str) -> Option<&Range<usize>> {
         self.places.get(&(part, name.to_owned(), field))
     }
 

@@ -7,6 +7,7 @@ use crate::figure::Figure;
 use crate::inertia::{Inertia, Shape, ShapeKind};
 use crate::joint::Joint;
 use crate::link::SolePart;
+use crate::scale::exact_total;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 /// Factor of the lengths of the table at this height.
@@ -18,12 +19,19 @@ pub(super) fn scale(height: f64) -> f64 {
 pub(super) fn figure(height: f64, mass: f64, factor: impl Fn(&str) -> f64) -> Result<Figure, FigureError> {
     let scale = scale(height);
     let total: f64 = SEGMENTS.iter().map(|s| if s.paired { 2.0 * s.mass } else { s.mass }).sum();
+    let segments = || {
+        let of_side = |prefix: &'static str| {
+            SEGMENTS.iter().filter(move |s| s.paired != prefix.is_empty()).map(move |s| (Side { prefix }, s))
+        };
+        ["", "left_", "right_"].into_iter().flat_map(of_side)
+    };
+    let mut masses: Vec<f64> = segments().map(|(_, segment)| mass * segment.mass / total).collect();
+    // The heaviest segment, the abdomen, takes what rounding leaves.
+    let is_exact = exact_total(&mut masses, mass);
+    debug_assert!(is_exact, "{mass} kg over {} segments", masses.len());
     let mut builder = FigureBuilder::new("human").stature(height);
-    for sides in [&[""][..], &["left_"], &["right_"]] {
-        for segment in SEGMENTS.iter().filter(|s| s.paired != sides[0].is_empty()) {
-            let side = Side { prefix: sides[0] };
-            builder = builder.link(side.link(segment, scale, mass * segment.mass / total, &factor));
-        }
+    for ((side, segment), mass) in segments().zip(masses) {
+        builder = builder.link(side.link(segment, scale, mass, &factor));
     }
     for &(name, joint, axis, left, right) in ANGLES {
         let paired = SEGMENTS.iter().any(|s| s.joint == joint && s.paired);

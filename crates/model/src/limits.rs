@@ -1,0 +1,46 @@
+//! Positions against the limits of the degrees of freedom.
+
+use crate::figure::Figure;
+
+/// How far a motion leaves the range of a degree of freedom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitExcess {
+    /// Its index in `v`.
+    pub dof: usize,
+    /// Its position where it is farthest outside (rad or m).
+    pub position: f64,
+    /// By how much it is outside there (rad or m), above zero.
+    pub by: f64,
+    /// Index of that row.
+    pub row: usize,
+}
+
+impl Figure {
+    /// The degrees of freedom that the positions `q` (`nq` a row) take out of their limits, each where it is farthest
+    /// outside.
+    ///
+    /// ```
+    /// use solaris_model::{FigureBuilder, Joint, LinkSpec};
+    /// let joint = Joint::new("elbow").rx().limited(-2.5, 0.0);
+    /// let arm = FigureBuilder::new("arm").link(LinkSpec::root("forearm", joint).mass(1.0)).build()?;
+    /// let found = arm.limit_excess(&[-1.0, 0.25, 0.125]);
+    /// assert_eq!((found[0].by, found[0].row), (0.25, 1));
+    /// assert!(arm.limit_excess(&[-2.5, 0.0]).is_empty());
+    /// # Ok::<(), solaris_model::FigureError>(())
+    /// ```
+    pub fn limit_excess(&self, q: &[f64]) -> Vec<LimitExcess> {
+        let mut found = Vec::new();
+        for (link, at) in self.links().iter().zip(self.layout().joints()) {
+            for (i, dof) in link.joint().kind().axes().iter().enumerate() {
+                let Some(limits) = dof.limits else { continue };
+                let column = q.iter().skip(at.q + i).step_by(self.layout().nq()).enumerate();
+                let outside = column.map(|(row, &position)| {
+                    let by = (limits.lower - position).max(position - limits.upper);
+                    LimitExcess { dof: at.v + i, position, by, row }
+                });
+                found.extend(outside.max_by(|a, b| a.by.total_cmp(&b.by)).filter(|worst| worst.by > 0.0));
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,210 @@
+//! From a text to its tree: the part of RON that figures use.
+
+use super::lex::{Cursor, Stop, parse as parse_number};
+use super::node::{Content, Group, Named, Node, Value};
+use std::ops::Range;
+
+/// How deep brackets may stand in each other; a figure needs eleven.
+const DEEPEST: usize = 64;
+
+/// The one value that a text is, or the first thing that keeps it from being one.
+pub(super) fn parse(text: &str) -> Result<Node<'_>, Stop> {
+    if let Some(at) = text.find('\0') {
+        return Err((at..at + 1, "this is no text but binary data; give the text of a figure".to_owned()));
+    }
+    let mut cursor = Cursor { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 } };
+    cursor.skip()?;
+    while cursor.rest().starts_with("#!") {
+        extension(&mut cursor)?;
+    }
+    if cursor.peek().is_none() {
+        return Err((0..0, "the text is empty; a figure begins with Figure(version: 1, …)".to_owned()));
+    }
+    let node = value(&mut cursor, 0)?;
+    cursor.skip()?;
+    match cursor.peek() {
+        None => Ok(node),
+        Some(c @ (')' | ']' | '}')) => {
+            Err((cursor.next_span(), format!("this '{c}' closes nothing; the figure has ended before it")))
+        }
+        Some(_) => {
+            Err((cursor.next_span(), "the figure has ended before this; remove what follows".to_owned()))
+        }
+    }
+}
+
+/// `#![enable(…)]`: extensions of RON that change nothing here.
+fn extension(cursor: &mut Cursor<'_>) -> Result<(), Stop> {
+    let start = cursor.at;
+    let Some(length) = cursor.rest().find(']') else {
+        return Err((start..start + 2, "this '#![' is never closed; add a ']'".to_owned()));
+    };
+    cursor.at += length + 1;
+    cursor.skip()
+}
+
+fn value<'a>(cursor: &mut Cursor<'a>, depth: usize) -> Result<Node<'a>, Stop> {
+    let start = cursor.at;
+    let value = match cursor.peek() {
+        Some('(' | '[' | '{') => group(cursor, None, depth)?,
+        Some('"') => cursor.quoted()?,
+        Some('r') if cursor.rest().starts_with("r\"") || cursor.rest().starts_with("r#") => cursor.raw()?,
+        Some('0'..='9' | '+' | '-' | '.') => cursor.number()?,
+        Some(c) if c.is_alphabetic() || c == '_' => {
+            let name = cursor.word();
+            let span = start..cursor.at;
+            let number = if matches!(name, "inf" | "NaN") { parse_number(name) } else { None };
+            cursor.skip()?;
+            if cursor.peek() != Some('(') {
+                // Comments after a word are not part of it.
+                let value = number.map_or(Value::Word(name), Value::Number);
+                return Ok(Node { span, value });
+            }
+            group(cursor, Some(Named { name, span }), depth)?
+        }
+        Some('\'') => {
+            return Err((cursor.next_span(), "texts stand in double quotes: \"…\"".to_owned()));
+        }
+        Some('“' | '”' | '„' | '«') => {
+            return Err((cursor.next_span(), "texts stand in plain double quotes: \"…\"".to_owned()));
+        }
+        Some(c) => return Err((cursor.next_span(), format!("a value must stand here, not {}", shown(c)))),
+        None => {
+            return Err((
+                cursor.next_span(),
+                "the text ends where a value must stand; is it complete?".to_owned(),
+            ));
+        }
+    };
+    Ok(Node { span: start..cursor.at, value })
+}
+
+/// A character in a message.
+fn shown(c: char) -> String {
+    if c.is_control() || c == '\u{fffd}' {
+        format!("the character {}", c.escape_unicode())
+    } else {
+        format!("'{c}'")
+    }
+}
+
+/// What stands in the brackets that open here.
+fn group<'a>(cursor: &mut Cursor<'a>, name: Option<Named<'a>>, depth: usize) -> Result<Value<'a>, Stop> {
+    let open = cursor.next_span();
+    if depth == DEEPEST {
+        let message = format!(
+            "brackets stand more than {DEEPEST} deep in each other here; a figure needs fewer than 12"
+        );
+        return Err((open, message));
+    }
+    let inside = Inside { open, depth: depth + 1 };
+    let bracket = cursor.peek();
+    cursor.at += 1;
+    cursor.skip()?;
+    let content = match bracket {
+        Some('[') => Content::List(inside.all(cursor, ']', |cursor| value(cursor, inside.depth))?),
+        Some('{') => Content::Map(inside.all(cursor, '}', |cursor| inside.entry(cursor))?),
+        _ if begins_with_field(cursor)? => {
+            Content::Fields(inside.all(cursor, ')', |cursor| inside.field(cursor))?)
+        }
+        _ => Content::Tuple(inside.all(cursor, ')', |cursor| value(cursor, inside.depth))?),
+    };
+    Ok(Value::Group(Box::new(Group { name, content })))
+}
+
+/// Whether a word and a colon come next.
+fn begins_with_field(cursor: &Cursor<'_>) -> Result<bool, Stop> {
+    let mut ahead = Cursor { text: cursor.text, at: cursor.at };
+    if ahead.word().is_empty() {
+        return Ok(false);
+    }
+    ahead.skip()?;
+    Ok(ahead.peek() == Some(':'))
+}
+
+/// What is inside of one pair of brackets.
+struct Inside {
+    open: Range<usize>,
+    depth: usize,
+}
+
+impl Inside {
+    /// All that stands between commas, up to the bracket that closes.
+    fn all<'a, T>(
+        &self,
+        cursor: &mut Cursor<'a>,
+        close: char,
+        one: impl Fn(&mut Cursor<'a>) -> Result<T, Stop>,
+    ) -> Result<Vec<T>, Stop> {
+        let mut found = Vec::new();
+        loop {
+            cursor.skip()?;
+            if cursor.take(close) {
+                return Ok(found);
+            }
+            if cursor.peek().is_none() {
+                return Err(self.never_closed(cursor, close));
+            }
+            found.push(one(cursor)?);
+            cursor.skip()?;
+            if !cursor.take(',') && cursor.peek() != Some(close) {
+                return Err(self.no_comma(cursor, close));
+            }
+        }
+    }
+
+    fn never_closed(&self, cursor: &Cursor<'_>, close: char) -> Stop {
+        let open = &cursor.text[self.open.clone()];
+        (
+            self.open.clone(),
+            format!("this '{open}' is never closed: the text ends before its '{close}'; is it complete?"),
+        )
+    }
+
+    fn no_comma(&self, cursor: &Cursor<'_>, close: char) -> Stop {
+        match cursor.peek() {
+            None => self.never_closed(cursor, close),
+            Some(c @ (')' | ']' | '}')) => {
+                let open = &cursor.text[self.open.clone()];
+                let line = cursor.text[..self.open.start].matches('\n').count() + 1;
+                let message =
+                    format!("'{c}' does not close the '{open}' of line {line}; that takes '{close}'");
+                (cursor.next_span(), message)
+            }
+            Some(c) => {
+                (cursor.next_span(), format!("a comma or '{close}' is missing before this {}", shown(c)))
+            }
+        }
+    }
+
+    fn field<'a>(&self, cursor: &mut Cursor<'a>) -> Result<(Named<'a>, Node<'a>), Stop> {
+        let start = cursor.at;
+        let name = cursor.word();
+        if name.is_empty() {
+            let message = match cursor.peek() {
+                Some('0'..='9') => {
+                    "a field must stand here, name: value; in a number, a point takes the place of a comma"
+                }
+                _ => "a field must stand here, its name without quotes: name: value",
+            };
+            return Err((cursor.next_span(), message.to_owned()));
+        }
+        let span = start..cursor.at;
+        cursor.skip()?;
+        if !cursor.take(':') {
+            return Err((span, format!("'{name}' has no value; write {name}: and its value")));
+        }
+        cursor.skip()?;
+        Ok((Named { name, span }, value(cursor, self.depth)?))
+    }
+
+    fn entry<'a>(&self, cursor: &mut Cursor<'a>) -> Result<(Node<'a>, Node<'a>), Stop> {
+        let key = value(cursor, self.depth)?;
+        cursor.skip()?;
+        if !cursor.take(':') {
+            return Err((key.span, "this key of a map has no value; write key: value".to_owned()));
+        }
+        cursor.skip()?;
+        Ok((key, value(cursor, self.depth)?))
+    }
+}

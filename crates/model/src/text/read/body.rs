@@ -1,0 +1,95 @@
+//! A whole figure by one word.
+
+use super::Reader;
+use crate::fault::Fault;
+use crate::figure::Figure;
+use crate::human::{Human, HumanError};
+use crate::text::node::{Content, Node};
+use std::collections::HashSet;
+use std::ops::Range;
+
+impl Reader {
+    /// `Human(height: 1.75, mass: 73.0, segments: {"left_thigh": 0.45})`
+    pub(super) fn body(
+        &mut self,
+        node: &Node<'_>,
+        name: Option<&str>,
+        stature: Option<f64>,
+    ) -> Option<Figure> {
+        if let Some(stature) = stature.filter(|height| *height <= 0.0) {
+            let place = self.places.of(&Fault::Stature { stature });
+            self.fault(place, Fault::Stature { stature }.to_string());
+        }
+        let fields = self.fields(node, &["Human"], &["height", "mass", "segments"])?;
+        let height_node = self.required(&fields, "height", "1.75");
+        let mass_node = self.required(&fields, "mass", "73.0");
+        let height = height_node.and_then(|node| self.number(node, "the height"));
+        let mass = mass_node.and_then(|node| self.number(node, "the mass"));
+        let segments = fields.get("segments").map(|node| self.segments(node)).unwrap_or_default();
+        let (height, mass) = (height?, mass?);
+        let place = |node: Option<&Node<'_>>| node.map_or(fields.at.clone(), |node| node.span.clone());
+        let mut human = Human::new(height, mass);
+        if let Err(error) = human.build() {
+            let field = if matches!(error, HumanError::Height { .. }) { height_node } else { mass_node };
+            self.fault(place(field), error.to_string());
+            return None;
+        }
+        // Each length alone, so that all that are wrong are found.
+        let mut good = true;
+        for segment in &segments {
+            let alone = Human::new(height, mass).segment_length(&segment.name, segment.length);
+            if let Err(error) = alone.build() {
+                let wrong_name = matches!(error, HumanError::Segment { .. });
+                let place = if wrong_name { &segment.name_at } else { &segment.length_at };
+                self.fault(place.clone(), error.to_string());
+                good = false;
+            }
+            human = human.segment_length(&segment.name, segment.length);
+        }
+        if !good {
+            return None;
+        }
+        match human.build() {
+            Ok(mut figure) => {
+                if let Some(name) = name {
+                    name.clone_into(&mut figure.name);
+                }
+                figure.stature = stature.or(figure.stature);
+                Some(figure)
+            }
+            Err(error) => {
+                self.fault(fields.at.clone(), error.to_string());
+                None
+            }
+        }
+    }
+
+    fn segments(&mut self, node: &Node<'_>) -> Vec<Segment> {
+        let Some(Content::Map(entries)) = node.group().map(|group| &group.content) else {
+            let message = format!("segments must be a map {{\"thigh\": 0.45}}, not {}", node.describe());
+            self.fault(node.place(), message);
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        let mut seen = HashSet::new();
+        for (key, value) in entries {
+            let name = self.name(key, "the name of a segment");
+            let length = self.number(value, "the length of a segment");
+            let (Some(name), Some(length)) = (name, length) else { continue };
+            if !seen.insert(name) {
+                self.fault(key.span.clone(), format!("segment '{name}' is given twice; keep one of them"));
+            }
+            let (name_at, length_at) = (key.span.clone(), value.span.clone());
+            found.push(Segment { name: name.to_owned(), length, name_at, length_at });
+        }
+        found
+    }
+}
+
+/// A segment's own length, and where it stands.
+struct Segment {
+    name: String,
+    length: f64,
+    name_at: Range<usize>,
+    length_at: Range<usize>,
+}

@@ -1,0 +1,140 @@
+//! Groups of fields: those that there are, those that there must be, those that nobody knows.
+
+use super::Reader;
+use crate::fault::nearest;
+use crate::text::node::{Content, Group, Named, Node, Value};
+use std::ops::Range;
+
+/// The fields of one group.
+pub(super) struct Fields<'n, 'a> {
+    /// What the group is called.
+    pub(super) kind: &'static str,
+    /// Where a message about the whole group points.
+    pub(super) at: Range<usize>,
+    /// Whether there are fields that nobody knows, which may be meant for any that are missing.
+    pub(super) flawed: bool,
+    found: &'n [(Named<'a>, Node<'a>)],
+}
+
+impl<'n, 'a> Fields<'n, 'a> {
+    /// The value of a field.
+    pub(super) fn get(&self, name: &str) -> Option<&'n Node<'a>> {
+        let (_, node) = self.found.iter().find(|(named, _)| named.name == name)?;
+        // What is there for the sake of saying that it is not.
+        let absent = matches!(node.value, Value::Word("None"));
+        (!absent).then(|| some(node))
+    }
+}
+
+/// Whether it is a group of fields, or one without any.
+fn has_fields(group: &Group<'_>) -> bool {
+    match &group.content {
+        Content::Fields(_) => true,
+        Content::Tuple(items) => items.is_empty(),
+        Content::List(_) | Content::Map(_) => false,
+    }
+}
+
+/// The value in `Some(…)`.
+fn some<'n, 'a>(node: &'n Node<'a>) -> &'n Node<'a> {
+    match node.group() {
+        Some(Group { name: Some(Named { name: "Some", .. }), content: Content::Tuple(items) })
+            if items.len() == 1 =>
+        {
+            &items[0]
+        }
+        _ => node,
+    }
+}
+
+impl Reader {
+    /// The fields of a group that is one of the `kinds`; the first is meant where the group has no name. Fields that are not
+    /// `known` are faults, unless none are known yet.
+    pub(super) fn fields<'n, 'a>(
+        &mut self,
+        node: &'n Node<'a>,
+        kinds: &[&'static str],
+        known: &[&str],
+    ) -> Option<Fields<'n, 'a>> {
+        let kind = self.kind(node, kinds)?;
+        let found: &[_] = match node.group().map(|group| &group.content) {
+            Some(Content::Fields(found)) => found,
+            Some(Content::Tuple(items)) if items.is_empty() => &[],
+            None => &[],
+            Some(_) => {
+                let message =
+                    format!("{kind} takes fields with names, {kind}(name: value, …), not bare values");
+                self.fault(node.place(), message);
+                return None;
+            }
+        };
+        let mut fields = Fields { kind, at: node.place(), flawed: false, found };
+        if !known.is_empty() {
+            fields.flawed = self.only_known(&fields, known);
+        }
+        Some(fields)
+    }
+
+    /// Which of the `kinds` the value is.
+    pub(super) fn kind(&mut self, node: &Node<'_>, kinds: &[&'static str]) -> Option<&'static str> {
+        let wanted = || match kinds {
+            [one] => format!("{one}(…)"),
+            [others @ .., last] => format!("{} or {last}(…)", others.join("(…), ") + "(…)"),
+            [] => String::new(),
+        };
+        match node.head() {
+            Some(head) => {
+                let found = kinds.iter().find(|kind| **kind == head.name).copied();
+                if found.is_none() {
+                    let hint = match nearest(head.name, kinds.iter().copied()) {
+                        Some(near) => format!("did you mean '{near}'?"),
+                        None => format!("write {}", wanted()),
+                    };
+                    self.fault(head.span, format!("'{}' is not known here; {hint}", head.name));
+                }
+                found
+            }
+            None if kinds.len() == 1 && node.group().is_some_and(has_fields) => Some(kinds[0]),
+            None => {
+                self.fault(node.place(), format!("{} must stand here, not {}", wanted(), node.describe()));
+                None
+            }
+        }
+    }
+
+    /// Finds fields that are not `known`, and those given twice; whether there are any.
+    pub(super) fn only_known(&mut self, fields: &Fields<'_, '_>, known: &[&str]) -> bool {
+        let (kind, before) = (fields.kind, self.faults.len());
+        for (i, (named, _)) in fields.found.iter().enumerate() {
+            let name = named.name;
+            if !known.contains(&name) {
+                let hint = match nearest(name, known.iter().copied()) {
+                    Some(near) => format!("did you mean '{near}'?"),
+                    None => format!("its fields are {}", known.join(", ")),
+                };
+                self.fault(named.span.clone(), format!("{kind} has no field '{name}'; {hint}"));
+            } else if fields.found[..i].iter().any(|(other, _)| other.name == name) {
+                self.fault(named.span.clone(), format!("{kind} is given '{name}' twice; keep one of them"));
+            }
+        }
+        self.faults.len() > before
+    }
+
+    /// The value of a field that must be there; `example` is what to add.
+    pub(super) fn required<'n, 'a>(
+        &mut self,
+        fields: &Fields<'n, 'a>,
+        name: &str,
+        example: &str,
+    ) -> Option<&'n Node<'a>> {
+        let node = fields.get(name);
+        if node.is_none() {
+            let whose = match fields.get("name").map(|node| &node.value) {
+                Some(Value::Text(own)) => format!("{} '{own}'", fields.kind),
+                _ => format!("this {}", fields.kind),
+            };
+            self.fault(fields.at.clone(), format!("{whose} has no {name}; add {name}: {example}"));
+        }
+        node
+    }
+}
