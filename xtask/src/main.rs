@@ -6,6 +6,7 @@ mod golden;
 mod layers;
 mod peers;
 mod report;
+mod subject;
 mod timing;
 mod workspace;
 
@@ -19,7 +20,9 @@ cargo xtask CHORE
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
                                     times the kernel as other engines are timed; needs `cargo run --release -p xtask`
-  report                            measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md
+  report [moments]                  measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md,
+                                    and moments beside OpenSim's into docs/bodies.md; or these alone
+  subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
   help                              this list
 ";
 
@@ -36,6 +39,8 @@ fn main() -> ExitCode {
             peers::Options::parse(options).and_then(|options| peers::run(&options))
         }
         ["report"] => report::run(),
+        ["report", "moments"] => report::moments(),
+        ["subject"] => subject::run(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

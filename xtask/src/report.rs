@@ -6,6 +6,7 @@ mod accuracy;
 mod cases;
 #[cfg(test)]
 mod currency;
+mod moments;
 mod page;
 mod plot;
 mod samples;
@@ -34,6 +35,7 @@ pub(crate) fn run() -> Result<(), String> {
             "report",
         ]));
     }
+    moments()?;
     let measured = measure(|case| {
         eprintln!("report: times, {}", case.name);
         speeds(case, speed::measure)
@@ -60,6 +62,16 @@ pub(crate) fn run() -> Result<(), String> {
         write(path, &text)?;
     }
     write("docs/accuracy.svg", &plot::draw(&measured))
+}
+
+/// Writes the moments of a measured walk beside OpenSim's, where the data are at hand.
+pub(crate) fn moments() -> Result<(), String> {
+    let Some(curves) = moments::measure()? else { return Ok(()) };
+    let text = read("docs/bodies.md")?;
+    let text = table::replace(&text, "moments", &moments::table(&curves).markdown())
+        .map_err(|error| format!("docs/bodies.md: {error}"))?;
+    write("docs/bodies.md", &text)?;
+    write("docs/moments.svg", &moments::draw(&curves))
 }
 
 /// The accuracy of every case, with the speeds that `speed` finds.

@@ -1,10 +1,11 @@
 //! What can go wrong, in the words of the command line.
 
+use crate::underline;
 use clap::ArgMatches;
 use solaris::gait::GaitError;
-use solaris::model::HumanError;
+use solaris::model::{HumanError, TextError};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Why a command could not be done.
@@ -24,6 +25,15 @@ pub(crate) enum CliError {
         "{duration:.0} s at {rate} frames/s make {frames:.0} frames, more than {most}; lower --rate or walk fewer steps"
     )]
     TooLong { duration: f64, rate: f64, frames: f64, most: f64 },
+    /// A file that cannot be read, or that does not hold what is needed.
+    #[error("{path}: {why}", path = .path.display())]
+    Input { path: PathBuf, why: String },
+    /// A text with faults that have places.
+    #[error("{path} cannot be used", path = .path.display())]
+    Text { path: PathBuf, text: String, faults: TextError },
+    /// Something looks wrong where nothing was to.
+    #[error("{path}: {count} things look wrong, and --strict asks for none", path = .path.display())]
+    Strict { path: PathBuf, count: usize },
     #[error("standard output: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]
@@ -34,6 +44,11 @@ impl CliError {
     /// Anything that is nobody's option.
     pub(crate) fn other(error: impl std::error::Error + 'static) -> Self {
         Self::Other(Box::new(error))
+    }
+
+    /// A file that is at fault.
+    pub(crate) fn input(path: &Path, why: &dyn ToString) -> Self {
+        Self::Input { path: path.to_owned(), why: why.to_string() }
     }
 
     /// 2 where the command line cannot be understood, 1 where it cannot be done.
@@ -91,14 +106,15 @@ pub(crate) fn typed(matches: &ArgMatches, option: &str) -> Option<String> {
 }
 
 /// Prints an error and what to do next. Where that cannot be printed either, the exit code has to do.
-pub(crate) fn show(error: &CliError) {
+pub(crate) fn show(error: &CliError, command: &str) {
     let mut stderr = anstream::stderr().lock();
     let _ = writeln!(stderr, "\x1b[1;31merror:\x1b[0m {error}");
     let _ = match error {
         CliError::Option { option, .. } => {
-            writeln!(stderr, "\nsolaris walk --help tells what --{option} is")
+            writeln!(stderr, "\nsolaris {command} --help tells what --{option} is")
         }
         CliError::Usage(_) => writeln!(stderr, "\nFor more information, try '--help'."),
+        CliError::Text { path, text, faults } => write!(stderr, "{}", underline::faults(path, text, faults)),
         _ => Ok(()),
     };
 }

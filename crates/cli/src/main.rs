@@ -3,9 +3,16 @@
 //! Exit codes: 0 done; 1 understood but not possible; 2 the command line cannot be understood.
 
 mod args;
+mod check;
+mod convert;
 mod error;
+mod figure;
+mod input;
+mod inverse;
 mod output;
+mod print;
 mod progress;
+mod underline;
 mod walk;
 
 use std::process::ExitCode;
@@ -14,13 +21,17 @@ fn main() -> ExitCode {
     let matches = args::command().get_matches();
     let result = match matches.subcommand() {
         Some(("walk", matches)) => walk::run(matches),
+        Some(("inverse", matches)) => inverse::run(matches),
+        Some(("check", matches)) => check::run(matches),
+        Some(("figure", matches)) => figure::run(matches),
+        Some(("convert", matches)) => convert::run(matches),
         // clap asks for a subcommand.
         _ => Ok(()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            error::show(&error);
+            error::show(&error, matches.subcommand_name().unwrap_or_default());
             error.exit_code()
         }
     }

@@ -3,35 +3,26 @@
 mod part;
 
 use crate::error::CliError;
+use crate::input::extension;
 use part::Part;
 use std::fs;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// What a file holds, by its extension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Format {
-    Html,
-    Csv,
-    Bvh,
-    Json,
-}
-
-/// Formats of a motion, by extension.
-const MOTION_FORMATS: [(&str, Format); 3] =
-    [("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh)];
+/// What a file may hold, by its extension.
+pub(crate) type Formats<F> = &'static [(&'static str, F)];
 
 /// One file to write.
 #[derive(Debug)]
-struct Output {
+struct Output<F> {
     option: &'static str,
     path: PathBuf,
-    format: Format,
+    format: F,
     /// Where the file will stand, links followed.
     place: PathBuf,
 }
 
-impl Output {
+impl<F> Output<F> {
     fn refuse(&self, why: &dyn ToString) -> CliError {
         refuse(self.option, &self.path, why.to_string())
     }
@@ -39,24 +30,21 @@ impl Output {
 
 /// The files that a command is to write, checked before the work begins.
 #[derive(Debug)]
-pub(crate) struct Outputs(Vec<Output>);
+pub(crate) struct Outputs<F>(Vec<Output<F>>);
 
-impl Outputs {
-    /// Motions at `paths` and a report at `report`.
+impl<F: Copy + 'static> Outputs<F> {
+    /// Files of these options at these paths, each with the formats that it may have.
     pub(crate) fn new<'a>(
-        paths: impl Iterator<Item = &'a PathBuf>,
-        report: Option<&PathBuf>,
+        files: impl IntoIterator<Item = (&'static str, &'a PathBuf, Formats<F>)>,
     ) -> Result<Self, CliError> {
-        let mut outputs: Vec<Output> = Vec::new();
-        let motions = paths.map(|path| ("-o", path, motion_format(path), ".html, .csv or .bvh"));
-        let report = report.map(|path| {
-            let is_json = extension(path).is_some_and(|extension| extension == "json");
-            ("--report", path, is_json.then_some(Format::Json), ".json")
-        });
-        for (option, path, format, known) in motions.chain(report) {
+        let mut outputs: Vec<Output<F>> = Vec::new();
+        for (option, path, formats) in files {
             let refuse = |why: String| refuse(option, path, why);
             let place = place(path).map_err(refuse)?;
-            let format = format.ok_or_else(|| refuse(format!("its extension must be {known}")))?;
+            let extension = extension(path);
+            let format = formats.iter().find(|(known, _)| *known == extension).map(|(_, format)| *format);
+            let format =
+                format.ok_or_else(|| refuse(format!("its extension must be {}", listed(formats))))?;
             if let Some(other) = outputs.iter().find(|output| output.place == place) {
                 let (option, path) = (other.option, other.path.display());
                 return Err(refuse(format!("{option} {path} is the same file; give each its own")));
@@ -74,7 +62,7 @@ impl Outputs {
     /// Writes all files by `write`, or leaves none and what was there before.
     pub(crate) fn write(
         &self,
-        mut write: impl FnMut(Format, &mut dyn Write) -> Result<(), CliError>,
+        mut write: impl FnMut(F, &mut dyn Write) -> Result<(), CliError>,
     ) -> Result<(), CliError> {
         let mut parts: Vec<Part> = Vec::new();
         for output in &self.0 {
@@ -93,13 +81,14 @@ impl Outputs {
     }
 }
 
-fn extension(path: &Path) -> Option<String> {
-    path.extension().map(|extension| extension.to_string_lossy().to_lowercase())
-}
-
-fn motion_format(path: &Path) -> Option<Format> {
-    let extension = extension(path)?;
-    MOTION_FORMATS.iter().find(|(known, _)| *known == extension).map(|(_, format)| *format)
+/// Extensions as people list them.
+fn listed<F>(formats: &[(&str, F)]) -> String {
+    let names: Vec<String> = formats.iter().map(|(extension, _)| format!(".{extension}")).collect();
+    match names.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
+    }
 }
 
 fn refuse(option: &'static str, path: &Path, why: String) -> CliError {
@@ -149,6 +138,15 @@ fn place(path: &Path) -> Result<PathBuf, String> {
 mod tests {
     use super::*;
 
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    enum Format {
+        Csv,
+        Html,
+        Bvh,
+    }
+
+    const FORMATS: Formats<Format> = &[("csv", Format::Csv), ("html", Format::Html), ("bvh", Format::Bvh)];
+
     fn names(folder: &Path) -> Vec<String> {
         let mut names: Vec<String> = fs::read_dir(folder)
             .expect("a folder")
@@ -158,9 +156,9 @@ mod tests {
         names
     }
 
-    fn outputs(folder: &Path, files: &[&str]) -> Outputs {
+    fn outputs(folder: &Path, files: &[&str]) -> Outputs<Format> {
         let paths: Vec<PathBuf> = files.iter().map(|file| folder.join(file)).collect();
-        Outputs::new(paths.iter(), None).expect("good outputs")
+        Outputs::new(paths.iter().map(|path| ("-o", path, FORMATS))).expect("good outputs")
     }
 
     #[test]
@@ -222,7 +220,7 @@ mod tests {
     #[test]
     fn an_error_while_writing_names_the_file() {
         let folder = tempfile::tempdir().expect("a folder");
-        let fails = |_, _: &mut dyn Write| Err(CliError::other(std::io::Error::other("it broke")));
+        let fails = |_: Format, _: &mut dyn Write| Err(CliError::other(std::io::Error::other("it broke")));
         let error = outputs(folder.path(), &["a.csv"]).write(fails).expect_err("it fails");
         let path = folder.path().join("a.csv");
         assert_eq!(error.to_string(), format!("-o {}: it broke", path.display()));

@@ -1,6 +1,6 @@
 //! Progress on a terminal; nothing anywhere else.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::Duration;
 
 /// A bar that moves by stages.
@@ -21,6 +21,39 @@ impl Progress {
     pub(crate) fn stage(&self, what: &'static str) {
         self.0.set_message(what);
         self.0.inc(1);
+    }
+}
+
+impl Progress {
+    /// A bar of its own for so many rows, in place of the stages.
+    pub(crate) fn rows(&self, count: usize) -> Rows {
+        let bar = ProgressBar::new(count as u64);
+        // Many rows only: a bar that flashes tells nothing.
+        if count < MANY_ROWS {
+            bar.set_draw_target(ProgressDrawTarget::hidden());
+        } else {
+            self.0.finish_and_clear();
+        }
+        Rows(bar)
+    }
+}
+
+/// Rows from which on their progress is shown.
+const MANY_ROWS: usize = 20_000;
+
+/// A bar over the rows of a table.
+pub(crate) struct Rows(ProgressBar);
+
+impl Rows {
+    /// So many are done.
+    pub(crate) fn at(&self, done: usize) {
+        self.0.set_position(done as u64);
+    }
+}
+
+impl Drop for Rows {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
     }
 }
 

@@ -6,11 +6,13 @@ mod summary;
 
 use crate::args::{BODY_MASS_INDEX, DEFAULT_STEPS, HEIGHT, RATE, check};
 use crate::error::{CliError, typed};
-use crate::output::{Format, Outputs};
+use crate::input;
+use crate::output::{Formats, Outputs};
+use crate::print::print;
 use crate::progress::Progress;
 use clap::ArgMatches;
 use report::Report;
-use solaris::gait::{Extent, FEET, PARAMETERS, STEPS, WalkRequest, measure, walk};
+use solaris::gait::{Extent, FEET, PARAMETERS, STEPS, WalkRequest, lacks, measure, walk};
 use solaris::model::{Figure, Motion, Trajectory, human};
 use solaris::modes::ground_reactions;
 use solaris::view::{PageOptions, page};
@@ -18,23 +20,35 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
+/// What a file of a walk holds.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Html,
+    Csv,
+    Bvh,
+    Json,
+}
+
+const MOTION: Formats<Format> = &[("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh)];
+const REPORT: Formats<Format> = &[("json", Format::Json)];
+
 /// The most samples of a motion: the longest walk at the default rate has 1.2 million, some 6 GB.
 const MOST_FRAMES: f64 = 1.5e6;
 
 /// Plans the walk, finds its forces, writes it, and says what it came to.
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     check(matches)?;
+    let motions = matches.get_many::<PathBuf>("output").unwrap_or_default();
     let outputs = Outputs::new(
-        matches.get_many::<PathBuf>("output").unwrap_or_default(),
-        matches.get_one::<PathBuf>("report"),
+        motions
+            .map(|path| ("-o", path, MOTION))
+            .chain(matches.get_one::<PathBuf>("report").map(|path| ("--report", path, REPORT))),
     )?;
     let rate = number(matches, "rate").unwrap_or(RATE.0);
     if !(RATE.1..=RATE.2).contains(&rate) {
         return Err(out_of_range(matches, "rate", format!("it must be {} to {} frames/s", RATE.1, RATE.2)));
     }
-    let height = number(matches, "height").unwrap_or(HEIGHT);
-    let mass = number(matches, "mass").unwrap_or(BODY_MASS_INDEX * height * height);
-    let figure = human(height, mass).map_err(|error| CliError::of_human(error, matches))?;
+    let figure = figure(matches)?;
     let request = request(matches)?;
 
     let progress = Progress::new(4);
@@ -49,22 +63,34 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     progress.stage("measuring");
     let measures = measure(&figure, &motion).map_err(CliError::other)?;
     let solved = start.elapsed();
-    let report = Report::new(height, mass, &plan, &motion, &reactions, &measures, (planned, solved));
+    let person = (plan.stature(), figure.mass());
+    let report = Report::new(person, &plan, &motion, &reactions, &measures, (planned, solved));
     progress.stage("writing");
     outputs.write(|format, writer| write(format, writer, &figure, &motion, &report))?;
     drop(progress);
 
-    let mut stdout = anstream::stdout().lock();
-    let printed = if matches.get_flag("json") {
-        report.write(&mut stdout)
+    if matches.get_flag("json") {
+        print(|out| report.write(out))
     } else {
-        stdout.write_all(summary::table(&report, outputs.paths()).as_bytes())
-    };
-    match printed.and_then(|()| stdout.flush()) {
-        // Whoever reads has read enough.
-        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        other => other.map_err(CliError::Stdout),
+        print(|out| out.write_all(summary::table(&report, outputs.paths()).as_bytes()))
     }
+}
+
+/// Who walks: the figure of a file that has all that a walk needs, or a human.
+fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
+    if let Some(path) = matches.get_one::<PathBuf>("figure") {
+        let figure = input::body(path)?.figure;
+        let lacks = lacks(&figure);
+        return if lacks.is_empty() {
+            Ok(figure)
+        } else {
+            let list: String = lacks.iter().map(|lack| format!("\n  - {lack}")).collect();
+            Err(CliError::input(path, &format!("figure '{}' cannot walk:{list}", figure.name())))
+        };
+    }
+    let height = number(matches, "height").unwrap_or(HEIGHT);
+    let mass = number(matches, "mass").unwrap_or(BODY_MASS_INDEX * height * height);
+    human(height, mass).map_err(|error| CliError::of_human(error, matches))
 }
 
 fn number(matches: &ArgMatches, name: &str) -> Option<f64> {

@@ -127,8 +127,7 @@ pub(crate) struct RunTime {
 
 impl Report {
     pub(crate) fn new(
-        height: f64,
-        mass: f64,
+        (height, mass): (f64, f64),
         plan: &WalkPlan,
         motion: &Motion,
         reactions: &ReactionReport,

@@ -77,6 +77,11 @@ impl WalkPlan {
         self.laws.style.is_extrapolated(&self.body.leg)
     }
 
+    /// The standing height that the laws scale with (m): the figure's own, or what its legs suggest.
+    pub fn stature(&self) -> f64 {
+        self.body.height
+    }
+
     /// Number of steps, without the closing one.
     pub fn steps(&self) -> usize {
         self.laws.steps

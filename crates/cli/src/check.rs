@@ -1,0 +1,154 @@
+//! `solaris check`: what a figure is, and what looks wrong with it.
+
+use crate::error::CliError;
+use crate::input::{self, Body};
+use crate::print::print;
+use clap::ArgMatches;
+use serde::Serialize;
+use solaris::dynamics::denavit_hartenberg::Summary;
+use solaris::model::{Chains, Figure, Finding, FindingKind, Vector3};
+use std::io::Write;
+use std::path::PathBuf;
+
+pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+    let path = matches.get_one::<PathBuf>("figure").cloned().unwrap_or_default();
+    let Body { figure, language, mut findings, gravity, gravity_is_given } = input::body(&path)?;
+    findings.extend(figure.lint());
+    let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
+    // With the rationalised links or without, the chains come first.
+    let chains = if matches.get_flag("dh") {
+        let summary = Summary::of(&figure).map_err(CliError::other)?;
+        format!("{summary}")
+    } else {
+        Chains::of(&figure).to_string()
+    };
+    let facts = Facts::of(&figure, language.name(), gravity.into(), gravity_is_given, &findings);
+    print(|out| {
+        if matches.get_flag("json") {
+            serde_json::to_writer_pretty(&mut *out, &facts).map_err(std::io::Error::from)?;
+            return writeln!(out);
+        }
+        facts.write(out)?;
+        writeln!(out, "\n{chains}")?;
+        list(out, &findings)
+    })?;
+    if matches.get_flag("strict") && suspects > 0 {
+        return Err(CliError::Strict { path, count: suspects });
+    }
+    Ok(())
+}
+
+/// What a figure is, in numbers.
+#[derive(Serialize)]
+struct Facts<'a> {
+    name: &'a str,
+    format: &'static str,
+    links: usize,
+    dofs: usize,
+    positions: usize,
+    followers: Vec<&'a str>,
+    mass_kg: f64,
+    stature_m: Option<f64>,
+    extent_m: f64,
+    gravity_m_s2: [f64; 3],
+    gravity_is_given: bool,
+    chains: usize,
+    findings: Vec<Said<'a>>,
+}
+
+#[derive(Serialize)]
+struct Said<'a> {
+    kind: &'static str,
+    subject: &'a str,
+    message: &'a str,
+    line: Option<usize>,
+    column: Option<usize>,
+}
+
+impl<'a> Facts<'a> {
+    fn of(
+        figure: &'a Figure,
+        format: &'static str,
+        gravity: [f64; 3],
+        gravity_is_given: bool,
+        findings: &'a [Finding],
+    ) -> Self {
+        let layout = figure.layout();
+        let said = |finding: &'a Finding| Said {
+            kind: heading(finding.kind).0,
+            subject: &finding.subject,
+            message: &finding.message,
+            line: finding.place.as_ref().map(|place| place.line),
+            column: finding.place.as_ref().map(|place| place.column),
+        };
+        Self {
+            name: figure.name(),
+            format,
+            links: figure.links().len(),
+            dofs: layout.nv(),
+            positions: layout.nq(),
+            followers: figure.followers().iter().map(|f| layout.v_names()[f.dof].as_str()).collect(),
+            mass_kg: figure.mass(),
+            stature_m: figure.stature(),
+            extent_m: figure.extent(&-Vector3::from(gravity)).height,
+            gravity_m_s2: gravity,
+            gravity_is_given,
+            chains: Chains::of(figure).iter().count(),
+            findings: findings.iter().map(said).collect(),
+        }
+    }
+
+    fn write(&self, out: &mut dyn Write) -> std::io::Result<()> {
+        writeln!(out, "{} '{}'\n", self.format, self.name)?;
+        let mut row = |what: &str, value: String| writeln!(out, "  {what:<24}{value}");
+        row("links", self.links.to_string())?;
+        let extra = if self.positions == self.dofs {
+            String::new()
+        } else {
+            format!(" ({} positions)", self.positions)
+        };
+        row("degrees of freedom", format!("{}{extra}", self.dofs))?;
+        if !self.followers.is_empty() {
+            row(
+                "of which follow others",
+                format!("{} ({})", self.followers.len(), self.followers.join(", ")),
+            )?;
+        }
+        row("mass", format!("{} kg", self.mass_kg))?;
+        if let Some(stature) = self.stature_m {
+            row("standing height", format!("{stature} m"))?;
+        }
+        row(
+            "reaches",
+            format!(
+                "{:.3} m, from its lowest to its highest point with all coordinates at zero",
+                self.extent_m
+            ),
+        )?;
+        let [x, y, z] = self.gravity_m_s2;
+        let whose = if self.gravity_is_given { "the file's" } else { "standard, down in this format" };
+        row("gravity", format!("({x}, {y}, {z}) m/s², {whose}"))?;
+        row("chains", self.chains.to_string())
+    }
+}
+
+/// What kinds of findings are called: in JSON, and above a list of them.
+fn heading(kind: FindingKind) -> (&'static str, &'static str) {
+    match kind {
+        FindingKind::Suspect => ("suspect", "Looks wrong"),
+        FindingKind::Unsupported => ("unsupported", "Not read: a figure has no place for it"),
+        FindingKind::Note => ("note", "To know"),
+    }
+}
+
+/// Lists findings by kind.
+pub(crate) fn list(out: &mut dyn Write, findings: &[Finding]) -> std::io::Result<()> {
+    for kind in [FindingKind::Suspect, FindingKind::Unsupported, FindingKind::Note] {
+        let these: Vec<&Finding> = findings.iter().filter(|finding| finding.kind == kind).collect();
+        if !these.is_empty() {
+            writeln!(out, "\n{}", heading(kind).1)?;
+            these.iter().try_for_each(|finding| writeln!(out, "  {finding}"))?;
+        }
+    }
+    Ok(())
+}

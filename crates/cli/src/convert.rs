@@ -1,0 +1,93 @@
+//! `solaris convert`: a figure or a motion from one format to another.
+
+use crate::check::list;
+use crate::error::CliError;
+use crate::figure::TEXT;
+use crate::input::{self, Body, Size, extension};
+use crate::output::{Formats, Outputs};
+use crate::print::print;
+use clap::ArgMatches;
+use solaris::io::{csv, headings, sto};
+use solaris::model::{Scaling, text};
+use std::path::{Path, PathBuf};
+
+/// What a table is written as.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum TableFormat {
+    /// Comma-separated, `DOF.q`.
+    Csv,
+    /// OpenSim's, `DOF`.
+    Sto,
+}
+
+/// The formats of a table.
+pub(crate) const TABLE: Formats<TableFormat> =
+    &[("csv", TableFormat::Csv), ("sto", TableFormat::Sto), ("mot", TableFormat::Sto)];
+
+pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+    let [from, to] = ["from", "to"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
+    let is_table = TABLE.iter().any(|(known, _)| *known == extension(&from));
+    let size = Size::of(matches);
+    if !is_table {
+        return figure(&from, &to, size);
+    }
+    if size.is_asked() {
+        let why = "--height, --mass and --segment change a figure; a motion has no size";
+        return Err(CliError::Usage(why.to_owned()));
+    }
+    motion(matches, &from, &to)
+}
+
+fn figure(from: &Path, to: &PathBuf, size: Size) -> Result<(), CliError> {
+    let outputs = Outputs::new([("OUT", to, TEXT)])?;
+    let Body { mut figure, language, findings, .. } = input::body(from)?;
+    if size.is_asked() {
+        let Size { height, mass, segments } = size;
+        figure = figure
+            .scaled(&Scaling { height, mass, segments })
+            .map_err(|error| CliError::input(from, &error))?;
+    }
+    let text = text::write(&figure);
+    outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
+    print(|out| {
+        let (name, links, dofs) = (figure.name(), figure.links().len(), figure.layout().nv());
+        let (what, mass) = (language.name(), figure.mass());
+        writeln!(out, "{what} '{name}': {links} links, {dofs} degrees of freedom, {mass} kg")?;
+        list(out, &findings)?;
+        writeln!(out, "wrote {}", to.display())
+    })
+}
+
+fn motion(matches: &ArgMatches, from: &Path, to: &PathBuf) -> Result<(), CliError> {
+    let outputs = Outputs::new([("OUT", to, TABLE)])?;
+    let table = input::table(from)?;
+    let figure = match matches.get_one::<PathBuf>("figure") {
+        Some(path) => Some(input::body(path)?.figure),
+        None => None,
+    };
+    let (positions, left_out) = if extension(from) == "csv" {
+        (table, Vec::new())
+    } else {
+        headings::from_opensim(&table, figure.as_ref()).map_err(|error| CliError::input(from, &error))?
+    };
+    let (bare, no_positions) = headings::to_opensim(&positions);
+    outputs.write(|format, mut writer| {
+        match format {
+            TableFormat::Csv => csv::write_table(&positions, &mut writer),
+            TableFormat::Sto => sto::write(&bare, &mut writer),
+        }
+        .map_err(CliError::other)
+    })?;
+    print(|out| {
+        writeln!(
+            out,
+            "{} rows of {} coordinates, in rad and m",
+            bare.len(),
+            bare.columns.len().saturating_sub(1)
+        )?;
+        for left_out in [left_out, no_positions].iter().filter(|names| !names.is_empty()) {
+            writeln!(out, "left out, as no positions: {}", left_out.join(", "))?;
+        }
+        writeln!(out, "wrote {}", to.display())
+    })
+}

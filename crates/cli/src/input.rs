@@ -1,0 +1,153 @@
+//! Files that are read: figures in any format, tables of numbers.
+
+use crate::error::CliError;
+use clap::ArgMatches;
+use solaris::io::{Import, Table, csv, mjcf, opensim, sto, urdf};
+use solaris::model::{Figure, Finding, TextError, Vector3, text};
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::Path;
+
+/// The most bytes of a file that is read.
+const MOST_BYTES: u64 = 1 << 30;
+/// Gravity of figures that are Solaris' own: y is up (m/s²).
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
+
+/// What a model file is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Language {
+    Ron,
+    Urdf,
+    Mjcf,
+    OpenSim,
+}
+
+impl Language {
+    /// Its name for people.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Ron => "Solaris figure",
+            Self::Urdf => "URDF",
+            Self::Mjcf => "MuJoCo model",
+            Self::OpenSim => "OpenSim model",
+        }
+    }
+
+    /// Of a file, by its extension, and for `.xml` by its root element.
+    fn of(path: &Path, text: &str) -> Option<Self> {
+        let roots = [("<mujoco", Self::Mjcf), ("<robot", Self::Urdf), ("<OpenSimDocument", Self::OpenSim)];
+        match extension(path).as_str() {
+            "ron" => Some(Self::Ron),
+            "urdf" => Some(Self::Urdf),
+            "mjcf" => Some(Self::Mjcf),
+            "osim" => Some(Self::OpenSim),
+            "xml" => roots
+                .iter()
+                .filter_map(|(root, language)| text.find(root).map(|at| (at, *language)))
+                .min_by_key(|(at, _)| *at)
+                .map(|(_, language)| language),
+            _ => None,
+        }
+    }
+}
+
+/// A figure as it was read.
+pub(crate) struct Body {
+    pub(crate) figure: Figure,
+    pub(crate) language: Language,
+    /// What the reader had to say.
+    pub(crate) findings: Vec<Finding>,
+    pub(crate) gravity: Vector3<f64>,
+    pub(crate) gravity_is_given: bool,
+}
+
+/// Reads a figure.
+pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
+    let text = self::text(path)?;
+    let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
+    let language = Language::of(path, &text).ok_or_else(|| {
+        let why = match extension(path).as_str() {
+            "xml" => {
+                "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an OpenSim model".to_owned()
+            }
+            "csv" | "mot" | "sto" | "bvh" => format!("it is a motion, and a figure is needed: {known}"),
+            _ => format!("its extension says nothing; {known}"),
+        };
+        CliError::input(path, &why)
+    })?;
+    let imported = match language {
+        Language::Ron => text::read(&text).map(|figure| Import {
+            figure,
+            findings: Vec::new(),
+            gravity: GRAVITY,
+            gravity_is_given: false,
+        }),
+        Language::Urdf => urdf::read(&text),
+        Language::Mjcf => mjcf::read(&text),
+        Language::OpenSim => opensim::read(&text),
+    };
+    let Import { figure, findings, gravity, gravity_is_given, .. } =
+        imported.map_err(|faults| faulty(path, &text, faults))?;
+    Ok(Body { figure, language, findings, gravity, gravity_is_given })
+}
+
+/// Reads a table of numbers.
+pub(crate) fn table(path: &Path) -> Result<Table, CliError> {
+    let read = match extension(path).as_str() {
+        "csv" => csv::read_table,
+        "mot" | "sto" => sto::read,
+        _ => return Err(CliError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto")),
+    };
+    read(&text(path)?).map_err(|error| CliError::input(path, &error))
+}
+
+/// What size a figure is to have.
+pub(crate) struct Size {
+    pub(crate) height: Option<f64>,
+    pub(crate) mass: Option<f64>,
+    pub(crate) segments: Vec<(String, f64)>,
+}
+
+impl Size {
+    pub(crate) fn of(matches: &ArgMatches) -> Self {
+        let number = |name: &str| matches.get_one::<f64>(name).copied();
+        let segments = matches.get_many("segment").unwrap_or_default().cloned().collect();
+        Self { height: number("height"), mass: number("mass"), segments }
+    }
+
+    /// Whether any of it was asked for.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.height.is_some() || self.mass.is_some() || !self.segments.is_empty()
+    }
+}
+
+/// The error of a text with faults.
+pub(crate) fn faulty(path: &Path, text: &str, faults: TextError) -> CliError {
+    CliError::Text { path: path.to_owned(), text: text.to_owned(), faults }
+}
+
+/// A file's text.
+pub(crate) fn text(path: &Path) -> Result<String, CliError> {
+    let refuse = |why: &dyn ToString| CliError::input(path, why);
+    if fs::metadata(path).is_ok_and(|found| found.is_dir()) {
+        return Err(refuse(&"it is a folder; name a file"));
+    }
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => refuse(&"there is no such file"),
+        _ => refuse(&error),
+    })?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| refuse(&error))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(refuse(&format!("it has more than {MOST_BYTES} bytes, the most that is read")));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        refuse(&format!("it is no text: byte {at} is not UTF-8"))
+    })
+}
+
+/// A path's extension in lower case, or nothing.
+pub(crate) fn extension(path: &Path) -> String {
+    path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default()
+}

@@ -1,0 +1,104 @@
+//! What pushes from outside: plates named one by one, or OpenSim's description of them.
+
+use crate::error::CliError;
+use crate::input;
+use clap::ArgMatches;
+use solaris::io::{Table, opensim, record};
+use solaris::model::{Figure, ForceRecord, nearest};
+use std::path::{Path, PathBuf};
+
+/// Measured forces as they were read.
+pub(super) enum External {
+    None,
+    /// A table, and which of its columns push which links.
+    Plates {
+        path: PathBuf,
+        table: Table,
+        plates: Vec<(Vec<String>, String)>,
+    },
+    /// OpenSim's description and the table that it names.
+    Loads {
+        path: PathBuf,
+        data: PathBuf,
+        loads: opensim::ExternalLoads,
+        table: Table,
+    },
+}
+
+impl External {
+    pub(super) fn read(matches: &ArgMatches) -> Result<Self, CliError> {
+        if let Some(path) = matches.get_one::<PathBuf>("external") {
+            let plates = matches.get_many("plate").unwrap_or_default().cloned().collect();
+            return Ok(Self::Plates { path: path.clone(), table: input::table(path)?, plates });
+        }
+        let Some(path) = matches.get_one::<PathBuf>("external-loads") else { return Ok(Self::None) };
+        let text = input::text(path)?;
+        let loads = opensim::external_loads(&text).map_err(|faults| input::faulty(path, &text, faults))?;
+        // The file of the data is named from where the description stands.
+        let Some(named) = &loads.data_file else {
+            return Err(CliError::input(
+                path,
+                &"it names no data file: <datafile> must hold the path of the forces",
+            ));
+        };
+        let data = path.parent().unwrap_or_else(|| Path::new("")).join(named.trim());
+        Ok(Self::Loads { path: path.clone(), table: input::table(&data)?, data, loads })
+    }
+
+    /// The forces on the figure's links.
+    pub(super) fn records(&self, figure: &Figure) -> Result<Vec<ForceRecord>, CliError> {
+        let (path, records) = match self {
+            Self::None => return Ok(Vec::new()),
+            Self::Plates { path, table, plates } => {
+                let records = plates.iter().map(|(links, prefix)| record::forces(table, links, prefix));
+                (path, records.collect())
+            }
+            Self::Loads { path, data, loads, table } => {
+                let records = loads.records(table).map_err(|error| CliError::input(data, &error))?;
+                (path, Ok(records))
+            }
+        };
+        let mut records: Vec<ForceRecord> = records.map_err(|error| CliError::input(path, &error))?;
+        for link in records.iter_mut().flat_map(|record| &mut record.links) {
+            *link = carrier(figure, link).ok_or_else(|| {
+                let names = figure.links().iter().map(|link| link.name());
+                let hint =
+                    nearest(link, names).map_or_else(String::new, |name| format!("; did you mean '{name}'?"));
+                let why =
+                    format!("figure '{}' has no link and no frame '{link}' to push{hint}", figure.name());
+                CliError::input(path, &why)
+            })?;
+        }
+        Ok(records)
+    }
+
+    /// What the summary says of it.
+    pub(super) fn describe(&self) -> String {
+        let plate = |links: &str, of: &str| format!("{links} by {of}");
+        let (file, plates): (&Path, Vec<String>) = match self {
+            Self::None => return "none".to_owned(),
+            Self::Plates { path, plates, .. } => (
+                path,
+                plates
+                    .iter()
+                    .map(|(links, prefix)| plate(&links.join("+"), &format!("'{prefix}'")))
+                    .collect(),
+            ),
+            Self::Loads { data, loads, .. } => {
+                (data, loads.forces.iter().map(|force| plate(&force.body, &force.name)).collect())
+            }
+        };
+        format!("{}: {}", file.display(), plates.join(", "))
+    }
+}
+
+/// The link called `name`, or the one that carries the frame of that name: bodies that cannot move against each other are one
+/// link.
+fn carrier(figure: &Figure, name: &str) -> Option<String> {
+    let has_frame = |frames: &[solaris::model::NamedFrame]| frames.iter().any(|frame| frame.name == name);
+    let mut links = figure.links().iter();
+    if figure.link(name).is_some() {
+        return Some(name.to_owned());
+    }
+    links.find(|link| has_frame(link.frames())).map(|link| link.name().to_owned())
+}

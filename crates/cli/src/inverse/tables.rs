@@ -1,0 +1,51 @@
+//! Joint forces as tables: our headings, and OpenSim's.
+
+use solaris::io::Table;
+use solaris::model::{AxisKind, Figure, JointKind};
+use solaris::modes::{Completed, InverseReport};
+
+/// `DOF.tau`, as CSV has it.
+pub(super) fn torques(figure: &Figure, motion: &Completed, forces: &InverseReport) -> Table {
+    table(figure, motion, forces, |name, _| format!("{name}.tau"))
+}
+
+/// `DOF_moment` and `DOF_force`, as OpenSim has it.
+pub(super) fn moments(figure: &Figure, motion: &Completed, forces: &InverseReport) -> Table {
+    let heading = |name: &str, slides: bool| format!("{name}_{}", if slides { "force" } else { "moment" });
+    let table = table(figure, motion, forces, heading);
+    let title = "Inverse Dynamics Generalized Forces".to_owned();
+    Table { title, in_degrees: Some(false), ..table }
+}
+
+/// A column for each degree of freedom that is free: what follows another has no force of its own.
+fn table(
+    figure: &Figure,
+    motion: &Completed,
+    forces: &InverseReport,
+    heading: impl Fn(&str, bool) -> String,
+) -> Table {
+    let nv = figure.layout().nv();
+    let slides = slides(figure);
+    let free: Vec<usize> = (0..nv).filter(|&dof| !figure.follows(dof)).collect();
+    let names = free.iter().map(|&dof| heading(&figure.layout().v_names()[dof], slides[dof]));
+    let columns = std::iter::once("time".to_owned()).chain(names).collect();
+    let rows = motion.time.iter().zip(forces.tau.chunks_exact(nv.max(1)));
+    let values = rows.flat_map(|(time, tau)| std::iter::once(*time).chain(free.iter().map(|&dof| tau[dof])));
+    let (values, lines) = (values.collect(), (1..).take(motion.time.len()).collect());
+    Table { columns, values, lines, header_line: 1, ..Table::default() }
+}
+
+/// Of each degree of freedom, whether it slides: its force is in N, the others' in N m.
+pub(super) fn slides(figure: &Figure) -> Vec<bool> {
+    let mut slides = Vec::with_capacity(figure.layout().nv());
+    for link in figure.links() {
+        match link.joint().kind() {
+            JointKind::Free { .. } => slides.extend([true, true, true, false, false, false]),
+            JointKind::Axes(dofs) => {
+                slides.extend(dofs.iter().map(|dof| dof.axis.kind == AxisKind::Translation));
+            }
+            kind => slides.extend((0..kind.nv()).map(|_| false)),
+        }
+    }
+    slides
+}
