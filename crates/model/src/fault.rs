@@ -172,12 +172,19 @@ impl std::error::Error for FigureError {}
 
 /// The name in `names` that is nearest to `wanted`, if any is near: what a message about an unknown name can suggest.
 pub fn nearest<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
+    // So far is near. Lengths differ by no more than the names do, and nobody mistypes a name of many lines.
+    let near = 2.max(wanted.len() / 3);
+    let is_close = |name: &&str| name.len().abs_diff(wanted.len()) <= 4 * near;
     names
+        .filter(|name| wanted.len() <= LONGEST_NAME && is_close(name))
         .map(|name| (edit_distance(wanted, name), name))
         .min()
-        .filter(|(distance, _)| *distance <= 2.max(wanted.len() / 3))
+        .filter(|(distance, _)| *distance <= near)
         .map(|(_, name)| name.to_owned())
 }
+
+/// The longest name (bytes) for which a near one is sought.
+const LONGEST_NAME: usize = 200;
 
 fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();

@@ -32,5 +32,9 @@ pub mod prelude {
 struct Readme;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/bodies.md")]
+struct Bodies;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/dynamics.md")]
 struct Dynamics;

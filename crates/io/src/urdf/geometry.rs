@@ -4,12 +4,15 @@ use super::origin;
 use crate::xml::{Node, Reader, element, elements, elements_called, tag};
 use solaris_model::{Placement, Shape, ShapeKind, UnitQuaternion, Vector3};
 
-/// The first simple shape of a link, as it is seen or else as it collides; the others are listed.
+/// The simple shape of a link, as it is seen or else as it collides; of several none is the link's. What is not read is
+/// listed.
 pub(super) fn shape(reader: &mut Reader, link: Node) -> Option<Shape> {
     let mut shape = None;
     for kind in ["visual", "collision"] {
-        for node in elements_called(link, kind) {
-            let read = read(reader, node).filter(|_| shape.is_none());
+        let nodes: Vec<Node> = elements_called(link, kind).collect();
+        let only = nodes.len() == 1 && shape.is_none();
+        for node in nodes {
+            let read = read(reader, node).filter(|_| only);
             if read.is_none() {
                 reader.aside(format!("<{kind}>"), tag(node));
             }
