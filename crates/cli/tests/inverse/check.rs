@@ -13,10 +13,30 @@ const FIGURES: [(&str, f64, f64, f64, f64); 3] = [
 
 /// A fault in the text of a figure, the place where it is reported (line, column), and a word of what is said.
 const FAULTS: [(&str, &str, (usize, usize), &str); 4] = [
-    ("f.ron", "Figure(\n    version: 1,\n    name: \"a\",\n    links: [\n        Link(name: \"b\", mas: 1.0),\n    ],\n)\n", (5, 25), "mass"),
-    ("f.urdf", "<robot name=\"a\">\n  <link name=\"b\">\n    <inertial>\n      <mass value=\"one\"/>\n    </inertial>\n  </link>\n</robot>\n", (4, 20), "one"),
-    ("f.xml", "<mujoco>\n  <worldbody>\n    <body pos=\"0 0\">\n      <geom size=\"1\"/>\n    </body>\n  </worldbody>\n</mujoco>\n", (3, 16), "pos"),
-    ("f.osim", "<OpenSimDocument Version=\"40000\">\n  <Model name=\"a\">\n  </Modell>\n</OpenSimDocument>\n", (3, 5), "Model"),
+    (
+        "f.ron",
+        "Figure(\n    version: 1,\n    name: \"a\",\n    links: [\n        Link(name: \"b\", mas: 1.0),\n    ],\n)\n",
+        (5, 25),
+        "mass",
+    ),
+    (
+        "f.urdf",
+        "<robot name=\"a\">\n  <link name=\"b\">\n    <inertial>\n      <mass value=\"one\"/>\n    </inertial>\n  </link>\n</robot>\n",
+        (4, 20),
+        "one",
+    ),
+    (
+        "f.xml",
+        "<mujoco>\n  <worldbody>\n    <body pos=\"0 0\">\n      <geom size=\"1\"/>\n    </body>\n  </worldbody>\n</mujoco>\n",
+        (3, 16),
+        "pos",
+    ),
+    (
+        "f.osim",
+        "<OpenSimDocument Version=\"40000\">\n  <Model name=\"a\">\n  </Modell>\n</OpenSimDocument>\n",
+        (3, 5),
+        "Model",
+    ),
 ];
 
 fn figures() -> TempDir {
@@ -56,7 +76,8 @@ fn what_follows_and_what_is_not_read_is_listed() {
     assert_eq!(subject["gravity_is_given"], true);
     let arm = facts("arm.urdf");
     let effort = arm["findings"].as_array().expect("a list").iter().find(|finding| {
-        finding["kind"] == "unsupported" && finding["subject"].as_str().is_some_and(|of| of.contains("effort"))
+        finding["kind"] == "unsupported"
+            && finding["subject"].as_str().is_some_and(|of| of.contains("effort"))
     });
     let text = read(&folder.path().join("arm.urdf"));
     let line = number(effort.expect("efforts are not read"), "/line");
@@ -69,7 +90,9 @@ fn rationalised_links_come_as_a_table() {
     for (file, dofs) in [("arm.urdf", 2), ("human.ron", 66), ("subject.osim", 14)] {
         let shown = succeeded(&solaris(folder.path(), &format!("check {file} --dh")));
         let rows = shown.lines().skip_while(|line| !line.starts_with("dof ")).skip(1);
-        let rows = rows.take_while(|line| line.split_whitespace().next().is_some_and(|word| word.parse::<u32>().is_ok()));
+        let rows = rows.take_while(|line| {
+            line.split_whitespace().next().is_some_and(|word| word.parse::<u32>().is_ok())
+        });
         assert_eq!(rows.count(), dofs, "{shown}");
         let plain = succeeded(&solaris(folder.path(), &format!("check {file}")));
         assert!(!plain.contains("θ⁰"), "{plain}");
@@ -143,7 +166,14 @@ fn all_faults_are_told_at_once() {
 #[test]
 fn options_that_there_are_not() {
     let folder = folder_with(&["figures/arm.urdf"]);
-    for line in ["check", "check arm.urdf arm.urdf", "check arm.urdf --stirct", "check --json", "figure", "figure dog"] {
+    for line in [
+        "check",
+        "check arm.urdf arm.urdf",
+        "check arm.urdf --stirct",
+        "check --json",
+        "figure",
+        "figure dog",
+    ] {
         failed(&solaris(folder.path(), line), 2);
     }
 }

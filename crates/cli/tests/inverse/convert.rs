@@ -1,8 +1,8 @@
 //! Figures and motions from one format to another and back.
 
 use crate::{
-    PLATES, column, difference, folder_with, json, names, number, read, refused, solaris, subject, succeeded, table,
-    write,
+    PLATES, column, difference, folder_with, json, names, number, read, refused, solaris, subject, succeeded,
+    table, write,
 };
 use std::fs;
 use std::path::Path;
@@ -51,7 +51,8 @@ fn the_text_of_a_robot_moves_as_the_robot() {
 #[test]
 fn writing_what_was_read_gives_the_same_text() {
     let folder = subject();
-    fs::copy(Path::new(crate::FIXTURES).join("figures/arm.urdf"), folder.path().join("arm.urdf")).expect("copied");
+    fs::copy(Path::new(crate::FIXTURES).join("figures/arm.urdf"), folder.path().join("arm.urdf"))
+        .expect("copied");
     succeeded(&solaris(folder.path(), "figure human --height 1.8 -o human.ron"));
     let human = read(&folder.path().join("human.ron"));
     for (from, text) in [
@@ -109,8 +110,8 @@ fn positions_keep_every_bit_on_the_way_to_opensim_and_back() {
         let said = succeeded(&solaris(folder.path(), &format!("convert walk.csv walk.{kind}")));
         assert!(said.contains("left out") && said.contains("left_knee.rx.v"), "{said}");
         converted(folder.path(), &format!("walk.{kind}"), "back.csv");
-        let [walk, middle, back] =
-            [String::from("walk.csv"), format!("walk.{kind}"), "back.csv".into()].map(|name| table(folder.path(), &name));
+        let [walk, middle, back] = [String::from("walk.csv"), format!("walk.{kind}"), "back.csv".into()]
+            .map(|name| table(folder.path(), &name));
         assert_eq!((middle.in_degrees, middle.columns.len()), (Some(false), 67));
         assert_eq!(back.columns.len(), 67);
         for name in &back.columns {

@@ -77,8 +77,7 @@ impl Robot {
 
     /// The torques that `solaris inverse` finds, sample by sample in the reference's order.
     fn torques(&self, options: &str) -> Vec<Vec<f64>> {
-        let line =
-            format!("inverse {} states.csv --gravity=0,0,-9.81 {options} -o tau.csv", self.model);
+        let line = format!("inverse {} states.csv --gravity=0,0,-9.81 {options} -o tau.csv", self.model);
         succeeded(&solaris(self.folder.path(), &line));
         let tau = table(self.folder.path(), "tau.csv");
         let [_, names] = self.names();
@@ -178,7 +177,8 @@ fn mujoco_humanoid() {
     let (states, theirs) = from_mujoco(&figure, &robot);
     let bodies = robot.reference["tree"].as_array().expect("a tree");
     let joints = bodies.iter().flat_map(|body| body["joints"].as_array().expect("joints"));
-    let name = |joint: &Value| if joint["type"] == "free" { "root_joint".into() } else { joint["name"].clone() };
+    let name =
+        |joint: &Value| if joint["type"] == "free" { "root_joint".into() } else { joint["name"].clone() };
     let joints: Value = joints.map(name).collect();
     robot.reference["joints"] = joints;
     robot.write_states(None, &states);

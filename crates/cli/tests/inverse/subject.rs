@@ -1,8 +1,8 @@
 //! A person on force plates, in OpenSim's files: the measured one, and the project's own.
 
 use crate::{
-    PLATES, column, data, difference, json, largest, names, number, read, solaris, solaris_with, subject, succeeded,
-    table, write,
+    PLATES, column, data, difference, json, largest, names, number, read, solaris, solaris_with, subject,
+    succeeded, table, write,
 };
 use solaris::io::{Table, sto};
 
@@ -89,9 +89,15 @@ fn both_formats_hold_the_same_numbers() {
         assert!(theirs.column(name).is_some(), "{name}");
     }
     // The header's units are not the motion's.
-    assert_eq!((theirs.in_degrees, theirs.title.as_str()), (Some(false), "Inverse Dynamics Generalized Forces"));
+    assert_eq!(
+        (theirs.in_degrees, theirs.title.as_str()),
+        (Some(false), "Inverse Dynamics Generalized Forces")
+    );
     assert!(printed.contains("wrote tau.csv") && printed.contains("wrote tau.sto"), "{printed}");
-    assert_eq!(names(folder.path()), ["grf.mot", "loads.xml", "subject.osim", "tau.csv", "tau.sto", "walk.mot"]);
+    assert_eq!(
+        names(folder.path()),
+        ["grf.mot", "loads.xml", "subject.osim", "tau.csv", "tau.sto", "walk.mot"]
+    );
 }
 
 #[test]
@@ -126,8 +132,11 @@ fn moments_are_those_of_a_walk() {
 
 /// The fixture's motion with its angles in radians.
 fn in_radians(table: &Table) -> Table {
-    let is_angle: Vec<bool> =
-        table.columns.iter().map(|name| !["time", "pelvis_tx", "pelvis_ty"].contains(&name.as_str())).collect();
+    let is_angle: Vec<bool> = table
+        .columns
+        .iter()
+        .map(|name| !["time", "pelvis_tx", "pelvis_ty"].contains(&name.as_str()))
+        .collect();
     let turn = |(i, value): (usize, &f64)| {
         if is_angle[i % is_angle.len()] { value.to_radians() } else { *value }
     };

@@ -1,6 +1,8 @@
 //! What `solaris walk` writes goes back in: its figure, its motion, its forces.
 
-use crate::{difference, folder_with, json, largest, number, read, refused, solaris, succeeded, table, write};
+use crate::{
+    difference, folder_with, json, largest, number, read, refused, solaris, succeeded, table, write,
+};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -133,6 +135,9 @@ fn a_figure_with_parts_missing_is_told_all_of_them() {
     for lack in ["left_toes", "right_toes", "'left_knee.flexion'"] {
         assert!(said.contains(lack), "{lack}: {said}");
     }
-    assert!(!said.contains("right_knee") && said.lines().filter(|line| line.starts_with("  - ")).count() >= 2, "{said}");
+    assert!(
+        !said.contains("right_knee") && said.lines().filter(|line| line.starts_with("  - ")).count() >= 2,
+        "{said}"
+    );
     assert!(!folder.path().join("lame.csv").exists());
 }
