@@ -10,13 +10,18 @@ use solaris::model::{Chains, Figure, Finding, FindingKind, Vector3};
 use std::io::Write;
 use std::path::PathBuf;
 
+/// The most links of a figure whose chains are listed: they may repeat each other as often as there are links.
+const MOST_LINKS: usize = 5000;
+
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let path = matches.get_one::<PathBuf>("figure").cloned().unwrap_or_default();
     let Body { figure, language, mut findings, gravity, gravity_is_given } = input::body(&path)?;
     findings.extend(figure.lint());
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
     // With the rationalised links or without, the chains come first.
-    let chains = if matches.get_flag("dh") {
+    let chains = if figure.links().len() > MOST_LINKS {
+        format!("The table of chains is left out: there are more than {MOST_LINKS} links.\n")
+    } else if matches.get_flag("dh") {
         let summary = Summary::of(&figure).map_err(CliError::other)?;
         format!("{summary}")
     } else {
@@ -93,7 +98,7 @@ impl<'a> Facts<'a> {
             extent_m: figure.extent(&-Vector3::from(gravity)).height,
             gravity_m_s2: gravity,
             gravity_is_given,
-            chains: Chains::of(figure).iter().count(),
+            chains: Chains::count(figure),
             findings: findings.iter().map(said).collect(),
         }
     }

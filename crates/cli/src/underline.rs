@@ -16,7 +16,7 @@ pub(crate) fn faults(path: &Path, text: &str, error: &TextError) -> String {
     let source = Arc::new(NamedSource::new(path.display().to_string(), text.to_owned()));
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode())
         .with_width(WIDTH)
-        .with_context_lines(0)
+        .with_context_lines(1)
         .with_links(false);
     let mut shown = String::new();
     for fault in &error.faults {
@@ -45,11 +45,14 @@ fn report(source: &Arc<NamedSource<String>>, fault: &TextFault) -> Report {
         .with_source_code(source.clone())
 }
 
-/// Whether the fault's lines are few and short, and text.
+/// Whether the fault's lines and those around them are few and short, and text.
 fn can_be_shown(text: &str, fault: &TextFault) -> bool {
     let span = &fault.place.span;
-    let first = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
-    let last = text[span.end..].find('\n').map_or(text.len(), |newline| span.end + newline);
+    let first = text[..span.start].rmatch_indices('\n').nth(1).map_or(0, |(newline, _)| newline + 1);
+    let last =
+        text[span.end..].match_indices('\n').nth(1).map_or(text.len(), |(newline, _)| span.end + newline);
     let lines = &text[first..last];
-    lines.len() <= LONGEST_LINE && !lines.chars().any(|c| c.is_control() && !matches!(c, '\n' | '\r' | '\t'))
+    lines.len() <= 3 * LONGEST_LINE
+        && lines.lines().all(|line| line.len() <= LONGEST_LINE)
+        && !lines.chars().any(|c| c.is_control() && !matches!(c, '\n' | '\r' | '\t'))
 }

@@ -1,22 +1,63 @@
 //! The transcripts of `tests/cmd`: what a user types, the exit code behind `?`, and what is printed.
 //!
-//! They run in a folder that holds the folder `clips`, the folder `walk.csv`, and the file `notes`. `[..]` stands for any
-//! text in a line (run times, last digits, what only the planner decides), `...` for any lines. After a meant change,
+//! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the subject
+//! (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`), the robot `arm.urdf`, the same with faults (`faulty.urdf`) and with an
+//! elbow that cannot stretch (`stiff.urdf`), and a motion of it (`swing.csv`). `[..]` stands for any text in a line (run times, last digits, what only the planner decides),
+//! `...` for any lines. After a meant change,
 //! `TRYCMD=overwrite cargo test -p solaris-cli --test transcripts` writes what is printed now; put the wildcards back and
 //! read the difference before committing it.
 
 use std::path::Path;
+
+/// Half a second in which the robot's arm swings forwards.
+const SWING: &str = "\
+time,shoulder.q,elbow.q
+0.0,0.00,-0.30
+0.1,-0.05,-0.32
+0.2,-0.20,-0.40
+0.3,-0.42,-0.52
+0.4,-0.60,-0.62
+0.5,-0.66,-0.65
+";
+
+/// Puts the files there that the transcripts read.
+fn furnish(folder: &Path) {
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    for name in [
+        "subject/subject.osim",
+        "subject/walk.mot",
+        "subject/grf.mot",
+        "subject/loads.xml",
+        "figures/arm.urdf",
+    ] {
+        let from = fixtures.join(name);
+        std::fs::copy(&from, folder.join(from.file_name().expect("a name"))).expect(name);
+    }
+    let arm = std::fs::read_to_string(folder.join("arm.urdf")).expect("there");
+    let faulty = arm
+        .replace("<mass value=\"2.0\"/>", "<mass value=\"2,0\"/>")
+        .replace("<parent link=\"upper_arm\"/>", "<parent link=\"uper_arm\"/>");
+    let stiff = arm.replace("upper=\"0.1\"", "upper=\"-0.1\"");
+    for (name, text) in [
+        ("faulty.urdf", faulty.as_str()),
+        ("stiff.urdf", &stiff),
+        ("swing.csv", SWING),
+        ("notes", "no folder"),
+    ] {
+        std::fs::write(folder.join(name), text).expect("written");
+    }
+    std::fs::create_dir(folder.join("clips")).expect("made");
+    std::fs::create_dir(folder.join("walk.csv")).expect("made");
+}
 
 #[test]
 fn transcripts_hold() {
     // No transcript is no success: a folder that is not found would pass.
     let transcripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cmd");
     let count = std::fs::read_dir(&transcripts).expect("the transcripts").count();
-    assert!(count >= 5, "{count} transcripts");
+    assert!(count >= 9, "{count} transcripts");
     let folder = tempfile::tempdir().expect("a folder");
-    std::fs::create_dir(folder.path().join("clips")).expect("made");
-    std::fs::create_dir(folder.path().join("walk.csv")).expect("made");
-    std::fs::write(folder.path().join("notes"), "no folder").expect("written");
+    furnish(folder.path());
     // The only test of this program: nobody else asks for the folder.
     std::env::set_current_dir(folder.path()).expect("entered");
     let cases = trycmd::TestCases::new();

@@ -59,22 +59,25 @@ impl Chains {
     pub fn of(figure: &Figure) -> Self {
         let links = figure.links();
         let bodies = bodies(links);
-        let mut has_more = vec![false; links.len()];
-        for (link, body) in links.iter().zip(&bodies) {
-            match link.parent() {
-                Some(parent) if bodies[parent] != *body => has_more[bodies[parent]] = true,
-                _ => {}
-            }
+        let mut members = vec![Vec::new(); links.len()];
+        for (link, body) in bodies.iter().enumerate() {
+            members[*body].push(link);
         }
         let mut seen = vec![false; links.len()];
-        let ends = (0..links.len()).filter(|i| bodies[*i] == *i && !has_more[*i]);
-        let all = ends.map(|end| chain(figure, &bodies, end, &mut seen)).collect();
+        let ends = ends(links, &bodies).into_iter();
+        let all = ends.map(|end| chain(figure, &bodies, &members, end, &mut seen)).collect();
         Self {
             figure: figure.name().to_owned(),
             all,
             link_count: links.len(),
             dof_count: figure.layout().nv(),
         }
+    }
+
+    /// How many chains `figure` has. They may share so much that all of them together are far greater than the figure; their
+    /// number is found without them.
+    pub fn count(figure: &Figure) -> usize {
+        ends(figure.links(), &bodies(figure.links())).len()
     }
 
     /// The chains, in the order of their end-effectors in the figure.
@@ -125,8 +128,20 @@ fn bodies(links: &[Link]) -> Vec<usize> {
     bodies
 }
 
-/// The chain to the body `end`; marks its bodies as seen.
-fn chain(figure: &Figure, bodies: &[usize], end: usize, seen: &mut [bool]) -> Chain {
+/// The bodies without bodies after them.
+fn ends(links: &[Link], bodies: &[usize]) -> Vec<usize> {
+    let mut has_more = vec![false; links.len()];
+    for (link, body) in links.iter().zip(bodies) {
+        match link.parent() {
+            Some(parent) if bodies[parent] != *body => has_more[bodies[parent]] = true,
+            _ => {}
+        }
+    }
+    (0..links.len()).filter(|i| bodies[*i] == *i && !has_more[*i]).collect()
+}
+
+/// The chain to the body `end`, with the `members` of each body; marks its bodies as seen.
+fn chain(figure: &Figure, bodies: &[usize], members: &[Vec<usize>], end: usize, seen: &mut [bool]) -> Chain {
     let before = |body: &usize| figure.links()[*body].parent().map(|parent| bodies[parent]);
     let mut path: Vec<usize> = std::iter::successors(Some(end), before).collect();
     path.reverse();
@@ -140,7 +155,7 @@ fn chain(figure: &Figure, bodies: &[usize], end: usize, seen: &mut [bool]) -> Ch
     };
     for body in path {
         let joint = figure.layout().joints()[body];
-        chain.links.extend((body..bodies.len()).filter(|link| bodies[*link] == body));
+        chain.links.extend(&members[body]);
         chain.dofs.extend(joint.v..joint.v + joint.nv);
         if std::mem::replace(&mut seen[body], true) {
             (chain.shared_links, chain.shared_dofs) = (chain.links.len(), chain.dofs.len());

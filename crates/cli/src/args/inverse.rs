@@ -89,11 +89,11 @@ fn body() -> [Arg; 3] {
             .allow_hyphen_values(true)
             .value_parser(ValueParser::new(parse_gravity))
             .help(wrap("Gravity in m/s² [default: the file's, or 9.80665 along the format's own down axis]")),
-        Arg::new("base").long("base").value_name("KIND").value_parser(BASES.map(|(name, _)| name)).help(wrap(
+        Arg::new("base").long("base").value_name("KIND").value_parser(BASES.map(|(name, _)| name)).hide_possible_values(true).help(wrap(
             "Root of a figure that is fixed to the world: fixed; floating (root.tx ty tz rz ry rx); free (position and \
              quaternion) [default: as the file says]",
         )),
-        Arg::new("passive").long("passive").value_name("ON|OFF").value_parser(["on", "off"]).help(wrap(
+        Arg::new("passive").long("passive").value_name("ON|OFF").value_parser(["on", "off"]).hide_possible_values(true).help(wrap(
             "Whether armature, damping, springs and friction of the joints count [default: on]",
         )),
     ]

@@ -28,8 +28,12 @@ fn bad_files(folder: &Path) -> Vec<(String, &'static str)> {
     files
 }
 
+fn extension(name: &str) -> &str {
+    name.rsplit_once('.').expect("an extension").1
+}
+
 fn is_table(name: &str) -> bool {
-    [".csv", ".mot", ".sto"].iter().any(|extension| name.ends_with(extension))
+    ["csv", "mot", "sto"].contains(&extension(name))
 }
 
 #[test]
@@ -54,7 +58,6 @@ fn no_table() {
         let lines = [
             "inverse subject.osim {} -o x.csv",
             "inverse subject.osim walk.mot --external {} --plate calcn_r= -o x.csv",
-            "convert {} x.csv",
         ];
         for line in lines.map(|line| line.replace("{}", name)) {
             let said = refused(&solaris(folder.path(), &line));
@@ -65,10 +68,23 @@ fn no_table() {
 }
 
 #[test]
+fn no_motion_to_convert() {
+    let folder = subject();
+    let files = bad_files(folder.path());
+    for (name, why) in files.iter().filter(|(name, _)| is_table(name)) {
+        for to in ["x.csv", "x.mot"] {
+            let said = refused(&solaris(folder.path(), &format!("convert {name} {to}")));
+            assert!(said.starts_with(&format!("error: {name}: ")) && said.contains(why), "{name}: {said}");
+            assert!(!folder.path().join(to).exists());
+        }
+    }
+}
+
+#[test]
 fn no_loads() {
     let folder = subject();
     let files = bad_files(folder.path());
-    for (name, why) in files.iter().filter(|(name, _)| name.ends_with(".xml")) {
+    for (name, why) in files.iter().filter(|(name, _)| extension(name) == "xml") {
         let line = format!("inverse subject.osim walk.mot --external-loads {name} -o x.csv");
         let said = refused(&solaris(folder.path(), &line));
         assert!(said.starts_with(&format!("error: {name}")) && said.contains(why), "{line}: {said}");
@@ -85,7 +101,7 @@ fn a_text_of_the_wrong_kind_is_told_what_it_is() {
         ("note.urdf", "<note>milk</note>", "robot"),
         ("note.mjcf", "<note>milk</note>", "mujoco"),
         ("note.osim", "<note>milk</note>", "OpenSimDocument"),
-        ("note.ron", "<note>milk</note>", "Figure"),
+        ("note.ron", "<note>milk</note>", "not '<'"),
         ("note.txt", "Figure(version: 1)", "its extension says nothing; a figure is .ron, .urdf"),
         ("note", "Figure(version: 1)", "its extension says nothing"),
         ("page.xml", "<html><body/></html>", "neither"),
@@ -110,16 +126,29 @@ fn a_text_of_the_wrong_kind_is_told_what_it_is() {
 }
 
 #[test]
+fn a_motion_of_another_figure_is_not_converted_to_nothing() {
+    let folder = subject();
+    fs::copy(Path::new(crate::FIXTURES).join("figures/arm.urdf"), folder.path().join("arm.urdf"))
+        .expect("copied");
+    let said = refused(&solaris(folder.path(), "convert walk.mot x.csv --figure arm.urdf"));
+    assert!(said.starts_with("error: walk.mot: ") && said.contains("'arm'"), "{said}");
+    assert!(!folder.path().join("x.csv").exists());
+}
+
+/// A ball that falls, and a comment before it.
+const BALL: &str = "<mujoco model=\"ball\"><worldbody><body name=\"b\"><freejoint/><geom size=\"0.1\"/></body></worldbody></mujoco>";
+
+#[test]
 fn an_xml_file_is_what_its_root_says() {
     let folder = subject();
     let model = crate::read(&folder.path().join("subject.osim"));
     write(folder.path(), "subject.xml", &model);
-    write(
-        folder.path(),
-        "ball.xml",
-        "<!-- not a <robot> -->\n<mujoco model=\"ball\"><worldbody><body name=\"b\"><freejoint/><geom size=\"0.1\"/></body></worldbody></mujoco>",
-    );
-    for (file, kind) in [("subject.xml", "OpenSim model 'subject'"), ("ball.xml", "MuJoCo model 'ball'")] {
+    write(folder.path(), "ball.xml", BALL);
+    write(folder.path(), "comment.xml", &format!("<?xml version=\"1.0\"?>\n<!-- not a <robot> -->\n{BALL}"));
+    let ball = "MuJoCo model 'ball'";
+    for (file, kind) in
+        [("subject.xml", "OpenSim model 'subject'"), ("ball.xml", ball), ("comment.xml", ball)]
+    {
         let shown = crate::succeeded(&solaris(folder.path(), &format!("check {file}")));
         assert!(shown.starts_with(kind), "{file}: {shown}");
     }

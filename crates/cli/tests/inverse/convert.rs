@@ -88,18 +88,30 @@ fn a_figure_takes_the_height_and_the_lengths_that_are_asked_for() {
     };
     let person = facts("figure human --height 1.62 --mass 54.3 --segment thigh=0.41 -o new.ron");
     assert!((number(&person, "/stature_m") - 1.62).abs() < 1e-12, "{person}");
+    let before = read(&folder.path().join("new.ron"));
+    for side in ["left", "right"] {
+        // Along the thigh; the knee's centre lies a little behind.
+        assert!((knee(&before, side)[1] + 0.41).abs() < 1e-12, "{:?}", knee(&before, side));
+    }
     let longer = facts("convert new.ron new.ron --height 1.7 --segment left_thigh=0.5");
     assert!((number(&longer, "/stature_m") - 1.7).abs() < 1e-12, "{longer}");
     assert!((number(&longer, "/mass_kg") - 54.3).abs() < 1e-12, "{longer}");
-    let knee = |side: &str| {
-        let text = read(&folder.path().join("new.ron"));
-        let joint = text.find(&format!("name: \"{side}_knee\"")).expect("a knee");
-        let at = joint + text[joint..].find("at: (").expect("its place") + 5;
-        let numbers = text[at..].split(')').next().expect("numbers");
-        numbers.split(',').map(|word| word.trim().parse::<f64>().expect("a number")).fold(0.0, f64::hypot)
-    };
-    assert!((knee("left") - 0.5).abs() < 1e-12, "{}", knee("left"));
-    assert!((knee("right") - 0.41 * 1.7 / 1.62).abs() < 1e-12, "{}", knee("right"));
+    let after = read(&folder.path().join("new.ron"));
+    let [left, right] = ["left", "right"].map(|side| length(&knee(&after, side)));
+    assert!((left - 0.5).abs() < 1e-12, "{left}");
+    assert!((right - length(&knee(&before, "right")) * 1.7 / 1.62).abs() < 1e-12, "{right}");
+}
+
+/// Where the knee sits in the thigh, by the figure's text (m).
+fn knee(text: &str, side: &str) -> Vec<f64> {
+    let joint = text.find(&format!("name: \"{side}_knee\"")).expect("a knee");
+    let at = joint + text[joint..].find("at: (").expect("its place") + 5;
+    let numbers = text[at..].split(')').next().expect("numbers");
+    numbers.split(',').map(|word| word.trim().parse().expect("a number")).collect()
+}
+
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 #[test]

@@ -96,7 +96,8 @@ fn write(folder: &Path, name: &str, text: &str) {
 /// A table, by its extension.
 fn table(folder: &Path, name: &str) -> Table {
     let text = read(&folder.join(name));
-    if name.ends_with(".csv") { csv::read_table(&text) } else { sto::read(&text) }.expect(name)
+    let is_csv = Path::new(name).extension().is_some_and(|extension| extension == "csv");
+    if is_csv { csv::read_table(&text) } else { sto::read(&text) }.expect(name)
 }
 
 fn column(table: &Table, name: &str) -> Vec<f64> {

@@ -44,8 +44,6 @@ fn filters_that_there_cannot_be() {
 fn motions_without_what_is_needed() {
     let folder = subject();
     let run = |options: &str, words: &[&str]| refuses(folder.path(), options, words);
-    cut(folder.path(), "walk.mot", "one.mot", 1);
-    run("subject.osim one.mot", &["one.mot: "]);
     cut(folder.path(), "walk.mot", "none.mot", 0);
     run("subject.osim none.mot", &["none.mot: ", "no rows"]);
     // All that is missing at once, with what is near.
@@ -68,9 +66,12 @@ fn motions_without_what_is_needed() {
     run("subject.osim cell.mot", &["cell.mot: line ", "0.5s"]);
     write(folder.path(), "nan.mot", &text.replacen("\n0.5\t", "\nNaN\t", 1));
     run("subject.osim nan.mot", &["nan.mot: line ", "NaN"]);
-    // Cut off in the middle.
-    write(folder.path(), "broken.mot", &text[..text.len() / 2]);
-    run("subject.osim broken.mot", &["broken.mot: ", "286"]);
+    // Cut off in a row, and after one.
+    let end = text.len() / 2 + text[text.len() / 2..].find('\n').expect("a row");
+    write(folder.path(), "broken.mot", &text[..end - 20]);
+    run("subject.osim broken.mot", &["broken.mot: line 150 ", "the header has 11"]);
+    write(folder.path(), "broken.mot", &text[..end]);
+    run("subject.osim broken.mot", &["broken.mot: line 3: ", "286 rows", "cut off"]);
 }
 
 #[test]

@@ -18,11 +18,16 @@ fn walked(person: &str) -> TempDir {
     folder
 }
 
+/// What a column holds: `q`, `v`, `a`, `tau`, `fx` …; nothing for the time.
+fn ending(column: &str) -> &str {
+    column.rsplit_once('.').map_or("", |(_, ending)| ending)
+}
+
 /// The walk's own torques and those that `solaris inverse` finds, column by column.
 fn both(folder: &Path, forces: &str) -> Vec<(String, Vec<f64>, Vec<f64>)> {
     succeeded(&solaris(folder, &format!("inverse human.ron walk.csv {forces} -o tau.csv")));
     let [walk, tau] = ["walk.csv", "tau.csv"].map(|name| table(folder, name));
-    let torques = walk.columns.iter().enumerate().filter(|(_, name)| name.ends_with(".tau"));
+    let torques = walk.columns.iter().enumerate().filter(|(_, name)| ending(name) == "tau");
     let pair = |(place, name): (usize, &String)| {
         let found = tau.column(name).expect(name);
         (name.clone(), walk.values_of(place).collect(), tau.values_of(found).collect())
@@ -35,7 +40,7 @@ fn gets_its_torques_back(person: &str) {
     let columns = both(folder.path(), FEET);
     assert_eq!(columns.len(), 66, "the whole figure");
     let scale = columns.iter().map(|(_, walk, _)| largest(walk)).fold(0.0, f64::max);
-    assert!(scale > 50.0, "{scale} N m");
+    assert!(scale > 20.0, "{scale} N m");
     for (name, walk, found) in &columns {
         let off = difference(walk, found);
         assert!(off <= 1e-9 * scale, "{name}: {off:e} of {scale} N m");
@@ -72,7 +77,7 @@ fn positions_alone_give_nearly_the_same() {
     let folder = walked("--mass 73");
     let walk = table(folder.path(), "walk.csv");
     let kept: Vec<usize> = (0..walk.columns.len())
-        .filter(|&place| !walk.columns[place].ends_with(".v") && !walk.columns[place].ends_with(".a"))
+        .filter(|&place| !["v", "a"].contains(&ending(&walk.columns[place])))
         .collect();
     let line = |words: Vec<String>| words.join(",") + "\n";
     let mut text = line(kept.iter().map(|&place| walk.columns[place].clone()).collect());
