@@ -64,7 +64,7 @@ pub(crate) fn run() -> Result<(), String> {
     let files = [
         ("subject.osim", text.into_bytes()),
         ("walk.mot", table("walk", &motion_headings(), &coordinates, true)?),
-        ("grf.mot", plates_table(plates.collect())?),
+        ("grf.mot", plates_table(&plates.collect::<Vec<_>>())?),
         ("loads.xml", loads().into_bytes()),
     ];
     for (name, bytes) in files {
@@ -123,7 +123,7 @@ fn table(
 }
 
 /// Forces, centres of pressure and free moments of both plates; the left foot's headings begin with `1_`.
-fn plates_table(rows: Vec<(f64, [Contact; 2])>) -> Result<Vec<u8>, String> {
+fn plates_table(rows: &[(f64, [Contact; 2])]) -> Result<Vec<u8>, String> {
     let mut headings = Vec::new();
     for prefix in ["", "1_"] {
         for (what, letter) in [("force", "v"), ("force", "p"), ("torque", "")] {

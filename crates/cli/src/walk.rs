@@ -84,7 +84,7 @@ fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
         return if lacks.is_empty() {
             Ok(figure)
         } else {
-            let list: String = lacks.iter().map(|lack| format!("\n  - {lack}")).collect();
+            let list = lacks.iter().map(|lack| format!("\n  - {lack}")).collect::<Vec<_>>().concat();
             Err(CliError::input(path, &format!("figure '{}' cannot walk:{list}", figure.name())))
         };
     }

@@ -41,7 +41,7 @@ fn forward_undoes_inverse() {
         let a: Vec<f64> = (0..7).map(|k| 20.0 * wave(k, 0.7)).collect();
         let (mut tau, mut back) = ([0.0; 7], [0.0; 7]);
         coupling.inverse_dynamics(&tree, &mut workspace, &q, &v, &a, &[], &mut tau).expect("forces");
-        assert_eq!([tau[3], tau[4], tau[6]], [0.0; 3]);
+        assert!([tau[3], tau[4], tau[6]].iter().all(|tau| tau.to_bits() == 0));
         coupling.forward_dynamics(&tree, &mut workspace, &q, &v, &tau, &[], &mut back).expect("a motion");
         for &dof in coupling.free() {
             assert!((back[dof] - a[dof]).abs() < 1e-11 * 20.0, "{} is not {}", back[dof], a[dof]);

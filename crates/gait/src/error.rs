@@ -91,7 +91,7 @@ pub enum GaitError {
 }
 
 fn listed(lacks: &[GaitError]) -> String {
-    lacks.iter().map(|lack| format!("\n  - {lack}")).collect()
+    lacks.iter().map(|lack| format!("\n  - {lack}")).collect::<Vec<_>>().concat()
 }
 
 fn quoted(names: &[String]) -> String {

@@ -6,7 +6,7 @@ use solaris_io::{Table as Numbers, opensim, record, sto};
 use solaris_modes::{Filter, InverseOptions, complete, inverse_motion};
 use std::fmt::Write;
 use std::fs;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// The measured walk, where it is at hand; it is not part of the project.
 const DATA: &str = "../shared/data/subject01_walk";
@@ -44,7 +44,7 @@ pub(super) fn measure() -> Result<Option<Vec<Curve>>, String> {
     curves(&folder).map(Some)
 }
 
-fn curves(folder: &PathBuf) -> Result<Vec<Curve>, String> {
+fn curves(folder: &Path) -> Result<Vec<Curve>, String> {
     let text = |name: &str| fs::read_to_string(folder.join(name)).map_err(|error| format!("{name}: {error}"));
     let table = |name: &str| sto::read(&text(name)?).map_err(|error| format!("{name}: {error}"));
     let subject =

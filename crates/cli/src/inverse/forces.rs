@@ -4,7 +4,7 @@ use crate::error::CliError;
 use crate::input;
 use clap::ArgMatches;
 use solaris::io::{Table, opensim, record};
-use solaris::model::{Figure, ForceRecord, nearest};
+use solaris::model::{Figure, ForceRecord, Link, NamedFrame, nearest};
 use std::path::{Path, PathBuf};
 
 /// Measured forces as they were read.
@@ -61,7 +61,7 @@ impl External {
         let mut records: Vec<ForceRecord> = records.map_err(|error| CliError::input(path, &error))?;
         for link in records.iter_mut().flat_map(|record| &mut record.links) {
             *link = carrier(figure, link).ok_or_else(|| {
-                let names = figure.links().iter().map(|link| link.name());
+                let names = figure.links().iter().map(Link::name);
                 let hint =
                     nearest(link, names).map_or_else(String::new, |name| format!("; did you mean '{name}'?"));
                 let why =
@@ -95,7 +95,7 @@ impl External {
 /// The link called `name`, or the one that carries the frame of that name: bodies that cannot move against each other are one
 /// link.
 fn carrier(figure: &Figure, name: &str) -> Option<String> {
-    let has_frame = |frames: &[solaris::model::NamedFrame]| frames.iter().any(|frame| frame.name == name);
+    let has_frame = |frames: &[NamedFrame]| frames.iter().any(|frame| frame.name == name);
     let mut links = figure.links().iter();
     if figure.link(name).is_some() {
         return Some(name.to_owned());
