@@ -34,7 +34,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
             return writeln!(out);
         }
         facts.write(out)?;
-        writeln!(out, "\n{chains}")?;
+        writeln!(out, "\n{}", chains.trim_end())?;
         list(out, &findings)
     })?;
     if matches.get_flag("strict") && suspects > 0 {
@@ -119,7 +119,7 @@ impl<'a> Facts<'a> {
                 format!("{} ({})", self.followers.len(), self.followers.join(", ")),
             )?;
         }
-        row("mass", format!("{} kg", self.mass_kg))?;
+        row("mass", format!("{} kg", rounded(self.mass_kg)))?;
         if let Some(stature) = self.stature_m {
             row("standing height", format!("{stature} m"))?;
         }
@@ -156,4 +156,10 @@ pub(crate) fn list(out: &mut dyn Write, findings: &[Finding]) -> std::io::Result
         }
     }
     Ok(())
+}
+
+/// A mass as people read it: to a milligram. JSON has all digits.
+pub(crate) fn rounded(mass: f64) -> String {
+    let text = format!("{mass:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').trim_start_matches('-').to_owned()
 }

@@ -1,6 +1,6 @@
 //! `solaris convert`: a figure or a motion from one format to another.
 
-use crate::check::list;
+use crate::check::{list, rounded};
 use crate::error::CliError;
 use crate::figure::TEXT;
 use crate::input::{self, Body, Size, extension};
@@ -39,6 +39,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 }
 
 fn figure(from: &Path, to: &PathBuf, size: Size) -> Result<(), CliError> {
+    if TABLE.iter().any(|(known, _)| *known == extension(to)) {
+        let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
+        return Err(CliError::Output { option: "OUT", path: to.clone(), why });
+    }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
     let Body { mut figure, language, findings, .. } = input::body(from)?;
     if size.is_asked() {
@@ -51,7 +55,7 @@ fn figure(from: &Path, to: &PathBuf, size: Size) -> Result<(), CliError> {
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
     print(|out| {
         let (name, links, dofs) = (figure.name(), figure.links().len(), figure.layout().nv());
-        let (what, mass) = (language.name(), figure.mass());
+        let (what, mass) = (language.name(), rounded(figure.mass()));
         writeln!(out, "{what} '{name}': {links} links, {dofs} degrees of freedom, {mass} kg")?;
         list(out, &findings)?;
         writeln!(out, "wrote {}", to.display())
@@ -71,6 +75,13 @@ fn motion(matches: &ArgMatches, from: &Path, to: &PathBuf) -> Result<(), CliErro
         headings::from_opensim(&table, figure.as_ref()).map_err(|error| CliError::input(from, &error))?
     };
     let (bare, no_positions) = headings::to_opensim(&positions);
+    if bare.columns.iter().all(|name| name == "time") {
+        let why = match &figure {
+            Some(figure) => format!("it has no position of figure '{}'", figure.name()),
+            None => "it has no position: no heading ends in .q".to_owned(),
+        };
+        return Err(CliError::input(from, &why));
+    }
     outputs.write(|format, mut writer| {
         match format {
             TableFormat::Csv => csv::write_table(&positions, &mut writer),
@@ -86,8 +97,15 @@ fn motion(matches: &ArgMatches, from: &Path, to: &PathBuf) -> Result<(), CliErro
             bare.columns.len().saturating_sub(1)
         )?;
         for left_out in [left_out, no_positions].iter().filter(|names| !names.is_empty()) {
-            writeln!(out, "left out, as no positions: {}", left_out.join(", "))?;
+            writeln!(out, "left out, as no positions: {}", some(left_out))?;
         }
         writeln!(out, "wrote {}", to.display())
     })
+}
+
+/// Names as far as a person reads them.
+pub(crate) fn some(names: &[String]) -> String {
+    const MANY: usize = 8;
+    let shown = names[..names.len().min(MANY)].join(", ");
+    if names.len() > MANY { format!("{shown} and {} more", names.len() - MANY) } else { shown }
 }

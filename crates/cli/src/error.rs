@@ -32,7 +32,7 @@ pub(crate) enum CliError {
     #[error("{path} cannot be used", path = .path.display())]
     Text { path: PathBuf, text: String, faults: TextError },
     /// Something looks wrong where nothing was to.
-    #[error("{path}: {count} things look wrong, and --strict asks for none", path = .path.display())]
+    #[error("{path}: {count} thing{} wrong, and --strict asks for none", if *.count == 1 { " looks" } else { "s look" }, path = .path.display())]
     Strict { path: PathBuf, count: usize },
     #[error("standard output: {0}")]
     Stdout(std::io::Error),

@@ -35,20 +35,40 @@ impl Language {
 
     /// Of a file, by its extension, and for `.xml` by its root element.
     fn of(path: &Path, text: &str) -> Option<Self> {
-        let roots = [("<mujoco", Self::Mjcf), ("<robot", Self::Urdf), ("<OpenSimDocument", Self::OpenSim)];
         match extension(path).as_str() {
             "ron" => Some(Self::Ron),
             "urdf" => Some(Self::Urdf),
             "mjcf" => Some(Self::Mjcf),
             "osim" => Some(Self::OpenSim),
-            "xml" => roots
-                .iter()
-                .filter_map(|(root, language)| text.find(root).map(|at| (at, *language)))
-                .min_by_key(|(at, _)| *at)
-                .map(|(_, language)| language),
+            "xml" => match root_element(text) {
+                "mujoco" => Some(Self::Mjcf),
+                "robot" => Some(Self::Urdf),
+                "OpenSimDocument" => Some(Self::OpenSim),
+                _ => None,
+            },
             _ => None,
         }
     }
+}
+
+/// Name of the first element of an XML text, after declarations and comments.
+fn root_element(text: &str) -> &str {
+    let mut rest = text.trim_start_matches('\u{feff}');
+    loop {
+        rest = rest.trim_start();
+        let end = match rest {
+            _ if rest.starts_with("<!--") => "-->",
+            _ if rest.starts_with("<?") => "?>",
+            _ if rest.starts_with("<!") => ">",
+            _ => break,
+        };
+        match rest.split_once(end) {
+            Some((_, after)) => rest = after,
+            None => return "",
+        }
+    }
+    let name = rest.strip_prefix('<').unwrap_or("");
+    name.split(|c: char| c.is_whitespace() || matches!(c, '>' | '/')).next().unwrap_or("")
 }
 
 /// A figure as it was read.
@@ -88,6 +108,19 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
     };
     let Import { figure, findings, gravity, gravity_is_given, .. } =
         imported.map_err(|faults| faulty(path, &text, faults))?;
+    if language == Language::Ron {
+        let gravity = figure.gravity().copied();
+        let gravity_is_given = gravity.is_some();
+        return Ok(Body {
+            figure,
+            language,
+            findings,
+            gravity: gravity.unwrap_or(GRAVITY),
+            gravity_is_given,
+        });
+    }
+    // Kept with the figure, so that its text says which way is up.
+    let figure = figure.with_gravity(gravity).map_err(|error| CliError::input(path, &error))?;
     Ok(Body { figure, language, findings, gravity, gravity_is_given })
 }
 

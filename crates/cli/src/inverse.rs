@@ -28,10 +28,18 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let [of, from] =
         ["figure", "motion"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
 
+    let files = ["external", "external-loads"].map(|name| matches.get_one::<PathBuf>(name));
+    outputs.keep_off([&of, &from].into_iter().chain(files.into_iter().flatten()).map(PathBuf::as_path))?;
+
     let progress = Progress::new(4);
     progress.stage("reading");
     let mut body = input::body(&of)?;
     if let Some(base) = base(matches) {
+        if base == Base::Fixed && body.figure.links()[0].joint().kind().nv() > 0 {
+            let why = "its root joint moves, and --base fixed is for figures that stand fixed; leave it out"
+                .to_owned();
+            return Err(CliError::Option { option: "base".to_owned(), value: "fixed".to_owned(), why });
+        }
         body.figure = body.figure.on_base(base).map_err(|error| CliError::input(&of, &error))?;
     }
     if let Some(Gravity(gravity)) = matches.get_one("gravity") {
@@ -65,8 +73,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         .map_err(CliError::other)
     })?;
     drop(progress);
-    let asked =
-        Asked { filter, passive, gravity: matches.contains_id("gravity"), external: external.describe() };
+    let asked = Asked {
+        filter,
+        passive,
+        gravity: matches.contains_id("gravity"),
+        unused: external.unused(&table),
+        external: external.describe(),
+    };
     let report = Report::new(&body, &asked, &table, &recorded, (&states, &forces));
     print(|out| {
         if matches.get_flag("json") {

@@ -31,8 +31,19 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            error::show(&error, matches.subcommand_name().unwrap_or_default());
+            error::show(&error, &command(&matches));
             error.exit_code()
         }
     }
+}
+
+/// The words of the command that was typed.
+fn command(matches: &clap::ArgMatches) -> String {
+    let mut words = Vec::new();
+    let mut at = matches.subcommand();
+    while let Some((name, inner)) = at {
+        words.push(name);
+        at = inner.subcommand();
+    }
+    words.join(" ")
 }

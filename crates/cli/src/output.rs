@@ -54,6 +54,17 @@ impl<F: Copy + 'static> Outputs<F> {
         Ok(Self(outputs))
     }
 
+    /// Refuses to write over what is read.
+    pub(crate) fn keep_off<'a>(&self, inputs: impl IntoIterator<Item = &'a Path>) -> Result<(), CliError> {
+        for input in inputs {
+            let place = fs::canonicalize(input).ok();
+            if let Some(output) = self.0.iter().find(|output| Some(&output.place) == place.as_ref()) {
+                return Err(output.refuse(&"it is what is read here; name another file"));
+            }
+        }
+        Ok(())
+    }
+
     /// The paths, in order.
     pub(crate) fn paths(&self) -> impl Iterator<Item = &Path> {
         self.0.iter().map(|output| output.path.as_path())

@@ -44,6 +44,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
             .map(|path| ("-o", path, MOTION))
             .chain(matches.get_one::<PathBuf>("report").map(|path| ("--report", path, REPORT))),
     )?;
+    outputs.keep_off(matches.get_one::<PathBuf>("figure").map(PathBuf::as_path))?;
     let rate = number(matches, "rate").unwrap_or(RATE.0);
     if !(RATE.1..=RATE.2).contains(&rate) {
         return Err(out_of_range(matches, "rate", format!("it must be {} to {} frames/s", RATE.1, RATE.2)));

@@ -108,6 +108,14 @@ pub enum IoError {
         /// Frames a second (1/s).
         rate: f64,
     },
+    /// A table of forces where positions are wanted.
+    #[error(
+        "column '{name}' holds forces; a table of positions is wanted here (solaris inverse reads forces as they are)"
+    )]
+    Forces {
+        /// The first heading that says so.
+        name: String,
+    },
     /// A table in degrees, and nothing says which of its columns are angles.
     #[error(
         "its header says inDegrees=yes, and translations are never in degrees: name the figure that says which coordinates \

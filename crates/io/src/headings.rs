@@ -7,6 +7,8 @@ use std::collections::HashMap;
 
 /// Ending of the columns of positions in CSV.
 const POSITION: &str = ".q";
+/// What `OpenSim`'s headings of forces end with.
+const FORCES: [&str; 2] = ["_moment", "_force"];
 /// Heading of the column of times.
 const TIME: &str = "time";
 
@@ -26,10 +28,15 @@ pub fn to_opensim(table: &Table) -> (Table, Vec<String>) {
 ///
 /// # Errors
 ///
-/// [`IoError::DegreesWithoutFigure`] where the table is in degrees and no figure says which coordinates turn.
+/// [`IoError::Forces`] for a table of forces without a figure; [`IoError::DegreesWithoutFigure`] where the table is in degrees and no figure says which coordinates turn.
 pub fn from_opensim(table: &Table, figure: Option<&Figure>) -> Result<(Table, Vec<String>), IoError> {
     let in_degrees = table.in_degrees == Some(true);
     let turns = figure.map(coordinates);
+    let is_force =
+        |name: &&String| name.contains("ground_force_") || FORCES.iter().any(|end| name.ends_with(end));
+    if let (None, Some(name)) = (&turns, table.columns.iter().find(is_force)) {
+        return Err(IoError::Forces { name: name.clone() });
+    }
     if turns.is_none() && in_degrees {
         return Err(IoError::DegreesWithoutFigure);
     }

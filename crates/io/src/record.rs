@@ -11,8 +11,8 @@
 //! | moments | `PREFIX.mx my mz`, about the world's origin | `PREFIXground_torque_x y z`, about that point |
 //!
 //! A table is of the first kind where any heading ends in `.q`, `.v` or `.a`. A one-dof joint's own name stands for its
-//! degree of freedom in both. Columns of degrees of freedom that follow others may be missing and are not used: they
-//! are where their leaders put them.
+//! degree of freedom in both, and `OpenSim`'s tables of states may head it `/jointset/JOINT/DOF/value` and `/speed`. Columns of
+//! degrees of freedom that follow others may be missing and are not used: they are where their leaders put them.
 //!
 //! Where the table's header says degrees, coordinates that turn (and their `.v`, `.a`) are turned into radians; slides, quaternions and the
 //! velocities of ball and free joints never are.
@@ -26,6 +26,9 @@ use crate::error::IoError;
 use crate::record::columns::Columns;
 use crate::table::{TIME, Table};
 use solaris_model::{Figure, Motion, Record};
+
+/// How far (rad or m) a recorded follower may be from where its leader puts it: printed digits.
+const FOLLOWS_TO: f64 = 1e-5;
 
 /// A record, and what of its table it does not use.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +48,7 @@ pub struct Recorded {
 /// # Errors
 ///
 /// All missing columns at once; a column `.q`, `.v`, `.a` or `.tau` of nothing in the figure; two columns for one
-/// coordinate; times that do not rise, and no times where they are needed; quaternions that are none; no rows.
+/// coordinate; times that do not rise, and no times, where something has to be differentiated; quaternions that are none; no rows.
 ///
 /// # Examples
 ///
@@ -64,10 +67,6 @@ pub fn read(figure: &Figure, table: &Table) -> Result<Recorded, IoError> {
     if table.is_empty() {
         return Err(IoError::NoRows { line: table.header_line });
     }
-    let time = match table.column(TIME) {
-        Some(column) => times(table, column)?,
-        None => (0..table.len()).map(|row| row as f64).collect(),
-    };
     let part = |places: &[Option<usize>]| -> Vec<f64> {
         let rows = (0..table.len()).map(|row| table.row(row));
         rows.flat_map(|row| places.iter().map(|place| place.map_or(0.0, |place| row[place]))).collect()
@@ -85,9 +84,14 @@ pub fn read(figure: &Figure, table: &Table) -> Result<Recorded, IoError> {
         }
     }
     let (nq, nv) = (columns.q.len(), columns.v.len());
+    let mut off = vec![0.0_f64; figure.followers().len()];
     for row in 0..table.len() {
         let q = &mut q[row * nq..][..nq];
+        let given: Vec<f64> = figure.followers().iter().map(|follower| q[follower.coordinate]).collect();
         figure.follow(q, &mut v[row * nv..][..nv], &mut a[row * nv..][..nv]);
+        for ((off, given), follower) in off.iter_mut().zip(given).zip(figure.followers()) {
+            *off = off.max((given - q[follower.coordinate]).abs());
+        }
         check_quaternions(figure, q, table.lines[row])?;
     }
     let known = |places: &[Option<usize>]| -> Vec<bool> { places.iter().map(Option::is_some).collect() };
@@ -96,8 +100,23 @@ pub fn read(figure: &Figure, table: &Table) -> Result<Recorded, IoError> {
         known_v[follower.dof] = known_v[follower.leader];
         known_a[follower.dof] = known_v[follower.leader] && known_a[follower.leader];
     }
+    // Rows of which everything is known need not follow each other.
+    let is_known = known_v.iter().chain(&known_a).all(|known| *known);
+    let time = match table.column(TIME) {
+        Some(column) if is_known => table.values_of(column).collect(),
+        Some(column) => times(table, column)?,
+        None => (0..table.len()).map(|row| row as f64).collect(),
+    };
+    let mut ignored = columns.ignored;
+    let names = figure.layout().v_names();
+    for (off, follower) in off.into_iter().zip(figure.followers()) {
+        if columns.q[follower.coordinate].is_some() && off > FOLLOWS_TO {
+            let [dof, leader] = [follower.dof, follower.leader].map(|dof| names[dof].as_str());
+            ignored.push(format!("{dof} (it follows {leader}, and is off by up to {off:.1e})"));
+        }
+    }
     let record = Record { time, q, v, a, known_v, known_a };
-    Ok(Recorded { record, ignored: columns.ignored })
+    Ok(Recorded { record, ignored })
 }
 
 /// The times, rising.

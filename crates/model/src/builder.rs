@@ -130,12 +130,13 @@ pub struct FigureBuilder {
     links: Vec<LinkSpec>,
     angles: Vec<(String, String, f64)>,
     stature: Option<f64>,
+    gravity: Option<Vector3<f64>>,
 }
 
 impl FigureBuilder {
     /// An empty figure called `name`.
     pub fn new(name: impl Into<String>) -> Self {
-        Self { name: name.into(), links: Vec::new(), angles: Vec::new(), stature: None }
+        Self { name: name.into(), links: Vec::new(), angles: Vec::new(), stature: None, gravity: None }
     }
 
     /// Adds a link. Links keep the order in which they are added, but that a parent always comes before its children.
@@ -156,6 +157,12 @@ impl FigureBuilder {
         self
     }
 
+    /// Says the gravity of the world that the figure is made in (m/s²).
+    pub fn gravity(mut self, gravity: Vector3<f64>) -> Self {
+        self.gravity = Some(gravity);
+        self
+    }
+
     /// The figure.
     ///
     /// # Errors
@@ -168,6 +175,7 @@ impl FigureBuilder {
         if let Some(stature) = self.stature.filter(|h| h.is_nan() || *h <= 0.0 || h.is_infinite()) {
             faults.push(Fault::Stature { stature });
         }
+        faults.extend(self.gravity.as_ref().and_then(Fault::of_gravity));
         self.check_names(&mut faults);
         for link in &self.links {
             check::link(link, &mut faults);
@@ -386,7 +394,8 @@ impl FigureBuilder {
             })
             .collect();
         let followers = followers(&links, &layout);
-        Figure { name: self.name, links, layout, angles, followers, by_name: place, stature: self.stature }
+        let (name, by_name, stature, gravity) = (self.name, place, self.stature, self.gravity);
+        Figure { name, links, layout, angles, followers, by_name, stature, gravity }
     }
 }
 

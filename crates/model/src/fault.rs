@@ -1,6 +1,7 @@
 //! What can be wrong with a figure.
 
 use crate::source::Part;
+use nalgebra::Vector3;
 use std::fmt;
 
 /// One fault of a figure: the thing, its value, why it cannot be, and what to do.
@@ -12,6 +13,8 @@ pub enum Fault {
     Empty,
     #[error("stature {stature} m: a standing height is a finite number above zero")]
     Stature { stature: f64 },
+    #[error("gravity is ({:?}, {:?}, {:?}) m/s²; it must be three finite numbers", .gravity[0], .gravity[1], .gravity[2])]
+    Gravity { gravity: [f64; 3] },
     #[error("no link is a root: every link names a parent; make one of them the root")]
     NoRoot,
     #[error("links {} are all roots; a figure has one root: give the others a parent", quoted(.links))]
@@ -82,6 +85,12 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// What is wrong with a gravity, if anything is.
+    pub(crate) fn of_gravity(gravity: &Vector3<f64>) -> Option<Self> {
+        let bad = gravity.iter().any(|x| !x.is_finite());
+        bad.then(|| Self::Gravity { gravity: (*gravity).into() })
+    }
+
     /// The part of the figure that the fault is about, its name, and the field of it, or an empty one.
     pub fn subject(&self) -> (Part, &str, &'static str) {
         fn first(names: &[String]) -> &str {
@@ -90,6 +99,7 @@ impl Fault {
         match self {
             Self::Empty | Self::NoRoot => (Part::Figure, "", "links"),
             Self::Stature { .. } => (Part::Figure, "", "stature"),
+            Self::Gravity { .. } => (Part::Figure, "", "gravity"),
             Self::ManyRoots { links } => (Part::Link, links.last().map_or("", String::as_str), "parent"),
             Self::Cycle { links } => (Part::Link, first(links), "parent"),
             Self::DuplicateName { kind, name, .. } => (part(kind), name, "name"),

@@ -2,9 +2,11 @@
 
 use crate::anatomy::AnatomicalAngle;
 use crate::coupling::Follower;
+use crate::fault::{Fault, FigureError};
 use crate::joint::JointKind;
 use crate::layout::StateLayout;
 use crate::link::Link;
+use nalgebra::Vector3;
 use std::collections::HashMap;
 
 /// An articulated figure, valid by construction (see [`crate::FigureBuilder`]).
@@ -19,6 +21,7 @@ pub struct Figure {
     pub(crate) followers: Vec<Follower>,
     pub(crate) by_name: HashMap<String, usize>,
     pub(crate) stature: Option<f64>,
+    pub(crate) gravity: Option<Vector3<f64>>,
 }
 
 impl Figure {
@@ -70,6 +73,25 @@ impl Figure {
     /// The standing height that the figure was made for (m), if it was said.
     pub fn stature(&self) -> Option<f64> {
         self.stature
+    }
+
+    /// The gravity of the world that the figure was made in (m/s²), if it was said: against it is up. Whoever computes is free
+    /// to take another.
+    pub fn gravity(&self) -> Option<&Vector3<f64>> {
+        self.gravity.as_ref()
+    }
+
+    /// The figure in a world with this gravity (m/s²).
+    ///
+    /// # Errors
+    ///
+    /// [`Fault::Gravity`] for one that is not finite.
+    pub fn with_gravity(mut self, gravity: Vector3<f64>) -> Result<Self, FigureError> {
+        if let Some(fault) = Fault::of_gravity(&gravity) {
+            return Err(FigureError { figure: self.name, faults: vec![fault] });
+        }
+        self.gravity = Some(gravity);
+        Ok(self)
     }
 
     /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses (not springs,

@@ -1,6 +1,10 @@
 //! Positions against the limits of the degrees of freedom.
 
 use crate::figure::Figure;
+use crate::joint::AxisKind;
+
+/// An angle (rad) that is rather one in degrees: two turns.
+pub(crate) const MANY_TURNS: f64 = 4.0 * std::f64::consts::PI;
 
 /// How far a motion leaves the range of a degree of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +20,20 @@ pub struct LimitExcess {
 }
 
 impl Figure {
+    /// The degrees of freedom, as indices in `v`, whose positions `q` (`nq` a row) turn farther than two turns: rather degrees
+    /// than radians.
+    pub fn many_turns(&self, q: &[f64]) -> Vec<usize> {
+        let mut found = Vec::new();
+        for (link, at) in self.links().iter().zip(self.layout().joints()) {
+            for (i, dof) in link.joint().kind().axes().iter().enumerate() {
+                let mut column = q.iter().skip(at.q + i).step_by(self.layout().nq());
+                let turns = dof.axis.kind == AxisKind::Rotation && column.any(|x| x.abs() > MANY_TURNS);
+                found.extend(turns.then_some(at.v + i));
+            }
+        }
+        found
+    }
+
     /// The degrees of freedom that the positions `q` (`nq` a row) take out of their limits, each where it is farthest
     /// outside.
     ///

@@ -6,6 +6,8 @@ mod neutral;
 pub(crate) mod sides;
 
 use crate::figure::Figure;
+use crate::joint::AxisKind;
+use crate::limits::MANY_TURNS;
 use crate::source::{Finding, FindingKind};
 use nalgebra::Vector3;
 use neutral::Neutral;
@@ -59,7 +61,7 @@ impl Figure {
     /// | looks wrong | rule |
     /// |---|---|
     /// | density | mass over the volume of a link's shape outside 300–3000 kg/m³ |
-    /// | limits | a range of one value; one that excludes the zero pose |
+    /// | limits | a range of one value; one that excludes the zero pose; an angle of more than two turns |
     /// | centre of mass | outside of the box round the link's shape, which then is not all of the link and not asked for more |
     /// | inertia of a link with a shape | more spread along an axis of its box than any mass inside can be; for another shape, more spread than its largest half; less than a hundredth of the uniform solid's |
     /// | inertia of a link without one | a radius of gyration of more than three times the way from the centre of mass to the farthest joint, tip, sole point or frame |
@@ -91,6 +93,20 @@ fn limits(figure: &Figure, neutral: &Neutral, findings: &mut Vec<Finding>) {
         for (k, dof) in link.joint.kind.axes().iter().enumerate() {
             let Some(range) = dof.limits else { continue };
             let (name, zero) = (&figure.layout.v_names()[at.v + k], neutral.q[at.q + k]);
+            let far = [range.lower, range.upper]
+                .into_iter()
+                .any(|limit| limit.is_finite() && limit.abs() > MANY_TURNS);
+            if far && dof.axis.kind == AxisKind::Rotation {
+                findings.push(suspect(
+                    name,
+                    format!(
+                        "its limits {} to {} rad are several turns; if these are degrees, turn them into radians (in a figure's \
+                         text, write deg(…))",
+                        short(range.lower),
+                        short(range.upper)
+                    ),
+                ));
+            }
             if range.lower >= range.upper {
                 findings.push(suspect(
                     name,

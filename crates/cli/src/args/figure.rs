@@ -61,7 +61,10 @@ fn check() -> Command {
             "FILE",
             "A figure (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model",
         ))
-        .arg(flag("dh", "Print the rationalised links: the Denavit-Hartenberg table of every chain"))
+        .arg(
+            flag("dh", "Print the rationalised links: the Denavit-Hartenberg table of every chain")
+                .conflicts_with("json"),
+        )
         .arg(flag("strict", "Exit with 1 if anything looks wrong"))
         .arg(json("Print the summary as JSON instead of text"))
 }

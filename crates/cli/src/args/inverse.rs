@@ -42,6 +42,7 @@ pub(super) fn command() -> Command {
             Arg::new("filter")
                 .long("filter")
                 .value_name("HZ")
+                .allow_hyphen_values(true)
                 .value_parser(ValueParser::new(parse_frequency))
                 .help(wrap(
                     "Filter positions before they are differentiated: a zero-phase Butterworth low-pass of this cut-off \
@@ -71,6 +72,7 @@ fn forces() -> [Arg; 3] {
             .value_name("LINK=PREFIX")
             .action(ArgAction::Append)
             .requires("external")
+            .conflicts_with("external-loads")
             .value_parser(ValueParser::new(parse_plate))
             .help(wrap(
                 "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx; \

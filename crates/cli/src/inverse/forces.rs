@@ -28,7 +28,16 @@ pub(super) enum External {
 impl External {
     pub(super) fn read(matches: &ArgMatches) -> Result<Self, CliError> {
         if let Some(path) = matches.get_one::<PathBuf>("external") {
-            let plates = matches.get_many("plate").unwrap_or_default().cloned().collect();
+            let plates: Vec<(Vec<String>, String)> =
+                matches.get_many("plate").unwrap_or_default().cloned().collect();
+            for (i, (links, prefix)) in plates.iter().enumerate() {
+                if let Some((other, _)) = plates[..i].iter().find(|(_, before)| before == prefix) {
+                    let (links, other) = (links.join("+"), other.join("+"));
+                    let why =
+                        format!("the same columns push {other} already; give each plate its own prefix");
+                    return Err(of_plate(&links, prefix, why));
+                }
+            }
             return Ok(Self::Plates { path: path.clone(), table: input::table(path)?, plates });
         }
         let Some(path) = matches.get_one::<PathBuf>("external-loads") else { return Ok(Self::None) };
@@ -59,17 +68,35 @@ impl External {
             }
         };
         let mut records: Vec<ForceRecord> = records.map_err(|error| CliError::input(path, &error))?;
-        for link in records.iter_mut().flat_map(|record| &mut record.links) {
+        for (i, link) in
+            records.iter_mut().enumerate().flat_map(|(i, r)| r.links.iter_mut().map(move |l| (i, l)))
+        {
             *link = carrier(figure, link).ok_or_else(|| {
                 let names = figure.links().iter().map(Link::name);
                 let hint =
                     nearest(link, names).map_or_else(String::new, |name| format!("; did you mean '{name}'?"));
                 let why =
                     format!("figure '{}' has no link and no frame '{link}' to push{hint}", figure.name());
-                CliError::input(path, &why)
+                match self {
+                    Self::Plates { plates, .. } => of_plate(&plates[i].0.join("+"), &plates[i].1, why),
+                    _ => CliError::input(path, &why),
+                }
             })?;
         }
         Ok(records)
+    }
+
+    /// Prefixes of force columns that push nothing: of the table of forces, or without one of the motion's own.
+    pub(super) fn unused(&self, motion: &Table) -> Vec<String> {
+        match self {
+            Self::None => record::force_prefixes(motion),
+            Self::Plates { table, plates, .. } => {
+                let all = record::force_prefixes(table).into_iter();
+                all.filter(|prefix| plates.iter().all(|(_, used)| used != prefix)).collect()
+            }
+            // OpenSim's description says what is meant.
+            Self::Loads { .. } => Vec::new(),
+        }
     }
 
     /// What the summary says of it.
@@ -101,4 +128,9 @@ fn carrier(figure: &Figure, name: &str) -> Option<String> {
         return Some(name.to_owned());
     }
     links.find(|link| has_frame(link.frames())).map(|link| link.name().to_owned())
+}
+
+/// What is wrong with a plate, said of the option.
+fn of_plate(links: &str, prefix: &str, why: String) -> CliError {
+    CliError::Option { option: "plate".to_owned(), value: format!("{links}={prefix}"), why }
 }

@@ -1,6 +1,7 @@
 //! What inverse dynamics came to, as text and as JSON.
 
 use super::tables::slides;
+use crate::convert::some;
 use crate::input::Body;
 use serde::Serialize;
 use solaris::io::Table;
@@ -17,6 +18,8 @@ pub(super) struct Asked {
     pub(super) gravity: bool,
     /// The forces from outside.
     pub(super) external: String,
+    /// Prefixes of columns of forces that push nothing.
+    pub(super) unused: Vec<String>,
 }
 
 /// The summary.
@@ -29,20 +32,27 @@ pub(super) struct Report {
     rows: usize,
     from_s: f64,
     to_s: f64,
-    angles_in_degrees: bool,
+    /// What the motion's angles are in, and who says so.
+    units: &'static str,
+    has_times: bool,
     gravity_m_s2: [f64; 3],
     gravity_from: &'static str,
-    /// Degrees of freedom whose velocities or accelerations were found by differentiating.
-    differentiated: usize,
+    /// Degrees of freedom whose velocities and accelerations were found from the positions.
+    from_positions: usize,
+    /// Degrees of freedom whose accelerations were found from the recorded velocities.
+    from_velocities: usize,
     filter: Option<FilterReport>,
     external_forces: String,
+    unused_forces: Vec<String>,
+    many_turns: Vec<String>,
     passive: bool,
     outside_limits: Vec<Excess>,
     ignored_columns: Vec<String>,
     /// Elements of the figure's file that were not read.
     not_read: usize,
     joints: Vec<Load>,
-    residual: Residual,
+    /// Absent where the figure stands fixed in the world, which then bears what is left over.
+    residual: Option<Residual>,
     /// Whether nothing holds the root in the world, so that the forces of its joint are errors.
     root_is_free: bool,
 }
@@ -109,6 +119,10 @@ impl Report {
             at_s: motion.time[found.row],
             turns: !slides[found.dof],
         });
+        let derived = |from_velocity: bool| {
+            let dofs = motion.differentiated.iter().enumerate();
+            dofs.filter(|(dof, here)| **here && recorded.record.known_v[*dof] == from_velocity).count()
+        };
         let free = forces.dofs.iter().enumerate().filter(|(dof, _)| !figure.follows(*dof));
         let r = &forces.residual;
         Self {
@@ -119,33 +133,42 @@ impl Report {
             rows: motion.time.len(),
             from_s: motion.time.first().copied().unwrap_or_default(),
             to_s: motion.time.last().copied().unwrap_or_default(),
-            angles_in_degrees: table.in_degrees == Some(true),
+            units: match table.in_degrees {
+                Some(true) => "angles in degrees, as its header says",
+                Some(false) => "angles in rad, as its header says",
+                None if table.header_line > 1 => "angles in rad, though its header does not say",
+                None => "angles in rad",
+            },
+            has_times: table.column("time").is_some(),
             gravity_m_s2: body.gravity.into(),
             gravity_from: match (asked.gravity, body.gravity_is_given) {
                 (true, _) => "as asked",
                 (false, true) => "the file's",
                 (false, false) => "standard, down in this format",
             },
-            differentiated: motion.differentiated.iter().filter(|here| **here).count(),
+            from_positions: derived(false),
+            from_velocities: derived(true),
             filter: asked.filter.map(|filter| FilterReport {
                 cutoff_hz: filter.cutoff,
                 order: filter.order,
                 spoiled_s: motion.spoiled,
             }),
             external_forces: asked.external.clone(),
+            unused_forces: asked.unused.clone(),
+            many_turns: figure.many_turns(&motion.q).into_iter().map(|dof| names[dof].clone()).collect(),
             passive: asked.passive,
             outside_limits: excess.collect(),
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
             joints: free.map(load).collect(),
-            residual: Residual {
+            residual: (root.nv > 0).then_some(Residual {
                 force_rms_n: r.force_rms,
                 force_greatest_n: r.force,
                 force_at_s: r.force_time,
                 moment_rms_nm: r.moment_rms,
                 moment_greatest_nm: r.moment,
                 moment_at_s: r.moment_time,
-            },
+            }),
             root_is_free: root.nv > 0,
         }
     }
@@ -171,31 +194,66 @@ impl Report {
     /// What went in, and how it was taken.
     fn write_given(&self, out: &mut dyn Write) -> Result<()> {
         let Self { figure, format, dofs, mass_kg, .. } = self;
-        writeln!(out, "{format} '{figure}': {dofs} degrees of freedom, {} kg\n", short(*mass_kg))?;
+        let dofs = counted(*dofs, "degree of freedom", "degrees of freedom");
+        writeln!(out, "{format} '{figure}': {dofs}, {} kg\n", short(*mass_kg))?;
         let mut row = |what: &str, value: String| writeln!(out, "  {what:<18}{value}");
-        let units = if self.angles_in_degrees { "; angles in degrees" } else { "" };
-        row(
-            "motion",
-            format!("{} rows, {} to {} s{units}", self.rows, short(self.from_s), short(self.to_s)),
-        )?;
+        let rows = counted(self.rows, "row", "rows");
+        let times = match (self.has_times, self.rows) {
+            (false, _) => " without times".to_owned(),
+            (true, 1) => format!(" at {} s", short(self.from_s)),
+            (true, _) => format!(", {} to {} s", short(self.from_s), short(self.to_s)),
+        };
+        row("motion", format!("{rows}{times}; {}", self.units))?;
         let [x, y, z] = self.gravity_m_s2;
         row("gravity", format!("({x}, {y}, {z}) m/s², {}", self.gravity_from))?;
-        let how = match (self.differentiated, &self.filter) {
-            (0, _) => "as recorded".to_owned(),
-            (count, None) => format!("of {count} dofs by the natural quintic spline through the positions"),
-            (count, Some(_)) => {
-                format!("of {count} dofs by the natural quintic spline through the filtered positions")
-            }
+        let which = if self.filter.is_some() { "filtered " } else { "" };
+        let spline = match self.rows {
+            1 => "zero, as at rest: a single row has none",
+            2 => "the straight line through two rows",
+            _ => "the natural quintic spline",
         };
-        row("derivatives", how)?;
-        if let Some(FilterReport { cutoff_hz, order, spoiled_s }) = &self.filter {
-            row("filter", format!("zero-phase Butterworth, {cutoff_hz} Hz, order {order} there and back"))?;
-            row(
-                "",
-                format!("the first and the last {} s are the filter's, not the motion's", short(*spoiled_s)),
-            )?;
+        for (count, of) in [(self.from_positions, "positions"), (self.from_velocities, "velocities")] {
+            if count > 0 {
+                let dofs = counted(count, "dof", "dofs");
+                row("derivatives", format!("of {dofs}: {spline}, through the {which}{of}"))?;
+            }
+        }
+        if self.from_positions + self.from_velocities == 0 {
+            row("derivatives", "as recorded".to_owned())?;
+        }
+        match &self.filter {
+            Some(_) if self.from_positions + self.from_velocities == 0 => {
+                row(
+                    "filter",
+                    "not used: what is recorded with its derivatives is taken as it is".to_owned(),
+                )?;
+            }
+            Some(FilterReport { cutoff_hz, order, spoiled_s }) => {
+                row(
+                    "filter",
+                    format!("zero-phase Butterworth, {cutoff_hz} Hz, order {order} there and back"),
+                )?;
+                row(
+                    "",
+                    format!(
+                        "the first and the last {} s are the filter's, not the motion's",
+                        short(*spoiled_s)
+                    ),
+                )?;
+            }
+            None => {}
         }
         row("forces", self.external_forces.clone())?;
+        if !self.unused_forces.is_empty() {
+            let names: Vec<String> = self.unused_forces.iter().map(|prefix| format!("'{prefix}'")).collect();
+            row(
+                "",
+                format!("not used: the forces of {}; --external and --plate apply them", names.join(", ")),
+            )?;
+        }
+        if !self.many_turns.is_empty() {
+            row("suspect", format!("{}: more than two turns; are these degrees?", some(&self.many_turns)))?;
+        }
         if !self.passive {
             row("passive", "armature, damping, springs and friction left out".to_owned())?;
         }
@@ -205,13 +263,11 @@ impl Report {
             row(what, format!("{} by {}{unit} at {} s", excess.dof, short(by), short(excess.at_s)))?;
         }
         if !self.ignored_columns.is_empty() {
-            row("columns not used", self.ignored_columns.join(", "))?;
+            row("columns not used", some(&self.ignored_columns))?;
         }
         if self.not_read > 0 {
-            row(
-                "not read",
-                format!("{} kinds of things in the model; solaris check lists them", self.not_read),
-            )?;
+            let kinds = counted(self.not_read, "kind", "kinds");
+            row("not read", format!("{kinds} of things in the model; solaris check lists them"))?;
         }
         Ok(())
     }
@@ -222,8 +278,7 @@ impl Report {
             joint.write(out, width)?;
         }
         // A joint of fewer degrees of freedom holds the rest.
-        if self.joints.iter().filter(|joint| joint.root).count() == 6 {
-            let r = &self.residual;
+        if let (6, Some(r)) = (self.joints.iter().filter(|joint| joint.root).count(), &self.residual) {
             let size = |name: &str, rms, greatest, at_s, unit| Load {
                 dof: name.to_owned(),
                 unit,
@@ -272,4 +327,9 @@ fn short(value: f64) -> String {
     };
     let text = format!("{value:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// A count with its noun.
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }

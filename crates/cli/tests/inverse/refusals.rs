@@ -138,6 +138,18 @@ fn bases_that_there_cannot_be() {
 }
 
 #[test]
+fn forces_that_push_nothing_are_said() {
+    let folder = subject();
+    let run = |options: &str| {
+        crate::succeeded(&crate::solaris(folder.path(), &format!("inverse subject.osim walk.mot {options}")))
+    };
+    let one = run("--external grf.mot --plate calcn_r=");
+    assert!(one.contains("not used: the forces of '1_'"), "{one}");
+    let both = run("--external grf.mot --plate calcn_r= --plate calcn_l=1_");
+    assert!(!both.contains("not used"), "{both}");
+}
+
+#[test]
 fn the_same_plate_twice_is_no_force_twice() {
     let folder = subject();
     refuses(

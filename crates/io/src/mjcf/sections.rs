@@ -7,8 +7,7 @@ use std::collections::HashMap;
 /// Sections whose elements act on the bodies.
 const ACTING: [&str; 5] = ["actuator", "tendon", "equality", "deformable", "keyframe"];
 /// Sections without any use for a motion.
-const ASIDES: [&str; 8] =
-    ["visual", "asset", "statistic", "size", "custom", "extension", "contact", "sensor"];
+const ASIDES: [&str; 8] = ["visual", "asset", "statistic", "size", "custom", "extension", "sensor"];
 /// Attributes of `<option>` for the simulation's own steps.
 const STEPS: [&str; 23] = [
     "timestep",

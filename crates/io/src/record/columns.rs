@@ -43,7 +43,8 @@ impl Columns {
         let mut places: HashMap<Meaning, usize> = HashMap::new();
         let mut strange = Vec::new();
         for (place, name) in table.columns.iter().enumerate() {
-            let Some(&meaning) = meanings.get(name) else {
+            let known = meanings.get(name).copied().or_else(|| state(figure, &meanings, name));
+            let Some(meaning) = known else {
                 strange.push(place);
                 continue;
             };
@@ -137,6 +138,17 @@ impl Columns {
             }
         }
         Ok(())
+    }
+}
+
+/// What a heading of `OpenSim`'s tables of states means: `/jointset/JOINT/COORDINATE/value`, or `/speed`.
+fn state(figure: &Figure, meanings: &HashMap<String, Meaning>, name: &str) -> Option<Meaning> {
+    let (path, kind) = name.strip_prefix('/')?.rsplit_once('/')?;
+    let coordinate = path.rsplit('/').next()?;
+    match (kind, meanings.get(coordinate)?) {
+        ("value", position @ Meaning::Position(_)) => Some(*position),
+        ("speed", Meaning::Position(_)) => figure.layout().dof_index(coordinate).map(Meaning::Velocity),
+        _ => None,
     }
 }
 

@@ -22,7 +22,8 @@ pub(crate) fn combined(lumps: &[&Lump]) -> Lump {
     if let [lump] = lumps {
         return **lump;
     }
-    let mass: f64 = lumps.iter().map(|lump| lump.mass).sum();
+    // An empty sum is −0.
+    let mass = lumps.iter().map(|lump| lump.mass).sum::<f64>() + 0.0;
     let com = if mass == 0.0 {
         Vector3::zeros()
     } else {

@@ -197,8 +197,7 @@ fn say_about_joints(reader: &mut Reader, joints: &[Joint], names: &HashMap<Strin
         let names: Vec<&str> =
             fixed.iter().filter_map(|joint| joint.child.as_ref()).map(|(name, _)| name.as_str()).collect();
         let message = format!(
-            "{} of them: {} are parts of their parents' links, and frames by these names; the joints' own names are not kept",
-            fixed.len(),
+            "what they hold is part of their parents' links, and a frame by its name ({}); the joints' own names are not kept",
             some(&names)
         );
         reader.note(first.span.clone(), "fixed joints", message);

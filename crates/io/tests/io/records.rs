@@ -57,7 +57,12 @@ fn velocities_and_accelerations_are_optional_for_each_coordinate() {
     assert_eq!((record.q, record.v), (vec![1.0, 2.0, 0.2, 0.2, 4.0], vec![0.0, 3.0, 0.0, 0.0, 5.0]));
     assert_eq!(record.known_v, [false, true, false, false, true]);
     assert_eq!((record.known_a, record.a[4]), (vec![false, false, false, false, true], 6.0));
-    assert_eq!(found.ignored, ["note"]);
+    assert_eq!(found.ignored[0], "note");
+    assert!(
+        found.ignored[1].starts_with("slide (it follows knee_angle_r, and is off by"),
+        "{:?}",
+        found.ignored
+    );
 }
 
 #[test]
@@ -72,6 +77,42 @@ fn unrelated_states_need_no_time() {
     assert_eq!((record.v, record.a), (vec![2.0, 5.0], vec![3.0, 6.0]));
     let error = record::read(&figure, &table("wrist.q,wrist.v\n1,2\n")).expect_err("no accelerations");
     assert!(error.to_string().contains("missing: 'wrist.rx.a'"), "{error}");
+}
+
+#[test]
+fn unrelated_states_may_have_any_times() {
+    let states = "time,elbow.q,elbow.v,elbow.a\n3,0.1,0.2,0.3\n1,0.4,0.5,0.6\n1,0.7,0.8,0.9\n";
+    let arm = LinkSpec::root("arm", Joint::new("elbow").rx()).mass(1.0);
+    let figure = FigureBuilder::new("arm").link(arm).build().expect("valid");
+    let recorded = record::read(&figure, &table(states)).expect("states");
+    assert_eq!(recorded.record.time, [3.0, 1.0, 1.0]);
+    // Where something has to be differentiated, times rise.
+    let error = record::read(&figure, &table("time,elbow.q\n3,0.1\n1,0.4\n")).expect_err("back in time");
+    assert!(error.to_string().starts_with("line 3"), "{error}");
+}
+
+#[test]
+fn headings_of_opensims_states_are_understood() {
+    let knee =
+        Joint::new("knee").tx().following("bend", Curve::Polynomial(vec![0.0, 0.0, 1.0])).rz().named("bend");
+    let figure =
+        FigureBuilder::new("leg").link(LinkSpec::root("leg", knee).mass(1.0)).build().expect("valid");
+    let states = table(
+        "time,/jointset/knee/bend/value,/jointset/knee/bend/speed,/forceset/soleus/activation\n0,0.5,2,0.1\n0.1,0.6,2,0.2\n",
+    );
+    let recorded = record::read(&figure, &states).expect("states");
+    assert_eq!(
+        (recorded.record.q, recorded.record.v),
+        (vec![0.25, 0.5, 0.36, 0.6], vec![2.0, 2.0, 2.4, 2.0])
+    );
+    assert_eq!(recorded.record.known_v, [true, true]);
+    assert_eq!(recorded.ignored, ["/forceset/soleus/activation"]);
+    // A follower's own column is not used; where it says something else, that is said.
+    let off = table("time,bend,knee.tx\n0,0.5,0.25\n0.1,0.6,0.86\n");
+    assert_eq!(
+        record::read(&figure, &off).expect("states").ignored,
+        ["knee.tx (it follows bend, and is off by up to 5.0e-1)"]
+    );
 }
 
 #[test]

@@ -65,7 +65,8 @@ fn with_links(full: &Figure, links: Vec<Link>, dofs: &[Option<usize>]) -> Figure
     let angles = angles.collect();
     let by_name = links.iter().enumerate().map(|(i, link)| (link.name.clone(), i)).collect();
     let followers = followers(&links, &layout);
-    Figure { name: full.name.clone(), links, layout, angles, followers, by_name, stature: full.stature }
+    let (name, stature, gravity) = (full.name.clone(), full.stature, full.gravity);
+    Figure { name, links, layout, angles, followers, by_name, stature, gravity }
 }
 
 /// The links of the small figure, as far as they are there.

@@ -120,6 +120,7 @@ fn with_links(declared: &Figure, links: Vec<Link>, joints: &[Option<JointInView>
         followers,
         by_name,
         stature: declared.stature,
+        gravity: declared.gravity,
     }
 }
 

@@ -57,7 +57,7 @@ pub(super) fn read(text: &str) -> Result<Figure, TextError> {
     }
 }
 
-const FIELDS: [&str; 6] = ["version", "name", "stature", "links", "angles", "body"];
+const FIELDS: [&str; 7] = ["version", "name", "stature", "gravity", "links", "angles", "body"];
 
 impl Reader {
     fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
@@ -77,6 +77,7 @@ impl Reader {
             self.places.put_field(Part::Figure, "", "stature", node.span.clone());
             self.number(node, "stature")
         });
+        let gravity = fields.get("gravity").and_then(|node| self.vector(node, "gravity"));
         if let Some(body) = fields.get("body") {
             for other in ["links", "angles"] {
                 if let Some(node) = fields.get(other) {
@@ -84,11 +85,15 @@ impl Reader {
                     self.fault(node.place(), message);
                 }
             }
-            return self.body(body, name, stature);
+            let figure = self.body(body, name, stature)?;
+            return Some(Figure { gravity, ..figure });
         }
         let mut builder = FigureBuilder::new(name.unwrap_or("figure"));
         if let Some(stature) = stature {
             builder = builder.stature(stature);
+        }
+        if let Some(gravity) = gravity {
+            builder = builder.gravity(gravity);
         }
         if let Some(links) = fields.get("links") {
             builder = self.links(links, builder);

@@ -8,7 +8,7 @@ mod number;
 use super::read::VERSION;
 use crate::figure::Figure;
 use layout::{Doc, field, group};
-use number::{number, quoted};
+use number::{number, quoted, tuple};
 
 const HEADER: &str = "\
 // A figure. Lengths are in m, masses in kg, inertias in kg m², angles in rad or, as deg(30), in degrees.
@@ -29,6 +29,9 @@ pub(super) fn write(figure: &Figure) -> String {
     line(field("name", Doc::Atom(quoted(&figure.name))));
     if let Some(stature) = figure.stature {
         line(field("stature", Doc::Atom(number(stature))));
+    }
+    if let Some(gravity) = figure.gravity {
+        line(field("gravity", tuple(gravity.as_slice())));
     }
     text.push_str("    links: [\n");
     for (i, link) in figure.links.iter().enumerate() {

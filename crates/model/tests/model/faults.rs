@@ -56,6 +56,7 @@ fn broken() -> Vec<(&'static str, FigureBuilder)> {
         ("unknown parent", with([root("trunk"), child("arm", "trnk")])),
         ("unknown parent, nothing near", with([root("trunk"), child("arm", "zebra")])),
         ("stature", with([root("a")]).stature(0.0)),
+        ("gravity", with([root("a")]).gravity(Vector3::new(0.0, NAN, 0.0))),
         ("mass", with([root("a").mass(NAN)])),
         ("centre of mass", with([root("a").com(Vector3::new(0.0, f64::INFINITY, 0.0))])),
         ("inertia", with([root("a").inertia(diagonal(NAN, 1.0, 1.0))])),

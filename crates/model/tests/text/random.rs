@@ -193,6 +193,9 @@ pub(crate) fn figure(seed: u64) -> Figure {
     if dice.often() {
         builder = builder.stature(dice.positive());
     }
+    if dice.often() {
+        builder = builder.gravity(dice.vector());
+    }
     let mut names: Vec<String> = Vec::new();
     for index in 0..=dice.below(12) {
         let parent = (index > 0).then(|| names[dice.below(index)].clone());
