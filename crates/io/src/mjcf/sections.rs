@@ -5,9 +5,9 @@ use solaris_model::{Place, Vector3};
 use std::collections::HashMap;
 
 /// Sections whose elements act on the bodies.
-const ACTING: [&str; 5] = ["actuator", "tendon", "equality", "deformable", "keyframe"];
+const ACTING: [&str; 6] = ["actuator", "contact", "tendon", "equality", "deformable", "keyframe"];
 /// Sections without any use for a motion.
-const ASIDES: [&str; 8] = ["visual", "asset", "statistic", "size", "custom", "extension", "sensor"];
+const ASIDES: [&str; 7] = ["visual", "asset", "statistic", "size", "custom", "extension", "sensor"];
 /// Attributes of `<option>` for the simulation's own steps.
 const STEPS: [&str; 23] = [
     "timestep",
