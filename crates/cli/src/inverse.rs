@@ -2,6 +2,7 @@
 
 mod forces;
 mod report;
+mod summary;
 mod tables;
 
 use crate::args::{BASES, Gravity};

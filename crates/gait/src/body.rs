@@ -2,7 +2,6 @@
 
 use crate::error::GaitError;
 use crate::foot::{mirror, mirror_rotation};
-use crate::lacks;
 use crate::leg::LegGeometry;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, Vector3 as V3};
@@ -61,8 +60,8 @@ pub(crate) struct Body {
 }
 
 impl Body {
+    /// Of a figure that lacks nothing ([`crate::lacks::check`]).
     pub(crate) fn of(figure: &Figure) -> Result<Self, GaitError> {
-        lacks::check(figure)?;
         let leg = LegGeometry::of(figure)?;
         let segment = |name: &str, parent: Option<&str>| segment(figure, name, parent);
         let middle_of = |i: usize| segment(MIDDLE[i], i.checked_sub(1).map(|p| MIDDLE[p]));

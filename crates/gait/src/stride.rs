@@ -4,6 +4,7 @@ use crate::body::Body;
 use crate::error::GaitError;
 use crate::foot::{FootPlane, mirror};
 use crate::grid::{Ends, Grid, SECOND};
+use crate::lacks;
 use crate::laws;
 use crate::leg::LegPose;
 use crate::momentum::MomentumKernel;
@@ -73,6 +74,7 @@ impl StridePlan {
     ///
     /// A figure that the walker does not know, and a stride that does not close.
     pub fn new(figure: &Figure, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {
+        lacks::check(figure)?;
         Self::plan(Body::of(figure)?, style, resolution)
     }
 

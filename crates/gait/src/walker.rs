@@ -2,6 +2,7 @@
 
 use crate::body::Body;
 use crate::error::GaitError;
+use crate::lacks;
 use crate::parameter::Parameter;
 use crate::prescribed::friction;
 use crate::stride::{Resolution, StridePlan};
@@ -81,6 +82,7 @@ impl Default for WalkRequest {
 /// [`GaitError`] for a figure that the walker does not know, for values out of range (with the range), for a walk that
 /// needs more friction than soles have (with the longest step that holds), and for one that the legs cannot do.
 pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitError> {
+    lacks::check(figure)?;
     let body = Body::of(figure)?;
     let pace = Pace::of(request, body.height)?;
     let plan = pace.plan(&body, request)?;

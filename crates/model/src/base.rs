@@ -1,8 +1,8 @@
 //! What ties a figure's root to the world.
 
 use crate::anatomy::AnatomicalAngle;
-use crate::coupling::followers;
 use crate::figure::Figure;
+use crate::follower::followers;
 use crate::joint::{Dof, Joint, JointKind};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::Link;

@@ -4,9 +4,9 @@ mod check;
 mod hints;
 
 use crate::anatomy::AnatomicalAngle;
-use crate::coupling::followers;
 use crate::fault::{Fault, FigureError};
 use crate::figure::Figure;
+use crate::follower::followers;
 use crate::inertia::{Inertia, Shape};
 use crate::joint::{Follow, Joint, Placement};
 use crate::layout::{StateLayout, velocity_names};

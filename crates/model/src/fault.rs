@@ -1,6 +1,5 @@
 //! What can be wrong with a figure.
 
-use crate::source::Part;
 use nalgebra::Vector3;
 use std::fmt;
 
@@ -82,6 +81,23 @@ pub enum Fault {
     Curve { dof: String, leader: String, why: String },
     #[error("anatomical angle '{angle}' names the dof '{dof}', which is not a dof of this figure{}", hint(.nearest.as_ref()))]
     UnknownDof { angle: String, dof: String, nearest: Option<String> },
+}
+
+/// A part of a figure that a fault can be about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The figure itself.
+    Figure,
+    /// A link.
+    Link,
+    /// A joint.
+    Joint,
+    /// A degree of freedom.
+    Dof,
+    /// A named frame.
+    Frame,
+    /// A named angle.
+    Angle,
 }
 
 impl Fault {

@@ -1,8 +1,8 @@
 //! The figure: an immutable tree of links.
 
 use crate::anatomy::AnatomicalAngle;
-use crate::coupling::Follower;
 use crate::fault::{Fault, FigureError};
+use crate::follower::Follower;
 use crate::joint::JointKind;
 use crate::layout::StateLayout;
 use crate::link::Link;

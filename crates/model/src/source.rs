@@ -1,6 +1,6 @@
 //! Places in a text that describes a figure, and what is to be said about them.
 
-use crate::fault::{Fault, FigureError};
+use crate::fault::{Fault, FigureError, Part};
 use std::collections::HashMap;
 use std::fmt;
 use std::ops::Range;
@@ -84,23 +84,6 @@ impl fmt::Display for TextError {
 }
 
 impl std::error::Error for TextError {}
-
-/// A part of a figure that a text describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The figure itself.
-    Figure,
-    /// A link.
-    Link,
-    /// A joint.
-    Joint,
-    /// A degree of freedom.
-    Dof,
-    /// A named frame.
-    Frame,
-    /// A named angle.
-    Angle,
-}
 
 /// Where in a text the parts of a figure are described, down to single fields (`mass`, `inertia`, `parent`, …) where the
 /// reader says so.

@@ -1,7 +1,6 @@
 //! What inverse dynamics came to, as text and as JSON.
 
 use super::tables::slides;
-use crate::convert::some;
 use crate::input::Body;
 use serde::Serialize;
 use solaris::io::Table;
@@ -25,73 +24,73 @@ pub(super) struct Asked {
 /// The summary.
 #[derive(Serialize)]
 pub(super) struct Report {
-    figure: String,
-    format: &'static str,
-    dofs: usize,
-    mass_kg: f64,
-    rows: usize,
-    from_s: f64,
-    to_s: f64,
+    pub(super) figure: String,
+    pub(super) format: &'static str,
+    pub(super) dofs: usize,
+    pub(super) mass_kg: f64,
+    pub(super) rows: usize,
+    pub(super) from_s: f64,
+    pub(super) to_s: f64,
     /// What the motion's angles are in, and who says so.
-    units: &'static str,
-    has_times: bool,
-    gravity_m_s2: [f64; 3],
-    gravity_from: &'static str,
+    pub(super) units: &'static str,
+    pub(super) has_times: bool,
+    pub(super) gravity_m_s2: [f64; 3],
+    pub(super) gravity_from: &'static str,
     /// Degrees of freedom whose velocities and accelerations were found from the positions.
-    from_positions: usize,
+    pub(super) from_positions: usize,
     /// Degrees of freedom whose accelerations were found from the recorded velocities.
-    from_velocities: usize,
-    filter: Option<FilterReport>,
-    external_forces: String,
-    unused_forces: Vec<String>,
-    many_turns: Vec<String>,
-    passive: bool,
-    outside_limits: Vec<Excess>,
-    ignored_columns: Vec<String>,
+    pub(super) from_velocities: usize,
+    pub(super) filter: Option<FilterReport>,
+    pub(super) external_forces: String,
+    pub(super) unused_forces: Vec<String>,
+    pub(super) many_turns: Vec<String>,
+    pub(super) passive: bool,
+    pub(super) outside_limits: Vec<Excess>,
+    pub(super) ignored_columns: Vec<String>,
     /// Elements of the figure's file that were not read.
-    not_read: usize,
-    joints: Vec<Load>,
+    pub(super) not_read: usize,
+    pub(super) joints: Vec<Load>,
     /// Absent where the figure stands fixed in the world, which then bears what is left over.
-    residual: Option<Residual>,
+    pub(super) residual: Option<Residual>,
     /// Whether nothing holds the root in the world, so that the forces of its joint are errors.
-    root_is_free: bool,
+    pub(super) root_is_free: bool,
 }
 
 #[derive(Serialize)]
-struct FilterReport {
-    cutoff_hz: f64,
-    order: usize,
-    spoiled_s: f64,
+pub(super) struct FilterReport {
+    pub(super) cutoff_hz: f64,
+    pub(super) order: usize,
+    pub(super) spoiled_s: f64,
 }
 
 #[derive(Serialize)]
-struct Excess {
-    dof: String,
-    by: f64,
-    at_s: f64,
+pub(super) struct Excess {
+    pub(super) dof: String,
+    pub(super) by: f64,
+    pub(super) at_s: f64,
     #[serde(skip)]
-    turns: bool,
+    pub(super) turns: bool,
 }
 
 #[derive(Serialize)]
-struct Load {
-    dof: String,
-    unit: &'static str,
-    rms: f64,
-    greatest: f64,
-    at_s: f64,
+pub(super) struct Load {
+    pub(super) dof: String,
+    pub(super) unit: &'static str,
+    pub(super) rms: f64,
+    pub(super) greatest: f64,
+    pub(super) at_s: f64,
     /// Whether it belongs to the root's joint.
-    root: bool,
+    pub(super) root: bool,
 }
 
 #[derive(Serialize)]
-struct Residual {
-    force_rms_n: f64,
-    force_greatest_n: f64,
-    force_at_s: f64,
-    moment_rms_nm: f64,
-    moment_greatest_nm: f64,
-    moment_at_s: f64,
+pub(super) struct Residual {
+    pub(super) force_rms_n: f64,
+    pub(super) force_greatest_n: f64,
+    pub(super) force_at_s: f64,
+    pub(super) moment_rms_nm: f64,
+    pub(super) moment_greatest_nm: f64,
+    pub(super) moment_at_s: f64,
 }
 
 impl Report {
@@ -177,159 +176,4 @@ impl Report {
         serde_json::to_writer_pretty(&mut *out, self).map_err(std::io::Error::from)?;
         writeln!(out)
     }
-
-    pub(super) fn write(&self, out: &mut dyn Write) -> Result<()> {
-        self.write_given(out)?;
-        let width = self.joints.iter().map(|joint| joint.dof.chars().count()).max().unwrap_or(0).max(18);
-        writeln!(out, "\n  {:<width$}{:>12}{:>12}", "joint forces", "rms", "greatest")?;
-        for joint in self.joints.iter().filter(|joint| !joint.root) {
-            joint.write(out, width)?;
-        }
-        if self.root_is_free {
-            self.write_residual(out, width)?;
-        }
-        Ok(())
-    }
-
-    /// What went in, and how it was taken.
-    fn write_given(&self, out: &mut dyn Write) -> Result<()> {
-        let Self { figure, format, dofs, mass_kg, .. } = self;
-        let dofs = counted(*dofs, "degree of freedom", "degrees of freedom");
-        writeln!(out, "{format} '{figure}': {dofs}, {} kg\n", short(*mass_kg))?;
-        let mut row = |what: &str, value: String| writeln!(out, "  {what:<18}{value}");
-        let rows = counted(self.rows, "row", "rows");
-        let times = match (self.has_times, self.rows) {
-            (false, _) => " without times".to_owned(),
-            (true, 1) => format!(" at {} s", short(self.from_s)),
-            (true, _) => format!(", {} to {} s", short(self.from_s), short(self.to_s)),
-        };
-        row("motion", format!("{rows}{times}; {}", self.units))?;
-        let [x, y, z] = self.gravity_m_s2;
-        row("gravity", format!("({x}, {y}, {z}) m/s², {}", self.gravity_from))?;
-        let which = if self.filter.is_some() { "filtered " } else { "" };
-        let spline = match self.rows {
-            1 => "zero, as at rest: a single row has none",
-            2 => "the straight line through two rows",
-            _ => "the natural quintic spline",
-        };
-        for (count, of) in [(self.from_positions, "positions"), (self.from_velocities, "velocities")] {
-            if count > 0 {
-                let dofs = counted(count, "dof", "dofs");
-                row("derivatives", format!("of {dofs}: {spline}, through the {which}{of}"))?;
-            }
-        }
-        if self.from_positions + self.from_velocities == 0 {
-            row("derivatives", "as recorded".to_owned())?;
-        }
-        match &self.filter {
-            Some(_) if self.from_positions + self.from_velocities == 0 => {
-                row(
-                    "filter",
-                    "not used: what is recorded with its derivatives is taken as it is".to_owned(),
-                )?;
-            }
-            Some(FilterReport { cutoff_hz, order, spoiled_s }) => {
-                row(
-                    "filter",
-                    format!("zero-phase Butterworth, {cutoff_hz} Hz, order {order} there and back"),
-                )?;
-                row(
-                    "",
-                    format!(
-                        "the first and the last {} s are the filter's, not the motion's",
-                        short(*spoiled_s)
-                    ),
-                )?;
-            }
-            None => {}
-        }
-        row("forces", self.external_forces.clone())?;
-        if !self.unused_forces.is_empty() {
-            let names: Vec<String> = self.unused_forces.iter().map(|prefix| format!("'{prefix}'")).collect();
-            row(
-                "",
-                format!("not used: the forces of {}; --external and --plate apply them", names.join(", ")),
-            )?;
-        }
-        if !self.many_turns.is_empty() {
-            row("suspect", format!("{}: more than two turns; are these degrees?", some(&self.many_turns)))?;
-        }
-        if !self.passive {
-            row("passive", "armature, damping, springs and friction left out".to_owned())?;
-        }
-        for (i, excess) in self.outside_limits.iter().enumerate() {
-            let (by, unit) = if excess.turns { (excess.by.to_degrees(), "°") } else { (excess.by, " m") };
-            let what = if i == 0 { "outside limits" } else { "" };
-            row(what, format!("{} by {}{unit} at {} s", excess.dof, short(by), short(excess.at_s)))?;
-        }
-        if !self.ignored_columns.is_empty() {
-            row("columns not used", some(&self.ignored_columns))?;
-        }
-        if self.not_read > 0 {
-            let kinds = counted(self.not_read, "kind", "kinds");
-            row("not read", format!("{kinds} of things in the model; solaris check lists them"))?;
-        }
-        Ok(())
-    }
-
-    fn write_residual(&self, out: &mut dyn Write, width: usize) -> Result<()> {
-        writeln!(out, "\n  {:<width$}{:>12}{:>12}", "residual at the root", "rms", "greatest")?;
-        for joint in self.joints.iter().filter(|joint| joint.root) {
-            joint.write(out, width)?;
-        }
-        // A joint of fewer degrees of freedom holds the rest.
-        if let (6, Some(r)) = (self.joints.iter().filter(|joint| joint.root).count(), &self.residual) {
-            let size = |name: &str, rms, greatest, at_s, unit| Load {
-                dof: name.to_owned(),
-                unit,
-                rms,
-                greatest,
-                at_s,
-                root: true,
-            };
-            size("whole force", r.force_rms_n, r.force_greatest_n, r.force_at_s, "N").write(out, width)?;
-            size("whole moment", r.moment_rms_nm, r.moment_greatest_nm, r.moment_at_s, "N m")
-                .write(out, width)?;
-        }
-        writeln!(
-            out,
-            "\n  Nothing holds the root: these forces would have to come out of the air. They are what motion, masses and \
-             measured\n  forces disagree by; without measured forces, they are all that the ground does."
-        )
-    }
-}
-
-impl Load {
-    fn write(&self, out: &mut dyn Write, width: usize) -> Result<()> {
-        let [rms, greatest] = [self.rms, self.greatest].map(short);
-        writeln!(
-            out,
-            "  {:<width$}{rms:>12}{greatest:>12} {:<4} at {} s",
-            self.dof,
-            self.unit,
-            short(self.at_s)
-        )
-    }
-}
-
-/// A number with as many digits as a person reads.
-fn short(value: f64) -> String {
-    let size = value.abs();
-    if size >= 1e6 || (size > 0.0 && size < 1e-3) {
-        return format!("{value:.2e}");
-    }
-    let digits = if size >= 100.0 {
-        1
-    } else if size >= 10.0 {
-        2
-    } else {
-        3
-    };
-    let text = format!("{value:.digits$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-}
-
-/// A count with its noun.
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }

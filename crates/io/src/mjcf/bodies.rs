@@ -4,10 +4,10 @@ mod contents;
 
 use super::chain::{Segment, segments};
 use super::compiler::{Compiler, FromGeoms};
-use super::defaults::{Defaults, Resolved};
+use super::defaults::{Defaults, Resolved, SPECIFIERS};
 use super::geom::{self, Geom};
 use super::joint::{self, Joint, Kind};
-use super::orientation::{SPECIFIERS, placement};
+use super::orientation::placement;
 use super::{inertia, sections};
 use crate::tree::{Body, Names};
 use crate::xml::{Node, Reader, elements_called, tag, value_span};

@@ -1,8 +1,10 @@
 //! `<default>`: attributes that elements have where they say nothing else.
 
-use super::orientation::SPECIFIERS;
 use crate::xml::{Node, Reader, elements, tag, value_span};
 use std::collections::HashMap;
+
+/// The attributes of which one gives an orientation.
+pub(super) const SPECIFIERS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
 
 /// The kinds of elements that have defaults here.
 pub(super) const KINDS: [&str; 3] = ["joint", "geom", "site"];

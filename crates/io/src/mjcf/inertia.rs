@@ -1,9 +1,9 @@
 //! The mass of bodies: from `<inertial>` or geoms, then bounded, balanced, scaled.
 
 use super::compiler::{Compiler, FromGeoms};
-use super::defaults::Resolved;
+use super::defaults::{Resolved, SPECIFIERS};
 use super::geom::Geom;
-use super::orientation::{SPECIFIERS, placement};
+use super::orientation::placement;
 use crate::tree::{Body, Lump, combined};
 use crate::xml::{Node, Reader, tag, value_span};
 use solaris_model::{Matrix3, Placement, Vector3};

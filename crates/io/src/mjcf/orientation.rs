@@ -1,12 +1,9 @@
 //! Where elements stand: `pos` and the five ways of giving an orientation.
 
 use super::compiler::Compiler;
-use super::defaults::Resolved;
+use super::defaults::{Resolved, SPECIFIERS};
 use crate::xml::{Reader, tag};
 use solaris_model::{Placement, UnitQuaternion, Vector3};
-
-/// The attributes of which one gives an orientation.
-pub(super) const SPECIFIERS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
 
 /// The placement that an element gives by `pos` and an orientation.
 pub(super) fn placement(reader: &mut Reader, element: &Resolved, compiler: &Compiler) -> Placement {

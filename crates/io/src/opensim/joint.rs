@@ -5,14 +5,22 @@ use super::coordinate::Coordinate;
 use super::couplers::Couplers;
 use super::curves::{UNIT, constant, line};
 use super::element::child_words;
+use super::frames::Anchor;
 use super::function;
-use super::layout::JointAt;
 use crate::xml::{Node, Reader, element, elements_called, shown, tag};
 use solaris_model::{AxisKind, Curve, Joint, Placement, Vector3};
 use std::ops::Range;
 
 /// A joint, and where the body's frame stands in the frame that it moves.
 pub(super) type Built = (Joint, Placement);
+
+/// A joint and what it joins.
+pub(super) struct JointAt<'a> {
+    pub(super) name: &'a str,
+    pub(super) node: Node<'a>,
+    pub(super) parent: Anchor,
+    pub(super) child: Anchor,
+}
 
 /// The joint of a joint's element; nothing where it cannot be one, which is a fault.
 pub(super) fn build(

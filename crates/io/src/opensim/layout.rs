@@ -4,8 +4,8 @@ use super::component::path_of;
 use super::coordinate::{self, Coordinate};
 use super::couplers;
 use super::element::{child_vector, name_of, objects};
-use super::frames::{Anchor, Frames};
-use super::joint;
+use super::frames::Frames;
+use super::joint::{self, JointAt};
 use crate::tree::Body;
 use crate::xml::{Node, Reader, element, tag};
 use solaris_model::{Joint, Matrix3, Part, SourceMap};
@@ -18,14 +18,6 @@ pub(super) struct Layout<'a> {
     pub(super) joints: Vec<JointAt<'a>>,
     /// Whether there are joints of which it is not known what they join.
     pub(super) lost: bool,
-}
-
-/// A joint and what it joins.
-pub(super) struct JointAt<'a> {
-    pub(super) name: &'a str,
-    pub(super) node: Node<'a>,
-    pub(super) parent: Anchor,
-    pub(super) child: Anchor,
 }
 
 /// Reads the layout of version 4.

@@ -2,7 +2,8 @@
 
 use super::element::{child_flag, child_vector, child_words, name_of, objects, placement, words_at};
 use super::frames::Anchor;
-use super::layout::{JointAt, Layout, bodies};
+use super::joint::JointAt;
+use super::layout::{Layout, bodies};
 use crate::xml::{Node, Reader, element, elements, tag};
 use solaris_model::Placement;
 use std::collections::HashMap;

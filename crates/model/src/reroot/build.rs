@@ -3,8 +3,8 @@
 use super::reverse::reversed;
 use super::{JointInView, RerootError, Rerooted};
 use crate::anatomy::AnatomicalAngle;
-use crate::coupling::followers;
 use crate::figure::Figure;
+use crate::follower::followers;
 use crate::fuse::LinkPlace;
 use crate::fuse::carried::{compose, frame_names, moved};
 use crate::joint::{Joint, JointKind, Placement};

@@ -1,8 +1,9 @@
 //! What stands in a body, through all `<frame>`s.
 
 use crate::mjcf::compiler::Compiler;
+use crate::mjcf::defaults::SPECIFIERS;
 use crate::mjcf::defaults::{Defaults, Resolved};
-use crate::mjcf::orientation::{SPECIFIERS, placement};
+use crate::mjcf::orientation::placement;
 use crate::xml::{Node, Reader, elements, tag};
 use solaris_model::Placement;
 

@@ -3,10 +3,10 @@
 use super::Reader;
 use super::fields::Fields;
 use crate::builder::LinkSpec;
+use crate::fault::Part;
 use crate::inertia::{Inertia, Shape, ShapeKind};
 use crate::joint::Joint;
 use crate::link::SolePart;
-use crate::source::Part;
 use crate::text::node::{Content, Node};
 use nalgebra::{Matrix3, Vector3};
 

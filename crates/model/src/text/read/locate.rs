@@ -1,8 +1,9 @@
 //! The faults of a figure, where the text caused them.
 
 use super::{Lost, Reader};
+use crate::fault::Part;
 use crate::fault::{Fault, FigureError};
-use crate::source::{Part, SourceMap};
+use crate::source::SourceMap;
 use std::collections::{HashMap, HashSet};
 use std::mem::discriminant;
 use std::ops::Range;
