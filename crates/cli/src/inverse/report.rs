@@ -5,7 +5,7 @@ use crate::input::Body;
 use serde::Serialize;
 use solaris::io::Table;
 use solaris::io::record::Recorded;
-use solaris::model::FindingKind;
+use solaris::model::{AxisKind, FindingKind, JointKind};
 use solaris::modes::{Completed, Filter, InverseReport};
 use std::io::{Result, Write};
 
@@ -104,13 +104,14 @@ impl Report {
         let figure = &body.figure;
         let (names, slides) = (figure.layout().v_names(), slides(figure));
         let root = figure.layout().joints()[0];
+        let root_is_free = is_base(figure.links()[0].joint().kind());
         let load = |(dof, load): (usize, &solaris::modes::DofLoad)| Load {
             dof: names[dof].clone(),
             unit: if slides[dof] { "N" } else { "N m" },
             rms: load.rms,
             greatest: load.greatest,
             at_s: load.time,
-            root: dof < root.nv,
+            root: root_is_free && dof < root.nv,
         };
         let excess = figure.limit_excess(&motion.q).into_iter().map(|found| Excess {
             dof: names[found.dof].clone(),
@@ -160,7 +161,7 @@ impl Report {
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
             joints: free.map(load).collect(),
-            residual: (root.nv > 0).then_some(Residual {
+            residual: root_is_free.then_some(Residual {
                 force_rms_n: r.force_rms,
                 force_greatest_n: r.force,
                 force_at_s: r.force_time,
@@ -168,7 +169,7 @@ impl Report {
                 moment_greatest_nm: r.moment,
                 moment_at_s: r.moment_time,
             }),
-            root_is_free: root.nv > 0,
+            root_is_free,
         }
     }
 
@@ -176,4 +177,10 @@ impl Report {
         serde_json::to_writer_pretty(&mut *out, self).map_err(std::io::Error::from)?;
         writeln!(out)
     }
+}
+
+/// Whether a root's joint places the whole figure in the world, rather than hold it there as a hinge does.
+fn is_base(root: &JointKind) -> bool {
+    let slides = root.axes().iter().filter(|dof| dof.axis.kind == AxisKind::Translation).count();
+    matches!(root, JointKind::Free { .. }) || (slides >= 2 && root.axes().len() > slides)
 }

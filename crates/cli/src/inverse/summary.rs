@@ -34,16 +34,15 @@ impl Report {
         let [x, y, z] = self.gravity_m_s2;
         row("gravity", format!("({x}, {y}, {z}) m/s², {}", self.gravity_from))?;
         let which = if self.filter.is_some() { "filtered " } else { "" };
-        let spline = match self.rows {
-            1 => "zero, as at rest: a single row has none",
-            2 => "the straight line through two rows",
-            _ => "the natural quintic spline",
-        };
         for (count, of) in [(self.from_positions, "positions"), (self.from_velocities, "velocities")] {
-            if count > 0 {
-                let dofs = counted(count, "dof", "dofs");
-                row("derivatives", format!("of {dofs}: {spline}, through the {which}{of}"))?;
-            }
+            let dofs = counted(count, "dof", "dofs");
+            let how = match self.rows {
+                _ if count == 0 => continue,
+                1 => "zero, since a single row has none".to_owned(),
+                2 => format!("of the straight line through the {which}{of}"),
+                _ => format!("of the natural quintic spline through the {which}{of}"),
+            };
+            row("derivatives", format!("{dofs}: {how}"))?;
         }
         if self.from_positions + self.from_velocities == 0 {
             row("derivatives", "as recorded".to_owned())?;
