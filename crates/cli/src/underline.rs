@@ -1,32 +1,24 @@
 //! Faults of a text, each under the line that caused it.
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report};
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use solaris::model::{TextError, TextFault};
 use std::fmt::Write;
+use std::ops::Range;
 use std::path::Path;
-use std::sync::Arc;
 
-/// Columns of the output.
-const WIDTH: usize = 110;
-/// Bytes of a line that is still shown.
-const LONGEST_LINE: usize = 400;
+/// Columns of the output; longer lines are cut around the fault.
+const WIDTH: usize = 120;
+/// Bytes of the lines that are still shown.
+const MOST_SHOWN: usize = 4000;
 
 /// All faults, each with its line underlined, and how many there are.
 pub(crate) fn faults(path: &Path, text: &str, error: &TextError) -> String {
-    let source = Arc::new(NamedSource::new(path.display().to_string(), text.to_owned()));
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode())
-        .with_width(WIDTH)
-        .with_context_lines(1)
-        .with_links(false);
+    let renderer = Renderer::styled().decor_style(DecorStyle::Unicode).term_width(WIDTH);
+    let path = path.display().to_string();
     let mut shown = String::new();
     for fault in &error.faults {
-        let mut block = String::new();
-        let written = can_be_shown(text, fault)
-            && handler.render_report(&mut block, report(&source, fault).as_ref()).is_ok();
-        if !written {
-            block = format!("  × {}: {}\n", fault.place, fault.message);
-        }
-        let _ = write!(shown, "\n{}", block.trim_start_matches('\n'));
+        let _ = write!(shown, "\n{}\n", block(&renderer, &path, text, fault));
     }
     let count = error.faults.len() + error.omitted;
     if count > 1 {
@@ -39,20 +31,24 @@ pub(crate) fn faults(path: &Path, text: &str, error: &TextError) -> String {
     shown
 }
 
-fn report(source: &Arc<NamedSource<String>>, fault: &TextFault) -> Report {
-    let label = LabeledSpan::underline(fault.place.span.clone());
-    Report::new(MietteDiagnostic::new(fault.message.clone()).with_label(label))
-        .with_source_code(source.clone())
+fn block(renderer: &Renderer, path: &str, text: &str, fault: &TextFault) -> String {
+    let TextFault { place, message } = fault;
+    let lines = around(text, &place.span);
+    let source = &text[lines.clone()];
+    if source.len() > MOST_SHOWN || source.contains(|c: char| c.is_control() && !"\n\r\t".contains(c)) {
+        return format!("{path}:{}:{}: {message}", place.line, place.column);
+    }
+    let span = place.span.start - lines.start..place.span.end - lines.start;
+    let snippet = Snippet::source(source)
+        .path(path)
+        .line_start(place.line)
+        .annotation(AnnotationKind::Primary.span(span));
+    renderer.render(&[Level::ERROR.no_name().primary_title(message).element(snippet)])
 }
 
-/// Whether the fault's lines and those around them are few and short, and text.
-fn can_be_shown(text: &str, fault: &TextFault) -> bool {
-    let span = &fault.place.span;
-    let first = text[..span.start].rmatch_indices('\n').nth(1).map_or(0, |(newline, _)| newline + 1);
-    let last =
-        text[span.end..].match_indices('\n').nth(1).map_or(text.len(), |(newline, _)| span.end + newline);
-    let lines = &text[first..last];
-    lines.len() <= 3 * LONGEST_LINE
-        && lines.lines().all(|line| line.len() <= LONGEST_LINE)
-        && !lines.chars().any(|c| c.is_control() && !matches!(c, '\n' | '\r' | '\t'))
+/// The whole lines that hold a span.
+fn around(text: &str, span: &Range<usize>) -> Range<usize> {
+    let first = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
+    let last = text[span.end..].find('\n').map_or(text.len(), |newline| span.end + newline);
+    first..last
 }

@@ -136,7 +136,7 @@ fn faults_stand_with_their_places_on_standard_error() {
         for options in ["", "--json", "--strict", "--dh"] {
             let said = refused(&solaris(folder.path(), &format!("check {file} {options}")));
             assert!(said.starts_with(&format!("error: {file} cannot be used\n")), "{said}");
-            let place = format!("[{file}:{line}:{column}]");
+            let place = format!(" {file}:{line}:{column}\n");
             assert!(said.contains(&place) && said.contains(word), "{place}: {said}");
         }
     }
