@@ -1,12 +1,12 @@
 //! The transcripts of `tests/cmd`: what a user types, the exit code behind `?`, and what is printed.
 //!
-//! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the subject
-//! (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`), the robot `arm.urdf`, the same with faults (`faulty.urdf`) and with an
-//! elbow that cannot stretch (`stiff.urdf`), and a motion of it (`swing.csv`). They run at the same time: no two of them may
-//! write one file.
+//! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
+//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`), the robot `arm.urdf`, the same with faults
+//! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), and a motion of it (`swing.csv`). They run at
+//! the same time: no two of them may write one file.
 //!
-//! `[..]` stands for any text in a line (run times, last digits, what only the planner decides, and the backslash that goes on
-//! in the next line, which would be read as a slash), `...` for any lines. After a meant change,
+//! `[..]` stands for any text in a line (run times, last digits, what only the planner decides, and the backslash that
+//! goes on in the next line, which would be read as a slash), `...` for any lines. After a meant change,
 //! `TRYCMD=overwrite cargo test -p solaris-cli --test transcripts` writes what is printed now; put the wildcards back and
 //! read the difference before committing it.
 

@@ -92,8 +92,8 @@ impl Coupling {
     /// Gᵀ·M·G·u̇ = Gᵀ·(τ − h − M·g)
     /// ```
     ///
-    /// The matrix is formed and factored: unlike in [`crate::forward_dynamics`] the work grows with the cube of the degrees of
-    /// freedom and the error with the matrix' condition. Forces given for followers are not looked at.
+    /// The matrix is formed and factored: unlike in [`crate::forward_dynamics`] the work grows with the cube of the
+    /// degrees of freedom and the error with the matrix' condition. Forces given for followers are not looked at.
     ///
     /// # Errors
     ///

@@ -39,7 +39,8 @@ use solaris_model::EulerOrder;
 ///
 /// # Errors
 ///
-/// As for [`crate::inverse_dynamics`], and [`DynamicsError::NoInertia`] for a degree of freedom whose force meets no inertia.
+/// As for [`crate::inverse_dynamics`], and [`DynamicsError::NoInertia`] for a degree of freedom whose force meets no
+/// inertia.
 ///
 /// # Examples
 ///

@@ -10,16 +10,16 @@
 //! | `LINK.mx my mz` | its moment about the world's origin, world axes | N m |
 //! | `LINK.px py pz` | centre of pressure | m |
 //!
-//! A ball joint J has the columns `J.qx.q J.qy.q J.qz.q J.qw.q` (a unit quaternion) and `J.wx.v …`, `J.wx.a …`, `J.wx.tau …`
-//! (along the link's own axes); a free joint has `J.px.q …`, `J.vx.v …`, `J.vx.a …`, `J.vx.tau …` before these.
+//! A ball joint J has the columns `J.qx.q J.qy.q J.qz.q J.qw.q` (a unit quaternion) and `J.wx.v …`, `J.wx.a …`, `J.wx.tau
+//! …` (along the link's own axes); a free joint has `J.px.q …`, `J.vx.v …`, `J.vx.a …`, `J.vx.tau …` before these.
 //!
 //! All `.q` stand first, then all `.v`, all `.a`, all `.tau`, then the contacts link by link; [`read`] takes them in any
 //! order. Numbers have the fewest digits that read back to the same bits. A table keeps no events, no planted intervals
 //! and nothing of [`solaris_model::MotionInfo`]: who reads it back has to know them.
 //!
 //! [`read_table`] takes any table of finite numbers below one line of headings: commas between fields, quotes where a
-//! heading holds one, a byte order mark, line ends of Windows, blank lines, spaces around fields. Semicolons and tabs between fields
-//! are refused, because a comma may then be a decimal point.
+//! heading holds one, a byte order mark, line ends of Windows, blank lines, spaces around fields. Semicolons and tabs
+//! between fields are refused, because a comma may then be a decimal point.
 
 mod read;
 mod table;

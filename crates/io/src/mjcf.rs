@@ -15,9 +15,10 @@
 //! | `<option gravity>` | gravity; MuJoCo's own default is (0, 0, −9.81) |
 //!
 //! Joints without a name are called `BODY_joint` (a free one `root`), bodies without one `bodyN` with MuJoCo's number; a
-//! joint of several degrees of freedom is called like its body, a massless link in front of a body `BODY_JOINT` after the last
-//! joint that moves it. Meshes, tendons, actuators, equalities, contacts, sensors and keyframes are listed by name; a file that
-//! includes others or makes bodies (`<include>`, `<replicate>`, `<attach>`, `<composite>`, `<flexcomp>`) is refused.
+//! joint of several degrees of freedom is called like its body, a massless link in front of a body `BODY_JOINT` after the
+//! last joint that moves it. Meshes, tendons, actuators, equalities, contacts, sensors and keyframes are listed by name;
+//! a file that includes others or makes bodies (`<include>`, `<replicate>`, `<attach>`, `<composite>`, `<flexcomp>`) is
+//! refused.
 //!
 //! MuJoCo's numbers for free and ball joints differ from ours: [`state_from_mujoco`] is the one place that converts them.
 

@@ -16,14 +16,14 @@
 //! | `CustomJoint` | its translations along axes of the parent's frame, then its three rotations about axes that turn along |
 //! | `CoordinateCouplerConstraint` | the dependent coordinate follows the independent one |
 //!
-//! A degree of freedom has the name of its coordinate. An axis that a coordinate drives by any other function than itself is
-//! a degree of freedom that **follows** the coordinate (see [`solaris_model::Follower`]), named `JOINT.tx …`: that is how a
-//! knee's centre moves as it bends, with both derivatives. Functions are `Constant`, `LinearFunction`,
+//! A degree of freedom has the name of its coordinate. An axis that a coordinate drives by any other function than itself
+//! is a degree of freedom that **follows** the coordinate (see [`solaris_model::Follower`]), named `JOINT.tx …`: that is
+//! how a knee's centre moves as it bends, with both derivatives. Functions are `Constant`, `LinearFunction`,
 //! `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`), `GCVSpline` of degree 3 without
 //! smoothing, and any of these in a `MultiplierFunction`; all are kept exactly.
 //!
-//! The world is the model's ground: y up, x forward, z to the right. A link's frame has the directions of its body's frame and its
-//! origin at the joint; where that is not the body's origin, the body's frame stays by its name.
+//! The world is the model's ground: y up, x forward, z to the right. A link's frame has the directions of its body's
+//! frame and its origin at the joint; where that is not the body's origin, the body's frame stays by its name.
 //!
 //! Muscles, actuators, other forces and constraints, controllers, markers, wrapping and geometry are listed, not read.
 //!

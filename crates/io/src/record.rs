@@ -11,11 +11,12 @@
 //! | moments | `PREFIX.mx my mz`, about the world's origin | `PREFIXground_torque_x y z`, about that point |
 //!
 //! A table is of the first kind where any heading ends in `.q`, `.v` or `.a`. A one-dof joint's own name stands for its
-//! degree of freedom in both, and `OpenSim`'s tables of states may head it `/jointset/JOINT/DOF/value` and `/speed`. Columns of
-//! degrees of freedom that follow others may be missing and are not used: they are where their leaders put them.
+//! degree of freedom in both, and `OpenSim`'s tables of states may head it `/jointset/JOINT/DOF/value` and `/speed`.
+//! Columns of degrees of freedom that follow others may be missing and are not used: they are where their leaders put
+//! them.
 //!
-//! Where the table's header says degrees, coordinates that turn (and their `.v`, `.a`) are turned into radians; slides, quaternions and the
-//! velocities of ball and free joints never are.
+//! Where the table's header says degrees, coordinates that turn (and their `.v`, `.a`) are turned into radians; slides,
+//! quaternions and the velocities of ball and free joints never are.
 
 mod columns;
 mod forces;
@@ -41,14 +42,16 @@ pub struct Recorded {
 
 /// What `table` says of the motion of `figure`.
 ///
-/// The columns may come in any order. Every coordinate needs its position. `.v` and `.a` may be there or not for each degree of freedom, of
-/// a ball or free joint whole or not at all. A table without `time` is taken where nothing has to be differentiated: its rows
-/// are unrelated states, numbered 0, 1, 2 …. Quaternions must have unit length to within [`Motion::UNIT_TOLERANCE`] and stay as they are.
+/// The columns may come in any order. Every coordinate needs its position. `.v` and `.a` may be there or not for each
+/// degree of freedom, of a ball or free joint whole or not at all. A table without `time` is taken where nothing has to
+/// be differentiated: its rows are unrelated states, numbered 0, 1, 2 …. Quaternions must have unit length to within
+/// [`Motion::UNIT_TOLERANCE`] and stay as they are.
 ///
 /// # Errors
 ///
 /// All missing columns at once; a column `.q`, `.v`, `.a` or `.tau` of nothing in the figure; two columns for one
-/// coordinate; times that do not rise, and no times, where something has to be differentiated; quaternions that are none; no rows.
+/// coordinate; times that do not rise, and no times, where something has to be differentiated; quaternions that are none;
+/// no rows.
 ///
 /// # Examples
 ///

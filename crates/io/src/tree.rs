@@ -1,7 +1,7 @@
 //! From the bodies of a model file to a figure.
 //!
-//! A [`Body`] says what the file says; [`assemble`] makes links of them: bodies that cannot move against their parent become
-//! part of its link, and their frames are kept by name.
+//! A [`Body`] says what the file says; [`assemble`] makes links of them: bodies that cannot move against their parent
+//! become part of its link, and their frames are kept by name.
 
 #![cfg_attr(
     not(all(feature = "urdf", feature = "mjcf", feature = "opensim")),
@@ -77,15 +77,16 @@ impl Body {
 /// The figure called `name` that these bodies are, or every fault with its place in `text`.
 ///
 /// - Links come depth first, children in the order of the list; they have the names of the bodies, and joints their own.
-/// - A body fixed to its parent is fused into the parent's link (mass, centre, inertia by the parallel-axis theorem); its frame
-///   stays by the body's name. So does the frame of a body whose `beyond` is not the identity.
+/// - A body fixed to its parent is fused into the parent's link (mass, centre, inertia by the parallel-axis theorem); its
+///   frame stays by the body's name. So does the frame of a body whose `beyond` is not the identity.
 /// - A single body fixed to the world is a root link with a weld called `root`. Several of them, or one beside bodies that
 ///   move against the world, are parts of a massless root link called `world`. A single body that moves against the
 ///   world is the root link with its own joint. The names `root` and `world` get a number where they are taken.
 ///
 /// `places` says where bodies (as links) and joints stand, with fields `mass`, `inertia`, `com`, `joint` of links and
-/// `limits`, `armature`, `stiffness`, `damping`, `friction` of dofs where they are known; bodies that have no place there are
-/// put at their `span`. Parents must form a tree: cycles are the importer's to find (bodies on one are left out here).
+/// `limits`, `armature`, `stiffness`, `damping`, `friction` of dofs where they are known; bodies that have no place there
+/// are put at their `span`. Parents must form a tree: cycles are the importer's to find (bodies on one are left out
+/// here).
 pub(crate) fn assemble(
     name: &str,
     bodies: Vec<Body>,

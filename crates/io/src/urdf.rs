@@ -12,9 +12,9 @@
 //! | `<mimic>` | a note: the joint stays a degree of freedom of its own |
 //! | the first `box`, `cylinder`, `sphere` or `capsule` of `<visual>`, else of `<collision>` | the link's shape, for drawing |
 //!
-//! The root link is welded to the world; gravity is not in the file and points along −z. Angles are in rad, lengths in m, as
-//! everywhere in URDF. Meshes, materials, transmissions, sensors, `effort`, `velocity` and all other elements and attributes
-//! are listed in [`Import::findings`] by name. Xacro is not expanded.
+//! The root link is welded to the world; gravity is not in the file and points along −z. Angles are in rad, lengths in m,
+//! as everywhere in URDF. Meshes, materials, transmissions, sensors, `effort`, `velocity` and all other elements and
+//! attributes are listed in [`Import::findings`] by name. Xacro is not expanded.
 
 mod geometry;
 mod joint;

@@ -290,8 +290,8 @@ impl FigureBuilder {
         }
     }
 
-    /// The degrees of freedom that have a coordinate, each with what it follows; the velocities of a ball joint are the rates
-    /// of none. A one-dof joint also answers to its own name.
+    /// The degrees of freedom that have a coordinate, each with what it follows; the velocities of a ball joint are the
+    /// rates of none. A one-dof joint also answers to its own name.
     fn coordinates(&self) -> HashMap<String, Option<&Follow>> {
         let mut coordinates = HashMap::new();
         for link in &self.links {

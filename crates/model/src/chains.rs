@@ -21,8 +21,8 @@ use std::fmt;
 ///
 /// # Source
 ///
-/// Vasilonikolidakis (1991), §4.2 to §4.6. There the root counts as an end-effector where it has one child; such a root begins
-/// the one chain here, and ends none.
+/// Vasilonikolidakis (1991), §4.2 to §4.6. There the root counts as an end-effector where it has one child; such a root
+/// begins the one chain here, and ends none.
 #[derive(Clone, Debug)]
 pub struct Chains {
     figure: String,
@@ -74,8 +74,8 @@ impl Chains {
         }
     }
 
-    /// How many chains `figure` has. They may share so much that all of them together are far greater than the figure; their
-    /// number is found without them.
+    /// How many chains `figure` has. They may share so much that all of them together are far greater than the figure;
+    /// their number is found without them.
     pub fn count(figure: &Figure) -> usize {
         ends(figure.links(), &bodies(figure.links())).len()
     }

@@ -75,8 +75,8 @@ impl Figure {
         self.stature
     }
 
-    /// The gravity of the world that the figure was made in (m/s²), if it was said: against it is up. Whoever computes is free
-    /// to take another.
+    /// The gravity of the world that the figure was made in (m/s²), if it was said: against it is up. Whoever computes is
+    /// free to take another.
     pub fn gravity(&self) -> Option<&Vector3<f64>> {
         self.gravity.as_ref()
     }
@@ -94,8 +94,8 @@ impl Figure {
         Ok(self)
     }
 
-    /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses (not springs,
-    /// dampers and friction).
+    /// A number that changes with anything that changes the figure's motion: names, tree, axes, placements and masses
+    /// (not springs, dampers and friction).
     pub fn fingerprint(&self) -> u64 {
         let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
         for link in &self.links {

@@ -229,8 +229,8 @@ impl Joint {
         Self { name, placement: Placement::identity(), kind, misfits: Vec::new() }
     }
 
-    /// Places the joint's centre in the parent's frame (m); its axes stay as they are, parallel to the parent's where nothing
-    /// else was said.
+    /// Places the joint's centre in the parent's frame (m); its axes stay as they are, parallel to the parent's where
+    /// nothing else was said.
     pub fn at(mut self, origin: Vector3<f64>) -> Self {
         self.placement.translation.vector = origin;
         self

@@ -20,8 +20,8 @@ pub struct LimitExcess {
 }
 
 impl Figure {
-    /// The degrees of freedom, as indices in `v`, whose positions `q` (`nq` a row) turn farther than two turns: rather degrees
-    /// than radians.
+    /// The degrees of freedom, as indices in `v`, whose positions `q` (`nq` a row) turn farther than two turns: rather
+    /// degrees than radians.
     pub fn many_turns(&self, q: &[f64]) -> Vec<usize> {
         let mut found = Vec::new();
         for (link, at) in self.links().iter().zip(self.layout().joints()) {

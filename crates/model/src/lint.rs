@@ -70,11 +70,11 @@ impl Figure {
     ///
     /// These are [`FindingKind::Suspect`]; a link of one side that has no partner is a [`FindingKind::Note`].
     ///
-    /// Shapes may be drawings: a link that is drawn slimmer than it is has a high density. Left and right are told by their
-    /// names (`left_`, `l_`, `_l`, `.L`, `Left`, `L` and the like) and compared at the zero pose, along the root's axes, since the
-    /// frames of left and right links may be turned against each other. The plane of symmetry is square to that of the root's axes
-    /// for which most pairs' joints are mirror images; where none serves most of them, each pair may be symmetric to any axis of the
-    /// link that carries both.
+    /// Shapes may be drawings: a link that is drawn slimmer than it is has a high density. Left and right are told by
+    /// their names (`left_`, `l_`, `_l`, `.L`, `Left`, `L` and the like) and compared at the zero pose, along the root's
+    /// axes, since the frames of left and right links may be turned against each other. The plane of symmetry is square
+    /// to that of the root's axes for which most pairs' joints are mirror images; where none serves most of them, each
+    /// pair may be symmetric to any axis of the link that carries both.
     ///
     /// The subject of each is a link's name, or for limits that of a degree of freedom; limits come first, then links in
     /// order, then pairs.

@@ -4,7 +4,8 @@ use crate::motion::Contact;
 
 /// States of a figure over time, of which velocities and accelerations may be missing.
 ///
-/// Rows are samples, in the order of the figure's [`crate::StateLayout`]: `q` has `nq` numbers a row, `v` and `a` have `nv`.
+/// Rows are samples, in the order of the figure's [`crate::StateLayout`]: `q` has `nq` numbers a row, `v` and `a` have
+/// `nv`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
     /// When (s), rising; rows that are unrelated states are numbered 0, 1, 2 ….

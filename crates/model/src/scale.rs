@@ -31,26 +31,27 @@ pub struct Scaling {
     pub height: Option<f64>,
     /// Total mass (kg).
     pub mass: Option<f64>,
-    /// Lengths of single segments (m), by link: see [`Figure::segment_length`]. Where no link has the name, it may be that of
-    /// a left and a right one without their side (`thigh`, `femur`). Of several lengths for one link the last counts.
+    /// Lengths of single segments (m), by link: see [`Figure::segment_length`]. Where no link has the name, it may be
+    /// that of a left and a right one without their side (`thigh`, `femur`). Of several lengths for one link the last
+    /// counts.
     pub segments: Vec<(String, f64)>,
 }
 
 impl Figure {
-    /// The length of a link as scaling knows it (m): from its joint to the joint of its child, to the farthest one where it
-    /// has several; where it has none away from its own joint, to its tip. `None` where it has neither, and for a name that is
-    /// no link's.
+    /// The length of a link as scaling knows it (m): from its joint to the joint of its child, to the farthest one where
+    /// it has several; where it has none away from its own joint, to its tip. `None` where it has neither, and for a name
+    /// that is no link's.
     pub fn segment_length(&self, link: &str) -> Option<f64> {
         self.link_index(link).and_then(|link| links::reaches(self)[link])
     }
 
     /// The figure scaled to a height, a mass, and lengths of segments.
     ///
-    /// Every link scales alike in all directions, by its own factor `s`: that of the height (`height / stature`), or for a
-    /// segment with a length of its own, that length over the one it has. `s` scales its centre of mass, shape, tip, sole and
-    /// frames, where its children's joints sit, and what their slides measure: limits, springs' rests, and the curves of slides
-    /// that follow (the place of the root's joint and its slides scale with the height). Masses scale by one factor, so that
-    /// each keeps its share, and inertias by mass times `s²`:
+    /// Every link scales alike in all directions, by its own factor `s`: that of the height (`height / stature`), or for
+    /// a segment with a length of its own, that length over the one it has. `s` scales its centre of mass, shape, tip,
+    /// sole and frames, where its children's joints sit, and what their slides measure: limits, springs' rests, and the
+    /// curves of slides that follow (the place of the root's joint and its slides scale with the height). Masses scale by
+    /// one factor, so that each keeps its share, and inertias by mass times `s²`:
     ///
     /// ```text
     /// m′ = m·M′/M        I′ = I·(m′/m)·s²
@@ -58,7 +59,8 @@ impl Figure {
     ///
     /// The total is the asked mass to the last bit: what rounding leaves goes to the heaviest link. Without a mass in
     /// `scaling` all masses stay. Angles, their limits, and everything of joints that is no length — armature, stiffness,
-    /// damping, friction — stay as they are; so does the stature where no height is asked for. Scaling by one changes no bit.
+    /// damping, friction — stay as they are; so does the stature where no height is asked for. Scaling by one changes no
+    /// bit.
     ///
     /// # Errors
     ///

@@ -1,8 +1,8 @@
 //! Figures as text, for people: names instead of indices, degrees where people think in degrees, shapes instead of inertia
 //! numbers, comments.
 //!
-//! The text is [RON](https://docs.rs/ron). [`read`] finds everything that is wrong with it at once, each fault with its place
-//! and with what to do; [`write()`] gives a text from which [`read`] makes the same figure, bit for bit.
+//! The text is [RON](https://docs.rs/ron). [`read`] finds everything that is wrong with it at once, each fault with its
+//! place and with what to do; [`write()`] gives a text from which [`read`] makes the same figure, bit for bit.
 //!
 //! ```
 //! let text = r#"
@@ -55,12 +55,12 @@
 //! | ROTATION | `About(axis: (x, y, z), angle: …)`, `Quaternion(x, y, z, w)`, or three angles about the axes in order: `Zyx(deg(90), 0, 0)` and the other five of [`crate::EulerOrder`] |
 //! | SHAPE | `Box(size: (x, y, z))`, `Ellipsoid(radii: (x, y, z))`, `Cylinder(radius: …, length: …)` and `Capsule(…)` along y, `Sphere(radius: …)`, each with a PLACE: [`crate::ShapeKind`] |
 //!
-//! `inertia` is about the centre of mass, along the link's axes, its products those of the tensor (`xy` is −∫xy dm). A `solid`
-//! has the link's mass, spread evenly, and gives centre of mass and inertia; without any of these the mass is a point. A
-//! `shape` is only what the link looks like; a solid is drawn where there is none.
+//! `inertia` is about the centre of mass, along the link's axes, its products those of the tensor (`xy` is −∫xy dm). A
+//! `solid` has the link's mass, spread evenly, and gives centre of mass and inertia; without any of these the mass is a
+//! point. A `shape` is only what the link looks like; a solid is drawn where there is none.
 //!
-//! Of RON there is all that this needs: comments (`//`, `/* */`), commas at the end, `Some(…)` and `None` around fields, raw
-//! texts, names left out where only one can be meant. Texts end on the line on which they begin.
+//! Of RON there is all that this needs: comments (`//`, `/* */`), commas at the end, `Some(…)` and `None` around fields,
+//! raw texts, names left out where only one can be meant. Texts end on the line on which they begin.
 
 mod lex;
 mod node;
@@ -76,8 +76,9 @@ use crate::source::TextError;
 /// # Errors
 ///
 /// [`TextError`] with every fault, in the order of the text: the one place where it is no RON, or else everything that is
-/// unknown, missing, of the wrong kind, or not possible in a figure. Where a link could not be read, nothing is said about
-/// what needs it. Time and memory grow in proportion to a text without faults; brackets in each other are refused beyond 64.
+/// unknown, missing, of the wrong kind, or not possible in a figure. Where a link could not be read, nothing is said
+/// about what needs it. Time and memory grow in proportion to a text without faults; brackets in each other are refused
+/// beyond 64.
 pub fn read(text: &str) -> Result<Figure, TextError> {
     read::read(text)
 }

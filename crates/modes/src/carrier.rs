@@ -30,8 +30,8 @@ impl Carrier {
         self.toes.is_some()
     }
 
-    /// The link that a centre of pressure `cop` (m, world) acts on, where the links stand as `workspace` has placed them: the
-    /// toes once it has passed the ball, in the direction from the ball to the tip.
+    /// The link that a centre of pressure `cop` (m, world) acts on, where the links stand as `workspace` has placed them:
+    /// the toes once it has passed the ball, in the direction from the ball to the tip.
     pub(crate) fn link(&self, workspace: &Workspace<f64>, cop: &Vector3<f64>) -> usize {
         let Some((toes, ball, tip)) = self.toes else { return self.link };
         let pose = workspace.pose(toes);

@@ -26,10 +26,11 @@ pub struct Completed {
     pub v: Vec<f64>,
     /// Accelerations (m/s², rad/s²), `nv` a row.
     pub a: Vec<f64>,
-    /// How far (s) into each end of the record the filter is still filled with what was guessed beyond the end; zero where nothing was
-    /// filtered.
+    /// How far (s) into each end of the record the filter is still filled with what was guessed beyond the end; zero
+    /// where nothing was filtered.
     pub spoiled: f64,
-    /// Of each degree of freedom, whether its velocities or accelerations were found here; of the others all is the record's.
+    /// Of each degree of freedom, whether its velocities or accelerations were found here; of the others all is the
+    /// record's.
     pub differentiated: Vec<bool>,
 }
 
@@ -84,9 +85,9 @@ pub enum CompleteError {
 /// are differentiated as the natural quintic spline through the samples ([`NaturalSpline`]). Where velocities are given and
 /// accelerations are not, a filtered copy of the velocities is differentiated.
 ///
-/// With a filter, half the record is added on either side, turned about its end by half a turn (`x₋ₖ = 2 x₀ − xₖ`), the filter
-/// runs over all of it and the spline goes through all of it; this is what `OpenSim` does. A record whose rows need nothing may have
-/// rows at any times.
+/// With a filter, half the record is added on either side, turned about its end by half a turn (`x₋ₖ = 2 x₀ − xₖ`), the
+/// filter runs over all of it and the spline goes through all of it; this is what `OpenSim` does. A record whose rows
+/// need nothing may have rows at any times.
 ///
 /// Of ball and free joints the quaternions are given signs that follow each other, then each component is treated as
 /// above. With `s = |q|²` of the spline,
@@ -95,8 +96,8 @@ pub enum CompleteError {
 /// ω = 2 vec(q̄ ⊗ q̇)/s      α = 2 vec(q̄ ⊗ q̈)/s − ω·(2 q·q̇)/s      v = Rᵀ·ṗ      a = Rᵀ·p̈ − ω × v
 /// ```
 ///
-/// along the link's axes, exact whatever the spline's length; filtered quaternions are normalised. Velocities of such a joint count as given where all
-/// of them are.
+/// along the link's axes, exact whatever the spline's length; filtered quaternions are normalised. Velocities of such a
+/// joint count as given where all of them are.
 ///
 /// Degrees of freedom that follow others ([`Figure::follow`]) are put where these lead them, last.
 ///

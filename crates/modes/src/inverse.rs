@@ -24,8 +24,8 @@ pub struct InverseOptions<'a> {
 pub struct InverseReport {
     /// Generalized forces (N m or N), `nv` a row, in the order of the figure.
     pub tau: Vec<f64>,
-    /// Of each degree of freedom, how great its force is; those of the root's joint are residuals where nothing in the world
-    /// holds the root.
+    /// Of each degree of freedom, how great its force is; those of the root's joint are residuals where nothing in the
+    /// world holds the root.
     pub dofs: Vec<DofLoad>,
     /// What is missing for the whole figure's balance of momentum: what acts through the root's joint.
     pub residual: Residual,
@@ -95,15 +95,17 @@ pub enum InverseError {
     },
 }
 
-/// The generalized forces that move `figure` through `motion` under `gravity` (m/s², world axes), with `loads` on its links.
+/// The generalized forces that move `figure` through `motion` under `gravity` (m/s², world axes), with `loads` on its
+/// links.
 ///
-/// What degrees of freedom that follow others would need is asked of their leaders ([`Figure::fold_forces`]), and theirs is zero. Frames are
-/// independent of each other and solved on all cores where the feature `parallel` is on; the results do not depend on it.
+/// What degrees of freedom that follow others would need is asked of their leaders ([`Figure::fold_forces`]), and theirs
+/// is zero. Frames are independent of each other and solved on all cores where the feature `parallel` is on; the results
+/// do not depend on it.
 ///
 /// # Errors
 ///
-/// A motion that does not fit the figure, loads that do not fit the motion ([`Loads::at_times`]), and the first state that the
-/// kernel refuses.
+/// A motion that does not fit the figure, loads that do not fit the motion ([`Loads::at_times`]), and the first state
+/// that the kernel refuses.
 ///
 /// # Examples
 ///

@@ -98,14 +98,14 @@ impl Loads {
     /// What `records` say at the times (s) of a motion.
     ///
     /// Where a time of a record agrees to 1e-9 s its sample is used as it is; between samples force and moment (about the
-    /// world's origin) run straight, and the centre of pressure is weighted by the force. Beyond a record, for less than one
-    /// of its mean steps, the end's sample stays. Nothing is filtered and nothing is cut off: a force of a few newtons
-    /// has a centre of pressure that means little, and its wrench is right all the same.
+    /// world's origin) run straight, and the centre of pressure is weighted by the force. Beyond a record, for less than
+    /// one of its mean steps, the end's sample stays. Nothing is filtered and nothing is cut off: a force of a few
+    /// newtons has a centre of pressure that means little, and its wrench is right all the same.
     ///
     /// # Errors
     ///
-    /// Links that the figure does not have, a second link without ball and toe tip, records that are none, and a motion that goes on
-    /// where a record does not.
+    /// Links that the figure does not have, a second link without ball and toe tip, records that are none, and a motion
+    /// that goes on where a record does not.
     pub fn at_times(figure: &Figure, records: &[ForceRecord], time: &[f64]) -> Result<Self, LoadError> {
         let tracks = records.iter().map(|record| {
             let carrier = carrier(figure, &record.links)?;

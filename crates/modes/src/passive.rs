@@ -9,9 +9,10 @@ use solaris_model::{Figure, JointKind, Passive};
 /// τ += k·(q − rest) + d·v + f·sign(v)        sign(0) = 0
 /// ```
 ///
-/// on every one-axis degree of freedom at `q` (rad or m, length `nq`) and `v` (rad/s or m/s, length `nv`). On a ball joint the spring
-/// acts on the rotation vector of the shortest way from the neutral orientation, `τ = k·φ`, whose potential is `k·|φ|²/2`;
-/// its `rest` is not used. Damper and friction of ball and free joints act on each velocity; a free joint has no spring.
+/// on every one-axis degree of freedom at `q` (rad or m, length `nq`) and `v` (rad/s or m/s, length `nv`). On a ball
+/// joint the spring acts on the rotation vector of the shortest way from the neutral orientation, `τ = k·φ`, whose
+/// potential is `k·|φ|²/2`; its `rest` is not used. Damper and friction of ball and free joints act on each velocity; a
+/// free joint has no spring.
 ///
 /// # Panics
 ///

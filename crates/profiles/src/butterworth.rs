@@ -160,9 +160,9 @@ impl Butterworth {
 
     /// The filtered `values`, forwards and backwards.
     ///
-    /// Before the first and after the last sample the signal is taken to go on, turned about the end by half a turn:
-    /// `x₋ₖ = 2 x₀ − xₖ` for `3 (order + 1)` samples; each pass starts in the steady state of its first sample. A constant passes
-    /// to the bit, a straight line to rounding once the filter has settled.
+    /// Before the first and after the last sample the signal is taken to go on, turned about the end by half a turn: `x₋ₖ
+    /// = 2 x₀ − xₖ` for `3 (order + 1)` samples; each pass starts in the steady state of its first sample. A constant
+    /// passes to the bit, a straight line to rounding once the filter has settled.
     ///
     /// # Errors
     ///
@@ -184,8 +184,8 @@ impl Butterworth {
         Ok(signal[pad..pad + samples].to_vec())
     }
 
-    /// Samples that pass until the response to an impulse stays below 1 % of its peak, in one pass: so far into the record the
-    /// filter is still filled with what was guessed beyond the end. At most `most`.
+    /// Samples that pass until the response to an impulse stays below 1 % of its peak, in one pass: so far into the
+    /// record the filter is still filled with what was guessed beyond the end. At most `most`.
     pub fn settling(&self, most: usize) -> usize {
         let (mut states, mut peak) = (vec![[0.0; 2]; self.sections.len()], 0.0_f64);
         let mut settled = 0;

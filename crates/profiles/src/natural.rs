@@ -5,9 +5,10 @@ use crate::sample::{Boundary, ProfileError, Sample, check_finite};
 /// The C⁴ curve of quintic pieces through samples at any rising times, with third and fourth derivatives that are zero at
 /// both ends: of all curves through the samples, the one with the least `∫ (d³x/dt³)² dt`.
 ///
-/// Three samples or more decide it; three make a parabola, two a line, one rests. Inside, its error in a smooth curve falls with
-/// the sixth power of the step in position, the fifth in velocity, the fourth in acceleration; towards the ends it is
-/// that of a curve without jerk. Beyond its ends it goes on as the parabolas that touch it there, which keeps it C⁴.
+/// Three samples or more decide it; three make a parabola, two a line, one rests. Inside, its error in a smooth curve
+/// falls with the sixth power of the step in position, the fifth in velocity, the fourth in acceleration; towards the
+/// ends it is that of a curve without jerk. Beyond its ends it goes on as the parabolas that touch it there, which keeps
+/// it C⁴.
 ///
 /// ```
 /// use solaris_profiles::NaturalSpline;
@@ -38,8 +39,8 @@ impl NaturalSpline {
     /// x⁗(h) =  360 d/h⁴ − (168 v₀ + 192 v₁)/h³ − (24 a₀ − 36 a₁)/h²
     /// ```
     ///
-    /// That both go on over every knot, and vanish at the ends, is a symmetric system of 2×2 blocks in three diagonals. It is
-    /// the gradient of `∫ x‴² dt`, hence positive definite, and elimination without exchange of rows is stable.
+    /// That both go on over every knot, and vanish at the ends, is a symmetric system of 2×2 blocks in three diagonals.
+    /// It is the gradient of `∫ x‴² dt`, hence positive definite, and elimination without exchange of rows is stable.
     ///
     /// # Errors
     ///

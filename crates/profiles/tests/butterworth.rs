@@ -60,8 +60,8 @@ fn constants_pass_to_the_bit_and_lines_to_rounding() {
         let filter = low_pass(order, 0.5, 100.0);
         assert!(filtered(&filter, &[0.1; 60]).iter().all(|y| y.to_bits() == 0.1_f64.to_bits()));
     }
-    // A line goes on in the padding, but a pass starts at rest and lags behind it by its delay at first: the padding is long enough
-    // where the filter settles within it.
+    // A line goes on in the padding, but a pass starts at rest and lags behind it by its delay at first: the padding is
+    // long enough where the filter settles within it.
     let line: Vec<f64> = (0..200).map(|i| 3.0 - 0.25 * f64::from(i)).collect();
     for (x, y) in line.iter().zip(filtered(&low_pass(2, 40.0, 100.0), &line)).skip(80).take(40) {
         assert_relative_eq!(*x, y, epsilon = 1e-10);
@@ -79,7 +79,8 @@ fn backwards_in_time_it_is_the_same_filter_inside() {
     }
 }
 
-/// A filter of first order forgets by a factor each sample: `p = (1 − K)/(1 + K)`, after a first sample of `b` and a second of `b(1 + p)`.
+/// A filter of first order forgets by a factor each sample: `p = (1 − K)/(1 + K)`, after a first sample of `b` and a
+/// second of `b(1 + p)`.
 #[test]
 fn what_the_ends_spoil_is_the_length_of_the_impulse_response() {
     let k = (TAU * 6.0 / 120.0).tan();

@@ -119,8 +119,8 @@ impl External {
     }
 }
 
-/// The link called `name`, or the one that carries the frame of that name: bodies that cannot move against each other are one
-/// link.
+/// The link called `name`, or the one that carries the frame of that name: bodies that cannot move against each other are
+/// one link.
 fn carrier(figure: &Figure, name: &str) -> Option<String> {
     let has_frame = |frames: &[NamedFrame]| frames.iter().any(|frame| frame.name == name);
     let mut links = figure.links().iter();

@@ -1,5 +1,5 @@
-//! The commands on figures and recorded motions (`inverse`, `check`, `figure`, `convert`, `walk --figure`) from outside: what
-//! goes into files and what comes out. What is printed stands in the transcripts.
+//! The commands on figures and recorded motions (`inverse`, `check`, `figure`, `convert`, `walk --figure`) from outside:
+//! what goes into files and what comes out. What is printed stands in the transcripts.
 
 mod bad_files;
 mod check;

@@ -1,4 +1,5 @@
-//! What cannot be done, though it can be understood: exit code 1, the file or option at fault, what to do, and no file left.
+//! What cannot be done, though it can be understood: exit code 1, the file or option at fault, what to do, and no file
+//! left.
 
 use crate::{names, read, refused, solaris, subject, write};
 use std::path::Path;

@@ -1,15 +1,15 @@
 //! The joints of a body, as joints of a figure.
 //!
-//! MuJoCo's joints act in sequence: joint i turns or moves the body's frame about its own anchor `pᵢ` and axis `aᵢ`, which the
-//! joints before it have moved,
+//! MuJoCo's joints act in sequence: joint i turns or moves the body's frame about its own anchor `pᵢ` and axis `aᵢ`,
+//! which the joints before it have moved,
 //!
 //! ```text
 //! B = P · T₁(q₁ − r₁) ⋯ Tₙ(qₙ − rₙ)        Tᵢ = Trans(pᵢ)·Rot(aᵢ, q)·Trans(−pᵢ)  or  Trans(aᵢ·q)
 //! ```
 //!
-//! with the body's placement `P` in its parent and the coordinates `rᵢ` of that pose. A figure's joint has one centre, so what
-//! stands between two turns is moved to where it can be said: fixed turns before the joint, fixed shifts past slides; where that
-//! is not possible, a massless link stands between two joints.
+//! with the body's placement `P` in its parent and the coordinates `rᵢ` of that pose. A figure's joint has one centre, so
+//! what stands between two turns is moved to where it can be said: fixed turns before the joint, fixed shifts past
+//! slides; where that is not possible, a massless link stands between two joints.
 
 use super::joint::{Joint, Kind};
 use solaris_model::{Axis, Placement, UnitQuaternion, Vector3};
@@ -27,8 +27,8 @@ const MOST: usize = 6;
 /// Anchors that differ by less are one (m).
 const SAME: f64 = 1e-14;
 
-/// The joints of the figure between a parent and a body that stands at `placement` in it, and the body's frame in that which the
-/// last one moves.
+/// The joints of the figure between a parent and a body that stands at `placement` in it, and the body's frame in that
+/// which the last one moves.
 pub(super) fn segments<'j, 'a>(
     placement: Placement,
     joints: &'j [Joint<'a>],
@@ -78,8 +78,8 @@ pub(super) fn segments<'j, 'a>(
 }
 
 impl<'j, 'a> Segment<'j, 'a> {
-    /// Takes one more degree of freedom that stands at `gap` behind those there, if it can be said in one joint; returns what
-    /// of the gap stands behind it.
+    /// Takes one more degree of freedom that stands at `gap` behind those there, if it can be said in one joint; returns
+    /// what of the gap stands behind it.
     fn append(&mut self, joint: &'j Joint<'a>, axis: Axis, gap: &Placement) -> Option<Placement> {
         let open = self.joints.len() < MOST && self.joints.iter().all(|(_, axis)| axis.is_some());
         if !open {

@@ -1,7 +1,7 @@
 //! MuJoCo's numbers for states and forces, and ours.
 //!
-//! They differ for ball and free joints alone. With `R` the orientation of the link (from its quaternion) and `ω` its angular
-//! velocity along its own axes, which both have:
+//! They differ for ball and free joints alone. With `R` the orientation of the link (from its quaternion) and `ω` its
+//! angular velocity along its own axes, which both have:
 //!
 //! ```text
 //!                    MuJoCo                     here
@@ -11,9 +11,9 @@
 //! force              f_world  | moment          f = Rᵀ·f_world            | moment
 //! ```
 //!
-//! MuJoCo's `v_world` is the velocity of the body's origin, as here, and `a_world` its rate of change; the term `ω × v` is
-//! that of the turning axes. Hinges and slides are copied. The order is that of the figure that [`super::read`] makes, which
-//! is MuJoCo's.
+//! MuJoCo's `v_world` is the velocity of the body's origin, as here, and `a_world` its rate of change; the term `ω × v`
+//! is that of the turning axes. Hinges and slides are copied. The order is that of the figure that [`super::read`] makes,
+//! which is MuJoCo's.
 
 use super::orientation::wxyz;
 use solaris_model::{Figure, JointKind, Vector3};

@@ -90,8 +90,8 @@ impl Chain<'_> {
         (joint, if origin == Vector3::zeros() { Placement::identity() } else { beyond })
     }
 
-    /// The names of the moving steps that follow a coordinate, by the file's axes, which constants may turn; nothing for the
-    /// others, and where the axis is oblique or not the only one.
+    /// The names of the moving steps that follow a coordinate, by the file's axes, which constants may turn; nothing for
+    /// the others, and where the axis is oblique or not the only one.
     fn names(&self) -> Vec<Option<String>> {
         let moving = || self.steps.iter().filter(|step| !matches!(step.moves, Moves::By(_)));
         let stem = |step: &Step| {

@@ -4,7 +4,8 @@ use crate::xml::Node;
 
 /// The absolute path of a component below the model: the names of the components that it stands in.
 ///
-/// Lists (`objects`, `frames`, `components`) have no part in it; a set without a name has that of its element in small letters.
+/// Lists (`objects`, `frames`, `components`) have no part in it; a set without a name has that of its element in small
+/// letters.
 pub(super) fn path_of(node: Node, model: Node) -> String {
     let above = node.ancestors().take_while(|ancestor| *ancestor != model);
     let mut names: Vec<String> = above

@@ -18,15 +18,18 @@ const OPENSIM: [&str; 9] = [
     "ground_torque_z",
 ];
 
-/// The forces on `links` (one, or a foot and its toes) whose columns begin with `prefix`; the [module](super) has their names.
+/// The forces on `links` (one, or a foot and its toes) whose columns begin with `prefix`; the [module](super) has their
+/// names.
 ///
-/// Our own moments are about the world's origin; the torque of `OpenSim` is about the point of application, so that the moment is
-/// `M = T + p × F`. In `OpenSim`'s convention the torque may be missing (it is zero then), in ours the centre of pressure,
-/// as long as it need not decide between two links. The prefix is all that stands before `.fx` or `ground_force_vx` and may be empty there.
+/// Our own moments are about the world's origin; the torque of `OpenSim` is about the point of application, so that the
+/// moment is `M = T + p × F`. In `OpenSim`'s convention the torque may be missing (it is zero then), in ours the centre
+/// of pressure, as long as it need not decide between two links. The prefix is all that stands before `.fx` or
+/// `ground_force_vx` and may be empty there.
 ///
 /// # Errors
 ///
-/// No column with that prefix, with the prefixes that there are; columns that are missing; no times, or times that do not rise.
+/// No column with that prefix, with the prefixes that there are; columns that are missing; no times, or times that do not
+/// rise.
 pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<ForceRecord, IoError> {
     let line = table.header_line;
     let ours = CONTACT.map(|ending| format!("{prefix}.{ending}"));

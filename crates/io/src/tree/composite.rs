@@ -14,8 +14,8 @@ pub(super) struct Composite {
 }
 
 impl Composite {
-    /// The links of these bodies, depth first. What is wrong with the mass of a body that will not be seen any more is put into
-    /// `faults`, and the mass of its link replaced, so that what else is wrong is found too.
+    /// The links of these bodies, depth first. What is wrong with the mass of a body that will not be seen any more is
+    /// put into `faults`, and the mass of its link replaced, so that what else is wrong is found too.
     pub(super) fn of(bodies: Vec<Body>, faults: &mut Vec<Fault>) -> Vec<Self> {
         let order = depth_first(&bodies);
         let roots = bodies.iter().filter(|body| body.parent.is_none()).count();

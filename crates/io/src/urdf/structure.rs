@@ -8,7 +8,8 @@ use solaris_model::{Matrix3, Part, Place, Placement, SourceMap, Vector3};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The bodies, in the order of the joints but for the root, which is first; `None` where they form no tree, which is a fault.
+/// The bodies, in the order of the joints but for the root, which is first; `None` where they form no tree, which is a
+/// fault.
 pub(super) fn bodies(
     reader: &mut Reader,
     robot: Node,

@@ -50,8 +50,8 @@ impl Reader<'_> {
         self.text_numbers(node, 1..=1).map(|numbers| numbers[0])
     }
 
-    /// The one of `choices` that the attribute `name` says; `None` where it is absent, and where it says another, which is a
-    /// fault.
+    /// The one of `choices` that the attribute `name` says; `None` where it is absent, and where it says another, which
+    /// is a fault.
     pub(crate) fn choice<T: Copy>(&mut self, node: Node, name: &str, choices: &[(&str, T)]) -> Option<T> {
         let value = node.attribute(name)?;
         let found = choices.iter().find(|(word, _)| *word == value.trim()).map(|(_, choice)| *choice);

@@ -4,7 +4,8 @@ use crate::opensim::{axis, body, document, joint, read};
 use solaris_dynamics::{Tree, Workspace, inverse_dynamics, kinetic_energy, potential_energy};
 use solaris_io::Import;
 
-/// A leg of which the knee's centre and a second turn follow its angle, and a patella its coordinate, which follows the knee.
+/// A leg of which the knee's centre and a second turn follow its angle, and a patella its coordinate, which follows the
+/// knee.
 fn leg() -> Import {
     let spline =
         |y: &str| format!("<SimmSpline name=\"function\"><x>-2 -1.2 -0.5 0.1 0.8</x><y>{y}</y></SimmSpline>");

@@ -1,5 +1,5 @@
-//! A robot with everything in it, against the torques that Pinocchio 4.1.0 finds for it (`models/pinocchio.json`; the angle of
-//! its continuous joint written as one number).
+//! A robot with everything in it, against the torques that Pinocchio 4.1.0 finds for it (`models/pinocchio.json`; the
+//! angle of its continuous joint written as one number).
 
 use crate::data::numbers;
 use crate::robots::{order, placed};

@@ -5,8 +5,8 @@ use crate::fault::nearest;
 /// How many names may be compared for the hints of one figure.
 const NAMES: usize = 1_000_000;
 
-/// Finds nearest names until it has compared enough of them: in a figure of a hundred thousand links that are all wrong, the
-/// first ten faults have a hint.
+/// Finds nearest names until it has compared enough of them: in a figure of a hundred thousand links that are all wrong,
+/// the first ten faults have a hint.
 #[derive(Debug, Default)]
 pub(super) struct Hints {
     compared: usize,

@@ -81,8 +81,8 @@ fn outside(link: &Link, shape: &Shape) -> Option<String> {
     ))
 }
 
-/// The second moments about the centre of mass, per mass and along the shape's axes, against what masses inside of the shape
-/// can have.
+/// The second moments about the centre of mass, per mass and along the shape's axes, against what masses inside of the
+/// shape can have.
 ///
 /// ```text
 /// S/m = (½ tr(I)·1 − I)/m        0 ≤ S_ii/m ≤ h_i² − r_i²

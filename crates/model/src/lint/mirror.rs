@@ -133,8 +133,8 @@ impl<'a> Sides<'a> {
         })
     }
 
-    /// The plane square to one of the root's axes in which most pairs' joints are mirror images, if that are most of those that
-    /// lie apart.
+    /// The plane square to one of the root's axes in which most pairs' joints are mirror images, if that are most of
+    /// those that lie apart.
     fn plane(&self) -> Option<Plane> {
         let mut middles: [Vec<f64>; 3] = Default::default();
         let mut apart = 0;

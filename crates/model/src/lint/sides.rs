@@ -34,10 +34,11 @@ const SIDES: [(&str, &str); 5] =
 /// The pairs among the links.
 ///
 /// A side is a word of the name: `left`, `right`, `l` or `r`, all small, all capital or beginning with a capital
-/// (`left_shank`, `calcn_l`, `hand.L`, `LeftArm`, `front_left_wheel`); or `left` and `right` at the beginning or the end of a word
-/// (`leftfinger`); or `l`, `r`, `L`, `R` at the beginning of the name (`LARM`, `rknee`). Words end at whatever is no letter and
-/// no digit, and where a capital follows a small letter or begins a word in capitals. A name may say its side several times. The
-/// first reading that has a link on the other side is taken; names of more than 200 bytes have none.
+/// (`left_shank`, `calcn_l`, `hand.L`, `LeftArm`, `front_left_wheel`); or `left` and `right` at the beginning or the end
+/// of a word (`leftfinger`); or `l`, `r`, `L`, `R` at the beginning of the name (`LARM`, `rknee`). Words end at whatever
+/// is no letter and no digit, and where a capital follows a small letter or begins a word in capitals. A name may say its
+/// side several times. The first reading that has a link on the other side is taken; names of more than 200 bytes have
+/// none.
 pub(crate) fn mates(links: &[Link]) -> Vec<Mates> {
     let index: HashMap<&str, usize> =
         links.iter().enumerate().map(|(i, link)| (link.name.as_str(), i)).collect();

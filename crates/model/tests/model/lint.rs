@@ -159,7 +159,8 @@ impl Printed {
         j * mass
     }
 
-    /// The box with the inertia about its centre of mass that follows from them, or with the one about its end taken for it.
+    /// The box with the inertia about its centre of mass that follows from them, or with the one about its end taken for
+    /// it.
     fn link(&self, mass: f64, size: &Vector3<f64>, about_end: bool) -> LinkSpec {
         let centre = Vector3::new(size.x / 2.0, 0.0, 0.0);
         let carried = if about_end { Matrix3::zeros() } else { centre * centre.transpose() * mass };

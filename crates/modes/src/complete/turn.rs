@@ -65,8 +65,8 @@ impl Turning {
         has_length.then_some(Self { orientation, rotation, velocity, acceleration })
     }
 
-    /// Velocity (m/s) of the link's origin along its axes, and the rate of these numbers (m/s²), from its place in the joint's
-    /// frame with its rates.
+    /// Velocity (m/s) of the link's origin along its axes, and the rate of these numbers (m/s²), from its place in the
+    /// joint's frame with its rates.
     pub(super) fn slide(&self, place: [Boundary; 3]) -> [Vector3<f64>; 2] {
         let enter = |part: fn(&Boundary) -> f64| {
             self.rotation.inverse_transform_vector(&Vector3::from(place.each_ref().map(part)))

@@ -105,7 +105,8 @@ fn accelerations_come_from_given_velocities() {
     assert!(differences(&motion, 30..211)[0] < 1e-8);
 }
 
-/// Two dofs: a slow wave with a tremor of 25 Hz. The filter takes the tremor and leaves the wave; a dof that is known is not touched.
+/// Two dofs: a slow wave with a tremor of 25 Hz. The filter takes the tremor and leaves the wave; a dof that is known is
+/// not touched.
 #[test]
 fn a_filter_takes_the_tremor_from_what_is_derived() {
     let figure = build([LinkSpec::root("hand", Joint::new("wrist").rx().ry()).mass(1.0)]);

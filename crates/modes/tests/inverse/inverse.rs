@@ -102,7 +102,8 @@ fn completed(motion: &Motion) -> Completed {
     }
 }
 
-/// What `ground_reactions` has written to a motion comes back from its columns: feet and toes take over from each other at the same frames.
+/// What `ground_reactions` has written to a motion comes back from its columns: feet and toes take over from each other
+/// at the same frames.
 #[test]
 fn a_motion_with_its_contacts_gives_its_forces_back() {
     let (figure, mut motion) = swaying();

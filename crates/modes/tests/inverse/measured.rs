@@ -158,7 +158,8 @@ fn within(time: &[f64], window: (f64, f64), ours: &[f64], theirs: &[f64]) -> f64
         .fold(0.0, f64::max)
 }
 
-/// The trees' own states: `scipy`'s filter of order 2 with 30 samples of padding and a spline with other ends. Inside, ends do not matter.
+/// The trees' own states: `scipy`'s filter of order 2 with 30 samples of padding and a spline with other ends. Inside,
+/// ends do not matter.
 #[test]
 fn filter_and_spline_give_the_states_of_another_chain() {
     let cases = [
@@ -181,7 +182,8 @@ fn theirs_time(pinned: &Pinned) -> Vec<f64> {
     numbers(&pinned.json["time"])
 }
 
-/// What the trunk needs does not depend on the knees: it tells whether filter and spline are `OpenSim`'s, to the ends of the record.
+/// What the trunk needs does not depend on the knees: it tells whether filter and spline are `OpenSim`'s, to the ends of
+/// the record.
 #[test]
 fn the_lumbar_moment_is_that_of_opensim() {
     let cases = [

@@ -1,7 +1,7 @@
 //! Rotations and directions that are to be kept as they are written.
 //!
-//! Building a figure brings rotations and axes to unit length. Done again, that may move their last bits, so what is of unit
-//! length to rounding in the text is put back: writing a figure and reading it gives the same bits.
+//! Building a figure brings rotations and axes to unit length. Done again, that may move their last bits, so what is of
+//! unit length to rounding in the text is put back: writing a figure and reading it gives the same bits.
 
 use crate::figure::Figure;
 use crate::joint::{Axis, JointKind, Placement};

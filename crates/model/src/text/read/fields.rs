@@ -48,8 +48,8 @@ fn some<'n, 'a>(node: &'n Node<'a>) -> &'n Node<'a> {
 }
 
 impl Reader {
-    /// The fields of a group that is one of the `kinds`; the first is meant where the group has no name. Fields that are not
-    /// `known` are faults, unless none are known yet.
+    /// The fields of a group that is one of the `kinds`; the first is meant where the group has no name. Fields that are
+    /// not `known` are faults, unless none are known yet.
     pub(super) fn fields<'n, 'a>(
         &mut self,
         node: &'n Node<'a>,
