@@ -1,4 +1,4 @@
-//! Motions to and from the formats that people use.
+//! Figures and motions to and from the formats that people use.
 #![doc = ""]
 #![doc = include_str!("../README.md")]
 

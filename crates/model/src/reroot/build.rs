@@ -130,6 +130,12 @@ fn check(figure: &Figure, path: &[usize]) -> Result<(), RerootError> {
     if figure.mass() <= 0.0 {
         return Err(RerootError::Massless { joint: format!("world~{root}"), root });
     }
+    // Without its leader a follower would be free.
+    let of_root = figure.layout.joints()[0].nv;
+    if let Some(tied) = figure.followers.iter().find(|tied| tied.dof.min(tied.leader) < of_root) {
+        let [dof, leader] = [tied.dof, tied.leader].map(|dof| figure.layout.v_names()[dof].clone());
+        return Err(RerootError::Follower { dof, leader, root });
+    }
     // A link with mass is moved by the joint that is turned round unless it hangs on that joint.
     let mut hanging = vec![false; figure.links.len()];
     for &link in &path[..path.len() - 1] {

@@ -37,6 +37,19 @@ pub enum RerootError {
         /// The coordinate.
         value: f64,
     },
+    /// A degree of freedom is tied to one of the declared root's joint, which the view does not have.
+    #[error(
+        "dof '{dof}' follows '{leader}', and one of them belongs to the root's joint, which gives way to a free joint when link \
+         '{root}' becomes the root: let it follow a dof of another joint, or keep the root"
+    )]
+    Follower {
+        /// The follower.
+        dof: String,
+        /// Whom it follows.
+        leader: String,
+        /// The link that was to be the root.
+        root: String,
+    },
     /// A joint would move links without mass.
     #[error(
         "joint '{joint}' would move links without mass if '{root}' were the root, so no force could be found for it; give \

@@ -203,3 +203,18 @@ fn another_root_keeps_followers_and_leaders() {
         }
     }
 }
+
+#[test]
+fn what_follows_the_roots_joint_keeps_the_root() {
+    let wire = Joint::new("wire").tx().ty().following("wire.tx", Curve::Polynomial(vec![0.0, 0.0, 1.0]));
+    let figure = FigureBuilder::new("beads")
+        .link(LinkSpec::root("bead", wire).mass(1.0))
+        .link(LinkSpec::child("bob", "bead", Joint::new("string").rx()).mass(1.0).com(-Vector3::y()))
+        .build()
+        .expect("valid");
+    let error = figure.reroot_named("bob", RootAt::Joint).expect_err("a follower without its leader");
+    assert!(
+        error.to_string().starts_with("dof 'wire.ty' follows 'wire.tx', and one of them belongs"),
+        "{error}"
+    );
+}
