@@ -4,7 +4,8 @@
 
 use crate::style::Style;
 use nalgebra::Matrix3;
-use solaris_profiles::{Piecewise, ProfileError, step};
+use solaris_profiles::spline::CubicSpline;
+use solaris_profiles::{Clip, ProfileError, step};
 use std::f64::consts::TAU;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -49,33 +50,21 @@ pub(crate) fn share(style: &Style, u: f64) -> f64 {
 }
 
 /// Centre of pressure along the foot as a fraction of its length from the heel, by the foot's own clock.
-pub(crate) fn cop(style: &Style) -> Result<Piecewise, ProfileError> {
+pub(crate) fn cop(style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
     let (flat, forward) = (style.foot_flat, style.cop_forward);
-    let knots = [
-        0.0,
-        0.6 * flat,
-        flat,
-        flat + 0.035,
-        0.20,
-        style.heel_off,
-        0.40,
-        0.50,
-        style.tip_roll_at(),
-        style.toe_off(),
+    let keys = [
+        (0.0, 0.0),
+        (0.6 * flat, 0.012),
+        (flat, 0.035),
+        (flat + 0.035, 0.33 * forward),
+        (0.20, 0.56 * forward),
+        (style.heel_off, style.cop_heel_off),
+        (0.40, style.cop_40),
+        (0.50, style.cop_50),
+        (style.tip_roll_at(), 0.955),
+        (style.toe_off(), 1.0),
     ];
-    let values = [
-        0.0,
-        0.012,
-        0.035,
-        0.33 * forward,
-        0.56 * forward,
-        style.cop_heel_off,
-        style.cop_40,
-        style.cop_50,
-        0.955,
-        1.0,
-    ];
-    Piecewise::monotone_cubic(&knots, &values)
+    Ok(CubicSpline::monotone(&keys)?.into_clip())
 }
 
 /// Rotations about z, y, x (rad), in this order.

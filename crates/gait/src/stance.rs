@@ -8,7 +8,7 @@ use crate::grid::{FIRST, SECOND};
 use crate::leg::{LegGeometry, LegPose};
 use crate::style::Style;
 use nalgebra::Vector3;
-use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, Quintic};
+use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -269,7 +269,7 @@ impl Stance {
 
     #[inline]
     fn heel_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
-        let knee = self.contact_knee.as_ref().map_or(0.0, |law| law.at(u).position);
+        let knee = self.contact_knee.as_ref().map_or(0.0, |law| law.extrapolated(u).position);
         let pitch = self.leg.pitch_about_heel(self.plane.split(&(hip - self.heel)), knee).min(0.0);
         (self.ankle_on_heel(pitch), pitch)
     }

@@ -1,6 +1,8 @@
 //! Butterworth low-pass filters without delay.
 
-use std::f64::consts::PI;
+use crate::scalar::Scalar;
+use alloc::{vec, vec::Vec};
+use core::f64::consts::PI;
 
 /// A digital Butterworth low-pass filter, applied forwards and backwards so that nothing is delayed.
 ///
@@ -113,14 +115,15 @@ impl Butterworth {
         if !(rate.is_finite() && cutoff > 0.0 && cutoff < rate / 2.0) {
             return Err(FilterError::Cutoff { cutoff, rate });
         }
-        let k = (PI * cutoff / rate).tan();
+        let (sine, cosine) = Scalar::sin_cos(PI * cutoff / rate);
+        let k = sine / cosine;
         let mut sections = Vec::with_capacity(order.div_ceil(2));
         if order % 2 == 1 {
             let b = k / (1.0 + k);
             sections.push(Section { b: [b, b, 0.0], a: [(k - 1.0) / (k + 1.0), 0.0] });
         }
         for pair in 1..=order / 2 {
-            let damping = 2.0 * (PI * (2 * pair - 1) as f64 / (2 * order) as f64).sin();
+            let damping = 2.0 * Scalar::sin(PI * (2 * pair - 1) as f64 / (2 * order) as f64);
             let scale = 1.0 + k * damping + k * k;
             let b = k * k / scale;
             let a = [2.0 * (k * k - 1.0) / scale, (1.0 - k * damping + k * k) / scale];

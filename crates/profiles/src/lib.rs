@@ -1,16 +1,40 @@
 #![doc = include_str!("../README.md")]
+#![cfg_attr(not(feature = "std"), no_std)]
 
+extern crate alloc;
+
+pub mod acceleration;
+mod answers;
+pub mod blend;
 mod butterworth;
-mod natural;
-mod piecewise;
+mod clip;
+mod curve;
+pub mod displacement;
+mod error;
+mod feasible;
+pub mod legacy;
+pub mod limited;
 mod polynomial;
+mod profile;
+mod range;
+mod roots;
+#[cfg(feature = "rotation")]
+pub mod rotation;
 mod sample;
+mod scalar;
+mod segment;
+pub mod spline;
 pub mod step;
-mod uniform;
+pub mod velocity;
 
+pub use answers::{Answers, Peak, Peaks, Quantity, Stationary, StationaryPoint, Turn};
 pub use butterworth::{Butterworth, FilterError, odd_extension};
-pub use natural::NaturalSpline;
-pub use piecewise::{Outside, Piecewise};
+pub use clip::{Clip, Outside};
+pub use curve::Curve;
+pub use error::ProfileError;
 pub use polynomial::{CubicHermite, Polynomial, Quintic};
-pub use sample::{Boundary, ProfileError, Sample};
-pub use uniform::UniformSpline;
+pub use profile::{Family, Kind, Layer, Measure, Parameter, Profile, ProfileCurve};
+pub use range::{Range, Ranges};
+pub use sample::{Boundary, Sample};
+pub use scalar::{Dual, Scalar};
+pub use spline::{NaturalSpline, Piecewise, UniformSpline};

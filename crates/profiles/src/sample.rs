@@ -1,93 +1,73 @@
-//! What a curve answers, what it is given, and what can be wrong with it.
+//! What a curve answers, and what it is given at its ends.
+
+use crate::scalar::Scalar;
 
 /// Position and its first three derivatives at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sample {
+pub struct Sample<F = f64> {
     /// Position.
-    pub position: f64,
+    pub position: F,
     /// First derivative.
-    pub velocity: f64,
+    pub velocity: F,
     /// Second derivative.
-    pub acceleration: f64,
+    pub acceleration: F,
     /// Third derivative.
-    pub jerk: f64,
+    pub jerk: F,
+}
+
+impl<F: Scalar> Sample<F> {
+    /// At rest at `position`.
+    pub fn rest(position: F) -> Self {
+        let zero = F::from_f64(0.0);
+        Self { position, velocity: zero, acceleration: zero, jerk: zero }
+    }
+
+    /// The sample `s` later of a motion that keeps this one's velocity.
+    pub fn straight_on(self, s: F) -> Self {
+        Self { velocity: self.velocity, ..Self::rest(self.position + self.velocity * s) }
+    }
+
+    /// The sample of the same curve walked backwards.
+    pub fn reversed(self) -> Self {
+        Self { velocity: -self.velocity, jerk: -self.jerk, ..self }
+    }
+
+    /// Position, velocity, acceleration, jerk.
+    pub fn to_array(self) -> [F; 4] {
+        [self.position, self.velocity, self.acceleration, self.jerk]
+    }
+
+    /// From position, velocity, acceleration, jerk.
+    pub fn from_array([position, velocity, acceleration, jerk]: [F; 4]) -> Self {
+        Self { position, velocity, acceleration, jerk }
+    }
 }
 
 /// Position, velocity and acceleration at an end of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Boundary {
+pub struct Boundary<F = f64> {
     /// Position.
-    pub position: f64,
+    pub position: F,
     /// First derivative.
-    pub velocity: f64,
+    pub velocity: F,
     /// Second derivative.
-    pub acceleration: f64,
+    pub acceleration: F,
 }
 
-impl Boundary {
+impl<F: Copy> Boundary<F> {
     /// Position, velocity and acceleration.
-    pub const fn new(position: f64, velocity: f64, acceleration: f64) -> Self {
+    pub const fn new(position: F, velocity: F, acceleration: F) -> Self {
         Self { position, velocity, acceleration }
     }
 
-    /// At rest at `position`.
-    pub const fn rest(position: f64) -> Self {
-        Self::new(position, 0.0, 0.0)
-    }
-
-    pub(crate) fn numbers(&self) -> [f64; 3] {
+    pub(crate) fn numbers(&self) -> [F; 3] {
         [self.position, self.velocity, self.acceleration]
     }
 }
 
-/// Why there is no such curve.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ProfileError {
-    /// A number is not finite.
-    #[error("{what} is {value}; it must be a finite number")]
-    NotFinite {
-        /// Which number.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-    },
-    /// The duration is not one.
-    #[error("duration {duration}: it must be more than zero")]
-    Duration {
-        /// What was given.
-        duration: f64,
-    },
-    /// The knots do not rise.
-    #[error("knot {index} at {time} does not lie after the one before it at {before}; knots must rise")]
-    Knots {
-        /// Index of the knot.
-        index: usize,
-        /// Where it is.
-        time: f64,
-        /// Where the knot before it is.
-        before: f64,
-    },
-    /// There are too few or too many values.
-    #[error("{what}: {found} given, {needed} needed")]
-    Count {
-        /// Of what.
-        what: &'static str,
-        /// How many there are.
-        found: usize,
-        /// How many there must be (at least, for knots and samples).
-        needed: usize,
-    },
-}
-
-pub(crate) fn check_finite(what: &'static str, values: &[f64]) -> Result<(), ProfileError> {
-    match values.iter().find(|value| !value.is_finite()) {
-        Some(&value) => Err(ProfileError::NotFinite { what, value }),
-        None => Ok(()),
+impl<F: Scalar> Boundary<F> {
+    /// At rest at `position`.
+    pub fn rest(position: F) -> Self {
+        Self::new(position, F::from_f64(0.0), F::from_f64(0.0))
     }
-}
-
-pub(crate) fn check_duration(duration: f64) -> Result<(), ProfileError> {
-    check_finite("duration", &[duration])?;
-    if duration > 0.0 { Ok(()) } else { Err(ProfileError::Duration { duration }) }
 }

@@ -1,162 +1,7 @@
-//! Exact first derivatives.
+//! Dual numbers, which are those of the curves, as a scalar of the recursions.
 
-use super::{Real, assignments};
-use num_traits::{One, Zero};
-use std::array::from_fn;
-use std::ops::{Add, Div, Mul, Neg, Sub};
-
-/// A number with its first derivatives along `N` directions, carried through every operation by the rules of
-/// differentiation: the derivatives of a result are exact up to rounding, and its value is that of `f64`, bit for bit.
-///
-/// ```text
-/// (x + ε·ẋ)·(y + ε·ẏ) = x·y + ε·(x·ẏ + ẋ·y)        ε² = 0
-/// ```
-///
-/// One pass over `Dual<8>` gives the derivatives along eight directions and costs less than eight over `Dual<1>`.
-///
-/// Numbers are ordered by their values first, then by their partials; they are equal where all of that is.
-///
-/// # Examples
-///
-/// Of x²·y at (3, 2), the derivatives are 2·x·y = 12 and x² = 9:
-///
-/// ```
-/// use solaris_dynamics::scalar::Dual;
-///
-/// let (x, y) = (Dual::<2>::variable(3.0, 0), Dual::<2>::variable(2.0, 1));
-/// let z = x * x * y;
-/// assert_eq!((z.value(), z.partials()), (18.0, [12.0, 9.0]));
-/// ```
-///
-/// # Source
-///
-/// W. K. Clifford's dual numbers; forward differentiation by them: A. Griewank, A. Walther, "Evaluating Derivatives",
-/// 2nd ed., SIAM (2008), §3.1.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Dual<const N: usize> {
-    value: f64,
-    partials: [f64; N],
-}
-
-impl<const N: usize> Dual<N> {
-    /// A number with its derivatives along each direction.
-    pub const fn new(value: f64, partials: [f64; N]) -> Self {
-        Self { value, partials }
-    }
-
-    /// A number that depends on nothing.
-    pub const fn constant(value: f64) -> Self {
-        Self { value, partials: [0.0; N] }
-    }
-
-    /// A number whose derivative is 1 along one direction and 0 along the others.
-    ///
-    /// # Panics
-    ///
-    /// Where `direction` is not below `N`.
-    pub const fn variable(value: f64, direction: usize) -> Self {
-        let mut partials = [0.0; N];
-        partials[direction] = 1.0;
-        Self { value, partials }
-    }
-
-    /// The number itself.
-    pub const fn value(self) -> f64 {
-        self.value
-    }
-
-    /// Its derivatives along all directions.
-    pub const fn partials(self) -> [f64; N] {
-        self.partials
-    }
-
-    /// Its derivative along one direction.
-    ///
-    /// # Panics
-    ///
-    /// Where `direction` is not below `N`.
-    pub const fn partial(self, direction: usize) -> f64 {
-        self.partials[direction]
-    }
-
-    /// The number `value` with derivatives `slope` times those of this one: the chain rule.
-    #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
-        Self { value, partials: self.partials.map(|partial| slope * partial) }
-    }
-}
-
-impl<const N: usize> Add for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self { value: self.value + other.value, partials: from_fn(|i| self.partials[i] + other.partials[i]) }
-    }
-}
-
-impl<const N: usize> Sub for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self { value: self.value - other.value, partials: from_fn(|i| self.partials[i] - other.partials[i]) }
-    }
-}
-
-#[allow(clippy::suspicious_arithmetic_impl, reason = "the product rule has a sum")]
-impl<const N: usize> Mul for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        let (x, y) = (self.value, other.value);
-        Self { value: x * y, partials: from_fn(|i| x * other.partials[i] + self.partials[i] * y) }
-    }
-}
-
-#[allow(clippy::suspicious_arithmetic_impl, reason = "the quotient rule has a difference and a product")]
-impl<const N: usize> Div for Dual<N> {
-    type Output = Self;
-
-    /// With z = x/y: ż = (ẋ − z·ẏ)/y.
-    #[inline]
-    fn div(self, other: Self) -> Self {
-        let (y, z) = (other.value, self.value / other.value);
-        Self { value: z, partials: from_fn(|i| (self.partials[i] - z * other.partials[i]) / y) }
-    }
-}
-
-impl<const N: usize> Neg for Dual<N> {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        Self { value: -self.value, partials: self.partials.map(Neg::neg) }
-    }
-}
-
-assignments!(Dual<N>, const N);
-
-impl<const N: usize> Zero for Dual<N> {
-    #[inline]
-    fn zero() -> Self {
-        Self::constant(0.0)
-    }
-
-    /// Whether the value and all derivatives are zero.
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.partials.iter().fold(self.value.is_zero(), |zero, partial| zero & partial.is_zero())
-    }
-}
-
-impl<const N: usize> One for Dual<N> {
-    #[inline]
-    fn one() -> Self {
-        Self::constant(1.0)
-    }
-}
+use super::Real;
+pub use solaris_profiles::Dual;
 
 impl<const N: usize> Real for Dual<N> {
     const EPSILON: f64 = f64::EPSILON;
@@ -168,34 +13,34 @@ impl<const N: usize> Real for Dual<N> {
 
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = Real::sin_cos(self.value);
+        let (sine, cosine) = Real::sin_cos(self.value());
         (self.chain(sine, cosine), self.chain(cosine, -sine))
     }
 
     #[inline]
     fn is_finite(self) -> bool {
-        self.partials.iter().fold(self.value.is_finite(), |finite, partial| finite & partial.is_finite())
+        self.partials().iter().fold(self.value().is_finite(), |finite, partial| finite & partial.is_finite())
     }
 
     #[inline]
     fn greatest(self) -> f64 {
-        self.value.greatest()
+        self.value().greatest()
     }
 
     fn all_within(self, lower: f64, upper: f64) -> bool {
-        self.value.all_within(lower, upper)
+        self.value().all_within(lower, upper)
     }
 
     #[inline]
     fn recip_above(self, threshold: Self) -> Self {
         // Zero below the threshold, and the slope with it.
-        let reciprocal = self.value.recip_above(threshold.value);
+        let reciprocal = self.value().recip_above(threshold.value());
         self.chain(reciprocal, -(reciprocal * reciprocal))
     }
 
     #[inline]
     fn recip_or_nan(self, threshold: Self) -> Self {
-        let reciprocal = self.value.recip_or_nan(threshold.value);
+        let reciprocal = self.value().recip_or_nan(threshold.value());
         self.chain(reciprocal, -(reciprocal * reciprocal))
     }
 }
@@ -204,62 +49,22 @@ impl<const N: usize> Real for Dual<N> {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
-
-    /// At x = 0.7, y = −1.3, with derivatives along both.
-    fn variables() -> (Dual<2>, Dual<2>) {
-        (Dual::variable(0.7, 0), Dual::variable(-1.3, 1))
-    }
-
-    fn assert_dual(found: Dual<2>, value: f64, partials: [f64; 2]) {
-        assert_relative_eq!(found.value(), value, max_relative = 1e-15);
-        for i in 0..2 {
-            assert_relative_eq!(found.partial(i), partials[i], max_relative = 1e-14, epsilon = 1e-16);
-        }
-    }
+    use num_traits::Zero;
 
     #[test]
-    fn each_operation_has_its_rule() {
-        let (a, b) = variables();
-        let (x, y) = (a.value(), b.value());
-        assert_dual(a + b, x + y, [1.0, 1.0]);
-        assert_dual(a - b, x - y, [1.0, -1.0]);
-        assert_dual(a * b, x * y, [y, x]);
-        assert_dual(a / b, x / y, [1.0 / y, -x / (y * y)]);
-        assert_dual(-a, -x, [-1.0, 0.0]);
-        let (sine, cosine) = a.sin_cos();
-        assert_dual(sine, x.sin(), [x.cos(), 0.0]);
-        assert_dual(cosine, x.cos(), [-x.sin(), 0.0]);
-        assert_dual(Dual::from_f64(2.0) * b, 2.0 * y, [0.0, 2.0]);
-    }
-
-    #[test]
-    fn assignments_follow_their_operations() {
-        let (a, b) = variables();
-        let mut c = a;
-        c += b;
-        assert_eq!(c, a + b);
-        c -= a;
-        assert_eq!(c, a + b - a);
-        c *= b;
-        assert_eq!(c, (a + b - a) * b);
-    }
-
-    #[test]
-    fn a_composed_expression_obeys_the_chain_rule() {
-        // f = sin(x·y)/(x + y²), by the quotient rule on paper.
-        let (a, b) = variables();
-        let f = (a * b).sin_cos().0 / (a + b * b);
-        let (x, y) = (a.value(), b.value());
-        let ((s, c), below) = ((x * y).sin_cos(), x + y * y);
-        let by_x = c * y / below - s / (below * below);
-        let by_y = c * x / below - s * 2.0 * y / (below * below);
-        assert_dual(f, s / below, [by_x, by_y]);
+    fn sine_and_cosine_are_those_of_its_value() {
+        let (sine, cosine) = Real::sin_cos(Dual::<1>::variable(0.7, 0));
+        let (s, c) = Real::sin_cos(0.7_f64);
+        assert_eq!((sine, cosine), (Dual::new(s, [c]), Dual::new(c, [-s])));
     }
 
     #[test]
     fn a_reciprocal_above_a_threshold_has_the_derivatives_of_its_side() {
-        let (a, b) = variables();
-        assert_dual(a.recip_above(b), 1.0 / 0.7, [-1.0 / 0.49, 0.0]);
+        let (a, b) = (Dual::<2>::variable(0.7, 0), Dual::variable(-1.3, 1));
+        let found = a.recip_above(b);
+        assert_relative_eq!(found.value(), 1.0 / 0.7, max_relative = 1e-15);
+        assert_relative_eq!(found.partial(0), -1.0 / 0.49, max_relative = 1e-14);
+        assert!(found.partial(1).is_zero());
         assert_eq!(a.recip_above(Dual::constant(0.7)), Dual::zero());
         assert_eq!(b.recip_above(a), Dual::zero());
         assert_eq!(Dual::<1>::variable(f64::NAN, 0).recip_above(Dual::zero()).value().to_bits(), 0);
@@ -267,8 +72,10 @@ mod tests {
 
     #[test]
     fn derivatives_count_for_what_is_finite_and_zero_but_not_for_what_is_within() {
-        assert!(!Dual::new(1.0, [f64::NAN]).is_finite() && !Dual::new(f64::INFINITY, [0.0]).is_finite());
-        assert!(Dual::new(1.0, [2.0]).is_finite());
+        assert!(
+            !Real::is_finite(Dual::new(1.0, [f64::NAN])) && !Real::is_finite(Dual::new(f64::INFINITY, [0.0]))
+        );
+        assert!(Real::is_finite(Dual::new(1.0, [2.0])));
         assert!(
             Dual::new(1.0, [9.0]).all_within(1.0, 2.0) && !Dual::new(f64::NAN, [0.0]).all_within(-1.0, 1.0)
         );

@@ -10,7 +10,8 @@ use crate::laws;
 use crate::style::Style;
 use nalgebra::Vector3;
 use solaris_modes::FootSupport;
-use solaris_profiles::{Piecewise, step};
+use solaris_profiles::spline::CubicSpline;
+use solaris_profiles::{Clip, step};
 
 /// What a foot does on one print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +61,7 @@ pub(super) struct WalkLaws {
     foot_length: f64,
     plane: FootPlane,
     prints: Vec<f64>,
-    cop: Piecewise,
+    cop: Clip<CubicSpline>,
 }
 
 impl WalkLaws {

@@ -1,6 +1,9 @@
 //! The quintic spline through equally spaced samples.
 
-use crate::sample::{ProfileError, Sample, check_duration, check_finite};
+use crate::error::{ProfileError, check_duration, check_finite};
+use crate::sample::Sample;
+use crate::scalar::{Scalar, floor, rem_euclid};
+use alloc::vec::Vec;
 
 /// Samples on either side that take part in the spline of the middle: its poles are −0.4306 and −0.0431, and
 /// 0.4306⁴⁴ < 1e-16.
@@ -117,12 +120,12 @@ impl<const D: usize> UniformSpline<D> {
         let mut x = (t - self.start) / self.step;
         let samples = self.coefficients.len() - 2 * REACH;
         if let Some(period) = self.period {
-            x = x.rem_euclid(period as f64);
+            x = rem_euclid(x, period as f64);
         } else {
             // At rest a few steps beyond the ends: the spline itself settles there.
             x = x.clamp(-(REACH as f64) / 2.0, (samples + REACH / 2) as f64);
         }
-        let floor = x.floor();
+        let floor = floor(x);
         ((floor as isize + REACH as isize - 2) as usize, x - floor)
     }
 }
@@ -163,7 +166,7 @@ fn basis(s: f64) -> [f64; 6] {
 #[rustfmt::skip]
 fn basis1(s: f64) -> [f64; 6] {
     let r = 1.0 - s;
-    let outer = |t: f64| t.powi(4) / 24.0;
+    let outer = |t: f64| Scalar::powi(t, 4) / 24.0;
     let middle = |t: f64| (-50.0 + t * (40.0 + t * (60.0 + t * (-80.0 + 25.0 * t)))) / 120.0;
     let inner = |t: f64| t * (-120.0 + t * t * (120.0 - 50.0 * t)) / 120.0;
     [-outer(r), middle(s), inner(s), -inner(r), -middle(r), outer(s)]
@@ -172,7 +175,7 @@ fn basis1(s: f64) -> [f64; 6] {
 #[rustfmt::skip]
 fn basis2(s: f64) -> [f64; 6] {
     let r = 1.0 - s;
-    let outer = |t: f64| t.powi(3) / 6.0;
+    let outer = |t: f64| Scalar::powi(t, 3) / 6.0;
     let middle = |t: f64| (40.0 + t * (120.0 + t * (-240.0 + 100.0 * t))) / 120.0;
     let inner = |t: f64| (-120.0 + t * t * (360.0 - 200.0 * t)) / 120.0;
     [outer(r), middle(s), inner(s), inner(r), middle(r), outer(s)]

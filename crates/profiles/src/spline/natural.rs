@@ -1,6 +1,8 @@
 //! The natural quintic spline through unequally spaced samples.
 
-use crate::sample::{Boundary, ProfileError, Sample, check_finite};
+use crate::error::{ProfileError, check_finite};
+use crate::sample::{Boundary, Sample};
+use alloc::{vec, vec::Vec};
 
 /// The C⁴ curve of quintic pieces through samples at any rising times, with third and fourth derivatives that are zero at
 /// both ends: of all curves through the samples, the one with the least `∫ (d³x/dt³)² dt`.

@@ -1,19 +1,11 @@
 //! Curves made of polynomial pieces.
 
+use crate::clip::Outside;
+use crate::error::{ProfileError, check_finite};
 use crate::polynomial::Polynomial;
-use crate::sample::{Boundary, ProfileError, Sample, check_finite};
-
-/// What a curve does outside of its span.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Outside {
-    /// Holds the value at the end, at rest.
-    #[default]
-    Hold,
-    /// Repeats with the span as its period.
-    Repeat,
-    /// Goes on as the first or last polynomial.
-    Extrapolate,
-}
+use crate::sample::{Boundary, Sample};
+use crate::scalar::rem_euclid;
+use alloc::{vec, vec::Vec};
 
 /// Polynomials joined at rising knots.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,27 +62,6 @@ impl Piecewise {
         Self::new(knots, pieces)
     }
 
-    /// The C¹ curve of cubic pieces through `values` that rises and falls only where they do (PCHIP: slopes by the
-    /// weighted harmonic mean of Fritsch and Butland 1984, three-point formula at the ends).
-    ///
-    /// # Errors
-    ///
-    /// Fewer than two knots, knots that do not rise, a wrong number of values, numbers that are not finite.
-    pub fn monotone_cubic(knots: &[f64], values: &[f64]) -> Result<Self, ProfileError> {
-        check_knots(knots)?;
-        if values.len() != knots.len() {
-            return Err(ProfileError::Count { what: "values", found: values.len(), needed: knots.len() });
-        }
-        check_finite("value", values)?;
-        let slopes = monotone_slopes(knots, values);
-        let pieces = (0..knots.len() - 1)
-            .map(|i| {
-                Polynomial::cubic(knots[i + 1] - knots[i], values[i], slopes[i], values[i + 1], slopes[i + 1])
-            })
-            .collect();
-        Self::new(knots, pieces)
-    }
-
     fn new(knots: &[f64], pieces: Vec<Polynomial>) -> Result<Self, ProfileError> {
         // Spans too short for their values overflow.
         pieces.iter().try_for_each(|piece| check_finite("coefficient", &piece.0))?;
@@ -112,9 +83,13 @@ impl Piecewise {
     pub fn at(&self, t: f64) -> Sample {
         let (first, last) = self.span();
         let inside = match self.outside {
-            Outside::Repeat => first + (t - first).rem_euclid(last - first),
+            Outside::Repeat => first + rem_euclid(t - first, last - first),
             Outside::Hold => t.clamp(first, last),
             Outside::Extrapolate => t,
+            Outside::Mirror => {
+                let (span, rest) = (last - first, rem_euclid(t - first, 2.0 * (last - first)));
+                first + if rest > span { 2.0 * span - rest } else { rest }
+            }
         };
         let piece = self.knots[1..self.pieces.len()].partition_point(|&knot| knot <= inside);
         let sample = self.pieces[piece].at(inside - self.knots[piece]);
@@ -206,35 +181,4 @@ fn solve2(m: &Block, rhs: [f64; 2]) -> [f64; 2] {
     let (e, f) = (rhs[0] * s0, rhs[1] * s1);
     let determinant = a * d - b * c;
     [(e * d - b * f) / determinant, (a * f - e * c) / determinant]
-}
-
-fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
-    let h: Vec<f64> = knots.windows(2).map(|k| k[1] - k[0]).collect();
-    let m: Vec<f64> = values.windows(2).zip(&h).map(|(x, h)| (x[1] - x[0]) / h).collect();
-    let last = m.len() - 1;
-    if last == 0 {
-        return vec![m[0], m[0]];
-    }
-    let mut slopes = vec![0.0; values.len()];
-    for i in 1..=last {
-        if m[i - 1] * m[i] > 0.0 {
-            let (w1, w2) = (2.0 * h[i] + h[i - 1], h[i] + 2.0 * h[i - 1]);
-            slopes[i] = (w1 + w2) / (w1 / m[i - 1] + w2 / m[i]);
-        }
-    }
-    slopes[0] = end_slope(h[0], h[1], m[0], m[1]);
-    slopes[last + 1] = end_slope(h[last], h[last - 1], m[last], m[last - 1]);
-    slopes
-}
-
-/// The three-point slope at an end, limited so that the curve stays monotone.
-fn end_slope(h0: f64, h1: f64, m0: f64, m1: f64) -> f64 {
-    let slope = ((2.0 * h0 + h1) * m0 - h0 * m1) / (h0 + h1);
-    if slope * m0 <= 0.0 {
-        0.0
-    } else if m0 * m1 <= 0.0 && slope.abs() > 3.0 * m0.abs() {
-        3.0 * m0
-    } else {
-        slope
-    }
 }

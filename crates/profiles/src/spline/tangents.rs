@@ -1,0 +1,7 @@
+//! Velocities at keys.
+
+mod continuous;
+mod local;
+
+pub(super) use continuous::continuous;
+pub(super) use local::{bent, catmull_rom, centripetal, monotone};
