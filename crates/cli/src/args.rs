@@ -2,12 +2,14 @@
 
 mod figure;
 mod inverse;
+mod profile;
 mod walk;
 
 pub(crate) use inverse::{BASES, Gravity};
+pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
 pub(crate) use walk::check;
 
-use clap::builder::ValueParser;
+use clap::builder::{Str, ValueParser};
 use clap::{Arg, ArgAction, Command};
 use std::path::PathBuf;
 
@@ -28,18 +30,20 @@ pub(crate) fn command() -> Command {
             "Examples:
   solaris walk --height 1.75 --mass 73 --step-frequency 110 --steps 10 -o walk.html
   solaris inverse subject.osim walk.mot --external grf.mot --plate calcn_r= --plate calcn_l=1_ -o moments.sto
-  solaris check robot.urdf",
+  solaris check robot.urdf
+  solaris profile minimum-jerk --from 0 --to 1.2 --duration 2 -o curve.svg",
         )
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommands([walk::command(), inverse::command()])
         .subcommands(figure::commands())
+        .subcommand(profile::command())
 }
 
 /// An option that takes a number; it may begin with a hyphen: -1 and -inf are numbers, and out of range.
-fn number(name: &'static str, value: &'static str, help: &str) -> Arg {
-    let parser = ValueParser::new(parse_number);
-    Arg::new(name)
+fn number(name: impl Into<Str>, value: &'static str, help: &str) -> Arg {
+    let (parser, name) = (ValueParser::new(parse_number), name.into());
+    Arg::new(name.clone())
         .long(name)
         .value_name(value)
         .allow_hyphen_values(true)

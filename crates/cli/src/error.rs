@@ -4,6 +4,7 @@ use crate::underline;
 use clap::ArgMatches;
 use solaris::gait::GaitError;
 use solaris::model::{HumanError, TextError};
+use solaris::profiles::ProfileError;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -74,6 +75,32 @@ impl CliError {
             }
             _ => Self::other(error),
         }
+    }
+
+    /// A curve that cannot be, in the words of the options that ask for it.
+    pub(crate) fn of_profile(error: &ProfileError, matches: &ArgMatches) -> Self {
+        let text = error.to_string();
+        let (what, value) = match error {
+            ProfileError::NotFinite { what, value }
+            | ProfileError::NotWhole { what, value }
+            | ProfileError::OutOfRange { what, value, .. }
+            | ProfileError::Infeasible { what, value, .. } => (*what, *value),
+            ProfileError::Duration { duration } => ("duration", *duration),
+            ProfileError::Knots { .. } | ProfileError::Count { .. } => ("keys", f64::NAN),
+            _ => return Self::Other(text.into()),
+        };
+        // The window of a blend is one option.
+        let option = if what.ends_with("the window") { "window".to_owned() } else { what.replace(' ', "-") };
+        let option = if option == "key" { "keys".to_owned() } else { option };
+        // Of options that there are: a text has its parameters inside.
+        if matches.try_get_raw(&option).is_err() {
+            return Self::Other(text.into());
+        }
+        let value = typed(matches, &option).unwrap_or_else(|| value.to_string());
+        let said = [format!("{what} is {value}"), format!("{what} {value}")];
+        let why = said.iter().find_map(|said| text.strip_prefix(said.as_str())).unwrap_or(&text);
+        let why = why.trim_start_matches("keys");
+        Self::Option { option, value, why: why.trim_start_matches([':', ';', ' ']).to_owned() }
     }
 
     /// `error`, whose message begins with a name and a value, said of the option of that name and its value as typed.

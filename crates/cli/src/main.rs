@@ -11,6 +11,7 @@ mod input;
 mod inverse;
 mod output;
 mod print;
+mod profile;
 mod progress;
 mod underline;
 mod walk;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Some(("check", matches)) => check::run(matches),
         Some(("figure", matches)) => figure::run(matches),
         Some(("convert", matches)) => convert::run(matches),
+        Some(("profile", matches)) => profile::run(matches),
         // clap asks for a subcommand.
         _ => Ok(()),
     };

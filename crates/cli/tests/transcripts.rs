@@ -2,8 +2,9 @@
 //!
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
 //! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`), the robot `arm.urdf`, the same with faults
-//! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), and a motion of it (`swing.csv`). They run at
-//! the same time: no two of them may write one file.
+//! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), and of curves the
+//! keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`). They run at the same time: no two of them may
+//! write one file.
 //!
 //! `[..]` stands for any text in a line (run times, last digits, what only the planner decides, and the backslash that
 //! goes on in the next line, which would be read as a slash), `...` for any lines. After a meant change,
@@ -46,6 +47,9 @@ fn furnish(folder: &Path) {
         ("stiff.urdf", &stiff),
         ("swing.csv", SWING),
         ("notes", "no folder"),
+        ("keys.csv", "time,position\n0,5\n1,7\n2,-9\n"),
+        ("misspelt.ron", "// A motion.\nMinimumJrek(from: 0, to: 1, duration: 2)\n"),
+        ("faulty.ron", "Tension(from: 0, to: 1, duration: 2,\n    stiffness: -3, end_velocity: 1)\n"),
     ] {
         std::fs::write(folder.join(name), text).expect("written");
     }
@@ -58,7 +62,7 @@ fn transcripts_hold() {
     // No transcript is no success: a folder that is not found would pass.
     let transcripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cmd");
     let count = std::fs::read_dir(&transcripts).expect("the transcripts").count();
-    assert!(count >= 9, "{count} transcripts");
+    assert!(count >= 10, "{count} transcripts");
     let folder = tempfile::tempdir().expect("a folder");
     furnish(folder.path());
     // The only test of this program: nobody else asks for the folder.

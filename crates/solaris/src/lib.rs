@@ -38,3 +38,7 @@ struct Bodies;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/dynamics.md")]
 struct Dynamics;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/profiles.md")]
+struct Profiles;

@@ -26,7 +26,7 @@ pub(crate) fn render(data: &Data, options: &PageOptions) -> String {
 }
 
 /// Puts values in the places of `{{names}}`, in one pass: what a value holds is never taken for a place.
-fn fill(template: &str, values: &[(&str, &str)]) -> String {
+pub(crate) fn fill(template: &str, values: &[(&str, &str)]) -> String {
     let mut page =
         String::with_capacity(template.len() + values.iter().map(|(_, value)| value.len()).sum::<usize>());
     for (i, piece) in template.split("{{").enumerate() {
@@ -42,7 +42,7 @@ fn fill(template: &str, values: &[(&str, &str)]) -> String {
 }
 
 /// Text for elements and quoted attributes.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
@@ -58,12 +58,12 @@ fn escape(text: &str) -> String {
 }
 
 /// JSON that cannot end the element it stands in: `<` occurs in strings only, and there `\u003c` is the same.
-fn guard(json: &str) -> String {
+pub(crate) fn guard(json: &str) -> String {
     json.replace('<', "\\u003c")
 }
 
 /// The summary; empty without rows.
-fn table(rows: &[TableRow]) -> String {
+pub(crate) fn table(rows: &[TableRow]) -> String {
     if rows.is_empty() {
         return String::new();
     }

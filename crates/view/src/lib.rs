@@ -7,6 +7,7 @@ mod error;
 mod frames;
 mod html;
 mod pack;
+pub mod profile;
 mod world;
 
 pub use error::ViewError;

@@ -1,0 +1,121 @@
+//! `solaris profile list`: the kinds of curves.
+
+use crate::args::{amplitude, example, option};
+use crate::error::CliError;
+use crate::print::print;
+use clap::ArgMatches;
+use serde::Serialize;
+use solaris::profiles::{Kind, Profile};
+use std::io::Write;
+
+/// Width of the columns before the summaries.
+const COLUMNS: (usize, usize) = (28, 15);
+
+#[derive(Serialize)]
+struct Said {
+    name: &'static str,
+    variant: &'static str,
+    family: String,
+    summary: &'static str,
+    keys: bool,
+    parameters: Vec<Parameter>,
+    /// The parameter that `--to` may stand for.
+    reaches_by: Option<&'static str>,
+    example: String,
+}
+
+#[derive(Serialize)]
+struct Parameter {
+    name: &'static str,
+    symbol: &'static str,
+    option: String,
+    unit: String,
+    range: String,
+    required: bool,
+    summary: &'static str,
+}
+
+impl Said {
+    fn of(kind: &'static Kind) -> Self {
+        let parameters = kind.parameters().map(|parameter| Parameter {
+            name: parameter.name,
+            symbol: parameter.symbol,
+            option: format!("--{}", option(parameter)),
+            unit: parameter.measure.to_string(),
+            range: parameter.range.to_string(),
+            required: kind.required.contains(&parameter),
+            summary: parameter.summary,
+        });
+        Self {
+            name: kind.name,
+            variant: kind.variant,
+            family: kind.family.to_string(),
+            summary: kind.summary,
+            keys: kind.has_keys(),
+            parameters: parameters.collect(),
+            reaches_by: amplitude(kind).map(|parameter| parameter.name),
+            example: format!("solaris profile {}", example(kind)),
+        }
+    }
+}
+
+pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+    print(|out| {
+        if matches.get_flag("json") {
+            let kinds: Vec<Said> = Profile::KINDS.iter().map(Said::of).collect();
+            serde_json::to_writer_pretty(&mut *out, &kinds).map_err(std::io::Error::from)?;
+            return writeln!(out);
+        }
+        text(out)
+    })
+}
+
+fn text(out: &mut dyn Write) -> std::io::Result<()> {
+    let (names, families) = COLUMNS;
+    for kind in Profile::KINDS {
+        writeln!(out, "{:<names$}{:<families$}{}", kind.name, kind.family.to_string(), kind.summary)?;
+    }
+    writeln!(
+        out,
+        "\nsolaris profile KIND --help has the parameters of a kind, with units and ranges\n\
+         solaris profile blend --help mixes two; solaris profile read --help takes any from a text"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::command;
+
+    #[test]
+    fn the_example_of_each_kind_works() {
+        assert!(Profile::KINDS.len() >= 24);
+        for kind in Profile::KINDS {
+            let line = format!("solaris profile {}", example(kind).replace('\'', "").replace(", ", ","));
+            let matches = command().try_get_matches_from(line.split(' ')).expect(&line);
+            let matches = matches.subcommand_matches("profile").and_then(|m| m.subcommand_matches(kind.name));
+            let matches = matches.expect("its command");
+            let request = super::super::Request::of(kind.name, matches).expect(&line);
+            request.curve(matches).expect(&line);
+        }
+    }
+
+    #[test]
+    fn options_and_their_symbols_do_not_collide() {
+        command().debug_assert();
+    }
+
+    #[test]
+    fn amplitudes_are_what_follows_from_an_end() {
+        for kind in Profile::KINDS {
+            let profile = kind.profile(|_| Some(1.0), vec![(0.0, 0.0), (1.0, 1.0)]).expect(kind.name);
+            let before = profile.values();
+            let changed = profile.reach(3.0).ok().map(|after| {
+                let after = after.values();
+                let mut differ = before.iter().zip(&after).filter(|(a, b)| (a.1 - b.1).abs() > 1e-9);
+                differ.next().map(|(parameter, _)| parameter.0.name)
+            });
+            assert_eq!(changed, amplitude(kind).map(|parameter| Some(parameter.name)), "{}", kind.name);
+        }
+    }
+}
