@@ -38,6 +38,11 @@ fn steps() -> Result<Vec<Step>, String> {
     {
         steps.push(cargo_step(&format!("{name} alone"), &["build", "--package", name], &[]));
     }
+    // The curves serve where there is no standard library; their functions come from elsewhere there.
+    let bare = ["--package", "solaris-profiles", "--no-default-features"];
+    steps.push(cargo_step("solaris-profiles without std", &[&["build"][..], &bare].concat(), &[]));
+    let reference = [&["test", "--test", "reference"][..], &bare].concat();
+    steps.push(cargo_step("reference numbers without std", &reference, &[]));
     Ok(steps)
 }
 

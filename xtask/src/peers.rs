@@ -84,7 +84,7 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     if let Some(path) = &options.dump_forward {
         dump(&mut case, path, Case::aba, |case| &case.a)?;
     }
-    let operations: [(&str, timing::Operation<Case>); 3] =
+    let operations: [(&str, timing::Operation<Case, DynamicsError>); 3] =
         [("rnea", Case::rnea), ("aba", Case::aba), ("crba", Case::crba)];
     let count = case.states.count.min(MOST_TIMED);
     let times = timing::run(&mut case, &operations, count, options.block, options.rounds)
@@ -99,7 +99,7 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
 fn dump(
     case: &mut Case,
     path: &Path,
-    operation: timing::Operation<Case>,
+    operation: timing::Operation<Case, DynamicsError>,
     result: impl Fn(&Case) -> &[f64],
 ) -> Result<(), String> {
     let mut rows = Vec::new();

@@ -10,6 +10,7 @@ mod currency;
 mod moments;
 mod page;
 mod plot;
+mod profiles;
 mod samples;
 mod speed;
 mod table;
@@ -25,18 +26,10 @@ use std::fs;
 /// Measures everything and writes the pages, in a release build of its own if this is none.
 pub(crate) fn run() -> Result<(), String> {
     if cfg!(debug_assertions) {
-        eprintln!("report: building and running in release");
-        return workspace::run(cargo().args([
-            "run",
-            "--quiet",
-            "--release",
-            "--package",
-            "xtask",
-            "--",
-            "report",
-        ]));
+        return in_release(&["report"]);
     }
     moments()?;
+    profiles::run()?;
     let measured = measure(|case| {
         eprintln!("report: times, {}", case.name);
         speeds(case, speed::measure)
@@ -73,6 +66,16 @@ pub(crate) fn moments() -> Result<(), String> {
         .map_err(|error| format!("docs/bodies.md: {error}"))?;
     write("docs/bodies.md", &text)?;
     write("docs/moments.svg", &moments::draw(&curves))
+}
+
+/// Measures the thesis's curves and writes their page, in a release build of its own if this is none.
+pub(crate) fn profiles() -> Result<(), String> {
+    if cfg!(debug_assertions) { in_release(&["report", "profiles"]) } else { profiles::run() }
+}
+
+fn in_release(chore: &[&str]) -> Result<(), String> {
+    eprintln!("report: building and running in release");
+    workspace::run(cargo().args(["run", "--quiet", "--release", "--package", "xtask", "--"]).args(chore))
 }
 
 /// The accuracy of every case, with the speeds that `speed` finds.

@@ -1,10 +1,9 @@
 //! Times of operations, measured in blocks that take turns.
 
-use solaris_dynamics::DynamicsError;
 use std::time::Instant;
 
 /// Something to do with the state of an index.
-pub(crate) type Operation<C> = fn(&mut C, usize) -> Result<(), DynamicsError>;
+pub(crate) type Operation<C, E> = fn(&mut C, usize) -> Result<(), E>;
 
 /// Time of one call (ns), over the rounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,13 +15,13 @@ pub(crate) struct Time {
 /// Times every operation in `rounds` blocks of about `block` ms, cycling through the states 0 to `count − 1`.
 ///
 /// In each round every operation has one block, so that a slow spell of the machine strikes all of them.
-pub(crate) fn run<C>(
+pub(crate) fn run<C, E>(
     case: &mut C,
-    operations: &[(&str, Operation<C>)],
+    operations: &[(&str, Operation<C, E>)],
     count: usize,
     block: f64,
     rounds: usize,
-) -> Result<Vec<Time>, DynamicsError> {
+) -> Result<Vec<Time>, E> {
     let mut repeats = Vec::with_capacity(operations.len());
     for (_, operation) in operations {
         repeats.push(calibrate(case, *operation, count, block)?);
@@ -37,12 +36,7 @@ pub(crate) fn run<C>(
 }
 
 /// How many calls fill a block.
-fn calibrate<C>(
-    case: &mut C,
-    operation: Operation<C>,
-    count: usize,
-    block: f64,
-) -> Result<usize, DynamicsError> {
+fn calibrate<C, E>(case: &mut C, operation: Operation<C, E>, count: usize, block: f64) -> Result<usize, E> {
     let wanted = block * 1e6;
     let mut repeats = 1;
     loop {
@@ -55,12 +49,7 @@ fn calibrate<C>(
 }
 
 /// Time of `repeats` calls together (ns).
-fn time<C>(
-    case: &mut C,
-    operation: Operation<C>,
-    count: usize,
-    repeats: usize,
-) -> Result<f64, DynamicsError> {
+fn time<C, E>(case: &mut C, operation: Operation<C, E>, count: usize, repeats: usize) -> Result<f64, E> {
     let start = Instant::now();
     let mut state = 0;
     for _ in 0..repeats {
@@ -81,11 +70,12 @@ fn summary(mut times: Vec<f64>) -> Time {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::convert::Infallible;
 
     #[test]
     fn every_state_has_its_turn() {
         let mut seen = vec![0_usize; 5];
-        let visit: Operation<Vec<usize>> = |seen, state| {
+        let visit: Operation<Vec<usize>, Infallible> = |seen, state| {
             seen[state] += 1;
             Ok(())
         };

@@ -151,6 +151,6 @@ fn marker(svg: &mut String, call: usize, (x, y): (f64, f64), is_filled: bool) {
     );
 }
 
-fn text(svg: &mut String, (x, y): (f64, f64), attributes: &str, text: &str) {
+pub(super) fn text(svg: &mut String, (x, y): (f64, f64), attributes: &str, text: &str) {
     let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" {attributes}>{text}</text>");
 }

@@ -61,7 +61,7 @@ struct Calls<T> {
 }
 
 impl<T: Real> Calls<T> {
-    const ALL: [(&'static str, Operation<Self>); CALLS] = [
+    const ALL: [(&'static str, Operation<Self, DynamicsError>); CALLS] = [
         ("chain-wise", |calls, _| calls.inverse(0)),
         ("tree-wise", |calls, _| calls.inverse(1)),
         ("Newton-Euler", |calls, _| calls.inverse(2)),
