@@ -104,7 +104,9 @@ pub trait Answers: Curve<f64> {
     fn stationary(&self) -> Stationary;
 
     /// Times inside of the span among which are all where `quantity` is greatest or smallest, other than the ends: where
-    /// its derivative is zero, and where it jumps. More times than needed do no harm.
+    /// its derivative is zero, and where it jumps. More times than needed do no harm. Two of them come from
+    /// a search and are not proven: those of a blend's jerk, and of the velocity, acceleration and jerk of the
+    /// [`legacy`](crate::legacy) curve.
     fn critical(&self, quantity: Quantity) -> Vec<f64>;
 
     /// The least and the greatest value of `quantity` between two times of the span.

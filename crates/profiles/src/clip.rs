@@ -4,7 +4,7 @@ use crate::blend::Side;
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_finite};
 use crate::sample::Sample;
-use crate::scalar::{Scalar, floor};
+use crate::scalar::{Scalar, floor, rem_euclid};
 use core::marker::PhantomData;
 
 /// What a curve does outside of its span.
@@ -95,13 +95,13 @@ impl<C: Curve<F>, F: Scalar> Clip<C, F> {
             Outside::Extrapolate => self.curve.extrapolated(F::from_f64(t)),
             // Nothing to repeat.
             _ if duration <= 0.0 => self.curve.at_time(0.0),
-            Outside::Repeat => self.curve.at_time(crate::scalar::rem_euclid(t, duration)),
+            Outside::Repeat => self.curve.at_time(rem_euclid(t, duration)),
             Outside::Mirror => {
-                let (turns, rest) = (floor(t / duration), crate::scalar::rem_euclid(t, duration));
-                if turns % 2.0 == 0.0 {
+                let rest = rem_euclid(t, 2.0 * duration);
+                if rest <= duration {
                     self.curve.at_time(rest)
                 } else {
-                    self.curve.at_time(duration - rest).reversed()
+                    self.curve.at_time(2.0 * duration - rest).reversed()
                 }
             }
         }
@@ -141,7 +141,7 @@ impl<C: Curve<F>, F: Scalar> Clip<C, F> {
                     Side::Before => nearest - 1.0,
                 };
                 let rest = match side {
-                    _ if !at_turn => crate::scalar::rem_euclid(t, duration),
+                    _ if !at_turn => rem_euclid(t, duration),
                     Side::After => 0.0,
                     Side::Before => duration,
                 };

@@ -38,7 +38,7 @@ pub trait Curve<F: Scalar = f64> {
     fn extrapolated(&self, t: F) -> Sample<F> {
         let zero = F::from_f64(0.0);
         let end = if t.value() < 0.0 { zero } else { self.duration() };
-        if (0.0..=self.duration().value()).contains(&t.value()) {
+        if t.value().is_nan() || (0.0..=self.duration().value()).contains(&t.value()) {
             self.at(t)
         } else {
             self.at(end).straight_on(t - end)

@@ -94,9 +94,9 @@ pub enum ProfileError {
         time: f64,
     },
     /// The knots do not rise.
-    #[error("knot {index} at {time} does not lie after the one before it at {before}; knots must rise")]
+    #[error("time {time} (number {}) does not lie after the one before it, {before}; times must rise", index + 1)]
     Knots {
-        /// Index of the knot.
+        /// Index of the knot, from 0.
         index: usize,
         /// Where it is.
         time: f64,

@@ -146,6 +146,7 @@ fn exponential(exponent: u32, shape: f64) -> Result<Option<Ellipse>, ProfileErro
     if scale < 0.0 {
         return Ok(None);
     }
+    check_overflow("power of the shape", &[scale, 1.0 / scale])?;
     Ok(Some(Ellipse { p: a0 / a1, b: 1.0 / Scalar::sqrt(scale), q: a2 / (a1 * scale), c: whole / a1 }))
 }
 

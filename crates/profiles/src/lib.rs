@@ -33,7 +33,7 @@ pub use clip::{Clip, Outside};
 pub use curve::Curve;
 pub use error::ProfileError;
 pub use polynomial::{CubicHermite, Polynomial, Quintic};
-pub use profile::{Family, Kind, Layer, Measure, Parameter, Profile, ProfileCurve};
+pub use profile::{Family, Kind, Measure, Parameter, Profile, ProfileCurve, ProfileLayer};
 pub use range::{Range, Ranges};
 pub use sample::{Boundary, Sample};
 pub use scalar::{Dual, Scalar};

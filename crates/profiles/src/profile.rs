@@ -67,9 +67,9 @@ macro_rules! profiles {
             /// One motion fades into another.
             Blend {
                 /// What fades out.
-                first: Box<Layer>,
+                first: Box<ProfileLayer>,
                 /// What fades in.
-                second: Box<Layer>,
+                second: Box<ProfileLayer>,
                 /// When and how.
                 fade: Fade,
                 /// What to do where the share of the first leaves 0 to 1.
@@ -79,7 +79,7 @@ macro_rules! profiles {
             /// The mean of two motions or more, with weights that may fade in and out.
             Weighted {
                 /// The motions.
-                layers: Vec<Layer>,
+                layers: Vec<ProfileLayer>,
             },
         }
 
@@ -203,7 +203,7 @@ profiles! {
 /// A profile as a part of a blend.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Layer {
+pub struct ProfileLayer {
     /// The motion.
     pub profile: Profile,
     /// When it begins (s).
@@ -228,7 +228,7 @@ fn one() -> f64 {
     1.0
 }
 
-impl From<Profile> for Layer {
+impl From<Profile> for ProfileLayer {
     fn from(profile: Profile) -> Self {
         Self { profile, start: 0.0, outside: Outside::Hold, amount: 1.0, fade_in: None, fade_out: None }
     }

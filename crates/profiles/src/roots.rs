@@ -15,7 +15,8 @@ use alloc::vec::Vec;
 /// ```
 ///
 /// Nothing cancels but in Δ, which is computed with the rounding errors of its products: its sign is right, and Δ = 0, where
-/// the quadratic touches zero, is found where it holds for the coefficients as given. Coefficients of any size will do.
+/// the quadratic touches zero, is found where it holds for the coefficients as given. Coefficients may be
+/// of any size, as long as the roots are numbers.
 pub(crate) fn quadratic(a: f64, b: f64, c: f64) -> Vec<(f64, Turn)> {
     if is_zero(a) {
         return if is_zero(b) { Vec::new() } else { alloc::vec![(-c / b, Turn::Reversal)] };

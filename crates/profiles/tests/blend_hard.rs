@@ -293,3 +293,15 @@ fn a_blend_in_f32_loses_nothing_an_hour_into_a_clip() {
     // Half-way, 3/4.
     assert!((blend.at_time(3600.02).position - 0.75).abs() < 1e-6);
 }
+
+#[test]
+fn clips_that_repeat_too_often_or_begin_too_far_away_are_refused() {
+    let short = Quintic::minimum_jerk(1e-9, 0.0, 1.0).expect("a curve");
+    let long = Quintic::minimum_jerk(1.0, 0.0, 1.0).expect("a curve");
+    let fade = Fade::new(FadeKind::Linear, 0.0, 1.0).expect("a fade");
+    let repeated = Clip::new(short).outside(Outside::Repeat);
+    let error = Blend::between(repeated, Clip::new(long), fade, Leaving::Refuse).expect_err("1e9 repeats");
+    assert!(error.to_string().starts_with("number of repeats in the blend is 999999999"), "{error}");
+    let far = Clip::new(long).starting(-1e20).expect("a start").outside(Outside::Repeat);
+    assert!(Blend::between(far, Clip::new(long), fade, Leaving::Refuse).is_err());
+}

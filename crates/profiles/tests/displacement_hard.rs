@@ -116,6 +116,7 @@ fn s3_a_shape_close_to_the_straight_line() {
 /// T = 2ⁱ, n, s, u: (T/s)ⁿ is more or less than a number can hold.
 #[test]
 fn s3b_large_powers_of_any_time() {
+    let mut single = 0;
     for (mut parameters, wanted) in rows(S3B) {
         let duration = 2.0_f64.powf(parameters[0]);
         parameters[3] *= duration;
@@ -125,8 +126,10 @@ fn s3b_large_powers_of_any_time() {
         // In single precision the jerk of the shortest of these is beyond what can be held.
         if let Ok(curve) = Exponential::new(duration as f32, 0.0, 1.0, n as f32, s as f32) {
             check(&row, &curve);
+            single += 1;
         }
     }
+    assert!(single > 0, "no row was checked in single precision");
 }
 
 /// T = 2, from 1 to 5, velocities 1 and 2; n, s = 2ⁱ.
@@ -264,6 +267,7 @@ fn very_long_and_very_short_motions_are_as_good() {
         let v = 3.0 / duration;
         let curve = Tension::new(duration, (0.0, -v), (1.0, v), 7.0).expect("a curve");
         let wanted = Tension::new(1.0, (0.0, -3.0), (1.0, 3.0), 7.0).expect("a curve");
+        assert_eq!((curve.stationary().points.len(), wanted.stationary().points.len()), (1, 1));
         for (found, wanted) in curve.stationary().points.iter().zip(&wanted.stationary().points) {
             assert!((found.time / duration - wanted.time).abs() < 1e-15 && found.turn == wanted.turn);
         }
@@ -449,3 +453,20 @@ const S5: &str = "
     720.0 1.0 | 2.4847222222222222222 2.4888579387186629526 1.78517871798026977e-153 4.686941744243969859e-151
     720.0 1.75 | 4.3513656762612194367 2.4888579387186629526 2.805639052273432138e-36 1.010030058818435569e-33
 ";
+
+#[test]
+fn what_overflows_inside_is_refused_and_never_a_position_that_is_no_number() {
+    for (n, s) in [(5, -2e13), (20, -1.5e17), (4, -1e200), (4, -1e30)] {
+        if let Ok(curve) = ExponentialVelocities::new(1.0_f64, (0.0, 0.0), (1.0, 0.0), n, s) {
+            assert!((0..=10).all(|i| curve.at(0.1 * f64::from(i)).position.is_finite()), "n = {n}, s = {s}");
+        }
+        if let Ok(curve) = ExponentialVelocities::new(1.0_f32, (0.0, 0.0), (1.0, 0.0), n, s as f32) {
+            assert!(
+                (0..=10_u8).all(|i| curve.at(0.1 * f32::from(i)).position.is_finite()),
+                "n = {n}, s = {s}"
+            );
+        }
+    }
+    assert!(ExponentialVelocities::feasible_start_velocity(1.0, 0.0, 1.0, 0.0, 100, 0.9999).is_err());
+    assert!(!Power::<f32>::new(1e9, 0.0, 1e-20, 1.5).expect("a curve").at(0.0).jerk.is_nan());
+}

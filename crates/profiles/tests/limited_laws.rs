@@ -244,3 +244,21 @@ fn single_precision_and_extreme_limits_do() {
     let not_a_time = SCurve::new(0.0, 1.0, 1.0, 1.0, 1.0).expect("valid").at(f64::NAN);
     assert!(not_a_time.to_array().iter().all(|x| x.is_nan()));
 }
+
+/// An acceleration that is as good as unlimited leaves velocity and jerk alone to decide.
+#[test]
+fn unlimited_accelerations_do_no_harm() {
+    let wanted = SCurve::new(0.0, 0.01, 1.0, 1e6, 10.0).expect("a motion").duration();
+    for most in [1e100, 1e200, f64::MAX] {
+        let motion = SCurve::new(0.0, 0.01, 1.0, most, 10.0).expect("a motion");
+        assert!((motion.duration() - wanted).abs() < 1e-15 * wanted, "{most}: {}", motion.duration());
+    }
+    let single = SCurve::<f32>::new(0.0, 0.01, 1e10, 1e18, 0.01).expect("a motion");
+    let (duration, middle) = (single.duration(), single.at(0.5 * single.duration()).position);
+    assert!(
+        (duration - 4.0 * 0.5_f32.powf(1.0 / 3.0)).abs() < 1e-5 && (middle - 0.005).abs() < 1e-8,
+        "{duration} {middle}"
+    );
+    let slow = SCurve::new(0.0, 0.01, 1e90, 1e100, 1e-60).expect("a motion");
+    assert!((slow.at(0.5 * slow.duration()).position - 0.005).abs() < 1e-16);
+}

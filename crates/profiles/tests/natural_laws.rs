@@ -16,6 +16,12 @@ fn wave() -> NaturalSpline {
 
 /// Computed with `scipy` 1.17.1, `make_interp_spline(k=5)` with third and fourth derivatives zero at both ends.
 #[test]
+fn a_time_that_is_no_number_gives_none() {
+    let curve = NaturalSpline::new(&[0.0, 1.0, 2.0, 4.0], &[0.0, 1.0, 0.5, 2.0]).expect("a spline");
+    assert!(curve.at(f64::NAN).to_array().iter().all(|x| x.is_nan()));
+}
+
+#[test]
 #[rustfmt::skip]
 fn derivatives_are_those_of_scipy() {
     let velocity = [
@@ -124,7 +130,7 @@ fn what_is_no_record_is_refused() {
     assert_eq!(error(&[], &[]), "samples: 0 given, 1 needed");
     assert_eq!(error(&[0.0, 1.0], &[0.0]), "values: 1 given, 2 needed");
     let message = error(&[0.0, 1.0, 1.0], &[0.0; 3]);
-    assert_eq!(message, "knot 2 at 1 does not lie after the one before it at 1; knots must rise");
+    assert_eq!(message, "time 1 (number 3) does not lie after the one before it, 1; times must rise");
     let error = NaturalSpline::new(&[0.0, 1.0], &[0.0, f64::NAN]);
     assert!(matches!(error, Err(ProfileError::NotFinite { .. })));
 }

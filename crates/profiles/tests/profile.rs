@@ -1,7 +1,7 @@
 //! Every kind of profile as a value: named, made from its parameters, written, read, evaluated, asked.
 
 use solaris_profiles::blend::{Fade, FadeKind, Leaving};
-use solaris_profiles::{Answers, Curve, Family, Kind, Layer, Parameter, Profile, ProfileError, Turn};
+use solaris_profiles::{Answers, Curve, Family, Kind, Parameter, Profile, ProfileError, ProfileLayer, Turn};
 
 const KEYS: [(f64, f64); 4] = [(0.0, 1.0), (0.5, 3.0), (2.0, -1.0), (3.0, 0.5)];
 
@@ -113,7 +113,7 @@ fn every_parameter_that_is_not_a_number_is_refused() {
 fn a_parameter_outside_of_its_range_is_refused_and_one_inside_is_not_refused_for_it() {
     for kind in Profile::KINDS {
         for wrong in kind.parameters() {
-            for x in [-2.5, -1.0, 0.0, 0.5, 1e-3] {
+            for x in [-2.5, -1.0, 0.0, 0.5, 1e-3, 101.0] {
                 let curve = with(kind, wrong, x).curve::<f64>();
                 if !wrong.range.contains(x) {
                     let error = curve.expect_err(kind.name).to_string();
@@ -167,6 +167,15 @@ fn free_parameters_have_intervals_or_say_which_have() {
 }
 
 #[test]
+fn the_other_parameters_are_checked_where_one_is_free() {
+    let wrong = Profile::Exponential { from: f64::NAN, to: 1.0, duration: 1.0, exponent: 3.0, shape: 0.0 };
+    assert!(wrong.feasible(&Parameter::SHAPE).is_err());
+    let wrong = Profile::LinearVelocity { from: 0.0, duration: -1.0, start_velocity: 0.0, end_velocity: 1.0 };
+    let text = wrong.feasible(&Parameter::START_VELOCITY).expect_err("a negative duration").to_string();
+    assert_eq!(text, "duration is -1; it must be more than 0");
+}
+
+#[test]
 fn a_reversal_is_refused_with_what_would_do() {
     let (from, to, duration) = (0.0, 5.0, 2.0);
     let profile = Profile::CubicHermite { from, to, duration, start_velocity: -1.0, end_velocity: 5.0 };
@@ -206,7 +215,7 @@ fn a_blend_of_kinds_is_a_curve_that_can_be_asked() {
     let first = Profile::Trigonometric { from, to, duration };
     let second = Profile::Power { from, to, duration, exponent: 3.0 };
     let fade = Fade::new(FadeKind::Smooth, 0.5, 1.5).expect("a fade");
-    let (first, second) = (Box::new(Layer::from(first)), Box::new(Layer::from(second)));
+    let (first, second) = (Box::new(ProfileLayer::from(first)), Box::new(ProfileLayer::from(second)));
     let blend = Profile::Blend { first, second, fade, leaving: Leaving::Refuse };
     let curve = blend.curve::<f64>().expect("a blend");
     assert!((curve.at(2.0).position - 5.0).abs() < 1e-15 && (curve.duration() - 2.0).abs() < 1e-15);

@@ -156,7 +156,7 @@ fn what_is_no_spline_is_refused_by_all_of_them_alike() {
     assert_eq!(error(&[]), ProfileError::Count { what: "keys", found: 0, needed: 2 });
     assert_eq!(error(&[(0.0, 1.0)]).to_string(), "keys: 1 given, 2 needed");
     let message = error(&[(0.0, 0.0), (2.0, 0.0), (1.0, 0.0)]).to_string();
-    assert_eq!(message, "knot 2 at 1 does not lie after the one before it at 2; knots must rise");
+    assert_eq!(message, "time 1 (number 3) does not lie after the one before it, 2; times must rise");
     assert_eq!(error(&[(4.0, 0.0), (4.0, 1.0)]), ProfileError::Knots { index: 1, time: 4.0, before: 4.0 });
     assert_eq!(
         error(&[(0.0, 0.0), (f64::INFINITY, 1.0)]).to_string(),

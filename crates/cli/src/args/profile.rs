@@ -162,7 +162,7 @@ fn keys() -> Arg {
         .allow_hyphen_values(true)
         .value_parser(ValueParser::new(parse_keys))
         .help(wrap(
-            "Times in s, rising, and positions, such as '0:5, 1:7, 2:-9'; or a table FILE.csv of two columns",
+            "Times in s, rising, and positions, such as '0:5, 1:7, 2:-9'; or a table FILE.csv of two columns, whose first line names them",
         ))
 }
 
@@ -198,7 +198,7 @@ fn blend() -> Command {
         .arg(choice("fade", FADES.map(|(name, _)| name).to_vec()).required(true).help(wrap(
             "How: smooth (velocity and acceleration stay continuous), linear, exponential, sinh, trigonometric",
         )))
-        .arg(number("stiffness", "NUMBER", "Stiffness of the last three, at least 0 (trigonometric: less than π) [default: 1]").visible_alias("k"))
+        .arg(number("stiffness", "NUMBER", "Stiffness of the last three, at least 0; above ln 2 (exponential) and π/2 (trigonometric) the share of the first leaves 0 to 1 [default: 1, exponential: ln 2]").visible_alias("k"))
         .arg(
             Arg::new("window")
                 .long("window")
@@ -241,8 +241,8 @@ fn common() -> [Arg; 8] {
         Arg::new("unit").long("unit").value_name("UNIT").help("Unit of positions, only a label: rad, m [default: none]"),
         Arg::new("title").long("title").value_name("TEXT").help("Title of the picture [default: the kind's name]"),
         Arg::new("free").long("free").value_name("PARAMETER").action(ArgAction::Append).help(wrap(
-            "Print with which values of this parameter (v0, start-velocity, …) the motion never turns round; its own value \
-             may be left out",
+            "Print with which values of this parameter (v0, v1, s, vm, T1) the motion neither turns round nor stands still \
+             inside; of vm and T1: with which there is an arc. Its own value may be left out",
         )),
         Arg::new("monotone").long("monotone").action(ArgAction::SetTrue).help("Exit with 1 if the motion turns round"),
     ]

@@ -106,6 +106,7 @@ impl Facts {
             "text": super::written::short(&request.profile),
             "parameters": parameters,
             "keys": labels.keys,
+            "times_count_from": labels.keys.first().map_or(0.0, |key| key.0),
             "unit": labels.unit,
             "duration": curve.duration(),
             "never_turns_round": turns == 0,

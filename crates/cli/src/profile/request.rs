@@ -7,7 +7,7 @@ use crate::error::CliError;
 use crate::input;
 use clap::ArgMatches;
 use solaris::profiles::blend::Fade;
-use solaris::profiles::{Kind, Layer, Parameter, Profile, ProfileCurve, ProfileError};
+use solaris::profiles::{Kind, Parameter, Profile, ProfileCurve, ProfileError, ProfileLayer};
 use std::path::{Path, PathBuf};
 
 /// Stiffness of a fade when none is given.
@@ -79,7 +79,12 @@ impl Request {
         };
         let refuse = |error: ProfileError| CliError::of_profile(&error, matches);
         let fade = matches.get_one::<String>("fade").map_or("", String::as_str);
-        let stiffness = matches.get_one::<f64>("stiffness").copied().unwrap_or(STIFFNESS);
+        // Unless asked for, no stiffness that makes a fade leave 0 to 1.
+        let most = FADES
+            .iter()
+            .find(|(name, _)| *name == fade)
+            .map_or(STIFFNESS, |(_, make)| make(STIFFNESS).largest_stiffness_within().min(STIFFNESS));
+        let stiffness = matches.get_one::<f64>("stiffness").copied().unwrap_or(most);
         let &(start, end) = matches.get_one::<(f64, f64)>("window").unwrap_or(&(0.0, 0.0));
         let kind = FADES.iter().find(|(name, _)| *name == fade).unwrap_or(&FADES[0]).1(stiffness);
         let leaving = matches.get_one::<String>("leaving").map_or("", String::as_str);
@@ -134,12 +139,12 @@ fn refuse_text(path: &Path, text: &str, error: &ProfileError) -> CliError {
 }
 
 /// A motion of a blend, by itself or with when it begins.
-fn layer(text: &str) -> Result<Layer, CliError> {
+fn layer(text: &str) -> Result<ProfileLayer, CliError> {
     let path = Path::new("--curve");
     let layer = if text.trim_start().starts_with('(') {
         written::read(path, text)?
     } else {
-        Layer::from(written::read::<Profile>(path, text)?)
+        ProfileLayer::from(written::read::<Profile>(path, text)?)
     };
     // Which of the two is at fault is known here only.
     layer.profile.curve::<f64>().map_err(|error| refuse_text(path, text, &error))?;
@@ -176,6 +181,12 @@ fn keys(kind: &Kind, matches: &ArgMatches) -> Result<Source, CliError> {
     match matches.get_one::<Keys>("keys") {
         Some(Keys::Given(keys)) => Ok((keys.clone(), None)),
         Some(Keys::File(path)) => {
+            let text = input::text(path)?;
+            let first = text.lines().next().unwrap_or_default();
+            if first.split(',').all(|field| field.trim().parse::<f64>().is_ok()) {
+                let why = "line 1 has numbers; the first line must name the columns, such as: time,position";
+                return Err(CliError::input(path, &why));
+            }
             let table = input::table(path)?;
             let count = table.columns.len();
             if count != 2 {

@@ -89,12 +89,18 @@ fn keys_of(profile: &Profile) -> &[(f64, f64)] {
 }
 
 fn keys(keys: &[(f64, f64)]) -> String {
+    let start = match keys.first() {
+        Some(&(start, _)) if start.abs() > 0.0 => {
+            format!(" (times count from the first key, at {} s)", number(start, DIGITS))
+        }
+        _ => String::new(),
+    };
     if keys.len() > MOST_KEYS {
-        return format!("{} keys", keys.len());
+        return format!("{} keys{start}", keys.len());
     }
     let keys: Vec<String> =
         keys.iter().map(|&(t, x)| format!("{}:{}", number(t, DIGITS), number(x, DIGITS))).collect();
-    format!("keys {}", keys.join(" "))
+    format!("keys {}{start}", keys.join(" "))
 }
 
 /// What it is, in two lines.

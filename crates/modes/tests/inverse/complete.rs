@@ -168,7 +168,7 @@ fn what_cannot_be_completed_is_refused() {
     assert_eq!(error(&record(vec![0.0]), None), "ACCEPTED");
     assert_eq!(
         error(&record(vec![0.0, 0.1, 0.1]), None),
-        "'pivot.rx' cannot be differentiated: knot 2 at 0.1 does not lie after the one before it at 0.1; knots must rise"
+        "'pivot.rx' cannot be differentiated: time 0.1 (number 3) does not lie after the one before it, 0.1; times must rise"
     );
     assert_eq!(
         error(&record(equally(9, 60.0)), SIX_HERTZ),

@@ -154,7 +154,7 @@ impl<F: Scalar> Curve<F> for Ellipse<F> {
         let (bow, way, slope) =
             if falling { (half_turn - bow, half_turn * cosine + way, -cosine) } else { (bow, way, cosine) };
         // 0·∞ where there is no acceleration at all.
-        let jerk = if self.peak.value().abs() > 0.0 { self.jerk * (slope / sine) } else { self.jerk * w };
+        let jerk = if self.jerk.value().abs() > 0.0 { self.jerk * (slope / sine) } else { self.jerk * w };
         Sample {
             position: self.from + t * self.start_velocity + self.reach * way,
             velocity: self.start_velocity + self.gain * bow,

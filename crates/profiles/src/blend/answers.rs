@@ -36,14 +36,18 @@ impl<C: Answers> Answers for Blend<C> {
         for pair in clear.windows(2) {
             let (left, right) = (pair[0], pair[1]);
             let time = pieces[right].from;
-            if !rests.iter().any(|rest| (rest.0..=rest.1).contains(&time)) {
+            // Rests rise and are apart.
+            let rest = rests.partition_point(|rest| rest.1 < time);
+            if rests.get(rest).is_none_or(|rest| rest.0 > time) {
                 let ends = (found[left].ends[1], found[right].ends[0]);
                 points.extend(knot((&pieces[left], ends.0), (&pieces[right], ends.1)));
             }
         }
         for &(from, to) in rests.iter().filter(|rest| rest.0 > 0.0 && rest.1 < self.duration) {
-            let before = clear.iter().rfind(|&&i| pieces[i].from < from).map(|&i| found[i].ends[1].positive);
-            let after = clear.iter().find(|&&i| pieces[i].to > to).map(|&i| found[i].ends[0].positive);
+            let before = clear.partition_point(|&i| pieces[i].from < from).checked_sub(1);
+            let before = before.map(|i| found[clear[i]].ends[1].positive);
+            let after = clear.get(clear.partition_point(|&i| pieces[i].to <= to));
+            let after = after.map(|&i| found[i].ends[0].positive);
             if before != after {
                 points.push((from, Turn::Reversal));
             }

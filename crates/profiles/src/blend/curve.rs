@@ -3,9 +3,10 @@
 use super::fade::{Fade, Leaving, Side};
 use super::jet::{complement, constant, difference, quotient, sum, weighted};
 use super::layer::{self, Layer};
-use crate::clip::Clip;
+use crate::clip::{Clip, Outside};
 use crate::curve::{Curve, within};
-use crate::error::{ProfileError, check_duration, check_overflow};
+use crate::error::{ProfileError, check_duration, check_overflow, check_range};
+use crate::range::Range;
 use crate::sample::Sample;
 use crate::scalar::Scalar;
 use alloc::vec::Vec;
@@ -63,7 +64,7 @@ impl<C: Curve<F>, F: Scalar> Blend<C, F> {
     /// # Errors
     ///
     /// With [`Leaving::Refuse`], a fade whose α leaves 0 to 1, which is one with too great a stiffness; clips that end at 0
-    /// or before, or so late that it overflows; a window so short that a derivative of α overflows in `F`.
+    /// or before, or so late that it overflows; a clip that repeats more than 1e5 times; a window so short that a derivative of α overflows in `F`.
     pub fn between(
         first: Clip<C, F>,
         second: Clip<C, F>,
@@ -177,11 +178,27 @@ impl<C: Curve<F>, F: Scalar> Curve<F> for Blend<C, F> {
     }
 }
 
+/// More repeats of a clip than this would take too long to answer for.
+const MOST_REPEATS: f64 = 1e5;
+
+/// A clip that repeats begins at most this many repeats before the blend: a time that is farther away says nothing about
+/// where in a repeat the blend begins.
+const FARTHEST: f64 = 1e9;
+
+/// The latest end of the clips.
 fn duration<'a, C: Curve<F> + 'a, F: Scalar>(
-    clips: impl Iterator<Item = &'a Clip<C, F>>,
+    clips: impl Iterator<Item = &'a Clip<C, F>> + Clone,
 ) -> Result<f64, ProfileError> {
-    let duration = clips.map(Clip::end).fold(f64::NEG_INFINITY, f64::max);
+    let duration = clips.clone().map(Clip::end).fold(f64::NEG_INFINITY, f64::max);
     check_overflow("duration of the blend", &[F::from_f64(duration)])?;
     check_duration(duration)?;
+    for clip in clips.filter(|clip| matches!(clip.policy(), Outside::Repeat | Outside::Mirror)) {
+        let period = clip.curve().span();
+        if period > 0.0 {
+            check_range("number of repeats in the blend", duration / period, Range::at_most(MOST_REPEATS))?;
+            let before = clip.start().abs() / period;
+            check_range("number of repeats before the blend", before, Range::at_most(FARTHEST))?;
+        }
+    }
     Ok(duration)
 }

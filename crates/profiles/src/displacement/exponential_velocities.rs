@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::ops::Bound::{Excluded, Unbounded};
 
-/// The greatest exponent: binomial coefficients beyond it are more than `f32` can hold.
+/// The greatest exponent: not far beyond it, binomial coefficients are more than `f32` can hold.
 const LARGEST_EXPONENT: u32 = 100;
 
 /// From one position and velocity to another along a polynomial of degree n whose velocity is the power n − 3 of a shifted
@@ -107,7 +107,7 @@ impl<F: Scalar> ExponentialVelocities<F> {
         check_overflow("distance", &[delta])?;
         for half in &curve.halves {
             check_overflow("largest jerk", half.quadratics.as_flattened())?;
-            check_overflow("largest jerk", &[half.rest, half.rest.powi(power)])?;
+            check_overflow("largest jerk", &[half.rest, half.rest.powi(power + 2)])?;
         }
         Ok(curve)
     }

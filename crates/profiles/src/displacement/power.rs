@@ -76,8 +76,10 @@ impl<F: Scalar> Curve<F> for Power<F> {
         let u = within(t, self.duration) / self.duration;
         let f = falling(u, self.exponent);
         // No motion has no derivatives, not even infinite ones.
-        let moves = self.scales[0].value().abs() > 0.0;
-        let part = |i: usize| if moves || f[i].is_finite() { self.scales[i] * f[i] } else { self.scales[i] };
+        let part = |i: usize| {
+            let scale = self.scales[i];
+            if scale.value().abs() > 0.0 || f[i].is_finite() { scale * f[i] } else { scale }
+        };
         Sample {
             position: between(self.from, self.to, self.scales[0], f[0]),
             velocity: part(1),

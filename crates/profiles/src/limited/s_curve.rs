@@ -79,8 +79,8 @@ impl<F: Scalar> SCurve<F> {
             ((tj, ta, cruise), v, top)
         } else {
             let (rest, ratio) = (half * ramp, way / a);
-            let held = (rest * rest + ratio).sqrt() - rest - ramp;
-            if held.value() >= 0.0 {
+            // D/A ≥ 2tⱼ², without squares that overflow where A is as good as unlimited.
+            if ratio.sqrt().value() >= core::f64::consts::SQRT_2 * ramp.value() {
                 // Free of cancellation where D/A is small beside tⱼ²: (D/A − 2tⱼ²)/(√((tⱼ/2)² + D/A) + 3tⱼ/2).
                 let held = (ratio - two * ramp * ramp) / ((rest * rest + ratio).sqrt() + rest + ramp);
                 let held = if held.value() > 0.0 { held } else { zero };
@@ -90,6 +90,7 @@ impl<F: Scalar> SCurve<F> {
                 ((tj, zero, zero), way / (two * tj), j * tj)
             }
         };
+        check_overflow("duration", &[way / a])?;
         let motion = Self::of((from, to), sign, times, times.0 + times.1 + times.0, [speed, top, j]);
         check_overflow("duration", &[times.0, times.1, times.2, motion.duration])?;
         check_overflow("velocity", &[speed])?;

@@ -1,6 +1,6 @@
 //! From a profile to a curve that answers.
 
-use super::{Layer, Profile};
+use super::{Profile, ProfileLayer};
 use crate::answers::{Answers, Peaks, Quantity, Stationary};
 use crate::blend::{self, Blend};
 use crate::clip::Clip;
@@ -255,14 +255,14 @@ impl Profile {
                 Box::new(Blend::between(first.clip()?, second.clip()?, fade, leaving)?).into()
             }
             Self::Weighted { ref layers } => {
-                let layers = layers.iter().map(Layer::weighted).collect::<Result<Vec<_>, _>>()?;
+                let layers = layers.iter().map(ProfileLayer::weighted).collect::<Result<Vec<_>, _>>()?;
                 Box::new(Blend::weighted(layers)?).into()
             }
         })
     }
 }
 
-impl Layer {
+impl ProfileLayer {
     fn clip<F: Scalar>(&self) -> Result<Clip<ProfileCurve<F>, F>, ProfileError> {
         Ok(Clip::new(self.profile.curve()?).starting(self.start)?.outside(self.outside))
     }

@@ -20,8 +20,6 @@ pub enum Family {
     Limits,
     /// A curve through keys.
     Keys,
-    /// A mixture of other profiles.
-    Blend,
 }
 
 impl fmt::Display for Family {
@@ -33,7 +31,6 @@ impl fmt::Display for Family {
             Self::Polynomial => "polynomial",
             Self::Limits => "limits",
             Self::Keys => "keys",
-            Self::Blend => "blend",
         })
     }
 }

@@ -78,7 +78,7 @@ parameters! {
     START_ACCELERATION "start acceleration" "a0" Acceleration Range::ALL, "Acceleration at the beginning";
     END_ACCELERATION "end acceleration" "a1" Acceleration Range::ALL, "Acceleration at the end";
     EXPONENT "exponent" "n" Number Range::at_least(1.0), "Exponent: the larger, the later the motion";
-    WHOLE_EXPONENT "exponent" "n" Number Range::at_least(3.0), "Exponent, a whole number";
+    WHOLE_EXPONENT "exponent" "n" Number Range::closed(3.0, 100.0), "Exponent, a whole number";
     SHAPE "shape" "s" Number Range::ALL, "Where the power has its root: at duration/shape";
     STIFFNESS "stiffness" "k" Number Range::NOT_NEGATIVE, "Stiffness: 0 is a polynomial; the larger, the sharper the bends";
     ACCELERATION "acceleration" "a" Acceleration Range::ALL, "The acceleration";

@@ -2,7 +2,7 @@
 
 use super::{Parameter, Profile};
 use crate::answers::{Answers, Turn};
-use crate::error::ProfileError;
+use crate::error::{ProfileError, check_range};
 use crate::polynomial::CubicHermite;
 use crate::range::{Range, Ranges};
 use crate::scalar::Scalar;
@@ -45,6 +45,11 @@ impl Profile {
     /// # Ok::<(), solaris_profiles::ProfileError>(())
     /// ```
     pub fn feasible(&self, free: &Parameter) -> Result<Ranges, ProfileError> {
+        for (parameter, value) in self.values() {
+            if parameter.symbol != free.symbol {
+                check_range(parameter.name, value, parameter.range)?;
+            }
+        }
         match free.symbol {
             symbol if symbol == Parameter::START_VELOCITY.symbol => self.feasible_start_velocity(),
             symbol if symbol == Parameter::END_VELOCITY.symbol => self.feasible_end_velocity(),

@@ -65,14 +65,25 @@ impl Squad {
                 return Err(ProfileError::Knots { index, time, before });
             }
         }
+        let times: Vec<f64> = keys.iter().map(|(time, _)| time - keys[0].0).collect();
+        check_overflow("duration", &times[count - 1..])?;
+        // Far from zero, times that rise may not rise once the first is subtracted.
+        if let Some(index) = (1..count).find(|&i| times[i] <= times[i - 1]) {
+            return Err(ProfileError::Knots { index, time: keys[index].0, before: keys[index - 1].0 });
+        }
         let orientations = keys.iter().map(|(_, q)| checked(q)).collect::<Result<Vec<_>, _>>()?;
-        let lengths: Vec<f64> = keys.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+        let lengths: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let sides: Vec<_> = orientations.windows(2).map(|pair| shortest(&pair[0], &pair[1])).collect();
         let rates = rates(&lengths, &sides)?;
-        let spans = (0..count - 1)
+        let spans: Vec<Span> = (0..count - 1)
             .map(|i| Span::new(orientations[i], sides[i], rates[i] * lengths[i], rates[i + 1] * lengths[i]))
             .collect();
-        Ok(Self { times: keys.iter().map(|(time, _)| time - keys[0].0).collect(), spans })
+        for (span, length) in spans.iter().zip(&lengths) {
+            for u in [0.0, 1.0] {
+                check_overflow("angular acceleration", span.at(u, 1.0 / length).acceleration.as_slice())?;
+            }
+        }
+        Ok(Self { times, spans })
     }
 
     /// From the first key to the last (s).

@@ -84,8 +84,11 @@ impl NaturalSpline {
         &self.nodes
     }
 
-    /// Position and three derivatives at any time.
+    /// Position and three derivatives at any time; NaN at NaN.
     pub fn at(&self, t: f64) -> Sample {
+        if t.is_nan() {
+            return Sample::from_array([t; 4]);
+        }
         let last = self.knots.len() - 1;
         if t <= self.knots[0] {
             return touching(&self.nodes[0], t - self.knots[0]);

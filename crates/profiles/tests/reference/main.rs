@@ -9,3 +9,31 @@ mod harness;
 mod keys;
 mod polynomial;
 mod velocity;
+
+#[test]
+fn no_case_of_the_file_is_left_out() {
+    let mut profiles: Vec<&str> =
+        harness::list("cases").iter().map(|case| case["profile"].as_str().expect("a name")).collect();
+    assert_eq!(profiles.len(), 77);
+    profiles.dedup();
+    let known = [
+        "disp_trig",
+        "disp_trig_vel",
+        "disp_pow",
+        "disp_exp_s",
+        "disp_exp_vel",
+        "disp_sinh",
+        "disp_sinh_vel_thesis",
+        "disp_tension",
+        "disp_line",
+        "acc_const",
+        "acc_trig",
+        "acc_ellipse_quarter",
+        "acc_ellipse_semi",
+        "vel_line",
+        "vel_circle",
+        "vel_fairing",
+        "quintic",
+    ];
+    assert_eq!(profiles, known);
+}

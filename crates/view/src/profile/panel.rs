@@ -32,7 +32,9 @@ impl<'a> Asked<'a> {
             let (low, high) = curve.range(quantity, 0.0, duration);
             let most = low.abs().max(high.abs());
             let nothing = most <= rounding;
-            rounding = if duration > 0.0 { rounding.max(1e-13 * most) / duration } else { f64::INFINITY };
+            // What is unbounded says nothing about rounding.
+            let unsure = if most.is_finite() { 1e-13 * most } else { 0.0 };
+            rounding = if duration > 0.0 { rounding.max(unsure) / duration } else { f64::INFINITY };
             if nothing { (0.0, 0.0) } else { (low, high) }
         });
         Self { curve, labels, stationary: curve.stationary(), peaks: curve.peaks(), ranges }
