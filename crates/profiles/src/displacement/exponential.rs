@@ -52,6 +52,8 @@ pub struct Exponential<F = f64> {
     delta: F,
     /// z = p·(1 − u) + q·u is y, divided by |1 − s| where that is greater than 1.
     z: (F, F),
+    /// n where the way is a sum of n powers, else 0.
+    terms: u32,
     /// What the way at the end is a fraction of.
     whole: F,
     /// Of the derivatives of zⁿ.
@@ -74,11 +76,15 @@ impl<F: Scalar> Exponential<F> {
         let (delta, rest) = (to - from, one - shape);
         let size = if rest.value().abs() > 1.0 { rest.abs() } else { one };
         let z = (one / size, rest / size);
-        let mut curve = Self { duration, from, to, exponent, shape, delta, z, whole: one, factors: [one; 3] };
+        let terms = terms(exponent, shape);
+        let mut curve =
+            Self { duration, from, to, exponent, shape, delta, z, terms, whole: one, factors: [one; 3] };
         curve.whole = curve.part(one, F::from_f64(0.0));
         // The derivative of z by u is −s·p, and d(zⁿ) over `whole` must be 1 in all.
         let slope = shape * z.0;
-        let share = if is_straight(shape) {
+        let share = if terms > 0 {
+            one / curve.whole
+        } else if is_straight(shape) {
             one / exponent + F::from_f64(0.5) * (exponent - one) / exponent * shape
         } else if shape.value() < 0.0 {
             -slope / curve.whole
@@ -105,7 +111,16 @@ impl<F: Scalar> Exponential<F> {
     fn part(&self, u: F, left: F) -> F {
         let (n, shape) = (self.exponent, self.shape);
         let one = F::from_f64(1.0);
-        if is_straight(shape) {
+        if self.terms > 0 {
+            // (pⁿ − zⁿ)/(p − z) = Σ zᵏ·pⁿ⁻¹⁻ᵏ: positive terms, and no function is called.
+            let (z, p) = (self.z(u, left), self.z.0);
+            let (mut sum, mut power) = (one, one);
+            for _ in 1..self.terms {
+                power = power * p;
+                sum = sum * z + power;
+            }
+            u * sum
+        } else if is_straight(shape) {
             // u + (n − 1)/2·s·u·(1 − u) + …
             u + F::from_f64(0.5) * (n - one) * shape * u * left
         } else if shape.value() < 0.0 {
@@ -170,6 +185,14 @@ impl Answers for Exponential {
     fn critical(&self, _: Quantity) -> Vec<f64> {
         if self.shape > 1.0 { alloc::vec![self.duration / self.shape] } else { Vec::new() }
     }
+}
+
+/// The exponent where it is a small whole number that depends on nothing, and the root of the power is not inside.
+fn terms<F: Scalar>(exponent: F, shape: F) -> u32 {
+    const MOST: f64 = 16.0;
+    let n = exponent.value();
+    let is_whole = n <= MOST && exponent == F::from_f64(floor(n));
+    if is_whole && shape.value() <= 1.0 { n as u32 } else { 0 }
 }
 
 /// Whether the curve is the straight line to the last digit: its own formula would underflow.
