@@ -1,6 +1,7 @@
 //! `solaris profile`: one motion curve as a table, a picture, a page or a text.
 
 mod facts;
+mod feasible;
 mod list;
 mod request;
 mod summary;

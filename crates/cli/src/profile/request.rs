@@ -1,6 +1,6 @@
 //! Which curve is asked for.
 
-use super::facts::Feasible;
+use super::feasible::Feasible;
 use super::written;
 use crate::args::{FADES, Keys, LEAVING, amplitude, option};
 use crate::error::CliError;

@@ -1,6 +1,6 @@
 //! What a curve is and what it answers, for people.
 
-use super::facts::Feasible;
+use super::feasible::Feasible;
 use super::request::Request;
 use clap::ArgMatches;
 use solaris::profiles::{Measure, Parameter, Profile, ProfileCurve};

@@ -1,6 +1,5 @@
 //! Cubic pieces between keys.
 
-use super::cursor::Cursor;
 use super::keys::{Bend, Chord, Key, chords};
 use super::knots::Knots;
 use super::piece::Piece;
@@ -20,7 +19,7 @@ use alloc::vec::Vec;
 /// with that before it. Beyond its ends the curve goes on as its tangent.
 ///
 /// Times are in double precision whatever the positions are in, and [`at_time`](Curve::at_time) rounds only what is left
-/// of a time after the nearest key, so that a curve in `f32` is as good after an hour as at its start. A [`Cursor`]
+/// of a time after the nearest key, so that a curve in `f32` is as good after an hour as at its start. A [`Cursor`](super::Cursor)
 /// remembers the piece from one time to the next.
 ///
 /// A spline that comes back after a rest between equal keys turns round at the beginning of the rest, in
@@ -220,11 +219,6 @@ impl<F: Scalar> CubicSpline<F> {
                 velocity_out: after.velocity,
             }
         })
-    }
-
-    /// For times that mostly lie near to the one before.
-    pub fn cursor(&self) -> Cursor<'_, F> {
-        Cursor::new(self)
     }
 
     fn smooth(

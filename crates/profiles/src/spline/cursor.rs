@@ -30,12 +30,15 @@ pub struct Cursor<'a, F = f64> {
     span: [f64; 2],
 }
 
-impl<'a, F: Scalar> Cursor<'a, F> {
-    pub(super) fn new(spline: &'a CubicSpline<F>) -> Self {
-        let times = spline.knots.times();
-        Self { spline, index: 0, piece: &spline.pieces[0], span: [times[0], times[1]] }
+impl<F: Scalar> CubicSpline<F> {
+    /// For times that mostly lie near to the one before.
+    pub fn cursor(&self) -> Cursor<'_, F> {
+        let times = self.knots.times();
+        Cursor { spline: self, index: 0, piece: &self.pieces[0], span: [times[0], times[1]] }
     }
+}
 
+impl<F: Scalar> Cursor<'_, F> {
     /// Position, velocity, acceleration and jerk at `t`, a time since the curve's beginning; outside of the span at the
     /// nearer end, NaN at NaN.
     #[inline]
