@@ -1,20 +1,38 @@
 #![doc = include_str!("../README.md")]
 
 mod balance;
+mod body;
 mod carrier;
 mod complete;
+mod drive;
+mod element;
 mod error;
 mod inverse;
 mod loads;
 mod passive;
+mod phase;
 mod reaction;
+mod recorded;
+mod report;
+mod run;
+mod settings;
+mod simulation;
 mod split;
+pub mod time;
+mod trouble;
 
 pub use balance::balance_momentum;
 pub use complete::{CompleteError, Completed, Filter, complete};
+pub use drive::{Course, Drive, Law, Outcome, OutcomeKind, Shape, Step, Target, Until};
+pub use element::{Anchor, LimitLaw, PointSpring};
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
 pub use passive::add_passive_forces;
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
+pub use recorded::Recorded;
+pub use report::{Counts, Energy, EnergyReport, ErrorEstimate, Impact, PhaseReport, Run, RunReport, Watch};
+pub use settings::{Guard, Method, Rule, Settings};
+pub use simulation::Simulation;
 pub use split::{FootSupport, TotalWrench, split_at_pivot};
+pub use trouble::{Cause, RunError, SetupError, Trouble};

@@ -4,6 +4,7 @@ use crate::error::{ProfileError, check_finite};
 use crate::sample::Sample;
 use crate::scalar::Scalar;
 use alloc::boxed::Box;
+use alloc::sync::Arc;
 
 /// A curve of one degree of freedom over the span from 0 to its duration.
 pub trait Curve<F: Scalar = f64> {
@@ -90,6 +91,7 @@ macro_rules! through {
 
 through!(&C);
 through!(Box<C>);
+through!(Arc<C>);
 
 /// A time within the span `[0, duration]`: the nearer end for a time outside of it. NaN stays NaN.
 #[inline]

@@ -1,0 +1,5 @@
+//! What leaving out saves.
+
+fn main() {
+    divan::main();
+}

@@ -1,0 +1,57 @@
+//! Passive elements of a scene, besides the springs and dampers that the figure's joints have of their own.
+
+use nalgebra::Vector3;
+
+/// A point of a link, or of the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor {
+    /// Index of the link; `None` for the world.
+    pub link: Option<usize>,
+    /// The point in the link's frame, or in the world (m).
+    pub point: Vector3<f64>,
+}
+
+/// A spring and damper between two points.
+///
+/// ```text
+/// F = k·(l − l₀) + c·l̇
+/// ```
+///
+/// pulls the two towards each other along the line between them, `l` being their distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointSpring {
+    /// The two points.
+    pub between: [Anchor; 2],
+    /// `k` (N/m).
+    pub stiffness: f64,
+    /// `c` (N s/m).
+    pub damping: f64,
+    /// `l₀` (m).
+    pub rest: f64,
+}
+
+/// What a joint's limits do to a degree of freedom that dynamics move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LimitLaw {
+    /// Nothing.
+    Ignore,
+    /// They stop it: `v⁺ = −e·v⁻`, with the impulse that this takes.
+    Hard {
+        /// `e`, 0 to 1.
+        restitution: f64,
+    },
+    /// They push back, `k·x + c·ẋ` at a depth `x`, and never pull.
+    Spring {
+        /// `k` (N m/rad or N/m).
+        stiffness: f64,
+        /// `c` (N m s/rad or N s/m).
+        damping: f64,
+    },
+}
+
+impl Default for LimitLaw {
+    fn default() -> Self {
+        Self::Hard { restitution: 0.0 }
+    }
+}

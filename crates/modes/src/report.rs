@@ -1,0 +1,170 @@
+//! What a run says of itself.
+
+use crate::drive::Outcome;
+use solaris_dynamics::scalar::Operations;
+use solaris_model::Motion;
+
+/// A run: its motion, and what there is to say of it.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The motion, in frames.
+    pub motion: Motion,
+    /// How it was found, and how far it can be trusted.
+    pub report: RunReport,
+}
+
+/// How a run was found, and how far it can be trusted.
+#[derive(Clone, Debug, Default)]
+pub struct RunReport {
+    /// The method, with its step or tolerance.
+    pub method: String,
+    /// Why this one.
+    pub why: String,
+    /// What it took.
+    pub counts: Counts,
+    /// How long it took (s), where the caller has a clock; all runs that it took together.
+    pub seconds: Option<f64>,
+    /// How far off it may be, where that was asked.
+    pub error: Option<ErrorEstimate>,
+    /// Where the energy went.
+    pub energy: EnergyReport,
+    /// How each drive ended, in the order of time.
+    pub outcomes: Vec<Outcome>,
+    /// Every impact, in the order of time.
+    pub impacts: Vec<Impact>,
+    /// What was computed and what was left out, one entry for each time that this changed.
+    pub phases: Vec<PhaseReport>,
+    /// What is worth knowing though it is no trouble.
+    pub remarks: Vec<String>,
+}
+
+/// What a run took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Evaluations of the dynamics, those inside of Jacobians not counted.
+    pub evaluations: u64,
+    /// Jacobians.
+    pub jacobians: u64,
+    /// Steps that were taken.
+    pub steps: u64,
+    /// Steps that were tried and rejected.
+    pub rejected: u64,
+    /// Events that were located.
+    pub events: u64,
+}
+
+impl Counts {
+    /// Adds what another stretch took.
+    pub fn add(&mut self, other: &Self) {
+        self.evaluations += other.evaluations;
+        self.jacobians += other.jacobians;
+        self.steps += other.steps;
+        self.rejected += other.rejected;
+        self.events += other.events;
+    }
+}
+
+/// How far a run may be off, at most, over all frames.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ErrorEstimate {
+    /// Positions (rad or m).
+    pub position: f64,
+    /// Velocities (rad/s or m/s).
+    pub velocity: f64,
+}
+
+/// Energy of the part of the figure whose motion is computed (J).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energy {
+    /// Of motion.
+    pub kinetic: f64,
+    /// In gravity.
+    pub potential: f64,
+    /// In springs.
+    pub elastic: f64,
+}
+
+impl Energy {
+    /// All of it.
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.potential + self.elastic
+    }
+}
+
+/// Where the energy of a run went (J).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnergyReport {
+    /// At the beginning.
+    pub start: Energy,
+    /// At the end.
+    pub end: Energy,
+    /// What the drives have done.
+    pub work: f64,
+    /// What dampers and friction have taken.
+    pub heat: f64,
+    /// What impacts have taken.
+    pub impacts: f64,
+    /// The greatest difference between the energy that there was and the energy that there should have been.
+    pub imbalance: f64,
+    /// The energy at play: the greatest of what was exchanged, so that `imbalance/scale` says how bad it is.
+    pub scale: f64,
+}
+
+/// A jump of the velocities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Impact {
+    /// When (s).
+    pub time: f64,
+    /// The degree of freedom that caused it.
+    pub dof: usize,
+    /// What happened: `limit`, `stop`.
+    pub what: &'static str,
+    /// Its velocity before and after (rad/s or m/s).
+    pub velocity: (f64, f64),
+    /// The impulse on it (N m s or N s).
+    pub impulse: f64,
+    /// The kinetic energy that was lost (J).
+    pub loss: f64,
+}
+
+/// What was computed during a stretch of time, and what was left out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PhaseReport {
+    /// From when (s).
+    pub start: f64,
+    /// Until when (s).
+    pub end: f64,
+    /// Degrees of freedom that dynamics move.
+    pub dynamic: Vec<String>,
+    /// Degrees of freedom on prescribed motions that the dynamics have to know.
+    pub prescribed: Vec<String>,
+    /// Degrees of freedom that stand still and were fused away.
+    pub fused: Vec<String>,
+    /// Links whose prescribed motion nothing that is computed depends on.
+    pub dropped: Vec<String>,
+    /// Operations of one evaluation: of the whole figure, and of what is left.
+    pub cost: (Operations, Operations),
+    /// What was left out besides: `contact: the scene has none`, …
+    pub omitted: Vec<String>,
+}
+
+/// Looks on while a simulation runs. Nothing below the command line has a clock of its own.
+pub trait Watch {
+    /// Seconds since some instant.
+    fn now(&self) -> Option<f64> {
+        None
+    }
+
+    /// Called now and then with the share of the work that is done, 0 to 1.
+    fn progress(&mut self, share: f64) {
+        let _ = share;
+    }
+
+    /// Whether to stop.
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Nobody looks on.
+impl Watch for () {}

@@ -1,0 +1,263 @@
+//! A figure, what drives it, and what acts on it: ready to be run.
+
+use crate::drive::{Drive, Step, Until};
+use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::report::{Run, Watch};
+use crate::settings::Settings;
+use crate::trouble::{RunError, SetupError};
+use nalgebra::Vector3;
+use solaris_model::{Figure, nearest};
+
+/// A figure under a gravity, with its state at the beginning, what drives each of its degrees of freedom one after the
+/// other, and passive elements.
+///
+/// To begin with every degree of freedom is free, at zero and at rest, and joint limits stop what dynamics move.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    pub(crate) figure: Figure,
+    pub(crate) gravity: Vector3<f64>,
+    pub(crate) q: Vec<f64>,
+    pub(crate) v: Vec<f64>,
+    /// By degree of freedom.
+    pub(crate) drives: Vec<Vec<Step>>,
+    pub(crate) springs: Vec<PointSpring>,
+    /// By degree of freedom.
+    pub(crate) limits: Vec<LimitLaw>,
+}
+
+impl Simulation {
+    /// `figure` under the acceleration of `gravity` (m/s², world axes), zero for none.
+    pub fn new(figure: &Figure, gravity: Vector3<f64>) -> Self {
+        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+        let mut q = vec![0.0; nq];
+        // Cannot fail: the length is right.
+        let _ = figure.neutral(&mut q);
+        Self {
+            figure: figure.clone(),
+            gravity,
+            q,
+            v: vec![0.0; nv],
+            drives: vec![vec![Drive::Free.into()]; nv],
+            springs: Vec::new(),
+            limits: vec![LimitLaw::default(); nv],
+        }
+    }
+
+    /// The figure.
+    pub fn figure(&self) -> &Figure {
+        &self.figure
+    }
+
+    /// The acceleration of gravity (m/s²).
+    pub fn gravity(&self) -> &Vector3<f64> {
+        &self.gravity
+    }
+
+    /// The state at the beginning: `q` (length `nq`; rad, m) and `v` (length `nv`).
+    pub fn state(&self) -> (&[f64], &[f64]) {
+        (&self.q, &self.v)
+    }
+
+    /// Sets the state at the beginning. Quaternions are given unit length.
+    ///
+    /// # Errors
+    ///
+    /// Wrong lengths, numbers that are not finite, quaternions that are none.
+    pub fn start(&mut self, q: &[f64], v: &[f64]) -> Result<(), SetupError> {
+        let mut own = q.to_vec();
+        self.figure.normalize(&mut own)?;
+        if v.len() != self.v.len() {
+            return Err(SetupError::Dynamics(solaris_dynamics::DynamicsError::Length {
+                what: "v",
+                expected: self.v.len(),
+                found: v.len(),
+            }));
+        }
+        if let Some(bad) = v.iter().position(|x| !x.is_finite()) {
+            let what = format!("the velocity of '{}'", self.name(bad));
+            return Err(SetupError::Range { what, value: v[bad], range: "a finite number" });
+        }
+        self.q = own;
+        self.v.copy_from_slice(v);
+        Ok(())
+    }
+
+    /// What drives a degree of freedom: one drive after the other. After the last one is done it stands still; a last drive
+    /// that never is done lasts.
+    ///
+    /// The name is that of a degree of freedom, or of a joint, all of whose degrees of freedom are meant.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError`] for names that are none, drives that the joint does not have, numbers out of range.
+    pub fn drive<S: Into<Step>>(
+        &mut self,
+        name: &str,
+        steps: impl IntoIterator<Item = S>,
+    ) -> Result<(), SetupError> {
+        let steps: Vec<Step> = steps.into_iter().map(Into::into).collect();
+        for dof in self.dofs(name)? {
+            self.check_steps(dof, &steps)?;
+            self.drives[dof].clone_from(&steps);
+        }
+        Ok(())
+    }
+
+    /// What drives a degree of freedom.
+    pub fn driven_by(&self, dof: usize) -> &[Step] {
+        &self.drives[dof]
+    }
+
+    /// Adds a spring and damper between two points.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::UnknownLink`], [`SetupError::Range`].
+    pub fn spring(&mut self, spring: PointSpring) -> Result<(), SetupError> {
+        let links = self.figure.links().len();
+        for Anchor { link, point } in &spring.between {
+            if let Some(link) = link.filter(|link| *link >= links) {
+                let (figure, name) = (self.figure.name().to_owned(), format!("number {link}"));
+                return Err(SetupError::UnknownLink { figure, name, nearest: None });
+            }
+            if let Some(value) = point.iter().find(|x| !x.is_finite()) {
+                let what = "a point of a spring".to_owned();
+                return Err(SetupError::Range { what, value: *value, range: "finite numbers" });
+            }
+        }
+        for (what, value) in
+            [("stiffness", spring.stiffness), ("damping", spring.damping), ("rest length", spring.rest)]
+        {
+            check_not_negative(|| format!("the {what} of a spring"), value)?;
+        }
+        self.springs.push(spring);
+        Ok(())
+    }
+
+    /// What the limits of all joints do.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::Range`].
+    pub fn limits(&mut self, law: LimitLaw) -> Result<(), SetupError> {
+        check_limit(&law)?;
+        self.limits.fill(law);
+        Ok(())
+    }
+
+    /// What the limits of one degree of freedom, or of all of a joint, do.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::UnknownDof`], [`SetupError::Range`].
+    pub fn limit(&mut self, name: &str, law: LimitLaw) -> Result<(), SetupError> {
+        check_limit(&law)?;
+        for dof in self.dofs(name)? {
+            self.limits[dof] = law;
+        }
+        Ok(())
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError`].
+    pub fn run(&self, settings: &Settings) -> Result<Run, RunError> {
+        self.run_watched(settings, &mut ())
+    }
+
+    /// Runs it while somebody looks on.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError`].
+    pub fn run_watched(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
+        crate::run::run(self, settings, watch)
+    }
+
+    /// Name of a degree of freedom.
+    pub(crate) fn name(&self, dof: usize) -> &str {
+        &self.figure.layout().v_names()[dof]
+    }
+
+    /// The degrees of freedom that a name means.
+    fn dofs(&self, name: &str) -> Result<Vec<usize>, SetupError> {
+        let layout = self.figure.layout();
+        if let Some(dof) = layout.dof_index(name) {
+            return Ok(vec![dof]);
+        }
+        if let Some(joint) = self.figure.joint_index(name) {
+            let at = layout.joints()[joint];
+            return Ok((at.v..at.v + at.nv).collect());
+        }
+        let joints = self.figure.links().iter().map(|link| link.joint().name());
+        let names = layout.v_names().iter().map(String::as_str).chain(joints);
+        let nearest = nearest(name, names);
+        Err(SetupError::UnknownDof { figure: self.figure.name().to_owned(), name: name.to_owned(), nearest })
+    }
+
+    fn check_steps(&self, dof: usize, steps: &[Step]) -> Result<(), SetupError> {
+        let owned = || self.name(dof).to_owned();
+        for Step { drive, until } in steps {
+            if self.figure.layout().coordinate(dof).is_none() && !drive.fits_ball_joints() {
+                let joint = self.figure.links().iter().zip(self.figure.layout().joints());
+                let joint = joint.filter(|(_, at)| (at.v..at.v + at.nv).contains(&dof)).map(|(link, _)| link.joint().name());
+                let joint = joint.collect::<String>();
+                return Err(SetupError::NoSuchDrive { dof: owned(), joint, drive: drive.name() });
+            }
+            drive.check(self.name(dof))?;
+            match until {
+                Until::Done => {}
+                Until::Time(value) | Until::Lasting(value) => {
+                    check_not_negative(|| format!("the time until which '{}' has a drive", owned()), *value)?;
+                }
+                Until::Position { dof: name, value } | Until::Velocity { dof: name, value } => {
+                    let [watched] = self.dofs(name)?[..] else {
+                        let (figure, name) = (self.figure.name().to_owned(), name.clone());
+                        return Err(SetupError::UnknownDof { figure, name, nearest: None });
+                    };
+                    if matches!(until, Until::Position { .. })
+                        && self.figure.layout().coordinate(watched).is_none()
+                    {
+                        let (joint, drive) = (name.clone(), "until a position");
+                        return Err(SetupError::NoSuchDrive { dof: name.clone(), joint, drive });
+                    }
+                    if !value.is_finite() {
+                        let what = format!("the value that '{name}' is to pass through");
+                        return Err(SetupError::Range { what, value: *value, range: "a finite number" });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_limit(law: &LimitLaw) -> Result<(), SetupError> {
+    match *law {
+        LimitLaw::Ignore => Ok(()),
+        LimitLaw::Hard { restitution } if (0.0..=1.0).contains(&restitution) => Ok(()),
+        LimitLaw::Hard { restitution: value } => {
+            Err(SetupError::Range { what: "the restitution of a limit".to_owned(), value, range: "0 to 1" })
+        }
+        LimitLaw::Spring { stiffness, damping } => {
+            check_not_negative(|| "the stiffness of a limit".to_owned(), stiffness)?;
+            check_not_negative(|| "the damping of a limit".to_owned(), damping)
+        }
+    }
+}
+
+pub(crate) fn check_not_negative(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
+    if value.is_finite() && value >= 0.0 {
+        return Ok(());
+    }
+    Err(SetupError::Range { what: what(), value, range: "a finite number, zero or more" })
+}
+
+pub(crate) fn check_positive(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(());
+    }
+    Err(SetupError::Range { what: what(), value, range: "a finite number above zero" })
+}

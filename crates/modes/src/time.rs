@@ -1,0 +1,7 @@
+//! Steppers: how a state goes on in time, whatever it is the state of.
+
+mod stepping;
+mod system;
+
+pub use stepping::{Stepping, Stopped, TimeError, advance};
+pub use system::{RateError, System};

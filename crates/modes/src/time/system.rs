@@ -1,0 +1,70 @@
+//! What a stepper asks of what it steps.
+
+use nalgebra::DMatrix;
+use solaris_dynamics::DynamicsError;
+
+/// Something whose state `y` has a rate: `ẏ = f(t, y)`.
+///
+/// The equations of motion of a figure are one; any ordinary differential equations can be.
+pub trait System {
+    /// Length of the state.
+    fn len(&self) -> usize;
+
+    /// Whether there is no state.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Writes `f(t, y)`; both slices have length [`len`](Self::len).
+    ///
+    /// # Errors
+    ///
+    /// [`RateError`] for a state that has no rate.
+    fn rate(&mut self, t: f64, y: &[f64], rate: &mut [f64]) -> Result<(), RateError>;
+
+    /// Writes `∂f/∂y`: row, entry of the rate; column, entry of the state.
+    ///
+    /// # Errors
+    ///
+    /// [`RateError`] for a state that has no rate.
+    fn jacobian(&mut self, t: f64, y: &[f64], jacobian: &mut DMatrix<f64>) -> Result<(), RateError>;
+
+    /// How the positions among the state go on with given velocities: writes to `rate` the entries of positions for the
+    /// velocities that are in `y`, and leaves the others. `false`, without a change, where the state has no positions.
+    fn position_rate(&self, y: &[f64], rate: &mut [f64]) -> bool {
+        let _ = (y, rate);
+        false
+    }
+
+    /// Number of event functions.
+    fn events(&self) -> usize {
+        0
+    }
+
+    /// Writes the values of the event functions; an event is where one passes through zero.
+    fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
+        let _ = (t, y, values);
+    }
+
+    /// Puts the state back where it belongs after a step, such as a quaternion to unit length.
+    fn settle(&self, y: &mut [f64]) {
+        let _ = y;
+    }
+}
+
+/// Why a state has no rate.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RateError {
+    /// The dynamics refuse it.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+    /// The rate, or the state itself, is not finite.
+    #[error("entry {index} of the rate is {value}")]
+    NotFinite {
+        /// Which entry.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+}

@@ -1,0 +1,220 @@
+//! Why there is no result: faults of what was asked, and trouble on the way.
+
+use solaris_dynamics::DynamicsError;
+use solaris_model::{ConfigurationError, FuseError, MotionError};
+use solaris_profiles::ProfileError;
+
+/// What is wrong with what was asked; nothing has been computed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SetupError {
+    /// No such degree of freedom.
+    #[error("figure '{figure}' has no degree of freedom '{name}'{}", hint(.nearest.as_deref()))]
+    UnknownDof {
+        /// The figure.
+        figure: String,
+        /// What was asked.
+        name: String,
+        /// The nearest name.
+        nearest: Option<String>,
+    },
+    /// No such link.
+    #[error("figure '{figure}' has no link '{name}'{}", hint(.nearest.as_deref()))]
+    UnknownLink {
+        /// The figure.
+        figure: String,
+        /// What was asked.
+        name: String,
+        /// The nearest name.
+        nearest: Option<String>,
+    },
+    /// A drive that a ball or free joint does not have.
+    #[error(
+        "'{dof}' belongs to the ball or free joint '{joint}', which has no {drive} drive yet; its velocities can be free or \
+         have a torque, and all of them together can be frozen: use a joint of three rotations for other drives"
+    )]
+    NoSuchDrive {
+        /// The degree of freedom.
+        dof: String,
+        /// Its joint.
+        joint: String,
+        /// The drive.
+        drive: &'static str,
+    },
+    /// A follower, or the leader of one, in a drive that it cannot have.
+    #[error(
+        "'{dof}' and '{leader}', which it follows, can only be frozen, or follow curves or a recorded motion; the drive \
+         '{drive}' of '{leader}' needs them free of each other"
+    )]
+    Follower {
+        /// The follower.
+        dof: String,
+        /// Its leader.
+        leader: String,
+        /// The drive.
+        drive: &'static str,
+    },
+    /// A number out of its range.
+    #[error("{what} is {value}; it must be {range}")]
+    Range {
+        /// Whose, and what: "the duration of 'elbow.rx'".
+        what: String,
+        /// Its value.
+        value: f64,
+        /// What it has to be.
+        range: &'static str,
+    },
+    /// A curve that is none.
+    #[error("the curve of '{dof}': {source}")]
+    Profile {
+        /// The degree of freedom.
+        dof: String,
+        /// Why.
+        source: ProfileError,
+    },
+    /// A state that is none.
+    #[error(transparent)]
+    State(#[from] ConfigurationError),
+    /// A figure that cannot be computed with.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+    /// Degrees of freedom that cannot be frozen.
+    #[error(transparent)]
+    Fuse(#[from] FuseError),
+    /// A motion that is none.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// A method that this program was built without.
+    #[error(
+        "the method '{method}' is not built in; build with the feature 'stiff' (cargo build --release --features stiff), or \
+         take Runge-Kutta 4 with a step"
+    )]
+    NotBuiltIn {
+        /// The method.
+        method: &'static str,
+    },
+}
+
+fn hint(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
+}
+
+/// Why a run ended before its end.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// What was asked cannot be run.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// A run that got into trouble.
+    #[error(transparent)]
+    Trouble(#[from] Box<Trouble>),
+}
+
+/// Trouble on the way: when, where, what, and what to do.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{cause} at t = {} s: {advice}", shown(*.time))]
+pub struct Trouble {
+    /// When (s).
+    pub time: f64,
+    /// The degree of freedom or joint where it shows most.
+    pub dof: Option<String>,
+    /// What.
+    pub cause: Cause,
+    /// What to do.
+    pub advice: String,
+}
+
+fn shown(time: f64) -> String {
+    let text = format!("{time:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// What the trouble is.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// A joint near gimbal lock.
+    #[error("{joint} is {:.1}° from gimbal lock", .distance.to_degrees())]
+    GimbalLock {
+        /// The joint.
+        joint: String,
+        /// How far (rad).
+        distance: f64,
+    },
+    /// A mass matrix with hardly any digits.
+    #[error("the mass matrix has the condition {condition:.1e}, worst about {dof}")]
+    IllConditioned {
+        /// The condition, each degree of freedom in units in which its own inertia is 1.
+        condition: f64,
+        /// Where it shows most.
+        dof: String,
+    },
+    /// A fixed step too long for the stiffest eigenvalue.
+    #[error(
+        "a step of {step:.2e} s is too long for {method}: the stiffest eigenvalue, {eigenvalue:.4e} 1/s, in {dof}, allows {longest:.2e} s"
+    )]
+    StepTooLong {
+        /// The rule.
+        method: String,
+        /// The step (s).
+        step: f64,
+        /// The longest stable step (s).
+        longest: f64,
+        /// The eigenvalue's magnitude (1/s), with the sign of its real part.
+        eigenvalue: f64,
+        /// The degree of freedom that moves most in its direction.
+        dof: String,
+    },
+    /// Energy from nowhere.
+    #[error("{:.0} % of the energy at play has come from nowhere or gone", 100.0 * .share)]
+    Energy {
+        /// The part of the energy at play.
+        share: f64,
+    },
+    /// A method that cannot go on.
+    #[error("{method} cannot go on: {why}")]
+    Stuck {
+        /// The method.
+        method: String,
+        /// Why: "its step fell below …", "… steps were rejected".
+        why: String,
+    },
+    /// More work than was allowed.
+    #[error("{evaluations} evaluations of the dynamics are spent")]
+    Evaluations {
+        /// How many.
+        evaluations: u64,
+    },
+    /// Impacts without end.
+    #[error("{count} impacts within a frame")]
+    Impacts {
+        /// How many.
+        count: usize,
+    },
+    /// A curve that does not begin where its degree of freedom is.
+    #[error("the curve of {dof} begins at {begins} with the velocity {velocity}, but {dof} is at {found} with {moving}")]
+    Jump {
+        /// The degree of freedom.
+        dof: String,
+        /// Where the curve begins (rad or m).
+        begins: f64,
+        /// With what velocity.
+        velocity: f64,
+        /// Where the degree of freedom is.
+        found: f64,
+        /// With what velocity.
+        moving: f64,
+    },
+    /// A tolerance that no setting met.
+    #[error("no setting met the tolerance {tolerance:e}; the nearest came within {estimate:.1e}")]
+    Tolerance {
+        /// The tolerance.
+        tolerance: f64,
+        /// The smallest estimate of the error.
+        estimate: f64,
+    },
+    /// A state that the dynamics refuse.
+    #[error("{0}")]
+    Dynamics(DynamicsError),
+}
