@@ -2,6 +2,7 @@
 
 use crate::figure::Figure;
 use crate::follower::Follower;
+use crate::joint::JointKind;
 
 impl Figure {
     /// The degrees of freedom that follow others, in the order of the figure.
@@ -12,6 +13,19 @@ impl Figure {
     /// Whether the degree of freedom `dof` follows another.
     pub fn follows(&self, dof: usize) -> bool {
         self.followers.iter().any(|follower| follower.dof == dof)
+    }
+
+    /// The same figure in which no degree of freedom follows another: those that did are free.
+    #[must_use]
+    pub fn untied(&self) -> Self {
+        let mut free = self.clone();
+        for link in &mut free.links {
+            if let JointKind::Axes(dofs) = &mut link.joint.kind {
+                dofs.iter_mut().for_each(|dof| dof.follows = None);
+            }
+        }
+        free.followers.clear();
+        free
     }
 
     /// Puts every follower where its leader puts it, in position, velocity and acceleration.

@@ -5,7 +5,7 @@ pub(crate) mod carried;
 mod error;
 mod joint;
 
-pub(crate) use assemble::name_dofs;
+pub(crate) use assemble::{name_dofs, with_links};
 pub use carried::LinkPlace;
 pub use error::FuseError;
 

@@ -20,6 +20,7 @@ mod limits;
 mod link;
 mod lint;
 mod motion;
+mod prune;
 mod record;
 mod reroot;
 mod scale;
@@ -50,6 +51,7 @@ pub use motion::{
     MotionInfo, Trajectory,
 };
 pub use record::{ForceRecord, Record};
+pub use prune::{PruneError, Pruned};
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 pub use scale::{ScaleError, Scaling};
 pub use source::{Finding, FindingKind, Place, SourceMap, TextError, TextFault};

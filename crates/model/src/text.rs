@@ -66,10 +66,15 @@ mod lex;
 mod node;
 mod parse;
 mod read;
+mod reader;
 mod write;
+
+pub use node::{Content, Group, Named, Node, Value};
+pub use reader::{Fields, Reader};
 
 use crate::figure::Figure;
 use crate::source::TextError;
+use parse::Noun;
 
 /// The figure that a text describes.
 ///
@@ -81,6 +86,44 @@ use crate::source::TextError;
 /// beyond 64.
 pub fn read(text: &str) -> Result<Figure, TextError> {
     read::read(text)
+}
+
+/// The tree of a text that is to be something other than a figure: `noun` says what (`scene`), `begins` how one begins
+/// (`Scene(version: 1, …)`), both for messages.
+///
+/// ```
+/// use solaris_model::text::{Reader, parse};
+///
+/// let text = "Tempo(beats: 110, phase: deg(90))";
+/// let tree = parse(text, "tempo", "Tempo(beats: 110)")?;
+/// let mut reader = Reader::default();
+/// let fields = reader.fields(&tree, &["Tempo"], &["beats", "phase"]).expect("a tempo");
+/// let phase = fields.get("phase").and_then(|node| reader.angle(node, "the phase")).expect("an angle");
+/// assert!((phase - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+/// reader.finish(text)?;
+/// # Ok::<(), solaris_model::TextError>(())
+/// ```
+///
+/// # Errors
+///
+/// [`TextError`] with the one place where the text is no RON.
+pub fn parse<'a>(text: &'a str, noun: &'static str, begins: &'static str) -> Result<Node<'a>, TextError> {
+    parse::parse(text, Noun { name: noun, begins })
+        .map_err(|(span, message)| TextError::one(text, span, message))
+}
+
+/// The word that a text begins with, after comments: `Figure`, `Scene`.
+pub fn first_word(text: &str) -> Option<&str> {
+    parse::first_word(text)
+}
+
+/// The figure of a node `Figure(…)` inside of another text, which need not say its version, or of `Human(…)`; nothing where
+/// it has faults, which `reader` then knows.
+pub fn read_node(reader: &mut Reader, node: &Node<'_>) -> Option<Figure> {
+    match node.head() {
+        Some(head) if head.name == "Human" => read::read_human(reader, node),
+        _ => read::read_tree(reader, node, false),
+    }
 }
 
 /// A text that describes the figure.

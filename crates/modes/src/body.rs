@@ -1,20 +1,52 @@
 //! A figure with everything that acts in it by itself: springs, dampers, limits, gravity.
 
+mod joints;
+mod limits;
+mod points;
+
 use crate::element::{LimitLaw, PointSpring};
 use crate::report::Energy;
 use crate::trouble::SetupError;
-use nalgebra::Vector3;
-use solaris_dynamics::{DynamicsError, Real};
+use joints::JointElements;
+use limits::Stop;
+use nalgebra::{DMatrix, Vector3};
+use points::PointElement;
+use solaris_dynamics::{
+    DynamicsError, Real, Tree, Workspace, Wrench, hybrid_dynamics, inverse_dynamics, kinetic_energy,
+    mass_matrix, potential_energy, velocities,
+};
 use solaris_model::Figure;
 use solaris_profiles::Scalar;
 
 /// A figure with everything that acts in it by itself, for one scalar: what the drives' forces come on top of.
 ///
-/// Forces `tau` are those of the **drives**: springs, dampers, friction and limits of the joints, springs between points and gravity act
-/// besides them.
+/// Forces `tau` are those of the **drives**: springs, dampers, friction and limits of the joints, springs between points and
+/// gravity act besides them,
+///
+/// ```text
+/// M·a + h = τ + τ_joints + τ_limits + Jᵀ·F_points
+/// ```
+///
+/// What the figure does not have costs nothing: without springs between points no velocities of links are found.
+///
+/// Degrees of freedom that follow others are taken as free: whoever calls gives them the motion that their leaders ask for.
 #[derive(Clone, Debug)]
 pub(crate) struct Body<T> {
-    scalar: std::marker::PhantomData<T>,
+    tree: Tree<T>,
+    /// The same without gravity, for impacts.
+    weightless: Tree<T>,
+    workspace: Workspace<T>,
+    joints: JointElements<T>,
+    stops: Vec<Stop<T>>,
+    points: Vec<PointElement<T>>,
+    /// What acts by itself along each degree of freedom, in the state of the last call.
+    passive: Vec<T>,
+    /// What springs between points do to links, in the state of the last call.
+    external: Vec<(usize, Wrench<T>)>,
+    /// What dampers and friction took in the state of the last call.
+    heat: T,
+    total: Vec<T>,
+    zeros: Vec<T>,
 }
 
 impl<T: Real + Scalar> Body<T> {
@@ -25,11 +57,38 @@ impl<T: Real + Scalar> Body<T> {
         springs: &[PointSpring],
         limits: &[LimitLaw],
     ) -> Result<Self, SetupError> {
-        let _ = (figure, gravity, springs, limits);
-        unimplemented!()
+        Ok(Self::compile(figure, gravity, springs, limits)?)
+    }
+
+    /// The same as [`new`](Self::new), with the only kind of error that it has.
+    pub(crate) fn compile(
+        figure: &Figure,
+        gravity: Vector3<f64>,
+        springs: &[PointSpring],
+        limits: &[LimitLaw],
+    ) -> Result<Self, DynamicsError> {
+        let untied = (!figure.followers().is_empty()).then(|| figure.untied());
+        let figure = untied.as_ref().unwrap_or(figure);
+        let tree = Tree::new(figure, gravity)?;
+        let zeros = vec![T::zero(); tree.nv()];
+        Ok(Self {
+            workspace: Workspace::new(&tree),
+            weightless: Tree::new(figure, Vector3::zeros())?,
+            joints: JointElements::of(figure),
+            stops: Stop::of(figure, limits),
+            points: springs.iter().map(PointElement::of).collect(),
+            passive: zeros.clone(),
+            external: Vec::with_capacity(2 * springs.len()),
+            heat: T::zero(),
+            total: zeros.clone(),
+            zeros,
+            tree,
+        })
     }
 
     /// Hybrid dynamics: where `prescribed[k]`, `a[k]` is read and the drive's force `tau[k]` written, else the other way round.
+    ///
+    /// `q` has length `nq`, the others `nv`.
     pub(crate) fn hybrid(
         &mut self,
         q: &[T],
@@ -38,18 +97,38 @@ impl<T: Real + Scalar> Body<T> {
         a: &mut [T],
         tau: &mut [T],
     ) -> Result<(), DynamicsError> {
-        let _ = (q, v, prescribed, a, tau);
-        unimplemented!()
+        self.act(q, v)?;
+        self.check("tau", tau.len())?;
+        self.check("prescribed", prescribed.len())?;
+        for (k, total) in self.total.iter_mut().enumerate() {
+            *total = if prescribed[k] { T::zero() } else { tau[k] + self.passive[k] };
+        }
+        let (tree, workspace, external) = (&self.tree, &mut self.workspace, &self.external);
+        hybrid_dynamics(tree, workspace, q, v, prescribed, external, a, &mut self.total)?;
+        for (k, force) in tau.iter_mut().enumerate().filter(|(k, _)| prescribed[*k]) {
+            *force = self.total[k] - self.passive[k];
+        }
+        Ok(())
     }
 
     /// The drives' forces of a motion.
     pub(crate) fn inverse(&mut self, q: &[T], v: &[T], a: &[T], tau: &mut [T]) -> Result<(), DynamicsError> {
-        let _ = (q, v, a, tau);
-        unimplemented!()
+        self.act(q, v)?;
+        inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, &self.external, tau)?;
+        for (force, passive) in tau.iter_mut().zip(&self.passive) {
+            *force = *force - *passive;
+        }
+        Ok(())
     }
 
     /// Impact: where `prescribed[k]`, the jump `jump[k]` of the velocity is read and the impulse `impulse[k]` written, else the
     /// other way round.
+    ///
+    /// ```text
+    /// M·Δv = p
+    /// ```
+    ///
+    /// Gravity, springs and dampers have no part in it: their forces are finite.
     pub(crate) fn impact(
         &mut self,
         q: &[T],
@@ -57,18 +136,60 @@ impl<T: Real + Scalar> Body<T> {
         jump: &mut [T],
         impulse: &mut [T],
     ) -> Result<(), DynamicsError> {
-        let _ = (q, prescribed, jump, impulse);
-        unimplemented!()
+        let (tree, workspace) = (&self.weightless, &mut self.workspace);
+        hybrid_dynamics(tree, workspace, q, &self.zeros, prescribed, &[], jump, impulse)
     }
 
-    /// What dampers and friction take (W) in the state of the last call of [`hybrid`](Self::hybrid).
+    /// What dampers and friction take (W) in the state of the last call of [`hybrid`](Self::hybrid) or
+    /// [`inverse`](Self::inverse).
     pub(crate) fn heat(&self) -> T {
-        unimplemented!()
+        self.heat
     }
 
     /// The energy of a state.
     pub(crate) fn energy(&mut self, q: &[T], v: &[T]) -> Result<Energy, DynamicsError> {
-        let _ = (q, v);
-        unimplemented!()
+        let kinetic = kinetic_energy(&self.tree, &mut self.workspace, q, v)?.value();
+        let potential = potential_energy(&self.tree, &mut self.workspace, q)?.value();
+        let stops = self.stops.iter().map(|stop| stop.energy(q).value());
+        let points = self.points.iter().map(|spring| spring.energy(&self.workspace).value());
+        let elastic = self.joints.energy(q).value() + stops.sum::<f64>() + points.sum::<f64>();
+        Ok(Energy { kinetic, potential, elastic })
+    }
+
+    /// The mass matrix (`nv` × `nv`) at `q`.
+    pub(crate) fn mass_matrix(&mut self, q: &[T], matrix: &mut DMatrix<T>) -> Result<(), DynamicsError> {
+        mass_matrix(&self.tree, &mut self.workspace, q, matrix)
+    }
+
+    /// Finds what acts by itself in a state.
+    fn act(&mut self, q: &[T], v: &[T]) -> Result<(), DynamicsError> {
+        let expected = self.tree.nq();
+        if q.len() != expected {
+            return Err(DynamicsError::Length { what: "q", expected, found: q.len() });
+        }
+        self.check("v", v.len())?;
+        self.passive.fill(T::zero());
+        self.heat = self.joints.act(q, v, &mut self.passive);
+        for stop in &self.stops {
+            self.heat += stop.act(q, v, &mut self.passive);
+        }
+        self.external.clear();
+        if !self.points.is_empty() {
+            velocities(&self.tree, &mut self.workspace, q, v)?;
+        }
+        for spring in &self.points {
+            self.heat += spring.act(&self.workspace, &mut self.external);
+        }
+        Ok(())
+    }
+
+    fn check(&self, what: &'static str, found: usize) -> Result<(), DynamicsError> {
+        let expected = self.tree.nv();
+        if found == expected { Ok(()) } else { Err(DynamicsError::Length { what, expected, found }) }
     }
 }
+
+#[cfg(test)]
+mod laws;
+#[cfg(test)]
+pub(crate) mod random;

@@ -3,6 +3,8 @@
 mod check;
 pub(crate) mod force;
 pub(crate) mod path;
+pub(crate) mod simple;
+pub(crate) mod tracking;
 
 use solaris_profiles::Profile;
 use std::sync::Arc;
@@ -206,6 +208,8 @@ pub enum OutcomeKind {
     WrongSign,
     /// The degree of freedom turns round before the target.
     Unreachable,
+    /// The course goes from rest to rest, and the degree of freedom was moving.
+    NeedsRest,
     /// Not at the target, because the force was at its limit.
     LimitedByTorque,
     /// Not at the target at the end of the time: by how much (rad or m).

@@ -7,6 +7,7 @@ mod complete;
 mod drive;
 mod element;
 mod error;
+mod impact;
 mod inverse;
 mod loads;
 mod passive;
@@ -18,6 +19,7 @@ mod run;
 mod settings;
 mod simulation;
 mod split;
+pub mod study;
 pub mod time;
 mod trouble;
 

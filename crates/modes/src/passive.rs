@@ -1,7 +1,8 @@
 //! Springs, dampers and dry friction in the joints.
 
-use nalgebra::Vector3;
 use solaris_model::{Figure, JointKind, Passive};
+use solaris_profiles::Scalar;
+use std::f64::consts::FRAC_PI_2;
 
 /// Adds to `tau` (N m or N, length `nv`) what a motion needs against the springs, dampers and friction of the joints.
 ///
@@ -49,7 +50,7 @@ pub fn add_passive_forces(figure: &Figure, q: &[f64], v: &[f64], tau: &mut [f64]
             && passive.stiffness != 0.0
         {
             let turn = rotation_vector(&q[at.q..at.q + 4]);
-            for (force, turn) in tau[at.v..at.v + 3].iter_mut().zip(turn.iter()) {
+            for (force, turn) in tau[at.v..at.v + 3].iter_mut().zip(turn) {
                 *force += passive.stiffness * turn;
             }
         }
@@ -61,10 +62,33 @@ fn friction(acts: &Passive, rate: f64) -> f64 {
     if rate == 0.0 { 0.0 } else { acts.friction.copysign(acts.friction * rate) }
 }
 
-/// The rotation vector (rad) of a quaternion (x, y, z, w) of any length, the shortest way.
-fn rotation_vector(q: &[f64]) -> Vector3<f64> {
-    let imaginary = Vector3::new(q[0], q[1], q[2]) * if q[3] < 0.0 { -1.0 } else { 1.0 };
-    let sine = imaginary.norm();
-    // Near zero the angle is twice the sine over the cosine.
-    if sine == 0.0 { Vector3::zeros() } else { imaginary * (2.0 * sine.atan2(q[3].abs()) / sine) }
+/// The rotation vector (rad) of a quaternion (x, y, z, w) of any length, the shortest way; zero for a quaternion of zeros.
+///
+/// Derivatives of the scalar are right everywhere but at half a turn, where the vector jumps.
+pub(crate) fn rotation_vector<T: Scalar>(q: &[T]) -> [T; 3] {
+    let number = T::from_f64;
+    let sign = if q[3].value() < 0.0 { number(-1.0) } else { number(1.0) };
+    let (imaginary, cosine) = ([q[0] * sign, q[1] * sign, q[2] * sign], q[3] * sign);
+    let squared = |u: &[T; 3]| u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    let scale = imaginary.iter().fold(0.0_f64, |most, x| most.max(x.value().abs()));
+    if scale < 0.02 * cosine.value() {
+        // φ = 2·u·atan(|u|)/|u| with u = sin/cos, by its series: near zero |u| has no derivatives.
+        let u = imaginary.map(|x| x / cosine);
+        let t = squared(&u);
+        let series = [-1.0 / 11.0, 1.0 / 9.0, -1.0 / 7.0, 0.2, -1.0 / 3.0, 1.0];
+        let factor = series.into_iter().fold(number(0.0), |sum, c| sum * t + number(c));
+        return u.map(|x| number(2.0) * x * factor);
+    }
+    if scale == 0.0 {
+        // Zeros, or what is no number.
+        return imaginary;
+    }
+    let (u, cosine) = (imaginary.map(|x| x / number(scale)), cosine / number(scale));
+    let sine = squared(&u).sqrt();
+    let half = if cosine.value() < sine.value() {
+        number(FRAC_PI_2) - (cosine / sine).atan()
+    } else {
+        (sine / cosine).atan()
+    };
+    u.map(|x| number(2.0) * half * x / sine)
 }

@@ -1,5 +1,12 @@
 //! A stretch of time in which every degree of freedom keeps its role: the equations of motion of what is left of the figure.
 
+mod condition;
+mod plan;
+mod prescribed;
+mod reduction;
+mod small;
+mod state;
+
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::report::{Energy, PhaseReport};
@@ -7,7 +14,11 @@ use crate::simulation::Simulation;
 use crate::time::{RateError, System};
 use crate::trouble::SetupError;
 use nalgebra::DMatrix;
+use prescribed::Prescribed;
+use reduction::Source;
+use small::Small;
 use solaris_dynamics::DynamicsError;
+use state::StateMap;
 
 /// What a degree of freedom is to the dynamics of a phase.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,86 +44,219 @@ pub(crate) enum Watched {
 
 /// The equations of motion of one stretch. The state is positions and velocities of what dynamics move, then the work of the
 /// drives and the heat of dampers since the beginning (J).
+///
+/// What nothing that is computed depends on is left out when the phase is made: links on prescribed motions that carry nothing
+/// that dynamics move, degrees of freedom that stand still, and with nothing to be moved the dynamics themselves. `report` says
+/// what. Work, heat and energy are those of what is left. No evaluation allocates.
+///
+/// A degree of freedom that follows another has the role of its leader, whatever role it is given.
 pub(crate) struct Phase {
     pub(crate) report: PhaseReport,
+    source: Source,
+    roles: Vec<Role>,
+    leave_out: bool,
+    state: StateMap,
+    prescribed: Prescribed,
+    /// By degree of freedom of the full figure.
+    forces: Vec<Option<Force>>,
+    watched: Vec<Watched>,
+    small: Option<Small>,
 }
 
 impl Phase {
     /// `roles` by degree of freedom of the full figure; `q` is the full configuration, of which what stands still keeps its values.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError`] for a ball or free joint that dynamics move in part, a follower that they are to move, and a figure that
+    /// they do not know.
     pub(crate) fn new(simulation: &Simulation, roles: &[Role], q: &[f64]) -> Result<Self, SetupError> {
-        let _ = (simulation, roles, q);
-        unimplemented!()
+        Self::with(simulation, roles, q, true)
+    }
+
+    /// The same, with or without leaving out what nothing depends on. What is computed differs by no more than rounding.
+    pub(crate) fn with(
+        simulation: &Simulation,
+        roles: &[Role],
+        q: &[f64],
+        leave_out: bool,
+    ) -> Result<Self, SetupError> {
+        let source = Source::of(simulation);
+        let roles = source.roles(roles)?;
+        let mut phase = Self {
+            report: PhaseReport::default(),
+            state: StateMap::new(&simulation.figure, &roles),
+            prescribed: Prescribed::new(&simulation.figure, &roles, q),
+            forces: vec![None; roles.len()],
+            watched: Vec::new(),
+            small: None,
+            source,
+            roles,
+            leave_out,
+        };
+        phase.compile(&[])?;
+        Ok(phase)
     }
 
     /// The force of a drive on a degree of freedom that dynamics move; none where nothing was said.
     pub(crate) fn set_force(&mut self, dof: usize, force: Force) {
-        let _ = (dof, force);
+        self.forces[dof] = Some(force);
+        if let Some(small) = &mut self.small {
+            small.set_forces(&self.forces);
+        }
     }
 
     /// The motion of a prescribed degree of freedom; where nothing was said it stands where it stood.
     pub(crate) fn set_path(&mut self, dof: usize, path: Path) {
-        let _ = (dof, path);
+        self.prescribed.set(dof, path);
     }
 
     /// What is watched for from here on.
-    pub(crate) fn watch(&mut self, watched: Vec<Watched>) {
-        let _ = watched;
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError`] as for [`new`](Self::new): the force that holds a degree of freedom may need links that were left out.
+    pub(crate) fn watch(&mut self, watched: Vec<Watched>) -> Result<(), SetupError> {
+        let holds = |watched: &[Watched]| {
+            let dofs = watched.iter().filter_map(|watched| match watched {
+                Watched::Hold { dof, .. } => Some(*dof),
+                _ => None,
+            });
+            dofs.collect::<Vec<_>>()
+        };
+        let (before, after) = (holds(&self.watched), holds(&watched));
+        self.watched = watched;
+        if before == after { Ok(()) } else { self.compile(&after) }
     }
 
-    /// Whether dynamics move anything.
+    /// Whether dynamics move a degree of freedom of the full figure.
+    pub(crate) fn moves(&self, dof: usize) -> bool {
+        self.roles[dof] == Role::Dynamic
+    }
+
+    /// Whether anything has to be stepped: dynamics move something, or the force that holds something is watched.
     pub(crate) fn is_dynamic(&self) -> bool {
-        unimplemented!()
+        self.state.dofs() > 0 || self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }))
     }
 
     /// The state of the full `q`, `v`, with work and heat (J).
     pub(crate) fn pack(&self, q: &[f64], v: &[f64], work: f64, heat: f64) -> Vec<f64> {
-        let _ = (q, v, work, heat);
-        unimplemented!()
+        self.state.pack(q, v, work, heat)
     }
 
     /// The full `q`, `v` at a time of the run: dynamic from the state, prescribed from their paths, what stands still.
     pub(crate) fn unpack(&self, t: f64, y: &[f64], q: &mut [f64], v: &mut [f64]) {
-        let _ = (t, y, q, v);
+        self.prescribed.write(t, q, v);
+        self.state.unpack(y, q, v);
     }
 
     /// The full accelerations at a time of the run.
     pub(crate) fn accelerations(&mut self, t: f64, y: &[f64], a: &mut [f64]) -> Result<(), RateError> {
-        let _ = (t, y, a);
-        unimplemented!()
+        self.prescribed.write_accelerations(t, a);
+        if let Some(small) = &mut self.small {
+            small.solve(&self.prescribed, t, y)?;
+            small.write_accelerations(a);
+        }
+        Ok(())
     }
 
     /// Energy of what is left of the figure.
     pub(crate) fn energy(&mut self, t: f64, y: &[f64]) -> Result<Energy, DynamicsError> {
-        let _ = (t, y);
-        unimplemented!()
+        self.small.as_mut().map_or(Ok(Energy::default()), |small| small.energy(&self.prescribed, t, y))
     }
 
     /// The condition of the mass matrix of what dynamics move, each degree of freedom in units in which its own inertia is 1, and
-    /// the degree of freedom of the full figure where it shows most.
+    /// the degree of freedom of the full figure where it shows most: that with the greatest part in the direction of the least
+    /// inertia. Without anything to be moved, 1 and 0.
     pub(crate) fn condition(&mut self, t: f64, y: &[f64]) -> Result<(f64, usize), DynamicsError> {
-        let _ = (t, y);
-        unimplemented!()
+        match &mut self.small {
+            Some(small) if self.state.dofs() > 0 => {
+                condition::condition(small, &self.state, &self.prescribed, t, y)
+            },
+            _ => Ok((1.0, 0)),
+        }
     }
 
     /// The degree of freedom of the full figure that an entry of the state belongs to; none for work and heat.
     pub(crate) fn dof_of(&self, entry: usize) -> Option<usize> {
-        let _ = entry;
-        unimplemented!()
+        self.state.dof_of(entry)
+    }
+
+    /// Finds what is left of the figure where the forces that hold `held` have to be known.
+    fn compile(&mut self, held: &[usize]) -> Result<(), SetupError> {
+        let standing = self.prescribed.standing();
+        let reduction = self.source.reduce(&self.roles, held, standing, self.leave_out)?;
+        let report = plan::report(&self.source, &self.roles, standing, reduction.as_ref());
+        self.report = PhaseReport { start: self.report.start, end: self.report.end, ..report };
+        let small = reduction.map(|reduction| {
+            Small::new(&self.source, &self.roles, reduction, &self.state, &self.prescribed)
+        });
+        self.small = small.transpose()?;
+        if let Some(small) = &mut self.small {
+            small.set_forces(&self.forces);
+        }
+        Ok(())
     }
 }
 
 impl System for Phase {
     fn len(&self) -> usize {
-        unimplemented!()
+        self.state.len()
     }
 
     fn rate(&mut self, t: f64, y: &[f64], rate: &mut [f64]) -> Result<(), RateError> {
-        let _ = (t, y, rate);
-        unimplemented!()
+        rate.fill(0.0);
+        if let Some(small) = &mut self.small {
+            small.solve(&self.prescribed, t, y)?;
+            small.write_rates(&self.state, rate);
+        }
+        match rate.iter().position(|value| !value.is_finite()) {
+            Some(index) => Err(RateError::NotFinite { index, value: rate[index] }),
+            None => Ok(()),
+        }
     }
 
     fn jacobian(&mut self, t: f64, y: &[f64], jacobian: &mut DMatrix<f64>) -> Result<(), RateError> {
-        let _ = (t, y, jacobian);
-        unimplemented!()
+        jacobian.fill(0.0);
+        let Some(small) = &mut self.small else { return Ok(()) };
+        small.jacobian(&self.source, &self.state, &self.prescribed, (t, y), jacobian)
+    }
+
+    fn position_rate(&self, y: &[f64], rate: &mut [f64]) -> bool {
+        self.state.position_rates(y, rate);
+        true
+    }
+
+    fn events(&self) -> usize {
+        self.watched.len()
+    }
+
+    fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
+        let holds = self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }));
+        // A state that the dynamics refuse has no force either: its rate says so.
+        let small = self.small.as_mut().filter(|_| holds);
+        let small = small.and_then(|small| small.solve(&self.prescribed, t, y).ok().map(|()| &*small));
+        for (value, watched) in values.iter_mut().zip(&self.watched) {
+            *value = match *watched {
+                Watched::Position { dof, value } => {
+                    let entry = self.state.position_of(dof);
+                    entry.map_or_else(|| self.prescribed.at(dof, t)[0], |entry| y[entry]) - value
+                }
+                Watched::Velocity { dof, value } => {
+                    let entry = self.state.velocity_of(dof);
+                    entry.map_or_else(|| self.prescribed.at(dof, t)[1], |entry| y[entry]) - value
+                }
+                Watched::Hold { dof, drive } => {
+                    small.and_then(|small| small.force(dof)).map_or(f64::NAN, |force| force - drive)
+                }
+            };
+        }
+    }
+
+    fn settle(&self, y: &mut [f64]) {
+        self.state.settle(y);
     }
 }
+
+#[cfg(test)]
+mod laws;

@@ -1,11 +1,203 @@
 //! A simulation from its beginning to its end.
 
-use crate::report::{Run, Watch};
-use crate::settings::Settings;
-use crate::simulation::Simulation;
-use crate::trouble::RunError;
+mod automatic;
+mod compare;
+mod driven;
+mod drives;
+mod guard;
+mod impacts;
+mod ledger;
+mod pass;
+mod record;
 
+use crate::body::Body;
+use crate::report::{Counts, ErrorEstimate, Run, RunReport, Watch};
+use crate::settings::{Method, Settings};
+use crate::simulation::{Simulation, check_not_negative};
+use crate::time::Stepping;
+use crate::trouble::{RunError, SetupError};
+use pass::{Passed, pass};
+use solaris_model::Motion;
+
+/// The most frames of a run.
+const MOST_FRAMES: f64 = 1e7;
+
+/// A pass with what was found out about it.
+struct Chosen {
+    passed: Passed,
+    error: Option<ErrorEstimate>,
+    method: String,
+    why: String,
+    /// What other passes took.
+    beside: Counts,
+    remarks: Vec<String>,
+}
+
+/// Runs a simulation.
 pub(crate) fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
-    let _ = (simulation, settings, watch);
-    unimplemented!()
+    check(settings)?;
+    let begun = watch.now();
+    let chosen = match settings.method {
+        Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, watch)?,
+        Method::Fixed { rule, step } => named(simulation, settings, Stepping::Fixed { rule, step }, watch)?,
+        Method::Adaptive { tolerance } => named(simulation, settings, Stepping::Adaptive { tolerance }, watch)?,
+        Method::Stiff { tolerance } => named(simulation, settings, Stepping::Stiff { tolerance }, watch)?,
+    };
+    let Chosen { passed, error, method, why, beside, remarks } = chosen;
+    let Passed { record, ledger, mut counts, outcomes, impacts, phases, .. } = passed;
+    counts.add(&beside);
+    let mut motion =
+        record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
+    if settings.forces {
+        add_forces(simulation, &mut motion)?;
+    }
+    let seconds = begun.zip(watch.now()).map(|(begun, ended)| ended - begun);
+    let energy = ledger.report;
+    let report =
+        RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, phases, remarks };
+    Ok(Run { motion, report })
+}
+
+fn check(settings: &Settings) -> Result<(), SetupError> {
+    check_not_negative(|| "the duration of the run".to_owned(), settings.duration)?;
+    let Settings { rate, duration, method, .. } = settings;
+    if !(*rate > 0.0 && *rate <= 1e5) {
+        let what = "the rate of the run".to_owned();
+        return Err(SetupError::Range { what, value: *rate, range: "above 0 and at most 100000 frames/s" });
+    }
+    if rate * duration > MOST_FRAMES {
+        let what = "the number of frames, duration times rate,".to_owned();
+        return Err(SetupError::Range { what, value: rate * duration, range: "at most 1e7" });
+    }
+    match *method {
+        Method::Fixed { step, .. } if !(step.is_finite() && step > 0.0) => {
+            let what = "the step".to_owned();
+            Err(SetupError::Range { what, value: step, range: "a finite time above zero (s)" })
+        }
+        Method::Automatic { tolerance } | Method::Adaptive { tolerance } | Method::Stiff { tolerance }
+            if !(1e-14..=1.0).contains(&tolerance) =>
+        {
+            Err(SetupError::Range { what: "the tolerance".to_owned(), value: tolerance, range: "1e-14 to 1" })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What a stepping is called.
+fn describe(stepping: Stepping, rate: f64) -> String {
+    match stepping {
+        // The step that is taken divides a frame.
+        Stepping::Fixed { rule, step } => {
+            let step = (rate * steps_in_frame(step, rate)).recip();
+            format!("{rule}, step {step:.3e} s")
+        }
+        Stepping::Adaptive { tolerance } => format!("adaptive explicit, tolerance {tolerance:e}"),
+        Stepping::Stiff { tolerance } => format!("stiff implicit, tolerance {tolerance:e}"),
+    }
+}
+
+/// By the method that was named, with an error estimate where one is wanted: the difference from a run with twice the step.
+///
+/// ```text
+/// |x(h) − x(2h)| = (2ᵖ − 1)·e(h)
+/// ```
+///
+/// for a step short enough. Whether it is, two runs do not tell, so nothing is divided by what order `p` promises.
+fn named(
+    simulation: &Simulation,
+    settings: &Settings,
+    stepping: Stepping,
+    watch: &mut dyn Watch,
+) -> Result<Chosen, RunError> {
+    let passed = pass(simulation, settings, stepping, watch)?;
+    let (mut beside, mut remarks, mut error) = (Counts::default(), Vec::new(), None);
+    if settings.estimate && passed.is_dynamic {
+        let coarser = coarser(stepping, settings.rate)
+            .map(|coarser| pass(simulation, settings, coarser, &mut Quiet(watch)));
+        // Where there is no coarser run, or it comes to grief, a finer one tells as much.
+        let (other, factor) = match coarser {
+            Some(Err(RunError::Cancelled)) => return Err(RunError::Cancelled),
+            Some(Ok(other)) => (Some(other), 1.0),
+            _ => {
+                let finer = pass(simulation, settings, finer(stepping, settings.rate), &mut Quiet(watch)).ok();
+                // The finer run has at least half of the error.
+                (finer, 2.0)
+            }
+        };
+        match other {
+            Some(other) => {
+                beside = other.counts;
+                error = Some(scaled(compare::difference(&simulation.figure, &passed.record, &other.record)?, factor));
+            }
+            None => remarks.push("no other step or tolerance came to the end: there is no error estimate".to_owned()),
+        }
+    }
+    if !passed.is_dynamic {
+        error = settings.estimate.then(ErrorEstimate::default);
+    }
+    let method = if passed.is_dynamic { describe(stepping, settings.rate) } else { NOTHING.to_owned() };
+    let why = if passed.is_dynamic { "it was named" } else { "every motion is given" }.to_owned();
+    Ok(Chosen { passed, error, method, why, beside, remarks })
+}
+
+/// What the method is called where there is none.
+const NOTHING: &str = "none: nothing is integrated";
+
+/// Steps in a frame: no step is longer than a frame.
+fn steps_in_frame(step: f64, rate: f64) -> f64 {
+    (1.0 / (rate * step) - 1e-9).ceil().max(1.0)
+}
+
+/// The same method with at least twice the step, or ten times the tolerance; none where a step is a frame already.
+fn coarser(stepping: Stepping, rate: f64) -> Option<Stepping> {
+    match stepping {
+        Stepping::Fixed { rule, step } => {
+            let count = (0.5 * steps_in_frame(step, rate)).floor();
+            (count > 0.0).then(|| Stepping::Fixed { rule, step: (rate * count).recip() })
+        }
+        Stepping::Adaptive { tolerance } => Some(Stepping::Adaptive { tolerance: 10.0 * tolerance }),
+        Stepping::Stiff { tolerance } => Some(Stepping::Stiff { tolerance: 10.0 * tolerance }),
+    }
+}
+
+/// The same method with half the step, or a tenth of the tolerance.
+fn finer(stepping: Stepping, rate: f64) -> Stepping {
+    match stepping {
+        Stepping::Fixed { rule, step } => {
+            Stepping::Fixed { rule, step: (2.0 * rate * steps_in_frame(step, rate)).recip() }
+        }
+        Stepping::Adaptive { tolerance } => Stepping::Adaptive { tolerance: 0.1 * tolerance },
+        Stepping::Stiff { tolerance } => Stepping::Stiff { tolerance: 0.1 * tolerance },
+    }
+}
+
+fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
+    ErrorEstimate { position: factor * difference.position, velocity: factor * difference.velocity }
+}
+
+/// The forces of the drives in every frame.
+fn add_forces(simulation: &Simulation, motion: &mut Motion) -> Result<(), RunError> {
+    let Simulation { figure, gravity, springs, limits, .. } = simulation;
+    let nv = figure.layout().nv();
+    let mut body = Body::new(figure, *gravity, springs, limits)?;
+    let mut tau = vec![0.0; motion.len() * nv];
+    for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
+        body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), tau)
+            .map_err(|error| guard::of_dynamics(motion.time()[frame], error))?;
+        figure.fold_forces(motion.q(frame), tau);
+    }
+    Ok(motion.set_tau(tau).map_err(SetupError::from)?)
+}
+
+/// Somebody who looks on and is told nothing of the progress.
+struct Quiet<'a>(&'a mut dyn Watch);
+
+impl Watch for Quiet<'_> {
+    fn now(&self) -> Option<f64> {
+        self.0.now()
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.0.is_cancelled()
+    }
 }

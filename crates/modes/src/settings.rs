@@ -17,13 +17,24 @@ pub struct Settings {
     pub estimate: bool,
     /// What counts as trouble.
     pub guard: Guard,
+    /// Whether what stands still, and what nothing that is computed depends on, is left out of the dynamics; no result
+    /// changes by more than rounding. For measurements of what that saves.
+    pub leave_out: bool,
 }
 
 impl Settings {
     /// With joint forces, an error estimate, and the method that a tolerance of 1e-6 asks for.
     pub fn new(duration: f64, rate: f64) -> Self {
         let method = Method::Automatic { tolerance: 1e-6 };
-        Self { duration, rate, method, forces: true, estimate: true, guard: Guard::default() }
+        Self {
+            duration,
+            rate,
+            method,
+            forces: true,
+            estimate: true,
+            guard: Guard::default(),
+            leave_out: true,
+        }
     }
 }
 

@@ -202,7 +202,9 @@ impl Simulation {
         for Step { drive, until } in steps {
             if self.figure.layout().coordinate(dof).is_none() && !drive.fits_ball_joints() {
                 let joint = self.figure.links().iter().zip(self.figure.layout().joints());
-                let joint = joint.filter(|(_, at)| (at.v..at.v + at.nv).contains(&dof)).map(|(link, _)| link.joint().name());
+                let joint = joint
+                    .filter(|(_, at)| (at.v..at.v + at.nv).contains(&dof))
+                    .map(|(link, _)| link.joint().name());
                 let joint = joint.collect::<String>();
                 return Err(SetupError::NoSuchDrive { dof: owned(), joint, drive: drive.name() });
             }

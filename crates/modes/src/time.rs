@@ -1,5 +1,10 @@
 //! Steppers: how a state goes on in time, whatever it is the state of.
 
+mod evaluate;
+mod fixed;
+mod locate;
+#[cfg(feature = "stiff")]
+mod solver;
 mod stepping;
 mod system;
 

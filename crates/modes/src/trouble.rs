@@ -109,6 +109,9 @@ pub enum RunError {
     /// A run that got into trouble.
     #[error(transparent)]
     Trouble(#[from] Box<Trouble>),
+    /// Whoever looked on stopped it.
+    #[error("the run was stopped")]
+    Cancelled,
 }
 
 /// Trouble on the way: when, where, what, and what to do.
@@ -193,7 +196,9 @@ pub enum Cause {
         count: usize,
     },
     /// A curve that does not begin where its degree of freedom is.
-    #[error("the curve of {dof} begins at {begins} with the velocity {velocity}, but {dof} is at {found} with {moving}")]
+    #[error(
+        "the curve of {dof} begins at {begins} with the velocity {velocity}, but {dof} is at {found} with {moving}"
+    )]
     Jump {
         /// The degree of freedom.
         dof: String,
@@ -213,6 +218,15 @@ pub enum Cause {
         tolerance: f64,
         /// The smallest estimate of the error.
         estimate: f64,
+    },
+    /// A state that is none.
+    #[error("the state is none: {0}")]
+    State(String),
+    /// Numbers beyond all bounds.
+    #[error("the motion runs away: a rate is {value}")]
+    NotFinite {
+        /// The rate.
+        value: f64,
     },
     /// A state that the dynamics refuse.
     #[error("{0}")]

@@ -1,1 +1,27 @@
 #![doc = include_str!("../README.md")]
+
+mod error;
+mod loader;
+mod read;
+mod scene;
+
+pub use error::SceneError;
+pub use loader::{Loader, NoFiles};
+pub use scene::{Scene, Simulated};
+
+use solaris_model::TextError;
+
+/// The scene that a text describes; `loader` fetches the figures that it names as files.
+///
+/// # Errors
+///
+/// [`TextError`] with every fault, in the order of the text: what is no RON, what is unknown, missing, of the wrong kind or
+/// out of range, names of degrees of freedom and links that the figure has not, walks that cannot be.
+pub fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
+    read::read(text, loader)
+}
+
+/// Whether a text is meant to be a scene: its first word is `Scene`.
+pub fn is_scene(text: &str) -> bool {
+    solaris_model::text::first_word(text) == Some("Scene")
+}

@@ -7,6 +7,7 @@ mod error;
 mod frames;
 mod html;
 mod pack;
+pub mod precision;
 pub mod profile;
 mod world;
 

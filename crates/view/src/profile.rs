@@ -8,7 +8,7 @@ mod axis;
 mod line;
 mod page;
 mod panel;
-mod text;
+pub(crate) mod text;
 
 pub use page::page;
 pub use text::{number, unit};

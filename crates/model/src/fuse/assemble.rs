@@ -55,7 +55,7 @@ fn rest(full: &Figure, held: &[Option<f64>]) -> Vec<f64> {
 }
 
 /// The figure of these links, with the angles whose degree of freedom is still there.
-fn with_links(full: &Figure, links: Vec<Link>, dofs: &[Option<usize>]) -> Figure {
+pub(crate) fn with_links(full: &Figure, links: Vec<Link>, dofs: &[Option<usize>]) -> Figure {
     let layout = StateLayout::of(&links);
     let angles = full.angles.iter().filter_map(|angle| {
         let dof = dofs[angle.dof]?;

@@ -5,14 +5,16 @@ use std::ops::Range;
 
 /// A value and where it stands.
 #[derive(Debug)]
-pub(super) struct Node<'a> {
-    pub(super) span: Range<usize>,
-    pub(super) value: Value<'a>,
+pub struct Node<'a> {
+    /// Its bytes.
+    pub span: Range<usize>,
+    /// What it is.
+    pub value: Value<'a>,
 }
 
 /// What a value is.
 #[derive(Debug)]
-pub(super) enum Value<'a> {
+pub enum Value<'a> {
     /// A number; infinite or NaN where these words stand.
     Number(f64),
     /// A number with digits that is too large to be one.
@@ -27,40 +29,43 @@ pub(super) enum Value<'a> {
 
 /// Values in brackets.
 #[derive(Debug)]
-pub(super) struct Group<'a> {
+pub struct Group<'a> {
     /// The word before the bracket.
-    pub(super) name: Option<Named<'a>>,
-    pub(super) content: Content<'a>,
+    pub name: Option<Named<'a>>,
+    /// What stands in them.
+    pub content: Content<'a>,
 }
 
 /// A word and where it stands.
 #[derive(Clone, Debug)]
-pub(super) struct Named<'a> {
-    pub(super) name: &'a str,
-    pub(super) span: Range<usize>,
+pub struct Named<'a> {
+    /// The word.
+    pub name: &'a str,
+    /// Its bytes.
+    pub span: Range<usize>,
 }
 
 /// What stands in the brackets.
 #[derive(Debug)]
-pub(super) enum Content<'a> {
-    /// `(name: value, …)`
+pub enum Content<'a> {
+    /// `(name: value, …)`.
     Fields(Vec<(Named<'a>, Node<'a>)>),
-    /// `(value, …)`, or nothing
+    /// `(value, …)`, or nothing.
     Tuple(Vec<Node<'a>>),
-    /// `[value, …]`
+    /// `[value, …]`.
     List(Vec<Node<'a>>),
-    /// `{key: value, …}`
+    /// `{key: value, …}`.
     Map(Vec<(Node<'a>, Node<'a>)>),
 }
 
 impl<'a> Node<'a> {
     /// The group, if it is one.
-    pub(super) fn group(&self) -> Option<&Group<'a>> {
+    pub fn group(&self) -> Option<&Group<'a>> {
         if let Value::Group(group) = &self.value { Some(group) } else { None }
     }
 
     /// The bare word, or the word before the bracket.
-    pub(super) fn head(&self) -> Option<Named<'a>> {
+    pub fn head(&self) -> Option<Named<'a>> {
         match &self.value {
             Value::Word(name) => Some(Named { name, span: self.span.clone() }),
             Value::Group(group) => group.name.clone(),
@@ -68,8 +73,24 @@ impl<'a> Node<'a> {
         }
     }
 
+    /// The entries of a map.
+    pub fn entries(&self) -> Option<&[(Node<'a>, Node<'a>)]> {
+        match &self.group()?.content {
+            Content::Map(entries) => Some(entries),
+            _ => None,
+        }
+    }
+
+    /// The values in round brackets without names of fields, whatever stands before the brackets.
+    pub fn tuple(&self) -> Option<&[Node<'a>]> {
+        match &self.group()?.content {
+            Content::Tuple(items) => Some(items),
+            _ => None,
+        }
+    }
+
     /// The values of a list, or of a tuple without a name.
-    pub(super) fn items(&self) -> Option<&[Node<'a>]> {
+    pub fn items(&self) -> Option<&[Node<'a>]> {
         match self.group()? {
             Group { content: Content::List(items), .. }
             | Group { name: None, content: Content::Tuple(items) } => Some(items),
@@ -78,7 +99,7 @@ impl<'a> Node<'a> {
     }
 
     /// Where a message about the whole value points: the name of a group, or its opening bracket.
-    pub(super) fn place(&self) -> Range<usize> {
+    pub fn place(&self) -> Range<usize> {
         match &self.value {
             Value::Group(group) => {
                 group.name.as_ref().map_or(self.span.start..self.span.start + 1, |named| named.span.clone())
@@ -88,7 +109,7 @@ impl<'a> Node<'a> {
     }
 
     /// What it is, in a message.
-    pub(super) fn describe(&self) -> String {
+    pub fn describe(&self) -> String {
         match &self.value {
             Value::Number(_) | Value::TooLarge(_) => "a number".to_owned(),
             Value::Text(_) => "a text".to_owned(),

@@ -1,16 +1,41 @@
-//! From a text to its tree: the part of RON that figures use.
+//! From a text to its tree: the part of RON that figures and scenes use.
 
 use super::lex::{Cursor, Stop, parse as parse_number};
 use super::node::{Content, Group, Named, Node, Value};
 use std::ops::Range;
 
-/// How deep brackets may stand in each other; a figure needs eleven.
+/// How deep brackets may stand in each other; a figure needs eleven, in a scene three more.
 const DEEPEST: usize = 64;
 
+/// What a text is, in messages.
+#[derive(Clone, Copy)]
+pub(super) struct Noun {
+    /// `figure`
+    pub(super) name: &'static str,
+    /// How one begins.
+    pub(super) begins: &'static str,
+}
+
+/// The tree of a figure.
+pub(super) fn parse_figure(text: &str) -> Result<Node<'_>, Stop> {
+    parse(text, Noun { name: "figure", begins: "Figure(version: 1, …)" })
+}
+
+/// The word that a text begins with, after comments.
+pub(super) fn first_word(text: &str) -> Option<&str> {
+    let mut cursor = Cursor { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 } };
+    cursor.skip().ok()?;
+    while cursor.rest().starts_with("#!") {
+        extension(&mut cursor).ok()?;
+    }
+    Some(cursor.word()).filter(|word| !word.is_empty())
+}
+
 /// The one value that a text is, or the first thing that keeps it from being one.
-pub(super) fn parse(text: &str) -> Result<Node<'_>, Stop> {
+pub(super) fn parse(text: &str, noun: Noun) -> Result<Node<'_>, Stop> {
+    let Noun { name, begins } = noun;
     if let Some(at) = text.find('\0') {
-        return Err((at..at + 1, "this is no text but binary data; give the text of a figure".to_owned()));
+        return Err((at..at + 1, format!("this is no text but binary data; give the text of a {name}")));
     }
     let mut cursor = Cursor { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 } };
     cursor.skip()?;
@@ -18,17 +43,17 @@ pub(super) fn parse(text: &str) -> Result<Node<'_>, Stop> {
         extension(&mut cursor)?;
     }
     if cursor.peek().is_none() {
-        return Err((0..0, "the text is empty; a figure begins with Figure(version: 1, …)".to_owned()));
+        return Err((0..0, format!("the text is empty; a {name} begins with {begins}")));
     }
     let node = value(&mut cursor, 0)?;
     cursor.skip()?;
     match cursor.peek() {
         None => Ok(node),
         Some(c @ (')' | ']' | '}')) => {
-            Err((cursor.next_span(), format!("this '{c}' closes nothing; the figure has ended before it")))
+            Err((cursor.next_span(), format!("this '{c}' closes nothing; the {name} has ended before it")))
         }
         Some(_) => {
-            Err((cursor.next_span(), "the figure has ended before this; remove what follows".to_owned()))
+            Err((cursor.next_span(), format!("the {name} has ended before this; remove what follows")))
         }
     }
 }

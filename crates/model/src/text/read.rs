@@ -2,31 +2,29 @@
 
 mod body;
 mod exact;
-mod fields;
 mod joint;
 mod link;
 mod locate;
-mod placement;
-mod values;
 
 use super::node::{Content, Node};
-use super::parse::parse;
+use super::parse::parse_figure;
+use super::reader::Reader;
 use crate::builder::FigureBuilder;
 use crate::fault::Part;
 use crate::figure::Figure;
 use crate::source::TextError;
 use exact::Exact;
-use fields::Fields;
 use locate::Places;
-use std::ops::Range;
+use std::ops::{Deref, DerefMut};
 
 /// The version of the grammar.
 pub(super) const VERSION: u32 = 1;
 
-/// What is gathered while the tree is read.
-#[derive(Default)]
-pub(super) struct Reader {
-    faults: Vec<(Range<usize>, String)>,
+/// What is gathered while the tree of a figure is read.
+struct FigureReader<'r> {
+    reader: &'r mut Reader,
+    /// Whether the figure is the whole text, so that it says its version.
+    is_whole: bool,
     places: Places,
     /// What stands in the text as it is to be kept.
     exact: Vec<Exact>,
@@ -43,32 +41,65 @@ struct Lost {
     masses: bool,
 }
 
+impl Deref for FigureReader<'_> {
+    type Target = Reader;
+
+    fn deref(&self) -> &Reader {
+        self.reader
+    }
+}
+
+/// A figure is read by the same methods as everything else.
+impl DerefMut for FigureReader<'_> {
+    fn deref_mut(&mut self) -> &mut Reader {
+        self.reader
+    }
+}
+
+impl<'r> FigureReader<'r> {
+    fn new(reader: &'r mut Reader, is_whole: bool, places: Places) -> Self {
+        Self { reader, is_whole, places, exact: Vec::new(), lost: Lost::default() }
+    }
+}
+
 /// The figure that `text` describes.
 pub(super) fn read(text: &str) -> Result<Figure, TextError> {
-    let tree = parse(text).map_err(|(span, message)| TextError::one(text, span, message))?;
+    let tree = parse_figure(text).map_err(|(span, message)| TextError::one(text, span, message))?;
     let mut reader = Reader::default();
-    match reader.figure(&tree) {
-        Some(figure) if reader.faults.is_empty() => Ok(figure),
-        _ => {
-            // Most texts are good, and only faults need places.
-            let mut again = Reader { places: Places::kept(), ..Reader::default() };
-            again.figure(&tree);
-            Err(TextError::new(text, again.faults))
-        }
+    let figure = read_tree(&mut reader, &tree, true);
+    reader.finish(text)?;
+    figure.ok_or_else(|| TextError::one(text, tree.span, "the figure cannot be used"))
+}
+
+/// The figure of `node`, or nothing where that has faults.
+pub(super) fn read_tree(reader: &mut Reader, node: &Node<'_>, is_whole: bool) -> Option<Figure> {
+    let mut first = Reader::default();
+    let found = FigureReader::new(&mut first, is_whole, Places::default()).figure(node);
+    if let Some(figure) = found
+        && first.count() == 0
+    {
+        return Some(figure);
     }
+    // Most texts are good, and only faults need places.
+    let mut again = Reader::default();
+    FigureReader::new(&mut again, is_whole, Places::kept()).figure(node);
+    reader.append(again);
+    None
+}
+
+/// The figure of `Human(…)` inside of another text.
+pub(super) fn read_human(reader: &mut Reader, node: &Node<'_>) -> Option<Figure> {
+    FigureReader::new(reader, false, Places::default()).body(node, None, None)
 }
 
 const FIELDS: [&str; 7] = ["version", "name", "stature", "gravity", "links", "angles", "body"];
 
-impl Reader {
-    fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
-        self.faults.push((span, message.into()));
-    }
-
+impl FigureReader<'_> {
     fn figure(&mut self, tree: &Node<'_>) -> Option<Figure> {
         let fields = self.fields(tree, &["Figure"], &[])?;
         // A later version may mean anything by the rest.
-        if self.is_later(&fields) {
+        let is_whole = self.is_whole;
+        if self.is_later(&fields, "figure", VERSION, is_whole) {
             return None;
         }
         self.lost.links |= self.only_known(&fields, &FIELDS);
@@ -109,27 +140,6 @@ impl Reader {
         let mut figure = builder.build().map_err(|error| self.locate(&error)).ok()?;
         exact::restore(&mut figure, &self.exact);
         Some(figure)
-    }
-
-    /// Whether the text is of a later version; one that is none is a fault.
-    fn is_later(&mut self, fields: &Fields<'_, '_>) -> bool {
-        let known = f64::from(VERSION);
-        let Some(node) = fields.get("version") else {
-            self.fault(fields.at.clone(), format!("the figure has no version; add version: {VERSION}"));
-            return false;
-        };
-        let Some(version) = self.number(node, "the version") else { return false };
-        if version > known {
-            let message = format!(
-                "this figure is written in version {version} of the grammar, and only version {VERSION} is known here; \
-                 read it with a later Solaris"
-            );
-            self.fault(node.span.clone(), message);
-        } else if version < known {
-            let message = format!("there is no version {version}; the only one is {VERSION}");
-            self.fault(node.span.clone(), message);
-        }
-        version > known
     }
 
     fn links(&mut self, node: &Node<'_>, mut builder: FigureBuilder) -> FigureBuilder {

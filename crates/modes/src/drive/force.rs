@@ -1,15 +1,14 @@
 //! The force of a drive on one degree of freedom, in the time of the run.
 
-use solaris_profiles::{Clip, Curve};
-use std::sync::Arc;
+use super::path::Path;
 
 /// What a drive does to a degree of freedom that dynamics move.
 #[derive(Clone)]
 pub(crate) enum Force {
     /// As much all the time (N m or N); zero for a free one.
     Constant(f64),
-    /// A curve that begins at a time of the run; after its end, as at its end.
-    Along(Clip<Arc<dyn Curve + Send + Sync>>),
+    /// A curve whose positions are forces; after its end, as at its end.
+    Along(Path),
 }
 
 impl Force {
@@ -17,7 +16,15 @@ impl Force {
     pub(crate) fn at(&self, time: f64) -> f64 {
         match self {
             Self::Constant(force) => *force,
-            Self::Along(clip) => clip.at(time).position,
+            Self::Along(path) => path.at(time).position,
+        }
+    }
+
+    /// The force over a stretch without breaks inside: see [`Path::during`].
+    pub(crate) fn during(&self, from: f64, to: f64) -> Self {
+        match self {
+            Self::Constant(_) => self.clone(),
+            Self::Along(path) => Self::Along(path.during(from, to)),
         }
     }
 }

@@ -1,6 +1,9 @@
 //! One stretch of time, by any method.
 
-use super::{RateError, System};
+use super::evaluate::{Evaluator, finite};
+#[cfg(feature = "stiff")]
+use super::solver;
+use super::{RateError, System, fixed};
 use crate::report::Counts;
 use crate::settings::Rule;
 
@@ -71,6 +74,16 @@ pub enum TimeError {
         /// The rule.
         rule: Rule,
     },
+    /// A number out of its range.
+    #[error("{what} is {value}; it must be {range}")]
+    Range {
+        /// What.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it has to be.
+        range: &'static str,
+    },
     /// A method that was not built in.
     #[error("{method} is not built in: it needs the feature 'stiff'")]
     NotBuiltIn {
@@ -79,18 +92,25 @@ pub enum TimeError {
     },
 }
 
-/// Steps `y` from `from` to `to` (s), or to the first event.
+/// Steps `y` from the time `span.0` to `span.1` (s), or to the first event.
 ///
-/// `frames` are times (s), rising, at which `frame(system, time, y)` is called on the way, those at `from` left out and those at `to` or
-/// at the event included. `counts.evaluations` may not grow beyond `most`.
+/// `frames` are times (s), rising, at which `frame(system, time, y)` is called on the way, those at the beginning left out and
+/// those at the end, or at the event, included. A fixed rule steps from frame to frame, in equal steps; the other methods
+/// interpolate. Rates are asked at times from `span.0` on and before `span.1`, so that what jumps at the end of the stretch is
+/// still what it was. `counts.evaluations` may not grow beyond `most`.
 ///
-/// An event is where an event function passes through zero from one side to the other; one that is zero at `from` is watched from
-/// where it has left zero. Events are located to rounding; `y` is then the state just there.
+/// An event is where an event function comes to zero from one side, as seen at the ends of steps; one that is zero, to rounding,
+/// at the beginning is watched from where it has left zero, to the side where it is 1/4096 of the first step later. One that
+/// crosses zero twice within one step is not seen to. Events are located to rounding, the first of several is where the
+/// stretch ends, and `y` is then the state there: on the zero, or just before it.
 ///
 /// # Errors
 ///
 /// [`TimeError`]; `y` is then the last state that was reached.
-#[allow(clippy::too_many_arguments, reason = "what is stepped, by what, from where to where, and who looks on")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "what is stepped, by what, from where to where, and who looks on"
+)]
 pub fn advance<S: System + ?Sized>(
     system: &mut S,
     stepping: Stepping,
@@ -101,6 +121,62 @@ pub fn advance<S: System + ?Sized>(
     most: u64,
     counts: &mut Counts,
 ) -> Result<Stopped, TimeError> {
-    let _ = (system, stepping, span, y, frames, frame, most, counts);
-    unimplemented!()
+    check(stepping, span)?;
+    finite(y).map_err(|source| TimeError::Rate { time: span.0, source })?;
+    if span.0 >= span.1 {
+        return Ok(Stopped { time: span.0, events: Vec::new() });
+    }
+    let evaluator = Evaluator::new(system, counts, most, span);
+    let course = Course { span, frames, frame };
+    match stepping {
+        Stepping::Fixed { rule, step } => fixed::advance(evaluator, rule, step, y, course),
+        #[cfg(not(feature = "stiff"))]
+        Stepping::Adaptive { .. } => Err(TimeError::NotBuiltIn { method: "adaptive" }),
+        #[cfg(not(feature = "stiff"))]
+        Stepping::Stiff { .. } => Err(TimeError::NotBuiltIn { method: "stiff" }),
+        #[cfg(feature = "stiff")]
+        Stepping::Adaptive { tolerance } => {
+            solver::advance(evaluator, solver::Kind::Adaptive, tolerance, y, course)
+        }
+        #[cfg(feature = "stiff")]
+        Stepping::Stiff { tolerance } => solver::advance(evaluator, solver::Kind::Stiff, tolerance, y, course),
+    }
+}
+
+/// From when to when, and who looks on.
+pub(super) struct Course<'a, S: ?Sized> {
+    pub(super) span: (f64, f64),
+    pub(super) frames: &'a [f64],
+    frame: &'a mut dyn FnMut(&mut S, f64, &[f64]) -> Result<(), RateError>,
+}
+
+impl<S: ?Sized> Course<'_, S> {
+    /// The next frame after `time`, by index, or none until the end.
+    pub(super) fn next(&self, mut index: usize, time: f64) -> (usize, Option<f64>) {
+        while self.frames.get(index).is_some_and(|&frame| frame <= time) {
+            index += 1;
+        }
+        (index, self.frames.get(index).copied().filter(|&frame| frame <= self.span.1))
+    }
+
+    /// Shows the state at a frame.
+    pub(super) fn show(&mut self, system: &mut S, time: f64, y: &[f64]) -> Result<(), TimeError> {
+        (self.frame)(system, time, y).map_err(|source| TimeError::Rate { time, source })
+    }
+}
+
+fn check(stepping: Stepping, span: (f64, f64)) -> Result<(), TimeError> {
+    let (what, value) = match stepping {
+        Stepping::Fixed { step, .. } => ("the step", step),
+        Stepping::Adaptive { tolerance } | Stepping::Stiff { tolerance } => ("the tolerance", tolerance),
+    };
+    if !(value > 0.0 && value.is_finite()) {
+        return Err(TimeError::Range { what, value, range: "finite and positive" });
+    }
+    for (what, value) in [("the beginning of the stretch", span.0), ("the end of the stretch", span.1)] {
+        if !value.is_finite() {
+            return Err(TimeError::Range { what, value, range: "finite" });
+        }
+    }
+    Ok(())
 }

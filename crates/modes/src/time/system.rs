@@ -59,10 +59,21 @@ pub enum RateError {
     /// The dynamics refuse it.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
+    /// Whoever looks on has stopped the run.
+    #[error("stopped")]
+    Stopped,
     /// The rate, or the state itself, is not finite.
     #[error("entry {index} of the rate is {value}")]
     NotFinite {
         /// Which entry.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// The value of an event function is not finite.
+    #[error("event function {index} is {value}")]
+    EventNotFinite {
+        /// Which function.
         index: usize,
         /// Its value.
         value: f64,

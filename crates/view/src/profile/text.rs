@@ -29,7 +29,7 @@ pub(super) fn shown(x: f64, digits: usize) -> String {
 }
 
 /// Digits of an exponent.
-pub(super) fn superscript(exponent: &str) -> String {
+pub(crate) fn superscript(exponent: &str) -> String {
     let raised = |c: char| match c {
         '1' => '¹',
         '2' => '²',
@@ -57,7 +57,7 @@ pub(super) fn joined(a: &str, b: &str) -> String {
 }
 
 /// About how wide a text is in the fonts of the picture (px), rather more than less.
-pub(super) fn width(text: &str, size: f64) -> f64 {
+pub(crate) fn width(text: &str, size: f64) -> f64 {
     let em = |c: char| match c {
         'i' | 'j' | 'l' | '\'' | '|' => 0.25,
         ' ' | '.' | ',' | ':' | ';' | 't' | 'f' | 'I' | '(' | ')' | '/' | '-' | 'r' | '·' => 0.36,
@@ -71,7 +71,7 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
 }
 
 /// A text cut to a width, with an ellipsis where something is missing.
-pub(super) fn cut(text: &str, size: f64, most: f64) -> String {
+pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
     if width(text, size) <= most {
         return text.to_owned();
     }
@@ -86,7 +86,7 @@ pub(super) fn cut(text: &str, size: f64, most: f64) -> String {
 }
 
 /// A text in lines of a width, at most so many.
-pub(super) fn lines(text: &str, size: f64, most: f64, count: usize) -> Vec<String> {
+pub(crate) fn lines(text: &str, size: f64, most: f64, count: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         let full = lines.len() == count;

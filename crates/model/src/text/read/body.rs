@@ -1,6 +1,6 @@
 //! A whole figure by one word.
 
-use super::Reader;
+use super::FigureReader;
 use crate::fault::Fault;
 use crate::figure::Figure;
 use crate::human::{Human, HumanError};
@@ -8,7 +8,7 @@ use crate::text::node::{Content, Node};
 use std::collections::HashSet;
 use std::ops::Range;
 
-impl Reader {
+impl FigureReader<'_> {
     /// `Human(height: 1.75, mass: 73.0, segments: {"left_thigh": 0.45})`
     pub(super) fn body(
         &mut self,

@@ -1,13 +1,13 @@
 //! A joint: its place, its axes, what acts on them and what they follow.
 
-use super::Reader;
+use super::FigureReader;
 use super::exact::Exact;
-use super::fields::Fields;
 use crate::curve::Curve;
 use crate::fault::Part;
 use crate::joint::{Axis, AxisKind, Joint, JointKind, Passive};
 use crate::layout::velocity_names;
 use crate::text::node::{Content, Node};
+use crate::text::reader::Fields;
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ const BALL_FIELDS: [&str; 8] =
 /// Where the fields of a degree of freedom stand, by what faults call them.
 type DofPlaces = Vec<(&'static str, Range<usize>)>;
 
-impl Reader {
+impl FigureReader<'_> {
     /// The joint of the link called `link`.
     pub(super) fn joint(&mut self, node: &Node<'_>, link: &str) -> Option<Joint> {
         let kind = self.kind(node, &["Joint", "Ball", "Free"])?;

@@ -1,13 +1,13 @@
 //! A link: its mass, what it looks like, what is fixed to it.
 
-use super::Reader;
-use super::fields::Fields;
+use super::FigureReader;
 use crate::builder::LinkSpec;
 use crate::fault::Part;
 use crate::inertia::{Inertia, Shape, ShapeKind};
 use crate::joint::Joint;
 use crate::link::SolePart;
 use crate::text::node::{Content, Node};
+use crate::text::reader::Fields;
 use nalgebra::{Matrix3, Vector3};
 
 const FIELDS: [&str; 11] =
@@ -15,7 +15,7 @@ const FIELDS: [&str; 11] =
 const SHAPES: [&str; 5] = ["Box", "Cylinder", "Ellipsoid", "Capsule", "Sphere"];
 const SOLE: [&str; 3] = ["Heel", "Ball", "ToeTip"];
 
-impl Reader {
+impl FigureReader<'_> {
     /// The link number `index` of the list.
     pub(super) fn link(&mut self, node: &Node<'_>, index: usize) -> Option<LinkSpec> {
         let Some(fields) = self.fields(node, &["Link"], &FIELDS) else {

@@ -1,6 +1,6 @@
 //! The faults of a figure, where the text caused them.
 
-use super::{Lost, Reader};
+use super::{FigureReader, Lost};
 use crate::fault::Part;
 use crate::fault::{Fault, FigureError};
 use crate::source::SourceMap;
@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use std::mem::discriminant;
 use std::ops::Range;
 
-impl Reader {
+impl FigureReader<'_> {
     /// Adds the faults that building the figure has found.
     pub(super) fn locate(&mut self, error: &FigureError) {
         if !self.places.kept {
@@ -20,7 +20,7 @@ impl Reader {
             // A ball or free joint has one armature, one damper for all of its degrees of freedom.
             let once = matches!(fault, Fault::Armature { .. } | Fault::Passive { .. });
             if !once || said.insert((span.start, span.end, discriminant(fault))) {
-                self.faults.push((span, fault.to_string()));
+                self.reader.fault(span, fault.to_string());
             }
         }
     }

@@ -6,19 +6,19 @@ use crate::text::node::{Content, Group, Named, Node, Value};
 use std::ops::Range;
 
 /// The fields of one group.
-pub(super) struct Fields<'n, 'a> {
+pub struct Fields<'n, 'a> {
     /// What the group is called.
-    pub(super) kind: &'static str,
+    pub kind: &'static str,
     /// Where a message about the whole group points.
-    pub(super) at: Range<usize>,
+    pub at: Range<usize>,
     /// Whether there are fields that nobody knows, which may be meant for any that are missing.
-    pub(super) flawed: bool,
+    pub flawed: bool,
     found: &'n [(Named<'a>, Node<'a>)],
 }
 
 impl<'n, 'a> Fields<'n, 'a> {
     /// The value of a field.
-    pub(super) fn get(&self, name: &str) -> Option<&'n Node<'a>> {
+    pub fn get(&self, name: &str) -> Option<&'n Node<'a>> {
         let (_, node) = self.found.iter().find(|(named, _)| named.name == name)?;
         // What is there for the sake of saying that it is not.
         let absent = matches!(node.value, Value::Word("None"));
@@ -50,7 +50,7 @@ fn some<'n, 'a>(node: &'n Node<'a>) -> &'n Node<'a> {
 impl Reader {
     /// The fields of a group that is one of the `kinds`; the first is meant where the group has no name. Fields that are
     /// not `known` are faults, unless none are known yet.
-    pub(super) fn fields<'n, 'a>(
+    pub fn fields<'n, 'a>(
         &mut self,
         node: &'n Node<'a>,
         kinds: &[&'static str],
@@ -76,7 +76,7 @@ impl Reader {
     }
 
     /// Which of the `kinds` the value is.
-    pub(super) fn kind(&mut self, node: &Node<'_>, kinds: &[&'static str]) -> Option<&'static str> {
+    pub fn kind(&mut self, node: &Node<'_>, kinds: &[&'static str]) -> Option<&'static str> {
         let wanted = || match kinds {
             [one] => format!("{one}(…)"),
             [others @ .., last] => format!("{} or {last}(…)", others.join("(…), ") + "(…)"),
@@ -103,7 +103,7 @@ impl Reader {
     }
 
     /// Finds fields that are not `known`, and those given twice; whether there are any.
-    pub(super) fn only_known(&mut self, fields: &Fields<'_, '_>, known: &[&str]) -> bool {
+    pub fn only_known(&mut self, fields: &Fields<'_, '_>, known: &[&str]) -> bool {
         let (kind, before) = (fields.kind, self.faults.len());
         for (i, (named, _)) in fields.found.iter().enumerate() {
             let name = named.name;
@@ -121,7 +121,7 @@ impl Reader {
     }
 
     /// The value of a field that must be there; `example` is what to add.
-    pub(super) fn required<'n, 'a>(
+    pub fn required<'n, 'a>(
         &mut self,
         fields: &Fields<'n, 'a>,
         name: &str,

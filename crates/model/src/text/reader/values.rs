@@ -7,7 +7,7 @@ use std::fmt::Display;
 
 impl Reader {
     /// A finite number; `what` it is begins the message.
-    pub(super) fn number(&mut self, node: &Node<'_>, what: impl Display) -> Option<f64> {
+    pub fn number(&mut self, node: &Node<'_>, what: impl Display) -> Option<f64> {
         match &node.value {
             Value::Number(number) if number.is_finite() => Some(*number),
             Value::Number(number) => {
@@ -35,7 +35,7 @@ impl Reader {
     }
 
     /// A number, or where there may be no bound, `inf` or `-inf`.
-    pub(super) fn bound(&mut self, node: &Node<'_>, turns: bool, what: impl Display) -> Option<f64> {
+    pub fn bound(&mut self, node: &Node<'_>, turns: bool, what: impl Display) -> Option<f64> {
         match node.value {
             Value::Number(number) if number.is_infinite() => Some(number),
             _ => self.coordinate(node, turns, what),
@@ -43,12 +43,12 @@ impl Reader {
     }
 
     /// A coordinate of a degree of freedom: an angle where it turns.
-    pub(super) fn coordinate(&mut self, node: &Node<'_>, turns: bool, what: impl Display) -> Option<f64> {
+    pub fn coordinate(&mut self, node: &Node<'_>, turns: bool, what: impl Display) -> Option<f64> {
         if turns { self.angle(node, what) } else { self.number(node, what) }
     }
 
     /// An angle (rad): a number in rad, or `deg(…)`.
-    pub(super) fn angle(&mut self, node: &Node<'_>, what: impl Display) -> Option<f64> {
+    pub fn angle(&mut self, node: &Node<'_>, what: impl Display) -> Option<f64> {
         match node.group() {
             Some(Group { name: Some(Named { name: "deg", .. }), content }) => match content {
                 Content::Tuple(items) if items.len() == 1 => {
@@ -72,7 +72,7 @@ impl Reader {
     }
 
     /// Numbers in brackets, one for each of `parts`.
-    pub(super) fn numbers<const N: usize>(
+    pub fn numbers<const N: usize>(
         &mut self,
         node: &Node<'_>,
         what: impl Display,
@@ -101,12 +101,12 @@ impl Reader {
     }
 
     /// A vector.
-    pub(super) fn vector(&mut self, node: &Node<'_>, what: impl Display) -> Option<Vector3<f64>> {
+    pub fn vector(&mut self, node: &Node<'_>, what: impl Display) -> Option<Vector3<f64>> {
         self.numbers(node, what, ["x", "y", "z"]).map(Vector3::from)
     }
 
     /// A list of numbers of any length.
-    pub(super) fn list(&mut self, node: &Node<'_>, what: impl Display) -> Option<Vec<f64>> {
+    pub fn list(&mut self, node: &Node<'_>, what: impl Display) -> Option<Vec<f64>> {
         let Some(items) = node.items() else {
             self.fault(
                 node.place(),
@@ -120,7 +120,7 @@ impl Reader {
     }
 
     /// A text in quotes.
-    pub(super) fn text<'n>(&mut self, node: &'n Node<'_>, what: impl Display) -> Option<&'n str> {
+    pub fn text<'n>(&mut self, node: &'n Node<'_>, what: impl Display) -> Option<&'n str> {
         match &node.value {
             Value::Text(text) => Some(text),
             Value::Word(word) => {
@@ -135,7 +135,7 @@ impl Reader {
     }
 
     /// A text that is not empty.
-    pub(super) fn name<'n>(&mut self, node: &'n Node<'_>, what: impl Display) -> Option<&'n str> {
+    pub fn name<'n>(&mut self, node: &'n Node<'_>, what: impl Display) -> Option<&'n str> {
         let text = self.text(node, &what)?;
         if text.trim().is_empty() {
             self.fault(node.span.clone(), format!("{what} is empty; give one"));

@@ -1,14 +1,13 @@
 //! Where something stands: a point and a rotation.
 
-use super::Reader;
-use super::fields::Fields;
+use super::{Fields, Reader};
 use crate::euler::EulerOrder;
 use crate::joint::Placement;
 use crate::text::node::{Content, Node};
 use nalgebra::{Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
 /// How rotations are written.
-pub(super) const ROTATIONS: [&str; 8] = ["About", "Quaternion", "Xyz", "Xzy", "Yxz", "Yzx", "Zxy", "Zyx"];
+const ROTATIONS: [&str; 8] = ["About", "Quaternion", "Xyz", "Xzy", "Yxz", "Yzx", "Zxy", "Zyx"];
 
 /// What a quaternion's length may miss by because it was written with few digits.
 const FEW_DIGITS: f64 = 1e-3;
@@ -17,14 +16,15 @@ const UNIT: f64 = 1e-6;
 
 impl Reader {
     /// The fields `at` and `turned`.
-    pub(super) fn placement(&mut self, fields: &Fields<'_, '_>) -> Placement {
+    pub fn placement(&mut self, fields: &Fields<'_, '_>) -> Placement {
         let at = fields.get("at").and_then(|node| self.vector(node, "at"));
         let turned = fields.get("turned").and_then(|node| self.rotation(node));
         let (at, turned) = (at.unwrap_or_default(), turned.unwrap_or_else(UnitQuaternion::identity));
         Placement::from_parts(Translation3::from(at), turned)
     }
 
-    fn rotation(&mut self, node: &Node<'_>) -> Option<UnitQuaternion<f64>> {
+    /// A rotation: `About(axis: (x, y, z), angle: …)`, `Quaternion(x, y, z, w)`, `Zyx(a, b, c)` and the like.
+    pub fn rotation(&mut self, node: &Node<'_>) -> Option<UnitQuaternion<f64>> {
         match self.kind(node, &ROTATIONS)? {
             "About" => self.about(node),
             "Quaternion" => self.quaternion(node),
@@ -97,7 +97,7 @@ impl Reader {
     }
 
     /// A direction that is not yet of unit length.
-    pub(super) fn direction(&mut self, node: &Node<'_>) -> Option<Vector3<f64>> {
+    pub fn direction(&mut self, node: &Node<'_>) -> Option<Vector3<f64>> {
         let axis = self.vector(node, "the axis")?;
         if axis.try_normalize(1e-12).is_none_or(|unit| unit.iter().any(|x| !x.is_finite())) {
             let message = format!("the axis ({:?}, {:?}, {:?}) is no direction", axis.x, axis.y, axis.z);

@@ -1,0 +1,83 @@
+//! Reads a tree piece by piece, and gathers every fault on the way.
+
+mod fields;
+mod rotation;
+mod values;
+
+pub use fields::Fields;
+
+use super::node::Node;
+use crate::source::TextError;
+use std::ops::Range;
+
+/// Reads values of a tree, and keeps what is wrong with them.
+///
+/// Each method answers `None` where its value cannot be used, and has then said why; the reading goes on, so that all
+/// faults are found at once.
+#[derive(Debug, Default)]
+pub struct Reader {
+    faults: Vec<(Range<usize>, String)>,
+}
+
+impl Reader {
+    /// Adds a fault of the bytes of `span`.
+    pub fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+        self.faults.push((span, message.into()));
+    }
+
+    /// How many faults there are by now: whether something that was read since could be used.
+    pub fn count(&self) -> usize {
+        self.faults.len()
+    }
+
+    /// All faults as the error of `text`, if there are any.
+    ///
+    /// # Errors
+    ///
+    /// [`TextError`] with every fault, in the order of the text.
+    pub fn finish(self, text: &str) -> Result<(), TextError> {
+        if self.faults.is_empty() { Ok(()) } else { Err(TextError::new(text, self.faults)) }
+    }
+
+    pub(super) fn append(&mut self, other: Self) {
+        self.faults.extend(other.faults);
+    }
+
+    /// The entries of a map; `what` it is and an `example` of it begin and end the message.
+    pub fn entries<'n, 'a>(
+        &mut self,
+        node: &'n Node<'a>,
+        what: &str,
+        example: &str,
+    ) -> Option<&'n [(Node<'a>, Node<'a>)]> {
+        let entries = node.entries();
+        if entries.is_none() {
+            self.fault(node.place(), format!("{what} must be a map {example}, not {}", node.describe()));
+        }
+        entries
+    }
+
+    /// Whether a text is of a later version than `known`, so that nothing can be said of the rest; a version that is none,
+    /// or is missing where it is `required`, is a fault. `noun` is what the text is.
+    pub fn is_later(&mut self, fields: &Fields<'_, '_>, noun: &str, known: u32, required: bool) -> bool {
+        let known_number = f64::from(known);
+        let Some(node) = fields.get("version") else {
+            if required {
+                self.fault(fields.at.clone(), format!("the {noun} has no version; add version: {known}"));
+            }
+            return false;
+        };
+        let Some(version) = self.number(node, "the version") else { return false };
+        if version > known_number {
+            let message = format!(
+                "this {noun} is written in version {version} of the grammar, and only version {known} is known here; \
+                 read it with a later Solaris"
+            );
+            self.fault(node.span.clone(), message);
+        } else if version < known_number {
+            let message = format!("there is no version {version}; the only one is {known}");
+            self.fault(node.span.clone(), message);
+        }
+        version > known_number
+    }
+}

@@ -1,0 +1,100 @@
+//! The motion of what has one of its own.
+
+use super::Role;
+use crate::drive::path::Path;
+use solaris_model::{Figure, Follower};
+
+/// The motion of the degrees of freedom that have one of their own, of those that follow them, and where the others stand.
+pub(super) struct Prescribed {
+    /// By degree of freedom of the full figure.
+    motions: Vec<Motion>,
+    /// Where everything stood when the phase began: the full `q`, followers where their leaders put them.
+    standing: Vec<f64>,
+    /// The degrees of freedom that follow others, which none of these do.
+    followers: Vec<Follower>,
+    /// By degree of freedom, its coordinate in the full `q`.
+    coordinates: Vec<Option<usize>>,
+}
+
+#[derive(Clone)]
+enum Motion {
+    /// Dynamics move it.
+    None,
+    /// It stands.
+    Still,
+    Along(Path),
+    /// It follows another, by its place in the list.
+    Following(usize),
+}
+
+impl Prescribed {
+    /// Everything stands at `q`.
+    pub(super) fn new(figure: &Figure, roles: &[Role], q: &[f64]) -> Self {
+        let (layout, followers) = (figure.layout(), figure.followers().to_vec());
+        let role = |role: &Role| if *role == Role::Dynamic { Motion::None } else { Motion::Still };
+        let (mut motions, mut standing): (Vec<Motion>, _) = (roles.iter().map(role).collect(), q.to_vec());
+        for (i, follower) in followers.iter().enumerate() {
+            standing[follower.coordinate] = follower.curve.at(standing[follower.leader_coordinate])[0];
+            motions[follower.dof] = Motion::Following(i);
+        }
+        let coordinates = (0..layout.nv()).map(|dof| layout.coordinate(dof)).collect();
+        Self { motions, standing, followers, coordinates }
+    }
+
+    /// Where everything stood when the phase began.
+    pub(super) fn standing(&self) -> &[f64] {
+        &self.standing
+    }
+
+    /// Sets the motion of a degree of freedom; one that follows another has none of its own.
+    pub(super) fn set(&mut self, dof: usize, path: Path) {
+        if let Motion::Still | Motion::Along(_) = self.motions[dof] {
+            self.motions[dof] = Motion::Along(path);
+        }
+    }
+
+    /// Position, velocity and acceleration of a degree of freedom that dynamics do not move; of a ball or free joint's, no
+    /// position.
+    pub(super) fn at(&self, dof: usize, t: f64) -> [f64; 3] {
+        match &self.motions[dof] {
+            Motion::Along(path) => {
+                let sample = path.at(t);
+                [sample.position, sample.velocity, sample.acceleration]
+            }
+            Motion::Following(i) => {
+                let follower = &self.followers[*i];
+                let [x, rate, change] = self.at(follower.leader, t);
+                let [y, first, second] = follower.curve.at(x);
+                [y, first * rate, first * change + second * rate * rate]
+            }
+            Motion::None | Motion::Still => {
+                [self.coordinates[dof].map_or(f64::NAN, |coordinate| self.standing[coordinate]), 0.0, 0.0]
+            }
+        }
+    }
+
+    /// Whether a degree of freedom moves, or may.
+    pub(super) fn moves(&self, dof: usize) -> bool {
+        matches!(self.motions[dof], Motion::Along(_) | Motion::Following(_))
+    }
+
+    /// Writes the full `q`, `v`; what dynamics move stands still in them.
+    pub(super) fn write(&self, t: f64, q: &mut [f64], v: &mut [f64]) {
+        q.copy_from_slice(&self.standing);
+        v.fill(0.0);
+        for dof in (0..self.motions.len()).filter(|dof| self.moves(*dof)) {
+            let [position, velocity, _] = self.at(dof, t);
+            if let Some(coordinate) = self.coordinates[dof] {
+                (q[coordinate], v[dof]) = (position, velocity);
+            }
+        }
+    }
+
+    /// Writes the full `a`; what dynamics move has none in it.
+    pub(super) fn write_accelerations(&self, t: f64, a: &mut [f64]) {
+        a.fill(0.0);
+        for dof in (0..self.motions.len()).filter(|dof| self.moves(*dof)) {
+            a[dof] = self.at(dof, t)[2];
+        }
+    }
+}

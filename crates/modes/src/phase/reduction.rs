@@ -1,0 +1,174 @@
+//! What is left of a figure when what nothing depends on is left out.
+
+use super::Role;
+use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::simulation::Simulation;
+use crate::trouble::SetupError;
+use nalgebra::Vector3;
+use solaris_dynamics::DynamicsError;
+use solaris_model::{Figure, FuseError, LinkPlace};
+
+/// What a phase is made from.
+pub(super) struct Source {
+    /// The full figure, no degree of freedom following another.
+    pub(super) figure: Figure,
+    pub(super) gravity: Vector3<f64>,
+    pub(super) springs: Vec<PointSpring>,
+    /// By degree of freedom.
+    pub(super) limits: Vec<LimitLaw>,
+    /// Each degree of freedom that follows another, and that one.
+    followers: Vec<(usize, usize)>,
+}
+
+/// What is left of the figure.
+pub(super) struct Reduction {
+    pub(super) figure: Figure,
+    /// With the links of the small figure.
+    pub(super) springs: Vec<PointSpring>,
+    /// By degree of freedom of the small figure.
+    pub(super) limits: Vec<LimitLaw>,
+    /// For each entry of the small figure's `q`, its index in the full one's.
+    pub(super) kept_q: Vec<usize>,
+    /// For each entry of the small figure's `v`, its index in the full one's.
+    pub(super) kept_v: Vec<usize>,
+    /// The full figure's degrees of freedom that were fused.
+    pub(super) fused: Vec<usize>,
+    /// The full figure's links that were dropped.
+    pub(super) dropped: Vec<usize>,
+}
+
+impl Source {
+    /// That of `simulation`.
+    pub(super) fn of(simulation: &Simulation) -> Self {
+        let followers = simulation.figure.followers().iter().map(|follower| (follower.dof, follower.leader));
+        Self {
+            figure: simulation.figure.untied(),
+            gravity: simulation.gravity,
+            springs: simulation.springs.clone(),
+            limits: simulation.limits.clone(),
+            followers: followers.collect(),
+        }
+    }
+
+    /// The roles that can be computed with: those of followers are their leaders'.
+    pub(super) fn roles(&self, roles: &[Role]) -> Result<Vec<Role>, SetupError> {
+        let mut roles = roles.to_vec();
+        let layout = self.figure.layout();
+        if roles.len() != layout.nv() {
+            let (expected, found) = (layout.nv(), roles.len());
+            return Err(DynamicsError::Length { what: "roles", expected, found }.into());
+        }
+        for &(dof, leader) in &self.followers {
+            if roles[leader] == Role::Dynamic || roles[dof] == Role::Dynamic {
+                let [dof, leader] = [dof, leader].map(|dof| layout.v_names()[dof].clone());
+                return Err(DynamicsError::Follower { dof, leader }.into());
+            }
+            roles[dof] = roles[leader];
+        }
+        for (link, at) in self.figure.links().iter().zip(layout.joints()) {
+            let held = roles[at.v..at.v + at.nv].iter().filter(|role| **role != Role::Dynamic).count();
+            if link.joint().kind().quaternion().is_some() && held > 0 && held < at.nv {
+                let joint = link.joint().name().to_owned();
+                return Err(FuseError::PartOfJoint { joint, count: held, all: at.nv }.into());
+            }
+        }
+        Ok(roles)
+    }
+
+    /// What is left for these roles, where everything that stands still does so at `q`; nothing where nothing is to be
+    /// computed. The forces on the degrees of freedom `held` are to be right as well.
+    pub(super) fn reduce(
+        &self,
+        roles: &[Role],
+        held: &[usize],
+        q: &[f64],
+        leave_out: bool,
+    ) -> Result<Option<Reduction>, SetupError> {
+        if !leave_out {
+            return Ok(Some(self.whole()));
+        }
+        let computed: Vec<bool> =
+            (0..roles.len()).map(|dof| roles[dof] == Role::Dynamic || held.contains(&dof)).collect();
+        if !computed.contains(&true) {
+            return Ok(None);
+        }
+        let moved = self.moved(&computed);
+        let needed = self.needed(&moved);
+        let dropped: Vec<usize> = (0..needed.len()).filter(|link| !needed[*link]).collect();
+        // The root carries what is computed, so that it never is among them.
+        let Ok(pruned) = self.figure.prune(&dropped) else { return Ok(Some(self.whole())) };
+        let still = |dof: usize| roles[dof] == Role::Still && !computed[dof];
+        let at_rest = (0..pruned.kept_v().len()).filter(|k| still(pruned.kept_v()[*k]));
+        let small_q: Vec<f64> = pruned.kept_q().iter().map(|index| q[*index]).collect();
+        let fused = pruned.figure().fuse_at(&at_rest.collect::<Vec<_>>(), &small_q)?;
+        let full = |kept: &[usize], of: &[usize]| kept.iter().map(|k| of[*k]).collect::<Vec<_>>();
+        let kept_v = full(fused.kept_v(), pruned.kept_v());
+        let place = |link: usize| pruned.links()[link].map(|link| fused.links()[link]);
+        let springs = self.springs.iter().filter(|spring| touches(spring, &moved));
+        Ok(Some(Reduction {
+            figure: fused.figure().clone(),
+            springs: springs.filter_map(|spring| placed(spring, place)).collect(),
+            limits: kept_v.iter().map(|dof| self.limits[*dof]).collect(),
+            kept_q: full(fused.kept_q(), pruned.kept_q()),
+            fused: pruned.kept_v().iter().copied().filter(|dof| still(*dof)).collect(),
+            kept_v,
+            dropped,
+        }))
+    }
+
+    /// Everything.
+    fn whole(&self) -> Reduction {
+        Reduction {
+            figure: self.figure.clone(),
+            springs: self.springs.clone(),
+            limits: self.limits.clone(),
+            kept_q: (0..self.figure.layout().nq()).collect(),
+            kept_v: (0..self.figure.layout().nv()).collect(),
+            fused: Vec::new(),
+            dropped: Vec::new(),
+        }
+    }
+
+    /// The links whose motion depends on what is computed: those with such a degree of freedom, and all that they carry.
+    fn moved(&self, computed: &[bool]) -> Vec<bool> {
+        let mut moved: Vec<bool> = Vec::with_capacity(self.figure.links().len());
+        for (link, at) in self.figure.links().iter().zip(self.figure.layout().joints()) {
+            let by_parent = link.parent().is_some_and(|parent| moved[parent]);
+            moved.push(by_parent || computed[at.v..at.v + at.nv].contains(&true));
+        }
+        moved
+    }
+
+    /// The links that what is computed depends on: those that are moved, those at the other ends of springs on these, and all
+    /// that carries them.
+    fn needed(&self, moved: &[bool]) -> Vec<bool> {
+        let mut needed = moved.to_vec();
+        for spring in self.springs.iter().filter(|spring| touches(spring, moved)) {
+            for link in spring.between.iter().filter_map(|anchor| anchor.link) {
+                needed[link] = true;
+            }
+        }
+        // Parents come before their children.
+        for (i, link) in self.figure.links().iter().enumerate().rev() {
+            if let (true, Some(parent)) = (needed[i], link.parent()) {
+                needed[parent] = true;
+            }
+        }
+        needed
+    }
+}
+
+/// Whether a spring acts on something that is moved.
+fn touches(spring: &PointSpring, moved: &[bool]) -> bool {
+    spring.between.iter().any(|anchor| anchor.link.is_some_and(|link| moved[link]))
+}
+
+/// The spring with the links that carry its ends; none where both ends are on one link.
+fn placed(spring: &PointSpring, place: impl Fn(usize) -> Option<LinkPlace>) -> Option<PointSpring> {
+    let anchor = |Anchor { link, point }: Anchor| {
+        let Some(LinkPlace { link, placement }) = link.and_then(&place) else { return Anchor { link: None, point } };
+        Anchor { link: Some(link), point: placement.transform_point(&point.into()).coords }
+    };
+    let between = spring.between.map(anchor);
+    (between[0].link != between[1].link).then_some(PointSpring { between, ..*spring })
+}

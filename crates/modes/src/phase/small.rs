@@ -1,0 +1,265 @@
+//! The dynamics of what is left of a figure, between the state and its rates.
+
+use super::Role;
+use super::prescribed::Prescribed;
+use super::reduction::{Reduction, Source};
+use super::state::{StateMap, unit};
+use crate::body::Body;
+use crate::drive::force::Force;
+use crate::report::Energy;
+use crate::time::RateError;
+use crate::trouble::SetupError;
+use nalgebra::DMatrix;
+use solaris_dynamics::scalar::Dual;
+use solaris_dynamics::{DynamicsError, Real};
+use solaris_profiles::Scalar;
+
+/// How many columns of a Jacobian are found at a time.
+const COLUMNS: usize = 8;
+
+/// What is left of a figure, ready to be evaluated.
+pub(super) struct Small {
+    reduction: Reduction,
+    maps: Maps,
+    numbers: Side<f64>,
+    /// With derivatives; made when the first Jacobian is asked for.
+    duals: Option<Box<Side<Dual<COLUMNS>>>>,
+    /// Of the drives, with the degrees of freedom of the small figure.
+    forces: Vec<(usize, Force)>,
+}
+
+/// Where the entries of the state are in the small figure.
+struct Maps {
+    /// By degree of freedom of the small figure.
+    prescribed: Vec<bool>,
+    /// For each position of the state, its index in the small `q`.
+    positions: Vec<usize>,
+    /// For each velocity of the state, its index in the small `v`.
+    velocities: Vec<usize>,
+    /// The first entries of quaternions in the state.
+    quaternions: Vec<usize>,
+    moving: Vec<Moving>,
+}
+
+/// A degree of freedom that has a motion of its own.
+struct Moving {
+    /// In the full figure.
+    dof: usize,
+    /// In the small figure.
+    k: usize,
+    /// In the small figure.
+    coordinate: usize,
+}
+
+/// The small figure in one scalar.
+struct Side<T> {
+    body: Body<T>,
+    q: Vec<T>,
+    v: Vec<T>,
+    a: Vec<T>,
+    tau: Vec<T>,
+    /// The state, and its rate.
+    y: Vec<T>,
+    rate: Vec<T>,
+}
+
+impl Small {
+    /// What `reduction` leaves, everything standing as `prescribed` says.
+    pub(super) fn new(
+        source: &Source,
+        roles: &[Role],
+        reduction: Reduction,
+        state: &StateMap,
+        prescribed: &Prescribed,
+    ) -> Result<Self, SetupError> {
+        let maps = Maps::new(source, roles, &reduction, state);
+        let mut numbers = Side::new(source, &reduction, state)?;
+        for (q, full) in numbers.q.iter_mut().zip(&reduction.kept_q) {
+            *q = prescribed.standing()[*full];
+        }
+        Ok(Self { reduction, maps, numbers, duals: None, forces: Vec::new() })
+    }
+
+    /// The forces of the drives, by degree of freedom of the full figure.
+    pub(super) fn set_forces(&mut self, forces: &[Option<Force>]) {
+        let dofs = self.maps.velocities.iter().map(|k| (*k, self.reduction.kept_v[*k]));
+        self.forces = dofs.filter_map(|(k, dof)| forces[dof].clone().map(|force| (k, force))).collect();
+    }
+
+    /// Finds the accelerations of what dynamics move and the forces of the drives on all else.
+    pub(super) fn solve(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) -> Result<(), DynamicsError> {
+        self.load(prescribed, t, y);
+        self.numbers.solve(&self.maps)
+    }
+
+    /// Writes the rate of the state that was [solved](Self::solve) last.
+    pub(super) fn write_rates(&mut self, state: &StateMap, rate: &mut [f64]) {
+        self.numbers.find_rates(state, &self.maps);
+        rate.copy_from_slice(&self.numbers.rate);
+    }
+
+    /// Writes the accelerations of the state that was [solved](Self::solve) last into the full `a`.
+    pub(super) fn write_accelerations(&self, a: &mut [f64]) {
+        for k in &self.maps.velocities {
+            a[self.reduction.kept_v[*k]] = self.numbers.a[*k];
+        }
+    }
+
+    /// The force of its drive on a degree of freedom of the full figure, in the state that was [solved](Self::solve) last; none
+    /// where it was left out.
+    pub(super) fn force(&self, dof: usize) -> Option<f64> {
+        self.reduction.kept_v.binary_search(&dof).ok().map(|k| self.numbers.tau[k])
+    }
+
+    /// The energy of a state.
+    pub(super) fn energy(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) -> Result<Energy, DynamicsError> {
+        self.load(prescribed, t, y);
+        let Side { body, q, v, .. } = &mut self.numbers;
+        body.energy(q, v)
+    }
+
+    /// The part of the mass matrix that belongs to what dynamics move, in the order of the state.
+    pub(super) fn mass_matrix(
+        &mut self,
+        prescribed: &Prescribed,
+        t: f64,
+        y: &[f64],
+    ) -> Result<DMatrix<f64>, DynamicsError> {
+        self.load(prescribed, t, y);
+        let Side { body, q, v, .. } = &mut self.numbers;
+        let mut matrix = DMatrix::zeros(v.len(), v.len());
+        body.mass_matrix(q, &mut matrix)?;
+        Ok(matrix.select_rows(&self.maps.velocities).select_columns(&self.maps.velocities))
+    }
+
+    /// Writes `∂ẏ/∂y`, by exact derivatives.
+    pub(super) fn jacobian(
+        &mut self,
+        source: &Source,
+        state: &StateMap,
+        prescribed: &Prescribed,
+        (t, y): (f64, &[f64]),
+        jacobian: &mut DMatrix<f64>,
+    ) -> Result<(), RateError> {
+        self.load(prescribed, t, y);
+        let duals = match self.duals.take() {
+            Some(duals) => duals,
+            None => Box::new(Side::new(source, &self.reduction, state)?),
+        };
+        let duals = self.duals.insert(duals);
+        duals.take_constants(&self.numbers);
+        // Nothing depends on work and heat.
+        let columns = state.len() - 2;
+        for first in (0..columns).step_by(COLUMNS) {
+            let seeded = first..columns.min(first + COLUMNS);
+            for (i, (entry, value)) in duals.y.iter_mut().zip(y).enumerate() {
+                *entry =
+                    if seeded.contains(&i) { Dual::variable(*value, i - first) } else { Dual::constant(*value) };
+            }
+            duals.read(&self.maps);
+            duals.solve(&self.maps)?;
+            duals.find_rates(state, &self.maps);
+            for (row, rate) in duals.rate.iter().enumerate() {
+                for column in seeded.clone() {
+                    jacobian[(row, column)] = rate.partial(column - first);
+                }
+            }
+        }
+        let bad = jacobian.iter().position(|value| !value.is_finite());
+        bad.map_or(Ok(()), |bad| {
+            Err(RateError::NotFinite { index: bad % state.len(), value: jacobian.as_slice()[bad] })
+        })
+    }
+
+    /// Takes in a state, what has a motion of its own, and the forces of the drives.
+    fn load(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) {
+        let numbers = &mut self.numbers;
+        for &Moving { dof, k, coordinate } in &self.maps.moving {
+            let [position, velocity, acceleration] = prescribed.at(dof, t);
+            numbers.q[coordinate] = position;
+            (numbers.v[k], numbers.a[k]) = (velocity, acceleration);
+        }
+        for k in &self.maps.velocities {
+            numbers.tau[*k] = 0.0;
+        }
+        for (k, force) in &self.forces {
+            numbers.tau[*k] = force.at(t);
+        }
+        numbers.y.copy_from_slice(y);
+        numbers.read(&self.maps);
+    }
+}
+
+impl Maps {
+    fn new(source: &Source, roles: &[Role], reduction: &Reduction, state: &StateMap) -> Self {
+        let small_q = |full: &usize| reduction.kept_q.binary_search(full).ok();
+        let small_v = |full: &usize| reduction.kept_v.binary_search(full).ok();
+        let moving = |(k, dof): (usize, &usize)| {
+            let coordinate = source.figure.layout().coordinate(*dof).as_ref().and_then(small_q)?;
+            (roles[*dof] == Role::Prescribed).then_some(Moving { dof: *dof, k, coordinate })
+        };
+        Self {
+            prescribed: reduction.kept_v.iter().map(|dof| roles[*dof] != Role::Dynamic).collect(),
+            positions: state.coordinates().iter().filter_map(small_q).collect(),
+            velocities: state.velocities().iter().filter_map(small_v).collect(),
+            quaternions: state.quaternions().collect(),
+            moving: reduction.kept_v.iter().enumerate().filter_map(moving).collect(),
+        }
+    }
+}
+
+impl<T: Real + Scalar> Side<T> {
+    fn new(source: &Source, reduction: &Reduction, state: &StateMap) -> Result<Self, DynamicsError> {
+        let Reduction { figure, springs, limits, kept_q, kept_v, .. } = reduction;
+        let zeros = |length: usize| vec![T::zero(); length];
+        Ok(Self {
+            body: Body::compile(figure, source.gravity, springs, limits)?,
+            q: zeros(kept_q.len()),
+            v: zeros(kept_v.len()),
+            a: zeros(kept_v.len()),
+            tau: zeros(kept_v.len()),
+            y: zeros(state.len()),
+            rate: zeros(state.len()),
+        })
+    }
+
+    /// Everything but the state as in `numbers`, without derivatives.
+    fn take_constants(&mut self, numbers: &Side<f64>) {
+        let copy = |to: &mut [T], from: &[f64]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = <T as Real>::from_f64(*from));
+        };
+        copy(&mut self.q, &numbers.q);
+        copy(&mut self.v, &numbers.v);
+        copy(&mut self.a, &numbers.a);
+        copy(&mut self.tau, &numbers.tau);
+    }
+
+    /// Puts the state into `q` and `v`.
+    fn read(&mut self, maps: &Maps) {
+        let (positions, rest) = self.y.split_at(maps.positions.len());
+        for (index, value) in maps.positions.iter().zip(positions) {
+            self.q[*index] = *value;
+        }
+        for (index, value) in maps.velocities.iter().zip(rest) {
+            self.v[*index] = *value;
+        }
+        for entry in &maps.quaternions {
+            let turn = unit([0, 1, 2, 3].map(|i| self.y[entry + i]));
+            self.q[maps.positions[*entry]..][..4].copy_from_slice(&turn);
+        }
+    }
+
+    fn solve(&mut self, maps: &Maps) -> Result<(), DynamicsError> {
+        self.body.hybrid(&self.q, &self.v, &maps.prescribed, &mut self.a, &mut self.tau)
+    }
+
+    fn find_rates(&mut self, state: &StateMap, maps: &Maps) {
+        state.position_rates(&self.y, &mut self.rate);
+        for (rate, k) in self.rate[maps.positions.len()..].iter_mut().zip(&maps.velocities) {
+            *rate = self.a[*k];
+        }
+        let work = self.tau.iter().zip(&self.v).fold(T::zero(), |work, (force, rate)| work + *force * *rate);
+        let length = self.rate.len();
+        (self.rate[length - 2], self.rate[length - 1]) = (work, self.body.heat());
+    }
+}

@@ -1,0 +1,214 @@
+//! Which method and which step meet a tolerance.
+
+use super::pass::{Passed, pass};
+use super::{Chosen, NOTHING, Quiet, compare, describe, scaled};
+use crate::report::{Counts, ErrorEstimate, Watch};
+use crate::settings::{Rule, Settings};
+use crate::simulation::Simulation;
+use crate::time::Stepping;
+use crate::trouble::{Cause, RunError, SetupError, Trouble};
+
+/// Steps of an explicit rule in a frame that stability may ask for before an implicit method is tried.
+const MANY: f64 = 16.0;
+
+/// The most halvings of the step, and tenths of the tolerance.
+const MOST_TRIALS: usize = 18;
+
+/// Runs with whichever method meets the tolerance (rad or m).
+pub(super) fn choose(
+    simulation: &Simulation,
+    settings: &Settings,
+    tolerance: f64,
+    watch: &mut dyn Watch,
+) -> Result<Chosen, RunError> {
+    let frame = settings.rate.recip();
+    let first = Stepping::Fixed { rule: Rule::RungeKutta4, step: frame };
+    let mut remarks = Vec::new();
+    let stable = match pass(simulation, settings, first, &mut Quiet(watch)) {
+        Ok(passed) if !passed.is_dynamic => {
+            let (error, why) = (Some(ErrorEstimate::default()), "every motion is given".to_owned());
+            let (method, beside) = (NOTHING.to_owned(), Counts::default());
+            return Ok(Chosen { passed, error, method, why, beside, remarks });
+        }
+        Ok(passed) => return Ladder::new(simulation, settings, tolerance, frame, Some(passed)).climb(watch, remarks),
+        Err(RunError::Trouble(trouble)) => match trouble.cause {
+            Cause::StepTooLong { longest, eigenvalue, .. } => (longest, Some(eigenvalue)),
+            Cause::Energy { .. } | Cause::NotFinite { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) => (0.5 * frame, None),
+            _ => return Err(trouble.into()),
+        },
+        Err(error) => return Err(error),
+    };
+    let (longest, eigenvalue) = stable;
+    if let Some(eigenvalue) = eigenvalue.filter(|_| frame > MANY * longest) {
+        match stiff(simulation, settings, tolerance, eigenvalue, watch) {
+            Ok(chosen) => return Ok(chosen),
+            Err(RunError::Setup(SetupError::NotBuiltIn { .. })) => remarks.push(format!(
+                "the scene is stiff ({eigenvalue:.3e} 1/s): a stiff method would take fewer evaluations; build with the feature \
+                 'stiff' for one"
+            )),
+            Err(RunError::Cancelled) => return Err(RunError::Cancelled),
+            Err(error) => remarks.push(format!("the stiff method did not come to the end: {error}")),
+        }
+    }
+    Ladder::new(simulation, settings, tolerance, longest.min(frame), None).climb(watch, remarks)
+}
+
+/// Runge and Kutta's rule with ever shorter steps.
+struct Ladder<'a> {
+    simulation: &'a Simulation,
+    settings: &'a Settings,
+    tolerance: f64,
+    /// The step of the last pass (s).
+    step: f64,
+    last: Option<Passed>,
+    beside: Counts,
+}
+
+impl<'a> Ladder<'a> {
+    fn new(
+        simulation: &'a Simulation,
+        settings: &'a Settings,
+        tolerance: f64,
+        longest: f64,
+        last: Option<Passed>,
+    ) -> Self {
+        let frame = settings.rate.recip();
+        // Whole steps in a frame.
+        let step = frame / (frame / longest - 1e-9).ceil().max(1.0);
+        // The first pass, where there is none yet, is one with this step.
+        let step = if last.is_some() { step } else { 2.0 * step };
+        Self { simulation, settings, tolerance, step, last, beside: Counts::default() }
+    }
+
+    fn climb(mut self, watch: &mut dyn Watch, remarks: Vec<String>) -> Result<Chosen, RunError> {
+        let mut best = f64::INFINITY;
+        let mut trouble = None;
+        let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
+        for _ in 0..MOST_TRIALS {
+            let spent = self.beside.evaluations + self.last.as_ref().map_or(0, |last| last.counts.evaluations);
+            let next = 2 * self.last.as_ref().map_or(0, |last| last.counts.evaluations);
+            if spent + next > self.settings.guard.evaluations {
+                break;
+            }
+            self.step *= 0.5;
+            let stepping = Stepping::Fixed { rule: Rule::RungeKutta4, step: self.step };
+            let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(watch)) {
+                Ok(passed) => passed,
+                Err(RunError::Trouble(found)) if is_of_the_step(&found) => {
+                    (self.last, trouble) = (None, Some(found));
+                    continue;
+                }
+                Err(error) => return Err(error),
+            };
+            if let Some(last) = self.last.take() {
+                self.beside.add(&last.counts);
+                let apart = compare::difference(&self.simulation.figure, &passed.record, &last.record)?;
+                let error = scaled(apart, share(before, apart.position, passed.jumps));
+                before = apart.position;
+                if error.position <= self.tolerance {
+                    return Ok(self.done(passed, error, stepping, remarks));
+                }
+                stalls = if error.position > 0.5 * estimate { stalls + 1 } else { 0 };
+                estimate = error.position;
+                best = best.min(estimate);
+                if stalls >= 4 {
+                    break;
+                }
+            }
+            watch.progress(0.0);
+            self.last = Some(passed);
+        }
+        Err(self.gave_up(best, trouble))
+    }
+
+    /// No step met the tolerance within the evaluations that are allowed.
+    fn gave_up(&self, best: f64, trouble: Option<Box<Trouble>>) -> RunError {
+        let time = trouble.as_ref().map_or(self.settings.duration, |trouble| trouble.time);
+        let (advice, dof) = match trouble.filter(|_| best.is_infinite()) {
+            Some(trouble) => {
+                let last = format!("with a step of {:.1e} s, {}", self.step, trouble.cause);
+                (format!("{last}; a stiff method may pass it, or softer springs"), trouble.dof)
+            }
+            None => (
+                "ask for a larger tolerance or a shorter run; where a small change at the start grows without end, no step \
+                 helps"
+                    .to_owned(),
+                None,
+            ),
+        };
+        let cause = Cause::Tolerance { tolerance: self.tolerance, estimate: best };
+        Box::new(Trouble { time, dof, cause, advice }).into()
+    }
+
+    fn done(self, passed: Passed, error: ErrorEstimate, stepping: Stepping, remarks: Vec<String>) -> Chosen {
+        let why = format!(
+            "its error estimate {:.1e} is the first of ever shorter steps to meet the tolerance {:e}",
+            error.position, self.tolerance
+        );
+        let (method, beside) = (describe(stepping, self.settings.rate), self.beside);
+        Chosen { passed, error: Some(error), method, why, beside, remarks }
+    }
+}
+
+/// The error of a run as a part of its difference from the one with twice the step, where the one `before` tells of the order:
+/// differences that fall by sixteen, as they should, leave a fifteenth.
+///
+/// ```text
+/// e(h) ≈ |x(h) − x(2h)| / (r − 1)        r = |x(2h) − x(4h)| / |x(h) − x(2h)|
+/// ```
+fn share(before: f64, difference: f64, jumps: bool) -> f64 {
+    let ratio = before / difference;
+    // NaN where there is no difference before.
+    if jumps || ratio.partial_cmp(&4.0).is_none_or(std::cmp::Ordering::is_lt) { 1.0 } else { (ratio.min(16.0) - 1.0).recip() }
+}
+
+/// The implicit method with ever smaller tolerances.
+fn stiff(
+    simulation: &Simulation,
+    settings: &Settings,
+    tolerance: f64,
+    eigenvalue: f64,
+    watch: &mut dyn Watch,
+) -> Result<Chosen, RunError> {
+    let mut beside = Counts::default();
+    let mut last: Option<Passed> = None;
+    // The tolerance of a step that usually gives that of the whole.
+    let mut own = (0.1 * tolerance).max(1e-12);
+    let mut best = f64::INFINITY;
+    while own >= 1e-13 {
+        let stepping = Stepping::Stiff { tolerance: own };
+        let passed = pass(simulation, settings, stepping, &mut Quiet(watch))?;
+        if let Some(last) = last.take() {
+            beside.add(&last.counts);
+            let error = compare::difference(&simulation.figure, &passed.record, &last.record)?;
+            best = best.min(error.position);
+            if error.position <= tolerance {
+                let why = format!(
+                    "the stiffest eigenvalue, {eigenvalue:.3e} 1/s, would hold an explicit rule to steps a frame is many of; its \
+                     error estimate {:.1e} meets the tolerance {tolerance:e}",
+                    error.position
+                );
+                let method = describe(stepping, settings.rate);
+                return Ok(Chosen { passed, error: Some(error), method, why, beside, remarks: Vec::new() });
+            }
+        }
+        last = Some(passed);
+        own *= 0.1;
+    }
+    let cause = Cause::Tolerance { tolerance, estimate: best };
+    let advice = "ask for a larger tolerance".to_owned();
+    Err(Box::new(Trouble { time: settings.duration, dof: None, cause, advice }).into())
+}
+
+/// Whether a shorter step may help.
+fn is_of_the_step(trouble: &Trouble) -> bool {
+    matches!(
+        trouble.cause,
+        Cause::StepTooLong { .. }
+            | Cause::Energy { .. }
+            | Cause::NotFinite { .. }
+            | Cause::Stuck { .. }
+            | Cause::State(_)
+            | Cause::Dynamics(_)
+    )
+}

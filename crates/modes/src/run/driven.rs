@@ -1,0 +1,101 @@
+//! What drives one degree of freedom at the moment.
+
+use crate::drive::force::Force;
+use crate::drive::path::Path;
+use crate::drive::tracking::Tracker;
+use crate::drive::{Drive, Step, Until};
+use crate::phase::Role;
+
+pub(crate) use crate::impact::Side;
+
+/// What a drive comes down to while it lasts.
+pub(crate) enum Mode {
+    /// It stands still.
+    Still,
+    /// It has a motion of its own.
+    Path(Path),
+    /// A force acts, and dynamics move it.
+    Force(Force),
+    /// A force that is found anew each frame, and the one of this frame (N m or N).
+    Track(Box<Tracker>, f64),
+}
+
+/// What drives one degree of freedom at the moment.
+pub(crate) struct Driven {
+    /// Place of the drive in the sequence; beyond its end the degree of freedom stands still.
+    pub(crate) step: usize,
+    /// When it began (s).
+    pub(crate) start: f64,
+    pub(crate) mode: Mode,
+    /// When it will be done by itself (s).
+    pub(crate) end: f64,
+    /// Done by itself, and waiting for what its [`Until`] says.
+    pub(crate) waits: bool,
+    /// Whether the force has been at its limit.
+    pub(crate) limited: bool,
+    /// Whether a limit of the joint has been hit.
+    pub(crate) hit: bool,
+    /// What the analysis of simple mode gave.
+    pub(crate) acceleration: Option<f64>,
+    /// At which limit it rests.
+    pub(crate) held: Option<(Side, f64)>,
+}
+
+impl Driven {
+    /// A drive that begins.
+    pub(crate) fn new(step: usize, start: f64, mode: Mode, end: f64) -> Self {
+        let held = None;
+        Self { step, start, mode, end, waits: false, limited: false, hit: false, acceleration: None, held }
+    }
+
+    /// What it is to the dynamics.
+    pub(crate) fn role(&self) -> Role {
+        match self.mode {
+            Mode::Still => Role::Still,
+            Mode::Path(_) => Role::Prescribed,
+            Mode::Force(_) | Mode::Track(..) if self.held.is_some() => Role::Prescribed,
+            Mode::Force(_) | Mode::Track(..) => Role::Dynamic,
+        }
+    }
+
+    /// The force of the drive (N m or N) at a time (s).
+    pub(crate) fn force(&self, time: f64) -> f64 {
+        match &self.mode {
+            Mode::Force(force) => force.at(time),
+            Mode::Track(_, force) => *force,
+            Mode::Still | Mode::Path(_) => 0.0,
+        }
+    }
+
+    /// When it ends by the clock (s).
+    pub(crate) fn ends(&self, steps: &[Step]) -> f64 {
+        let until = match steps.get(self.step).map(|step| &step.until) {
+            Some(Until::Time(time)) => *time,
+            Some(Until::Lasting(time)) => self.start + time,
+            _ => f64::INFINITY,
+        };
+        if self.waits { until } else { self.end.min(until) }
+    }
+
+    /// Times (s) at which its curve jumps.
+    pub(crate) fn breaks(&self) -> Vec<f64> {
+        match &self.mode {
+            Mode::Path(path) => path.breaks(),
+            Mode::Force(Force::Along(path)) => path.breaks(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// The name of a drive, with what comes after the last one.
+pub(crate) fn name(step: Option<&Step>) -> &'static str {
+    step.map_or("at rest", |step| step.drive.name())
+}
+
+/// Whether the drive needs an analysis when it begins.
+pub(crate) fn target(drive: &Drive) -> Option<crate::drive::Target> {
+    match drive {
+        Drive::Simple { target, .. } | Drive::FreeStyle { target: Some(target), .. } => Some(*target),
+        _ => None,
+    }
+}

@@ -1,0 +1,318 @@
+//! Drives that begin, go on from frame to frame, and end.
+
+use super::driven::{Driven, Mode, name, target};
+use super::pass::{Meaning, Pass};
+use super::record::near;
+use crate::drive::force::Force;
+use crate::drive::path::Path;
+use crate::drive::simple::{Begun, analyse, begin};
+use crate::drive::tracking::{Tracker, frame_forces};
+use crate::phase::Role;
+use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::{Drive, Law, Outcome, OutcomeKind, Target, Until};
+use solaris_model::{Event, EventKind};
+use solaris_profiles::ProfileError;
+use std::sync::Arc;
+
+/// How far, at most, a curve may begin from where its degree of freedom is, and from its velocity: what integration and
+/// numbers written with few digits leave.
+const SAME: f64 = 1e-6;
+
+impl Pass<'_> {
+    /// All first drives.
+    pub(crate) fn begin_all(&mut self) -> Result<(), RunError> {
+        for follower in self.simulation.figure.followers() {
+            let names = [follower.dof, follower.leader].map(|dof| self.simulation.name(dof).to_owned());
+            let free = |step: &&crate::Step| !matches!(step.drive, Drive::Frozen | Drive::Kinematic(_) | Drive::Move { .. } | Drive::Recorded(_));
+            if let Some(step) = self.simulation.drives[follower.leader].iter().find(free) {
+                let [dof, leader] = names;
+                return Err(SetupError::Follower { dof, leader, drive: step.drive.name() }.into());
+            }
+        }
+        let all: Vec<(usize, usize)> =
+            (0..self.driven.len()).filter(|dof| !self.simulation.figure.follows(*dof)).map(|dof| (dof, 0)).collect();
+        self.begin(&all)?;
+        self.settle(&[])
+    }
+
+    /// What follows from events, and from the clock.
+    pub(crate) fn change(&mut self, events: &[Meaning]) -> Result<(), RunError> {
+        let mut next = Vec::new();
+        for dof in 0..self.driven.len() {
+            if self.simulation.figure.follows(dof) {
+                continue;
+            }
+            let steps = &self.simulation.drives[dof];
+            let (driven, due) = (&self.driven[dof], self.t + near(self.t));
+            let over = events.contains(&Meaning::Until(dof))
+                || steps.get(driven.step).is_some_and(|step| match step.until {
+                    Until::Time(time) => time <= due,
+                    Until::Lasting(time) => driven.start + time <= due,
+                    _ => false,
+                });
+            let done = !driven.waits && driven.end <= due;
+            if done {
+                let result = self.result(dof);
+                self.outcome(dof, result);
+            } else if over && !driven.waits {
+                let lasts = driven.end.is_infinite();
+                self.outcome(dof, if lasts { OutcomeKind::Ended } else { OutcomeKind::Interrupted });
+            }
+            let until_done = steps.get(self.driven[dof].step).is_none_or(|step| step.until == Until::Done);
+            if over || (done && until_done) {
+                next.push((dof, self.driven[dof].step + 1));
+            } else if done {
+                let step = self.driven[dof].step;
+                let start = self.driven[dof].start;
+                self.driven[dof] = Driven { waits: true, ..Driven::new(step, start, Mode::Still, f64::INFINITY) };
+            }
+        }
+        for &(dof, step) in &next {
+            let steps = &self.simulation.drives[dof];
+            let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
+            let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
+            self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
+            self.passed.jumps = true;
+        }
+        self.begin(&next)?;
+        self.settle(events)
+    }
+
+    /// Begins drives, all at the same instant, so that one analysis serves those that need one.
+    fn begin(&mut self, drives: &[(usize, usize)]) -> Result<(), RunError> {
+        let targets: Vec<(usize, Target)> = drives
+            .iter()
+            .filter_map(|&(dof, step)| Some((dof, target(&self.simulation.drives[dof].get(step)?.drive)?)))
+            .collect();
+        for &(dof, step) in drives {
+            let driven = self.begun(dof, step)?;
+            let held = self.driven[dof].held.filter(|_| !matches!(driven.mode, Mode::Still | Mode::Path(_)));
+            self.driven[dof] = Driven { held, ..driven };
+        }
+        if targets.is_empty() {
+            return Ok(());
+        }
+        let (prescribed, a, tau) = self.given();
+        let layout = self.simulation.figure.layout();
+        let analysis = analyse(&mut self.body, layout, &self.q, &self.v, &prescribed, &a, &tau, &targets)
+            .map_err(|error| super::guard::of_dynamics(self.t, error))?;
+        self.passed.counts.evaluations += 2;
+        let mut next = Vec::new();
+        for (i, &(dof, target)) in targets.iter().enumerate() {
+            let step = self.driven[dof].step;
+            let begins = self.analysed(dof, &target, analysis.force[i], analysis.acceleration[i]);
+            if !begins && self.simulation.drives[dof][step].until == Until::Done {
+                next.push((dof, step + 1));
+            }
+        }
+        if next.is_empty() { Ok(()) } else { self.begin(&next) }
+    }
+
+    /// What a drive makes of its analysis; whether it begins. Where it does not, it waits at rest.
+    fn analysed(&mut self, dof: usize, target: &Target, force: f64, acceleration: f64) -> bool {
+        let step = self.driven[dof].step;
+        let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) else { return false };
+        self.driven[dof].acceleration = Some(acceleration);
+        let (mode, end) = match &self.simulation.drives[dof][step].drive {
+            Drive::Simple { course, .. } => {
+                match begin(*course, *target, self.q[coordinate], self.v[dof], acceleration, self.t) {
+                    Begun::Along { path, end } => (Mode::Path(path), end),
+                    Begun::Not(result) => {
+                        self.outcome(dof, result);
+                        self.driven[dof].waits = true;
+                        return false;
+                    }
+                }
+            }
+            // Free-style: the force is held.
+            _ => (Mode::Force(Force::Constant(force)), self.driven[dof].end),
+        };
+        (self.driven[dof].mode, self.driven[dof].end) = (mode, end);
+        true
+    }
+
+    /// A drive that begins now; simple modes stand still until their analysis is there.
+    fn begun(&self, dof: usize, step: usize) -> Result<Driven, RunError> {
+        let now = self.t;
+        let new = |mode, end| Driven::new(step, now, mode, end);
+        let Some(drive) = self.simulation.drives[dof].get(step).map(|step| &step.drive) else {
+            return Ok(new(Mode::Still, f64::INFINITY));
+        };
+        let fault = |source: ProfileError| {
+            RunError::from(SetupError::Profile { dof: self.simulation.name(dof).to_owned(), source })
+        };
+        let position = self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
+        let velocity = self.v[dof];
+        Ok(match drive {
+            Drive::Free => new(Mode::Force(Force::Constant(0.0)), f64::INFINITY),
+            Drive::Frozen | Drive::Simple { .. } => new(Mode::Still, f64::INFINITY),
+            Drive::Kinematic(profile) => {
+                let path = Path::profile(profile, now).map_err(fault)?;
+                let start = path.at(now);
+                self.check_start(dof, (start.position, start.velocity), (position, velocity))?;
+                let end = path.end();
+                new(Mode::Path(path), end)
+            }
+            Drive::Move { to, over, along } => {
+                let path = Path::moving(*along, *over, (position, velocity), *to, now).map_err(fault)?;
+                new(Mode::Path(path), now + over)
+            }
+            Drive::Recorded(recorded) => {
+                let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) else {
+                    return Ok(new(Mode::Still, f64::INFINITY));
+                };
+                let path = Path::Recorded { recorded: Arc::clone(recorded), dof, coordinate };
+                let start = path.at(now);
+                self.check_start(dof, (start.position, start.velocity), (position, velocity))?;
+                new(Mode::Path(path), recorded.span().1.max(now))
+            }
+            Drive::Torque(profile) => {
+                let path = Path::profile(profile, now).map_err(fault)?;
+                let end = path.end();
+                new(Mode::Force(Force::Along(path)), end)
+            }
+            Drive::FreeStyle { duration, .. } => new(Mode::Force(Force::Constant(0.0)), now + duration),
+            Drive::Intensive { target, duration, law, .. } => {
+                let tracker = Tracker::new(*law, *target, now, *duration, (position, velocity, self.a[dof]));
+                new(Mode::Track(Box::new(tracker), 0.0), now + duration)
+            }
+        })
+    }
+
+    /// Refuses a curve that would make its degree of freedom jump.
+    fn check_start(&self, dof: usize, curve: (f64, f64), state: (f64, f64)) -> Result<(), RunError> {
+        let same = |a: f64, b: f64| (a - b).abs() <= SAME * (1.0 + a.abs().max(b.abs()));
+        if same(curve.0, state.0) && same(curve.1, state.1) {
+            return Ok(());
+        }
+        let dof = self.simulation.name(dof).to_owned();
+        let advice = "let the curve begin there, set the start of the scene to it, or take a Move, which begins where \
+                      it is"
+            .to_owned();
+        let (begins, velocity, found, moving) = (curve.0, curve.1, state.0, state.1);
+        let cause = Cause::Jump { dof: dof.clone(), begins, velocity, found, moving };
+        Err(Box::new(Trouble { time: self.t, dof: Some(dof), cause, advice }).into())
+    }
+
+    /// What is prescribed now, with its accelerations, and the drives' forces on the rest.
+    pub(crate) fn given(&self) -> (Vec<bool>, Vec<f64>, Vec<f64>) {
+        let figure = &self.simulation.figure;
+        let mut prescribed: Vec<bool> = self.driven.iter().map(|driven| driven.role() != Role::Dynamic).collect();
+        let mut a: Vec<f64> = self.a.clone();
+        for (dof, driven) in self.driven.iter().enumerate() {
+            match &driven.mode {
+                Mode::Path(path) => a[dof] = path.at(self.t).acceleration,
+                Mode::Still => a[dof] = 0.0,
+                _ if driven.held.is_some() => a[dof] = 0.0,
+                _ => {}
+            }
+        }
+        for follower in figure.followers() {
+            prescribed[follower.dof] = true;
+        }
+        let (mut q, mut v) = (self.q.clone(), self.v.clone());
+        figure.follow(&mut q, &mut v, &mut a);
+        (prescribed, a, self.driven.iter().map(|driven| driven.force(self.t)).collect())
+    }
+
+    /// What came of a drive that is done by itself.
+    fn result(&self, dof: usize) -> OutcomeKind {
+        let driven = &self.driven[dof];
+        let position = self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
+        match self.simulation.drives[dof].get(driven.step).map(|step| &step.drive) {
+            Some(Drive::Simple { target, .. }) => {
+                let same = (self.v[dof] - target.velocity).abs() <= 1e-9 * (1.0 + target.velocity.abs());
+                if same { OutcomeKind::Reached } else { OutcomeKind::ReachedWithVelocity }
+            }
+            Some(Drive::Intensive { target, .. }) => {
+                let off = (position - target.position).abs();
+                match () {
+                    () if off <= REACHED && (self.v[dof] - target.velocity).abs() <= 10.0 * REACHED => {
+                        OutcomeKind::Reached
+                    }
+                    () if driven.limited => OutcomeKind::LimitedByTorque,
+                    () if off <= REACHED => OutcomeKind::ReachedWithVelocity,
+                    () => OutcomeKind::Missed(off),
+                }
+            }
+            Some(Drive::Torque(_) | Drive::FreeStyle { .. }) => OutcomeKind::Ended,
+            _ => OutcomeKind::Reached,
+        }
+    }
+
+    /// Writes down how a drive ended.
+    pub(crate) fn outcome(&mut self, dof: usize, result: OutcomeKind) {
+        let driven = &self.driven[dof];
+        self.passed.outcomes.push(Outcome {
+            dof,
+            drive: name(self.simulation.drives[dof].get(driven.step)),
+            start: driven.start,
+            end: self.t,
+            result,
+            position: self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]),
+            velocity: self.v[dof],
+            acceleration: driven.acceleration,
+        });
+    }
+}
+
+/// How near (rad or m) a target counts as reached.
+const REACHED: f64 = 1e-3;
+
+/// The forces of the next `frame` (s) of all degrees of freedom that track a target.
+pub(crate) fn track(pass: &mut Pass<'_>, frame: f64) -> Result<(), RunError> {
+    let tracks: Vec<usize> =
+        (0..pass.driven.len()).filter(|&dof| matches!(pass.driven[dof].mode, Mode::Track(..))).collect();
+    if tracks.is_empty() {
+        return Ok(());
+    }
+    let (prescribed, mut a, mut tau) = pass.given();
+    let layout = pass.simulation.figure.layout();
+    for (a, driven) in a.iter_mut().zip(&pass.driven) {
+        if let Mode::Path(path) = &driven.mode {
+            *a = path.at(pass.t + 0.5 * frame).acceleration;
+        }
+    }
+    let (mut wanted, mut literal) = (Vec::new(), Vec::new());
+    for &dof in &tracks {
+        let Some(coordinate) = layout.coordinate(dof) else { continue };
+        let step = pass.driven[dof].step;
+        let Some(Drive::Intensive { target, law, .. }) =
+            pass.simulation.drives[dof].get(step).map(|step| step.drive.clone())
+        else {
+            continue;
+        };
+        if law == Law::Literal {
+            literal.push((dof, target));
+        } else if let Mode::Track(tracker, _) = &mut pass.driven[dof].mode {
+            wanted.push((dof, tracker.wanted(pass.t, frame, pass.q[coordinate], pass.v[dof])));
+        }
+    }
+    let failed = |error| RunError::from(super::guard::of_dynamics(pass.t, error));
+    if !literal.is_empty() {
+        let analysis = analyse(&mut pass.body, layout, &pass.q, &pass.v, &prescribed, &a, &tau, &literal);
+        for (&(dof, _), force) in literal.iter().zip(analysis.map_err(failed)?.force) {
+            tau[dof] = force;
+        }
+        pass.passed.counts.evaluations += 2;
+    }
+    if !wanted.is_empty() {
+        let figure = &pass.simulation.figure;
+        frame_forces(&mut pass.body, figure, &pass.q, &pass.v, &prescribed, &mut a, &mut tau, &wanted, frame)
+            .map_err(failed)?;
+        pass.passed.counts.evaluations += 1;
+    }
+    for dof in tracks {
+        let step = pass.driven[dof].step;
+        let limit = match pass.simulation.drives[dof].get(step).map(|step| &step.drive) {
+            Some(Drive::Intensive { limit: Some(limit), .. }) => *limit,
+            _ => f64::INFINITY,
+        };
+        let driven = &mut pass.driven[dof];
+        driven.limited |= tau[dof].abs() > limit;
+        if let Mode::Track(_, force) = &mut driven.mode {
+            *force = tau[dof].clamp(-limit, limit);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,206 @@
+//! What is watched over while a pass is on its way, and what is said when it goes wrong.
+
+use crate::phase::Phase;
+use crate::settings::Guard;
+use crate::simulation::Simulation;
+use crate::time::{RateError, Stepping, System, TimeError};
+use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use nalgebra::{DMatrix, DVector};
+use solaris_dynamics::DynamicsError;
+use solaris_model::{AxisKind, EulerOrder};
+
+/// The largest state whose eigenvalues are found: they take the cube of it.
+const MOST_STATES: usize = 160;
+
+/// Looks at a frame: `share` is the part of the energy that has come from nowhere.
+pub(crate) fn look(
+    simulation: &Simulation,
+    guard: &Guard,
+    phase: &Phase,
+    time: f64,
+    q: &[f64],
+    share: f64,
+) -> Result<(), Box<Trouble>> {
+    let figure = &simulation.figure;
+    let distances = figure.gimbal_distances(q).map_err(|error| {
+        let (cause, advice) = (Cause::State(error.to_string()), "take a shorter step".to_owned());
+        Box::new(Trouble { time, dof: None, cause, advice })
+    })?;
+    for at in distances.filter(|at| at.distance < guard.gimbal) {
+        let joint = figure.layout().joints()[at.joint];
+        if !(joint.v..joint.v + joint.nv).any(|dof| phase.moves(dof)) {
+            continue;
+        }
+        let name = figure.links()[at.joint].joint().name().to_owned();
+        let advice = other_order(simulation, at.joint, q);
+        let (dof, cause) = (Some(name.clone()), Cause::GimbalLock { joint: name, distance: at.distance });
+        return Err(Box::new(Trouble { time, dof, cause, advice }));
+    }
+    // A share that is NaN is trouble too.
+    if share.partial_cmp(&guard.energy).is_none_or(std::cmp::Ordering::is_gt) {
+        let advice = "take a shorter step, or a tolerance instead of a step".to_owned();
+        return Err(Box::new(Trouble { time, dof: None, cause: Cause::Energy { share }, advice }));
+    }
+    Ok(())
+}
+
+/// Looks at the equations of a phase before the first step.
+pub(crate) fn look_before(
+    simulation: &Simulation,
+    guard: &Guard,
+    phase: &mut Phase,
+    stepping: Stepping,
+    time: f64,
+    y: &[f64],
+) -> Result<(), RunError> {
+    let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
+    phase.unpack(time, y, &mut q, &mut v);
+    look(simulation, guard, phase, time, &q, 0.0)?;
+    let (condition, dof) = phase.condition(time, y).map_err(|error| of_dynamics(time, error))?;
+    if condition.partial_cmp(&guard.condition).is_none_or(std::cmp::Ordering::is_gt) {
+        let dof = simulation.name(dof).to_owned();
+        let advice = "give what it moves more mass or an armature, or fix it".to_owned();
+        let cause = Cause::IllConditioned { condition, dof: dof.clone() };
+        return Err(Box::new(Trouble { time, dof: Some(dof), cause, advice }).into());
+    }
+    too_long(simulation, phase, stepping, time, y).map_or(Ok(()), |trouble| Err(trouble.into()))
+}
+
+/// Whether a fixed step is beyond stability: `h·|λ|` more than the rule allows.
+fn too_long(
+    simulation: &Simulation,
+    phase: &mut Phase,
+    stepping: Stepping,
+    time: f64,
+    y: &[f64],
+) -> Option<Box<Trouble>> {
+    let Stepping::Fixed { rule, step } = stepping else { return None };
+    let (eigenvalue, dof) = stiffest(phase, time, y)?;
+    let longest = rule.stability() / eigenvalue.abs();
+    if step <= longest {
+        return None;
+    }
+    let dof = dof.map_or_else(|| "the figure".to_owned(), |dof| simulation.name(dof).to_owned());
+    let advice = format!("take a step below {longest:.1e} s, or a stiff method (method: Stiff(tolerance: 1e-6))");
+    let cause = Cause::StepTooLong { method: rule.to_string(), step, longest, eigenvalue, dof: dof.clone() };
+    Some(Box::new(Trouble { time, dof: Some(dof), cause, advice }))
+}
+
+/// The eigenvalue (1/s) of greatest magnitude of the equations of a phase, its magnitude with the sign of its real part, and
+/// the degree of freedom that moves most in its direction; `None` for a state too large, or one without motion.
+pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, Option<usize>)> {
+    // The last two entries are accounts.
+    let n = y.len().checked_sub(2).filter(|n| (1..=MOST_STATES).contains(n))?;
+    let mut jacobian = DMatrix::zeros(y.len(), y.len());
+    phase.jacobian(time, y, &mut jacobian).ok()?;
+    let motion = jacobian.view((0, 0), (n, n)).into_owned();
+    if motion.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let eigenvalues = motion.clone().complex_eigenvalues();
+    let stiffest = eigenvalues.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
+    let magnitude = stiffest.norm();
+    if magnitude == 0.0 {
+        return None;
+    }
+    // A few multiplications turn any direction into that of the greatest eigenvalues.
+    let mut direction = DVector::from_fn(n, |i, _| 1.0 + (i % 7) as f64 * 0.1);
+    for _ in 0..40 {
+        direction = &motion * direction / magnitude;
+        let length = direction.norm();
+        if !(length.is_finite() && length > 0.0) {
+            break;
+        }
+        direction /= length;
+    }
+    let entry = direction.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(i, _)| i)?;
+    Some((magnitude.copysign(stiffest.re), phase.dof_of(entry)))
+}
+
+/// Says more of trouble that a step too long may have caused.
+pub(crate) fn explain(
+    simulation: &Simulation,
+    phase: &mut Phase,
+    stepping: Stepping,
+    y: &[f64],
+    trouble: Trouble,
+) -> RunError {
+    let suspect = matches!(trouble.cause, Cause::Energy { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) | Cause::NotFinite { .. });
+    let state = y.iter().all(|x| x.is_finite());
+    let found = (suspect && state).then(|| too_long(simulation, phase, stepping, trouble.time, y)).flatten();
+    found.unwrap_or_else(|| Box::new(trouble)).into()
+}
+
+/// Trouble of a stepper.
+pub(crate) fn of_time(simulation: &Simulation, error: TimeError) -> Result<Trouble, RunError> {
+    Ok(match error {
+        TimeError::Rate { time, source } => *of_rate_at(time, source),
+        TimeError::Stuck { time, method, why } => {
+            let advice = "look at the scene there: something is too stiff, or jumps; a larger tolerance may pass it".to_owned();
+            Trouble { time, dof: None, cause: Cause::Stuck { method, why }, advice }
+        }
+        TimeError::Evaluations { time, evaluations } => {
+            let advice = format!(
+                "ask for a shorter run of '{}', a larger tolerance, or a stiff method; or allow more in Guard::evaluations",
+                simulation.figure.name()
+            );
+            Trouble { time, dof: None, cause: Cause::Evaluations { evaluations }, advice }
+        }
+        error @ (TimeError::NoPositions { .. } | TimeError::Range { .. }) => {
+            let (why, method) = (error.to_string(), "the stepper".to_owned());
+            let advice = "ask for another method or step".to_owned();
+            Trouble { time: 0.0, dof: None, cause: Cause::Stuck { method, why }, advice }
+        }
+        TimeError::NotBuiltIn { method } => return Err(SetupError::NotBuiltIn { method }.into()),
+    })
+}
+
+/// Trouble of a rate.
+pub(crate) fn of_rate(simulation: &Simulation, time: f64, error: RateError) -> RunError {
+    let _ = simulation;
+    of_rate_at(time, error).into()
+}
+
+fn of_rate_at(time: f64, error: RateError) -> Box<Trouble> {
+    let advice = "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
+    match error {
+        RateError::Dynamics(source) => of_dynamics(time, source),
+        RateError::NotFinite { value, .. } | RateError::EventNotFinite { value, .. } => {
+            Box::new(Trouble { time, dof: None, cause: Cause::NotFinite { value }, advice })
+        }
+        RateError::Stopped => {
+            let cause = Cause::Stuck { method: "the run".to_owned(), why: "it was stopped".to_owned() };
+            Box::new(Trouble { time, dof: None, cause, advice })
+        }
+    }
+}
+
+/// Trouble of the kernel.
+pub(crate) fn of_dynamics(time: f64, error: DynamicsError) -> Box<Trouble> {
+    let advice = "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
+    Box::new(Trouble { time, dof: None, cause: Cause::Dynamics(error), advice })
+}
+
+/// What to do about a joint in lock: the order of rotations that is farthest from it there.
+fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> String {
+    let figure = &simulation.figure;
+    let (joint, at) = (figure.links()[link].joint(), figure.layout().joints()[link]);
+    let turns = joint.kind().axes().iter().zip(&q[at.q..]).filter(|(dof, _)| dof.axis.kind == AxisKind::Rotation);
+    let turned = turns.fold(nalgebra::Rotation3::identity(), |turned, (dof, angle)| {
+        turned * nalgebra::Rotation3::new(dof.axis.direction * *angle)
+    });
+    let from_lock = |order: &EulerOrder| middle(*order, &turned);
+    let best = EulerOrder::ALL.into_iter().max_by(|a, b| from_lock(a).total_cmp(&from_lock(b)));
+    best.map_or_else(
+        || "use a ball joint".to_owned(),
+        |order| format!("use a ball joint or order {order}, which is {:.0}° from it there", from_lock(&order).to_degrees()),
+    )
+}
+
+/// How far (rad) the order's middle rotation is from lock where it makes up the rotation `R = R_i·R_j·R_k`: `R·e_k` has the
+/// component `± sin b` along `e_i`.
+fn middle(order: EulerOrder, turned: &nalgebra::Rotation3<f64>) -> f64 {
+    let [first, _, last] = order.axes();
+    let sine: f64 = turned.matrix()[(first, last)];
+    std::f64::consts::FRAC_PI_2 - sine.abs().min(1.0).asin()
+}

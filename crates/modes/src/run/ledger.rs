@@ -1,0 +1,79 @@
+//! Where the energy goes.
+
+use crate::report::{Energy, EnergyReport};
+
+/// Accounts of energy over a pass (J).
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Ledger {
+    pub(crate) report: EnergyReport,
+    begun: bool,
+    /// Of the stretches that are over.
+    error: f64,
+    /// What the present stretch began with: energy, work, heat.
+    from: (f64, f64, f64),
+    /// The potential energy that heights are counted from.
+    level: f64,
+}
+
+impl Ledger {
+    /// A stretch begins with this energy, work and heat.
+    pub(crate) fn begin(&mut self, energy: Energy, work: f64, heat: f64) {
+        if !self.begun {
+            (self.report.start, self.begun) = (energy, true);
+        }
+        self.level = energy.potential;
+        self.from = (energy.total(), work, heat);
+        self.report.end = energy;
+        self.weigh(energy);
+    }
+
+    /// On the way: how much energy has come from nowhere by now, as a part of what is at play.
+    ///
+    /// ```text
+    /// E − E₀ = work − heat
+    /// ```
+    pub(crate) fn check(&mut self, energy: Energy, work: f64, heat: f64) -> f64 {
+        let found = self.found(energy, work, heat);
+        self.weigh(energy);
+        let exchanged = (work - self.from.1).abs().max(heat - self.from.2);
+        self.report.scale = self.report.scale.max(exchanged);
+        self.report.imbalance = self.report.imbalance.max(found.abs());
+        // What is left of large numbers that are taken from each other is rounding.
+        let rounding = 1e-9 * (energy.kinetic + energy.potential.abs() + energy.elastic);
+        if found.abs() <= rounding { 0.0 } else { found.abs() / self.report.scale }
+    }
+
+    /// The stretch is over.
+    pub(crate) fn end(&mut self, energy: Energy, work: f64, heat: f64) {
+        self.error = self.found(energy, work, heat);
+        (self.report.end, self.report.work, self.report.heat) = (energy, work, heat);
+    }
+
+    fn found(&self, energy: Energy, work: f64, heat: f64) -> f64 {
+        self.error + (energy.total() - self.from.0) - ((work - self.from.1) - (heat - self.from.2))
+    }
+
+    fn weigh(&mut self, energy: Energy) {
+        let at_play = energy.kinetic + energy.elastic + (energy.potential - self.level).abs();
+        self.report.scale = self.report.scale.max(at_play);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_comes_from_nowhere_is_found() {
+        let mut ledger = Ledger::default();
+        let energy = |kinetic, potential| Energy { kinetic, potential, elastic: 0.0 };
+        ledger.begin(energy(0.0, 10.0), 0.0, 0.0);
+        assert!(ledger.check(energy(6.0, 5.0), 2.0, 1.0) < 1e-15);
+        assert!((ledger.check(energy(6.5, 5.0), 2.0, 1.0) - 0.5 / 11.5).abs() < 1e-15);
+        ledger.end(energy(6.5, 5.0), 2.0, 1.0);
+        // The next stretch may begin with another energy, after an impact or with another part of the figure.
+        ledger.begin(energy(1.0, 5.0), 2.0, 1.0);
+        ledger.check(energy(1.0, 5.0), 2.0, 1.0);
+        assert!((ledger.report.imbalance - 0.5).abs() < 1e-15);
+    }
+}

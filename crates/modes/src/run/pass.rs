@@ -1,0 +1,383 @@
+//! One pass through a simulation, by one method.
+
+use super::driven::{Driven, Mode};
+use super::guard;
+use super::ledger::Ledger;
+use super::record::{Record, near};
+use crate::body::Body;
+use crate::drive::path::Path;
+use crate::impact::Side;
+use crate::phase::{Phase, Role, Watched};
+use crate::report::{Counts, Impact, PhaseReport, Watch};
+use crate::settings::{Rule, Settings};
+use crate::simulation::Simulation;
+use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
+use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::{LimitLaw, Outcome, OutcomeKind, Until};
+
+/// Rounds of changes at one instant that are still believed.
+const MOST_ROUNDS: usize = 1000;
+
+/// What a pass came to.
+pub(crate) struct Passed {
+    pub(crate) record: Record,
+    pub(crate) ledger: Ledger,
+    pub(crate) counts: Counts,
+    pub(crate) outcomes: Vec<Outcome>,
+    pub(crate) impacts: Vec<Impact>,
+    pub(crate) phases: Vec<PhaseReport>,
+    /// Whether anything was integrated.
+    pub(crate) is_dynamic: bool,
+    /// Whether velocities or forces jumped on the way.
+    pub(crate) jumps: bool,
+}
+
+/// One pass, on its way.
+pub(crate) struct Pass<'a> {
+    pub(crate) simulation: &'a Simulation,
+    pub(crate) settings: &'a Settings,
+    pub(crate) stepping: Stepping,
+    pub(crate) t: f64,
+    pub(crate) q: Vec<f64>,
+    pub(crate) v: Vec<f64>,
+    /// The last accelerations that were found.
+    pub(crate) a: Vec<f64>,
+    pub(crate) driven: Vec<Driven>,
+    /// The whole figure, for analyses and impacts.
+    pub(crate) body: Body<f64>,
+    /// Where the next stretch has to end at the latest (s).
+    pub(crate) cap: f64,
+    pub(crate) passed: Passed,
+    work: f64,
+    heat: f64,
+    compiled: Option<Compiled>,
+    /// Time and number of changes without time going on.
+    rounds: (f64, usize),
+}
+
+/// A phase, and what it was compiled for.
+struct Compiled {
+    phase: Phase,
+    roles: Vec<Role>,
+    q: Vec<f64>,
+}
+
+/// What an event means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Meaning {
+    /// The drive of a degree of freedom gives way.
+    Until(usize),
+    /// A degree of freedom passes its lower or upper limit.
+    Limit(usize, Side),
+    /// A limit lets go.
+    Release(usize),
+    /// A force changes its law.
+    Kink,
+}
+
+/// Runs through a simulation once.
+pub(crate) fn pass(
+    simulation: &Simulation,
+    settings: &Settings,
+    stepping: Stepping,
+    watch: &mut dyn Watch,
+) -> Result<Passed, RunError> {
+    let mut pass = Pass::new(simulation, settings, stepping)?;
+    pass.begin_all()?;
+    while pass.t < settings.duration - near(settings.duration) {
+        if watch.is_cancelled() {
+            return Err(RunError::Cancelled);
+        }
+        pass.stretch(watch)?;
+    }
+    pass.finish()
+}
+
+impl<'a> Pass<'a> {
+    fn new(simulation: &'a Simulation, settings: &'a Settings, stepping: Stepping) -> Result<Self, RunError> {
+        let Simulation { figure, gravity, springs, limits, .. } = simulation;
+        let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
+        let mut a = vec![0.0; v.len()];
+        figure.follow(&mut q, &mut v, &mut a);
+        let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
+        Ok(Self {
+            simulation,
+            settings,
+            stepping,
+            t: 0.0,
+            driven: (0..v.len()).map(at_rest).collect(),
+            q,
+            v,
+            a,
+            body: Body::new(figure, *gravity, springs, limits)?,
+            cap: f64::INFINITY,
+            passed: Passed {
+                record: Record::new(settings.duration, settings.rate),
+                ledger: Ledger::default(),
+                counts: Counts::default(),
+                outcomes: Vec::new(),
+                impacts: Vec::new(),
+                phases: Vec::new(),
+                is_dynamic: false,
+                jumps: false,
+            },
+            work: 0.0,
+            heat: 0.0,
+            compiled: None,
+            rounds: (0.0, 0),
+        })
+    }
+
+    /// From now to the next change.
+    fn stretch(&mut self, watch: &mut dyn Watch) -> Result<(), RunError> {
+        self.check_rounds()?;
+        let mut compiled = self.compile()?;
+        let end = self.next_stop();
+        self.track(end)?;
+        let meanings = self.load(&mut compiled.phase, end)?;
+        let result = self.step(&mut compiled.phase, end, watch);
+        self.compiled = Some(compiled);
+        let stopped = result?;
+        self.cap = f64::INFINITY;
+        self.passed.counts.events += stopped.events.len() as u64;
+        self.passed.jumps |= !stopped.events.is_empty();
+        let events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
+        self.change(&events)
+    }
+
+    /// Steps the phase, frames and all.
+    fn step(&mut self, phase: &mut Phase, end: f64, watch: &mut dyn Watch) -> Result<Stopped, RunError> {
+        let (simulation, settings) = (self.simulation, self.settings);
+        let Self { passed, q, v, a, t, .. } = self;
+        let mut y = phase.pack(q, v, self.work, self.heat);
+        let at = |error| guard::of_rate(simulation, *t, error);
+        if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
+            phase.accelerations(*t, &y, a).map_err(at)?;
+            passed.counts.evaluations += 1;
+            passed.record.push(q, v, a);
+        }
+        let dynamic = phase.is_dynamic();
+        let (work, heat) = (y.len() - 2, y.len() - 1);
+        if dynamic {
+            let energy = phase.energy(*t, &y).map_err(|error| at(RateError::Dynamics(error)))?;
+            passed.ledger.begin(energy, y[work], y[heat]);
+        }
+        let stepping = if dynamic {
+            self.stepping
+        } else {
+            // Nothing is integrated; events on curves are looked for once a frame.
+            Stepping::Fixed { rule: Rule::ExplicitEuler, step: settings.rate.recip() }
+        };
+        let frames = passed.record.before(end).to_vec();
+        let frames = &frames[frames.partition_point(|frame| *frame <= *t + near(*t))..];
+        let mut trouble: Option<Box<Trouble>> = None;
+        let Passed { record, ledger, counts, .. } = passed;
+        let mut spent = 0;
+        let mut frame = |phase: &mut Phase, time: f64, y: &[f64]| -> Result<(), RateError> {
+            phase.unpack(time, y, q, v);
+            phase.accelerations(time, y, a)?;
+            spent += 1;
+            record.push(q, v, a);
+            watch.progress(time / settings.duration);
+            if dynamic {
+                let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
+                trouble = guard::look(simulation, &settings.guard, phase, time, q, share).err();
+            }
+            // Any error ends the stretch; the trouble says which it is.
+            if trouble.is_some() || watch.is_cancelled() { Err(RateError::Stopped) } else { Ok(()) }
+        };
+        let result = advance(
+            phase,
+            stepping,
+            (*t, end),
+            &mut y,
+            frames,
+            &mut frame,
+            settings.guard.evaluations,
+            counts,
+        );
+        counts.evaluations += spent;
+        let stopped = match (result, trouble) {
+            (Ok(stopped), None) => stopped,
+            (_, Some(trouble)) => return Err(guard::explain(simulation, phase, stepping, &y, *trouble)),
+            (Err(TimeError::Rate { source: RateError::Stopped, .. }), None) => return Err(RunError::Cancelled),
+            (Err(error), None) => {
+                let trouble = guard::of_time(simulation, error)?;
+                return Err(guard::explain(simulation, phase, stepping, &y, trouble));
+            }
+        };
+        *t = stopped.time;
+        phase.unpack(*t, &y, q, v);
+        (self.work, self.heat) = (y[work], y[heat]);
+        if dynamic {
+            let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(simulation, *t, error.into()))?;
+            let share = passed.ledger.check(energy, y[work], y[heat]);
+            if let Err(trouble) = guard::look(simulation, &settings.guard, phase, *t, q, share) {
+                return Err(guard::explain(simulation, phase, stepping, &y, *trouble));
+            }
+            passed.ledger.end(energy, y[work], y[heat]);
+        }
+        Ok(stopped)
+    }
+
+    /// The phase for the roles that the drives give.
+    fn compile(&mut self) -> Result<Compiled, RunError> {
+        let figure = &self.simulation.figure;
+        let mut roles: Vec<Role> = self.driven.iter().map(Driven::role).collect();
+        for follower in figure.followers() {
+            roles[follower.dof] = roles[follower.leader];
+        }
+        if let Some(compiled) = self.compiled.take()
+            && compiled.roles == roles
+            && self.stands_where(&compiled)
+        {
+            return Ok(compiled);
+        }
+        self.end_phase();
+        let phase = Phase::with(self.simulation, &roles, &self.q, self.settings.leave_out)?;
+        self.passed.phases.push(PhaseReport { start: self.t, ..phase.report.clone() });
+        self.passed.is_dynamic |= phase.is_dynamic();
+        let mut compiled = Compiled { phase, roles, q: self.q.clone() };
+        if compiled.phase.is_dynamic() {
+            self.load(&mut compiled.phase, self.next_stop())?;
+            let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
+            guard::look_before(self.simulation, &self.settings.guard, &mut compiled.phase, self.stepping, self.t, &y)?;
+        }
+        Ok(compiled)
+    }
+
+    /// Whether what stands still stands where it stood when the phase was compiled.
+    fn stands_where(&self, compiled: &Compiled) -> bool {
+        let joints = self.simulation.figure.layout().joints().iter();
+        joints.filter(|at| compiled.roles[at.v..at.v + at.nv].contains(&Role::Still)).all(|at| {
+            // A joint some of whose axes move has the others where they are.
+            (0..at.nq).all(|i| {
+                let moves = at.nq == at.nv && compiled.roles[at.v + i] != Role::Still;
+                moves || self.q[at.q + i].to_bits() == compiled.q[at.q + i].to_bits()
+            })
+        })
+    }
+
+    /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.
+    fn load(&self, phase: &mut Phase, end: f64) -> Result<Vec<Meaning>, SetupError> {
+        let figure = &self.simulation.figure;
+        let (mut watched, mut meanings) = (Vec::new(), Vec::new());
+        let mut watch = |what, meaning| {
+            watched.push(what);
+            meanings.push(meaning);
+        };
+        for (dof, driven) in self.driven.iter().enumerate() {
+            if figure.follows(dof) {
+                continue;
+            }
+            match &driven.mode {
+                Mode::Still => {}
+                Mode::Path(path) => phase.set_path(dof, path.during(self.t, end)),
+                Mode::Force(force) => phase.set_force(dof, force.during(self.t, end)),
+                Mode::Track(_, force) => phase.set_force(dof, crate::drive::force::Force::Constant(*force)),
+            }
+            if let Some((_, position)) = driven.held {
+                phase.set_path(dof, Path::Still(position));
+                watch(Watched::Hold { dof, drive: driven.force(self.t) }, Meaning::Release(dof));
+            } else if driven.role() == Role::Dynamic {
+                self.watch_limits(dof, &mut watch);
+            }
+            let steps = &self.simulation.drives[dof];
+            match steps.get(driven.step).map(|step| &step.until) {
+                Some(Until::Position { dof: name, value }) => {
+                    let watched = figure.layout().dof_index(name);
+                    watched.into_iter().for_each(|of| {
+                        watch(Watched::Position { dof: of, value: *value }, Meaning::Until(dof));
+                    });
+                }
+                Some(Until::Velocity { dof: name, value }) => {
+                    let watched = figure.layout().dof_index(name);
+                    watched.into_iter().for_each(|of| {
+                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::Until(dof));
+                    });
+                }
+                _ => {}
+            }
+        }
+        phase.watch(watched)?;
+        Ok(meanings)
+    }
+
+    fn watch_limits(&self, dof: usize, watch: &mut impl FnMut(Watched, Meaning)) {
+        let law = self.simulation.limits[dof];
+        let Some(limits) = self.limits_of(dof).filter(|_| law != LimitLaw::Ignore) else { return };
+        for (side, value) in [(Side::Lower, limits.lower), (Side::Upper, limits.upper)] {
+            if value.is_finite() {
+                let is_hard = matches!(law, LimitLaw::Hard { .. });
+                let meaning = if is_hard { Meaning::Limit(dof, side) } else { Meaning::Kink };
+                watch(Watched::Position { dof, value }, meaning);
+            }
+        }
+    }
+
+    /// The range of a degree of freedom.
+    pub(crate) fn limits_of(&self, dof: usize) -> Option<solaris_model::Limits> {
+        let figure = &self.simulation.figure;
+        let at = figure.layout().joints().partition_point(|at| at.v + at.nv <= dof);
+        let joint = figure.layout().joints()[at];
+        figure.links()[at].joint().kind().axes().get(dof - joint.v)?.limits
+    }
+
+    /// The force of the frame of every degree of freedom that tracks a target.
+    fn track(&mut self, end: f64) -> Result<(), RunError> {
+        super::drives::track(self, end - self.t)
+    }
+
+    /// When the next stretch has to end (s).
+    fn next_stop(&self) -> f64 {
+        let mut stop = self.settings.duration.min(self.cap);
+        let later = |time: f64| time > self.t + near(self.t);
+        for (driven, steps) in self.driven.iter().zip(&self.simulation.drives) {
+            let times = driven.breaks().into_iter().chain([driven.ends(steps)]);
+            stop = times.filter(|time| later(*time)).fold(stop, f64::min);
+        }
+        if self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
+            stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop));
+        }
+        stop
+    }
+
+    fn check_rounds(&mut self) -> Result<(), RunError> {
+        let (time, rounds) = &mut self.rounds;
+        *rounds = if self.t > *time + near(self.t) { 0 } else { *rounds + 1 };
+        *time = time.max(self.t);
+        if *rounds <= MOST_ROUNDS {
+            return Ok(());
+        }
+        let cause = Cause::Impacts { count: *rounds };
+        let advice = "two limits or drives undo each other; give them room, or soft limits".to_owned();
+        Err(Box::new(Trouble { time: self.t, dof: None, cause, advice }).into())
+    }
+
+    fn end_phase(&mut self) {
+        if let Some(last) = self.passed.phases.last_mut() {
+            last.end = self.t;
+        }
+    }
+
+    /// The last frame, and what did not come to its end.
+    fn finish(mut self) -> Result<Passed, RunError> {
+        if self.passed.record.due().is_some() {
+            let mut compiled = self.compile()?;
+            self.load(&mut compiled.phase, self.next_stop())?;
+            let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
+            let found = compiled.phase.accelerations(self.t, &y, &mut self.a);
+            found.map_err(|error| guard::of_rate(self.simulation, self.t, error))?;
+            self.passed.record.push(&self.q, &self.v, &self.a);
+        }
+        self.end_phase();
+        for dof in 0..self.driven.len() {
+            let driven = &self.driven[dof];
+            let lasts = driven.end.is_infinite() || driven.waits;
+            if !lasts && !matches!(driven.mode, Mode::Still) {
+                self.outcome(dof, OutcomeKind::Unfinished);
+            }
+        }
+        Ok(self.passed)
+    }
+}

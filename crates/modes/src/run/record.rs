@@ -1,0 +1,79 @@
+//! The frames of a pass.
+
+use crate::trouble::SetupError;
+use nalgebra::Vector3;
+use solaris_model::{Event, Figure, Motion, MotionInfo};
+
+/// The frames of a pass: times that are known beforehand, and the states that are found.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Record {
+    /// Times of all frames (s).
+    pub(crate) times: Vec<f64>,
+    pub(crate) q: Vec<f64>,
+    pub(crate) v: Vec<f64>,
+    pub(crate) a: Vec<f64>,
+    /// How many are there.
+    pub(crate) done: usize,
+    pub(crate) events: Vec<Event>,
+}
+
+impl Record {
+    /// Frames at `rate` (1/s) from 0 to `duration` (s).
+    pub(crate) fn new(duration: f64, rate: f64) -> Self {
+        // A duration of whole frames is one in spite of rounding.
+        let last = (duration * rate * (1.0 + 1e-12) + 1e-9).floor();
+        let times = (0..=last as usize).map(|k| (k as f64 / rate).min(duration)).collect();
+        Self { times, ..Self::default() }
+    }
+
+    /// The time of the frame that is due next.
+    pub(crate) fn due(&self) -> Option<f64> {
+        self.times.get(self.done).copied()
+    }
+
+    /// The frames that are due before `end` (s).
+    pub(crate) fn before(&self, end: f64) -> &[f64] {
+        let count = self.times[self.done..].partition_point(|time| *time < end - near(end));
+        &self.times[self.done..self.done + count]
+    }
+
+    /// The first frame later than `time` (s).
+    pub(crate) fn after(&self, time: f64) -> Option<f64> {
+        self.times.get(self.times.partition_point(|frame| *frame <= time + near(time))).copied()
+    }
+
+    /// Adds the frame that is due.
+    pub(crate) fn push(&mut self, q: &[f64], v: &[f64], a: &[f64]) {
+        self.q.extend_from_slice(q);
+        self.v.extend_from_slice(v);
+        self.a.extend_from_slice(a);
+        self.done += 1;
+    }
+
+    /// The positions of a frame.
+    pub(crate) fn q(&self, frame: usize) -> &[f64] {
+        let nq = self.q.len() / self.done;
+        &self.q[frame * nq..][..nq]
+    }
+
+    /// The velocities of a frame.
+    pub(crate) fn v(&self, frame: usize) -> &[f64] {
+        let nv = self.v.len() / self.done;
+        &self.v[frame * nv..][..nv]
+    }
+
+    /// The motion.
+    pub(crate) fn motion(self, figure: &Figure, gravity: Vector3<f64>, rate: f64) -> Result<Motion, SetupError> {
+        let info = MotionInfo { fingerprint: figure.fingerprint(), gravity, ground: None, rate };
+        let mut times = self.times;
+        times.truncate(self.done);
+        let mut motion = Motion::new(figure, info, times, [self.q, self.v, self.a])?;
+        motion.events = self.events;
+        Ok(motion)
+    }
+}
+
+/// How near (s) two times are that are the same but for rounding.
+pub(crate) fn near(time: f64) -> f64 {
+    1e-12 * (1.0 + time.abs())
+}

@@ -1,0 +1,37 @@
+//! Looking on for somebody who wants to see the whole study as one.
+
+use crate::report::Watch;
+
+/// Passes on to a watch, with the progress of a part as a span of the whole.
+pub(super) struct Outlook<'a> {
+    watch: &'a mut dyn Watch,
+    from: f64,
+    to: f64,
+    progress: f64,
+}
+
+impl<'a> Outlook<'a> {
+    pub(super) fn new(watch: &'a mut dyn Watch, from: f64, to: f64) -> Self {
+        watch.progress(from);
+        Self { watch, from, to, progress: from }
+    }
+}
+
+impl Watch for Outlook<'_> {
+    fn now(&self) -> Option<f64> {
+        self.watch.now()
+    }
+
+    /// Never backwards: of several runs in a part the first one shows.
+    fn progress(&mut self, share: f64) {
+        let progress = self.from + (self.to - self.from) * share.clamp(0.0, 1.0);
+        if progress > self.progress {
+            self.progress = progress;
+            self.watch.progress(progress);
+        }
+    }
+
+    fn is_cancelled(&self) -> bool {
+        self.watch.is_cancelled()
+    }
+}

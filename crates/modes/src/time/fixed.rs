@@ -1,0 +1,233 @@
+//! Rules for steps of fixed length.
+
+use super::evaluate::{Evaluator, finite};
+use super::locate::{Look, Sides};
+use super::stepping::Course;
+use super::{Stopped, System, TimeError};
+use crate::settings::Rule;
+
+/// The part of a step by which a gap may be longer than a whole number of steps, for times are rounded.
+const ROUNDED: f64 = 1e-9;
+
+/// Steps `y` through a stretch: from frame to frame in equal steps, at most `longest` (s).
+pub(super) fn advance<S: System + ?Sized>(
+    mut evaluator: Evaluator<'_, S>,
+    rule: Rule,
+    longest: f64,
+    y: &mut [f64],
+    mut course: Course<'_, S>,
+) -> Result<Stopped, TimeError> {
+    let (from, to) = course.span;
+    let mut stepper = Stepper::new(rule, &*evaluator.system, y)?;
+    let mut watch = Watch::new(&mut evaluator, from, y)?;
+    let (mut time, mut index) = (from, 0);
+    while time < to {
+        let (next, frame) = course.next(index, time);
+        index = next;
+        let (start, stop) = (time, frame.unwrap_or(to));
+        let steps = ((stop - start) / longest - ROUNDED).ceil().max(1.0);
+        let mut taken = 0.0;
+        while taken < steps {
+            taken += 1.0;
+            let end = if taken < steps { start + (stop - start) * (taken / steps) } else { stop };
+            let length = end - time;
+            stepper.begin(&mut evaluator, time, y)?;
+            stepper.step(&mut evaluator, time, length, y)?;
+            evaluator.counts.steps += 1;
+            if let Some(watch) = &mut watch
+                && let Some(fraction) = watch.look(&mut evaluator, &mut stepper, (time, end), y)?
+            {
+                time = if fraction < 1.0 { (time + length * fraction).min(end) } else { end };
+                y.copy_from_slice(&watch.state);
+                evaluator.counts.events += watch.sides.crossed.len() as u64;
+                if frame.is_some_and(|frame| frame <= time) {
+                    course.show(evaluator.system, time, y)?;
+                }
+                return Ok(Stopped { time, events: watch.sides.crossed.clone() });
+            }
+            y.copy_from_slice(&stepper.next);
+            time = end;
+        }
+        if frame.is_some() {
+            course.show(evaluator.system, time, y)?;
+        }
+    }
+    Ok(Stopped { time, events: Vec::new() })
+}
+
+/// The room that a rule needs for its steps.
+struct Stepper {
+    rule: Rule,
+    /// Which entries of the state are positions, for the rules that treat them apart.
+    positions: Vec<bool>,
+    /// The rate at the beginning of the step.
+    first: Vec<f64>,
+    rate: Vec<f64>,
+    sum: Vec<f64>,
+    state: Vec<f64>,
+    /// The state at the end of the step.
+    next: Vec<f64>,
+}
+
+impl Stepper {
+    fn new<S: System + ?Sized>(rule: Rule, system: &S, y: &[f64]) -> Result<Self, TimeError> {
+        let n = y.len();
+        let mut positions = Vec::new();
+        if matches!(rule, Rule::SemiImplicitEuler | Rule::ConstantAcceleration) {
+            // What is written over are positions.
+            let mut rate = vec![f64::NAN; n];
+            if !system.position_rate(y, &mut rate) {
+                return Err(TimeError::NoPositions { rule });
+            }
+            positions = rate.iter().map(|rate| !rate.is_nan()).collect();
+        }
+        let zeros = || vec![0.0; n];
+        Ok(Self {
+            rule,
+            positions,
+            first: zeros(),
+            rate: zeros(),
+            sum: zeros(),
+            state: zeros(),
+            next: zeros(),
+        })
+    }
+
+    /// Evaluates the rate at the beginning of a step, or of several from the same beginning.
+    fn begin<S: System + ?Sized>(
+        &mut self,
+        evaluator: &mut Evaluator<'_, S>,
+        t: f64,
+        y: &[f64],
+    ) -> Result<(), TimeError> {
+        evaluator.rate(t, y, &mut self.first)
+    }
+
+    /// The state `next`, a step of length `h` (s) after `y`.
+    fn step<S: System + ?Sized>(
+        &mut self,
+        evaluator: &mut Evaluator<'_, S>,
+        t: f64,
+        h: f64,
+        y: &[f64],
+    ) -> Result<(), TimeError> {
+        match self.rule {
+            Rule::ExplicitEuler => after(y, h, &self.first, &mut self.next),
+            Rule::SemiImplicitEuler => self.kick_then_drift(evaluator.system, h, h, y),
+            Rule::ConstantAcceleration => self.kick_then_drift(evaluator.system, h, 0.5 * h, y),
+            Rule::RungeKutta4 => self.runge_kutta(evaluator, t, h, y)?,
+        }
+        evaluator.system.settle(&mut self.next);
+        finite(&self.next).map_err(|source| TimeError::Rate { time: t + h, source })
+    }
+
+    /// All but positions by the rate at the beginning; positions by the velocities after `kick` (s).
+    ///
+    /// ```text
+    /// v⁺ = v + h·a        q⁺ = q + h·q̇(q, v + kick·a)
+    /// ```
+    fn kick_then_drift<S: System + ?Sized>(&mut self, system: &S, h: f64, kick: f64, y: &[f64]) {
+        for i in 0..y.len() {
+            self.state[i] = if self.positions[i] { y[i] } else { y[i] + kick * self.first[i] };
+        }
+        self.rate.copy_from_slice(&self.first);
+        system.position_rate(&self.state, &mut self.rate);
+        after(y, h, &self.rate, &mut self.next);
+    }
+
+    /// The classical rule of order four.
+    ///
+    /// ```text
+    /// k₁ = f(t, y)               k₂ = f(t + h/2, y + h·k₁/2)
+    /// k₃ = f(t + h/2, y + h·k₂/2)   k₄ = f(t + h, y + h·k₃)
+    /// y⁺ = y + h·(k₁ + 2k₂ + 2k₃ + k₄)/6
+    /// ```
+    ///
+    /// # Source
+    ///
+    /// W. Kutta: Beitrag zur näherungsweisen Integration totaler Differentialgleichungen. Zeitschrift für Mathematik und Physik
+    /// 46 (1901), 435–453.
+    fn runge_kutta<S: System + ?Sized>(
+        &mut self,
+        evaluator: &mut Evaluator<'_, S>,
+        t: f64,
+        h: f64,
+        y: &[f64],
+    ) -> Result<(), TimeError> {
+        self.rate.copy_from_slice(&self.first);
+        self.sum.copy_from_slice(&self.first);
+        for (at, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
+            after(y, at * h, &self.rate, &mut self.state);
+            evaluator.rate(t + at * h, &self.state, &mut self.rate)?;
+            for (sum, rate) in self.sum.iter_mut().zip(&self.rate) {
+                *sum += weight * rate;
+            }
+        }
+        after(y, h / 6.0, &self.sum, &mut self.next);
+        Ok(())
+    }
+}
+
+/// What is needed to see events.
+struct Watch {
+    sides: Sides,
+    values: Vec<f64>,
+    /// The state at the event.
+    state: Vec<f64>,
+    scratch: Vec<f64>,
+}
+
+impl Watch {
+    fn new<S: System + ?Sized>(
+        evaluator: &mut Evaluator<'_, S>,
+        t: f64,
+        y: &[f64],
+    ) -> Result<Option<Self>, TimeError> {
+        let events = evaluator.system.events();
+        if events == 0 {
+            return Ok(None);
+        }
+        let mut values = vec![0.0; events];
+        evaluator.event_values(t, y, &mut values)?;
+        let sides = Sides::new(values.clone());
+        Ok(Some(Self { sides, values, state: y.to_vec(), scratch: vec![0.0; events] }))
+    }
+
+    /// The fraction of the step from `y` to `stepper.next` at which the first functions come to zero; `state` is then the state
+    /// there.
+    fn look<S: System + ?Sized>(
+        &mut self,
+        evaluator: &mut Evaluator<'_, S>,
+        stepper: &mut Stepper,
+        (start, end): (f64, f64),
+        y: &[f64],
+    ) -> Result<Option<f64>, TimeError> {
+        evaluator.event_values(end, &stepper.next, &mut self.values)?;
+        let size = y.iter().chain(&stepper.next).fold(0.0_f64, |most, entry| most.max(entry.abs()));
+        let step = Look { end, length: end - start, size, resolution: 0.0 };
+        let Self { sides, values, state, scratch } = self;
+        // The step's end is looked at first, and again where an event is there; `next` is scratch in between.
+        state.copy_from_slice(&stepper.next);
+        let mut probe = |fraction: f64, values: &mut [f64]| {
+            let h = fraction * (end - start);
+            stepper.step(evaluator, start, h, y)?;
+            evaluator.event_values(start + h, &stepper.next, values)
+        };
+        let found = sides.look(step, values, &mut probe)?;
+        match found {
+            Some(fraction) if fraction < 1.0 => {
+                probe(fraction, scratch)?;
+                state.copy_from_slice(&stepper.next);
+            }
+            _ => stepper.next.copy_from_slice(state),
+        }
+        Ok(found)
+    }
+}
+
+/// `y + h·rate`.
+fn after(y: &[f64], h: f64, rate: &[f64], next: &mut [f64]) {
+    for ((next, y), rate) in next.iter_mut().zip(y).zip(rate) {
+        *next = y + h * rate;
+    }
+}

@@ -1,0 +1,15 @@
+//! Why a scene has no motion.
+
+use solaris_modes::{ReactionError, RunError};
+
+/// Why a scene has no motion.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// The run: what was asked cannot be run, or trouble on the way.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// The ground under the feet of a walk.
+    #[error("the motion is there, but not what the ground does under its feet: {0}")]
+    Reaction(#[from] ReactionError),
+}

@@ -1,0 +1,119 @@
+//! From a text to a scene, with every fault on the way.
+
+mod blend;
+mod curve;
+mod drive;
+mod drives;
+mod figures;
+mod limits;
+mod names;
+mod settings;
+mod springs;
+mod start;
+mod velocities;
+mod walk;
+
+use crate::loader::Loader;
+use crate::scene::Scene;
+use nalgebra::Vector3;
+use names::Names;
+use solaris_model::text::{Fields, Node, Reader, parse};
+use solaris_model::{Figure, TextError};
+use solaris_modes::{SetupError, Simulation};
+use std::ops::Range;
+
+/// The version of the grammar.
+const VERSION: u32 = 1;
+
+/// Gravity where neither the scene nor its figure says one (m/s²): y is up.
+pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
+
+const FIELDS: [&str; 14] = [
+    "version",
+    "figures",
+    "gravity",
+    "rate",
+    "duration",
+    "tolerance",
+    "method",
+    "guard",
+    "start",
+    "velocities",
+    "drives",
+    "springs",
+    "limits",
+    "walk",
+];
+
+/// What is gathered while the tree of a scene is read.
+struct SceneReader<'l> {
+    reader: Reader,
+    loader: &'l mut dyn Loader,
+    /// The simulation, once there is a figure; the rest is read without one too, for its faults.
+    simulation: Option<Simulation>,
+    names: Names,
+}
+
+/// The scene that `text` describes.
+pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
+    let tree = parse(text, "scene", "Scene(version: 1, …)")?;
+    let reader = Reader::default();
+    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default() };
+    let scene = reader.scene(&tree);
+    reader.reader.finish(text)?;
+    // Where there is no scene there is a fault.
+    scene.ok_or_else(|| TextError::one(text, tree.span, "this scene cannot be used"))
+}
+
+impl SceneReader<'_> {
+    fn scene(&mut self, tree: &Node<'_>) -> Option<Scene> {
+        let fields = self.reader.fields(tree, &["Scene"], &[])?;
+        // A later version may mean anything by the rest.
+        if self.reader.is_later(&fields, "scene", VERSION, true) {
+            return None;
+        }
+        self.reader.only_known(&fields, &FIELDS);
+        let found = self.figures(&fields);
+        let gravity = fields.get("gravity").and_then(|node| self.reader.vector(node, "gravity"));
+        let (name, figure) = found.unzip();
+        if let Some(figure) = &figure {
+            let gravity = gravity.or(figure.gravity().copied()).unwrap_or(GRAVITY);
+            self.simulation = Some(Simulation::new(figure, gravity));
+            self.names = Names::of(figure);
+        }
+        let given = self.drives(&fields);
+        let walk = self.walk(&fields, figure.as_ref(), &given);
+        self.start(&fields, &given, walk.as_ref());
+        self.springs(&fields);
+        self.limits(&fields);
+        let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
+        let simulation = self.simulation.take()?;
+        Some(Scene {
+            name: name?,
+            simulation,
+            settings: settings?,
+            walk: walk.map(walk::Planned::into_walked),
+        })
+    }
+
+    /// Adds what the simulation has to say about what stands at `span`.
+    fn setup<T>(&mut self, span: &Range<usize>, result: Result<T, SetupError>) -> Option<T> {
+        result.map_err(|error| self.reader.fault(span.clone(), error.to_string())).ok()
+    }
+
+    /// The figure, if there is one.
+    fn figure(&self) -> Option<&Figure> {
+        self.simulation.as_ref().map(Simulation::figure)
+    }
+
+    /// The entries of a field that is a map.
+    fn map<'n, 'a>(
+        &mut self,
+        fields: &Fields<'n, 'a>,
+        field: &str,
+        example: &str,
+    ) -> &'n [(Node<'a>, Node<'a>)] {
+        let node = fields.get(field);
+        node.and_then(|node| self.reader.entries(node, field, example)).unwrap_or_default()
+    }
+}

@@ -1,0 +1,186 @@
+//! One drive, and until when.
+
+use super::SceneReader;
+use super::drives::Placed;
+use solaris_model::text::{Fields, Node};
+use solaris_modes::{Course, Drive, Law, Shape, Step, Target, Until};
+
+const DRIVES: [&str; 11] = [
+    "Free",
+    "Frozen",
+    "Wait",
+    "Kinematic",
+    "Move",
+    "Torque",
+    "TargetAngle",
+    "TimeOriented",
+    "AccelerateDecelerate",
+    "FreeStyle",
+    "Intensive",
+];
+
+const UNTIL: [&str; 5] = ["Done", "At", "Lasting", "Passes", "PassesSpeed"];
+
+/// The fields that each drive has.
+fn known(kind: &str) -> &'static [&'static str] {
+    match kind {
+        "Kinematic" | "Torque" => &["along", "until"],
+        "Move" => &["to", "over", "by", "until"],
+        "TargetAngle" => &["to", "velocity", "acceleration", "until"],
+        "TimeOriented" => &["to", "velocity", "acceleration", "over", "until"],
+        "AccelerateDecelerate" => &["to", "velocity", "acceleration", "by", "until"],
+        "FreeStyle" => &["to", "velocity", "acceleration", "for", "until"],
+        "Intensive" => &["to", "velocity", "acceleration", "over", "law", "limit", "until"],
+        _ => &["until"],
+    }
+}
+
+impl SceneReader<'_> {
+    /// A drive of degrees of freedom that turn, or of others.
+    pub(super) fn step(&mut self, node: &Node<'_>, turns: bool) -> Option<Placed> {
+        let kind = self.reader.kind(node, &DRIVES)?;
+        let place = node.place();
+        match (kind, node.tuple()) {
+            ("Wait", items) => {
+                let Some([time]) = items else {
+                    self.reader.fault(place, "Wait(0.5) takes one number, a time in s");
+                    return None;
+                };
+                let time = self.reader.number(time, "the time to wait")?;
+                return Some((place, Step { drive: Drive::Frozen, until: Until::Lasting(time) }));
+            }
+            ("Kinematic", Some([curve])) => {
+                let drive = Drive::Kinematic(self.profile(curve, turns)?);
+                return Some((place, drive.into()));
+            }
+            ("Torque", Some([curve])) => {
+                let drive = Drive::Torque(self.profile(curve, false)?);
+                return Some((place, drive.into()));
+            }
+            _ => {}
+        }
+        let fields = self.reader.fields(node, &DRIVES, known(kind))?;
+        let until = fields.get("until").map(|node| self.until(node));
+        let drive = self.drive(kind, &fields, turns);
+        Some((place, Step { drive: drive?, until: until.unwrap_or(Some(Until::Done))? }))
+    }
+
+    fn drive(&mut self, kind: &str, fields: &Fields<'_, '_>, turns: bool) -> Option<Drive> {
+        match kind {
+            "Free" => Some(Drive::Free),
+            "Frozen" => Some(Drive::Frozen),
+            "Kinematic" | "Torque" => {
+                let node =
+                    self.reader.required(fields, "along", "MinimumJerk(from: 0, to: 1, duration: 2)")?;
+                let profile = self.profile(node, turns && kind == "Kinematic")?;
+                Some(if kind == "Torque" { Drive::Torque(profile) } else { Drive::Kinematic(profile) })
+            }
+            "Move" => {
+                let (target, over) = (self.target(fields, turns), self.time(fields, "over"));
+                let along = match self.choice(fields, "by", &["MinimumJerk", "Cubic"])? {
+                    "Cubic" => Shape::Cubic,
+                    _ => Shape::MinimumJerk,
+                };
+                Some(Drive::Move { to: target?.position, over: over?, along })
+            }
+            "FreeStyle" => {
+                let has_target =
+                    ["to", "velocity", "acceleration"].iter().any(|field| fields.get(field).is_some());
+                let target = has_target.then(|| self.target(fields, turns));
+                let duration = self.time(fields, "for")?;
+                Some(Drive::FreeStyle {
+                    target: target.map_or(Some(None), |target| target.map(Some))?,
+                    duration,
+                })
+            }
+            "Intensive" => {
+                let (target, over) = (self.target(fields, turns), self.time(fields, "over"));
+                let law = match self.choice(fields, "law", &["Quintic", "Cubic", "Literal"])? {
+                    "Literal" => Law::Literal,
+                    "Cubic" => Law::Cubic,
+                    _ => Law::Quintic,
+                };
+                let limit = fields.get("limit").map(|node| self.reader.number(node, "the greatest force"));
+                let limit = limit.map_or(Some(None), |limit| limit.map(Some))?;
+                Some(Drive::Intensive { target: target?, duration: over?, law, limit })
+            }
+            _ => self.simple(kind, fields, turns),
+        }
+    }
+
+    fn simple(&mut self, kind: &str, fields: &Fields<'_, '_>, turns: bool) -> Option<Drive> {
+        let target = self.target(fields, turns);
+        let course = match kind {
+            "TargetAngle" => Course::TargetAngle,
+            "TimeOriented" => Course::TimeOriented { duration: self.time(fields, "over")? },
+            _ => match self.choice(fields, "by", &["BangBang", "HalfCosine", "FullSine"])? {
+                "HalfCosine" => Course::HalfCosine,
+                "FullSine" => Course::FullSine,
+                _ => Course::BangBang,
+            },
+        };
+        Some(Drive::Simple { target: target?, course })
+    }
+
+    /// The fields `to`, `velocity` and `acceleration`.
+    fn target(&mut self, fields: &Fields<'_, '_>, turns: bool) -> Option<Target> {
+        let position = self.reader.required(fields, "to", if turns { "deg(30)" } else { "0.1" });
+        let position = position.and_then(|node| self.reader.coordinate(node, turns, "the target"));
+        let mut rate = |field| {
+            let node = fields.get(field);
+            node.map_or(Some(0.0), |node| self.reader.coordinate(node, turns, format_args!("the {field}")))
+        };
+        let (velocity, acceleration) = (rate("velocity"), rate("acceleration"));
+        Some(Target { position: position?, velocity: velocity?, acceleration: acceleration? })
+    }
+
+    /// A duration that must be there (s).
+    fn time(&mut self, fields: &Fields<'_, '_>, field: &str) -> Option<f64> {
+        let node = self.reader.required(fields, field, "0.6")?;
+        self.reader.number(node, "the duration")
+    }
+
+    /// One of some words; the first where the field is not given.
+    fn choice(
+        &mut self,
+        fields: &Fields<'_, '_>,
+        field: &str,
+        words: &[&'static str],
+    ) -> Option<&'static str> {
+        fields.get(field).map_or(Some(words[0]), |node| self.reader.kind(node, words))
+    }
+
+    fn until(&mut self, node: &Node<'_>) -> Option<Until> {
+        let kind = self.reader.kind(node, &UNTIL)?;
+        match (kind, node.tuple()) {
+            ("Done", None) => Some(Until::Done),
+            ("At", Some([time])) => self.reader.number(time, "the time").map(Until::Time),
+            ("Lasting", Some([time])) => self.reader.number(time, "the time").map(Until::Lasting),
+            ("Passes" | "PassesSpeed", Some([name, value])) => {
+                let before = self.reader.count();
+                let dof = self.meant_one(name);
+                let turns = dof.is_none_or(|dof| {
+                    let meant = super::names::Meant::of(dof);
+                    self.names.turn(Some(&meant))
+                });
+                let value = self.reader.coordinate(value, turns, "the value to pass through")?;
+                if self.reader.count() > before {
+                    return None;
+                }
+                // Without a figure the name means nothing yet.
+                let dof = dof.map_or_else(String::new, |dof| self.names.name(dof).to_owned());
+                Some(if kind == "Passes" {
+                    Until::Position { dof, value }
+                } else {
+                    Until::Velocity { dof, value }
+                })
+            }
+            _ => {
+                let message = "a drive lasts until: At(2.0), Lasting(0.5), Passes(\"elbow.rx\", deg(10)), \
+                               PassesSpeed(\"elbow.rx\", 1.0) or Done";
+                self.reader.fault(node.place(), message);
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! What drives which degree of freedom.
+
+use super::SceneReader;
+use super::names::{Closeness, in_order};
+use solaris_model::text::{Content, Fields, Node};
+use solaris_modes::{Drive, Step};
+use std::collections::HashMap;
+use std::ops::Range;
+
+const EXAMPLE: &str = "{\"elbow.rx\": [Move(to: deg(80), over: 0.6), Free], \"neck.*\": Frozen}";
+
+/// By degree of freedom: whether the scene says what drives it, and how.
+pub(super) type Given = HashMap<usize, Vec<Step>>;
+
+/// A drive and where it stands.
+pub(super) type Placed = (Range<usize>, Step);
+
+impl SceneReader<'_> {
+    /// Reads the drives, gives them to the simulation, and tells which degrees of freedom have any.
+    pub(super) fn drives(&mut self, fields: &Fields<'_, '_>) -> Given {
+        let mut entries = Vec::new();
+        let mut named: HashMap<(Closeness, usize), String> = HashMap::new();
+        for (key, value) in self.map(fields, "drives", EXAMPLE) {
+            let before = self.reader.count();
+            let meant = self.meant(key);
+            let turns = self.names.turn(meant.as_ref());
+            let steps = self.steps(value, turns);
+            let Some(meant) = meant.filter(|_| self.reader.count() == before) else { continue };
+            if meant.closeness != Closeness::Pattern {
+                let name = self.names.name(meant.dofs[0]).to_owned();
+                if named.insert((meant.closeness, meant.dofs[0]), name.clone()).is_some() {
+                    let message = format!("the drives of '{name}' are given twice; keep one of them");
+                    self.reader.fault(key.span.clone(), message);
+                }
+            }
+            entries.push((meant, steps));
+        }
+        let mut given = Given::new();
+        for (meant, steps) in in_order(entries) {
+            if !self.can_have(&meant.dofs, &steps) {
+                continue;
+            }
+            let steps: Vec<Step> = steps.into_iter().map(|(_, step)| step).collect();
+            given.extend(meant.dofs.iter().map(|dof| (*dof, steps.clone())));
+        }
+        if let Some(simulation) = &mut self.simulation {
+            for (dof, steps) in &given {
+                // Cannot fail: each step has been tried.
+                let _ = simulation.drive(self.names.name(*dof), steps.iter().cloned());
+            }
+        }
+        given
+    }
+
+    /// Whether these degrees of freedom can have these drives; each that they cannot have is a fault, once.
+    fn can_have(&mut self, dofs: &[usize], steps: &[Placed]) -> bool {
+        let Some(mut trial) = self.simulation.clone() else { return false };
+        let mut good = true;
+        for (span, step) in steps {
+            let mut results = dofs.iter().map(|dof| trial.drive(self.names.name(*dof), [step.clone()]));
+            let result = results.find(Result::is_err).unwrap_or(Ok(()));
+            good &= self.setup(span, result).is_some();
+        }
+        good
+    }
+
+    /// `DRIVE`, or `[DRIVE, …]`.
+    fn steps(&mut self, node: &Node<'_>, turns: bool) -> Vec<Placed> {
+        let Some(Content::List(items)) = node.group().map(|group| &group.content) else {
+            return self.step(node, turns).into_iter().collect();
+        };
+        if items.is_empty() {
+            self.reader.fault(
+                node.span.clone(),
+                "there is no drive in the list; write [Free] or leave the entry out",
+            );
+        }
+        items.iter().filter_map(|item| self.step(item, turns)).collect()
+    }
+
+    /// Where a curve begins (position and velocity) that a degree of freedom follows from the beginning on.
+    pub(super) fn begins(steps: &[Step]) -> Option<(f64, f64)> {
+        let Drive::Kinematic(profile) = &steps.first()?.drive else { return None };
+        let sample = solaris_profiles::Curve::at(&profile.curve::<f64>().ok()?, 0.0);
+        Some((sample.position, sample.velocity))
+    }
+}

@@ -1,0 +1,62 @@
+//! What the limits of joints do.
+
+use super::SceneReader;
+use super::names::in_order;
+use solaris_model::text::{Fields, Node};
+use solaris_modes::LimitLaw;
+
+const LAWS: [&str; 3] = ["Ignore", "Hard", "Spring"];
+
+impl SceneReader<'_> {
+    /// Gives the simulation the law of its limits: one for all, or by name.
+    pub(super) fn limits(&mut self, fields: &Fields<'_, '_>) {
+        let Some(node) = fields.get("limits") else { return };
+        let Some(entries) = node.entries() else {
+            let law = self.law(node);
+            if let (Some(law), Some(simulation)) = (law, &mut self.simulation) {
+                let result = simulation.limits(law);
+                self.setup(&node.place(), result);
+            }
+            return;
+        };
+        let mut found = Vec::new();
+        for (key, value) in entries {
+            let (meant, law) = (self.meant(key), self.law(value));
+            found.extend(meant.zip(law.map(|law| (law, value.place()))));
+        }
+        self.twice(entries, &found);
+        for (meant, (law, place)) in in_order(found) {
+            for dof in meant.dofs {
+                let Some(simulation) = &mut self.simulation else { return };
+                let result = simulation.limit(self.names.name(dof), law);
+                // The law is at fault, for one as for all.
+                if self.setup(&place, result).is_none() {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn law(&mut self, node: &Node<'_>) -> Option<LimitLaw> {
+        match self.reader.kind(node, &LAWS)? {
+            "Hard" => {
+                let fields = self.reader.fields(node, &LAWS, &["restitution"])?;
+                let given = fields.get("restitution");
+                let restitution = given.map_or(Some(0.0), |node| self.reader.number(node, "restitution"))?;
+                Some(LimitLaw::Hard { restitution })
+            }
+            "Spring" => {
+                let fields = self.reader.fields(node, &LAWS, &["stiffness", "damping"])?;
+                let stiffness = self.reader.required(&fields, "stiffness", "500");
+                let stiffness = stiffness.and_then(|node| self.reader.number(node, "stiffness"));
+                let damping =
+                    fields.get("damping").map_or(Some(0.0), |node| self.reader.number(node, "damping"));
+                Some(LimitLaw::Spring { stiffness: stiffness?, damping: damping? })
+            }
+            _ => {
+                self.reader.fields(node, &LAWS, &["(none)"])?;
+                Some(LimitLaw::Ignore)
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! How long, how finely, and by which method.
+
+use super::SceneReader;
+use solaris_model::text::{Fields, Node};
+use solaris_modes::{Guard, Method, Rule, Settings};
+
+/// Frames a second where the scene says nothing.
+const RATE: f64 = 120.0;
+const METHODS: [&str; 7] = [
+    "Automatic",
+    "RungeKutta4",
+    "ExplicitEuler",
+    "SemiImplicitEuler",
+    "ConstantAcceleration",
+    "Adaptive",
+    "Stiff",
+];
+
+impl SceneReader<'_> {
+    /// The settings; a walk lasts as long as it is.
+    pub(super) fn settings(&mut self, fields: &Fields<'_, '_>, walk: Option<f64>) -> Option<Settings> {
+        let duration = match (fields.get("duration"), walk) {
+            (None, Some(walk)) => Some(walk),
+            // Without a figure a walk has no length yet.
+            (None, None) if fields.get("walk").is_some() => None,
+            _ => {
+                let node = self.reader.required(fields, "duration", "3.0");
+                node.and_then(|node| self.positive(node, "the duration", "s"))
+            }
+        };
+        let rate =
+            fields.get("rate").map_or(Some(RATE), |node| self.positive(node, "the rate", "frames a second"));
+        let method = self.method(fields);
+        let guard = fields.get("guard").map_or(Some(Guard::default()), |node| self.guard(node));
+        Some(Settings { method: method?, guard: guard?, ..Settings::new(duration?, rate?) })
+    }
+
+    fn positive(&mut self, node: &Node<'_>, what: &str, unit: &str) -> Option<f64> {
+        let value = self.reader.number(node, what)?;
+        if value > 0.0 {
+            return Some(value);
+        }
+        self.reader.fault(node.span.clone(), format!("{what} is {value} {unit}; it must be more than zero"));
+        None
+    }
+
+    /// The field `tolerance`, or the field `method`.
+    fn method(&mut self, fields: &Fields<'_, '_>) -> Option<Method> {
+        let tolerance = fields.get("tolerance");
+        let tolerance = tolerance.map(|node| (node, self.positive(node, "the tolerance", "rad or m")));
+        let Some(node) = fields.get("method") else {
+            let tolerance = tolerance.map_or(Some(1e-6), |(_, tolerance)| tolerance)?;
+            return Some(Method::Automatic { tolerance });
+        };
+        if let Some((node, _)) = tolerance {
+            let message = "the tolerance decides the method; remove tolerance or method";
+            self.reader.fault(node.span.clone(), message);
+        }
+        let kind = self.reader.kind(node, &METHODS)?;
+        let rule = match kind {
+            "RungeKutta4" => Rule::RungeKutta4,
+            "ExplicitEuler" => Rule::ExplicitEuler,
+            "SemiImplicitEuler" => Rule::SemiImplicitEuler,
+            "ConstantAcceleration" => Rule::ConstantAcceleration,
+            _ => {
+                let fields = self.reader.fields(node, &METHODS, &["tolerance"])?;
+                let tolerance = self.reader.required(&fields, "tolerance", "1e-8")?;
+                let tolerance = self.positive(tolerance, "the tolerance", "")?;
+                return Some(match kind {
+                    "Adaptive" => Method::Adaptive { tolerance },
+                    "Stiff" => Method::Stiff { tolerance },
+                    _ => Method::Automatic { tolerance },
+                });
+            }
+        };
+        let fields = self.reader.fields(node, &METHODS, &["step"])?;
+        let step = self.reader.required(&fields, "step", "1e-3")?;
+        Some(Method::Fixed { rule, step: self.positive(step, "the step", "s")? })
+    }
+
+    /// `Guard(gimbal: deg(0.3), condition: 1e14, energy: 0.2, evaluations: 5e7)`
+    fn guard(&mut self, node: &Node<'_>) -> Option<Guard> {
+        let known = ["gimbal", "condition", "energy", "evaluations"];
+        let fields = self.reader.fields(node, &["Guard"], &known)?;
+        let before = self.reader.count();
+        let mut guard = Guard::default();
+        if let Some(gimbal) = fields.get("gimbal").and_then(|node| self.reader.angle(node, "gimbal")) {
+            guard.gimbal = gimbal;
+        }
+        let mut number = |field| fields.get(field).and_then(|node| self.positive(node, field, ""));
+        guard.condition = number("condition").unwrap_or(guard.condition);
+        guard.energy = number("energy").unwrap_or(guard.energy);
+        guard.evaluations = number("evaluations").map_or(guard.evaluations, |count| count as u64);
+        (self.reader.count() == before).then_some(guard)
+    }
+}

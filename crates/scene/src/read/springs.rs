@@ -1,0 +1,76 @@
+//! Springs and dampers between two points.
+
+use super::SceneReader;
+use solaris_model::nearest;
+use solaris_model::text::{Fields, Node};
+use solaris_modes::{Anchor, PointSpring};
+
+const EXAMPLE: &str = "((\"world\", (0, 2, 0)), (\"hand\", (0, 0, 0)))";
+const WORLD: &str = "world";
+
+impl SceneReader<'_> {
+    /// Gives the springs of the scene to the simulation.
+    pub(super) fn springs(&mut self, fields: &Fields<'_, '_>) {
+        let Some(node) = fields.get("springs") else { return };
+        let Some(items) = node.items() else {
+            let message = format!("springs must be a list [Spring(…), …], not {}", node.describe());
+            self.reader.fault(node.place(), message);
+            return;
+        };
+        for item in items {
+            let Some(spring) = self.spring(item) else { continue };
+            if let Some(simulation) = &mut self.simulation {
+                let result = simulation.spring(spring);
+                self.setup(&item.place(), result);
+            }
+        }
+    }
+
+    fn spring(&mut self, node: &Node<'_>) -> Option<PointSpring> {
+        let known = ["between", "stiffness", "damping", "rest"];
+        let fields = self.reader.fields(node, &["Spring"], &known)?;
+        let between = self.reader.required(&fields, "between", EXAMPLE);
+        let between = between.and_then(|node| self.two_anchors(node));
+        let stiffness = self.reader.required(&fields, "stiffness", "800");
+        let stiffness = stiffness.and_then(|node| self.reader.number(node, "stiffness"));
+        let mut number = |field| fields.get(field).map_or(Some(0.0), |node| self.reader.number(node, field));
+        let (damping, rest) = (number("damping"), number("rest"));
+        Some(PointSpring { between: between?, stiffness: stiffness?, damping: damping?, rest: rest? })
+    }
+
+    /// `(("base", (x, y, z)), ("rod", (x, y, z)))`
+    fn two_anchors(&mut self, node: &Node<'_>) -> Option<[Anchor; 2]> {
+        let Some([first, second]) = node.items() else {
+            let message = format!("a spring is between two points {EXAMPLE}, not {}", node.describe());
+            self.reader.fault(node.place(), message);
+            return None;
+        };
+        let (first, second) = (self.anchor(first), self.anchor(second));
+        Some([first?, second?])
+    }
+
+    fn anchor(&mut self, node: &Node<'_>) -> Option<Anchor> {
+        let Some([name_node, point]) = node.items() else {
+            let message =
+                format!("a point is a link and a place in it (\"hand\", (0, 0, 0)), not {}", node.describe());
+            self.reader.fault(node.place(), message);
+            return None;
+        };
+        let name = self.reader.name(name_node, "the name of a link");
+        let point = self.reader.vector(point, "the point");
+        let name = name?;
+        if name == WORLD {
+            return Some(Anchor { link: None, point: point? });
+        }
+        let figure = self.figure()?;
+        let Some(link) = figure.link_index(name) else {
+            let links = figure.links().iter().map(solaris_model::Link::name).chain([WORLD]);
+            let hint =
+                nearest(name, links).map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+            let message = format!("figure '{}' has no link '{name}'{hint}", figure.name());
+            self.reader.fault(name_node.span.clone(), message);
+            return None;
+        };
+        Some(Anchor { link: Some(link), point: point? })
+    }
+}

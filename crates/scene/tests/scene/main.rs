@@ -1,0 +1,5 @@
+//! Scenes as texts: what they come to, and what is refused and how.
+
+mod faults;
+mod fixtures;
+mod grammar;

@@ -1,0 +1,134 @@
+//! The picture and the page of precision against work.
+
+use solaris_view::precision::{Against, Diagram, Point, Report, Series, Table, page, svg};
+
+fn point(label: &str, work: f64, error: Option<f64>) -> Point {
+    Point { label: label.to_owned(), seconds: Some(work * 2e-6), evaluations: Some(work), error }
+}
+
+/// What a stiff scene looks like: explicit rules fail until they are stable.
+fn stiff() -> Diagram {
+    let fixed = |name: &str, per_step: f64, order: i32| {
+        let points = [1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5].map(|step: f64| {
+            let error = (step < 3.4e-4).then(|| (30.0 * step).powi(order) * 1e-2 + 2e-11);
+            point(&format!("{step:.0e} s"), per_step * 10.0 / step, error)
+        });
+        Series { name: name.to_owned(), points: points.into() }
+    };
+    let adaptive = |name: &str, work: &dyn Fn(f64) -> f64| {
+        let points = [1e-4, 1e-6, 1e-8, 1e-10].map(|tolerance| {
+            point(&format!("{tolerance:.0e}"), work(tolerance), Some(0.1 * tolerance + 2e-11))
+        });
+        Series { name: name.to_owned(), points: points.into() }
+    };
+    Diagram {
+        title: "governor.ron: precision against work".to_owned(),
+        subtitle: "worst position of all frames over 10 s, against the stiff method at 1e-11".to_owned(),
+        error: "positions (rad or m)".to_owned(),
+        series: vec![
+            fixed("explicit Euler", 1.0, 1),
+            fixed("semi-implicit Euler", 1.0, 1),
+            fixed("constant acceleration", 1.0, 1),
+            fixed("Runge-Kutta 4", 4.0, 4),
+            adaptive("adaptive", &|tolerance| 1e5 * (1.0 + 1e-3 * tolerance.powf(-0.25))),
+            adaptive("stiff", &|tolerance| 600.0 * tolerance.powf(-0.18)),
+        ],
+        wanted: Some(1e-6),
+        floor: Some(1e-10),
+    }
+}
+
+fn report() -> Report {
+    let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
+    Report {
+        diagram: stiff(),
+        findings: vec![
+            "For errors up to 1e-6: stiff at a tolerance of 1e-6, 7 211 evaluations, 0.014 s.".to_owned(),
+            "Explicit methods are held to steps below 3.4e-4 s by the stiffest eigenvalue, −8117 1/s."
+                .to_owned(),
+        ],
+        tables: vec![Table {
+            title: "All settings".to_owned(),
+            note: "Times are the best of three.".to_owned(),
+            header: row(&["setting", "evaluations", "seconds", "error"]),
+            rows: vec![
+                row(&["Runge-Kutta 4, 1e-2 s", "at t = 0.03 s: a step of 1.00e-2 s is too long <for it>"]),
+                row(&["stiff, 1e-6", "7 211", "0.014", "1.1e-7"]),
+            ],
+            marked: vec![1],
+        }],
+    }
+}
+
+#[test]
+fn the_picture_is_of_plain_numbers_and_the_same_each_time() {
+    for against in [Against::Seconds, Against::Evaluations] {
+        let picture = svg(&stiff(), against);
+        assert_eq!(picture, svg(&stiff(), against));
+        assert!(
+            !picture.contains("NaN") && !picture.contains("inf\"") && !picture.contains("infs"),
+            "{picture}"
+        );
+        for series in &stiff().series {
+            assert!(picture.contains(&format!(">{}</text>", series.name)), "{}", series.name);
+        }
+    }
+}
+
+/// Two settings of each fixed rule are too long for a governor: crosses, and no line through them.
+#[test]
+fn what_failed_is_crossed_and_not_joined() {
+    let picture = svg(&stiff(), Against::Evaluations);
+    assert_eq!(picture.matches("class=\"failed").count(), 8);
+    assert_eq!(picture.matches("no result</title>").count(), 8);
+    let lines: Vec<&str> = picture.lines().filter(|line| line.starts_with("<path class=\"line")).collect();
+    assert_eq!(lines.len(), 6);
+    assert!(lines.iter().all(|line| line.matches("d=\"M").count() == 1), "{lines:?}");
+    let by_rule = lines[3].matches(['M', 'L']).count();
+    assert_eq!(by_rule, 4, "{}", lines[3]);
+}
+
+#[test]
+fn a_gap_in_a_series_is_a_gap_in_its_line() {
+    let points = [Some(1e-2), None, Some(1e-4), Some(1e-5)];
+    let points = points.into_iter().zip([1.0, 10.0, 100.0, 1000.0]);
+    let points = points.map(|(error, work)| point("x", work, error)).collect();
+    let diagram = Diagram { series: vec![Series { name: "one".to_owned(), points }], ..Diagram::default() };
+    let picture = svg(&diagram, Against::Evaluations);
+    let line = picture.lines().find(|line| line.starts_with("<path class=\"line")).expect("a line");
+    assert_eq!((line.matches('M').count(), line.matches('L').count()), (2, 1), "{line}");
+}
+
+#[test]
+fn nothing_at_all_is_still_a_picture() {
+    let picture = svg(&Diagram::default(), Against::Seconds);
+    assert!(picture.ends_with("</svg>\n") && !picture.contains("NaN"));
+    let odd = [Some(0.0), Some(f64::NAN), Some(f64::INFINITY), Some(1e300)];
+    let points = odd.map(|error| point("odd", f64::INFINITY, error)).into();
+    let diagram = Diagram { series: vec![Series { name: String::new(), points }], ..Diagram::default() };
+    assert!(!svg(&diagram, Against::Evaluations).contains("NaN"));
+}
+
+#[test]
+fn the_page_needs_nothing_else_and_escapes_what_it_shows() {
+    let html = page(&report());
+    assert_eq!(html, page(&report()));
+    assert!(html.starts_with("<!doctype html>") && html.contains("default-src 'none'"));
+    assert!(html.contains("&lt;for it&gt;") && !html.contains("<for it>") && !html.contains("{{"));
+    assert!(html.contains("<td class=\"across\" colspan=\"3\">") && html.contains("<tr class=\"marked\">"));
+    assert_eq!(html.matches("<svg ").count(), 2);
+    assert!(!html.contains("<script"));
+}
+
+/// Without a clock there is one picture only.
+#[test]
+fn times_that_nobody_took_are_not_drawn() {
+    let mut report = report();
+    report
+        .diagram
+        .series
+        .iter_mut()
+        .flat_map(|series| &mut series.points)
+        .for_each(|point| point.seconds = None);
+    assert_eq!(page(&report).matches("<svg ").count(), 1);
+}
