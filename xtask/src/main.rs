@@ -20,9 +20,11 @@ cargo xtask CHORE
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
                                     times the kernel as other engines are timed; needs `cargo run --release -p xtask`
-  report [moments | profiles]       measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md,
-                                    moments beside OpenSim's into docs/bodies.md, and curves as printed beside the library's into
-                                    docs/profiles-accuracy.md and its picture; or one of the last two alone
+  report [moments | profiles | simulation]
+                                    measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md,
+                                    moments beside OpenSim's into docs/bodies.md, curves as printed beside the library's into
+                                    docs/profiles-accuracy.md and its picture, and simulations of which the answer is known into
+                                    docs/trust.md and its pictures; or one of the last three alone
   subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
   help                              this list
 ";
@@ -42,6 +44,8 @@ fn main() -> ExitCode {
         ["report"] => report::run(),
         ["report", "moments"] => report::moments(),
         ["report", "profiles"] => report::profiles(),
+        ["report", "simulation"] => report::simulation(),
+        ["report", "simulation", "adaptive"] => report::adaptive(),
         ["subject"] => subject::run(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");

@@ -12,6 +12,7 @@ mod page;
 mod plot;
 mod profiles;
 mod samples;
+mod simulation;
 mod speed;
 mod table;
 
@@ -30,6 +31,7 @@ pub(crate) fn run() -> Result<(), String> {
     }
     moments()?;
     profiles::run()?;
+    simulation::run()?;
     let measured = measure(|case| {
         eprintln!("report: times, {}", case.name);
         speeds(case, speed::measure)
@@ -71,6 +73,17 @@ pub(crate) fn moments() -> Result<(), String> {
 /// Measures the thesis's curves and writes their page, in a release build of its own if this is none.
 pub(crate) fn profiles() -> Result<(), String> {
     if cfg!(debug_assertions) { in_release(&["report", "profiles"]) } else { profiles::run() }
+}
+
+/// Measures simulations where more or less is known of the answer, and writes their page, in a release build of its own if
+/// this is none.
+pub(crate) fn simulation() -> Result<(), String> {
+    if cfg!(debug_assertions) { in_release(&["report", "simulation"]) } else { simulation::run() }
+}
+
+/// The part of that page which needs the methods that choose their steps; built with the feature `stiff`.
+pub(crate) fn adaptive() -> Result<(), String> {
+    simulation::adaptive()
 }
 
 fn in_release(chore: &[&str]) -> Result<(), String> {

@@ -3,6 +3,8 @@
 mod figure;
 mod inverse;
 mod profile;
+mod report;
+mod run;
 mod walk;
 
 pub(crate) use inverse::{BASES, Gravity};
@@ -29,15 +31,17 @@ pub(crate) fn command() -> Command {
         .after_help(
             "Examples:
   solaris walk --height 1.75 --mass 73 --step-frequency 110 --steps 10 -o walk.html
+  solaris run scene.ron -o motion.html
   solaris inverse subject.osim walk.mot --external grf.mot --plate calcn_r= --plate calcn_l=1_ -o moments.sto
   solaris check robot.urdf
   solaris profile minimum-jerk --from 0 --to 1.2 --duration 2 -o curve.svg",
         )
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .subcommands([walk::command(), inverse::command()])
+        .subcommands([walk::command(), run::command(), inverse::command()])
         .subcommands(figure::commands())
         .subcommand(profile::command())
+        .subcommand(report::command())
 }
 
 /// An option that takes a number; it may begin with a hyphen: -1 and -inf are numbers, and out of range.

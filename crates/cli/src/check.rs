@@ -1,4 +1,6 @@
-//! `solaris check`: what a figure is, and what looks wrong with it.
+//! `solaris check`: what a figure or a scene is, and what looks wrong with it.
+
+mod scene;
 
 use crate::error::CliError;
 use crate::input::{self, Body};
@@ -15,6 +17,9 @@ const MOST_LINKS: usize = 5000;
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let path = matches.get_one::<PathBuf>("figure").cloned().unwrap_or_default();
+    if scene::is_one(&path) {
+        return scene::run(&path, matches);
+    }
     let Body { figure, language, mut findings, gravity, gravity_is_given } = input::body(&path)?;
     findings.extend(figure.lint());
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();

@@ -13,6 +13,8 @@ mod output;
 mod print;
 mod profile;
 mod progress;
+mod report;
+mod run;
 mod underline;
 mod walk;
 
@@ -22,11 +24,13 @@ fn main() -> ExitCode {
     let matches = args::command().get_matches();
     let result = match matches.subcommand() {
         Some(("walk", matches)) => walk::run(matches),
+        Some(("run", matches)) => run::run(matches),
         Some(("inverse", matches)) => inverse::run(matches),
         Some(("check", matches)) => check::run(matches),
         Some(("figure", matches)) => figure::run(matches),
         Some(("convert", matches)) => convert::run(matches),
         Some(("profile", matches)) => profile::run(matches),
+        Some(("report", matches)) => report::run(matches),
         // clap asks for a subcommand.
         _ => Ok(()),
     };

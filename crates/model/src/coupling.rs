@@ -21,7 +21,9 @@ impl Figure {
         let mut free = self.clone();
         for link in &mut free.links {
             if let JointKind::Axes(dofs) = &mut link.joint.kind {
-                dofs.iter_mut().for_each(|dof| dof.follows = None);
+                for dof in dofs {
+                    dof.follows = None;
+                }
             }
         }
         free.followers.clear();

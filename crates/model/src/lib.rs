@@ -50,8 +50,8 @@ pub use motion::{
     Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Motion, MotionError,
     MotionInfo, Trajectory,
 };
-pub use record::{ForceRecord, Record};
 pub use prune::{PruneError, Pruned};
+pub use record::{ForceRecord, Record};
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 pub use scale::{ScaleError, Scaling};
 pub use source::{Finding, FindingKind, Place, SourceMap, TextError, TextFault};

@@ -61,7 +61,8 @@ impl Figure {
         if leaves.first() == Some(&true) {
             return Err(PruneError::Root);
         }
-        let (mut places, mut small): (Vec<Option<usize>>, Vec<Link>) = (Vec::with_capacity(count), Vec::new());
+        let (mut places, mut small): (Vec<Option<usize>>, Vec<Link>) =
+            (Vec::with_capacity(count), Vec::new());
         let (mut kept_q, mut kept_v, mut dofs) = (Vec::new(), Vec::new(), vec![None; self.layout.nv()]);
         for (i, (link, at)) in self.links.iter().zip(self.layout.joints()).enumerate() {
             // Parents come first, so that theirs are known.
@@ -115,7 +116,14 @@ mod tests {
             .link(LinkSpec::child("left", "base", Joint::new("l").rx().ry()).mass(1.0))
             .link(LinkSpec::child("right", "base", Joint::ball("r")).mass(1.0))
             .link(LinkSpec::child("left tip", "left", Joint::new("lt").tz()).mass(1.0))
-            .link(LinkSpec::child("right tip", "right", Joint::new("rt").rx().following("lt", Curve::linear(2.0, 0.0))).mass(1.0))
+            .link(
+                LinkSpec::child(
+                    "right tip",
+                    "right",
+                    Joint::new("rt").rx().following("lt", Curve::linear(2.0, 0.0)),
+                )
+                .mass(1.0),
+            )
             .angle("bend", "lt", true)
             .angle("tip", "rt", false)
             .build()

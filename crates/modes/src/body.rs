@@ -116,7 +116,7 @@ impl<T: Real + Scalar> Body<T> {
         self.act(q, v)?;
         inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, &self.external, tau)?;
         for (force, passive) in tau.iter_mut().zip(&self.passive) {
-            *force = *force - *passive;
+            *force -= *passive;
         }
         Ok(())
     }

@@ -92,3 +92,43 @@ pub(crate) fn rotation_vector<T: Scalar>(q: &[T]) -> [T; 3] {
     };
     u.map(|x| number(2.0) * half * x / sine)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::rotation_vector;
+    use approx::assert_relative_eq;
+    use solaris_model::{UnitQuaternion, Vector3};
+    use solaris_profiles::Dual;
+
+    #[test]
+    fn a_rotation_vector_is_found_again() {
+        let axis = Vector3::new(0.48, -0.6, 0.64);
+        // About where the series ends, at 0.04 rad along an axis, too.
+        for angle in
+            [0.0, 1e-200, 1e-9, 0.01, 0.06, 0.062, 0.0625, 0.063, 0.07, 1.0, 1.57, 1.58, 3.0, 3.141_592_6]
+        {
+            let turn = axis * angle;
+            let quaternion = UnitQuaternion::new(turn).coords;
+            for scale in [1.0, -1.0, 1e-100, 1e100] {
+                let found = rotation_vector((quaternion * scale).as_slice());
+                for (found, expected) in found.iter().zip(&turn) {
+                    assert_relative_eq!(found, expected, max_relative = 4e-15, epsilon = 1e-300);
+                }
+            }
+        }
+        assert!(rotation_vector(&[0.0_f64; 4]).iter().all(|x| x.abs() < 1e-300));
+        assert!(rotation_vector(&[f64::NAN; 4]).iter().all(|x| x.is_nan()));
+    }
+
+    #[test]
+    fn a_rotation_vector_has_derivatives_where_there_is_no_turn() {
+        let q = [0.0, 0.0, 0.0, 1.0];
+        let dual: Vec<Dual<4>> = q.iter().enumerate().map(|(i, x)| Dual::variable(*x, i)).collect();
+        for (row, found) in rotation_vector(&dual).iter().enumerate() {
+            for column in 0..4 {
+                let expected = if row == column { 2.0 } else { 0.0 };
+                assert_relative_eq!(found.partial(column), expected);
+            }
+        }
+    }
+}

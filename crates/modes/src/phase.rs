@@ -57,24 +57,20 @@ pub(crate) struct Phase {
     leave_out: bool,
     state: StateMap,
     prescribed: Prescribed,
-    /// By degree of freedom of the full figure.
-    forces: Vec<Option<Force>>,
     watched: Vec<Watched>,
+    /// The drives' forces on degrees of freedom that are held: what a limit adds to them is all that it pushes.
+    held: Vec<(usize, Force)>,
     small: Option<Small>,
 }
 
 impl Phase {
     /// `roles` by degree of freedom of the full figure; `q` is the full configuration, of which what stands still keeps its values.
+    /// Whether what nothing depends on is left out, `leave_out` says: what is computed differs by no more than rounding.
     ///
     /// # Errors
     ///
     /// [`SetupError`] for a ball or free joint that dynamics move in part, a follower that they are to move, and a figure that
     /// they do not know.
-    pub(crate) fn new(simulation: &Simulation, roles: &[Role], q: &[f64]) -> Result<Self, SetupError> {
-        Self::with(simulation, roles, q, true)
-    }
-
-    /// The same, with or without leaving out what nothing depends on. What is computed differs by no more than rounding.
     pub(crate) fn with(
         simulation: &Simulation,
         roles: &[Role],
@@ -87,8 +83,8 @@ impl Phase {
             report: PhaseReport::default(),
             state: StateMap::new(&simulation.figure, &roles),
             prescribed: Prescribed::new(&simulation.figure, &roles, q),
-            forces: vec![None; roles.len()],
             watched: Vec::new(),
+            held: Vec::new(),
             small: None,
             source,
             roles,
@@ -100,9 +96,11 @@ impl Phase {
 
     /// The force of a drive on a degree of freedom that dynamics move; none where nothing was said.
     pub(crate) fn set_force(&mut self, dof: usize, force: Force) {
-        self.forces[dof] = Some(force);
-        if let Some(small) = &mut self.small {
-            small.set_forces(&self.forces);
+        if let Some(entry) = self.state.velocity_of(dof) {
+            self.prescribed.set_force(entry - self.state.positions(), force);
+        } else {
+            self.held.retain(|(other, _)| *other != dof);
+            self.held.push((dof, force));
         }
     }
 
@@ -115,7 +113,7 @@ impl Phase {
     ///
     /// # Errors
     ///
-    /// [`SetupError`] as for [`new`](Self::new): the force that holds a degree of freedom may need links that were left out.
+    /// [`SetupError`] as for [`with`](Self::with): the force that holds a degree of freedom may need links that were left out.
     pub(crate) fn watch(&mut self, watched: Vec<Watched>) -> Result<(), SetupError> {
         let holds = |watched: &[Watched]| {
             let dofs = watched.iter().filter_map(|watched| match watched {
@@ -126,7 +124,8 @@ impl Phase {
         };
         let (before, after) = (holds(&self.watched), holds(&watched));
         self.watched = watched;
-        if before == after { Ok(()) } else { self.compile(&after) }
+        let complete = self.small.as_ref().is_some_and(|small| small.is_complete(&self.source, &after));
+        if complete || before == after { Ok(()) } else { self.compile(&after) }
     }
 
     /// Whether dynamics move a degree of freedom of the full figure.
@@ -134,9 +133,12 @@ impl Phase {
         self.roles[dof] == Role::Dynamic
     }
 
-    /// Whether anything has to be stepped: dynamics move something, or the force that holds something is watched.
+    /// Whether anything has to be stepped: dynamics move something, or the force that holds something is watched, or nothing is
+    /// to be left out.
     pub(crate) fn is_dynamic(&self) -> bool {
-        self.state.dofs() > 0 || self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }))
+        !self.leave_out
+            || self.state.dofs() > 0
+            || self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }))
     }
 
     /// The state of the full `q`, `v`, with work and heat (J).
@@ -172,7 +174,7 @@ impl Phase {
         match &mut self.small {
             Some(small) if self.state.dofs() > 0 => {
                 condition::condition(small, &self.state, &self.prescribed, t, y)
-            },
+            }
             _ => Ok((1.0, 0)),
         }
     }
@@ -188,13 +190,9 @@ impl Phase {
         let reduction = self.source.reduce(&self.roles, held, standing, self.leave_out)?;
         let report = plan::report(&self.source, &self.roles, standing, reduction.as_ref());
         self.report = PhaseReport { start: self.report.start, end: self.report.end, ..report };
-        let small = reduction.map(|reduction| {
-            Small::new(&self.source, &self.roles, reduction, &self.state, &self.prescribed)
-        });
+        let small = reduction
+            .map(|reduction| Small::new(&self.source, &self.roles, reduction, &self.state, &self.prescribed));
         self.small = small.transpose()?;
-        if let Some(small) = &mut self.small {
-            small.set_forces(&self.forces);
-        }
         Ok(())
     }
 }
@@ -247,6 +245,8 @@ impl System for Phase {
                     entry.map_or_else(|| self.prescribed.at(dof, t)[1], |entry| y[entry]) - value
                 }
                 Watched::Hold { dof, drive } => {
+                    let own = self.held.iter().find(|(held, _)| *held == dof);
+                    let drive = own.map_or(drive, |(_, force)| force.at(t));
                     small.and_then(|small| small.force(dof)).map_or(f64::NAN, |force| force - drive)
                 }
             };

@@ -134,6 +134,16 @@ impl Simulation {
         Ok(())
     }
 
+    /// The springs and dampers between points.
+    pub fn springs(&self) -> &[PointSpring] {
+        &self.springs
+    }
+
+    /// What the limits of a degree of freedom (index in `v`) do.
+    pub fn limit_of(&self, dof: usize) -> LimitLaw {
+        self.limits[dof]
+    }
+
     /// What the limits of all joints do.
     ///
     /// # Errors

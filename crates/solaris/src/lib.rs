@@ -7,6 +7,8 @@ pub use solaris_io as io;
 pub use solaris_model as model;
 pub use solaris_modes as modes;
 pub use solaris_profiles as profiles;
+#[cfg(feature = "text")]
+pub use solaris_scene as scene;
 #[cfg(feature = "view")]
 pub use solaris_view as view;
 

@@ -54,12 +54,12 @@ fn check() -> Command {
         Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
     };
     Command::new("check")
-        .about("Says what a figure is and what looks wrong with it, or every fault of its text")
+        .about("Says what a figure or a scene is and what looks wrong with it, or every fault of its text")
         .after_help(CHECK_EXAMPLES)
         .arg(input(
             "figure",
             "FILE",
-            "A figure (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model",
+            "A figure or a scene (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model",
         ))
         .arg(
             flag("dh", "Print the rationalised links: the Denavit-Hartenberg table of every chain")

@@ -81,11 +81,6 @@ impl<T: Real + Scalar> JointElements<T> {
         Self { dofs, balls }
     }
 
-    /// Whether nothing acts in any joint.
-    pub(super) fn is_empty(&self) -> bool {
-        self.dofs.is_empty() && self.balls.is_empty()
-    }
-
     /// Adds the forces to `force`; what dampers and friction take (W).
     pub(super) fn act(&self, q: &[T], v: &[T], force: &mut [T]) -> T {
         let mut heat = T::zero();
@@ -99,12 +94,12 @@ impl<T: Real + Scalar> JointElements<T> {
             if let Some(Spring { coordinate, stiffness, rest }) = spring {
                 against += *stiffness * (q[*coordinate] - *rest);
             }
-            force[*dof] = force[*dof] - against;
+            force[*dof] -= against;
         }
         for BallSpring { dof, quaternion, stiffness } in &self.balls {
             let turn = rotation_vector(&q[*quaternion..*quaternion + 4]);
             for (force, turn) in force[*dof..*dof + 3].iter_mut().zip(turn) {
-                *force = *force - *stiffness * turn;
+                *force -= *stiffness * turn;
             }
         }
         heat

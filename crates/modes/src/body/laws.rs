@@ -99,9 +99,15 @@ fn an_impulse_is_the_mass_matrix_times_the_jump() {
 /// Impulses between the links of a figure that floats leave its momentum as it is.
 #[test]
 fn impulses_inside_keep_the_momentum() {
-    let leg = |name: &str, joint: Joint| LinkSpec::child(name, "trunk", joint).mass(3.0).com(Vector3::new(0.1, -0.3, 0.0));
+    let leg = |name: &str, joint: Joint| {
+        LinkSpec::child(name, "trunk", joint).mass(3.0).com(Vector3::new(0.1, -0.3, 0.0))
+    };
     let figure = FigureBuilder::new("floats")
-        .link(LinkSpec::root("trunk", Joint::free("root")).mass(10.0).inertia(solaris_model::Inertia::Tensor(nalgebra::Matrix3::identity())))
+        .link(
+            LinkSpec::root("trunk", Joint::free("root"))
+                .mass(10.0)
+                .inertia(solaris_model::Inertia::Tensor(nalgebra::Matrix3::identity())),
+        )
         .link(leg("left", Joint::new("l").at(Vector3::new(0.2, 0.0, 0.0)).rx().rz()))
         .link(leg("right", Joint::ball("r").armature(0.01)))
         .build()
@@ -140,7 +146,8 @@ fn between(stiffness: f64, damping: f64, rest: f64) -> PointSpring {
 #[test]
 fn a_spring_pulls_two_masses_together() {
     let spring = between(50.0, 4.0, 0.5);
-    let mut body = Body::<f64>::new(&two_masses(), Vector3::zeros(), &[spring], &[LimitLaw::Ignore; 2]).expect("valid");
+    let mut body =
+        Body::<f64>::new(&two_masses(), Vector3::zeros(), &[spring], &[LimitLaw::Ignore; 2]).expect("valid");
     let (mut a, mut tau) = ([0.0; 2], [0.0; 2]);
     body.hybrid(&[0.1, 0.8], &[1.0, -0.5], &[false; 2], &mut a, &mut tau).expect("finite");
     // 50·0.2 − 4·1.5 = 4 N.
@@ -210,7 +217,8 @@ fn what_is_prescribed_is_driven_against_springs_too() {
     let acts = Passive { stiffness: 10.0, rest: 0.1, damping: 2.0, friction: 0.0 };
     let cart = LinkSpec::root("cart", Joint::new("x").tx().passive(acts)).mass(2.0);
     let figure = FigureBuilder::new("cart").link(cart).build().expect("valid");
-    let mut body = Body::<f64>::new(&figure, Vector3::new(-1.0, 0.0, 0.0), &[], &[LimitLaw::Ignore]).expect("valid");
+    let mut body =
+        Body::<f64>::new(&figure, Vector3::new(-1.0, 0.0, 0.0), &[], &[LimitLaw::Ignore]).expect("valid");
     let mut tau = [f64::NAN];
     body.hybrid(&[0.4], &[0.5], &[true], &mut [3.0], &mut tau).expect("finite");
     // 2·(3 + 1) + 10·0.3 + 2·0.5
@@ -219,7 +227,8 @@ fn what_is_prescribed_is_driven_against_springs_too() {
 
 #[test]
 fn a_state_of_another_length_is_refused() {
-    let mut body = Body::<f64>::new(&two_masses(), Vector3::zeros(), &[], &[LimitLaw::Ignore; 2]).expect("valid");
+    let mut body =
+        Body::<f64>::new(&two_masses(), Vector3::zeros(), &[], &[LimitLaw::Ignore; 2]).expect("valid");
     let (mut a, mut tau) = ([0.0; 2], [0.0; 2]);
     assert!(body.hybrid(&[0.0; 3], &[0.0; 2], &[false; 2], &mut a, &mut tau).is_err());
     assert!(body.hybrid(&[0.0; 2], &[0.0; 1], &[false; 2], &mut a, &mut tau).is_err());

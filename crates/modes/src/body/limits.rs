@@ -46,7 +46,7 @@ impl<T: Real + Scalar> Stop<T> {
         let spring = self.stiffness * depth;
         let push = spring + self.damping * rate;
         let push = if push.value() > 0.0 { push } else { T::zero() };
-        force[self.dof] = force[self.dof] - push * outwards;
+        force[self.dof] -= push * outwards;
         (push - spring) * rate
     }
 

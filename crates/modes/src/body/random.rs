@@ -2,7 +2,7 @@
 
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Limits, Passive, Placement};
+use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, Limits, LinkSpec, Passive, Placement};
 
 /// A source of numbers: the same seed, the same numbers (`SplitMix64`).
 pub(crate) struct Random(pub(crate) u64);
@@ -30,7 +30,12 @@ impl Random {
 
     /// Below `end`.
     pub(crate) fn below(&mut self, end: usize) -> usize {
-        #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
+        #[allow(
+            clippy::cast_precision_loss,
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "small"
+        )]
         let index = (self.next() * end as f64) as usize;
         index
     }
@@ -78,24 +83,22 @@ fn joint(random: &mut Random, i: usize) -> Joint {
     let turn = UnitQuaternion::from_scaled_axis(random.vector(1.0));
     let placement = Placement::from_parts(random.vector(0.4).into(), turn);
     let armature = if random.chance(0.3) { 0.05 } else { 0.0 };
-    let whole = |joint: Joint| {
+    let whole = |joint: Joint, stiffness: f64| {
         let joint = joint.placed(placement).armature(armature);
-        if some { joint.passive(passive) } else { joint }
+        if some { joint.passive(Passive { stiffness, rest: 0.0, ..passive }) } else { joint }
     };
     match random.below(8) {
-        0 => return whole(Joint::ball(name)),
-        1 => return whole(Joint::free(name)),
+        0 => return whole(Joint::ball(name), passive.stiffness),
+        1 => return whole(Joint::free(name), 0.0),
         // A weld, but not at the root: something has to move.
         2 if i > 0 => return Joint::new(name).placed(placement),
         _ => {}
     }
     let mut joint = Joint::new(name).placed(placement);
-    for _ in 0..1 + random.below(3) {
-        let direction = if random.chance(0.5) {
-            Vector3::ith(random.below(3), 1.0)
-        } else {
-            random.vector(1.0) + Vector3::new(0.0, 0.0, 1.5)
-        };
+    let (first, oblique) = (random.below(3), if random.chance(0.5) { 0.0 } else { 0.4 });
+    for k in 0..=random.below(3) {
+        // Never along the one before it.
+        let direction = Vector3::ith((first + k) % 3, 1.0) + random.vector(oblique);
         let axis = if random.chance(0.7) { Axis::rotation(direction) } else { Axis::translation(direction) };
         joint = joint.axis(axis).armature(armature);
         if random.chance(0.3) {

@@ -81,7 +81,8 @@ impl Scene {
     }
 
     fn phase(&self, leave_out: bool) -> Phase {
-        let mut phase = Phase::with(&self.simulation, &self.roles, &self.q, leave_out).expect("a valid scene");
+        let mut phase =
+            Phase::with(&self.simulation, &self.roles, &self.q, leave_out).expect("a valid scene");
         for (dof, role) in self.roles.iter().enumerate() {
             match role {
                 Role::Dynamic => phase.set_force(dof, self.forces[dof].clone()),
@@ -110,7 +111,9 @@ fn the_jacobian_is_the_slope_of_the_rate() {
         let mut phase = scene.phase(true);
         let mut y = phase.pack(&scene.q, &scene.v, 1.0, 2.0);
         // Quaternions as an integrator leaves them.
-        y.iter_mut().for_each(|y| *y *= 1.0 + 1e-5);
+        for y in &mut y {
+            *y *= 1.0 + 1e-5;
+        }
         let n = y.len();
         let mut jacobian = DMatrix::from_element(n, n, f64::NAN);
         phase.jacobian(0.4, &y, &mut jacobian).expect("a state with inertia");
@@ -188,6 +191,33 @@ fn rates_of_positions_are_those_of_the_figure() {
         }
         assert!(rates[positions..].iter().all(|rate| *rate == 0.0));
     }
+}
+
+/// As explicit steps leave them, far from unit length.
+#[test]
+fn the_length_of_a_quaternion_does_not_count() {
+    let mut seen = 0;
+    for seed in 0..50 {
+        let scene = Scene::random(&mut Random(seed));
+        let mut phase = scene.phase(true);
+        let y = phase.pack(&scene.q, &scene.v, 0.0, 0.0);
+        let mut long = y.clone();
+        for first in phase.state.quaternions() {
+            long[first..first + 4].iter_mut().for_each(|x| *x *= 1.25);
+            seen += 1;
+        }
+        let positions = phase.state.positions();
+        let (expected, found) = (rate(&mut phase, 0.3, &y), rate(&mut phase, 0.3, &long));
+        let scale = 1.0 + largest(&expected);
+        for (found, expected) in found[positions..].iter().zip(&expected[positions..]) {
+            assert_relative_eq!(found, expected, epsilon = 1e-11 * scale);
+        }
+        phase.settle(&mut long);
+        for (found, expected) in long.iter().zip(&y) {
+            assert_relative_eq!(found, expected, epsilon = 1e-15);
+        }
+    }
+    assert!(seen > 20);
 }
 
 /// What the energy grows by is what the drives do less what dampers take.

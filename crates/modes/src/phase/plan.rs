@@ -2,12 +2,12 @@
 
 use super::Role;
 use super::reduction::{Reduction, Source};
+use crate::element::LimitLaw;
 use crate::report::PhaseReport;
 use nalgebra::Vector3;
 use solaris_dynamics::scalar::{Counted, Operations};
 use solaris_dynamics::{DynamicsError, Tree, Workspace, Wrench, hybrid_dynamics, velocities};
 use solaris_model::{Figure, Link};
-use crate::element::LimitLaw;
 
 /// What is left for these roles, and what it takes to evaluate it; `standing` is the full `q`.
 ///
@@ -39,7 +39,8 @@ pub(super) fn report(
     let small_q: Vec<f64> = reduction.kept_q.iter().map(|index| standing[*index]).collect();
     report.prescribed = names(&mut reduction.kept_v.iter().copied().filter(|dof| !is_dynamic(dof)));
     report.fused = names(&mut reduction.fused.iter().copied());
-    report.dropped = reduction.dropped.iter().map(|link| source.figure.links()[*link].name().to_owned()).collect();
+    report.dropped =
+        reduction.dropped.iter().map(|link| source.figure.links()[*link].name().to_owned()).collect();
     report.cost.1 = if reduction.dropped.is_empty() && reduction.fused.is_empty() {
         full
     } else {
@@ -57,7 +58,9 @@ fn omitted(source: &Source, Reduction { figure, springs, limits, .. }: &Reductio
     }
     if springs.len() < source.springs.len() {
         let (left, all) = (source.springs.len() - springs.len(), source.springs.len());
-        omitted.push(format!("springs between points: {left} of {all} do not act on anything that dynamics move"));
+        omitted.push(format!(
+            "springs between points: {left} of {all} do not act on anything that dynamics move"
+        ));
     }
     let acts = |link: &Link| (0..link.joint().kind().nv()).any(|i| !link.joint().kind().passive(i).is_none());
     if !figure.links().iter().any(acts) {

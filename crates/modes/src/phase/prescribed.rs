@@ -1,10 +1,12 @@
-//! The motion of what has one of its own.
+//! What is given: the motion of what has one of its own, and the forces of drives on what dynamics move.
 
 use super::Role;
+use crate::drive::force::Force;
 use crate::drive::path::Path;
 use solaris_model::{Figure, Follower};
 
-/// The motion of the degrees of freedom that have one of their own, of those that follow them, and where the others stand.
+/// The motion of the degrees of freedom that have one of their own, of those that follow them, where the others stand, and the
+/// forces of drives on what dynamics move.
 pub(super) struct Prescribed {
     /// By degree of freedom of the full figure.
     motions: Vec<Motion>,
@@ -14,6 +16,8 @@ pub(super) struct Prescribed {
     followers: Vec<Follower>,
     /// By degree of freedom, its coordinate in the full `q`.
     coordinates: Vec<Option<usize>>,
+    /// For each degree of freedom that dynamics move, in their order.
+    forces: Vec<Force>,
 }
 
 #[derive(Clone)]
@@ -28,7 +32,7 @@ enum Motion {
 }
 
 impl Prescribed {
-    /// Everything stands at `q`.
+    /// Everything stands at `q`, and there are no forces.
     pub(super) fn new(figure: &Figure, roles: &[Role], q: &[f64]) -> Self {
         let (layout, followers) = (figure.layout(), figure.followers().to_vec());
         let role = |role: &Role| if *role == Role::Dynamic { Motion::None } else { Motion::Still };
@@ -38,7 +42,8 @@ impl Prescribed {
             motions[follower.dof] = Motion::Following(i);
         }
         let coordinates = (0..layout.nv()).map(|dof| layout.coordinate(dof)).collect();
-        Self { motions, standing, followers, coordinates }
+        let dynamic = roles.iter().filter(|role| **role == Role::Dynamic).count();
+        Self { motions, standing, followers, coordinates, forces: vec![Force::Constant(0.0); dynamic] }
     }
 
     /// Where everything stood when the phase began.
@@ -51,6 +56,16 @@ impl Prescribed {
         if let Motion::Still | Motion::Along(_) = self.motions[dof] {
             self.motions[dof] = Motion::Along(path);
         }
+    }
+
+    /// Sets the force on a degree of freedom, by its place among those that dynamics move.
+    pub(super) fn set_force(&mut self, index: usize, force: Force) {
+        self.forces[index] = force;
+    }
+
+    /// The force (N m or N) on a degree of freedom, by its place among those that dynamics move.
+    pub(super) fn force(&self, index: usize, t: f64) -> f64 {
+        self.forces[index].at(t)
     }
 
     /// Position, velocity and acceleration of a degree of freedom that dynamics do not move; of a ball or free joint's, no

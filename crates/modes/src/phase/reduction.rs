@@ -166,7 +166,9 @@ fn touches(spring: &PointSpring, moved: &[bool]) -> bool {
 /// The spring with the links that carry its ends; none where both ends are on one link.
 fn placed(spring: &PointSpring, place: impl Fn(usize) -> Option<LinkPlace>) -> Option<PointSpring> {
     let anchor = |Anchor { link, point }: Anchor| {
-        let Some(LinkPlace { link, placement }) = link.and_then(&place) else { return Anchor { link: None, point } };
+        let Some(LinkPlace { link, placement }) = link.and_then(&place) else {
+            return Anchor { link: None, point };
+        };
         Anchor { link: Some(link), point: placement.transform_point(&point.into()).coords }
     };
     let between = spring.between.map(anchor);

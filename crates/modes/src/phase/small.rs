@@ -5,7 +5,6 @@ use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{StateMap, unit};
 use crate::body::Body;
-use crate::drive::force::Force;
 use crate::report::Energy;
 use crate::time::RateError;
 use crate::trouble::SetupError;
@@ -24,8 +23,6 @@ pub(super) struct Small {
     numbers: Side<f64>,
     /// With derivatives; made when the first Jacobian is asked for.
     duals: Option<Box<Side<Dual<COLUMNS>>>>,
-    /// Of the drives, with the degrees of freedom of the small figure.
-    forces: Vec<(usize, Force)>,
 }
 
 /// Where the entries of the state are in the small figure.
@@ -77,13 +74,7 @@ impl Small {
         for (q, full) in numbers.q.iter_mut().zip(&reduction.kept_q) {
             *q = prescribed.standing()[*full];
         }
-        Ok(Self { reduction, maps, numbers, duals: None, forces: Vec::new() })
-    }
-
-    /// The forces of the drives, by degree of freedom of the full figure.
-    pub(super) fn set_forces(&mut self, forces: &[Option<Force>]) {
-        let dofs = self.maps.velocities.iter().map(|k| (*k, self.reduction.kept_v[*k]));
-        self.forces = dofs.filter_map(|(k, dof)| forces[dof].clone().map(|force| (k, force))).collect();
+        Ok(Self { reduction, maps, numbers, duals: None })
     }
 
     /// Finds the accelerations of what dynamics move and the forces of the drives on all else.
@@ -111,8 +102,20 @@ impl Small {
         self.reduction.kept_v.binary_search(&dof).ok().map(|k| self.numbers.tau[k])
     }
 
+    /// Whether no link and no spring was dropped, and the forces on these degrees of freedom of the full figure are known.
+    pub(super) fn is_complete(&self, source: &Source, dofs: &[usize]) -> bool {
+        let Reduction { dropped, springs, .. } = &self.reduction;
+        let all = dropped.is_empty() && springs.len() == source.springs.len();
+        all && dofs.iter().all(|dof| self.force(*dof).is_some())
+    }
+
     /// The energy of a state.
-    pub(super) fn energy(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) -> Result<Energy, DynamicsError> {
+    pub(super) fn energy(
+        &mut self,
+        prescribed: &Prescribed,
+        t: f64,
+        y: &[f64],
+    ) -> Result<Energy, DynamicsError> {
         self.load(prescribed, t, y);
         let Side { body, q, v, .. } = &mut self.numbers;
         body.energy(q, v)
@@ -153,8 +156,11 @@ impl Small {
         for first in (0..columns).step_by(COLUMNS) {
             let seeded = first..columns.min(first + COLUMNS);
             for (i, (entry, value)) in duals.y.iter_mut().zip(y).enumerate() {
-                *entry =
-                    if seeded.contains(&i) { Dual::variable(*value, i - first) } else { Dual::constant(*value) };
+                *entry = if seeded.contains(&i) {
+                    Dual::variable(*value, i - first)
+                } else {
+                    Dual::constant(*value)
+                };
             }
             duals.read(&self.maps);
             duals.solve(&self.maps)?;
@@ -179,11 +185,8 @@ impl Small {
             numbers.q[coordinate] = position;
             (numbers.v[k], numbers.a[k]) = (velocity, acceleration);
         }
-        for k in &self.maps.velocities {
-            numbers.tau[*k] = 0.0;
-        }
-        for (k, force) in &self.forces {
-            numbers.tau[*k] = force.at(t);
+        for (i, k) in self.maps.velocities.iter().enumerate() {
+            numbers.tau[*k] = prescribed.force(i, t);
         }
         numbers.y.copy_from_slice(y);
         numbers.read(&self.maps);

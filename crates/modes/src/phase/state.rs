@@ -77,10 +77,14 @@ impl StateMap {
             }
         }
         for (link, at) in figure.links().iter().zip(layout.joints()) {
-            let (Some(quaternion), Some(rate)) = (link.joint().kind().quaternion(), self.velocity_of.get(at.v)) else {
+            let (Some(quaternion), Some(rate)) =
+                (link.joint().kind().quaternion(), self.velocity_of.get(at.v))
+            else {
                 continue;
             };
-            let (Some(first), Some(rate)) = (self.coordinates.iter().position(|q| *q == at.q), *rate) else { continue };
+            let (Some(first), Some(rate)) = (self.coordinates.iter().position(|q| *q == at.q), *rate) else {
+                continue;
+            };
             if quaternion > 0 {
                 self.pieces.push(Piece::Place { at: first, rate });
             }
@@ -163,7 +167,9 @@ impl StateMap {
 
     /// The first entries of the quaternions.
     pub(super) fn quaternions(&self) -> impl Iterator<Item = usize> {
-        self.pieces.iter().filter_map(|piece| if let Piece::Turn { at, .. } = piece { Some(*at) } else { None })
+        self.pieces
+            .iter()
+            .filter_map(|piece| if let Piece::Turn { at, .. } = piece { Some(*at) } else { None })
     }
 
     /// Writes the rates of the positions.
@@ -173,7 +179,8 @@ impl StateMap {
             match *piece {
                 Piece::Axis { at, rate: from } => rate[at] = y[from],
                 Piece::Turn { at, rate: from } => {
-                    let ([x, y_, z, w], turn) = ([0, 1, 2, 3].map(|i| y[at + i]), [0, 1, 2].map(|i| y[from + i] * half));
+                    let ([x, y_, z, w], turn) =
+                        ([0, 1, 2, 3].map(|i| y[at + i]), [0, 1, 2].map(|i| y[from + i] * half));
                     rate[at] = w * turn[0] + y_ * turn[2] - z * turn[1];
                     rate[at + 1] = w * turn[1] + z * turn[0] - x * turn[2];
                     rate[at + 2] = w * turn[2] + x * turn[1] - y_ * turn[0];

@@ -15,6 +15,15 @@ const SHORTEST_FLIGHT: f64 = 1e-6;
 /// A velocity (rad/s or m/s) below which what is to stand still does.
 const REST: f64 = 1e-12;
 
+/// Rounds of impacts at one instant, after which what touches stays together: elastic ones may go back and forth without end.
+const MOST_IMPACTS: usize = 50;
+
+/// Forces and accelerations smaller than this part of the greatest are none.
+const ROUNDING: f64 = 1e-12;
+
+/// As many bodies at their limits have each way of staying or going tried, if it comes to that.
+const MOST_CHOICES: usize = 12;
+
 /// Positions (rad or m) this near to a limit are at it.
 const AT_LIMIT: f64 = 1e-9;
 
@@ -23,7 +32,10 @@ impl Pass<'_> {
     pub(crate) fn settle(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let mut wanted: Vec<(usize, f64, &'static str)> = Vec::new();
         for (dof, driven) in self.driven.iter().enumerate() {
-            if matches!(driven.mode, Mode::Still) && self.v[dof].abs() > REST && !self.simulation.figure.follows(dof) {
+            if matches!(driven.mode, Mode::Still)
+                && self.v[dof].abs() > REST
+                && !self.simulation.figure.follows(dof)
+            {
                 wanted.push((dof, 0.0, "stop"));
             }
         }
@@ -34,33 +46,46 @@ impl Pass<'_> {
                 self.passed.jumps = true;
             }
         }
-        for dof in 0..self.driven.len() {
-            if let Some((side, limit)) = self.meets_limit(dof, events) {
-                hits.push((dof, side, limit));
-                if self.v[dof] * side.outward() > 0.0 {
+        // One impact may bring about others: a row of links that meets its end.
+        for round in 0..=MOST_IMPACTS {
+            let inelastic = round == MOST_IMPACTS;
+            for dof in 0..self.driven.len() {
+                let Some((side, limit)) = self.meets_limit(dof, events) else { continue };
+                if hits.iter().all(|(other, ..)| *other != dof) {
+                    hits.push((dof, side, limit));
+                }
+                let least = if round == 0 { 0.0 } else { REST };
+                if self.v[dof] * side.outward() > least {
                     let LimitLaw::Hard { restitution } = self.simulation.limits[dof] else { continue };
-                    wanted.push((dof, -restitution * self.v[dof], "limit"));
+                    let kept = if inelastic { 0.0 } else { restitution };
+                    wanted.push((dof, -kept * self.v[dof], "limit"));
                 }
             }
-        }
-        for &(dof, _, limit) in &hits {
-            if let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) {
-                self.q[coordinate] = limit;
+            for &(dof, _, limit) in &hits {
+                if let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) {
+                    self.q[coordinate] = limit;
+                }
+                if !self.driven[dof].hit {
+                    self.driven[dof].hit = true;
+                    self.outcome(dof, OutcomeKind::LimitHit);
+                }
             }
-            if !self.driven[dof].hit {
-                self.driven[dof].hit = true;
-                self.outcome(dof, OutcomeKind::LimitHit);
+            if wanted.is_empty() {
+                break;
             }
+            self.strike(&wanted, inelastic, events)?;
+            wanted.clear();
         }
-        if !wanted.is_empty() {
-            self.strike(&wanted)?;
-        }
-        if hits.is_empty() { Ok(()) } else { self.rest(&hits) }
+        // A drive that has changed may lift off what rests.
+        let rests = self.driven.iter().any(|driven| driven.held.is_some());
+        if hits.is_empty() && !rests { Ok(()) } else { self.rest(&hits) }
     }
 
     /// The limit at which a degree of freedom that dynamics move is, if it does not move away from it.
     fn meets_limit(&self, dof: usize, events: &[Meaning]) -> Option<(Side, f64)> {
-        if self.driven[dof].role() != Role::Dynamic || !matches!(self.simulation.limits[dof], LimitLaw::Hard { .. }) {
+        if self.driven[dof].role() != Role::Dynamic
+            || !matches!(self.simulation.limits[dof], LimitLaw::Hard { .. })
+        {
             return None;
         }
         let limits = self.limits_of(dof)?;
@@ -75,7 +100,15 @@ impl Pass<'_> {
     }
 
     /// Gives degrees of freedom new velocities, and all others what follows from it.
-    fn strike(&mut self, wanted: &[(usize, f64, &'static str)]) -> Result<(), RunError> {
+    ///
+    /// Limits that something rests at stop it, as do those without restitution that it touches; with `inelastic`, all that it
+    /// touches.
+    fn strike(
+        &mut self,
+        wanted: &[(usize, f64, &'static str)],
+        inelastic: bool,
+        events: &[Meaning],
+    ) -> Result<(), RunError> {
         let fixed: Vec<bool> = (0..self.driven.len())
             .map(|dof| {
                 let prescribed = self.driven[dof].role() != Role::Dynamic && self.driven[dof].held.is_none();
@@ -86,7 +119,11 @@ impl Pass<'_> {
             .driven
             .iter()
             .enumerate()
-            .filter_map(|(dof, driven)| Some((dof, driven.held?.0)))
+            .filter_map(|(dof, driven)| {
+                let stops = inelastic || self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 };
+                let touches = || self.meets_limit(dof, events).filter(|_| stops);
+                Some((dof, driven.held.or_else(touches)?.0))
+            })
             .filter(|(dof, _)| wanted.iter().all(|(other, ..)| other != dof))
             .collect();
         let jumps: Vec<(usize, f64)> = wanted.iter().map(|&(dof, velocity, _)| (dof, velocity)).collect();
@@ -113,44 +150,50 @@ impl Pass<'_> {
         Ok(())
     }
 
-    /// Of what is at a limit, what stays there.
+    /// Of what is at a limit, what stays there: what would go out of its range, and what its limit has not to pull.
+    ///
+    /// One that stays may press on others and make them stay, or lift them off, so this is a linear complementarity problem;
+    /// the first that is wrong is turned round until none is, as for [impacts](strike).
     fn rest(&mut self, hits: &[(usize, Side, f64)]) -> Result<(), RunError> {
-        // First with all of them free: how they would go on.
-        let (prescribed, mut a, mut tau) = self.given();
-        let failed = |t, error| RunError::from(guard::of_dynamics(t, error));
-        self.body.hybrid(&self.q, &self.v, &prescribed, &mut a, &mut tau).map_err(|e| failed(self.t, e))?;
-        self.passed.counts.evaluations += 1;
-        for &(dof, side, limit) in hits {
-            let (away, outwards) = (-self.v[dof] * side.outward(), a[dof] * side.outward());
-            let flight = if outwards > 0.0 { 2.0 * away.max(0.0) / outwards } else { f64::INFINITY };
-            if outwards > 0.0 && flight < SHORTEST_FLIGHT {
-                self.driven[dof].held = Some((side, limit));
-                self.v[dof] = 0.0;
-                self.passed.jumps = true;
-            } else if flight.is_finite() {
-                // The next step has to see it off its limit.
-                self.cap = self.cap.min(self.t + 0.5 * flight);
-            }
-        }
-        self.release_pulled()
-    }
-
-    /// Lets go what a limit would have to pull, now that others rest as well.
-    fn release_pulled(&mut self) -> Result<(), RunError> {
-        for _ in 0..=self.driven.len() {
+        let count = hits.len() + self.driven.iter().filter(|driven| driven.held.is_some()).count();
+        for _ in 0..1_usize << count.min(MOST_CHOICES) {
             let (prescribed, mut a, mut tau) = self.given();
             let drive = tau.clone();
             self.body
                 .hybrid(&self.q, &self.v, &prescribed, &mut a, &mut tau)
                 .map_err(|error| RunError::from(guard::of_dynamics(self.t, error)))?;
             self.passed.counts.evaluations += 1;
-            // A limit pushes inwards only.
-            let pulls = |(dof, driven): (usize, &super::driven::Driven)| {
-                let (side, _) = driven.held?;
-                ((tau[dof] - drive[dof]) * side.outward() > 0.0).then_some(dof)
-            };
-            let Some(dof) = self.driven.iter().enumerate().find_map(pulls) else { break };
-            self.driven[dof].held = None;
+            let rounding = |x: &[f64]| ROUNDING * x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let (least_force, least) = (rounding(&tau), rounding(&a));
+            self.cap = f64::INFINITY;
+            let mut wrong = None;
+            for dof in 0..self.driven.len() {
+                if let Some((side, _)) = self.driven[dof].held {
+                    // A limit pushes inwards only.
+                    if (tau[dof] - drive[dof]) * side.outward() > least_force {
+                        wrong = Some((dof, None));
+                        break;
+                    }
+                } else if let Some(&(_, side, limit)) = hits.iter().find(|(hit, ..)| *hit == dof) {
+                    let (away, outwards) = (-self.v[dof] * side.outward(), a[dof] * side.outward());
+                    if outwards <= least {
+                        continue;
+                    }
+                    let flight = 2.0 * away.max(0.0) / outwards;
+                    if flight < SHORTEST_FLIGHT {
+                        wrong = Some((dof, Some((side, limit))));
+                        break;
+                    }
+                    // The next step has to see it off its limit.
+                    self.cap = self.cap.min(self.t + 0.5 * flight);
+                }
+            }
+            let Some((dof, held)) = wrong else { break };
+            self.driven[dof].held = held;
+            if held.is_some() {
+                self.v[dof] = 0.0;
+                self.passed.jumps = true;
+            }
         }
         Ok(())
     }

@@ -24,7 +24,8 @@ pub struct Reference {
 /// The reference with its motion, and the run that it was held against.
 pub(super) struct Found {
     pub(super) reference: Reference,
-    pub(super) motion: Motion,
+    /// None of a closed form.
+    pub(super) motion: Option<Motion>,
     pub(super) beside: Option<Beside>,
     /// The time (s) up to which the two are within a tenth of the wanted error; infinite where they are to the end.
     pub(super) until: f64,
@@ -66,6 +67,11 @@ pub(super) fn find(
     options: &StudyOptions<'_>,
     watch: &mut Outlook<'_>,
 ) -> Result<Found, RunError> {
+    if options.solution.is_some() {
+        let name = "the closed form".to_owned();
+        let reference = Reference { name, beside: String::new(), uncertainty: ErrorEstimate::default() };
+        return Ok(Found { reference, motion: None, beside: None, until: f64::INFINITY });
+    }
     let figure = simulation.figure();
     let mut candidates: Vec<Candidate> = Vec::new();
     let mut nearest: Option<Pair> = None;
@@ -104,28 +110,20 @@ pub(super) fn find(
             last = Some(within);
         }
     }
-    if options.solution.is_some() {
-        let name = "the closed form".to_owned();
-        let reference = Reference { name, beside: String::new(), uncertainty: ErrorEstimate::default() };
-        let best = nearest.map_or(0, |pair| pair.best);
-        let motion = candidates.into_iter().nth(best).map(|candidate| candidate.motion);
-        let motion = motion.ok_or_else(|| trouble.unwrap_or(RunError::Cancelled))?;
-        return Ok(Found { reference, motion, beside: None, until: f64::INFINITY });
-    }
     let Some(pair) = nearest else {
         // A single run is no reference: nothing says how well it is known.
         let Candidate { method, motion } =
             candidates.pop().ok_or_else(|| trouble.unwrap_or(RunError::Cancelled))?;
         let uncertainty = ErrorEstimate { position: f64::INFINITY, velocity: f64::INFINITY };
         let reference = Reference { name: named(method), beside: String::new(), uncertainty };
-        return Ok(Found { reference, motion, beside: None, until: f64::INFINITY });
+        return Ok(Found { reference, motion: Some(motion), beside: None, until: f64::INFINITY });
     };
     let [name, beside] = [pair.best, pair.beside].map(|index| named(candidates[index].method));
     let reference = Reference { name, beside, uncertainty: pair.error };
     let mut candidates: Vec<_> = candidates.into_iter().map(Some).collect();
     let beside = candidates[pair.beside].take().map(|Candidate { method, motion }| Beside { method, motion });
     let motion = candidates[pair.best].take().expect("another one than that beside it").motion;
-    Ok(Found { reference, motion, beside, until: pair.until })
+    Ok(Found { reference, motion: Some(motion), beside, until: pair.until })
 }
 
 fn named(method: Method) -> String {

@@ -43,7 +43,7 @@ impl SceneReader<'_> {
         for (index, parameter) in kind.parameters().enumerate() {
             let name = &names[index];
             let given = if index < kind.required.len() {
-                self.reader.required(&fields, name, "…")
+                self.reader.required(&fields, name, "0.5")
             } else {
                 fields.get(name)
             };

@@ -2,6 +2,7 @@
 
 use super::SceneReader;
 use super::drives::Placed;
+use super::names::Meant;
 use solaris_model::text::{Fields, Node};
 use solaris_modes::{Course, Drive, Law, Shape, Step, Target, Until};
 
@@ -159,11 +160,15 @@ impl SceneReader<'_> {
             ("Passes" | "PassesSpeed", Some([name, value])) => {
                 let before = self.reader.count();
                 let dof = self.meant_one(name);
-                let turns = dof.is_none_or(|dof| {
-                    let meant = super::names::Meant::of(dof);
-                    self.names.turn(Some(&meant))
-                });
+                let turns = self.names.turn(dof.map(Meant::of).as_ref());
                 let value = self.reader.coordinate(value, turns, "the value to pass through")?;
+                let has_positions =
+                    |dof| self.figure().is_some_and(|figure| figure.layout().coordinate(dof).is_some());
+                if kind == "Passes" && dof.is_some_and(|dof| !has_positions(dof)) {
+                    let message = "a ball or free joint has no positions of its own to pass through; take \
+                                   PassesSpeed, or a joint of three rotations";
+                    self.reader.fault(name.span.clone(), message);
+                }
                 if self.reader.count() > before {
                     return None;
                 }

@@ -54,7 +54,11 @@ impl SceneReader<'_> {
                 Some(LimitLaw::Spring { stiffness: stiffness?, damping: damping? })
             }
             _ => {
-                self.reader.fields(node, &LAWS, &["(none)"])?;
+                if node.group().is_some() {
+                    self.reader
+                        .fault(node.span.clone(), "Ignore stands alone: there is nothing more to say of it");
+                    return None;
+                }
                 Some(LimitLaw::Ignore)
             }
         }

@@ -108,7 +108,7 @@ impl SceneReader<'_> {
         for parameter in PARAMETERS {
             let Some(node) = fields.get(&written(parameter.name)) else { continue };
             let value = match parameter.unit {
-                Unit::Degrees => self.reader.angle(node, parameter.name).map(f64::to_degrees),
+                Unit::Degrees => self.reader.angle(node, parameter.name).map(degrees),
                 Unit::Metres => self.reader.number(node, parameter.name),
             };
             request.parameters.extend(value.map(|value| (parameter.name, value)));
@@ -132,4 +132,9 @@ impl SceneReader<'_> {
 /// A name as it is written.
 fn written(name: &str) -> String {
     name.replace(['-', ' '], "_")
+}
+
+/// An angle (rad) in degrees; one that was written in degrees comes back as it was written.
+fn degrees(angle: f64) -> f64 {
+    (angle.to_degrees() * 1e10).round() / 1e10
 }

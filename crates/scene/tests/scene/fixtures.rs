@@ -21,7 +21,8 @@ fn near(found: &[f64], expected: &[f64], tolerance: f64) {
 #[test]
 fn every_fixture_is_a_scene() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/scenes");
-    let names = std::fs::read_dir(folder).expect("the fixtures").map(|entry| entry.expect("an entry").file_name());
+    let names =
+        std::fs::read_dir(folder).expect("the fixtures").map(|entry| entry.expect("an entry").file_name());
     let names: Vec<String> = names.map(|name| name.to_string_lossy().into_owned()).collect();
     assert!(names.len() >= 6, "{names:?}");
     for name in names {
@@ -34,7 +35,7 @@ fn every_fixture_is_a_scene() {
 fn the_governor_starts_as_the_benchmark_has_it() {
     let scene = fixture("governor.ron");
     let (q, v) = scene.simulation().state();
-    assert_eq!(scene.figure().layout().v_names(), ["spin.rz", "slide.tz", "right.turn", "left.turn"]);
+    assert_eq!(scene.figure().layout().v_names(), ["spin.rz", "slide.tz", "right.r", "left.ry"]);
     near(q, &[0.0, 0.5, std::f64::consts::FRAC_PI_3, std::f64::consts::FRAC_PI_3], 1e-15);
     near(v, &[std::f64::consts::TAU, 0.0, 0.0, 0.0], 1e-15);
     near(scene.simulation().gravity().as_slice(), &[0.0, 0.0, -9.81], 0.0);
@@ -56,25 +57,28 @@ fn ball_and_free_joints_start_with_rotations() {
 fn a_walk_drives_what_has_no_drive() {
     let scene = fixture("walk_loose_arm.ron");
     let layout = scene.figure().layout();
-    let drive = |name: &str| scene.simulation().driven_by(layout.dof_index(name).expect("a dof"))[0].drive.name();
-    assert_eq!([drive("right_shoulder.rx"), drive("left_shoulder.rx"), drive("right_wrist.rx")], [
-        "free", "recorded", "frozen"
-    ]);
+    let drive =
+        |name: &str| scene.simulation().driven_by(layout.dof_index(name).expect("a dof"))[0].drive.name();
+    assert_eq!(
+        [drive("right_shoulder.rx"), drive("left_shoulder.rx"), drive("right_wrist.rx")],
+        ["free", "recorded", "frozen"]
+    );
     let plan = scene.walk().expect("a walk");
     let duration = solaris_model::Trajectory::duration(plan);
     assert!((scene.settings().duration - duration).abs() < 1e-12);
     assert_eq!(scene.walked() + 9, layout.nv());
     // It begins as the walk does.
     let mut first = vec![0.0; layout.nq()];
-    solaris_model::Trajectory::position(plan, 0.0, &mut first);
+    solaris_model::Trajectory::configuration(plan, 0.0, &mut first);
     near(scene.simulation().state().0, &first, 1e-12);
 }
 
 #[test]
 fn every_mode_is_there() {
     let scene = fixture("arm_modes.ron");
-    let names: Vec<&str> =
-        (0..scene.figure().layout().nv()).map(|dof| scene.simulation().driven_by(dof)[0].drive.name()).collect();
+    let names: Vec<&str> = (0..scene.figure().layout().nv())
+        .map(|dof| scene.simulation().driven_by(dof)[0].drive.name())
+        .collect();
     assert_eq!(
         names,
         [

@@ -18,7 +18,8 @@ fn governor() -> Simulation {
         let placement = Placement::translation(0.0, 0.0, z);
         Inertia::Uniform(Shape { kind: ShapeKind::Box { size: Vector3::new(0.01, 0.01, 1.0) }, placement })
     };
-    let cube = Shape { kind: ShapeKind::Box { size: Vector3::repeat(0.1) }, placement: Placement::identity() };
+    let cube =
+        Shape { kind: ShapeKind::Box { size: Vector3::repeat(0.1) }, placement: Placement::identity() };
     let mut builder = FigureBuilder::new("governor")
         .link(LinkSpec::root("shaft", Joint::new("spin").rz()).mass(0.3).inertia(bar(0.0)))
         .link(
@@ -50,7 +51,7 @@ fn governor() -> Simulation {
 fn phase() -> (Phase, Vec<f64>) {
     let simulation = governor();
     let (q, v) = simulation.state();
-    let phase = Phase::new(&simulation, &[Role::Dynamic; 4], q).expect("valid");
+    let phase = Phase::with(&simulation, &[Role::Dynamic; 4], q, true).expect("valid");
     let y = phase.pack(q, v, 0.0, 0.0);
     (phase, y)
 }
@@ -65,7 +66,8 @@ fn the_governor_starts_as_by_hand() {
     let (mut phase, y) = phase();
     let rates = rate(&mut phase, 0.0, &y);
     let (rod, ball, sine, cosine) = (0.3, 5.0, 0.75_f64.sqrt(), 0.5);
-    let (across, along) = (rod / 3.0 * (0.5_f64.powi(2) + 0.005_f64.powi(2)), rod / 3.0 * 2.0 * 0.005_f64.powi(2));
+    let (across, along) =
+        (rod / 3.0 * (0.5_f64.powi(2) + 0.005_f64.powi(2)), rod / 3.0 * 2.0 * 0.005_f64.powi(2));
     let hinge = across + rod * 0.25 + ball;
     let spread = 2.0 * rod * (0.05 + 0.5 * sine) * 0.5 * cosine
         + 2.0 * (across - along) * sine * cosine

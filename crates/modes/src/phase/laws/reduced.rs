@@ -52,9 +52,8 @@ fn the_force_that_holds_something_needs_all_that_it_carries() {
     for seed in 0..200 {
         let scene = Scene::random(&mut Random(2000 + seed));
         let layout = scene.simulation.figure.layout();
-        let held = (0..scene.roles.len()).filter(|dof| {
-            scene.roles[*dof] == Role::Prescribed && layout.coordinate(*dof).is_some()
-        });
+        let held = (0..scene.roles.len())
+            .filter(|dof| scene.roles[*dof] == Role::Prescribed && layout.coordinate(*dof).is_some());
         let watched: Vec<Watched> = held.map(|dof| Watched::Hold { dof, drive: 1.5 }).collect();
         let (mut whole, mut reduced) = (scene.phase(false), scene.phase(true));
         let before = reduced.report.dropped.len();
@@ -87,14 +86,15 @@ fn a_loose_arm_needs_only_what_carries_it() {
     let role = |name: &String| if name.starts_with("left_elbow") { Role::Dynamic } else { Role::Prescribed };
     let roles: Vec<Role> = names.iter().map(role).collect();
     let simulation = Simulation::new(&figure, Vector3::new(0.0, -9.81, 0.0));
-    let phase = Phase::new(&simulation, &roles, &simulation.q).expect("valid");
+    let phase = Phase::with(&simulation, &roles, &simulation.q, true).expect("valid");
     let report = &phase.report;
     assert!(report.dynamic.iter().all(|name| name.starts_with("left_elbow")));
     for link in ["left_foot", "right_thigh", "head", "right_hand"] {
         assert!(report.dropped.iter().any(|name| name == link), "{link} in {:?}", report.dropped);
     }
     assert!(!report.dropped.iter().any(|name| name == "left_hand" || name == "left_upper_arm"));
-    let total = |operations: &solaris_dynamics::scalar::Operations| operations.multiplications + operations.additions;
+    let total =
+        |operations: &solaris_dynamics::scalar::Operations| operations.multiplications + operations.additions;
     let (full, left) = (&report.cost.0, &report.cost.1);
     assert!(total(left) > 0 && 2 * total(left) < total(full), "{full:?} {left:?}");
     assert!(report.fused.is_empty() && report.omitted.iter().any(|text| text.starts_with("contact")));
@@ -105,7 +105,7 @@ fn without_anything_to_move_nothing_is_computed() {
     let figure = ann();
     let simulation = Simulation::new(&figure, Vector3::new(0.0, -9.81, 0.0));
     let roles = vec![Role::Prescribed; figure.layout().nv()];
-    let mut phase = Phase::new(&simulation, &roles, &simulation.q).expect("valid");
+    let mut phase = Phase::with(&simulation, &roles, &simulation.q, true).expect("valid");
     assert!(!phase.is_dynamic() && phase.len() == 2);
     assert_eq!(phase.report.dropped.len(), figure.links().len());
     assert_eq!(phase.report.cost.1, solaris_dynamics::scalar::Operations::default());
@@ -120,13 +120,18 @@ fn springs_keep_what_they_hang_from() {
     let figure = ann();
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
     let end = |name: &str| Anchor { link: figure.link_index(name), point: Vector3::zeros() };
-    let spring = |a: &str, b: &str| PointSpring { between: [end(a), end(b)], stiffness: 10.0, damping: 0.0, rest: 0.1 };
+    let spring = |a: &str, b: &str| PointSpring {
+        between: [end(a), end(b)],
+        stiffness: 10.0,
+        damping: 0.0,
+        rest: 0.1,
+    };
     simulation.spring(spring("left_hand", "left_foot")).expect("valid");
     simulation.spring(spring("right_hand", "head")).expect("valid");
     let names = figure.layout().v_names();
     let role = |name: &String| if name.starts_with("left_elbow") { Role::Dynamic } else { Role::Prescribed };
     let roles: Vec<Role> = names.iter().map(role).collect();
-    let phase = Phase::new(&simulation, &roles, &simulation.q).expect("valid");
+    let phase = Phase::with(&simulation, &roles, &simulation.q, true).expect("valid");
     let dropped = |link: &str| phase.report.dropped.iter().any(|name| name == link);
     assert!(!dropped("left_foot") && dropped("right_hand") && dropped("head"));
     let omitted = &phase.report.omitted;
@@ -150,7 +155,7 @@ fn followers_follow_the_curves_of_their_leaders() {
     let simulation = Simulation::new(&figure, Vector3::zeros());
     // The role of the follower does not count.
     let roles = [Role::Prescribed, Role::Still, Role::Dynamic];
-    let mut phase = Phase::new(&simulation, &roles, &[0.5, 0.0, 0.0]).expect("valid");
+    let mut phase = Phase::with(&simulation, &roles, &[0.5, 0.0, 0.0], true).expect("valid");
     let path = Path::Along(Clip::new(curve(1.0, [0.5, 2.0, 3.0], [0.0; 3])));
     phase.set_path(0, path.clone());
     phase.set_path(1, path);
@@ -169,13 +174,16 @@ fn followers_follow_the_curves_of_their_leaders() {
 #[test]
 fn what_cannot_be_computed_is_refused() {
     let simulation = Simulation::new(&followers(), Vector3::zeros());
-    let follower = Phase::new(&simulation, &[Role::Dynamic; 3], &[0.0; 3]).err();
+    let follower = Phase::with(&simulation, &[Role::Dynamic; 3], &[0.0; 3], true).err();
     assert!(matches!(follower, Some(SetupError::Dynamics(DynamicsError::Follower { .. }))), "{follower:?}");
     let ball = LinkSpec::root("top", Joint::ball("pivot")).mass(1.0);
     let figure = FigureBuilder::new("top").link(ball).build().expect("valid");
     let simulation = Simulation::new(&figure, Vector3::zeros());
     let roles = [Role::Dynamic, Role::Dynamic, Role::Still];
-    let part = Phase::new(&simulation, &roles, &simulation.q).err();
-    assert!(matches!(part, Some(SetupError::Fuse(FuseError::PartOfJoint { count: 1, all: 3, .. }))), "{part:?}");
-    assert!(Phase::new(&simulation, &roles[..2], &simulation.q).is_err());
+    let part = Phase::with(&simulation, &roles, &simulation.q, true).err();
+    assert!(
+        matches!(part, Some(SetupError::Fuse(FuseError::PartOfJoint { count: 1, all: 3, .. }))),
+        "{part:?}"
+    );
+    assert!(Phase::with(&simulation, &roles[..2], &simulation.q, true).is_err());
 }

@@ -1,0 +1,195 @@
+//! What a scene is.
+
+use super::list;
+use crate::convert::some;
+use crate::error::CliError;
+use crate::input::{self, extension};
+use crate::print::print;
+use crate::run::{Loaded, load};
+use clap::ArgMatches;
+use serde::Serialize;
+use solaris::dynamics::denavit_hartenberg::Summary;
+use solaris::model::{Figure, FindingKind, JointKind};
+use solaris::modes::{LimitLaw, Method, Step, Until};
+use solaris::scene::{Scene, is_scene};
+use std::io::Write;
+use std::path::Path;
+
+/// Whether a file is meant to be a scene. What cannot be read is said by whoever reads it as a figure.
+pub(super) fn is_one(path: &Path) -> bool {
+    extension(path) == "ron" && input::text(path).is_ok_and(|text| is_scene(&text))
+}
+
+pub(super) fn run(path: &Path, matches: &ArgMatches) -> Result<(), CliError> {
+    let Loaded { scene, .. } = load(path)?;
+    let findings = scene.figure().lint();
+    let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
+    let facts = Facts::of(&scene);
+    let chains = if matches.get_flag("dh") {
+        Some(Summary::of(scene.figure()).map_err(CliError::other)?.to_string())
+    } else {
+        None
+    };
+    print(|out| {
+        if matches.get_flag("json") {
+            serde_json::to_writer_pretty(&mut *out, &facts).map_err(std::io::Error::from)?;
+            return writeln!(out);
+        }
+        facts.write(out)?;
+        if let Some(chains) = chains {
+            writeln!(out, "\n{}", chains.trim_end())?;
+        }
+        list(out, &findings)
+    })?;
+    if matches.get_flag("strict") && suspects > 0 {
+        return Err(CliError::Strict { path: path.to_owned(), count: suspects });
+    }
+    Ok(())
+}
+
+/// What a scene is, in numbers and words.
+#[derive(Serialize)]
+struct Facts {
+    name: String,
+    figure: String,
+    links: usize,
+    dofs: usize,
+    mass_kg: f64,
+    gravity_m_s2: [f64; 3],
+    duration_s: f64,
+    rate_per_s: f64,
+    method: String,
+    walk_dofs: usize,
+    springs: usize,
+    drives: Vec<Driven>,
+    limits: Vec<Limited>,
+}
+
+/// Degrees of freedom with the same drives.
+#[derive(Serialize)]
+struct Driven {
+    drives: String,
+    dofs: Vec<String>,
+}
+
+/// Degrees of freedom whose limits do the same.
+#[derive(Serialize)]
+struct Limited {
+    limits: String,
+    dofs: Vec<String>,
+}
+
+impl Facts {
+    fn of(scene: &Scene) -> Self {
+        let (figure, simulation, settings) = (scene.figure(), scene.simulation(), scene.settings());
+        let layout = figure.layout();
+        let names = |dofs: Vec<usize>| dofs.into_iter().map(|dof| layout.v_names()[dof].clone()).collect();
+        let drives = grouped(layout.nv(), |dof| told(simulation.driven_by(dof)));
+        let limited = limited(figure);
+        let has_limit = |dof: &usize| limited[*dof];
+        let limits = grouped(layout.nv(), |dof| law(simulation.limit_of(dof)));
+        Self {
+            name: scene.name().to_owned(),
+            figure: figure.name().to_owned(),
+            links: figure.links().len(),
+            dofs: layout.nv(),
+            mass_kg: figure.mass(),
+            gravity_m_s2: (*simulation.gravity()).into(),
+            duration_s: settings.duration,
+            rate_per_s: settings.rate,
+            method: method(settings.method),
+            walk_dofs: scene.walked(),
+            springs: simulation.springs().len(),
+            drives: drives.into_iter().map(|(drives, dofs)| Driven { drives, dofs: names(dofs) }).collect(),
+            limits: limits
+                .into_iter()
+                .map(|(limits, dofs)| (limits, dofs.into_iter().filter(has_limit).collect::<Vec<_>>()))
+                .filter(|(_, dofs)| !dofs.is_empty())
+                .map(|(limits, dofs)| Limited { limits, dofs: names(dofs) })
+                .collect(),
+        }
+    }
+
+    fn write(&self, out: &mut dyn Write) -> std::io::Result<()> {
+        writeln!(out, "Scene '{}'\n", self.name)?;
+        let mut row = |what: &str, value: String| writeln!(out, "  {what:<24}{value}");
+        row("figure", self.figure.clone())?;
+        row("links", self.links.to_string())?;
+        row("degrees of freedom", self.dofs.to_string())?;
+        row("mass", format!("{} kg", super::rounded(self.mass_kg)))?;
+        let [x, y, z] = self.gravity_m_s2;
+        row("gravity", format!("({x}, {y}, {z}) m/s²"))?;
+        row("lasts", format!("{} s, {} frames a second", super::rounded(self.duration_s), self.rate_per_s))?;
+        row("method", self.method.clone())?;
+        if self.springs > 0 {
+            row("springs between points", self.springs.to_string())?;
+        }
+        writeln!(out, "\nDrives\n")?;
+        for Driven { drives, dofs } in &self.drives {
+            writeln!(out, "  {drives:<24}{:>4}  {}", dofs.len(), some(dofs))?;
+        }
+        if !self.limits.is_empty() {
+            writeln!(out, "\nLimits of joints, where dynamics move them\n")?;
+            for Limited { limits, dofs } in &self.limits {
+                writeln!(out, "  {limits:<24}{:>4}  {}", dofs.len(), some(dofs))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Of each degree of freedom, whether it has limits.
+fn limited(figure: &Figure) -> Vec<bool> {
+    let links = figure.links().iter();
+    let limited = links.flat_map(|link| match link.joint().kind() {
+        JointKind::Axes(dofs) => dofs.iter().map(|dof| dof.limits.is_some()).collect(),
+        kind => vec![false; kind.nv()],
+    });
+    limited.collect()
+}
+
+/// What each text is said of, in the order of their first.
+fn grouped(count: usize, text: impl Fn(usize) -> String) -> Vec<(String, Vec<usize>)> {
+    let mut groups: Vec<(String, Vec<usize>)> = Vec::new();
+    for dof in 0..count {
+        let text = text(dof);
+        match groups.iter_mut().find(|(other, _)| *other == text) {
+            Some((_, dofs)) => dofs.push(dof),
+            None => groups.push((text, vec![dof])),
+        }
+    }
+    groups
+}
+
+/// Drives one after the other.
+fn told(steps: &[Step]) -> String {
+    let step = |Step { drive, until }: &Step| {
+        let until = match until {
+            Until::Time(time) => format!(" until {time} s"),
+            Until::Lasting(time) => format!(" for {time} s"),
+            Until::Position { dof, .. } => format!(" until {dof} passes"),
+            Until::Velocity { dof, .. } => format!(" until the speed of {dof} passes"),
+            _ => String::new(),
+        };
+        format!("{}{until}", drive.name())
+    };
+    steps.iter().map(step).collect::<Vec<_>>().join(", ")
+}
+
+fn law(law: LimitLaw) -> String {
+    match law {
+        LimitLaw::Hard { restitution } => format!("hard, restitution {restitution}"),
+        LimitLaw::Spring { stiffness, damping } => format!("spring {stiffness}, damper {damping}"),
+        _ => "ignored".to_owned(),
+    }
+}
+
+fn method(method: Method) -> String {
+    match method {
+        Method::Fixed { rule, step } => format!("{rule}, step at most {step} s"),
+        Method::Adaptive { tolerance } => format!("adaptive explicit, tolerance {tolerance:e}"),
+        Method::Stiff { tolerance } => format!("stiff implicit, tolerance {tolerance:e}"),
+        Method::Automatic { tolerance } => format!("whichever meets the tolerance {tolerance:e} rad or m"),
+        _ => "another".to_owned(),
+    }
+}

@@ -1,0 +1,130 @@
+//! `solaris run`: a scene comes to a motion.
+
+mod energy;
+mod load;
+mod outcomes;
+mod plan;
+mod report;
+mod summary;
+mod table;
+mod watch;
+
+pub(crate) use load::{Loaded, load};
+
+use crate::error::CliError;
+use crate::output::{Formats, Outputs};
+use crate::print::print;
+use clap::ArgMatches;
+use report::Report;
+use solaris::modes::RunError;
+use solaris::scene::{Scene, SceneError, Simulated};
+use solaris::view::{PageOptions, page};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use watch::Watcher;
+
+/// What a file of a run holds.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Html,
+    Csv,
+    Bvh,
+    Sto,
+    Json,
+}
+
+const MOTION: Formats<Format> = &[
+    ("html", Format::Html),
+    ("csv", Format::Csv),
+    ("bvh", Format::Bvh),
+    ("sto", Format::Sto),
+    ("mot", Format::Sto),
+];
+const REPORT: Formats<Format> = &[("json", Format::Json)];
+
+/// The most numbers of a motion: about 5 GB.
+const MOST_NUMBERS: f64 = 6e8;
+
+/// Runs the scene, writes its motion, and says what it came to.
+pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+    let path = matches.get_one::<PathBuf>("scene").cloned().unwrap_or_default();
+    let motions = matches.get_many::<PathBuf>("output").unwrap_or_default();
+    let outputs = Outputs::new(
+        motions
+            .map(|path| ("-o", path, MOTION))
+            .chain(matches.get_one::<PathBuf>("report").map(|path| ("--report", path, REPORT))),
+    )?;
+    let Loaded { scene, reads } = load(&path)?;
+    outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
+    check_size(&path, &scene)?;
+
+    let mut watcher = Watcher::new();
+    let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(&path, error))?;
+    watcher.writing();
+    let report = Report::new(&scene, &simulated);
+    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report))?;
+    drop(watcher);
+
+    if matches.get_flag("json") {
+        return print(|out| report.write(out));
+    }
+    print(|out| {
+        out.write_all(summary::text(&report).as_bytes())?;
+        if matches.get_flag("plan") {
+            out.write_all(plan::text(&report.phases).as_bytes())?;
+        }
+        out.write_all(summary::written(outputs.paths()).as_bytes())
+    })
+}
+
+/// Refuses a motion for which no memory may be left.
+fn check_size(path: &Path, scene: &Scene) -> Result<(), CliError> {
+    let (settings, layout) = (scene.settings(), scene.figure().layout());
+    let frames = settings.duration * settings.rate;
+    let numbers = frames * (layout.nq() + 3 * layout.nv() + 1) as f64;
+    if numbers <= MOST_NUMBERS {
+        return Ok(());
+    }
+    let why = format!(
+        "{} s at {} frames/s make {frames:.0} frames of {} degrees of freedom, more than there is memory for; lower the \
+         rate or the duration",
+        settings.duration,
+        settings.rate,
+        layout.nv()
+    );
+    Err(CliError::input(path, &why))
+}
+
+/// Why a scene has no motion.
+fn refuse(path: &Path, error: SceneError) -> CliError {
+    match error {
+        SceneError::Run(RunError::Cancelled) => CliError::input(path, &"the run was stopped"),
+        error => CliError::input(path, &error),
+    }
+}
+
+fn write(
+    format: Format,
+    mut writer: &mut dyn Write,
+    scene: &Scene,
+    simulated: &Simulated,
+    report: &Report,
+) -> Result<(), CliError> {
+    let (figure, motion) = (scene.figure(), &simulated.motion);
+    match format {
+        Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
+        Format::Bvh => {
+            let unit = solaris::io::bvh::Unit::default();
+            solaris::io::bvh::write(figure, motion, unit, &mut writer).map_err(CliError::other)
+        }
+        Format::Sto => {
+            solaris::io::sto::write(&table::coordinates(figure, motion), &mut writer).map_err(CliError::other)
+        }
+        Format::Html => {
+            let options = PageOptions { title: summary::title(report), table: summary::page_rows(report) };
+            let html = page(figure, motion, &options).map_err(CliError::other)?;
+            writer.write_all(html.as_bytes()).map_err(CliError::other)
+        }
+        Format::Json => report.write(writer).map_err(CliError::other),
+    }
+}

@@ -1,0 +1,150 @@
+//! What there is to say of a run, as it is written to JSON.
+
+use super::energy::Energies;
+use super::outcomes::{Hit, Told};
+use serde::Serialize;
+use solaris::dynamics::scalar::Operations;
+use solaris::modes::{PhaseReport, ReactionReport, RunReport};
+use solaris::scene::{Scene, Simulated};
+use std::io::Write;
+
+/// Everything that a run came to.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    /// Of the program that wrote it.
+    pub(super) version: &'static str,
+    /// What the scene calls its figure.
+    pub(super) scene: String,
+    pub(super) figure: String,
+    pub(super) dofs: usize,
+    pub(super) duration_s: f64,
+    pub(super) rate_per_s: f64,
+    pub(super) frames: usize,
+    pub(super) method: String,
+    pub(super) why: String,
+    pub(super) error: Option<Error>,
+    pub(super) cost: Cost,
+    pub(super) energy: Energies,
+    pub(super) drives: Vec<Told>,
+    pub(super) impacts: Vec<Hit>,
+    pub(super) phases: Vec<Phase>,
+    pub(super) ground: Option<Ground>,
+    pub(super) remarks: Vec<String>,
+}
+
+/// How far off the run may be.
+#[derive(Debug, Serialize)]
+pub(super) struct Error {
+    /// In rad or m.
+    pub(super) position: f64,
+    /// In rad/s or m/s.
+    pub(super) velocity: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Cost {
+    pub(super) evaluations: u64,
+    pub(super) jacobians: u64,
+    pub(super) steps: u64,
+    pub(super) rejected_steps: u64,
+    pub(super) events: u64,
+    pub(super) seconds: Option<f64>,
+}
+
+/// What was computed in a part of the run.
+#[derive(Debug, Serialize)]
+pub(super) struct Phase {
+    pub(super) start_s: f64,
+    pub(super) end_s: f64,
+    pub(super) dynamic: Vec<String>,
+    pub(super) prescribed: Vec<String>,
+    pub(super) fused: Vec<String>,
+    pub(super) dropped_links: Vec<String>,
+    pub(super) operations_of_all: u64,
+    pub(super) operations: u64,
+    pub(super) omitted: Vec<String>,
+}
+
+/// What the ground does under a walk.
+#[derive(Debug, Serialize)]
+pub(super) struct Ground {
+    pub(super) double_support_split: &'static str,
+    pub(super) root_residual_n: f64,
+    pub(super) root_residual_n_m: f64,
+    pub(super) from_prescribed_n: Option<f64>,
+    pub(super) cop_from_nominal_m: f64,
+}
+
+impl Report {
+    pub(super) fn new(scene: &Scene, simulated: &Simulated) -> Self {
+        let (figure, motion) = (scene.figure(), &simulated.motion);
+        let RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, phases, remarks } =
+            simulated.report.clone();
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            scene: scene.name().to_owned(),
+            figure: figure.name().to_owned(),
+            dofs: figure.layout().nv(),
+            duration_s: scene.settings().duration,
+            rate_per_s: scene.settings().rate,
+            frames: motion.len(),
+            method,
+            why,
+            error: error.map(|error| Error { position: error.position, velocity: error.velocity }),
+            cost: Cost {
+                evaluations: counts.evaluations,
+                jacobians: counts.jacobians,
+                steps: counts.steps,
+                rejected_steps: counts.rejected,
+                events: counts.events,
+                seconds,
+            },
+            energy: Energies::of(&energy),
+            drives: outcomes.iter().map(|outcome| Told::of(figure, outcome)).collect(),
+            impacts: impacts.iter().map(|impact| Hit::of(figure, impact)).collect(),
+            phases: phases.into_iter().map(Phase::of).collect(),
+            ground: simulated.reactions.as_ref().map(Ground::of),
+            remarks,
+        }
+    }
+
+    pub(super) fn write(&self, mut writer: &mut dyn Write) -> std::io::Result<()> {
+        serde_json::to_writer_pretty(&mut writer, self).map_err(std::io::Error::from)?;
+        writeln!(writer)
+    }
+}
+
+impl Phase {
+    fn of(phase: PhaseReport) -> Self {
+        let PhaseReport { start, end, dynamic, prescribed, fused, dropped, cost, omitted } = phase;
+        Self {
+            start_s: start,
+            end_s: end,
+            dynamic,
+            prescribed,
+            fused,
+            dropped_links: dropped,
+            operations_of_all: total(cost.0),
+            operations: total(cost.1),
+            omitted,
+        }
+    }
+}
+
+/// All operations, each counted once.
+fn total(operations: Operations) -> u64 {
+    let Operations { multiplications, additions, divisions, sines } = operations;
+    multiplications + additions + divisions + sines
+}
+
+impl Ground {
+    fn of(report: &ReactionReport) -> Self {
+        Self {
+            double_support_split: report.split,
+            root_residual_n: report.root_residual.0,
+            root_residual_n_m: report.root_residual.1,
+            from_prescribed_n: report.from_prescribed.map(|(off, _)| off),
+            cop_from_nominal_m: report.cop_from_nominal.0,
+        }
+    }
+}

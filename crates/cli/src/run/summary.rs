@@ -1,0 +1,113 @@
+//! The table that a run prints, and the one on its page.
+
+use super::energy::digits;
+use super::outcomes;
+use super::report::Report;
+use solaris::view::TableRow;
+use std::fmt::Write;
+use std::path::Path;
+
+/// The most impacts that are listed.
+const MANY: usize = 12;
+
+/// A title for the page.
+pub(super) fn title(report: &Report) -> String {
+    let plural = if report.dofs == 1 { "" } else { "s" };
+    format!(
+        "Scene '{}': figure '{}', {} degree{plural} of freedom, {} s",
+        report.scene,
+        report.figure,
+        report.dofs,
+        digits(report.duration_s)
+    )
+}
+
+/// Label, value and note.
+fn rows(report: &Report) -> Vec<[String; 3]> {
+    let row = |label: &str, value: String, note: &str| [label.to_owned(), value, note.to_owned()];
+    let cost = &report.cost;
+    let mut rows = vec![
+        row("frames", report.frames.to_string(), &format!("{} a second", digits(report.rate_per_s))),
+        row("method", report.method.clone(), &report.why),
+    ];
+    if let Some(error) = &report.error {
+        rows.push(row(
+            "error of positions",
+            format!("{:.1e}", error.position),
+            "rad or m, at most, as far as can be told",
+        ));
+        rows.push(row("error of velocities", format!("{:.1e}", error.velocity), "rad/s or m/s"));
+    }
+    if cost.evaluations > 0 {
+        let mut note = format!("in {} steps", cost.steps);
+        for (count, what) in
+            [(cost.rejected_steps, "rejected"), (cost.jacobians, "Jacobians"), (cost.events, "events")]
+        {
+            if count > 0 {
+                let _ = write!(note, ", {count} {what}");
+            }
+        }
+        rows.push(row("evaluations", cost.evaluations.to_string(), &note));
+    }
+    if let Some(seconds) = cost.seconds {
+        rows.push(row("run time", format!("{} ms", digits(1e3 * seconds)), "with all that was tried"));
+    }
+    if report.energy.at_play > 0.0 {
+        rows.extend(report.energy.rows());
+    }
+    if let Some(ground) = &report.ground {
+        let residual = format!("{:.0e} / {:.0e}", ground.root_residual_n, ground.root_residual_n_m);
+        rows.push(row("root residual", residual, "N / N m, what no ground reaction explains"));
+        if let Some(off) = ground.from_prescribed_n {
+            rows.push(row("force off the planned one", format!("{off:.1} N"), "of the ground, at most"));
+        }
+    }
+    rows
+}
+
+/// The rows for the page.
+pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
+    let mut all: Vec<TableRow> =
+        rows(report).iter().map(|[label, value, note]| TableRow::new(label, value, "", note)).collect();
+    all.extend(outcomes::lines(&report.drives).iter().map(|line| TableRow::new("drive", "", "", line)));
+    all.extend(report.impacts.iter().take(MANY).map(|hit| TableRow::new("impact", "", "", &hit.line())));
+    all.extend(report.remarks.iter().map(|remark| TableRow::new("note", "", "", remark)));
+    all
+}
+
+/// The table as it is printed.
+pub(super) fn text(report: &Report) -> String {
+    let mut text = format!("{}\n\n", title(report));
+    for [label, value, note] in rows(report) {
+        let line = format!("  {label:<28}{value:<28} {note}");
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    if !report.drives.is_empty() {
+        let _ = writeln!(text, "\nWhat became of the drives\n");
+        for line in outcomes::lines(&report.drives) {
+            let _ = writeln!(text, "  {line}");
+        }
+    }
+    if !report.impacts.is_empty() {
+        let _ = writeln!(text, "\nImpacts\n");
+        for hit in report.impacts.iter().take(MANY) {
+            let _ = writeln!(text, "  {}", hit.line());
+        }
+        if report.impacts.len() > MANY {
+            let _ = writeln!(text, "  and {} more", report.impacts.len() - MANY);
+        }
+    }
+    for remark in &report.remarks {
+        let _ = writeln!(text, "\nnote: {remark}");
+    }
+    text
+}
+
+/// Which files were written.
+pub(super) fn written<'a>(paths: impl Iterator<Item = &'a Path>) -> String {
+    let mut paths = paths.peekable();
+    if paths.peek().is_none() {
+        return "\nnothing is written; add -o motion.html to see it\n".to_owned();
+    }
+    paths.fold("\n".to_owned(), |text, path| text + &format!("wrote {}\n", path.display()))
+}

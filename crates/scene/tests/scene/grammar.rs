@@ -1,0 +1,155 @@
+//! What the words of a scene come to.
+
+use solaris_model::Vector3;
+use solaris_modes::{Anchor, Course, Drive, Law, LimitLaw, Method, Rule, Shape, Step, Target, Until};
+use solaris_profiles::Profile;
+use solaris_scene::{NoFiles, Scene, read};
+
+fn scene(fields: &str) -> Scene {
+    let text = format!(
+        r#"Scene(version: 1, duration: 1, figures: {{"arm": Figure(name: "arm", gravity: (0, 0, -1.62), links: [
+            Link(name: "base", joint: Free(name: "root"), mass: 1, solid: Sphere(radius: 0.1)),
+            Link(name: "upper", parent: "base", joint: Ball(name: "shoulder"), mass: 1, com: (0, -1, 0)),
+            Link(name: "lower", parent: "upper", joint: Joint(name: "elbow", axes: [rx, ry(limits: (0, 1))]), mass: 1, com: (0, -1, 0)),
+            Link(name: "hand", parent: "lower", joint: Joint(name: "reach", axes: [ty]), mass: 1),
+        ])}},
+        {fields})"#
+    );
+    read(&text, &mut NoFiles).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn steps(scene: &Scene, dof: &str) -> Vec<Step> {
+    scene.simulation().driven_by(scene.figure().layout().dof_index(dof).expect("a dof")).to_vec()
+}
+
+fn one(drive: &str) -> Step {
+    let scene = scene(&format!("drives: {{\"elbow.rx\": {drive}}}"));
+    let [step] = &steps(&scene, "elbow.rx")[..] else { panic!("one step") };
+    step.clone()
+}
+
+#[test]
+fn every_drive_can_be_said() {
+    let half = std::f64::consts::PI / 6.0;
+    let jerk = Profile::MinimumJerk { from: 0.0, to: half, duration: 2.0 };
+    let target = Target { position: half, velocity: half, acceleration: half };
+    let all = "to: deg(30), velocity: deg(30), acceleration: deg(30)";
+    let simple = |course| Drive::Simple { target, course };
+    let cases = [
+        ("Free".to_owned(), Drive::Free),
+        ("[Frozen()]".to_owned(), Drive::Frozen),
+        (
+            "Kinematic(MinimumJerk(from: 0, to: deg(30), duration: 2))".to_owned(),
+            Drive::Kinematic(jerk.clone()),
+        ),
+        (
+            "Kinematic(along: MinimumJerk(from: 0, to: deg(30), duration: 2))".to_owned(),
+            Drive::Kinematic(jerk),
+        ),
+        (
+            "Torque(Line(from: 1, to: 2, duration: 3))".to_owned(),
+            Drive::Torque(Profile::Line { from: 1.0, to: 2.0, duration: 3.0 }),
+        ),
+        (
+            "Move(to: deg(30), over: 2)".to_owned(),
+            Drive::Move { to: half, over: 2.0, along: Shape::MinimumJerk },
+        ),
+        (
+            "Move(to: deg(30), over: 2, by: Cubic)".to_owned(),
+            Drive::Move { to: half, over: 2.0, along: Shape::Cubic },
+        ),
+        (format!("TargetAngle({all})"), simple(Course::TargetAngle)),
+        (format!("TimeOriented({all}, over: 2)"), simple(Course::TimeOriented { duration: 2.0 })),
+        (format!("AccelerateDecelerate({all})"), simple(Course::BangBang)),
+        (format!("AccelerateDecelerate({all}, by: HalfCosine)"), simple(Course::HalfCosine)),
+        (format!("AccelerateDecelerate({all}, by: FullSine)"), simple(Course::FullSine)),
+        ("FreeStyle(for: 2)".to_owned(), Drive::FreeStyle { target: None, duration: 2.0 }),
+        (format!("FreeStyle({all}, for: 2)"), Drive::FreeStyle { target: Some(target), duration: 2.0 }),
+        (
+            format!("Intensive({all}, over: 2)"),
+            Drive::Intensive { target, duration: 2.0, law: Law::Quintic, limit: None },
+        ),
+        (
+            format!("Intensive({all}, over: 2, law: Literal, limit: 5)"),
+            Drive::Intensive { target, duration: 2.0, law: Law::Literal, limit: Some(5.0) },
+        ),
+    ];
+    for (text, drive) in cases {
+        assert_eq!(one(&text), drive.into(), "{text}");
+    }
+}
+
+#[test]
+fn every_end_of_a_drive_can_be_said() {
+    let named = "elbow.ry".to_owned();
+    for (text, until) in [
+        ("Done", Until::Done),
+        ("At(2)", Until::Time(2.0)),
+        ("Lasting(0.5)", Until::Lasting(0.5)),
+        (
+            "Passes(\"elbow.ry\", deg(180))",
+            Until::Position { dof: named.clone(), value: std::f64::consts::PI },
+        ),
+        ("PassesSpeed(\"elbow.ry\", -1)", Until::Velocity { dof: named, value: -1.0 }),
+    ] {
+        assert_eq!(one(&format!("Free(until: {text})")), Step { drive: Drive::Free, until }, "{text}");
+    }
+    assert_eq!(one("Wait(0.5)"), Step { drive: Drive::Frozen, until: Until::Lasting(0.5) });
+}
+
+#[test]
+fn what_names_a_dof_more_closely_wins() {
+    let scene = scene(
+        "drives: {\"elbow.rx\": Frozen, \"elbow\": Wait(1), \"*\": Free, \"shoulder.*\": Frozen, \"reach.*\": Wait(2), \"r*.t*\": Wait(3)}",
+    );
+    assert_eq!(steps(&scene, "elbow.rx"), [Drive::Frozen.into()]);
+    assert_eq!(steps(&scene, "elbow.ry")[0].until, Until::Lasting(1.0));
+    assert_eq!(steps(&scene, "shoulder.wy"), [Drive::Frozen.into()]);
+    assert_eq!(steps(&scene, "reach.ty")[0].until, Until::Lasting(3.0));
+    assert_eq!(steps(&scene, "root.vx"), [Drive::Free.into()]);
+}
+
+#[test]
+fn states_springs_and_limits_are_those_said() {
+    let scene = scene(
+        "start: {\"root\": (at: (1, 2, 3)), \"shoulder.qx\": 0.6, \"shoulder.qw\": 0.8, \"elbow.*\": deg(90), \"elbow.ry\": 0.5},
+         velocities: {\"root\": (moving: (1, 2, 3), turning: (4, 5, 6)), \"shoulder\": (7, 8, 9), \"reach\": 10},
+         springs: [Spring(between: ((\"world\", (0, 1, 0)), (\"lower\", (0, 0, 1))), stiffness: 5, rest: 1)],
+         limits: {\"*\": Ignore, \"elbow\": Hard(restitution: 0.5)},
+         method: SemiImplicitEuler(step: 1e-3), rate: 50",
+    );
+    let simulation = scene.simulation();
+    let (q, v) = simulation.state();
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    let expected = [1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0, 0.6, 0.0, 0.0, 0.8, right_angle, 0.5, 0.0];
+    assert!(q.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-15), "{q:?}");
+    assert!(
+        v.iter().zip([1., 2., 3., 4., 5., 6., 7., 8., 9., 0., 0., 10.]).all(|(a, b)| (a - b).abs() < 1e-15)
+    );
+    assert_eq!(*simulation.gravity(), Vector3::new(0.0, 0.0, -1.62));
+    let world = Anchor { link: None, point: Vector3::y() };
+    assert_eq!(simulation.springs()[0].between, [world, Anchor { link: Some(2), point: Vector3::z() }]);
+    assert_eq!(simulation.limit_of(10), LimitLaw::Hard { restitution: 0.5 });
+    assert_eq!(simulation.limit_of(11), LimitLaw::Ignore);
+    assert_eq!(scene.settings().method, Method::Fixed { rule: Rule::SemiImplicitEuler, step: 1e-3 });
+}
+
+#[test]
+fn a_curve_begins_where_it_begins_unless_told_otherwise() {
+    let curve = "drives: {\"elbow.rx\": Kinematic(Line(from: 1, to: 3, duration: 4))}";
+    let scene = scene(curve);
+    let (q, v) = scene.simulation().state();
+    assert!((q[11] - 1.0).abs() < 1e-15 && (v[9] - 0.5).abs() < 1e-15);
+    let told = self::scene(&format!("{curve}, start: {{\"elbow.rx\": 0.25}}"));
+    assert!((told.simulation().state().0[11] - 0.25).abs() < 1e-15);
+}
+
+#[test]
+fn blends_are_those_of_the_profiles() {
+    let layers = one(
+        "Kinematic(Blend(first: Line(from: 0, to: 1, duration: 1), second: (profile: Line(from: 1, to: 0, duration: 1), start: 0.5, outside: Extrapolate), fade: Fade(kind: Sinh(stiffness: 1), start: 0.5, end: 1)))",
+    );
+    let Drive::Kinematic(Profile::Blend { second, fade, .. }) = layers.drive else { panic!("a blend") };
+    assert!((second.start - 0.5).abs() < 1e-15 && (fade.end() - 1.0).abs() < 1e-15);
+    assert_eq!(second.outside, solaris_profiles::Outside::Extrapolate);
+}
