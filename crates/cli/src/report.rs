@@ -5,17 +5,15 @@ mod summary;
 mod watching;
 
 use crate::error::{CliError, typed};
-use crate::input;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
+use crate::run::{Loaded, load};
 use clap::ArgMatches;
-use solaris::model::Figure;
 use solaris::modes::study::{Study, StudyOptions, study};
 use solaris::modes::{Method, Settings};
-use solaris::scene::{self, Loader};
 use solaris::view::precision::{Against, diagram, page, report, svg};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use watching::Watching;
 
@@ -45,11 +43,9 @@ struct Subject {
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
     let outputs = Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?;
-    let path = matches.get_one::<PathBuf>("scene").map_or_else(PathBuf::new, PathBuf::clone);
-    outputs.keep_off([path.as_path()])?;
-    let text = input::text(&path)?;
-    let mut figures = Beside(&path);
-    let scene = scene::read(&text, &mut figures).map_err(|faults| input::faulty(&path, &text, faults))?;
+    let path = matches.get_one::<PathBuf>("scene").cloned().unwrap_or_default();
+    let Loaded { scene, reads } = load(&path)?;
+    outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     let settings = scene.settings().clone();
     let wanted = wanted(matches, settings.method)?;
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -74,16 +70,6 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         return print(|out| numbers::write(out, &study, &subject.settings));
     }
     print(|out| out.write_all(summary::table(&study, &subject, outputs.paths()).as_bytes()))
-}
-
-/// Figures of files, beside the scene that names them.
-struct Beside<'a>(&'a Path);
-
-impl Loader for Beside<'_> {
-    fn figure(&mut self, path: &str) -> Result<Figure, String> {
-        let folder = self.0.parent().unwrap_or_else(|| Path::new(""));
-        input::body(&folder.join(path)).map(|body| body.figure).map_err(|error| error.to_string())
-    }
 }
 
 /// The error that is asked for, or that the scene asks for.

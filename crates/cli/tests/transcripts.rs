@@ -3,7 +3,8 @@
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
 //! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`), the robot `arm.urdf`, the same with faults
 //! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), and of curves the
-//! keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`). They run at the same time: no two of them may
+//! keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
+//! the robot, the same with faults (`faulty_scene.ron`), and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
 //! write one file.
 //!
 //! `[..]` stands for any text in a line (run times, last digits, what only the planner decides, and the backslash that
@@ -24,6 +25,21 @@ time,shoulder.q,elbow.q
 0.5,-0.66,-0.65
 ";
 
+/// The robot's arm reaches up, and its elbow then hangs loose.
+const REACH: &str = "\
+Scene(
+    version: 1,
+    figures: {\"robot\": File(\"arm.urdf\")},
+    duration: 2.0,
+    tolerance: 1e-5,
+    drives: {
+        \"shoulder\": Move(to: deg(-60), over: 1.0),
+        \"elbow\": [Move(to: deg(-90), over: 0.5), Free],
+    },
+    limits: {\"elbow\": Hard(restitution: 0.5)},
+)
+";
+
 /// Puts the files there that the transcripts read.
 fn furnish(folder: &Path) {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
@@ -33,6 +49,9 @@ fn furnish(folder: &Path) {
         "subject/grf.mot",
         "subject/loads.xml",
         "figures/arm.urdf",
+        "scenes/pendulum.ron",
+        "scenes/arm_modes.ron",
+        "scenes/walk_loose_arm.ron",
     ] {
         let from = fixtures.join(name);
         std::fs::copy(&from, folder.join(from.file_name().expect("a name"))).expect(name);
@@ -41,11 +60,18 @@ fn furnish(folder: &Path) {
     let faulty = arm
         .replace("<mass value=\"2.0\"/>", "<mass value=\"2,0\"/>")
         .replace("<parent link=\"upper_arm\"/>", "<parent link=\"uper_arm\"/>");
+    let pendulum = std::fs::read_to_string(folder.join("pendulum.ron")).expect("there");
     let stiff = arm.replace("upper=\"0.1\"", "upper=\"-0.1\"");
     for (name, text) in [
         ("faulty.urdf", faulty.as_str()),
         ("stiff.urdf", &stiff),
         ("swing.csv", SWING),
+        ("reach.ron", REACH),
+        (
+            "faulty_scene.ron",
+            &REACH.replace("\"elbow\": [Move", "\"elbw\": [Mve").replace("duration: 2.0", "duration: -2.0"),
+        ),
+        ("coarse.ron", &pendulum.replace("tolerance: 1e-8", "method: ExplicitEuler(step: 1e-2)")),
         ("notes", "no folder"),
         ("keys.csv", "time,position\n0,5\n1,7\n2,-9\n"),
         ("misspelt.ron", "// A motion.\nMinimumJrek(from: 0, to: 1, duration: 2)\n"),

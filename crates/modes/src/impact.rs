@@ -121,7 +121,7 @@ mod tests {
         let names: Vec<String> = (0..masses.len()).map(|k| format!("block{k}")).collect();
         let mut builder = FigureBuilder::new("train");
         for (k, mass) in masses.iter().enumerate() {
-            let joint = Joint::new(&format!("slide{k}")).tx();
+            let joint = Joint::new(format!("slide{k}")).tx();
             let link = match k.checked_sub(1) {
                 None => LinkSpec::root(&names[k], joint),
                 Some(parent) => LinkSpec::child(&names[k], &names[parent], joint),

@@ -123,7 +123,7 @@ pub struct Impact {
     pub velocity: (f64, f64),
     /// The impulse on it (N m s or N s).
     pub impulse: f64,
-    /// The kinetic energy that was lost (J).
+    /// The kinetic energy that this impulse took (J).
     pub loss: f64,
 }
 

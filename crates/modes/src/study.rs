@@ -129,9 +129,10 @@ pub fn study(
     let found = reference::find(simulation, &settings, options, &mut outlook)?;
     let sensitivity = sensitivity::of(simulation, &settings, &found, &mut outlook)?;
     let frames = agreement::Frames::of(simulation, &found, &sensitivity);
-    let answer = options.solution.map_or(Answer::Motion(&found.motion), Answer::Solution);
-    let compare = |motion: &Motion| {
-        compare::compare(simulation.figure(), motion, &answer, sensitivity.comparable_until)
+    let answer = options.solution.map(Answer::Solution).or(found.motion.as_ref().map(Answer::Motion));
+    let compare = |motion: &Motion| match &answer {
+        Some(answer) => compare::compare(simulation.figure(), motion, answer, sensitivity.comparable_until),
+        None => (f64::INFINITY, f64::INFINITY),
     };
 
     let (wanted, reference) = (options.wanted, found.reference.clone());

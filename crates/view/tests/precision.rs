@@ -1,6 +1,9 @@
 //! The picture and the page of precision against work.
 
-use solaris_view::precision::{Against, Diagram, Point, Report, Series, Table, page, svg};
+use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
+use solaris_modes::study::{StudyOptions, study};
+use solaris_modes::{Method, Rule, Settings, Simulation};
+use solaris_view::precision::{Against, Diagram, Point, Report, Series, Table, page, report, svg};
 
 fn point(label: &str, work: f64, error: Option<f64>) -> Point {
     Point { label: label.to_owned(), seconds: Some(work * 2e-6), evaluations: Some(work), error }
@@ -38,7 +41,7 @@ fn stiff() -> Diagram {
     }
 }
 
-fn report() -> Report {
+fn sample() -> Report {
     let row = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_owned()).collect::<Vec<_>>();
     Report {
         diagram: stiff(),
@@ -111,8 +114,8 @@ fn nothing_at_all_is_still_a_picture() {
 
 #[test]
 fn the_page_needs_nothing_else_and_escapes_what_it_shows() {
-    let html = page(&report());
-    assert_eq!(html, page(&report()));
+    let html = page(&sample());
+    assert_eq!(html, page(&sample()));
     assert!(html.starts_with("<!doctype html>") && html.contains("default-src 'none'"));
     assert!(html.contains("&lt;for it&gt;") && !html.contains("<for it>") && !html.contains("{{"));
     assert!(html.contains("<td class=\"across\" colspan=\"3\">") && html.contains("<tr class=\"marked\">"));
@@ -123,7 +126,7 @@ fn the_page_needs_nothing_else_and_escapes_what_it_shows() {
 /// Without a clock there is one picture only.
 #[test]
 fn times_that_nobody_took_are_not_drawn() {
-    let mut report = report();
+    let mut report = sample();
     report
         .diagram
         .series
@@ -131,4 +134,36 @@ fn times_that_nobody_took_are_not_drawn() {
         .flat_map(|series| &mut series.points)
         .for_each(|point| point.seconds = None);
     assert_eq!(page(&report).matches("<svg ").count(), 1);
+}
+
+/// A study as it comes from the library: a pendulum by two rules, of which one explodes.
+#[test]
+fn a_study_is_told_with_its_recommendation_first() {
+    let bob = Vector3::new(0.0, -1.0, 0.0);
+    let link = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(1.0).com(bob);
+    let figure = FigureBuilder::new("pendulum").link(link).build().expect("a figure");
+    let mut simulation = Simulation::new(&figure, Vector3::new(0.0, -9.81, 0.0));
+    simulation.start(&[1.0], &[0.0]).expect("a state");
+    let fixed = |rule, step| Method::Fixed { rule, step };
+    let methods = vec![
+        fixed(Rule::ExplicitEuler, 1e-3),
+        fixed(Rule::RungeKutta4, 1e-2),
+        fixed(Rule::RungeKutta4, 1e-3),
+        fixed(Rule::RungeKutta4, 1e-6),
+    ];
+    let options = StudyOptions { methods, evaluations: 100_000, ..StudyOptions::default() };
+    let settings = Settings::new(1.0, 100.0);
+    let study = study(&simulation, &settings, &options, &mut (), &mut |_| {}).expect("a study");
+    let report = report(&study, "pendulum", 1.0, 100.0);
+    let first = &report.findings[0];
+    assert_eq!(first, "For errors up to 1e-6: Runge-Kutta 4, 1e-2 s (400 evaluations).");
+    assert!(report.findings.iter().any(|it| it.starts_with("1 of 4 settings")), "{:?}", report.findings);
+    let series: Vec<usize> = report.diagram.series.iter().map(|series| series.points.len()).collect();
+    assert_eq!(series, [1, 3]);
+    // What had too many evaluations is drawn where it would have been.
+    let last = &report.diagram.series[1].points[2];
+    assert_eq!((last.evaluations, last.error), (Some(4e6), None));
+    let titles: Vec<&str> = report.tables.iter().map(|table| table.title.as_str()).collect();
+    assert_eq!(titles, ["Which setting for which error", "Every setting", "What leaving out saves"]);
+    assert!(page(&report).contains("evaluations are spent"));
 }

@@ -8,9 +8,7 @@ use std::io::Write;
 /// Writes the study as JSON.
 pub(super) fn write(out: &mut dyn Write, study: &Study, settings: &Settings) -> std::io::Result<()> {
     let choices = study.choices();
-    let choice = |choice: &solaris::modes::study::Choice<'_>| {
-        json!({ "error": choice.wanted, "setting": choice.row.map(ToString::to_string) })
-    };
+    let choice = |choice: &solaris::modes::study::Choice<'_>| json!({ "error": choice.wanted, "setting": choice.row.map(ToString::to_string) });
     let value = json!({
         "wanted": study.wanted,
         "duration_s": settings.duration,

@@ -40,13 +40,16 @@ impl Energies {
     pub(super) fn rows(&self) -> Vec<[String; 3]> {
         let row =
             |label: &str, value: f64, note: String| [label.to_owned(), format!("{} J", digits(value)), note];
+        // What rounding leaves of nothing.
+        let least = 1e-9 * self.at_play;
+        let row = |label, value: f64, note| row(label, if value.abs() < least { 0.0 } else { value }, note);
         let parts = |parts: &Parts| {
             let named = [
                 ("kinetic", parts.kinetic),
                 ("in gravity", parts.in_gravity),
                 ("in springs", parts.in_springs),
             ];
-            let there = named.iter().filter(|(_, value)| value.abs() > 0.0);
+            let there = named.iter().filter(|(_, value)| value.abs() > least);
             there.map(|(name, value)| format!("{name} {}", digits(*value))).collect::<Vec<_>>().join(", ")
         };
         let mut rows = vec![
@@ -58,7 +61,7 @@ impl Energies {
             ("lost as heat", self.heat),
             ("lost in impacts", self.lost_in_impacts),
         ] {
-            if value.abs() > 0.0 {
+            if value.abs() > least {
                 rows.push(row(label, value, String::new()));
             }
         }

@@ -108,16 +108,28 @@ impl Hit {
         }
     }
 
-    /// The line of the table.
-    pub(super) fn line(&self) -> String {
+    /// What happened, in words.
+    fn words(&self) -> String {
         let [before, after] = [self.velocity_before, self.velocity_after].map(|v| rate(v, self.turns));
         let unit = if self.turns { "N m s" } else { "N s" };
-        let (impulse, loss) = (digits(self.impulse), digits(self.loss_j));
-        format!(
-            "{:>7.3} s  {} ({}): {before} to {after}, {impulse} {unit}, {loss} J lost",
-            self.time_s, self.dof, self.what
-        )
+        format!("{} ({}) {before} to {after}, {} {unit}", self.dof, self.what, digits(self.impulse))
     }
+}
+
+/// A line for each impact; those at the same time share their loss, and the last of them tells it.
+pub(super) fn hits(impacts: &[Hit]) -> Vec<String> {
+    let at_once = |a: &Hit, b: &Hit| (a.time_s - b.time_s).abs() < 1e-9;
+    let mut lines = Vec::new();
+    for group in impacts.chunk_by(at_once) {
+        let loss: f64 = group.iter().map(|hit| hit.loss_j).sum();
+        for (i, hit) in group.iter().enumerate() {
+            let together = if group.len() > 1 { "together " } else { "" };
+            let loss = format!("; {together}{} J lost", digits(loss));
+            let loss = if i + 1 == group.len() { loss } else { String::new() };
+            lines.push(format!("{:>7.3} s  {}{loss}", hit.time_s, hit.words()));
+        }
+    }
+    lines
 }
 
 /// A line for each drive; those of the same kind over the same time with the same end share one.

@@ -7,31 +7,49 @@ use std::fmt::Write;
 /// The parts of the run, each with what is in it and what it costs.
 pub(super) fn text(phases: &[Phase]) -> String {
     let mut text = "\nWhat is computed, and what is left out\n".to_owned();
-    for phase in phases {
-        let _ = writeln!(text, "\n  {:.3} to {:.3} s", phase.start_s, phase.end_s);
-        let mut row = |what: &str, names: &[String]| {
-            if !names.is_empty() {
-                let _ = writeln!(text, "    {what:<20}{:>5}  {}", names.len(), some(names));
-            }
-        };
-        row("dynamics move", &phase.dynamic);
-        row("move as prescribed", &phase.prescribed);
-        row("stand still, fused", &phase.fused);
-        row("links dropped", &phase.dropped_links);
-        if phase.dynamic.is_empty() {
-            let _ = writeln!(text, "    nothing is integrated: every motion is given");
+    let omitted = |phase: &Phase| phase.omitted.clone();
+    let always = phases.first().map(omitted).unwrap_or_default();
+    let always: Vec<String> =
+        always.into_iter().filter(|what| phases.iter().all(|phase| phase.omitted.contains(what))).collect();
+    for group in phases.chunk_by(Phase::is_like) {
+        let (first, last) = (&group[0], &group[group.len() - 1]);
+        // An instant at the end is no part of the run.
+        if last.end_s > first.start_s || phases.len() == 1 {
+            part(&mut text, first, last.end_s, &always);
         }
-        if phase.operations_of_all > 0 {
-            let share = 100.0 * phase.operations as f64 / phase.operations_of_all as f64;
-            let _ = writeln!(
-                text,
-                "    operations          {:>5}  of the {} that the whole figure takes: {share:.0} %",
-                phase.operations, phase.operations_of_all
-            );
-        }
-        for omitted in &phase.omitted {
-            let _ = writeln!(text, "    left out: {omitted}");
+    }
+    if !always.is_empty() {
+        text.push_str("\n  left out throughout\n");
+        for what in always {
+            let _ = writeln!(text, "    {what}");
         }
     }
     text
+}
+
+/// One part, until `end` (s), without what is `always` left out.
+fn part(text: &mut String, phase: &Phase, end: f64, always: &[String]) {
+    let _ = writeln!(text, "\n  {:.3} to {end:.3} s", phase.start_s);
+    let mut row = |what: &str, names: &[String]| {
+        if !names.is_empty() {
+            let _ = writeln!(text, "    {what:<20}{:>6}  {}", names.len(), some(names));
+        }
+    };
+    row("dynamics move", &phase.dynamic);
+    row("move as prescribed", &phase.prescribed);
+    row("stand still, fused", &phase.fused);
+    row("links dropped", &phase.dropped_links);
+    if phase.dynamic.is_empty() {
+        let _ = writeln!(text, "    nothing is integrated: every motion is given");
+    } else if phase.operations_of_all > 0 {
+        let share = 100.0 * phase.operations as f64 / phase.operations_of_all as f64;
+        let _ = writeln!(
+            text,
+            "    {:<20}{:>6}  of the {} that the whole figure takes: {share:.0} %",
+            "operations", phase.operations, phase.operations_of_all
+        );
+    }
+    for what in phase.omitted.iter().filter(|what| !always.contains(what)) {
+        let _ = writeln!(text, "    left out: {what}");
+    }
 }

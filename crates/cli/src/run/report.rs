@@ -131,6 +131,17 @@ impl Phase {
     }
 }
 
+impl Phase {
+    /// Whether the same is computed and the same left out.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let names = |phase: &Self| {
+            [&phase.dynamic, &phase.prescribed, &phase.fused, &phase.dropped_links, &phase.omitted]
+                .map(Clone::clone)
+        };
+        names(self) == names(other) && self.operations == other.operations
+    }
+}
+
 /// All operations, each counted once.
 fn total(operations: Operations) -> u64 {
     let Operations { multiplications, additions, divisions, sines } = operations;

@@ -28,8 +28,11 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
     let cost = &report.cost;
     let mut rows = vec![
         row("frames", report.frames.to_string(), &format!("{} a second", digits(report.rate_per_s))),
-        row("method", report.method.clone(), &report.why),
+        row("method", report.method.clone(), ""),
     ];
+    if !report.why.is_empty() {
+        rows.push(row("because", report.why.clone(), ""));
+    }
     if let Some(error) = &report.error {
         rows.push(row(
             "error of positions",
@@ -70,7 +73,9 @@ pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
     let mut all: Vec<TableRow> =
         rows(report).iter().map(|[label, value, note]| TableRow::new(label, value, "", note)).collect();
     all.extend(outcomes::lines(&report.drives).iter().map(|line| TableRow::new("drive", "", "", line)));
-    all.extend(report.impacts.iter().take(MANY).map(|hit| TableRow::new("impact", "", "", &hit.line())));
+    all.extend(
+        outcomes::hits(&report.impacts).iter().take(MANY).map(|hit| TableRow::new("impact", "", "", hit)),
+    );
     all.extend(report.remarks.iter().map(|remark| TableRow::new("note", "", "", remark)));
     all
 }
@@ -90,11 +95,12 @@ pub(super) fn text(report: &Report) -> String {
     }
     if !report.impacts.is_empty() {
         let _ = writeln!(text, "\nImpacts\n");
-        for hit in report.impacts.iter().take(MANY) {
-            let _ = writeln!(text, "  {}", hit.line());
+        let hits = outcomes::hits(&report.impacts);
+        for hit in hits.iter().take(MANY) {
+            let _ = writeln!(text, "  {hit}");
         }
-        if report.impacts.len() > MANY {
-            let _ = writeln!(text, "  and {} more", report.impacts.len() - MANY);
+        if hits.len() > MANY {
+            let _ = writeln!(text, "  and {} more", hits.len() - MANY);
         }
     }
     for remark in &report.remarks {

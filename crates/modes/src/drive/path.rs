@@ -128,8 +128,8 @@ impl Path {
     fn after(&self, time: f64) -> Sample {
         match self {
             // At its end a curve holds.
-            Self::Along(clip) | Self::Pieces { clip, .. } if onto_ends(clip, time) >= clip.end() => {
-                Sample::rest(clip.at(onto_ends(clip, clip.end())).position)
+            Self::Along(clip) | Self::Pieces { clip, .. } if onto_ends(clip, time) >= last_of(clip) => {
+                Sample::rest(clip.at(last_of(clip)).position)
             }
             Self::Recorded { recorded, dof, coordinate } if time >= recorded.span().1 => {
                 Sample::rest(recorded.at(*dof, *coordinate, recorded.span().1).position)
@@ -162,8 +162,7 @@ impl Path {
 /// A time that is an end of the clip but for rounding is that end.
 fn onto_ends(clip: &CurveClip, time: f64) -> f64 {
     let rounding = 4.0 * f64::EPSILON * (time.abs() + clip.start().abs());
-    // The last time that the clip takes as one of its curve.
-    let end = last_within(clip.start(), clip.curve().span());
+    let end = last_of(clip);
     if (time - end).abs() <= rounding {
         end
     } else if (time - clip.start()).abs() <= rounding {
@@ -171,6 +170,11 @@ fn onto_ends(clip: &CurveClip, time: f64) -> f64 {
     } else {
         time
     }
+}
+
+/// The last time that the clip takes as one of its curve.
+fn last_of(clip: &CurveClip) -> f64 {
+    last_within(clip.start(), clip.curve().span())
 }
 
 /// The time `start + duration`, such that it is not later than `duration` after `start` for rounding.
@@ -251,6 +255,10 @@ mod tests {
                     assert_abs_diff_eq!(path.at(time).velocity, 1.0, epsilon = 1e-14);
                 }
                 assert_abs_diff_eq!(path.at(start + duration + 1e-9).velocity, 0.0, epsilon = 0.0);
+                let end = start + duration;
+                assert_abs_diff_eq!(path.during(start, end).at(end).velocity, 1.0, epsilon = 1e-14);
+                assert_abs_diff_eq!(path.during(end, end + 1.0).at(end).velocity, 0.0, epsilon = 0.0);
+                assert_abs_diff_eq!(path.during(end, end + 1.0).at(end).position, duration, epsilon = 1e-13);
             }
         }
     }

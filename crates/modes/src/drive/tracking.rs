@@ -202,7 +202,7 @@ mod tests {
         let base =
             LinkSpec::root("base", Joint::free("root")).mass(4.0).inertia(Inertia::diagonal(0.1, 0.1, 0.1));
         let bar = |name: &str, parent: &str| {
-            let joint = Joint::new(&format!("{name}_hinge")).rx().at(Vector3::new(0.0, -0.4, 0.0));
+            let joint = Joint::new(format!("{name}_hinge")).rx().at(Vector3::new(0.0, -0.4, 0.0));
             LinkSpec::child(name, parent, joint).mass(1.0).com(Vector3::new(0.0, -0.2, 0.0))
         };
         let figure = FigureBuilder::new("f").link(base).link(bar("a", "base")).link(bar("b", "a"));

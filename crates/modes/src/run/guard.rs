@@ -12,6 +12,9 @@ use solaris_model::{AxisKind, EulerOrder};
 /// The largest state whose eigenvalues are found: they take the cube of it.
 const MOST_STATES: usize = 160;
 
+/// The least part of a step that advice after trouble may come down to.
+const BELIEVED: f64 = 1e-2;
+
 /// Looks at a frame: `share` is the part of the energy that has come from nowhere.
 pub(crate) fn look(
     simulation: &Simulation,
@@ -127,7 +130,13 @@ pub(crate) fn explain(
 ) -> RunError {
     let suspect = matches!(trouble.cause, Cause::Energy { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) | Cause::NotFinite { .. });
     let state = y.iter().all(|x| x.is_finite());
+    // A state that has run away has eigenvalues that say nothing.
+    let is_believed = |found: &Box<Trouble>| match found.cause {
+        Cause::StepTooLong { step, longest, .. } => longest > BELIEVED * step,
+        _ => true,
+    };
     let found = (suspect && state).then(|| too_long(simulation, phase, stepping, trouble.time, y)).flatten();
+    let found = found.filter(is_believed);
     found.unwrap_or_else(|| Box::new(trouble)).into()
 }
 

@@ -131,16 +131,11 @@ impl Pass<'_> {
             .map_err(|error| guard::of_dynamics(self.t, error))?;
         self.passed.counts.evaluations += 1;
         self.passed.jumps = true;
-        let share = struck.loss / wanted.len() as f64;
         for &(dof, _, what) in wanted {
-            self.passed.impacts.push(Impact {
-                time: self.t,
-                dof,
-                what,
-                velocity: (self.v[dof], struck.v[dof]),
-                impulse: struck.impulse[dof],
-                loss: share,
-            });
+            let (velocity, impulse) = ((self.v[dof], struck.v[dof]), struck.impulse[dof]);
+            // −½·P·(v⁺ + v⁻): over all degrees of freedom, what the figure loses.
+            let loss = -0.5 * impulse * (velocity.0 + velocity.1);
+            self.passed.impacts.push(Impact { time: self.t, dof, what, velocity, impulse, loss });
         }
         self.passed.ledger.report.impacts += struck.loss;
         for dof in struck.released {

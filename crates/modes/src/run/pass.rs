@@ -373,7 +373,10 @@ impl<'a> Pass<'a> {
         self.end_phase();
         for dof in 0..self.driven.len() {
             let driven = &self.driven[dof];
-            let lasts = driven.end.is_infinite() || driven.waits;
+            let step = self.simulation.drives[dof].get(driven.step);
+            // A record may go on for as long as it likes.
+            let is_recorded = step.is_some_and(|step| matches!(step.drive, crate::Drive::Recorded(_)));
+            let lasts = driven.end.is_infinite() || driven.waits || is_recorded;
             if !lasts && !matches!(driven.mode, Mode::Still) {
                 self.outcome(dof, OutcomeKind::Unfinished);
             }

@@ -12,7 +12,7 @@ use diffsol::error::OdeSolverError;
 use diffsol::ode_solver::OdeSolverStatistics;
 use diffsol::{
     BdfState, DiffsolError, NalgebraContext, NalgebraLU, OdeBuilder, OdeSolverMethod, OdeSolverProblem,
-    OdeSolverState, OdeSolverStopReason, Op, RkState, Tableau, Vector, VectorCommon,
+    OdeSolverState, OdeSolverStopReason, RkState, Tableau, Vector, VectorCommon,
 };
 use equations::{Equations, Mat, Stretch, Vect};
 

@@ -128,3 +128,20 @@ pub(crate) fn frames_of(
     let stopped = advance(system, stepping, (0.0, to), y, frames, &mut show, u64::MAX, &mut counts).expect("runs");
     (stopped, shown)
 }
+
+/// A point mass on a rod of 1 m, released from the horizontal: the planar pendulum of the `IFToMM` library of benchmarks.
+pub(crate) struct Pendulum {
+    pub(crate) acceleration: fn(f64, f64, f64) -> f64,
+    pub(crate) start: [f64; 2],
+    /// Its period (s).
+    pub(crate) period: f64,
+    /// Where the mass is at 10 s (m), by elliptic functions.
+    pub(crate) end: [f64; 2],
+}
+
+pub(crate) const PENDULUM: Pendulum = Pendulum {
+    acceleration: |_, q, _| -9.81 * q.sin(),
+    start: [-std::f64::consts::FRAC_PI_2, 0.0],
+    period: 2.367_841_947_576_237,
+    end: [-0.275_087_462_576_116_9, -0.961_419_205_099_125_3],
+};

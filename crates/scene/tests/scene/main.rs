@@ -3,3 +3,4 @@
 mod faults;
 mod fixtures;
 mod grammar;
+mod runs;

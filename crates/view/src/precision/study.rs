@@ -45,7 +45,11 @@ pub fn diagram(study: &Study, title: &str, duration: f64, rate: f64) -> Diagram 
     let floor = study.reference.uncertainty.position;
     Diagram {
         title: title.to_owned(),
-        subtitle: format!("worst frame of {span} at {} frames/s, against {}", number(rate, 4), study.reference.name),
+        subtitle: format!(
+            "worst frame of {span} at {} frames/s, against {}",
+            number(rate, 4),
+            study.reference.name
+        ),
         error: "positions (rad or m)".to_owned(),
         series,
         wanted: Some(study.wanted),
@@ -64,7 +68,10 @@ pub fn findings(study: &Study) -> Vec<String> {
         format!("The answer is {}.", reference.name)
     } else {
         let apart = short(reference.uncertainty.position);
-        format!("The answer is {}; {} beside it is {apart} away (rad or m), so no error below that is told.", reference.name, reference.beside)
+        format!(
+            "The answer is {}; {} beside it is {apart} away (rad or m), so no error below that is told.",
+            reference.name, reference.beside
+        )
     });
     if study.sensitivity.is_chaotic {
         findings.push(format!(
@@ -104,7 +111,13 @@ fn seconds_an_evaluation(study: &Study) -> Option<f64> {
 fn choices(study: &Study) -> Table {
     let row = |choice: &solaris_modes::study::Choice<'_>| {
         let row = choice.row?;
-        Some(vec![short(choice.wanted), row.to_string(), thousands(row.counts.evaluations), seconds(row), error(row)])
+        Some(vec![
+            short(choice.wanted),
+            row.to_string(),
+            thousands(row.counts.evaluations),
+            seconds(row),
+            error(row),
+        ])
     };
     Table {
         title: "Which setting for which error".to_owned(),
@@ -117,8 +130,19 @@ fn choices(study: &Study) -> Table {
 
 /// Every setting.
 fn settings(study: &Study) -> Table {
-    let has_momentum = study.rows.iter().any(|row| row.result.as_ref().is_ok_and(|accuracy| accuracy.momentum.is_some()));
-    let mut header = vec!["setting", "evaluations", "Jacobians", "steps", "rejected", "seconds", "positions", "velocities", "energy"];
+    let has_momentum =
+        study.rows.iter().any(|row| row.result.as_ref().is_ok_and(|accuracy| accuracy.momentum.is_some()));
+    let mut header = vec![
+        "setting",
+        "evaluations",
+        "Jacobians",
+        "steps",
+        "rejected",
+        "seconds",
+        "positions",
+        "velocities",
+        "energy",
+    ];
     if has_momentum {
         header.extend(["momentum (N s)", "angular (N m s)"]);
     }
@@ -134,7 +158,8 @@ fn settings(study: &Study) -> Table {
                 cells.push(seconds(row));
                 cells.extend([position, velocity, energy].map(|x| short(*x)));
                 if has_momentum {
-                    let drift = momentum.map_or([String::new(), String::new()], |it| [it.linear, it.angular].map(short));
+                    let drift = momentum
+                        .map_or([String::new(), String::new()], |it| [it.linear, it.angular].map(short));
                     cells.extend(drift);
                 }
             }
@@ -162,7 +187,9 @@ fn chaos(study: &Study) -> Option<Table> {
     let frames = study.rows.iter().find_map(|row| row.agreement)?.frames;
     Some(Table {
         title: "One frame at a time".to_owned(),
-        note: format!("{frames} frames spread over the whole motion, each begun from the reference's state: the greatest error at the end of the frame."),
+        note: format!(
+            "{frames} frames spread over the whole motion, each begun from the reference's state: the greatest error at the end of the frame."
+        ),
         header: ["setting", "positions", "velocities"].map(str::to_owned).into(),
         rows,
         marked: Vec::new(),

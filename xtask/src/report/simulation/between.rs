@@ -33,7 +33,8 @@ pub(super) fn error(kind: Kind, rate: f64) -> f64 {
                 Kind::Lines => from.position + share * (to.position - from.position),
                 Kind::Cubics => {
                     let ends = [(from.position, from.velocity), (to.position, to.velocity)];
-                    CubicHermite::new(duration, ends[0], ends[1]).map_or(f64::NAN, |c| c.at(share * duration).position)
+                    CubicHermite::new(duration, ends[0], ends[1])
+                        .map_or(f64::NAN, |c| c.at(share * duration).position)
                 }
                 Kind::Quintics => {
                     Quintic::new(duration, from, to).map_or(f64::NAN, |c| c.at(share * duration).position)

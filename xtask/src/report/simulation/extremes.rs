@@ -11,9 +11,8 @@ pub(super) fn ratios() -> Result<Vec<(f64, [f64; 3])>, String> {
         let simulation = figures::ratio(ratio)?;
         let case = Case { name: "two rods", simulation, duration: 2.0, rate: 100.0, solution: None };
         let study = studied(&case, &methods)?;
-        let error = |row: usize| {
-            study.rows[row].result.as_ref().map_or(f64::INFINITY, |accuracy| accuracy.position)
-        };
+        let error =
+            |row: usize| study.rows[row].result.as_ref().map_or(f64::INFINITY, |accuracy| accuracy.position);
         Ok((ratio, [error(0), error(1), study.reference.uncertainty.position]))
     };
     [1e-6, 1e-3, 1.0, 1e3, 1e6].into_iter().map(one).collect()

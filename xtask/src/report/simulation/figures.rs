@@ -2,7 +2,8 @@
 
 use super::solutions::{self, Solution};
 use solaris_model::{
-    Axis, Figure, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Passive, Placement, Shape, ShapeKind, Vector3,
+    Axis, Figure, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Passive, Placement, Shape, ShapeKind,
+    Vector3,
 };
 use solaris_modes::{Anchor, Drive, LimitLaw, PointSpring, RunError, SetupError, Simulation, Step};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, TAU};
@@ -66,7 +67,12 @@ pub(super) fn closed() -> Result<Vec<Case>, Faulty> {
         case("torque-free top, 5 s", top(spin)?, 5.0, solutions::top(0.02, 0.03, spin)),
         case("thrown body with spin, 2 s", thrown(velocity)?, 2.0, solutions::thrown(velocity, 6.0, DOWN)),
         case("damped spring, 5 s", damped()?, 5.0, solutions::damped(0.1, 10.0, 0.5)),
-        case("hanging chain of 10, 5 s, angles to 1e-5", chain(&angles)?, 5.0, solutions::swinging(angles.clone(), rate)),
+        case(
+            "hanging chain of 10, 5 s, angles to 1e-5",
+            chain(&angles)?,
+            5.0,
+            solutions::swinging(angles.clone(), rate),
+        ),
         case("bouncing mass, 2 s", bouncing()?, 2.0, solutions::bouncing(1.0, 0.8, G)),
     ])
 }
@@ -91,14 +97,16 @@ pub(super) fn pendulum() -> Result<Simulation, Faulty> {
 }
 
 fn top(spin: Vector3<f64>) -> Result<Simulation, Faulty> {
-    let body = LinkSpec::root("body", Joint::ball("pivot")).mass(1.0).inertia(Inertia::diagonal(0.02, 0.02, 0.03));
+    let body =
+        LinkSpec::root("body", Joint::ball("pivot")).mass(1.0).inertia(Inertia::diagonal(0.02, 0.02, 0.03));
     let mut simulation = Simulation::new(&built("top", [body])?, Vector3::zeros());
     simulation.start(&[0.0, 0.0, 0.0, 1.0], spin.as_slice())?;
     Ok(simulation)
 }
 
 fn thrown(velocity: Vector3<f64>) -> Result<Simulation, Faulty> {
-    let body = LinkSpec::root("body", Joint::free("root")).mass(2.0).inertia(Inertia::diagonal(0.02, 0.025, 0.03));
+    let body =
+        LinkSpec::root("body", Joint::free("root")).mass(2.0).inertia(Inertia::diagonal(0.02, 0.025, 0.03));
     let mut simulation = Simulation::new(&built("thrown", [body])?, DOWN);
     let [x, y, z] = velocity.into();
     simulation.start(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], &[x, y, z, 0.0, 0.0, 6.0])?;
@@ -141,7 +149,8 @@ fn bouncing() -> Result<Simulation, Faulty> {
 
 /// Turned about its middle axis, and a little about another: it tumbles for ever.
 fn tumbling() -> Result<Simulation, Faulty> {
-    let body = LinkSpec::root("body", Joint::free("root")).mass(1.0).inertia(Inertia::diagonal(0.02, 0.03, 0.04));
+    let body =
+        LinkSpec::root("body", Joint::free("root")).mass(1.0).inertia(Inertia::diagonal(0.02, 0.03, 0.04));
     let mut simulation = Simulation::new(&built("tumbling", [body])?, Vector3::zeros());
     simulation.start(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0, 0.0, 0.0, 5e-3, 5.0, 0.0])?;
     Ok(simulation)
@@ -154,8 +163,10 @@ fn cat() -> Result<Simulation, Faulty> {
         link.mass(1.5).com(Vector3::new(0.0, 0.0, 0.1 * side)).inertia(inertia)
     };
     let waist = Joint::new("waist").rx().ry();
-    let links =
-        [half(LinkSpec::root("front", Joint::free("root")), 1.0), half(LinkSpec::child("back", "front", waist), -1.0)];
+    let links = [
+        half(LinkSpec::root("front", Joint::free("root")), 1.0),
+        half(LinkSpec::child("back", "front", waist), -1.0),
+    ];
     let mut simulation = Simulation::new(&built("cat", links)?, DOWN);
     let moves = |angles: &[f64]| -> Vec<Step> {
         let along = solaris_modes::Shape::MinimumJerk;
@@ -176,9 +187,12 @@ pub(super) fn governor() -> Result<Case, Faulty> {
     let middle = Vector3::new(0.0, 0.0, -0.5);
     let mut links = vec![
         LinkSpec::root("shaft", Joint::new("spin").rz()).mass(0.3).inertia(slim(Vector3::zeros())),
-        LinkSpec::child("base", "shaft", Joint::new("slide").at(middle).tz())
-            .mass(3.0)
-            .inertia(solid(0.1, 0.1, 0.1, Vector3::zeros())),
+        LinkSpec::child("base", "shaft", Joint::new("slide").at(middle).tz()).mass(3.0).inertia(solid(
+            0.1,
+            0.1,
+            0.1,
+            Vector3::zeros(),
+        )),
     ];
     for (side, name) in [(1.0, "right"), (-1.0, "left")] {
         let hinge = Vector3::new(0.05 * side, 0.0, 0.5);

@@ -77,7 +77,13 @@ pub(super) fn table() -> Result<Table, String> {
         Ok(vec![Cell::text(format!("{tolerance:.0e}")), numbers(error), evaluations, numbers(other), others])
     };
     Ok(Table {
-        header: vec!["tolerance", "van der Pol, μ = 1000, t = 2000", "evaluations", "Robertson, t = 40", "evaluations"],
+        header: vec![
+            "tolerance",
+            "van der Pol, μ = 1000, t = 2000",
+            "evaluations",
+            "Robertson, t = 40",
+            "evaluations",
+        ],
         rows: [1e-4, 1e-6, 1e-8, 1e-10].into_iter().map(row).collect::<Result<_, String>>()?,
     })
 }

@@ -1,0 +1,118 @@
+//! What the scenes of the fixtures come to, beside what is known of them.
+
+use crate::fixtures::fixture;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use solaris_scene::Simulated;
+
+fn simulated(name: &str) -> Simulated {
+    fixture(name).simulate(&mut ()).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The rotation of a ball joint whose quaternion begins at `first`.
+fn rotation(simulated: &Simulated, frame: usize, first: usize) -> UnitQuaternion<f64> {
+    let q = &simulated.motion.q(frame)[first..first + 4];
+    UnitQuaternion::from_quaternion(Quaternion::new(q[3], q[0], q[1], q[2]))
+}
+
+#[test]
+fn the_pendulum_is_where_elliptic_functions_say() {
+    // IFToMM benchmark A01: P(10 s) by Jacobi elliptic functions.
+    let simulated = simulated("pendulum.ron");
+    let angle = simulated.motion.q(1000)[0];
+    let off = (angle.sin() + 0.275_087_462_576_116_9).hypot(angle.cos() - 0.961_419_204_991_125_3);
+    assert!(off < 1e-8, "off by {off:e}");
+    let estimate = simulated.report.error.expect("an estimate").position;
+    assert!(estimate < 1e-8, "{estimate:e}");
+}
+
+#[test]
+fn the_heavy_top_precesses_steadily() {
+    let simulated = simulated("tops.ron");
+    let precession = 3.528_224_307_598_522_5;
+    for frame in [0, 240, 960, 1440] {
+        let axis = rotation(&simulated, frame, 0) * Vector3::y();
+        let turned = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), precession * frame as f64 / 240.0);
+        let tilted = Vector3::new(60_f64.to_radians().sin(), 0.5, 0.0);
+        let off = (axis - turned * tilted).norm();
+        assert!(off < 1e-5, "off by {off:e} in frame {frame}");
+    }
+}
+
+#[test]
+fn free_bodies_turn_as_their_inertia_says() {
+    let simulated = simulated("tops.ron");
+    // The axisymmetric one: its angular velocity goes round the axis at (I₃ − I₁)/I₁·ω₃ = 10 rad/s.
+    let v = &simulated.motion.v(960)[3..6];
+    let expected = [40_f64.cos(), 20.0, -40_f64.sin()];
+    let off = v.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-5, "{v:?} is off by {off:e} from {expected:?}");
+    // The other: its angular momentum stays where it is in the world while it tumbles.
+    let momentum = |frame| {
+        let v = &simulated.motion.v(frame)[6..9];
+        rotation(&simulated, frame, 8) * Vector3::new(0.001 * v[0], 0.002 * v[1], 0.0025 * v[2])
+    };
+    let off =
+        (0..simulated.motion.len()).map(|frame| (momentum(frame) - momentum(0)).norm()).fold(0.0, f64::max);
+    assert!(off < 1e-8, "off by {off:e}");
+    let least =
+        (0..simulated.motion.len()).map(|frame| simulated.motion.v(frame)[7]).fold(f64::INFINITY, f64::min);
+    assert!(least < -5.9, "it has not tumbled: {least}");
+}
+
+#[test]
+fn the_cat_turns_itself_round() {
+    let simulated = simulated("falling_cat.ron");
+    let motion = &simulated.motion;
+    let last = motion.len() - 1;
+    // As straight as at the beginning, but turned about its long axis alone, without angular momentum.
+    let back = |frame: usize| rotation(&simulated, frame, 3) * Vector3::y();
+    let (before, after) = (back(0), back(last));
+    assert!(before.y < -0.999, "{before}");
+    let turned = before.angle(&after).to_degrees();
+    assert!(turned > 60.0, "it turned by {turned}°");
+    let v = motion.v(last);
+    assert!(v[3..6].iter().all(|omega| omega.abs() < 1e-5), "{v:?}");
+    assert!((v[8] + v[6]).abs() < 1e-12);
+}
+
+#[test]
+fn the_modes_come_to_what_they_promise() {
+    let simulated = simulated("arm_modes.ron");
+    let end = simulated.motion.q(simulated.motion.len() - 1);
+    let target = 60_f64.to_radians();
+    for (dof, tolerance) in
+        [(0, 1e-12), (2, 1e-9), (3, 1e-9), (4, 1e-9), (5, 1e-9), (6, 1e-9), (9, 1e-4), (10, 1e-5)]
+    {
+        assert!((end[dof] - target).abs() < tolerance, "dof {dof}: {}", end[dof] - target);
+    }
+    assert!((end[1] - 45_f64.to_radians()).abs() < 1e-15);
+    // The literal law and the force held do not lead there.
+    assert!((end[7] - target).abs() > 0.1 && (end[8] - target).abs() > 0.1);
+}
+
+#[test]
+fn a_loose_arm_swings_and_the_ground_feels_it() {
+    let scene = fixture("walk_loose_arm.ron");
+    let simulated = scene.simulate(&mut ()).expect("a motion");
+    let motion = &simulated.motion;
+    let layout = scene.figure().layout();
+    let [shoulder, elbow] =
+        ["right_shoulder.rx", "right_elbow.rx"].map(|name| layout.dof_index(name).expect("a dof"));
+    let middle = motion.len() / 2;
+    // No muscle moves it but the limits; everything else is as planned.
+    assert!(motion.tau(middle).expect("forces")[shoulder].abs() < 1e-9);
+    let mut planned = vec![0.0; layout.nq()];
+    let plan = scene.walk().expect("a walk");
+    solaris_model::Trajectory::configuration(plan, motion.time()[middle], &mut planned);
+    for dof in 0..layout.nq() {
+        let off = (motion.q(middle)[dof] - planned[dof]).abs();
+        assert!(off < 1e-6 || dof == shoulder || dof == elbow, "{}: {off:e}", layout.q_names()[dof]);
+    }
+    let swings: Vec<f64> = (0..motion.len()).map(|frame| motion.q(frame)[shoulder]).collect();
+    let range =
+        swings.iter().copied().fold(f64::MIN, f64::max) - swings.iter().copied().fold(f64::MAX, f64::min);
+    assert!(range > 0.1, "it swings by {range} rad");
+    let reactions = simulated.reactions.expect("feet");
+    assert!(reactions.root_residual.0 < 1e-8, "{reactions:?}");
+    assert!(motion.contact("left_foot").is_some() && !motion.planted.is_empty());
+}
