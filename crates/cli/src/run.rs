@@ -18,7 +18,7 @@ use clap::ArgMatches;
 use report::Report;
 use solaris::modes::RunError;
 use solaris::scene::{Scene, SceneError, Simulated};
-use solaris::view::{PageOptions, page};
+use solaris::view::{PageOptions, coordinates, page};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use watch::Watcher;
@@ -30,11 +30,13 @@ enum Format {
     Csv,
     Bvh,
     Sto,
+    Svg,
     Json,
 }
 
 const MOTION: Formats<Format> = &[
     ("html", Format::Html),
+    ("svg", Format::Svg),
     ("csv", Format::Csv),
     ("bvh", Format::Bvh),
     ("sto", Format::Sto),
@@ -124,6 +126,10 @@ fn write(
             let options = PageOptions { title: summary::title(report), table: summary::page_rows(report) };
             let html = page(figure, motion, &options).map_err(CliError::other)?;
             writer.write_all(html.as_bytes()).map_err(CliError::other)
+        }
+        Format::Svg => {
+            let picture = coordinates(figure, motion, &summary::title(report));
+            writer.write_all(picture.as_bytes()).map_err(CliError::other)
         }
         Format::Json => report.write(writer).map_err(CliError::other),
     }

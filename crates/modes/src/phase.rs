@@ -187,8 +187,20 @@ impl Phase {
     /// Finds what is left of the figure where the forces that hold `held` have to be known.
     fn compile(&mut self, held: &[usize]) -> Result<(), SetupError> {
         let standing = self.prescribed.standing();
-        let reduction = self.source.reduce(&self.roles, held, standing, self.leave_out)?;
-        let report = plan::report(&self.source, &self.roles, standing, reduction.as_ref());
+        let reduced = |fuse| {
+            let reduction = self.source.reduce(&self.roles, held, standing, self.leave_out, fuse)?;
+            let report = plan::report(&self.source, &self.roles, standing, reduction.as_ref());
+            Ok::<_, SetupError>((reduction, report))
+        };
+        let mut chosen = reduced(true)?;
+        if !chosen.1.fused.is_empty() {
+            // Axes that what stands still has turned askew may cost more than standing still does.
+            let other = reduced(false)?;
+            if plan::total(&other.1.cost.1) < plan::total(&chosen.1.cost.1) {
+                chosen = other;
+            }
+        }
+        let (reduction, report) = chosen;
         self.report = PhaseReport { start: self.report.start, end: self.report.end, ..report };
         let small = reduction
             .map(|reduction| Small::new(&self.source, &self.roles, reduction, &self.state, &self.prescribed));

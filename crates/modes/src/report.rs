@@ -91,7 +91,13 @@ impl Energy {
     }
 }
 
-/// Where the energy of a run went (J).
+/// Where the energy of a run went (J), as far as dynamics computed it:
+///
+/// ```text
+/// end = start + work − heat − impacts + moved
+/// ```
+///
+/// but for the imbalance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyReport {
     /// At the beginning.
@@ -104,6 +110,8 @@ pub struct EnergyReport {
     pub heat: f64,
     /// What impacts have taken.
     pub impacts: f64,
+    /// What came with links that were computed from then on, less what went with those that were not any more.
+    pub moved: f64,
     /// The greatest difference between the energy that there was and the energy that there should have been.
     pub imbalance: f64,
     /// The energy at play: the greatest of what was exchanged, so that `imbalance/scale` says how bad it is.

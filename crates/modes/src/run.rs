@@ -9,6 +9,7 @@ mod impacts;
 mod ledger;
 mod pass;
 mod record;
+mod watching;
 
 use crate::body::Body;
 use crate::report::{Counts, ErrorEstimate, Run, RunReport, Watch};
@@ -34,20 +35,25 @@ struct Chosen {
 }
 
 /// Runs a simulation.
-pub(crate) fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
+pub(crate) fn run(
+    simulation: &Simulation,
+    settings: &Settings,
+    watch: &mut dyn Watch,
+) -> Result<Run, RunError> {
     check(settings)?;
     let begun = watch.now();
     let chosen = match settings.method {
         Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, watch)?,
         Method::Fixed { rule, step } => named(simulation, settings, Stepping::Fixed { rule, step }, watch)?,
-        Method::Adaptive { tolerance } => named(simulation, settings, Stepping::Adaptive { tolerance }, watch)?,
+        Method::Adaptive { tolerance } => {
+            named(simulation, settings, Stepping::Adaptive { tolerance }, watch)?
+        }
         Method::Stiff { tolerance } => named(simulation, settings, Stepping::Stiff { tolerance }, watch)?,
     };
     let Chosen { passed, error, method, why, beside, remarks } = chosen;
     let Passed { record, ledger, mut counts, outcomes, impacts, phases, .. } = passed;
     counts.add(&beside);
-    let mut motion =
-        record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
+    let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
     if settings.forces {
         add_forces(simulation, &mut motion)?;
     }
@@ -119,7 +125,8 @@ fn named(
             Some(Err(RunError::Cancelled)) => return Err(RunError::Cancelled),
             Some(Ok(other)) => (Some(other), 1.0),
             _ => {
-                let finer = pass(simulation, settings, finer(stepping, settings.rate), &mut Quiet(watch)).ok();
+                let finer =
+                    pass(simulation, settings, finer(stepping, settings.rate), &mut Quiet(watch)).ok();
                 // The finer run has at least half of the error.
                 (finer, 2.0)
             }
@@ -127,9 +134,13 @@ fn named(
         match other {
             Some(other) => {
                 beside = other.counts;
-                error = Some(scaled(compare::difference(&simulation.figure, &passed.record, &other.record)?, factor));
+                error = Some(scaled(
+                    compare::difference(&simulation.figure, &passed.record, &other.record)?,
+                    factor,
+                ));
             }
-            None => remarks.push("no other step or tolerance came to the end: there is no error estimate".to_owned()),
+            None => remarks
+                .push("no other step or tolerance came to the end: there is no error estimate".to_owned()),
         }
     }
     if !passed.is_dynamic {

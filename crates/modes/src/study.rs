@@ -1,4 +1,5 @@
-//! How far a run can be trusted: one simulation by many methods, steps and tolerances, against an answer that is known better.
+//! How far a run can be trusted: one simulation by many methods, steps and tolerances, against an answer that is known
+//! better.
 
 mod agreement;
 mod compare;
@@ -105,12 +106,12 @@ impl Study {
     }
 }
 
-/// Runs `simulation` by every method of `options` and says which to take; `on_row` gets what there is as soon as a row more is
-/// there.
+/// Runs `simulation` by every method of `options` and says which to take; `on_row` gets what there is as soon as a row
+/// more is there.
 ///
-/// Duration, rate and guard are those of `settings`; joint forces are left out. Where the answer is not known beforehand it is
-/// found by the finest runs there are, and the difference between two of them is its uncertainty. Trouble of a row is its
-/// result, not that of the study. Where `watch` stops, the study ends with what it has.
+/// Duration, rate and guard are those of `settings`; joint forces are left out. Where the answer is not known beforehand
+/// it is found by the finest runs there are, and the difference between two of them is its uncertainty. Trouble of a row
+/// is its result, not that of the study. Where `watch` stops, the study ends with what it has.
 ///
 /// # Errors
 ///
@@ -138,8 +139,9 @@ pub fn study(
     let (wanted, reference) = (options.wanted, found.reference.clone());
     let mut study =
         Study { reference, rows: Vec::new(), wanted, sensitivity, savings: None, is_complete: false };
-    let share = |index: usize| 0.2 + 0.75 * index as f64 / options.methods.len().max(1) as f64;
-    for (index, method) in options.methods.iter().enumerate() {
+    let methods = ladder::fitted(&options.methods, settings.rate);
+    let share = |index: usize| 0.2 + 0.75 * index as f64 / methods.len().max(1) as f64;
+    for (index, method) in methods.iter().enumerate() {
         let mut outlook = Outlook::new(watch, share(index), share(index + 1));
         let row = rows::measure(simulation, &settings, *method, options.repeats, &mut outlook, compare);
         let Some(mut row) = row else { return Ok(study) };

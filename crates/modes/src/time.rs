@@ -8,5 +8,5 @@ mod solver;
 mod stepping;
 mod system;
 
-pub use stepping::{Stepping, Stopped, TimeError, advance};
+pub use stepping::{OnFrame, Stepping, Stopped, TimeError, advance};
 pub use system::{RateError, System};

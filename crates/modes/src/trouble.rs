@@ -114,6 +114,12 @@ pub enum RunError {
     Cancelled,
 }
 
+impl From<Trouble> for RunError {
+    fn from(trouble: Trouble) -> Self {
+        Self::Trouble(Box::new(trouble))
+    }
+}
+
 /// Trouble on the way: when, where, what, and what to do.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{cause} at t = {} s: {advice}", shown(*.time))]

@@ -130,7 +130,7 @@ fn momentum_is_what_gravity_makes_of_it() {
         .build()
         .expect("a figure");
     let mut simulation = Simulation::new(&figure, GRAVITY);
-    let (mut q, _) = (simulation.state().0.to_vec(), ());
+    let mut q = simulation.state().0.to_vec();
     q[7] = 0.4;
     simulation.start(&q, &[1.0, 3.0, 0.5, 0.3, -0.2, 2.0, -1.0]).expect("a state");
     let methods = [fixed(Rule::RungeKutta4, 1e-3), fixed(Rule::ExplicitEuler, 1e-3)];

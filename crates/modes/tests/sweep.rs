@@ -1,4 +1,5 @@
 //! Stiff and extreme scenes at random: each ends right, as right as it says, or in an error that says why.
+#![allow(clippy::print_stdout, reason = "what the sweep came to")]
 
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, Passive, Vector3};
 use solaris_modes::{
@@ -46,7 +47,8 @@ fn scene(random: &mut Random) -> Simulation {
     for i in 0..links {
         let mass = if i == 0 { 1.0 } else { random.decades(-6.0, 6.0) };
         let length = random.between(0.2, 0.6);
-        let mut joint = Joint::new(format!("j{i}")).at(Vector3::new(0.0, if i == 0 { 0.0 } else { -length }, 0.0));
+        let mut joint =
+            Joint::new(format!("j{i}")).at(Vector3::new(0.0, if i == 0 { 0.0 } else { -length }, 0.0));
         joint = match random.below(4) {
             0 => joint.ty(),
             1 => joint.rz().rx(),

@@ -44,3 +44,7 @@ struct Dynamics;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/profiles.md")]
 struct Profiles;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/drives.md")]
+struct Drives;

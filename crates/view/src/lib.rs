@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod coordinates;
 mod curves;
 mod data;
 mod draw;
@@ -11,6 +12,7 @@ pub mod precision;
 pub mod profile;
 mod world;
 
+pub use coordinates::coordinates;
 pub use error::ViewError;
 pub use frames::FRAME_RATE;
 

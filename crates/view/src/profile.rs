@@ -4,7 +4,7 @@
 //! bytes for the same curve.
 
 mod answers;
-mod axis;
+pub(crate) mod axis;
 mod line;
 mod page;
 mod panel;

@@ -17,8 +17,8 @@ pub(super) fn command() -> Command {
         .after_help(EXAMPLES)
         .arg(input("scene", "SCENE.ron", "The scene; figures that it names as files are sought beside it"))
         .arg(path("output").short('o').action(ArgAction::Append).help(wrap(
-            "Write the motion: .html page, .csv table, .bvh motion capture, .sto or .mot coordinates for OpenSim; several -o \
-             are allowed [default: none]",
+            "Write the motion: .html page, .svg picture of the coordinates, .csv table, .bvh motion capture, .sto or .mot \
+             coordinates for OpenSim; several -o are allowed [default: none]",
         )))
         .arg(
             path("report")

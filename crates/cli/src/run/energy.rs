@@ -11,6 +11,7 @@ pub(super) struct Energies {
     pub(super) work_of_drives: f64,
     pub(super) heat: f64,
     pub(super) lost_in_impacts: f64,
+    pub(super) moved: f64,
     pub(super) imbalance: f64,
     pub(super) at_play: f64,
 }
@@ -31,6 +32,7 @@ impl Energies {
             work_of_drives: report.work,
             heat: report.heat,
             lost_in_impacts: report.impacts,
+            moved: report.moved,
             imbalance: report.imbalance,
             at_play: report.scale,
         }
@@ -60,6 +62,7 @@ impl Energies {
             ("work of the drives", self.work_of_drives),
             ("lost as heat", self.heat),
             ("lost in impacts", self.lost_in_impacts),
+            ("with links left out", self.moved),
         ] {
             if value.abs() > least {
                 rows.push(row(label, value, String::new()));

@@ -72,6 +72,9 @@ impl Told {
                 )
             }
             "unreachable" => format!("stayed at {position}: it would turn round before the target"),
+            "needs rest" => format!(
+                "stayed at {position}: this drive goes from rest to rest, and it came with a velocity"
+            ),
             "limited by torque" => format!("came to {position}: the force was at its limit"),
             "missed" => {
                 let off = amount(self.missed_by.unwrap_or_default().abs(), self.turns);
@@ -196,6 +199,7 @@ fn name(result: OutcomeKind) -> &'static str {
         OutcomeKind::NoMotion => "no motion",
         OutcomeKind::WrongSign => "wrong sign",
         OutcomeKind::Unreachable => "unreachable",
+        OutcomeKind::NeedsRest => "needs rest",
         OutcomeKind::LimitedByTorque => "limited by torque",
         OutcomeKind::Missed(_) => "missed",
         OutcomeKind::LimitHit => "limit hit",

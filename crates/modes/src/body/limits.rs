@@ -11,7 +11,9 @@ use solaris_profiles::Scalar;
 /// τ = ∓max(0, k·x + c·ẋ)      x > 0 the depth beyond the limit
 /// ```
 ///
-/// Where the damper would pull, the limit lets go, and what is left in its spring is lost as heat.
+/// Where the damper would pull, the limit lets go, and what is left in its spring is lost as heat. The damper acts from the
+/// limit on, so that the force jumps there; what is at the limit but for rounding and on its way out is beyond it, or a step
+/// that begins there would have the force of the wrong side.
 #[derive(Clone, Debug)]
 pub(super) struct Stop<T> {
     dof: usize,
@@ -20,6 +22,9 @@ pub(super) struct Stop<T> {
     stiffness: T,
     damping: T,
 }
+
+/// How near, of 1 and of the limit, a position is at it.
+const NEAR: f64 = 1e-13;
 
 impl<T: Real + Scalar> Stop<T> {
     /// Those of `figure` whose law, by degree of freedom, is a spring.
@@ -41,7 +46,7 @@ impl<T: Real + Scalar> Stop<T> {
 
     /// Adds the force to `force`; what the damper takes (W).
     pub(super) fn act(&self, q: &[T], v: &[T], force: &mut [T]) -> T {
-        let Some((depth, outwards)) = self.depth(q) else { return T::zero() };
+        let Some((depth, outwards)) = self.depth(q, v[self.dof].value()) else { return T::zero() };
         let rate = v[self.dof] * outwards;
         let spring = self.stiffness * depth;
         let push = spring + self.damping * rate;
@@ -53,16 +58,19 @@ impl<T: Real + Scalar> Stop<T> {
     /// What is in the spring (J).
     pub(super) fn energy(&self, q: &[T]) -> T {
         let half = <T as Real>::from_f64(0.5);
-        self.depth(q).map_or_else(T::zero, |(depth, _)| half * self.stiffness * depth * depth)
+        self.depth(q, 0.0).map_or_else(T::zero, |(depth, _)| half * self.stiffness * depth * depth)
     }
 
     /// How far beyond a limit, and 1 or −1 for the way out; none inside.
-    fn depth(&self, q: &[T]) -> Option<(T, T)> {
+    fn depth(&self, q: &[T], rate: f64) -> Option<(T, T)> {
         let (q, number) = (q[self.coordinate], <T as Real>::from_f64);
-        if q.value() > self.limits.upper {
-            Some((q - number(self.limits.upper), number(1.0)))
-        } else if q.value() < self.limits.lower {
-            Some((number(self.limits.lower) - q, number(-1.0)))
+        let Limits { lower, upper } = self.limits;
+        // As near as an event is located.
+        let near = |limit: f64| if limit.is_finite() { NEAR * (1.0 + limit.abs()) } else { 0.0 };
+        if q.value() > upper || (rate > 0.0 && q.value() > upper - near(upper)) {
+            Some((q - number(upper), number(1.0)))
+        } else if q.value() < lower || (rate < 0.0 && q.value() < lower + near(lower)) {
+            Some((number(lower) - q, number(-1.0)))
         } else {
             None
         }

@@ -50,6 +50,12 @@ pub(super) fn report(
     report
 }
 
+/// Operations of all kinds.
+pub(super) fn total(cost: &Operations) -> u64 {
+    let Operations { multiplications, additions, divisions, sines, .. } = *cost;
+    multiplications + additions + divisions + sines
+}
+
 /// What else was left out.
 fn omitted(source: &Source, Reduction { figure, springs, limits, .. }: &Reduction) -> Vec<String> {
     let mut omitted = Vec::new();

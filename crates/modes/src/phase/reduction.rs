@@ -76,13 +76,15 @@ impl Source {
     }
 
     /// What is left for these roles, where everything that stands still does so at `q`; nothing where nothing is to be
-    /// computed. The forces on the degrees of freedom `held` are to be right as well.
+    /// computed. The forces on the degrees of freedom `held` are to be right as well. What stands still is fused if `fuse` says
+    /// so, and else has a motion of its own, none.
     pub(super) fn reduce(
         &self,
         roles: &[Role],
         held: &[usize],
         q: &[f64],
         leave_out: bool,
+        fuse: bool,
     ) -> Result<Option<Reduction>, SetupError> {
         if !leave_out {
             return Ok(Some(self.whole()));
@@ -97,7 +99,7 @@ impl Source {
         let dropped: Vec<usize> = (0..needed.len()).filter(|link| !needed[*link]).collect();
         // The root carries what is computed, so that it never is among them.
         let Ok(pruned) = self.figure.prune(&dropped) else { return Ok(Some(self.whole())) };
-        let still = |dof: usize| roles[dof] == Role::Still && !computed[dof];
+        let still = |dof: usize| fuse && roles[dof] == Role::Still && !computed[dof];
         let at_rest = (0..pruned.kept_v().len()).filter(|k| still(pruned.kept_v()[*k]));
         let small_q: Vec<f64> = pruned.kept_q().iter().map(|index| q[*index]).collect();
         let fused = pruned.figure().fuse_at(&at_rest.collect::<Vec<_>>(), &small_q)?;

@@ -30,10 +30,14 @@ pub(super) fn choose(
             let (method, beside) = (NOTHING.to_owned(), Counts::default());
             return Ok(Chosen { passed, error, method, why, beside, remarks });
         }
-        Ok(passed) => return Ladder::new(simulation, settings, tolerance, frame, Some(passed)).climb(watch, remarks),
+        Ok(passed) => {
+            return Ladder::new(simulation, settings, tolerance, frame, Some(passed)).climb(watch, remarks);
+        }
         Err(RunError::Trouble(trouble)) => match trouble.cause {
             Cause::StepTooLong { longest, eigenvalue, .. } => (longest, Some(eigenvalue)),
-            Cause::Energy { .. } | Cause::NotFinite { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) => (0.5 * frame, None),
+            Cause::Energy { .. } | Cause::NotFinite { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) => {
+                (0.5 * frame, None)
+            }
             _ => return Err(trouble.into()),
         },
         Err(error) => return Err(error),
@@ -85,7 +89,8 @@ impl<'a> Ladder<'a> {
         let mut trouble = None;
         let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
         for _ in 0..MOST_TRIALS {
-            let spent = self.beside.evaluations + self.last.as_ref().map_or(0, |last| last.counts.evaluations);
+            let spent =
+                self.beside.evaluations + self.last.as_ref().map_or(0, |last| last.counts.evaluations);
             let next = 2 * self.last.as_ref().map_or(0, |last| last.counts.evaluations);
             if spent + next > self.settings.guard.evaluations {
                 break;
@@ -159,7 +164,11 @@ impl<'a> Ladder<'a> {
 fn share(before: f64, difference: f64, jumps: bool) -> f64 {
     let ratio = before / difference;
     // NaN where there is no difference before.
-    if jumps || ratio.partial_cmp(&4.0).is_none_or(std::cmp::Ordering::is_lt) { 1.0 } else { (ratio.min(16.0) - 1.0).recip() }
+    if jumps || ratio.partial_cmp(&4.0).is_none_or(std::cmp::Ordering::is_lt) {
+        1.0
+    } else {
+        (ratio.min(16.0) - 1.0).recip()
+    }
 }
 
 /// The implicit method with ever smaller tolerances.

@@ -80,8 +80,7 @@ impl Driven {
     /// Times (s) at which its curve jumps.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         match &self.mode {
-            Mode::Path(path) => path.breaks(),
-            Mode::Force(Force::Along(path)) => path.breaks(),
+            Mode::Path(path) | Mode::Force(Force::Along(path)) => path.breaks(),
             _ => Vec::new(),
         }
     }

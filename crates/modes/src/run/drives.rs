@@ -1,8 +1,9 @@
 //! Drives that begin, go on from frame to frame, and end.
 
 use super::driven::{Driven, Mode, name, target};
-use super::pass::{Meaning, Pass};
+use super::pass::Pass;
 use super::record::near;
+use super::watching::Meaning;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::drive::simple::{Begun, analyse, begin};
@@ -23,14 +24,21 @@ impl Pass<'_> {
     pub(crate) fn begin_all(&mut self) -> Result<(), RunError> {
         for follower in self.simulation.figure.followers() {
             let names = [follower.dof, follower.leader].map(|dof| self.simulation.name(dof).to_owned());
-            let free = |step: &&crate::Step| !matches!(step.drive, Drive::Frozen | Drive::Kinematic(_) | Drive::Move { .. } | Drive::Recorded(_));
+            let free = |step: &&crate::Step| {
+                !matches!(
+                    step.drive,
+                    Drive::Frozen | Drive::Kinematic(_) | Drive::Move { .. } | Drive::Recorded(_)
+                )
+            };
             if let Some(step) = self.simulation.drives[follower.leader].iter().find(free) {
                 let [dof, leader] = names;
                 return Err(SetupError::Follower { dof, leader, drive: step.drive.name() }.into());
             }
         }
-        let all: Vec<(usize, usize)> =
-            (0..self.driven.len()).filter(|dof| !self.simulation.figure.follows(*dof)).map(|dof| (dof, 0)).collect();
+        let all: Vec<(usize, usize)> = (0..self.driven.len())
+            .filter(|dof| !self.simulation.figure.follows(*dof))
+            .map(|dof| (dof, 0))
+            .collect();
         self.begin(&all)?;
         self.settle(&[])
     }
@@ -64,7 +72,8 @@ impl Pass<'_> {
             } else if done {
                 let step = self.driven[dof].step;
                 let start = self.driven[dof].start;
-                self.driven[dof] = Driven { waits: true, ..Driven::new(step, start, Mode::Still, f64::INFINITY) };
+                self.driven[dof] =
+                    Driven { waits: true, ..Driven::new(step, start, Mode::Still, f64::INFINITY) };
             }
         }
         for &(dof, step) in &next {
@@ -141,7 +150,8 @@ impl Pass<'_> {
         let fault = |source: ProfileError| {
             RunError::from(SetupError::Profile { dof: self.simulation.name(dof).to_owned(), source })
         };
-        let position = self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
+        let position =
+            self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
         let velocity = self.v[dof];
         Ok(match drive {
             Drive::Free => new(Mode::Force(Force::Constant(0.0)), f64::INFINITY),
@@ -197,7 +207,8 @@ impl Pass<'_> {
     /// What is prescribed now, with its accelerations, and the drives' forces on the rest.
     pub(crate) fn given(&self) -> (Vec<bool>, Vec<f64>, Vec<f64>) {
         let figure = &self.simulation.figure;
-        let mut prescribed: Vec<bool> = self.driven.iter().map(|driven| driven.role() != Role::Dynamic).collect();
+        let mut prescribed: Vec<bool> =
+            self.driven.iter().map(|driven| driven.role() != Role::Dynamic).collect();
         let mut a: Vec<f64> = self.a.clone();
         for (dof, driven) in self.driven.iter().enumerate() {
             match &driven.mode {
@@ -218,7 +229,8 @@ impl Pass<'_> {
     /// What came of a drive that is done by itself.
     fn result(&self, dof: usize) -> OutcomeKind {
         let driven = &self.driven[dof];
-        let position = self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
+        let position =
+            self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
         match self.simulation.drives[dof].get(driven.step).map(|step| &step.drive) {
             Some(Drive::Simple { target, .. }) => {
                 let same = (self.v[dof] - target.velocity).abs() <= 1e-9 * (1.0 + target.velocity.abs());
@@ -249,7 +261,12 @@ impl Pass<'_> {
             start: driven.start,
             end: self.t,
             result,
-            position: self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]),
+            position: self
+                .simulation
+                .figure
+                .layout()
+                .coordinate(dof)
+                .map_or(0.0, |coordinate| self.q[coordinate]),
             velocity: self.v[dof],
             acceleration: driven.acceleration,
         });

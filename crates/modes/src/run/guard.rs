@@ -84,7 +84,8 @@ fn too_long(
         return None;
     }
     let dof = dof.map_or_else(|| "the figure".to_owned(), |dof| simulation.name(dof).to_owned());
-    let advice = format!("take a step below {longest:.1e} s, or a stiff method (method: Stiff(tolerance: 1e-6))");
+    let advice =
+        format!("take a step below {longest:.1e} s, or a stiff method (method: Stiff(tolerance: 1e-6))");
     let cause = Cause::StepTooLong { method: rule.to_string(), step, longest, eigenvalue, dof: dof.clone() };
     Some(Box::new(Trouble { time, dof: Some(dof), cause, advice }))
 }
@@ -116,7 +117,8 @@ pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, 
         }
         direction /= length;
     }
-    let entry = direction.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(i, _)| i)?;
+    let entry =
+        direction.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(i, _)| i)?;
     Some((magnitude.copysign(stiffest.re), phase.dof_of(entry)))
 }
 
@@ -128,24 +130,29 @@ pub(crate) fn explain(
     y: &[f64],
     trouble: Trouble,
 ) -> RunError {
-    let suspect = matches!(trouble.cause, Cause::Energy { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) | Cause::NotFinite { .. });
+    let suspect = matches!(
+        trouble.cause,
+        Cause::Energy { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) | Cause::NotFinite { .. }
+    );
     let state = y.iter().all(|x| x.is_finite());
     // A state that has run away has eigenvalues that say nothing.
-    let is_believed = |found: &Box<Trouble>| match found.cause {
+    let is_believed = |found: &Trouble| match found.cause {
         Cause::StepTooLong { step, longest, .. } => longest > BELIEVED * step,
         _ => true,
     };
     let found = (suspect && state).then(|| too_long(simulation, phase, stepping, trouble.time, y)).flatten();
-    let found = found.filter(is_believed);
+    let found = found.filter(|found| is_believed(found));
     found.unwrap_or_else(|| Box::new(trouble)).into()
 }
 
 /// Trouble of a stepper.
 pub(crate) fn of_time(simulation: &Simulation, error: TimeError) -> Result<Trouble, RunError> {
     Ok(match error {
-        TimeError::Rate { time, source } => *of_rate_at(time, source),
+        TimeError::Rate { time, source } => of_rate_at(time, source),
         TimeError::Stuck { time, method, why } => {
-            let advice = "look at the scene there: something is too stiff, or jumps; a larger tolerance may pass it".to_owned();
+            let advice =
+                "look at the scene there: something is too stiff, or jumps; a larger tolerance may pass it"
+                    .to_owned();
             Trouble { time, dof: None, cause: Cause::Stuck { method, why }, advice }
         }
         TimeError::Evaluations { time, evaluations } => {
@@ -170,31 +177,34 @@ pub(crate) fn of_rate(simulation: &Simulation, time: f64, error: RateError) -> R
     of_rate_at(time, error).into()
 }
 
-fn of_rate_at(time: f64, error: RateError) -> Box<Trouble> {
-    let advice = "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
+fn of_rate_at(time: f64, error: RateError) -> Trouble {
+    let advice =
+        "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
     match error {
         RateError::Dynamics(source) => of_dynamics(time, source),
         RateError::NotFinite { value, .. } | RateError::EventNotFinite { value, .. } => {
-            Box::new(Trouble { time, dof: None, cause: Cause::NotFinite { value }, advice })
+            Trouble { time, dof: None, cause: Cause::NotFinite { value }, advice }
         }
         RateError::Stopped => {
             let cause = Cause::Stuck { method: "the run".to_owned(), why: "it was stopped".to_owned() };
-            Box::new(Trouble { time, dof: None, cause, advice })
+            Trouble { time, dof: None, cause, advice }
         }
     }
 }
 
 /// Trouble of the kernel.
-pub(crate) fn of_dynamics(time: f64, error: DynamicsError) -> Box<Trouble> {
-    let advice = "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
-    Box::new(Trouble { time, dof: None, cause: Cause::Dynamics(error), advice })
+pub(crate) fn of_dynamics(time: f64, error: DynamicsError) -> Trouble {
+    let advice =
+        "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
+    Trouble { time, dof: None, cause: Cause::Dynamics(error), advice }
 }
 
 /// What to do about a joint in lock: the order of rotations that is farthest from it there.
 fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> String {
     let figure = &simulation.figure;
     let (joint, at) = (figure.links()[link].joint(), figure.layout().joints()[link]);
-    let turns = joint.kind().axes().iter().zip(&q[at.q..]).filter(|(dof, _)| dof.axis.kind == AxisKind::Rotation);
+    let turns =
+        joint.kind().axes().iter().zip(&q[at.q..]).filter(|(dof, _)| dof.axis.kind == AxisKind::Rotation);
     let turned = turns.fold(nalgebra::Rotation3::identity(), |turned, (dof, angle)| {
         turned * nalgebra::Rotation3::new(dof.axis.direction * *angle)
     });
@@ -202,7 +212,12 @@ fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> String {
     let best = EulerOrder::ALL.into_iter().max_by(|a, b| from_lock(a).total_cmp(&from_lock(b)));
     best.map_or_else(
         || "use a ball joint".to_owned(),
-        |order| format!("use a ball joint or order {order}, which is {:.0}° from it there", from_lock(&order).to_degrees()),
+        |order| {
+            format!(
+                "use a ball joint or order {order}, which is {:.0}° from it there",
+                from_lock(&order).to_degrees()
+            )
+        },
     )
 }
 

@@ -2,7 +2,8 @@
 
 use super::driven::Mode;
 use super::guard;
-use super::pass::{Meaning, Pass};
+use super::pass::Pass;
+use super::watching::Meaning;
 use crate::impact::{Side, strike};
 use crate::phase::Role;
 use crate::report::Impact;
@@ -137,7 +138,7 @@ impl Pass<'_> {
             let loss = -0.5 * impulse * (velocity.0 + velocity.1);
             self.passed.impacts.push(Impact { time: self.t, dof, what, velocity, impulse, loss });
         }
-        self.passed.ledger.report.impacts += struck.loss;
+        self.passed.ledger.lose(struck.loss);
         for dof in struck.released {
             self.driven[dof].held = None;
         }

@@ -13,12 +13,22 @@ pub(crate) struct Ledger {
     from: (f64, f64, f64),
     /// The potential energy that heights are counted from.
     level: f64,
+    /// What counts as at play at the least: at the beginning hardly anything moves.
+    least: f64,
 }
 
 impl Ledger {
+    /// Accounts in which errors are weighed against this energy (J) at the least.
+    pub(crate) fn new(least: f64) -> Self {
+        Self { least, ..Self::default() }
+    }
+
     /// A stretch begins with this energy, work and heat.
     pub(crate) fn begin(&mut self, energy: Energy, work: f64, heat: f64) {
-        if !self.begun {
+        if self.begun {
+            // Besides what impacts have taken, what is computed is another part of the figure now.
+            self.report.moved += energy.total() - self.report.end.total();
+        } else {
             (self.report.start, self.begun) = (energy, true);
         }
         self.level = energy.potential;
@@ -40,13 +50,19 @@ impl Ledger {
         self.report.imbalance = self.report.imbalance.max(found.abs());
         // What is left of large numbers that are taken from each other is rounding.
         let rounding = 1e-9 * (energy.kinetic + energy.potential.abs() + energy.elastic);
-        if found.abs() <= rounding { 0.0 } else { found.abs() / self.report.scale }
+        if found.abs() <= rounding { 0.0 } else { found.abs() / self.report.scale.max(self.least) }
     }
 
     /// The stretch is over.
     pub(crate) fn end(&mut self, energy: Energy, work: f64, heat: f64) {
         self.error = self.found(energy, work, heat);
         (self.report.end, self.report.work, self.report.heat) = (energy, work, heat);
+    }
+
+    /// An impact took this energy (J), between two stretches.
+    pub(crate) fn lose(&mut self, loss: f64) {
+        self.report.impacts += loss;
+        self.report.moved += loss;
     }
 
     fn found(&self, energy: Energy, work: f64, heat: f64) -> f64 {

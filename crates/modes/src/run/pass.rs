@@ -4,16 +4,15 @@ use super::driven::{Driven, Mode};
 use super::guard;
 use super::ledger::Ledger;
 use super::record::{Record, near};
+use super::watching::Meaning;
 use crate::body::Body;
-use crate::drive::path::Path;
-use crate::impact::Side;
-use crate::phase::{Phase, Role, Watched};
+use crate::phase::{Phase, Role};
 use crate::report::{Counts, Impact, PhaseReport, Watch};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
-use crate::trouble::{Cause, RunError, SetupError, Trouble};
-use crate::{LimitLaw, Outcome, OutcomeKind, Until};
+use crate::trouble::{Cause, RunError, Trouble};
+use crate::{Outcome, OutcomeKind};
 
 /// Rounds of changes at one instant that are still believed.
 const MOST_ROUNDS: usize = 1000;
@@ -62,17 +61,14 @@ struct Compiled {
     q: Vec<f64>,
 }
 
-/// What an event means.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Meaning {
-    /// The drive of a degree of freedom gives way.
-    Until(usize),
-    /// A degree of freedom passes its lower or upper limit.
-    Limit(usize, Side),
-    /// A limit lets go.
-    Release(usize),
-    /// A force changes its law.
-    Kink,
+/// An energy (J) that is little for the figure: to lift it by a hundredth of its height.
+fn least_energy(simulation: &Simulation) -> f64 {
+    let Simulation { figure, gravity, .. } = simulation;
+    if gravity.norm() > 0.0 {
+        0.01 * figure.mass() * gravity.norm() * figure.extent(&-gravity).height
+    } else {
+        0.0
+    }
 }
 
 /// Runs through a simulation once.
@@ -113,7 +109,7 @@ impl<'a> Pass<'a> {
             cap: f64::INFINITY,
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
-                ledger: Ledger::default(),
+                ledger: Ledger::new(least_energy(simulation)),
                 counts: Counts::default(),
                 outcomes: Vec::new(),
                 impacts: Vec::new(),
@@ -200,7 +196,9 @@ impl<'a> Pass<'a> {
         let stopped = match (result, trouble) {
             (Ok(stopped), None) => stopped,
             (_, Some(trouble)) => return Err(guard::explain(simulation, phase, stepping, &y, *trouble)),
-            (Err(TimeError::Rate { source: RateError::Stopped, .. }), None) => return Err(RunError::Cancelled),
+            (Err(TimeError::Rate { source: RateError::Stopped, .. }), None) => {
+                return Err(RunError::Cancelled);
+            }
             (Err(error), None) => {
                 let trouble = guard::of_time(simulation, error)?;
                 return Err(guard::explain(simulation, phase, stepping, &y, trouble));
@@ -210,7 +208,8 @@ impl<'a> Pass<'a> {
         phase.unpack(*t, &y, q, v);
         (self.work, self.heat) = (y[work], y[heat]);
         if dynamic {
-            let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(simulation, *t, error.into()))?;
+            let energy =
+                phase.energy(*t, &y).map_err(|error| guard::of_rate(simulation, *t, error.into()))?;
             let share = passed.ledger.check(energy, y[work], y[heat]);
             if let Err(trouble) = guard::look(simulation, &settings.guard, phase, *t, q, share) {
                 return Err(guard::explain(simulation, phase, stepping, &y, *trouble));
@@ -235,13 +234,22 @@ impl<'a> Pass<'a> {
         }
         self.end_phase();
         let phase = Phase::with(self.simulation, &roles, &self.q, self.settings.leave_out)?;
+        let mut compiled = Compiled { phase, roles, q: self.q.clone() };
+        // What is watched for may bring back what was left out.
+        self.load(&mut compiled.phase, self.next_stop())?;
+        let phase = &compiled.phase;
         self.passed.phases.push(PhaseReport { start: self.t, ..phase.report.clone() });
         self.passed.is_dynamic |= phase.is_dynamic();
-        let mut compiled = Compiled { phase, roles, q: self.q.clone() };
-        if compiled.phase.is_dynamic() {
-            self.load(&mut compiled.phase, self.next_stop())?;
+        if phase.is_dynamic() {
             let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
-            guard::look_before(self.simulation, &self.settings.guard, &mut compiled.phase, self.stepping, self.t, &y)?;
+            guard::look_before(
+                self.simulation,
+                &self.settings.guard,
+                &mut compiled.phase,
+                self.stepping,
+                self.t,
+                &y,
+            )?;
         }
         Ok(compiled)
     }
@@ -256,71 +264,6 @@ impl<'a> Pass<'a> {
                 moves || self.q[at.q + i].to_bits() == compiled.q[at.q + i].to_bits()
             })
         })
-    }
-
-    /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.
-    fn load(&self, phase: &mut Phase, end: f64) -> Result<Vec<Meaning>, SetupError> {
-        let figure = &self.simulation.figure;
-        let (mut watched, mut meanings) = (Vec::new(), Vec::new());
-        let mut watch = |what, meaning| {
-            watched.push(what);
-            meanings.push(meaning);
-        };
-        for (dof, driven) in self.driven.iter().enumerate() {
-            if figure.follows(dof) {
-                continue;
-            }
-            match &driven.mode {
-                Mode::Still => {}
-                Mode::Path(path) => phase.set_path(dof, path.during(self.t, end)),
-                Mode::Force(force) => phase.set_force(dof, force.during(self.t, end)),
-                Mode::Track(_, force) => phase.set_force(dof, crate::drive::force::Force::Constant(*force)),
-            }
-            if let Some((_, position)) = driven.held {
-                phase.set_path(dof, Path::Still(position));
-                watch(Watched::Hold { dof, drive: driven.force(self.t) }, Meaning::Release(dof));
-            } else if driven.role() == Role::Dynamic {
-                self.watch_limits(dof, &mut watch);
-            }
-            let steps = &self.simulation.drives[dof];
-            match steps.get(driven.step).map(|step| &step.until) {
-                Some(Until::Position { dof: name, value }) => {
-                    let watched = figure.layout().dof_index(name);
-                    watched.into_iter().for_each(|of| {
-                        watch(Watched::Position { dof: of, value: *value }, Meaning::Until(dof));
-                    });
-                }
-                Some(Until::Velocity { dof: name, value }) => {
-                    let watched = figure.layout().dof_index(name);
-                    watched.into_iter().for_each(|of| {
-                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::Until(dof));
-                    });
-                }
-                _ => {}
-            }
-        }
-        phase.watch(watched)?;
-        Ok(meanings)
-    }
-
-    fn watch_limits(&self, dof: usize, watch: &mut impl FnMut(Watched, Meaning)) {
-        let law = self.simulation.limits[dof];
-        let Some(limits) = self.limits_of(dof).filter(|_| law != LimitLaw::Ignore) else { return };
-        for (side, value) in [(Side::Lower, limits.lower), (Side::Upper, limits.upper)] {
-            if value.is_finite() {
-                let is_hard = matches!(law, LimitLaw::Hard { .. });
-                let meaning = if is_hard { Meaning::Limit(dof, side) } else { Meaning::Kink };
-                watch(Watched::Position { dof, value }, meaning);
-            }
-        }
-    }
-
-    /// The range of a degree of freedom.
-    pub(crate) fn limits_of(&self, dof: usize) -> Option<solaris_model::Limits> {
-        let figure = &self.simulation.figure;
-        let at = figure.layout().joints().partition_point(|at| at.v + at.nv <= dof);
-        let joint = figure.layout().joints()[at];
-        figure.links()[at].joint().kind().axes().get(dof - joint.v)?.limits
     }
 
     /// The force of the frame of every degree of freedom that tracks a target.

@@ -63,7 +63,12 @@ impl Record {
     }
 
     /// The motion.
-    pub(crate) fn motion(self, figure: &Figure, gravity: Vector3<f64>, rate: f64) -> Result<Motion, SetupError> {
+    pub(crate) fn motion(
+        self,
+        figure: &Figure,
+        gravity: Vector3<f64>,
+        rate: f64,
+    ) -> Result<Motion, SetupError> {
         let info = MotionInfo { fingerprint: figure.fingerprint(), gravity, ground: None, rate };
         let mut times = self.times;
         times.truncate(self.done);

@@ -33,11 +33,8 @@ impl Frames {
         let timeless = simulation.drives.iter().all(
             |steps| matches!(steps.as_slice(), [step] if matches!(step.drive, Drive::Free | Drive::Frozen)),
         );
-        let Some(Beside { method, motion }) =
-            found.beside.as_ref().filter(|_| timeless && sensitivity.is_chaotic)
-        else {
-            return None;
-        };
+        let beside = found.beside.as_ref().filter(|_| timeless && sensitivity.is_chaotic);
+        let Beside { method, motion } = beside?;
         let rate = motion.info.rate;
         let settings =
             Settings { forces: false, estimate: false, method: *method, ..Settings::new(1.0 / rate, rate) };

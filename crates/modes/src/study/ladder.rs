@@ -2,8 +2,8 @@
 
 use crate::settings::{Method, Rule};
 
-/// Every method from coarse to fine: the fixed rules at steps from 1/30 s to 1e-5 s, the methods that choose their steps at
-/// tolerances from 1e-3 to 1e-11, and the automatic choice for three tolerances.
+/// Every method from coarse to fine: the fixed rules at steps from 1/30 s to 1e-5 s, the methods that choose their steps
+/// at tolerances from 1e-3 to 1e-11, and the automatic choice for three tolerances.
 pub fn ladder() -> Vec<Method> {
     let fixed = |rule: Rule| {
         let steps: &[f64] = &[1.0 / 30.0, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5];
@@ -18,6 +18,18 @@ pub fn ladder() -> Vec<Method> {
         .chain(tolerances.map(|tolerance| Method::Stiff { tolerance }))
         .chain(automatic)
         .collect()
+}
+
+/// The methods as they are run at so many frames a second (1/s): no fixed step is longer than a frame, and none comes
+/// twice.
+pub(super) fn fitted(methods: &[Method], rate: f64) -> Vec<Method> {
+    let fit = |method: &Method| match *method {
+        Method::Fixed { rule, step } => Method::Fixed { rule, step: step.min(rate.recip()) },
+        other => other,
+    };
+    let mut fitted: Vec<Method> = methods.iter().map(fit).collect();
+    fitted.dedup();
+    fitted
 }
 
 /// What a method is called.
@@ -58,6 +70,15 @@ mod tests {
         assert_eq!(texts, ["1e-3 s", "3e-4 s", "3.3e-2 s", "2.5e-4 s"]);
         assert_eq!(setting(Method::Stiff { tolerance: 1e-9 }), "1e-9");
         assert_eq!(method_name(Method::Fixed { rule, step: 1.0 }), "Runge-Kutta 4");
+    }
+
+    #[test]
+    fn no_step_is_longer_than_a_frame() {
+        let rule = Rule::RungeKutta4;
+        let methods = [0.1, 0.03, 1e-3].map(|step| Method::Fixed { rule, step });
+        let expected = [0.01, 1e-3].map(|step| Method::Fixed { rule, step });
+        assert_eq!(fitted(&methods, 100.0), expected);
+        assert_eq!(fitted(&ladder(), 10.0), ladder());
     }
 
     #[test]

@@ -42,7 +42,8 @@ pub(super) fn drift(simulation: &Simulation, motion: &Motion) -> Option<Momentum
     Some(worst)
 }
 
-/// Whether every root moves freely in all directions, with nothing that drives or holds it, and no spring ends in the world.
+/// Whether every root moves freely in all directions, with nothing that drives or holds it, and no spring ends in the
+/// world.
 fn is_adrift(simulation: &Simulation) -> bool {
     let figure = simulation.figure();
     let joints = figure.links().iter().zip(figure.layout().joints());

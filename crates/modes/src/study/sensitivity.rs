@@ -12,8 +12,8 @@ use solaris_model::Motion;
 /// What a small change at the beginning comes to, and how long motions can be compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// By how much a change of [`Sensitivity::CHANGE`] at the beginning is greater at the worst frame; nothing where dynamics
-    /// move nothing from the beginning, or where the changed run came to trouble.
+    /// By how much a change of [`Sensitivity::CHANGE`] at the beginning is greater at the worst frame; nothing where
+    /// dynamics move nothing from the beginning, or where the changed run came to trouble.
     pub growth: Option<f64>,
     /// The time (s) up to which errors are given: the last frame at which the reference is known to a tenth of the wanted
     /// error; later, rounding and the last digits of the start decide where the figure is.

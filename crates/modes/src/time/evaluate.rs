@@ -11,8 +11,8 @@ pub(super) struct Evaluator<'a, S: System + ?Sized> {
     pub(super) counts: &'a mut Counts,
     /// What `counts.evaluations` may not exceed.
     most: u64,
-    /// The last instant at which anything is asked: just before the end of the stretch, so that a rate that jumps at the end is
-    /// the one from before the jump.
+    /// The last instant at which anything is asked: just before the end of the stretch, so that a rate that jumps at the
+    /// end is the one from before the jump.
     last: f64,
 }
 

@@ -145,8 +145,8 @@ impl Stepper {
     ///
     /// # Source
     ///
-    /// W. Kutta: Beitrag zur näherungsweisen Integration totaler Differentialgleichungen. Zeitschrift für Mathematik und Physik
-    /// 46 (1901), 435–453.
+    /// W. Kutta: Beitrag zur näherungsweisen Integration totaler Differentialgleichungen. Zeitschrift für Mathematik und
+    /// Physik 46 (1901), 435–453.
     fn runge_kutta<S: System + ?Sized>(
         &mut self,
         evaluator: &mut Evaluator<'_, S>,
@@ -193,8 +193,8 @@ impl Watch {
         Ok(Some(Self { sides, values, state: y.to_vec(), scratch: vec![0.0; events] }))
     }
 
-    /// The fraction of the step from `y` to `stepper.next` at which the first functions come to zero; `state` is then the state
-    /// there.
+    /// The fraction of the step from `y` to `stepper.next` at which the first functions come to zero; `state` is then the
+    /// state there.
     fn look<S: System + ?Sized>(
         &mut self,
         evaluator: &mut Evaluator<'_, S>,

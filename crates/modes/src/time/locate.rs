@@ -4,8 +4,8 @@ use super::TimeError;
 
 /// Values within this many roundings of zero at the beginning of a stretch are zero: where an event was located.
 const AT_START: f64 = 4.0 * f64::EPSILON;
-/// Values within this many roundings of zero at the end of a step have come to zero. More than [`AT_START`], so that nothing can
-/// be too near to be seen from where it is going to, and too near to be seen from where it came.
+/// Values within this many roundings of zero at the end of a step have come to zero. More than [`AT_START`], so that
+/// nothing can be too near to be seen from where it is going to, and too near to be seen from where it came.
 const AT_END: f64 = 16.0 * f64::EPSILON;
 /// Where in the first step it is seen to which side a function leaves zero.
 const PROBE: f64 = 1.0 / 4096.0;
@@ -87,8 +87,8 @@ impl Sides {
         Ok(Some(found))
     }
 
-    /// Tells the sides of functions that had none: by the beginning of the step, or, where they begin at zero, by how they
-    /// leave it. The fractions between which the first zero is, if there is one.
+    /// Tells the sides of functions that had none: by the beginning of the step, or, where they begin at zero, by how
+    /// they leave it. The fractions between which the first zero is, if there is one.
     fn take_sides(&mut self, probe: Probe<'_>) -> Result<(f64, f64), TimeError> {
         let mut leaving = false;
         for i in 0..self.side.len() {
@@ -131,14 +131,14 @@ impl Sides {
         }
     }
 
-    /// Brackets the first zero, by the method ITP: interpolation, cut short and projected so that it never needs more than one
-    /// evaluation more than bisection.
+    /// Brackets the first zero, by the method ITP: interpolation, cut short and projected so that it never needs more
+    /// than one evaluation more than bisection.
     ///
     /// # Source
     ///
-    /// I. F. D. Oliveira, R. H. C. Takahashi: An Enhancement of the Bisection Method Average Performance Preserving Minmax
-    /// Optimality. ACM Transactions on Mathematical Software 47 (2021), 5:1–5:24. With κ₁ = 0.2, κ₂ = 2, n₀ = 1. Of several
-    /// functions the one with the earliest interpolated zero leads.
+    /// I. F. D. Oliveira, R. H. C. Takahashi: An Enhancement of the Bisection Method Average Performance Preserving
+    /// Minmax Optimality. ACM Transactions on Mathematical Software 47 (2021), 5:1–5:24. With κ₁ = 0.2, κ₂ = 2, n₀ = 1.
+    /// Of several functions the one with the earliest interpolated zero leads.
     fn bracket(
         &mut self,
         resolution: f64,

@@ -5,28 +5,30 @@ mod equations;
 use super::evaluate::{Evaluator, finite};
 use super::locate::{Look, Sides};
 use super::stepping::Course;
-use super::{Stopped, System, TimeError, fixed};
+use super::{RateError, Stopped, System, TimeError, fixed};
 use crate::report::Counts;
 use crate::settings::Rule;
 use diffsol::error::OdeSolverError;
 use diffsol::ode_solver::OdeSolverStatistics;
 use diffsol::{
-    BdfState, DiffsolError, NalgebraContext, NalgebraLU, OdeBuilder, OdeSolverMethod, OdeSolverProblem,
-    OdeSolverState, OdeSolverStopReason, RkState, Tableau, Vector, VectorCommon,
+    BdfState, DiffsolError, NalgebraContext, NalgebraLU, OdeBuilder, OdeSolverConfig, OdeSolverMethod,
+    OdeSolverProblem, OdeSolverState, OdeSolverStopReason, RkState, Tableau, Vector, VectorCommon,
 };
 use equations::{Equations, Mat, Stretch, Vect};
 
-/// Spans shorter than this many roundings of the time cannot be told from the crate's stop times; they are one step of a fixed
-/// rule.
+/// Spans shorter than this many roundings of the time cannot be told from the crate's stop times; they are one step of a
+/// fixed rule.
 const SHORTEST: f64 = 4000.0 * f64::EPSILON;
+
+const TOO_SHORT: &str = "no step is short enough to meet its tolerance";
 
 /// Which kind of method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// The explicit rule of order five of Tsitouras, with its estimate of order four.
     ///
-    /// C. Tsitouras: Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption. Computers and
-    /// Mathematics with Applications 62 (2011), 770–775.
+    /// C. Tsitouras: Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption. Computers
+    /// and Mathematics with Applications 62 (2011), 770–775.
     Adaptive,
     /// Backward differentiation formulas of orders one to five.
     Stiff,
@@ -89,8 +91,8 @@ impl Run<'_> {
             .atol([self.tolerance])
             .build_from_eqn(equations)
             .map_err(|error| self.stuck(from, &error))?;
-        problem.ode_options.min_timestep = 16.0 * f64::EPSILON * from.abs().max(to.abs());
-        // This one is counted over the whole stretch, not for each step; a step that shrinks without end is found by its length.
+        // This one is counted over the whole stretch, not for each step; a step that shrinks without end is found by its
+        // length.
         problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
         match self.kind {
             Kind::Adaptive => {
@@ -137,19 +139,29 @@ impl Run<'_> {
         let mut room = Room::new(self.y.len(), sides.as_ref().map_or(0, Sides::len), *problem.context());
         let mut shown = self.frames.partition_point(|&frame| frame <= from);
         loop {
+            let shortest = (16.0 * f64::EPSILON * before.time.abs()).max(f64::MIN_POSITIVE);
+            *solver.config_mut().as_base_mut().minimum_timestep = shortest;
             let stepped = solver.step();
             self.count(solver.get_statistics());
             self.y.copy_from_slice(solver.state().y.inner().as_slice());
             problem.eqn.host.borrow().settle(self.y);
             let reached = match (stepped, problem.eqn.take_failure()) {
-                (_, Some(failure @ TimeError::Evaluations { .. })) | (Err(_), Some(failure)) => {
+                (_, Some(failure)) if is_final(&failure) => return Err(failure),
+                (Err(_), Some(failure)) => {
                     return Err(failure);
                 }
                 (Err(error), None) => return Err(self.stuck(before.time, &error)),
                 // What failed in a trial that was rejected has found a way around.
                 (Ok(reason), _) => reason == OdeSolverStopReason::TstopReached,
             };
+            // A step without the Jacobian that it needs is as short as an explicit one, and there is no end to them.
+            if let Some(failure) = problem.eqn.jacobian_failure() {
+                return Err(failure);
+            }
             let now = if reached { to } else { solver.state().t };
+            if now <= before.time {
+                return Err(stuck_because(self.kind, now, TOO_SHORT.to_owned()));
+            }
             let mut end = now;
             if let Some(sides) = &mut sides
                 && let Some(fraction) = before.look(sides, &problem.eqn, &solver, &mut room, now, self.y)?
@@ -252,6 +264,11 @@ impl Room {
     }
 }
 
+/// Whether a failure leaves nothing to try.
+fn is_final(failure: &TimeError) -> bool {
+    matches!(failure, TimeError::Evaluations { .. } | TimeError::Rate { source: RateError::Stopped, .. })
+}
+
 fn size(y: &[f64]) -> f64 {
     y.iter().fold(0.0, |most, entry| most.max(entry.abs()))
 }
@@ -259,13 +276,15 @@ fn size(y: &[f64]) -> f64 {
 fn stuck(kind: Kind, time: f64, error: &DiffsolError) -> TimeError {
     use OdeSolverError::{StepSizeTooSmall, TooManyErrorTestFailures};
     let why = match error {
-        DiffsolError::OdeSolverError(StepSizeTooSmall { .. }) => {
-            "no step is short enough to meet its tolerance".to_owned()
-        }
+        DiffsolError::OdeSolverError(StepSizeTooSmall { .. }) => TOO_SHORT.to_owned(),
         DiffsolError::OdeSolverError(TooManyErrorTestFailures { .. }) => {
             "ever shorter steps were tried and rejected, 40 in a row".to_owned()
         }
         other => other.to_string(),
     };
+    stuck_because(kind, time, why)
+}
+
+fn stuck_because(kind: Kind, time: f64, why: String) -> TimeError {
     TimeError::Stuck { time, method: kind.name().to_owned(), why }
 }

@@ -92,17 +92,20 @@ pub enum TimeError {
     },
 }
 
+/// Is shown the state of each frame, with its time (s); an error ends the stretch.
+pub type OnFrame<'a, S> = dyn FnMut(&mut S, f64, &[f64]) -> Result<(), RateError> + 'a;
+
 /// Steps `y` from the time `span.0` to `span.1` (s), or to the first event.
 ///
-/// `frames` are times (s), rising, at which `frame(system, time, y)` is called on the way, those at the beginning left out and
-/// those at the end, or at the event, included. A fixed rule steps from frame to frame, in equal steps; the other methods
-/// interpolate. Rates are asked at times from `span.0` on and before `span.1`, so that what jumps at the end of the stretch is
-/// still what it was. `counts.evaluations` may not grow beyond `most`.
+/// `frames` are times (s), rising, at which `frame(system, time, y)` is called on the way, those at the beginning left
+/// out and those at the end, or at the event, included. A fixed rule steps from frame to frame, in equal steps; the other
+/// methods interpolate. Rates are asked at times from `span.0` on and before `span.1`, so that what jumps at the end of
+/// the stretch is still what it was. `counts.evaluations` may not grow beyond `most`.
 ///
-/// An event is where an event function comes to zero from one side, as seen at the ends of steps; one that is zero, to rounding,
-/// at the beginning is watched from where it has left zero, to the side where it is 1/4096 of the first step later. One that
-/// crosses zero twice within one step is not seen to. Events are located to rounding, the first of several is where the
-/// stretch ends, and `y` is then the state there: on the zero, or just before it.
+/// An event is where an event function comes to zero from one side, as seen at the ends of steps; one that is zero, to
+/// rounding, at the beginning is watched from where it has left zero, to the side where it is 1/4096 of the first step
+/// later. One that crosses zero twice within one step is not seen to. Events are located to rounding, the first of
+/// several is where the stretch ends, and `y` is then the state there: on the zero, or just before it.
 ///
 /// # Errors
 ///
@@ -117,7 +120,7 @@ pub fn advance<S: System + ?Sized>(
     span: (f64, f64),
     y: &mut [f64],
     frames: &[f64],
-    frame: &mut dyn FnMut(&mut S, f64, &[f64]) -> Result<(), RateError>,
+    frame: &mut OnFrame<'_, S>,
     most: u64,
     counts: &mut Counts,
 ) -> Result<Stopped, TimeError> {
@@ -139,15 +142,18 @@ pub fn advance<S: System + ?Sized>(
             solver::advance(evaluator, solver::Kind::Adaptive, tolerance, y, course)
         }
         #[cfg(feature = "stiff")]
-        Stepping::Stiff { tolerance } => solver::advance(evaluator, solver::Kind::Stiff, tolerance, y, course),
+        Stepping::Stiff { tolerance } => {
+            solver::advance(evaluator, solver::Kind::Stiff, tolerance, y, course)
+        }
     }
 }
 
 /// From when to when, and who looks on.
+#[allow(clippy::type_complexity, reason = "as in `advance`")]
 pub(super) struct Course<'a, S: ?Sized> {
     pub(super) span: (f64, f64),
     pub(super) frames: &'a [f64],
-    frame: &'a mut dyn FnMut(&mut S, f64, &[f64]) -> Result<(), RateError>,
+    frame: &'a mut OnFrame<'a, S>,
 }
 
 impl<S: ?Sized> Course<'_, S> {

@@ -1,6 +1,6 @@
 //! Both methods that choose their steps: accuracy, frames, events, and refusals.
 
-use crate::problems::{Equations, Motion, PENDULUM, frames_of, run, run_between};
+use crate::problems::{Equations, Jacobian, Motion, PENDULUM, Rate, frames_of, run, run_between};
 use nalgebra::DMatrix;
 use solaris_modes::Counts;
 use solaris_modes::time::{RateError, Stepping, TimeError, advance};
@@ -11,16 +11,15 @@ fn both(tolerance: f64) -> [Stepping; 2] {
     [Stepping::Adaptive { tolerance }, Stepping::Stiff { tolerance }]
 }
 
-type Rate = fn(f64, &[f64], &mut [f64]) -> Result<(), RateError>;
-
-fn system(rate: Rate) -> Equations<Rate, fn(f64, &[f64], &mut DMatrix<f64>)> {
+fn system(rate: Rate) -> Equations<Rate, Jacobian> {
     Equations { len: 1, rate, jacobian: |_, y, jacobian| jacobian.fill(2.0 * y[0]) }
 }
 
 #[test]
 fn a_pendulum_is_right_to_the_digits_that_the_tolerance_promises() {
     for tolerance in [1e-6, 1e-8, 1e-10] {
-        // Errors of single steps add up: over four periods, to some hundreds and, of the method for stiff scenes, thousands.
+        // Errors of single steps add up: over four periods, to some hundreds and, of the method for stiff scenes,
+        // thousands.
         for (stepping, factor) in both(tolerance).into_iter().zip([300.0, 3000.0]) {
             let mut y = PENDULUM.start;
             run(&mut Motion::new(PENDULUM.acceleration), stepping, 10.0, &mut y).expect("runs");
@@ -35,8 +34,7 @@ fn frames_are_interpolated_and_the_end_is_exact() {
     let times: Vec<f64> = (0..=300).map(|i| f64::from(i) / 30.0).collect();
     for stepping in both(1e-9) {
         let mut y = [1.0, 0.0];
-        let (stopped, shown) =
-            frames_of(&mut Motion::new(|_, q, _| -q), stepping, 10.0, &mut y, &times);
+        let (stopped, shown) = frames_of(&mut Motion::new(|_, q, _| -q), stepping, 10.0, &mut y, &times);
         assert_eq!(stopped.time.to_bits(), 10.0_f64.to_bits());
         assert_eq!(shown.len(), 300);
         for ((time, state), asked) in shown.iter().zip(&times[1..]) {
@@ -178,8 +176,9 @@ fn no_more_is_evaluated_than_was_allowed() {
         let (mut y, mut counts) = ([1.0, 0.0], Counts::default());
         let mut oscillator = Motion::new(|_, q, _| -q);
         let mut nobody = |_: &mut _, _, _: &[f64]| Ok(());
-        let error = advance(&mut oscillator, stepping, (0.0, 1e3), &mut y, &[], &mut nobody, 200, &mut counts)
-            .expect_err("spent");
+        let error =
+            advance(&mut oscillator, stepping, (0.0, 1e3), &mut y, &[], &mut nobody, 200, &mut counts)
+                .expect_err("spent");
         assert!(matches!(error, TimeError::Evaluations { evaluations: 200, .. }), "{error}");
         assert_eq!(counts.evaluations, 200);
         approx::assert_abs_diff_eq!(y[0] * y[0] + y[1] * y[1], 1.0, epsilon = 1e-4);
@@ -216,7 +215,8 @@ fn the_same_stretch_gives_the_same_bits() {
     for stepping in both(1e-7) {
         let end = || {
             let mut y = PENDULUM.start;
-            let (_, counts) = run(&mut Motion::new(PENDULUM.acceleration), stepping, 3.0, &mut y).expect("runs");
+            let (_, counts) =
+                run(&mut Motion::new(PENDULUM.acceleration), stepping, 3.0, &mut y).expect("runs");
             (y.map(f64::to_bits), counts)
         };
         assert_eq!(end(), end());

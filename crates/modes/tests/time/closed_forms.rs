@@ -49,7 +49,10 @@ fn the_semi_implicit_rule_keeps_the_energy_of_an_oscillator_for_a_hundred_thousa
         (least, most, time) = (least.min(energy), most.max(energy), to);
     }
     // The rule keeps ½(q² + v² − h·q·v), which holds the energy within ½/(1 ± h/2).
-    assert!(least > 0.5 / (1.0 + 0.5 * step) - 1e-6 && most < 0.5 / (1.0 - 0.5 * step) + 1e-6, "{least} {most}");
+    assert!(
+        least > 0.5 / (1.0 + 0.5 * step) - 1e-6 && most < 0.5 / (1.0 - 0.5 * step) + 1e-6,
+        "{least} {most}"
+    );
     // Explicit Euler multiplies it by 1 + h² in every step.
     let mut y = [1.0, 0.0];
     run(&mut oscillator, fixed(Rule::ExplicitEuler, step), 100.0 * step, &mut y).expect("runs");
@@ -73,12 +76,16 @@ fn frames_are_shown_on_the_way_and_do_not_lengthen_the_steps() {
     let mut oscillator = Motion::new(|_, q, _| -q);
     let (stopped, shown) = frames_of(&mut oscillator, fixed(Rule::RungeKutta4, 0.1), 1.0, &mut y, &times);
     approx::assert_abs_diff_eq!(stopped.time, 1.0);
-    assert_eq!(shown.iter().map(|(time, _)| time.to_bits()).collect::<Vec<_>>(), [0.3_f64, 0.35, 1.0].map(f64::to_bits));
+    assert_eq!(
+        shown.iter().map(|(time, _)| time.to_bits()).collect::<Vec<_>>(),
+        [0.3_f64, 0.35, 1.0].map(f64::to_bits)
+    );
     for (time, y) in &shown {
         approx::assert_abs_diff_eq!(y[0], time.cos(), epsilon = 1e-6);
     }
     // Three steps, one, seven.
-    let (_, counts) = run(&mut oscillator, fixed(Rule::RungeKutta4, 0.1), 0.3, &mut [1.0, 0.0]).expect("runs");
+    let (_, counts) =
+        run(&mut oscillator, fixed(Rule::RungeKutta4, 0.1), 0.3, &mut [1.0, 0.0]).expect("runs");
     assert_eq!((counts.steps, counts.evaluations), (3, 12));
 }
 
@@ -95,7 +102,8 @@ fn what_jumps_at_the_end_of_a_stretch_has_not_jumped_yet() {
 fn the_same_stretch_gives_the_same_bits() {
     let end = || {
         let mut y = PENDULUM.start;
-        run(&mut Motion::new(PENDULUM.acceleration), fixed(Rule::RungeKutta4, 1e-2), 3.0, &mut y).expect("runs");
+        run(&mut Motion::new(PENDULUM.acceleration), fixed(Rule::RungeKutta4, 1e-2), 3.0, &mut y)
+            .expect("runs");
         y.map(f64::to_bits)
     };
     assert_eq!(end(), end());

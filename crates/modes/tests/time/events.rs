@@ -98,7 +98,8 @@ fn a_function_that_starts_at_zero_is_watched_from_where_it_has_left() {
     // Thrown up from the floor: down again after 2v/g, within the first step or after many.
     for step in [1.0, 1e-2] {
         let mut ball = Motion::new(|_, _, _| -G).event(|_, q, _| q);
-        let (stopped, _) = run(&mut ball, fixed(Rule::RungeKutta4, step), 10.0, &mut [0.0, 2.0]).expect("runs");
+        let (stopped, _) =
+            run(&mut ball, fixed(Rule::RungeKutta4, step), 10.0, &mut [0.0, 2.0]).expect("runs");
         assert_eq!(stopped.events, [0]);
         approx::assert_abs_diff_eq!(stopped.time, 4.0 / G, epsilon = 1e-12);
     }

@@ -1,5 +1,7 @@
 //! Equations whose solutions are known, as systems.
 
+#![allow(dead_code, reason = "each of the test programs uses a part")]
+
 use nalgebra::DMatrix;
 use solaris_modes::time::{RateError, Stepping, Stopped, System, TimeError, advance};
 use solaris_modes::{Counts, Rule};
@@ -68,6 +70,9 @@ pub(crate) struct Equations<F, J> {
     pub(crate) jacobian: J,
 }
 
+pub(crate) type Rate = fn(f64, &[f64], &mut [f64]) -> Result<(), RateError>;
+pub(crate) type Jacobian = fn(f64, &[f64], &mut DMatrix<f64>);
+
 impl<F, J> System for Equations<F, J>
 where
     F: FnMut(f64, &[f64], &mut [f64]) -> Result<(), RateError>,
@@ -125,7 +130,8 @@ pub(crate) fn frames_of(
         shown.push((time, y.to_vec()));
         Ok(())
     };
-    let stopped = advance(system, stepping, (0.0, to), y, frames, &mut show, u64::MAX, &mut counts).expect("runs");
+    let stopped =
+        advance(system, stepping, (0.0, to), y, frames, &mut show, u64::MAX, &mut counts).expect("runs");
     (stopped, shown)
 }
 

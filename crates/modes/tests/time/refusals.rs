@@ -1,13 +1,10 @@
 //! What a stretch is refused for, and where it then ends.
 
-use crate::problems::{Equations, Motion, fixed, run};
-use nalgebra::DMatrix;
+use crate::problems::{Equations, Jacobian, Motion, Rate, fixed, run};
 use solaris_modes::time::{RateError, Stepping, TimeError, advance};
 use solaris_modes::{Counts, Rule};
 
-type Rate = fn(f64, &[f64], &mut [f64]) -> Result<(), RateError>;
-
-fn system(rate: Rate) -> Equations<Rate, fn(f64, &[f64], &mut DMatrix<f64>)> {
+fn system(rate: Rate) -> Equations<Rate, Jacobian> {
     Equations { len: 1, rate, jacobian: |_, _, jacobian| jacobian.fill(0.0) }
 }
 
@@ -19,7 +16,10 @@ fn a_rate_that_is_no_number_ends_the_stretch_at_the_last_good_state() {
     });
     let mut y = [0.0];
     let error = run(&mut broken, fixed(Rule::RungeKutta4, 0.1), 1.0, &mut y).expect_err("no rate");
-    assert!(matches!(error, TimeError::Rate { source: RateError::NotFinite { index: 0, .. }, .. }), "{error}");
+    assert!(
+        matches!(error, TimeError::Rate { source: RateError::NotFinite { index: 0, .. }, .. }),
+        "{error}"
+    );
     assert!(error.to_string().contains("entry 0 of the rate is NaN"), "{error}");
     approx::assert_abs_diff_eq!(y[0], 0.4, epsilon = 1e-12);
 }
@@ -34,7 +34,8 @@ fn a_state_that_overflows_is_refused() {
     let error = run(&mut exploding, fixed(Rule::ExplicitEuler, 1.0), 1.0, &mut y).expect_err("too large");
     assert!(matches!(error, TimeError::Rate { source: RateError::NotFinite { .. }, .. }), "{error}");
     approx::assert_abs_diff_eq!(y[0], 1e308);
-    let error = run(&mut exploding, fixed(Rule::ExplicitEuler, 1.0), 1.0, &mut [f64::NAN]).expect_err("no state");
+    let error =
+        run(&mut exploding, fixed(Rule::ExplicitEuler, 1.0), 1.0, &mut [f64::NAN]).expect_err("no state");
     assert!(matches!(error, TimeError::Rate { .. }), "{error}");
 }
 
@@ -77,9 +78,11 @@ fn no_more_is_evaluated_than_was_allowed() {
 #[test]
 fn steps_tolerances_and_times_that_are_none_are_refused() {
     let mut oscillator = Motion::new(|_, q, _| -q);
-    for stepping in
-        [fixed(Rule::RungeKutta4, 0.0), fixed(Rule::RungeKutta4, f64::NAN), Stepping::Adaptive { tolerance: -1.0 }]
-    {
+    for stepping in [
+        fixed(Rule::RungeKutta4, 0.0),
+        fixed(Rule::RungeKutta4, f64::NAN),
+        Stepping::Adaptive { tolerance: -1.0 },
+    ] {
         let error = run(&mut oscillator, stepping, 1.0, &mut [1.0, 0.0]).expect_err("no step");
         assert!(matches!(error, TimeError::Range { .. }), "{error}");
     }
@@ -91,7 +94,8 @@ fn steps_tolerances_and_times_that_are_none_are_refused() {
 #[test]
 fn a_stretch_of_no_length_is_at_its_end() {
     let (stopped, counts) =
-        run(&mut Motion::new(|_, q, _| -q), fixed(Rule::RungeKutta4, 0.1), 0.0, &mut [1.0, 0.0]).expect("runs");
+        run(&mut Motion::new(|_, q, _| -q), fixed(Rule::RungeKutta4, 0.1), 0.0, &mut [1.0, 0.0])
+            .expect("runs");
     assert!(stopped.events.is_empty());
     assert_eq!(counts, Counts::default());
 }

@@ -26,22 +26,29 @@ fn van_der_pols_relaxation_oscillator_is_where_it_is_known_to_be() {
     }
 }
 
-/// At 1e11 s: F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers (2008), problem ROBER. At 40 s: two methods of
-/// orders three and five at tolerances of 1e-12 agree on the digits given.
+/// At 1e11 s: F. Mazzia, C. Magherini, Test Set for Initial Value Problem Solvers (2008), problem ROBER. At 40 s: two
+/// methods of orders three and five at tolerances of 1e-12 agree on the digits given.
 #[test]
 fn robertsons_reaction_is_where_it_is_known_to_be() {
     let (y, _) = end(&mut robertson(), stiff(1e-11), 40.0, &[1.0, 0.0, 0.0]);
     approx::assert_abs_diff_eq!(y[0], 0.715_827_068_7, epsilon = 1e-9);
     let (y, evaluations) = end(&mut robertson(), stiff(1e-13), 1e11, &[1.0, 0.0, 0.0]);
-    for (y, exact) in y.iter().zip([0.208_334_014_970_125_5e-7, 0.833_336_077_033_471_3e-13, 0.999_999_979_166_505]) {
+    for (y, exact) in
+        y.iter().zip([0.208_334_014_970_125_5e-7, 0.833_336_077_033_471_3e-13, 0.999_999_979_166_505])
+    {
         approx::assert_abs_diff_eq!(*y, exact, epsilon = 1e-11);
     }
     assert!(evaluations < 5000, "{evaluations} evaluations");
 }
 
 /// Height of the base at 0.5, 1, 2, 5 and 10 s, and the speed of the shaft at the end.
-const GOVERNOR: [(f64, f64); 5] =
-    [(0.5, 0.743_249_425), (1.0, 0.501_420_922), (2.0, 0.505_909_294), (5.0, 0.535_563_104), (10.0, 0.619_622_917)];
+const GOVERNOR: [(f64, f64); 5] = [
+    (0.5, 0.743_249_425),
+    (1.0, 0.501_420_922),
+    (2.0, 0.505_909_294),
+    (5.0, 0.535_563_104),
+    (10.0, 0.619_622_917),
+];
 
 #[test]
 fn a_flyball_governor_is_where_other_programs_put_it() {

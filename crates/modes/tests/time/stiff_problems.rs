@@ -43,15 +43,17 @@ pub(crate) fn robertson() -> impl System {
     }
 }
 
-/// A flyball governor whose two rods move alike: height of its base, angle of its rods, turning of its shaft, and their rates.
+/// A flyball governor whose two rods move alike: height of its base, angle of its rods, turning of its shaft, and their
+/// rates.
 ///
-/// The parameters are those of the stiff problem of the `IFToMM` library of benchmarks (`OpenSim`'s version of it): a shaft of 0.3 kg, a base
-/// of 3 kg that slides on it, two rods of 1 m and 0.3 kg with 5 kg at their ends, springs of 8e5 N/m and 4e4 N s/m and 0.5 m from
-/// the base to the middles of the rods.
+/// The parameters are those of the stiff problem of the `IFToMM` library of benchmarks (`OpenSim`'s version of it): a
+/// shaft of 0.3 kg, a base of 3 kg that slides on it, two rods of 1 m and 0.3 kg with 5 kg at their ends, springs of 8e5
+/// N/m and 4e4 N s/m and 0.5 m from the base to the middles of the rods.
 pub(crate) struct Governor;
 
 impl Governor {
-    pub(crate) const START: [f64; 6] = [0.5, std::f64::consts::FRAC_PI_3, 0.0, 0.0, 0.0, std::f64::consts::TAU];
+    pub(crate) const START: [f64; 6] =
+        [0.5, std::f64::consts::FRAC_PI_3, 0.0, 0.0, 0.0, std::f64::consts::TAU];
 }
 
 impl System for Governor {
@@ -63,15 +65,14 @@ impl System for Governor {
         let (g, stiffness, damping, rest) = (9.81, 8e5, 4e4, 0.5);
         let (s, (sin, cos)) = (y[0], y[1].sin_cos());
         let (height, swing, spin) = (y[3], y[4], y[5]);
-        // A box of mass m and half sizes a, b has m(a² + b²)/3 about the third axis.
+        // A box of mass m and half sizes a, b has m(a² + b²)/3 about the third axis; that of the base is 3 kg.
         let (across, along) = (0.3 / 3.0 * (0.005_f64.powi(2) + 0.25), 0.3 / 3.0 * 2.0 * 0.005_f64.powi(2));
         let inertia = 2.0 * (0.3 * 0.25 + across + 5.0);
         let (middle, end) = (0.05 + 0.5 * sin, 0.05 + sin);
         let about = 0.3 / 3.0 * 2.0 * 0.005_f64.powi(2)
-            + 3.0 / 3.0 * 2.0 * 0.05_f64.powi(2)
+            + 2.0 * 0.05_f64.powi(2)
             + 2.0 * (0.3 * middle * middle + 5.0 * end * end + across * sin * sin + along * cos * cos);
-        let slope =
-            2.0 * (0.3 * middle * cos + 10.0 * end * cos + 2.0 * (across - along) * sin * cos);
+        let slope = 2.0 * (0.3 * middle * cos + 10.0 * end * cos + 2.0 * (across - along) * sin * cos);
         let (x, z) = (0.5 * sin, 1.0 - 0.5 * cos - s);
         let length = x.hypot(z);
         let (by_swing, by_height) = (0.5 * (x * cos + z * sin) / length, -z / length);

@@ -37,8 +37,9 @@ impl Field {
     }
 }
 
-/// Error against work as the text of an SVG file: one line for each method, each point a setting. Settings without a result,
-/// or with an error above 10, stand in a strip over the field. The same diagram gives the same text, byte for byte.
+/// Error against work as the text of an SVG file: one line for each method, each point a setting. Settings without a
+/// result, or with an error above 10, stand in a strip over the field. The same diagram gives the same text, byte for
+/// byte.
 ///
 /// # Examples
 ///

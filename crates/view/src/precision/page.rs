@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 const TEMPLATE: &str = include_str!("../../assets/precision.html");
 const STYLE: &str = include_str!("../../assets/precision.css");
 
-/// A page with what was found, error against time and against evaluations, and the tables: a whole HTML file as text, which
-/// needs nothing else and no scripts. The same report gives the same text, byte for byte.
+/// A page with what was found, error against time and against evaluations, and the tables: a whole HTML file as text,
+/// which needs nothing else and no scripts. The same report gives the same text, byte for byte.
 pub fn page(report: &Report) -> String {
     let diagram = &report.diagram;
     let points = || diagram.series.iter().flat_map(|series| &series.points);

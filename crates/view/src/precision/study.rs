@@ -5,8 +5,8 @@ use crate::profile::number;
 use solaris_modes::Method;
 use solaris_modes::study::{Accuracy, Row, Study, method_name, setting};
 
-/// A study as a report: findings, pictures, tables. `title` says of what; `duration` (s) and `rate` (1/s) are those of the
-/// runs.
+/// A study as a report: findings, pictures, tables. `title` says of what; `duration` (s) and `rate` (1/s) are those of
+/// the runs.
 pub fn report(study: &Study, title: &str, duration: f64, rate: f64) -> Report {
     let mut tables = vec![settings(study)];
     if study.choices().iter().any(|choice| choice.row.is_some()) {

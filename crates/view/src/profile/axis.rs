@@ -4,9 +4,9 @@ use super::text;
 
 /// The values that a side of a panel shows, and which of them are written.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Axis {
-    pub(super) low: f64,
-    pub(super) high: f64,
+pub(crate) struct Axis {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
     step: f64,
     /// What is written is the value over this power of ten.
     power: i32,
@@ -17,7 +17,7 @@ const TINY: f64 = 1e-280;
 
 impl Axis {
     /// From `low` to `high` with about `count` round numbers; around a single value where they are the same.
-    pub(super) fn new(low: f64, high: f64, count: f64) -> Self {
+    pub(crate) fn new(low: f64, high: f64, count: f64) -> Self {
         let most = low.abs().max(high.abs());
         let power = match most {
             _ if most < TINY => 0,
@@ -37,13 +37,13 @@ impl Axis {
     }
 
     /// The same with `share` of the span added on both sides, where round numbers stay where they are.
-    pub(super) fn padded(self, share: f64) -> Self {
+    pub(crate) fn padded(self, share: f64) -> Self {
         let pad = share * (self.high - self.low);
         Self { low: self.low - pad, high: self.high + pad, ..self }
     }
 
     /// Round numbers with their texts, rising.
-    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         if self.step <= 0.0 {
             let middle = 0.5 * self.low + 0.5 * self.high;
             return vec![(middle, text::shown(middle / self.scale(), 6))];
@@ -63,13 +63,13 @@ impl Axis {
     }
 
     /// Where a value is, from 0 to 1.
-    pub(super) fn share(&self, value: f64) -> f64 {
+    pub(crate) fn share(&self, value: f64) -> f64 {
         let span = 0.5 * self.high - 0.5 * self.low;
         if span > 0.0 { (0.5 * value - 0.5 * self.low) / span } else { 0.0 }
     }
 
     /// The unit of what is written: "10⁻³ rad".
-    pub(super) fn unit(&self, unit: &str) -> String {
+    pub(crate) fn unit(&self, unit: &str) -> String {
         if self.power == 0 {
             return unit.to_owned();
         }

@@ -19,7 +19,7 @@ pub(super) fn ratios() -> Result<Vec<(f64, [f64; 3])>, String> {
 }
 
 /// What a spring of a stiffness (N/m) comes to.
-pub(super) struct Stiffness {
+pub(super) struct Spring {
     pub(super) stiffness: f64,
     /// The longest step (s) at which the classical rule of order four is stable.
     pub(super) longest: f64,
@@ -29,7 +29,7 @@ pub(super) struct Stiffness {
     pub(super) automatic: Result<f64, String>,
 }
 
-pub(super) fn springs() -> Result<Vec<Stiffness>, String> {
+pub(super) fn springs() -> Result<Vec<Spring>, String> {
     let methods =
         [Method::Fixed { rule: Rule::RungeKutta4, step: 1e-3 }, Method::Automatic { tolerance: 1e-6 }];
     let one = |power: i32| {
@@ -42,7 +42,7 @@ pub(super) fn springs() -> Result<Vec<Stiffness>, String> {
         let study = studied(&case, &methods)?;
         let result = |row: usize| study.rows[row].result.clone().map(|accuracy| accuracy.position);
         let longest = stable_step(0.2) / rate;
-        Ok(Stiffness { stiffness, longest, at_a_millisecond: result(0), automatic: result(1) })
+        Ok(Spring { stiffness, longest, at_a_millisecond: result(0), automatic: result(1) })
     };
     [0, 2, 4, 6, 7, 9].into_iter().map(one).collect()
 }

@@ -177,7 +177,7 @@ fn cat() -> Result<Simulation, Faulty> {
     Ok(simulation)
 }
 
-/// The stiff flyball governor of the IFToMM benchmark (A05), z up; 10 s.
+/// The stiff flyball governor of the `IFToMM` benchmark (A05), z up; 10 s.
 pub(super) fn governor() -> Result<Case, Faulty> {
     let solid = |x: f64, y: f64, z: f64, at: Vector3<f64>| {
         let kind = ShapeKind::Box { size: Vector3::new(x, y, z) };

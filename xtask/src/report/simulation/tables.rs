@@ -1,7 +1,7 @@
 //! The tables of docs/trust.md.
 
 use super::between::{self, KINDS, RATES};
-use super::extremes::{self, Stiffness};
+use super::extremes::{self, Spring};
 use super::figures::{Case, closed, conserved, governor};
 use super::widths;
 use crate::report::table::{Cell, Table, number};
@@ -187,7 +187,7 @@ pub(super) fn ratios() -> Result<Table, String> {
 
 /// Springs from soft to hard.
 pub(super) fn stiffness() -> Result<Table, String> {
-    let row = |found: &Stiffness| {
+    let row = |found: &Spring| {
         let said = |result: &Result<f64, String>| match result {
             Ok(error) => cell(*error),
             Err(trouble) => Cell::text(trouble.clone()),
@@ -214,11 +214,7 @@ pub(super) fn stiffness() -> Result<Table, String> {
 pub(super) fn precisions() -> Result<Table, String> {
     let row = |step: &f64| {
         let [single, double] = [widths::error::<f32>(*step), widths::error::<f64>(*step)];
-        Ok(vec![
-            Cell::text(number(*step)),
-            cell(single.map_err(|e| e.to_string())?),
-            cell(double.map_err(|e| e.to_string())?),
-        ])
+        Ok(vec![Cell::text(number(*step)), cell(single?), cell(double?)])
     };
     Ok(Table {
         header: vec!["pendulum, 10 s: step (s)", "f32", "f64"],

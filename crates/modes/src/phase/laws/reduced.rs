@@ -28,14 +28,14 @@ fn leaving_out_changes_no_result_beyond_rounding() {
         found.truncate(end);
         let scale = 1.0 + largest(&expected);
         for (found, expected) in found.iter().zip(&expected) {
-            assert_relative_eq!(found, expected, epsilon = 1e-10 * scale);
+            assert_relative_eq!(found, expected, epsilon = 1e-12 * scale);
         }
         let n = scene.roles.len();
         let (mut a, mut full) = (vec![f64::NAN; n], vec![f64::NAN; n]);
         reduced.accelerations(0.3, &y, &mut a).expect("a state with inertia");
         whole.accelerations(0.3, &y, &mut full).expect("a state with inertia");
         for (found, expected) in a.iter().zip(&full) {
-            assert_relative_eq!(found, expected, epsilon = 1e-10 * scale);
+            assert_relative_eq!(found, expected, epsilon = 1e-12 * scale);
         }
         assert!(whole.report.dropped.is_empty() && whole.report.fused.is_empty());
         let links = scene.simulation.figure.links().len();
@@ -66,7 +66,7 @@ fn the_force_that_holds_something_needs_all_that_it_carries() {
         let [expected, found] = values;
         let scale = 1.0 + largest(&expected);
         for (found, expected) in found.iter().zip(&expected) {
-            assert_relative_eq!(found, expected, epsilon = 1e-10 * scale);
+            assert_relative_eq!(found, expected, epsilon = 1e-12 * scale);
         }
         assert_eq!(reduced.is_dynamic(), !watched.is_empty() || scene.roles.contains(&Role::Dynamic));
         seen += usize::from(reduced.report.dropped.len() < before);

@@ -1,12 +1,12 @@
 //! A stretch as the crate diffsol wants its equations.
 
-use super::Kind;
 use super::super::evaluate::Evaluator;
 use super::super::stepping::Course;
 use super::super::{System, TimeError};
+use super::Kind;
 use diffsol::{
-    ConstantOp, Matrix, MatrixCommon, NalgebraContext, NalgebraMat, NalgebraVec, NonLinearOp, NonLinearOpJacobian,
-    OdeEquations, OdeEquationsRef, Op, UnitCallable, Vector, VectorCommon,
+    ConstantOp, Matrix, MatrixCommon, NalgebraContext, NalgebraMat, NalgebraVec, NonLinearOp,
+    NonLinearOpJacobian, OdeEquations, OdeEquationsRef, Op, UnitCallable, Vector, VectorCommon,
 };
 use nalgebra::DMatrix;
 use std::cell::RefCell;
@@ -14,8 +14,8 @@ use std::cell::RefCell;
 pub(super) type Mat = NalgebraMat<f64>;
 pub(super) type Vect = NalgebraVec<f64>;
 
-/// What is written where there is no rate: so large that every error test refuses the step, and a shorter one is tried. Its
-/// square is still finite.
+/// What is written where there is no rate: so large that every error test refuses the step, and a shorter one is tried.
+/// Its square is still finite.
 const NO_RATE: f64 = 1e100;
 
 /// A stretch, whatever is stepped.
@@ -62,6 +62,8 @@ pub(super) struct Equations<'a> {
     pub(super) host: RefCell<&'a mut dyn Host>,
     /// The last failure of an evaluation.
     failure: RefCell<Option<TimeError>>,
+    /// The failure of the last Jacobian.
+    without_jacobian: RefCell<Option<TimeError>>,
     start: &'a [f64],
     context: NalgebraContext,
 }
@@ -72,6 +74,7 @@ impl<'a> Equations<'a> {
             kind,
             host: RefCell::new(host),
             failure: RefCell::new(None),
+            without_jacobian: RefCell::new(None),
             start,
             context: NalgebraContext::default(),
         }
@@ -82,12 +85,9 @@ impl<'a> Equations<'a> {
         self.failure.borrow_mut().take()
     }
 
-    fn keep(&self, result: Result<(), TimeError>) -> bool {
-        let failed = result.is_err();
-        if let Err(error) = result {
-            *self.failure.borrow_mut() = Some(error);
-        }
-        failed
+    /// Why there is no Jacobian, if the last one that was asked for failed.
+    pub(super) fn jacobian_failure(&self) -> Option<TimeError> {
+        self.without_jacobian.borrow().clone()
     }
 }
 
@@ -118,7 +118,8 @@ impl NonLinearOp for Equations<'_> {
     fn call_inplace(&self, y: &Vect, t: f64, rate: &mut Vect) {
         let rate = rate.inner_mut().as_mut_slice();
         let result = self.host.borrow_mut().rate(t, y.inner().as_slice(), rate);
-        if self.keep(result) {
+        if let Err(error) = result {
+            *self.failure.borrow_mut() = Some(error);
             rate.fill(NO_RATE);
         }
     }
@@ -136,9 +137,10 @@ impl NonLinearOpJacobian for Equations<'_> {
     fn jacobian_inplace(&self, y: &Vect, t: f64, jacobian: &mut Mat) {
         let jacobian = jacobian.inner_mut();
         let result = self.host.borrow_mut().jacobian(t, y.inner().as_slice(), jacobian);
-        if self.keep(result) {
+        if result.is_err() {
             jacobian.fill(0.0);
         }
+        *self.without_jacobian.borrow_mut() = result.err();
     }
 }
 

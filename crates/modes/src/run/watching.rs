@@ -1,0 +1,88 @@
+//! What a phase is given before a stretch, and what is watched for on the way.
+
+use super::driven::Mode;
+use super::pass::Pass;
+use crate::drive::force::Force;
+use crate::drive::path::Path;
+use crate::impact::Side;
+use crate::phase::{Phase, Role, Watched};
+use crate::trouble::SetupError;
+use crate::{LimitLaw, Until};
+
+/// What an event means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Meaning {
+    /// The drive of a degree of freedom gives way.
+    Until(usize),
+    /// A degree of freedom passes its lower or upper limit.
+    Limit(usize, Side),
+    /// A limit lets go.
+    Release(usize),
+    /// A force changes its law.
+    Kink,
+}
+
+impl Pass<'_> {
+    /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.
+    pub(crate) fn load(&self, phase: &mut Phase, end: f64) -> Result<Vec<Meaning>, SetupError> {
+        let figure = &self.simulation.figure;
+        let (mut watched, mut meanings) = (Vec::new(), Vec::new());
+        let mut watch = |what, meaning| {
+            watched.push(what);
+            meanings.push(meaning);
+        };
+        for (dof, driven) in self.driven.iter().enumerate() {
+            if figure.follows(dof) {
+                continue;
+            }
+            match &driven.mode {
+                Mode::Still => {}
+                Mode::Path(path) => phase.set_path(dof, path.during(self.t, end)),
+                Mode::Force(force) => phase.set_force(dof, force.during(self.t, end)),
+                Mode::Track(_, force) => phase.set_force(dof, Force::Constant(*force)),
+            }
+            if let Some((_, position)) = driven.held {
+                phase.set_path(dof, Path::Still(position));
+                watch(Watched::Hold { dof, drive: driven.force(self.t) }, Meaning::Release(dof));
+            } else if driven.role() == Role::Dynamic {
+                self.watch_limits(dof, &mut watch);
+            }
+            let steps = &self.simulation.drives[dof];
+            match steps.get(driven.step).map(|step| &step.until) {
+                Some(Until::Position { dof: name, value }) => {
+                    if let Some(of) = figure.layout().dof_index(name) {
+                        watch(Watched::Position { dof: of, value: *value }, Meaning::Until(dof));
+                    }
+                }
+                Some(Until::Velocity { dof: name, value }) => {
+                    if let Some(of) = figure.layout().dof_index(name) {
+                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::Until(dof));
+                    }
+                }
+                _ => {}
+            }
+        }
+        phase.watch(watched)?;
+        Ok(meanings)
+    }
+
+    fn watch_limits(&self, dof: usize, watch: &mut impl FnMut(Watched, Meaning)) {
+        let law = self.simulation.limits[dof];
+        let Some(limits) = self.limits_of(dof).filter(|_| law != LimitLaw::Ignore) else { return };
+        for (side, value) in [(Side::Lower, limits.lower), (Side::Upper, limits.upper)] {
+            if value.is_finite() {
+                let is_hard = matches!(law, LimitLaw::Hard { .. });
+                let meaning = if is_hard { Meaning::Limit(dof, side) } else { Meaning::Kink };
+                watch(Watched::Position { dof, value }, meaning);
+            }
+        }
+    }
+
+    /// The range of a degree of freedom.
+    pub(crate) fn limits_of(&self, dof: usize) -> Option<solaris_model::Limits> {
+        let figure = &self.simulation.figure;
+        let at = figure.layout().joints().partition_point(|at| at.v + at.nv <= dof);
+        let joint = figure.layout().joints()[at];
+        figure.links()[at].joint().kind().axes().get(dof - joint.v)?.limits
+    }
+}
