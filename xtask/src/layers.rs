@@ -10,7 +10,6 @@ use std::path::Path;
 pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-cli", 7),
     ("solaris", 6),
-    // Reserved for the motion script.
     ("solaris-scene", 5),
     ("solaris-io", 5),
     ("solaris-view", 5),
