@@ -12,6 +12,7 @@ mod watch;
 pub(crate) use load::{Loaded, load};
 
 use crate::error::CliError;
+use crate::input::extension;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use clap::ArgMatches;
@@ -56,7 +57,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
             .map(|path| ("-o", path, MOTION))
             .chain(matches.get_one::<PathBuf>("report").map(|path| ("--report", path, REPORT))),
     )?;
-    let Loaded { scene, reads } = load(&path)?;
+    let Loaded { mut scene, reads } = load(&path)?;
+    // Only tables and pages show forces; those of a walk are found with its ground reactions.
+    let shows = |path: &Path| matches!(extension(path).as_str(), "csv" | "html");
+    scene.settings_mut().forces = scene.walk().is_some() || outputs.paths().any(shows);
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     check_size(&path, &scene)?;
 

@@ -39,7 +39,7 @@ pub(crate) enum Watched {
     /// `v[dof] − value`, of the full figure.
     Velocity { dof: usize, value: f64 },
     /// The force that holds a prescribed degree of freedom, less that of its drive: where it passes through zero a limit lets go.
-    Hold { dof: usize, drive: f64 },
+    Hold { dof: usize },
 }
 
 /// The equations of motion of one stretch. The state is positions and velocities of what dynamics move, then the work of the
@@ -58,6 +58,8 @@ pub(crate) struct Phase {
     state: StateMap,
     prescribed: Prescribed,
     watched: Vec<Watched>,
+    /// On which side of zero what is watched belongs, where it begins there.
+    sides: Vec<f64>,
     /// The drives' forces on degrees of freedom that are held: what a limit adds to them is all that it pushes.
     held: Vec<(usize, Force)>,
     small: Option<Small>,
@@ -84,6 +86,7 @@ impl Phase {
             state: StateMap::new(&simulation.figure, &roles),
             prescribed: Prescribed::new(&simulation.figure, &roles, q),
             watched: Vec::new(),
+            sides: Vec::new(),
             held: Vec::new(),
             small: None,
             source,
@@ -109,21 +112,21 @@ impl Phase {
         self.prescribed.set(dof, path);
     }
 
-    /// What is watched for from here on.
+    /// What is watched for from here on, and on which side of zero it belongs where it begins there (1, −1, or 0 for either).
     ///
     /// # Errors
     ///
     /// [`SetupError`] as for [`with`](Self::with): the force that holds a degree of freedom may need links that were left out.
-    pub(crate) fn watch(&mut self, watched: Vec<Watched>) -> Result<(), SetupError> {
+    pub(crate) fn watch(&mut self, watched: Vec<Watched>, sides: Vec<f64>) -> Result<(), SetupError> {
         let holds = |watched: &[Watched]| {
             let dofs = watched.iter().filter_map(|watched| match watched {
-                Watched::Hold { dof, .. } => Some(*dof),
+                Watched::Hold { dof } => Some(*dof),
                 _ => None,
             });
             dofs.collect::<Vec<_>>()
         };
         let (before, after) = (holds(&self.watched), holds(&watched));
-        self.watched = watched;
+        (self.watched, self.sides) = (watched, sides);
         let complete = self.small.as_ref().is_some_and(|small| small.is_complete(&self.source, &after));
         if complete || before == after { Ok(()) } else { self.compile(&after) }
     }
@@ -241,6 +244,10 @@ impl System for Phase {
         self.watched.len()
     }
 
+    fn event_side(&self, index: usize) -> f64 {
+        self.sides.get(index).copied().unwrap_or(0.0)
+    }
+
     fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
         let holds = self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }));
         // A state that the dynamics refuse has no force either: its rate says so.
@@ -256,9 +263,9 @@ impl System for Phase {
                     let entry = self.state.velocity_of(dof);
                     entry.map_or_else(|| self.prescribed.at(dof, t)[1], |entry| y[entry]) - value
                 }
-                Watched::Hold { dof, drive } => {
+                Watched::Hold { dof } => {
                     let own = self.held.iter().find(|(held, _)| *held == dof);
-                    let drive = own.map_or(drive, |(_, force)| force.at(t));
+                    let drive = own.map_or(0.0, |(_, force)| force.at(t));
                     small.and_then(|small| small.force(dof)).map_or(f64::NAN, |force| force - drive)
                 }
             };

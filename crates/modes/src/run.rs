@@ -16,7 +16,8 @@ use crate::report::{Counts, ErrorEstimate, Run, RunReport, Watch};
 use crate::settings::{Method, Settings};
 use crate::simulation::{Simulation, check_not_negative};
 use crate::time::Stepping;
-use crate::trouble::{RunError, SetupError};
+use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::{Drive, LimitLaw, Step};
 use pass::{Passed, pass};
 use solaris_model::Motion;
 
@@ -41,21 +42,32 @@ pub(crate) fn run(
     watch: &mut dyn Watch,
 ) -> Result<Run, RunError> {
     check(settings)?;
+    check_work(settings)?;
     let begun = watch.now();
     let chosen = match settings.method {
         Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, watch)?,
-        Method::Fixed { rule, step } => named(simulation, settings, Stepping::Fixed { rule, step }, watch)?,
+        Method::Fixed { rule, step } => {
+            // The step that is taken: no longer than a frame, and so many to a frame.
+            let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
+            named(simulation, settings, Stepping::Fixed { rule, step }, watch)?
+        }
         Method::Adaptive { tolerance } => {
             named(simulation, settings, Stepping::Adaptive { tolerance }, watch)?
         }
         Method::Stiff { tolerance } => named(simulation, settings, Stepping::Stiff { tolerance }, watch)?,
     };
-    let Chosen { passed, error, method, why, beside, remarks } = chosen;
-    let Passed { record, ledger, mut counts, outcomes, impacts, phases, .. } = passed;
+    let Chosen { passed, error, method, why, beside, mut remarks } = chosen;
+    remarks.extend(outside(simulation));
+    let Passed { record, ledger, mut counts, outcomes, impacts, mut phases, .. } = passed;
     counts.add(&beside);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
     if settings.forces {
         add_forces(simulation, &mut motion)?;
+    } else {
+        let omitted = "forces of the drives: nobody asked for them";
+        for phase in &mut phases {
+            phase.omitted.push(omitted.to_owned());
+        }
     }
     let seconds = begun.zip(watch.now()).map(|(begun, ended)| ended - begun);
     let energy = ledger.report;
@@ -87,6 +99,47 @@ fn check(settings: &Settings) -> Result<(), SetupError> {
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses steps so short that the run cannot come to its end.
+fn check_work(settings: &Settings) -> Result<(), Box<Trouble>> {
+    let Method::Fixed { rule, step } = settings.method else { return Ok(()) };
+    let evaluations = settings.duration / step * rule.evaluations() as f64;
+    if evaluations <= settings.guard.evaluations as f64 {
+        return Ok(());
+    }
+    let most = settings.guard.evaluations;
+    let longer = settings.duration * rule.evaluations() as f64 / most as f64;
+    let cause = Cause::Evaluations { evaluations: most };
+    let advice = format!(
+        "the run would take {evaluations:.1e}; take a step above {longer:.1e} s, or allow more (guard: Guard(evaluations: …))"
+    );
+    Err(Box::new(Trouble { time: 0.0, dof: None, cause, advice }))
+}
+
+/// What starts outside of a hard limit, which then does not hold it.
+fn outside(simulation: &Simulation) -> Vec<String> {
+    let figure = &simulation.figure;
+    let is_hard = |dof: usize| matches!(simulation.limits[dof], LimitLaw::Hard { .. });
+    let is_ever_free = |dof: usize| {
+        let given = |step: &Step| {
+            matches!(
+                step.drive,
+                Drive::Frozen | Drive::Kinematic(_) | Drive::Move { .. } | Drive::Recorded(_)
+            )
+        };
+        !simulation.drives[dof].iter().all(given)
+    };
+    let excess = figure.limit_excess(&simulation.q).into_iter();
+    excess
+        .filter(|excess| is_hard(excess.dof) && is_ever_free(excess.dof) && excess.by > 1e-9)
+        .map(|excess| {
+            let (name, by) = (simulation.name(excess.dof), excess.by);
+            format!(
+                "{name} starts {by:.4} (rad or m) outside of its limits: they hold it once it has come inside"
+            )
+        })
+        .collect()
 }
 
 /// What a stepping is called.
@@ -186,7 +239,7 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
     ErrorEstimate { position: factor * difference.position, velocity: factor * difference.velocity }
 }
 
-/// The forces of the drives in every frame.
+/// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
 fn add_forces(simulation: &Simulation, motion: &mut Motion) -> Result<(), RunError> {
     let Simulation { figure, gravity, springs, limits, .. } = simulation;
     let nv = figure.layout().nv();

@@ -11,7 +11,8 @@ pub struct Settings {
     pub rate: f64,
     /// By which method.
     pub method: Method,
-    /// Whether the joint forces of every frame are wanted.
+    /// Whether the joint forces of every frame are wanted: those of the drives, and where something rests at a limit, with what
+    /// the limit adds.
     pub forces: bool,
     /// Whether the run also tells how far off it may be, by a coarser run beside it. [`Method::Automatic`] always does.
     pub estimate: bool,
@@ -128,6 +129,6 @@ pub struct Guard {
 
 impl Default for Guard {
     fn default() -> Self {
-        Self { gimbal: 5e-3, condition: 1e14, energy: 0.2, evaluations: 50_000_000 }
+        Self { gimbal: 5e-3, condition: 1e14, energy: 0.2, evaluations: 10_000_000 }
     }
 }

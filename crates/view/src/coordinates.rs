@@ -3,7 +3,7 @@
 use crate::html::escape;
 use crate::profile::axis::Axis;
 use crate::profile::text::cut;
-use solaris_model::{AxisKind, EventKind, Figure, Motion};
+use solaris_model::{AxisKind, EventKind, Figure, JointKind, Motion};
 use std::fmt::Write as _;
 
 /// The most lines of a panel.
@@ -28,18 +28,18 @@ struct Line<'a> {
     high: f64,
 }
 
-/// The coordinates of `motion` that go farthest, over time: angles (°) in one panel, ways (m) in another, as an SVG. Ball and free
-/// joints have none that could be drawn so. Changes of drives are marked.
+/// The coordinates of `motion` that go farthest, over time: angles (°) in one panel, ways (m) in another, as an SVG. Orientations of ball
+/// and free joints are not drawn. Changes of drives are marked.
 ///
 /// The same motion gives the same text, byte for byte.
 pub fn coordinates(figure: &Figure, motion: &Motion, title: &str) -> String {
-    let panels: Vec<(&str, f64, Vec<Line<'_>>)> = [
+    let panels: Vec<(&str, f64, (Vec<Line<'_>>, usize))> = [
         ("angle (°)", 180.0 / std::f64::consts::PI, AxisKind::Rotation),
         ("way (m)", 1.0, AxisKind::Translation),
     ]
     .into_iter()
     .map(|(name, unit, kind)| (name, unit, farthest(figure, motion, kind)))
-    .filter(|(.., lines)| !lines.is_empty())
+    .filter(|(.., (lines, _))| !lines.is_empty())
     .collect();
     let height = TOP + (panels.len().max(1) as f64) * (PANEL.1 + BELOW);
     let mut svg = format!(
@@ -49,10 +49,15 @@ pub fn coordinates(figure: &Figure, motion: &Motion, title: &str) -> String {
          <text x=\"16\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
         escape(&cut(title, 15.0, WIDTH - 32.0))
     );
-    for (index, (name, unit, lines)) in panels.iter().enumerate() {
+    for (index, (name, unit, (lines, more))) in panels.iter().enumerate() {
         let top = TOP + index as f64 * (PANEL.1 + BELOW);
         let _ = writeln!(svg, "<g transform=\"translate({LEFT} {top})\">");
         panel(&mut svg, motion, name, *unit, lines);
+        if *more > 0 {
+            let (x, y) = (PANEL.0 + 8.0, 18.0 + 16.0 * lines.len() as f64);
+            let _ = writeln!(svg, "<text x=\"{x}\" y=\"{y}\" fill=\"#555\">and {more} more that</text>");
+            let _ = writeln!(svg, "<text x=\"{x}\" y=\"{}\" fill=\"#555\">go less far</text>", y + 14.0);
+        }
         svg.push_str("</g>\n");
     }
     if panels.is_empty() {
@@ -62,14 +67,16 @@ pub fn coordinates(figure: &Figure, motion: &Motion, title: &str) -> String {
     svg
 }
 
-/// The coordinates of a kind that go farthest, in the order of the figure; those that stand still are left out.
-fn farthest<'a>(figure: &'a Figure, motion: &Motion, kind: AxisKind) -> Vec<Line<'a>> {
+/// The coordinates of a kind that go farthest, in the order of the figure, and how many more move.
+fn farthest<'a>(figure: &'a Figure, motion: &Motion, kind: AxisKind) -> (Vec<Line<'a>>, usize) {
     let layout = figure.layout();
     let mut lines: Vec<Line<'a>> = Vec::new();
     for (link, at) in figure.links().iter().zip(layout.joints()) {
-        for (i, dof) in link.joint().kind().axes().iter().enumerate().filter(|(_, dof)| dof.axis.kind == kind)
-        {
-            let _ = dof;
+        let axes: Vec<usize> = match link.joint().kind() {
+            JointKind::Free { .. } if kind == AxisKind::Translation => vec![0, 1, 2],
+            other => (0..other.axes().len()).filter(|&i| other.axes()[i].axis.kind == kind).collect(),
+        };
+        for i in axes {
             let column = (0..motion.len()).map(|frame| motion.q(frame)[at.q + i]);
             let (low, high) =
                 column.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
@@ -79,9 +86,10 @@ fn farthest<'a>(figure: &'a Figure, motion: &Motion, kind: AxisKind) -> Vec<Line
         }
     }
     lines.sort_by(|a, b| (b.high - b.low).total_cmp(&(a.high - a.low)));
+    let more = lines.len().saturating_sub(MOST_LINES);
     lines.truncate(MOST_LINES);
     lines.sort_by_key(|line| line.coordinate);
-    lines
+    (lines, more)
 }
 
 fn panel(svg: &mut String, motion: &Motion, name: &str, unit: f64, lines: &[Line<'_>]) {

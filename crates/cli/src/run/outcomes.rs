@@ -24,6 +24,9 @@ pub(super) struct Told {
     pub(super) acceleration: Option<f64>,
     #[serde(skip)]
     turns: bool,
+    /// Velocities of ball joints are the rates of no coordinate.
+    #[serde(skip)]
+    has_position: bool,
 }
 
 /// A jump of the velocities.
@@ -54,6 +57,7 @@ impl Told {
             missed_by,
             acceleration: outcome.acceleration,
             turns: turns(figure, outcome.dof),
+            has_position: figure.layout().coordinate(outcome.dof).is_some(),
         }
     }
 
@@ -83,6 +87,7 @@ impl Told {
             "limit hit" => format!("came to {position}, the limit of the joint"),
             "interrupted" => format!("at {position} when the next drive took over"),
             "unfinished" => format!("not done at the end of the run, at {position}"),
+            _ if !self.has_position => "ended".to_owned(),
             _ => format!("ended at {position}"),
         }
     }

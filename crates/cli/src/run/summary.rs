@@ -70,8 +70,12 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
 
 /// The rows for the page.
 pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
-    let mut all: Vec<TableRow> =
-        rows(report).iter().map(|[label, value, note]| TableRow::new(label, value, "", note)).collect();
+    // Where values stand in a column, a sentence goes with the notes.
+    let row = |[label, value, note]: &[String; 3]| match label.as_str() {
+        "because" => TableRow::new(label, "", "", value),
+        _ => TableRow::new(label, value, "", note),
+    };
+    let mut all: Vec<TableRow> = rows(report).iter().map(row).collect();
     all.extend(outcomes::lines(&report.drives).iter().map(|line| TableRow::new("drive", "", "", line)));
     all.extend(
         outcomes::hits(&report.impacts).iter().take(MANY).map(|hit| TableRow::new("impact", "", "", hit)),

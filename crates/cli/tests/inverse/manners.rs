@@ -227,6 +227,8 @@ fn every_example_of_the_help_runs() {
         std::fs::copy(Path::new(crate::FIXTURES).join(from), folder.path().join(to)).expect("copied");
     }
     write(folder.path(), "trajectory.csv", "time,shoulder.q,elbow.q\n0,0,0\n1,0.1,0.2\n2,0.3,0\n3,0,0\n");
+    let scene = Path::new(crate::FIXTURES).join("scenes/pendulum.ron");
+    std::fs::copy(scene, folder.path().join("scene.ron")).expect("copied");
     succeeded(&solaris(folder.path(), "walk --steps 1 --rate 30 -o walk.csv"));
     let mut run = 0;
     // The conversions last: one writes over the motion.

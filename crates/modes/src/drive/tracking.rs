@@ -30,7 +30,8 @@ pub(crate) struct Tracker {
     target: Target,
     /// When to be there (s).
     end: f64,
-    /// The plan's acceleration at the time of the next call.
+    /// The plan of the last call with the time when it began, and its acceleration where there is none.
+    plan: Option<(Quintic, f64)>,
     planned: f64,
 }
 
@@ -43,7 +44,7 @@ impl Tracker {
         duration: f64,
         (_, _, acceleration): (f64, f64, f64),
     ) -> Self {
-        Self { law, target, end: start + duration, planned: acceleration }
+        Self { law, target, end: start + duration, plan: None, planned: acceleration }
     }
 
     /// The mean acceleration (rad/s² or m/s²) over the frame of length `frame` (s) that begins at `time` (s) at a position
@@ -55,22 +56,22 @@ impl Tracker {
         let left = self.end - time;
         // The last frame, whose length may be the rest of the time but for rounding.
         if left <= frame * (1.0 + 1e-9) {
-            self.planned = a1;
+            (self.plan, self.planned) = (None, a1);
             return (v1 - velocity) / frame;
         }
         if self.law == Law::Quintic {
-            let begin = Boundary::new(position, velocity, self.planned);
+            // The last frame may have been cut short.
+            let planned = self.plan.map_or(self.planned, |(plan, start)| plan.at(time - start).acceleration);
+            let begin = Boundary::new(position, velocity, planned);
             // Refused are only numbers that overflow; the cubic then says what is left to say.
             if let Ok(plan) = Quintic::new(left, begin, Boundary::new(q1, v1, a1)) {
-                let next = plan.at(frame);
-                self.planned = next.acceleration;
-                return (next.velocity - velocity) / frame;
+                self.plan = Some((plan, time));
+                return (plan.at(frame).velocity - velocity) / frame;
             }
         }
         let way = (q1 - position) / left;
         let (c2, c3) =
             ((3.0 * way - 2.0 * velocity - v1) / left, (velocity + v1 - 2.0 * way) / (left * left));
-        self.planned = 2.0 * c2 + 6.0 * c3 * frame;
         2.0 * c2 + 3.0 * c3 * frame
     }
 }

@@ -259,7 +259,7 @@ fn what_is_watched_is_measured_from_its_value() {
             expected.push(q[coordinate] - 0.2);
         }
     }
-    phase.watch(watched).expect("valid");
+    phase.watch(watched, Vec::new()).expect("valid");
     let mut values = vec![f64::NAN; phase.events()];
     phase.event_values(t, &y, &mut values);
     for (found, expected) in values.iter().zip(&expected) {

@@ -35,9 +35,7 @@ pub(super) fn choose(
         }
         Err(RunError::Trouble(trouble)) => match trouble.cause {
             Cause::StepTooLong { longest, eigenvalue, .. } => (longest, Some(eigenvalue)),
-            Cause::Energy { .. } | Cause::NotFinite { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) => {
-                (0.5 * frame, None)
-            }
+            _ if is_of_the_step(&trouble) => (0.5 * frame, None),
             _ => return Err(trouble.into()),
         },
         Err(error) => return Err(error),
@@ -100,7 +98,7 @@ impl<'a> Ladder<'a> {
             let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(watch)) {
                 Ok(passed) => passed,
                 Err(RunError::Trouble(found)) if is_of_the_step(&found) => {
-                    (self.last, trouble) = (None, Some(found));
+                    (self.last, trouble, before) = (None, Some(found), f64::NAN);
                     continue;
                 }
                 Err(error) => return Err(error),

@@ -40,11 +40,50 @@ impl Pass<'_> {
             .map(|dof| (dof, 0))
             .collect();
         self.begin(&all)?;
-        self.settle(&[])
+        self.take_over(&[])?;
+        self.settle(&[])?;
+        self.leap()
+    }
+
+    /// Drives that waited for a velocity which an impact has leapt over.
+    fn leap(&mut self) -> Result<(), RunError> {
+        let leapt = std::mem::take(&mut self.leapt);
+        if leapt.is_empty() { Ok(()) } else { self.change(&leapt) }
     }
 
     /// What follows from events, and from the clock.
     pub(crate) fn change(&mut self, events: &[Meaning]) -> Result<(), RunError> {
+        // At the end of the run nothing begins any more.
+        if self.t >= self.settings.duration - near(self.settings.duration) {
+            for (dof, _) in self.over(events) {
+                self.driven[dof].waits = true;
+            }
+            return Ok(());
+        }
+        self.take_over(events)?;
+        self.settle(events)?;
+        self.leap()
+    }
+
+    /// Drives that are over, and those that come after them, until none is due.
+    fn take_over(&mut self, events: &[Meaning]) -> Result<(), RunError> {
+        let mut next = self.over(events);
+        while !next.is_empty() {
+            for &(dof, step) in &next {
+                let steps = &self.simulation.drives[dof];
+                let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
+                let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
+                self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
+                self.passed.jumps = true;
+            }
+            self.begin(&next)?;
+            next = self.over(&[]);
+        }
+        Ok(())
+    }
+
+    /// Writes down what came of the drives that are over; what comes next.
+    fn over(&mut self, events: &[Meaning]) -> Vec<(usize, usize)> {
         let mut next = Vec::new();
         for dof in 0..self.driven.len() {
             if self.simulation.figure.follows(dof) {
@@ -70,21 +109,16 @@ impl Pass<'_> {
             if over || (done && until_done) {
                 next.push((dof, self.driven[dof].step + 1));
             } else if done {
-                let step = self.driven[dof].step;
-                let start = self.driven[dof].start;
-                self.driven[dof] =
-                    Driven { waits: true, ..Driven::new(step, start, Mode::Still, f64::INFINITY) };
+                let driven = &mut self.driven[dof];
+                (driven.waits, driven.end) = (true, f64::INFINITY);
+                // A torque goes on as it ended; everything else has arrived.
+                let step = self.simulation.drives[dof].get(driven.step);
+                if !step.is_some_and(|step| matches!(step.drive, Drive::Torque(_))) {
+                    driven.mode = Mode::Still;
+                }
             }
         }
-        for &(dof, step) in &next {
-            let steps = &self.simulation.drives[dof];
-            let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
-            let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
-            self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
-            self.passed.jumps = true;
-        }
-        self.begin(&next)?;
-        self.settle(events)
+        next
     }
 
     /// Begins drives, all at the same instant, so that one analysis serves those that need one.
@@ -145,7 +179,10 @@ impl Pass<'_> {
         let now = self.t;
         let new = |mode, end| Driven::new(step, now, mode, end);
         let Some(drive) = self.simulation.drives[dof].get(step).map(|step| &step.drive) else {
-            return Ok(new(Mode::Still, f64::INFINITY));
+            // A ball or free joint cannot stand still in part.
+            let is_part = self.simulation.figure.layout().coordinate(dof).is_none();
+            let mode = if is_part { Mode::Force(Force::Constant(0.0)) } else { Mode::Still };
+            return Ok(new(mode, f64::INFINITY));
         };
         let fault = |source: ProfileError| {
             RunError::from(SetupError::Profile { dof: self.simulation.name(dof).to_owned(), source })

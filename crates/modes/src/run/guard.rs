@@ -172,8 +172,7 @@ pub(crate) fn of_time(simulation: &Simulation, error: TimeError) -> Result<Troub
 }
 
 /// Trouble of a rate.
-pub(crate) fn of_rate(simulation: &Simulation, time: f64, error: RateError) -> RunError {
-    let _ = simulation;
+pub(crate) fn of_rate(time: f64, error: RateError) -> RunError {
     of_rate_at(time, error).into()
 }
 
@@ -214,7 +213,7 @@ fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> String {
         || "use a ball joint".to_owned(),
         |order| {
             format!(
-                "use a ball joint or order {order}, which is {:.0}° from it there",
+                "use a ball joint or order {order}, which is {:.0}° from it there, or leave fewer of its axes free",
                 from_lock(&order).to_degrees()
             )
         },

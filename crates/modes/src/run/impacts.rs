@@ -8,7 +8,7 @@ use crate::impact::{Side, strike};
 use crate::phase::Role;
 use crate::report::Impact;
 use crate::trouble::RunError;
-use crate::{LimitLaw, OutcomeKind};
+use crate::{LimitLaw, OutcomeKind, Until};
 
 /// A flight shorter than this (s) is none: the degree of freedom rests at its limit.
 const SHORTEST_FLIGHT: f64 = 1e-6;
@@ -42,7 +42,7 @@ impl Pass<'_> {
         }
         let mut hits: Vec<(usize, Side, f64)> = Vec::new();
         for event in events {
-            if let Meaning::Release(dof) = *event {
+            if let Meaning::Release(dof, _) = *event {
                 self.driven[dof].held = None;
                 self.passed.jumps = true;
             }
@@ -66,7 +66,8 @@ impl Pass<'_> {
                 if let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) {
                     self.q[coordinate] = limit;
                 }
-                if !self.driven[dof].hit {
+                let is_struck = wanted.iter().any(|(other, _, what)| *other == dof && *what == "limit");
+                if is_struck && !self.driven[dof].hit {
                     self.driven[dof].hit = true;
                     self.outcome(dof, OutcomeKind::LimitHit);
                 }
@@ -79,7 +80,7 @@ impl Pass<'_> {
         }
         // A drive that has changed may lift off what rests.
         let rests = self.driven.iter().any(|driven| driven.held.is_some());
-        if hits.is_empty() && !rests { Ok(()) } else { self.rest(&hits) }
+        if hits.is_empty() && !rests { Ok(()) } else { self.rest(&hits, events) }
     }
 
     /// The limit at which a degree of freedom that dynamics move is, if it does not move away from it.
@@ -91,7 +92,7 @@ impl Pass<'_> {
         }
         let limits = self.limits_of(dof)?;
         let coordinate = self.simulation.figure.layout().coordinate(dof)?;
-        let released = events.contains(&Meaning::Release(dof));
+        let released = events.iter().any(|event| matches!(event, Meaning::Release(of, _) if *of == dof));
         [(Side::Lower, limits.lower), (Side::Upper, limits.upper)].into_iter().find(|&(side, limit)| {
             let told = events.contains(&Meaning::Limit(dof, side));
             let there = told || (self.q[coordinate] - limit).abs() <= AT_LIMIT * (1.0 + limit.abs());
@@ -127,7 +128,14 @@ impl Pass<'_> {
             })
             .filter(|(dof, _)| wanted.iter().all(|(other, ..)| other != dof))
             .collect();
-        let jumps: Vec<(usize, f64)> = wanted.iter().map(|&(dof, velocity, _)| (dof, velocity)).collect();
+        let mut jumps: Vec<(usize, f64)> = wanted.iter().map(|&(dof, velocity, _)| (dof, velocity)).collect();
+        // What follows a leader that is stopped is stopped with it.
+        for follower in self.simulation.figure.followers() {
+            if let Some(&(_, velocity)) = jumps.iter().find(|(dof, _)| *dof == follower.leader) {
+                let slope = follower.curve.at(self.q[follower.leader_coordinate])[1];
+                jumps.push((follower.dof, slope * velocity));
+            }
+        }
         let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &held, &jumps)
             .map_err(|error| guard::of_dynamics(self.t, error))?;
         self.passed.counts.evaluations += 1;
@@ -142,6 +150,16 @@ impl Pass<'_> {
         for dof in struck.released {
             self.driven[dof].held = None;
         }
+        for (dof, driven) in self.driven.iter().enumerate() {
+            let step = self.simulation.drives[dof].get(driven.step);
+            if let Some(Until::Velocity { dof: name, value }) = step.map(|step| &step.until)
+                && let Some(of) = self.simulation.figure.layout().dof_index(name)
+                && (self.v[of] - value) * (struck.v[of] - value) <= 0.0
+                && self.v[of].to_bits() != struck.v[of].to_bits()
+            {
+                self.leapt.push(Meaning::Until(dof));
+            }
+        }
         self.v.copy_from_slice(&struck.v);
         Ok(())
     }
@@ -150,7 +168,7 @@ impl Pass<'_> {
     ///
     /// One that stays may press on others and make them stay, or lift them off, so this is a linear complementarity problem;
     /// the first that is wrong is turned round until none is, as for [impacts](strike).
-    fn rest(&mut self, hits: &[(usize, Side, f64)]) -> Result<(), RunError> {
+    pub(crate) fn rest(&mut self, hits: &[(usize, Side, f64)], events: &[Meaning]) -> Result<(), RunError> {
         let count = hits.len() + self.driven.iter().filter(|driven| driven.held.is_some()).count();
         for _ in 0..1_usize << count.min(MOST_CHOICES) {
             let (prescribed, mut a, mut tau) = self.given();
@@ -172,10 +190,14 @@ impl Pass<'_> {
                     }
                 } else if let Some(&(_, side, limit)) = hits.iter().find(|(hit, ..)| *hit == dof) {
                     let (away, outwards) = (-self.v[dof] * side.outward(), a[dof] * side.outward());
-                    if outwards <= least {
+                    // What is not accelerated and stands still stays until something pulls it away, unless it would
+                    // rather rebound from what strikes it.
+                    let stays = self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 }
+                        || events.contains(&Meaning::Limit(dof, side));
+                    if outwards < -least || (outwards <= least && (away > REST || !stays)) {
                         continue;
                     }
-                    let flight = 2.0 * away.max(0.0) / outwards;
+                    let flight = if outwards > least { 2.0 * away.max(0.0) / outwards } else { 0.0 };
                     if flight < SHORTEST_FLIGHT {
                         wrong = Some((dof, Some((side, limit))));
                         break;

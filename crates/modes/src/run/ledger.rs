@@ -11,8 +11,12 @@ pub(crate) struct Ledger {
     error: f64,
     /// What the present stretch began with: energy, work, heat.
     from: (f64, f64, f64),
+    /// Work and heat at the beginning.
+    paid: (f64, f64),
     /// The potential energy that heights are counted from.
     level: f64,
+    /// What impacts took before anything was computed.
+    early: f64,
     /// What counts as at play at the least: at the beginning hardly anything moves.
     least: f64,
 }
@@ -28,10 +32,12 @@ impl Ledger {
         if self.begun {
             // Besides what impacts have taken, what is computed is another part of the figure now.
             self.report.moved += energy.total() - self.report.end.total();
+            self.level += energy.potential - self.report.end.potential;
         } else {
-            (self.report.start, self.begun) = (energy, true);
+            (self.report.start, self.begun, self.level) = (energy, true, energy.potential);
+            self.report.start.kinetic += self.early;
+            self.paid = (work, heat);
         }
-        self.level = energy.potential;
         self.from = (energy.total(), work, heat);
         self.report.end = energy;
         self.weigh(energy);
@@ -45,7 +51,7 @@ impl Ledger {
     pub(crate) fn check(&mut self, energy: Energy, work: f64, heat: f64) -> f64 {
         let found = self.found(energy, work, heat);
         self.weigh(energy);
-        let exchanged = (work - self.from.1).abs().max(heat - self.from.2);
+        let exchanged = (work - self.paid.0).abs().max(heat - self.paid.1);
         self.report.scale = self.report.scale.max(exchanged);
         self.report.imbalance = self.report.imbalance.max(found.abs());
         // What is left of large numbers that are taken from each other is rounding.
@@ -62,7 +68,11 @@ impl Ledger {
     /// An impact took this energy (J), between two stretches.
     pub(crate) fn lose(&mut self, loss: f64) {
         self.report.impacts += loss;
-        self.report.moved += loss;
+        if self.begun {
+            self.report.end.kinetic -= loss;
+        } else {
+            self.early += loss;
+        }
     }
 
     fn found(&self, energy: Energy, work: f64, heat: f64) -> f64 {

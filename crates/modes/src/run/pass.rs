@@ -46,6 +46,8 @@ pub(crate) struct Pass<'a> {
     pub(crate) body: Body<f64>,
     /// Where the next stretch has to end at the latest (s).
     pub(crate) cap: f64,
+    /// What an impact has leapt over: drives that wait for a velocity.
+    pub(crate) leapt: Vec<Meaning>,
     pub(crate) passed: Passed,
     work: f64,
     heat: f64,
@@ -107,6 +109,7 @@ impl<'a> Pass<'a> {
             a,
             body: Body::new(figure, *gravity, springs, limits)?,
             cap: f64::INFINITY,
+            leapt: Vec::new(),
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
                 ledger: Ledger::new(least_energy(simulation)),
@@ -127,15 +130,15 @@ impl<'a> Pass<'a> {
     /// From now to the next change.
     fn stretch(&mut self, watch: &mut dyn Watch) -> Result<(), RunError> {
         self.check_rounds()?;
-        let mut compiled = self.compile()?;
         let end = self.next_stop();
         self.track(end)?;
+        let mut compiled = self.compile()?;
         let meanings = self.load(&mut compiled.phase, end)?;
+        self.note_phase(&compiled.phase);
         let result = self.step(&mut compiled.phase, end, watch);
         self.compiled = Some(compiled);
         let stopped = result?;
         self.cap = f64::INFINITY;
-        self.passed.counts.events += stopped.events.len() as u64;
         self.passed.jumps |= !stopped.events.is_empty();
         let events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
         self.change(&events)
@@ -146,7 +149,7 @@ impl<'a> Pass<'a> {
         let (simulation, settings) = (self.simulation, self.settings);
         let Self { passed, q, v, a, t, .. } = self;
         let mut y = phase.pack(q, v, self.work, self.heat);
-        let at = |error| guard::of_rate(simulation, *t, error);
+        let at = |error| guard::of_rate(*t, error);
         if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
             phase.accelerations(*t, &y, a).map_err(at)?;
             passed.counts.evaluations += 1;
@@ -208,8 +211,7 @@ impl<'a> Pass<'a> {
         phase.unpack(*t, &y, q, v);
         (self.work, self.heat) = (y[work], y[heat]);
         if dynamic {
-            let energy =
-                phase.energy(*t, &y).map_err(|error| guard::of_rate(simulation, *t, error.into()))?;
+            let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(*t, error.into()))?;
             let share = passed.ledger.check(energy, y[work], y[heat]);
             if let Err(trouble) = guard::look(simulation, &settings.guard, phase, *t, q, share) {
                 return Err(guard::explain(simulation, phase, stepping, &y, *trouble));
@@ -268,7 +270,10 @@ impl<'a> Pass<'a> {
 
     /// The force of the frame of every degree of freedom that tracks a target.
     fn track(&mut self, end: f64) -> Result<(), RunError> {
-        super::drives::track(self, end - self.t)
+        super::drives::track(self, end - self.t)?;
+        // A force that is new may lift off what rests.
+        let tracks = |driven: &Driven| driven.held.is_some() && matches!(driven.mode, Mode::Track(..));
+        if self.driven.iter().any(tracks) { self.rest(&[], &[]) } else { Ok(()) }
     }
 
     /// When the next stretch has to end (s).
@@ -297,6 +302,15 @@ impl<'a> Pass<'a> {
         Err(Box::new(Trouble { time: self.t, dof: None, cause, advice }).into())
     }
 
+    /// What is watched for may have brought back links that were left out until now.
+    fn note_phase(&mut self, phase: &Phase) {
+        let changed = |last: &PhaseReport| last.dropped.len() != phase.report.dropped.len();
+        if self.passed.phases.last().is_some_and(changed) {
+            self.end_phase();
+            self.passed.phases.push(PhaseReport { start: self.t, ..phase.report.clone() });
+        }
+    }
+
     fn end_phase(&mut self) {
         if let Some(last) = self.passed.phases.last_mut() {
             last.end = self.t;
@@ -310,7 +324,7 @@ impl<'a> Pass<'a> {
             self.load(&mut compiled.phase, self.next_stop())?;
             let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
             let found = compiled.phase.accelerations(self.t, &y, &mut self.a);
-            found.map_err(|error| guard::of_rate(self.simulation, self.t, error))?;
+            found.map_err(|error| guard::of_rate(self.t, error))?;
             self.passed.record.push(&self.q, &self.v, &self.a);
         }
         self.end_phase();

@@ -17,7 +17,7 @@ pub(crate) enum Meaning {
     /// A degree of freedom passes its lower or upper limit.
     Limit(usize, Side),
     /// A limit lets go.
-    Release(usize),
+    Release(usize, Side),
     /// A force changes its law.
     Kink,
 }
@@ -26,10 +26,15 @@ impl Pass<'_> {
     /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.
     pub(crate) fn load(&self, phase: &mut Phase, end: f64) -> Result<Vec<Meaning>, SetupError> {
         let figure = &self.simulation.figure;
-        let (mut watched, mut meanings) = (Vec::new(), Vec::new());
+        let (mut watched, mut meanings, mut sides) = (Vec::new(), Vec::new(), Vec::new());
         let mut watch = |what, meaning| {
             watched.push(what);
             meanings.push(meaning);
+            // A limit is not passed, and pushes inwards only.
+            sides.push(match meaning {
+                Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
+                Meaning::Until(_) | Meaning::Kink => 0.0,
+            });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
             if figure.follows(dof) {
@@ -41,9 +46,9 @@ impl Pass<'_> {
                 Mode::Force(force) => phase.set_force(dof, force.during(self.t, end)),
                 Mode::Track(_, force) => phase.set_force(dof, Force::Constant(*force)),
             }
-            if let Some((_, position)) = driven.held {
+            if let Some((side, position)) = driven.held {
                 phase.set_path(dof, Path::Still(position));
-                watch(Watched::Hold { dof, drive: driven.force(self.t) }, Meaning::Release(dof));
+                watch(Watched::Hold { dof }, Meaning::Release(dof, side));
             } else if driven.role() == Role::Dynamic {
                 self.watch_limits(dof, &mut watch);
             }
@@ -62,7 +67,7 @@ impl Pass<'_> {
                 _ => {}
             }
         }
-        phase.watch(watched)?;
+        phase.watch(watched, sides)?;
         Ok(meanings)
     }
 

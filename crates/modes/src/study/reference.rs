@@ -9,6 +9,9 @@ use crate::simulation::Simulation;
 use crate::trouble::{RunError, SetupError};
 use solaris_model::{Figure, Motion};
 
+/// Two right motions may be this far apart (rad or m) by rounding alone, and be the same.
+const ATTAINABLE: f64 = 1e-9;
+
 /// What the rows of a study are compared with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
@@ -91,7 +94,8 @@ pub(super) fn find(
                 }
             }
             let newest = candidates.len() - 1;
-            let pair = |other| pair(figure, &candidates, newest, other, 0.1 * options.wanted);
+            let pair =
+                |other| pair(figure, &candidates, newest, other, (0.1 * options.wanted).max(ATTAINABLE));
             for found in (0..newest).map(pair) {
                 if nearest.is_none_or(|nearest| found.is_nearer(&nearest)) {
                     nearest = Some(found);

@@ -189,7 +189,7 @@ impl Watch {
         }
         let mut values = vec![0.0; events];
         evaluator.event_values(t, y, &mut values)?;
-        let sides = Sides::new(values.clone());
+        let sides = Sides::new(values.clone(), |index| evaluator.system.event_side(index));
         Ok(Some(Self { sides, values, state: y.to_vec(), scratch: vec![0.0; events] }))
     }
 

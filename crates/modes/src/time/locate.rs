@@ -30,6 +30,8 @@ pub(super) struct Look {
 pub(super) struct Sides {
     /// The sign of each function where it last was not zero; 0 for one that has not left zero yet.
     side: Vec<f64>,
+    /// The sign that a function has to have when it leaves zero; 0 where either will do.
+    due: Vec<f64>,
     tolerance: Vec<f64>,
     begin: Vec<f64>,
     low: Vec<f64>,
@@ -40,11 +42,12 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// Functions with these values at the beginning of a stretch.
-    pub(super) fn new(values: Vec<f64>) -> Self {
+    /// Functions with these values at the beginning of a stretch, and the sides that they are due on.
+    pub(super) fn new(values: Vec<f64>, due: impl Fn(usize) -> f64) -> Self {
         let zeros = vec![0.0; values.len()];
         Self {
             side: zeros.clone(),
+            due: (0..values.len()).map(due).collect(),
             tolerance: zeros.clone(),
             low: zeros.clone(),
             high: zeros.clone(),
@@ -95,7 +98,10 @@ impl Sides {
             if self.side[i] == 0.0 && self.low[i].abs() > AT_START * self.tolerance[i] {
                 self.side[i] = self.low[i].signum();
             }
-            leaving |= self.side[i] == 0.0 && self.high[i].abs() > AT_END * self.tolerance[i];
+            if self.side[i] == 0.0 && self.high[i].abs() > AT_END * self.tolerance[i] {
+                self.side[i] = self.due[i];
+                leaving = true;
+            }
         }
         if !leaving {
             return Ok((0.0, 1.0));

@@ -46,6 +46,13 @@ pub trait System {
         let _ = (t, y, values);
     }
 
+    /// On which side of zero an event function belongs that begins a stretch at zero: 1 or −1, so that leaving to the other side
+    /// is an event too, as where something at its limit would go through it. 0 where either side will do.
+    fn event_side(&self, index: usize) -> f64 {
+        let _ = index;
+        0.0
+    }
+
     /// Puts the state back where it belongs after a step, such as a quaternion to unit length.
     fn settle(&self, y: &mut [f64]) {
         let _ = y;

@@ -5,6 +5,7 @@ mod intensive;
 mod order;
 mod recorded;
 mod simple;
+mod takeover;
 
 use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, Vector3};
 use solaris_modes::{Drive, LimitLaw, Method, Rule, Run, Settings, Simulation, Step};

@@ -78,7 +78,7 @@ impl SceneReader<'_> {
         Some(Method::Fixed { rule, step: self.positive(step, "the step", "s")? })
     }
 
-    /// `Guard(gimbal: deg(0.3), condition: 1e14, energy: 0.2, evaluations: 5e7)`
+    /// `Guard(gimbal: deg(0.3), condition: 1e14, energy: 0.2, evaluations: 1e7)`
     fn guard(&mut self, node: &Node<'_>) -> Option<Guard> {
         let known = ["gimbal", "condition", "energy", "evaluations"];
         let fields = self.reader.fields(node, &["Guard"], &known)?;

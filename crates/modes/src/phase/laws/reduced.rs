@@ -54,13 +54,13 @@ fn the_force_that_holds_something_needs_all_that_it_carries() {
         let layout = scene.simulation.figure.layout();
         let held = (0..scene.roles.len())
             .filter(|dof| scene.roles[*dof] == Role::Prescribed && layout.coordinate(*dof).is_some());
-        let watched: Vec<Watched> = held.map(|dof| Watched::Hold { dof, drive: 1.5 }).collect();
+        let watched: Vec<Watched> = held.map(|dof| Watched::Hold { dof }).collect();
         let (mut whole, mut reduced) = (scene.phase(false), scene.phase(true));
         let before = reduced.report.dropped.len();
         let y = whole.pack(&scene.q, &scene.v, 0.0, 0.0);
         let mut values = [vec![f64::NAN; watched.len()], vec![f64::NAN; watched.len()]];
         for (phase, values) in [&mut whole, &mut reduced].into_iter().zip(&mut values) {
-            phase.watch(watched.clone()).expect("valid");
+            phase.watch(watched.clone(), Vec::new()).expect("valid");
             phase.event_values(0.3, &y, values);
         }
         let [expected, found] = values;
