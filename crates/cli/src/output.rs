@@ -70,6 +70,11 @@ impl<F: Copy + 'static> Outputs<F> {
         self.0.iter().map(|output| output.path.as_path())
     }
 
+    /// Refuses what cannot be written in a format, as `check` finds.
+    pub(crate) fn try_out(&self, check: impl Fn(F) -> Result<(), CliError>) -> Result<(), CliError> {
+        self.0.iter().try_for_each(|output| check(output.format).map_err(|error| output.refuse(&error)))
+    }
+
     /// Writes all files by `write`, or leaves none and what was there before.
     pub(crate) fn write(
         &self,

@@ -17,6 +17,8 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use clap::ArgMatches;
 use report::Report;
+use solaris::io::bvh::Unit;
+use solaris::model::{Figure, Motion, MotionInfo};
 use solaris::modes::RunError;
 use solaris::scene::{Scene, SceneError, Simulated};
 use solaris::view::{PageOptions, coordinates, page};
@@ -64,6 +66,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     check_size(&path, &scene)?;
 
+    check_bvh(&outputs, &scene)?;
+
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(&path, error))?;
     watcher.writing();
@@ -81,6 +85,24 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         }
         out.write_all(summary::written(outputs.paths()).as_bytes())
     })
+}
+
+/// Refuses a figure that a BVH file cannot hold, before anything is computed.
+fn check_bvh(outputs: &Outputs<Format>, scene: &Scene) -> Result<(), CliError> {
+    let (figure, simulation) = (scene.figure(), scene.simulation());
+    let (q, v) = simulation.state();
+    let (rate, gravity) = (scene.settings().rate, *simulation.gravity());
+    let info = MotionInfo { rate, gravity, ..MotionInfo::on_earth(figure, rate) };
+    let start = Motion::new(figure, info, vec![0.0], [q.to_vec(), v.to_vec(), vec![0.0; v.len()]]);
+    let start = start.map_err(CliError::other)?;
+    outputs.try_out(|format| match format {
+        Format::Bvh => bvh(figure, &start, &mut std::io::sink()),
+        _ => Ok(()),
+    })
+}
+
+fn bvh(figure: &Figure, motion: &Motion, mut writer: &mut dyn Write) -> Result<(), CliError> {
+    solaris::io::bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other)
 }
 
 /// Refuses a motion for which no memory may be left.
@@ -102,7 +124,7 @@ fn check_size(path: &Path, scene: &Scene) -> Result<(), CliError> {
 }
 
 /// Why a scene has no motion.
-fn refuse(path: &Path, error: SceneError) -> CliError {
+pub(crate) fn refuse(path: &Path, error: SceneError) -> CliError {
     match error {
         SceneError::Run(RunError::Cancelled) => CliError::input(path, &"the run was stopped"),
         error => CliError::input(path, &error),
@@ -119,10 +141,7 @@ fn write(
     let (figure, motion) = (scene.figure(), &simulated.motion);
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => {
-            let unit = solaris::io::bvh::Unit::default();
-            solaris::io::bvh::write(figure, motion, unit, &mut writer).map_err(CliError::other)
-        }
+        Format::Bvh => bvh(figure, motion, writer),
         Format::Sto => {
             solaris::io::sto::write(&table::coordinates(figure, motion), &mut writer).map_err(CliError::other)
         }

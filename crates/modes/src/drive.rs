@@ -222,4 +222,6 @@ pub enum OutcomeKind {
     Interrupted,
     /// The run ended first.
     Unfinished,
+    /// The run ended before it began.
+    NotBegun,
 }

@@ -7,8 +7,10 @@ mod drives;
 mod guard;
 mod impacts;
 mod ledger;
+mod outcomes;
 mod pass;
 mod record;
+mod tracks;
 mod watching;
 
 use crate::body::Body;
@@ -20,6 +22,9 @@ use crate::trouble::{Cause, RunError, SetupError, Trouble};
 use crate::{Drive, LimitLaw, Step};
 use pass::{Passed, pass};
 use solaris_model::Motion;
+
+/// Whether the methods that choose their steps are built in.
+const IS_STIFF: bool = cfg!(feature = "stiff");
 
 /// The most frames of a run.
 const MOST_FRAMES: f64 = 1e7;
@@ -41,7 +46,7 @@ pub(crate) fn run(
     settings: &Settings,
     watch: &mut dyn Watch,
 ) -> Result<Run, RunError> {
-    check(settings)?;
+    check_settings(settings)?;
     check_work(settings)?;
     let begun = watch.now();
     let chosen = match settings.method {
@@ -76,7 +81,15 @@ pub(crate) fn run(
     Ok(Run { motion, report })
 }
 
-fn check(settings: &Settings) -> Result<(), SetupError> {
+/// Refuses what [`run`] would refuse at the beginning.
+pub(crate) fn check(simulation: &Simulation, settings: &Settings) -> Result<(), RunError> {
+    check_settings(settings)?;
+    check_work(settings)?;
+    let beginning = Settings { duration: 0.0, estimate: false, ..settings.clone() };
+    run(simulation, &beginning, &mut ()).map(|_| ())
+}
+
+fn check_settings(settings: &Settings) -> Result<(), SetupError> {
     check_not_negative(|| "the duration of the run".to_owned(), settings.duration)?;
     let Settings { rate, duration, method, .. } = settings;
     if !(*rate > 0.0 && *rate <= 1e5) {
@@ -97,6 +110,8 @@ fn check(settings: &Settings) -> Result<(), SetupError> {
         {
             Err(SetupError::Range { what: "the tolerance".to_owned(), value: tolerance, range: "1e-14 to 1" })
         }
+        Method::Adaptive { .. } if !IS_STIFF => Err(SetupError::NotBuiltIn { method: "adaptive" }),
+        Method::Stiff { .. } if !IS_STIFF => Err(SetupError::NotBuiltIn { method: "stiff" }),
         _ => Ok(()),
     }
 }

@@ -85,18 +85,27 @@ impl Simulation {
     /// What drives a degree of freedom: one drive after the other. After the last one is done it stands still; a last drive
     /// that never is done lasts.
     ///
-    /// The name is that of a degree of freedom, or of a joint, all of whose degrees of freedom are meant.
+    /// The name is that of a degree of freedom, or of a joint, all of whose degrees of freedom are meant but those that
+    /// follow others.
     ///
     /// # Errors
     ///
-    /// [`SetupError`] for names that are none, drives that the joint does not have, numbers out of range.
+    /// [`SetupError`] for names that are none, drives that the joint does not have, a degree of freedom that follows another,
+    /// numbers out of range.
     pub fn drive<S: Into<Step>>(
         &mut self,
         name: &str,
         steps: impl IntoIterator<Item = S>,
     ) -> Result<(), SetupError> {
         let steps: Vec<Step> = steps.into_iter().map(Into::into).collect();
-        for dof in self.dofs(name)? {
+        let dofs = self.dofs(name)?;
+        if let [dof] = dofs[..]
+            && let Some(follower) = self.figure.followers().iter().find(|follower| follower.dof == dof)
+        {
+            let [dof, leader] = [dof, follower.leader].map(|dof| self.name(dof).to_owned());
+            return Err(SetupError::DrivenFollower { dof, leader });
+        }
+        for dof in dofs.into_iter().filter(|dof| !self.figure.follows(*dof)) {
             self.check_steps(dof, &steps)?;
             self.drives[dof].clone_from(&steps);
         }
@@ -166,6 +175,16 @@ impl Simulation {
             self.limits[dof] = law;
         }
         Ok(())
+    }
+
+    /// Refuses what [`Self::run`] would refuse at the beginning: settings out of range, drives that cannot begin, a start
+    /// that the guard does not let pass.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError`].
+    pub fn check(&self, settings: &Settings) -> Result<(), RunError> {
+        crate::run::check(self, settings)
     }
 
     /// Runs it.

@@ -54,6 +54,14 @@ pub enum SetupError {
         /// The drive.
         drive: &'static str,
     },
+    /// A drive for a degree of freedom that follows another.
+    #[error("'{dof}' follows '{leader}' and has no drive of its own; drive '{leader}'")]
+    DrivenFollower {
+        /// The follower.
+        dof: String,
+        /// Its leader.
+        leader: String,
+    },
     /// A number out of its range.
     #[error("{what} is {value}; it must be {range}")]
     Range {

@@ -75,6 +75,15 @@ impl Scene {
         self.walk.as_ref().map_or(0, |walk| walk.followed)
     }
 
+    /// Refuses what [`Self::simulate`] would refuse at the beginning.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`].
+    pub fn check(&self) -> Result<(), SceneError> {
+        Ok(self.simulation.check(&self.settings)?)
+    }
+
     /// Runs the scene while `watch` looks on. In a scene with a walk, what the ground does under the feet is found from the
     /// whole motion, with what dynamics have made of the parts that do not follow the walk.
     ///

@@ -28,19 +28,31 @@ struct Line<'a> {
     high: f64,
 }
 
-/// The coordinates of `motion` that go farthest, over time: angles (°) in one panel, ways (m) in another, as an SVG. Orientations of ball
-/// and free joints are not drawn. Changes of drives are marked.
+/// Coordinates of one kind.
+struct Panel<'a> {
+    /// What the axis says.
+    name: &'static str,
+    /// How many of what is shown there are in a rad or m.
+    unit: f64,
+    lines: Vec<Line<'a>>,
+    /// How many others move, less far.
+    more: usize,
+}
+
+/// The coordinates of `motion` that go farthest, over time: angles (°) in one panel, ways (m) in another, as an SVG.
+/// Orientations of ball and free joints are not drawn. Changes of drives are marked.
 ///
 /// The same motion gives the same text, byte for byte.
 pub fn coordinates(figure: &Figure, motion: &Motion, title: &str) -> String {
-    let panels: Vec<(&str, f64, (Vec<Line<'_>>, usize))> = [
+    let panels = [
         ("angle (°)", 180.0 / std::f64::consts::PI, AxisKind::Rotation),
         ("way (m)", 1.0, AxisKind::Translation),
     ]
-    .into_iter()
-    .map(|(name, unit, kind)| (name, unit, farthest(figure, motion, kind)))
-    .filter(|(.., (lines, _))| !lines.is_empty())
-    .collect();
+    .map(|(name, unit, kind)| {
+        let (lines, more) = farthest(figure, motion, kind);
+        Panel { name, unit, lines, more }
+    });
+    let panels: Vec<Panel<'_>> = panels.into_iter().filter(|panel| !panel.lines.is_empty()).collect();
     let height = TOP + (panels.len().max(1) as f64) * (PANEL.1 + BELOW);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" \
@@ -49,13 +61,14 @@ pub fn coordinates(figure: &Figure, motion: &Motion, title: &str) -> String {
          <text x=\"16\" y=\"24\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
         escape(&cut(title, 15.0, WIDTH - 32.0))
     );
-    for (index, (name, unit, (lines, more))) in panels.iter().enumerate() {
+    for (index, shown) in panels.iter().enumerate() {
         let top = TOP + index as f64 * (PANEL.1 + BELOW);
         let _ = writeln!(svg, "<g transform=\"translate({LEFT} {top})\">");
-        panel(&mut svg, motion, name, *unit, lines);
-        if *more > 0 {
-            let (x, y) = (PANEL.0 + 8.0, 18.0 + 16.0 * lines.len() as f64);
-            let _ = writeln!(svg, "<text x=\"{x}\" y=\"{y}\" fill=\"#555\">and {more} more that</text>");
+        panel(&mut svg, motion, shown);
+        if shown.more > 0 {
+            let (x, y) = (PANEL.0 + 8.0, 18.0 + 16.0 * shown.lines.len() as f64);
+            let _ =
+                writeln!(svg, "<text x=\"{x}\" y=\"{y}\" fill=\"#555\">and {} more that</text>", shown.more);
             let _ = writeln!(svg, "<text x=\"{x}\" y=\"{}\" fill=\"#555\">go less far</text>", y + 14.0);
         }
         svg.push_str("</g>\n");
@@ -92,7 +105,8 @@ fn farthest<'a>(figure: &'a Figure, motion: &Motion, kind: AxisKind) -> (Vec<Lin
     (lines, more)
 }
 
-fn panel(svg: &mut String, motion: &Motion, name: &str, unit: f64, lines: &[Line<'_>]) {
+fn panel(svg: &mut String, motion: &Motion, shown: &Panel<'_>) {
+    let Panel { name, unit, lines, .. } = shown;
     let (first, last) = (motion.time()[0], motion.time()[motion.len() - 1]);
     let low = lines.iter().fold(f64::INFINITY, |low, line| low.min(line.low * unit));
     let high = lines.iter().fold(f64::NEG_INFINITY, |high, line| high.max(line.high * unit));

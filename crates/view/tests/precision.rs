@@ -156,7 +156,7 @@ fn a_study_is_told_with_its_recommendation_first() {
     let study = study(&simulation, &settings, &options, &mut (), &mut |_| {}).expect("a study");
     let report = report(&study, "pendulum", 1.0, 100.0);
     let first = &report.findings[0];
-    assert_eq!(first, "For errors up to 1e-6: Runge-Kutta 4, 1e-2 s (400 evaluations).");
+    assert_eq!(first, "For errors up to 1e-6: Runge-Kutta 4, 1e-2 s (500 evaluations).");
     assert!(report.findings.iter().any(|it| it.starts_with("1 of 4 settings")), "{:?}", report.findings);
     let series: Vec<usize> = report.diagram.series.iter().map(|series| series.points.len()).collect();
     assert_eq!(series, [1, 3]);
@@ -165,5 +165,5 @@ fn a_study_is_told_with_its_recommendation_first() {
     assert_eq!((last.evaluations, last.error), (Some(4e6), None));
     let titles: Vec<&str> = report.tables.iter().map(|table| table.title.as_str()).collect();
     assert_eq!(titles, ["Which setting for which error", "Every setting", "What leaving out saves"]);
-    assert!(page(&report).contains("evaluations are spent"));
+    assert!(page(&report).contains("evaluations of the dynamics are spent"));
 }

@@ -5,7 +5,7 @@ use crate::convert::some;
 use crate::error::CliError;
 use crate::input::{self, extension};
 use crate::print::print;
-use crate::run::{Loaded, load};
+use crate::run::{Loaded, load, refuse};
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
@@ -22,6 +22,7 @@ pub(super) fn is_one(path: &Path) -> bool {
 
 pub(super) fn run(path: &Path, matches: &ArgMatches) -> Result<(), CliError> {
     let Loaded { scene, .. } = load(path)?;
+    scene.check().map_err(|error| refuse(path, error))?;
     let findings = scene.figure().lint();
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
     let facts = Facts::of(&scene);

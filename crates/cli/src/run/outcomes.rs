@@ -87,6 +87,7 @@ impl Told {
             "limit hit" => format!("came to {position}, the limit of the joint"),
             "interrupted" => format!("at {position} when the next drive took over"),
             "unfinished" => format!("not done at the end of the run, at {position}"),
+            "not begun" => "the run ended before it began".to_owned(),
             _ if !self.has_position => "ended".to_owned(),
             _ => format!("ended at {position}"),
         }
@@ -97,6 +98,7 @@ impl Told {
         match self.result {
             "unfinished" => "not done at the end of the run",
             "interrupted" => "the next drive took over",
+            "not begun" => "the run ended before they began",
             result => result,
         }
     }
@@ -210,6 +212,7 @@ fn name(result: OutcomeKind) -> &'static str {
         OutcomeKind::LimitHit => "limit hit",
         OutcomeKind::Interrupted => "interrupted",
         OutcomeKind::Unfinished => "unfinished",
+        OutcomeKind::NotBegun => "not begun",
         _ => "ended",
     }
 }

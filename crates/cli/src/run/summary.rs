@@ -22,12 +22,23 @@ pub(super) fn title(report: &Report) -> String {
     )
 }
 
+/// How many frames a second, and when the last is where it is not at the end.
+fn frames(report: &Report) -> String {
+    let last = report.frames.saturating_sub(1) as f64 / report.rate_per_s;
+    let rate = format!("{} a second", digits(report.rate_per_s));
+    if report.duration_s - last > 1e-6 * last {
+        format!("{rate}, the last at {} s", digits(last))
+    } else {
+        rate
+    }
+}
+
 /// Label, value and note.
 fn rows(report: &Report) -> Vec<[String; 3]> {
     let row = |label: &str, value: String, note: &str| [label.to_owned(), value, note.to_owned()];
     let cost = &report.cost;
     let mut rows = vec![
-        row("frames", report.frames.to_string(), &format!("{} a second", digits(report.rate_per_s))),
+        row("frames", report.frames.to_string(), &frames(report)),
         row("method", report.method.clone(), ""),
     ];
     if !report.why.is_empty() {

@@ -7,10 +7,10 @@ use super::watching::Meaning;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::drive::simple::{Begun, analyse, begin};
-use crate::drive::tracking::{Tracker, frame_forces};
+use crate::drive::tracking::Tracker;
 use crate::phase::Role;
 use crate::trouble::{Cause, RunError, SetupError, Trouble};
-use crate::{Drive, Law, Outcome, OutcomeKind, Target, Until};
+use crate::{Drive, OutcomeKind, Target, Until};
 use solaris_model::{Event, EventKind};
 use solaris_profiles::ProfileError;
 use std::sync::Arc;
@@ -69,17 +69,22 @@ impl Pass<'_> {
     fn take_over(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let mut next = self.over(events);
         while !next.is_empty() {
-            for &(dof, step) in &next {
-                let steps = &self.simulation.drives[dof];
-                let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
-                let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
-                self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
-                self.passed.jumps = true;
-            }
+            self.note_changes(&next);
             self.begin(&next)?;
             next = self.over(&[]);
         }
         Ok(())
+    }
+
+    /// Writes down which drives come next.
+    fn note_changes(&mut self, next: &[(usize, usize)]) {
+        for &(dof, step) in next {
+            let steps = &self.simulation.drives[dof];
+            let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
+            let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
+            self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
+            self.passed.jumps = true;
+        }
     }
 
     /// Writes down what came of the drives that are over; what comes next.
@@ -148,6 +153,7 @@ impl Pass<'_> {
                 next.push((dof, step + 1));
             }
         }
+        self.note_changes(&next);
         if next.is_empty() { Ok(()) } else { self.begin(&next) }
     }
 
@@ -262,111 +268,4 @@ impl Pass<'_> {
         figure.follow(&mut q, &mut v, &mut a);
         (prescribed, a, self.driven.iter().map(|driven| driven.force(self.t)).collect())
     }
-
-    /// What came of a drive that is done by itself.
-    fn result(&self, dof: usize) -> OutcomeKind {
-        let driven = &self.driven[dof];
-        let position =
-            self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
-        match self.simulation.drives[dof].get(driven.step).map(|step| &step.drive) {
-            Some(Drive::Simple { target, .. }) => {
-                let same = (self.v[dof] - target.velocity).abs() <= 1e-9 * (1.0 + target.velocity.abs());
-                if same { OutcomeKind::Reached } else { OutcomeKind::ReachedWithVelocity }
-            }
-            Some(Drive::Intensive { target, .. }) => {
-                let off = (position - target.position).abs();
-                match () {
-                    () if off <= REACHED && (self.v[dof] - target.velocity).abs() <= 10.0 * REACHED => {
-                        OutcomeKind::Reached
-                    }
-                    () if driven.limited => OutcomeKind::LimitedByTorque,
-                    () if off <= REACHED => OutcomeKind::ReachedWithVelocity,
-                    () => OutcomeKind::Missed(off),
-                }
-            }
-            Some(Drive::Torque(_) | Drive::FreeStyle { .. }) => OutcomeKind::Ended,
-            _ => OutcomeKind::Reached,
-        }
-    }
-
-    /// Writes down how a drive ended.
-    pub(crate) fn outcome(&mut self, dof: usize, result: OutcomeKind) {
-        let driven = &self.driven[dof];
-        self.passed.outcomes.push(Outcome {
-            dof,
-            drive: name(self.simulation.drives[dof].get(driven.step)),
-            start: driven.start,
-            end: self.t,
-            result,
-            position: self
-                .simulation
-                .figure
-                .layout()
-                .coordinate(dof)
-                .map_or(0.0, |coordinate| self.q[coordinate]),
-            velocity: self.v[dof],
-            acceleration: driven.acceleration,
-        });
-    }
-}
-
-/// How near (rad or m) a target counts as reached.
-const REACHED: f64 = 1e-3;
-
-/// The forces of the next `frame` (s) of all degrees of freedom that track a target.
-pub(crate) fn track(pass: &mut Pass<'_>, frame: f64) -> Result<(), RunError> {
-    let tracks: Vec<usize> =
-        (0..pass.driven.len()).filter(|&dof| matches!(pass.driven[dof].mode, Mode::Track(..))).collect();
-    if tracks.is_empty() {
-        return Ok(());
-    }
-    let (prescribed, mut a, mut tau) = pass.given();
-    let layout = pass.simulation.figure.layout();
-    for (a, driven) in a.iter_mut().zip(&pass.driven) {
-        if let Mode::Path(path) = &driven.mode {
-            *a = path.at(pass.t + 0.5 * frame).acceleration;
-        }
-    }
-    let (mut wanted, mut literal) = (Vec::new(), Vec::new());
-    for &dof in &tracks {
-        let Some(coordinate) = layout.coordinate(dof) else { continue };
-        let step = pass.driven[dof].step;
-        let Some(Drive::Intensive { target, law, .. }) =
-            pass.simulation.drives[dof].get(step).map(|step| step.drive.clone())
-        else {
-            continue;
-        };
-        if law == Law::Literal {
-            literal.push((dof, target));
-        } else if let Mode::Track(tracker, _) = &mut pass.driven[dof].mode {
-            wanted.push((dof, tracker.wanted(pass.t, frame, pass.q[coordinate], pass.v[dof])));
-        }
-    }
-    let failed = |error| RunError::from(super::guard::of_dynamics(pass.t, error));
-    if !literal.is_empty() {
-        let analysis = analyse(&mut pass.body, layout, &pass.q, &pass.v, &prescribed, &a, &tau, &literal);
-        for (&(dof, _), force) in literal.iter().zip(analysis.map_err(failed)?.force) {
-            tau[dof] = force;
-        }
-        pass.passed.counts.evaluations += 2;
-    }
-    if !wanted.is_empty() {
-        let figure = &pass.simulation.figure;
-        frame_forces(&mut pass.body, figure, &pass.q, &pass.v, &prescribed, &mut a, &mut tau, &wanted, frame)
-            .map_err(failed)?;
-        pass.passed.counts.evaluations += 1;
-    }
-    for dof in tracks {
-        let step = pass.driven[dof].step;
-        let limit = match pass.simulation.drives[dof].get(step).map(|step| &step.drive) {
-            Some(Drive::Intensive { limit: Some(limit), .. }) => *limit,
-            _ => f64::INFINITY,
-        };
-        let driven = &mut pass.driven[dof];
-        driven.limited |= tau[dof].abs() > limit;
-        if let Mode::Track(_, force) = &mut driven.mode {
-            *force = tau[dof].clamp(-limit, limit);
-        }
-    }
-    Ok(())
 }

@@ -5,6 +5,7 @@ use super::guard;
 use super::ledger::Ledger;
 use super::record::{Record, near};
 use super::watching::Meaning;
+use crate::Outcome;
 use crate::body::Body;
 use crate::phase::{Phase, Role};
 use crate::report::{Counts, Impact, PhaseReport, Watch};
@@ -12,7 +13,6 @@ use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
 use crate::trouble::{Cause, RunError, Trouble};
-use crate::{Outcome, OutcomeKind};
 
 /// Rounds of changes at one instant that are still believed.
 const MOST_ROUNDS: usize = 1000;
@@ -270,7 +270,7 @@ impl<'a> Pass<'a> {
 
     /// The force of the frame of every degree of freedom that tracks a target.
     fn track(&mut self, end: f64) -> Result<(), RunError> {
-        super::drives::track(self, end - self.t)?;
+        super::tracks::track(self, end - self.t)?;
         // A force that is new may lift off what rests.
         let tracks = |driven: &Driven| driven.held.is_some() && matches!(driven.mode, Mode::Track(..));
         if self.driven.iter().any(tracks) { self.rest(&[], &[]) } else { Ok(()) }
@@ -328,16 +328,7 @@ impl<'a> Pass<'a> {
             self.passed.record.push(&self.q, &self.v, &self.a);
         }
         self.end_phase();
-        for dof in 0..self.driven.len() {
-            let driven = &self.driven[dof];
-            let step = self.simulation.drives[dof].get(driven.step);
-            // A record may go on for as long as it likes.
-            let is_recorded = step.is_some_and(|step| matches!(step.drive, crate::Drive::Recorded(_)));
-            let lasts = driven.end.is_infinite() || driven.waits || is_recorded;
-            if !lasts && !matches!(driven.mode, Mode::Still) {
-                self.outcome(dof, OutcomeKind::Unfinished);
-            }
-        }
+        self.note_unfinished();
         Ok(self.passed)
     }
 }

@@ -1,7 +1,9 @@
 //! When one drive takes over from another, and what limits do where nothing presses: cases that went wrong once.
 
-use solaris_model::{Curve, FigureBuilder, Joint, LinkSpec, Vector3};
-use solaris_modes::{Drive, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation, Step, Until};
+use solaris_model::{Curve, EventKind, FigureBuilder, Joint, LinkSpec, Vector3};
+use solaris_modes::{
+    Course, Drive, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation, Step, Target, Until,
+};
 use solaris_profiles::Profile;
 
 /// A block of 2 kg on a slide from 0 to 5 m, without weight.
@@ -137,4 +139,76 @@ fn what_follows_a_leader_is_stopped_with_it() {
     let run = run(&simulation, 1.0);
     // The lift stops; what lies on it keeps its 2 m/s upwards.
     assert!((run.motion.v(100)[2] - 2.0).abs() < 1e-9, "{:?}", run.motion.v(100));
+}
+
+/// A cart, and a lift on it that follows: y = 2·x.
+fn lift() -> Simulation {
+    let cart = LinkSpec::root("cart", Joint::new("x").tx()).mass(1.0);
+    let rail = Joint::new("y").ty().following("x.tx", Curve::linear(2.0, 0.0));
+    let lift = LinkSpec::child("lift", "cart", rail).mass(1.0);
+    let figure = FigureBuilder::new("lift").link(cart).link(lift).build().expect("valid");
+    Simulation::new(&figure, Vector3::zeros())
+}
+
+#[test]
+fn what_follows_has_no_drive_of_its_own() {
+    let mut simulation = lift();
+    let refused = simulation.drive("y", [Drive::Frozen]).expect_err("a follower");
+    assert_eq!(refused.to_string(), "'y.ty' follows 'x.tx' and has no drive of its own; drive 'x.tx'");
+    simulation.drive("x", [Drive::Frozen]).expect("its leader has");
+}
+
+#[test]
+fn what_does_not_begin_or_end_is_said() {
+    let mut simulation = block();
+    let over = |drive: Drive, time| until(drive, Until::Lasting(time));
+    // Nothing pushes the block, so that the target gives no acceleration: the next drive comes at once.
+    let target = Drive::Simple { target: Target::at(0.0), course: Course::BangBang };
+    simulation.start(&[1.0], &[0.0]).expect("a state");
+    let steps = [target.into(), over(Drive::Frozen, 0.5), over(Drive::Free, 2.0), Drive::Frozen.into()];
+    simulation.drive("slide", steps).expect("drives");
+    let run = run(&simulation, 1.0);
+    let told: Vec<(&str, OutcomeKind, f64)> =
+        run.report.outcomes.iter().map(|it| (it.drive, it.result, it.end)).collect();
+    assert_eq!(
+        told,
+        [
+            ("accelerate-decelerate (i)", OutcomeKind::NoMotion, 0.0),
+            ("frozen", OutcomeKind::Ended, 0.5),
+            ("free", OutcomeKind::Unfinished, 1.0),
+            ("frozen", OutcomeKind::NotBegun, 1.0),
+        ]
+    );
+    let changes: Vec<(f64, String)> = run
+        .motion
+        .events
+        .iter()
+        .filter_map(|event| match &event.kind {
+            EventKind::DriveChange { what } => Some((event.time, what.clone())),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(
+        changes,
+        [
+            (0.0, "slide.tx: accelerate-decelerate (i) -> frozen".to_owned()),
+            (0.5, "slide.tx: frozen -> free".to_owned())
+        ]
+    );
+}
+
+#[test]
+fn a_check_refuses_what_a_run_refuses_at_the_beginning() {
+    let settings = Settings::new(1.0, 100.0);
+    let mut simulation = block();
+    simulation.check(&settings).expect("it can be run");
+    simulation.drive("slide", [Drive::Kinematic(line(1.0, 2.0, 1.0))]).expect("a drive");
+    let refused = simulation.check(&settings).expect_err("the curve begins elsewhere");
+    assert_eq!(Err(refused), simulation.run(&settings).map(|_| ()));
+    let method = Method::Fixed { rule: Rule::RungeKutta4, step: 1e-9 };
+    let refused = block().check(&Settings { method, ..settings.clone() }).expect_err("too much work");
+    assert!(refused.to_string().contains("evaluations"), "{refused}");
+    let method = Method::Stiff { tolerance: 1e-6 };
+    let stiff = block().check(&Settings { method, ..settings });
+    assert_eq!(stiff.is_ok(), cfg!(feature = "stiff"));
 }

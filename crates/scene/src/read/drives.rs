@@ -1,7 +1,7 @@
 //! What drives which degree of freedom.
 
 use super::SceneReader;
-use super::names::{Closeness, in_order};
+use super::names::{Closeness, Meant, in_order};
 use solaris_model::text::{Content, Fields, Node};
 use solaris_modes::{Drive, Step};
 use std::collections::HashMap;
@@ -22,13 +22,13 @@ impl SceneReader<'_> {
         let mut named: HashMap<(Closeness, usize), String> = HashMap::new();
         for (key, value) in self.map(fields, "drives", EXAMPLE) {
             let before = self.reader.count();
-            let meant = self.meant(key);
+            let meant = self.meant(key).map(|meant| self.leaders(meant));
             let turns = self.names.turn(meant.as_ref());
             let steps = self.steps(value, turns);
             let Some(meant) = meant.filter(|_| self.reader.count() == before) else { continue };
-            if meant.closeness != Closeness::Pattern {
-                let name = self.names.name(meant.dofs[0]).to_owned();
-                if named.insert((meant.closeness, meant.dofs[0]), name.clone()).is_some() {
+            if let (Some(&first), true) = (meant.dofs.first(), meant.closeness != Closeness::Pattern) {
+                let name = self.names.name(first).to_owned();
+                if named.insert((meant.closeness, first), name.clone()).is_some() {
                     let message = format!("the drives of '{name}' are given twice; keep one of them");
                     self.reader.fault(key.span.clone(), message);
                 }
@@ -50,6 +50,14 @@ impl SceneReader<'_> {
             }
         }
         given
+    }
+
+    /// What is meant, but for those that follow others: they have no drives. One that is named is kept, to be refused.
+    fn leaders(&self, mut meant: Meant) -> Meant {
+        if let Some(figure) = self.figure().filter(|_| meant.closeness != Closeness::Dof) {
+            meant.dofs.retain(|dof| !figure.follows(*dof));
+        }
+        meant
     }
 
     /// Whether these degrees of freedom can have these drives; each that they cannot have is a fault, once.

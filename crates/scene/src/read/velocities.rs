@@ -25,15 +25,15 @@ impl SceneReader<'_> {
         }
     }
 
-    /// One velocity for all that is meant, or the three of a ball joint, or the six of a free one.
+    /// The three velocities of a ball joint, the six of a free one, or one for all that is meant.
     fn velocity(&mut self, key: &Node<'_>, value: &Node<'_>) -> Option<(Meant, Vec<f64>)> {
         let meant = self.meant(key)?;
         let kind = meant.joint.and_then(|joint| Some(self.figure()?.links()[joint].joint().kind().clone()));
         let values = match kind {
-            Some(JointKind::Ball { .. }) if value.items().is_some() => {
+            Some(JointKind::Ball { .. }) => {
                 self.reader.vector(value, "the angular velocity")?.as_slice().to_vec()
             }
-            Some(JointKind::Free { .. }) if value.group().is_some() => {
+            Some(JointKind::Free { .. }) => {
                 let fields = self.reader.fields(value, &["Motion"], &["moving", "turning"])?;
                 let mut vector = |field| {
                     let node = fields.get(field);

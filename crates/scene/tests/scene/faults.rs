@@ -19,6 +19,8 @@ fn arm(fields: &str) -> String {
     Link(name: "base", joint: Joint(name: "slide", axes: [tx]), mass: 1),
     Link(name: "upper", parent: "base", joint: Ball(name: "shoulder"), mass: 1, com: (0, -1, 0)),
     Link(name: "lower", parent: "upper", joint: Joint(name: "elbow", axes: [rx, ry]), mass: 1, com: (0, -1, 0)),
+    Link(name: "tip", parent: "lower", joint: Joint(name: "forearm",
+         axes: [rx(follows: Follow(dof: "elbow.rx", along: Line(slope: 1, offset: 0)))]), mass: 1),
 ])}},
 {fields})"#
     )
@@ -90,6 +92,7 @@ fn of_the_start() {
         "start: {\"shoulder.wx\": 1}",
         "start: {\"shoulder.qx\": 0.5, \"shoulder.qw\": 0.5}",
         "velocities: {\"shoulder\": (1, 2)}",
+        "velocities: {\"shoulder\": 1}",
         "velocities: {\"elbw\": 1}",
     ]);
     insta::assert_snapshot!(text);
@@ -99,6 +102,7 @@ fn of_the_start() {
 fn of_drives() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Fre}",
+        "drives: {\"forearm.rx\": Free}",
         "drives: {\"elbow.rx\": []}",
         "drives: {\"elbow.rx\": 3}",
         "drives: {\"elbow.rx\": Wait}",

@@ -110,6 +110,18 @@ fn what_names_a_dof_more_closely_wins() {
 }
 
 #[test]
+fn what_follows_is_not_meant_by_patterns() {
+    let text = r#"Scene(version: 1, duration: 1, figures: {"arm": Figure(name: "arm", links: [
+        Link(name: "upper", joint: Joint(name: "elbow", axes: [rx]), mass: 1, com: (0, -1, 0)),
+        Link(name: "lower", parent: "upper", joint: Joint(name: "wrist",
+             axes: [rx(follows: Follow(dof: "elbow.rx", along: Line(slope: 1, offset: 0)))]), mass: 1, com: (0, -1, 0)),
+    ])}, drives: {"*": Frozen})"#;
+    let scene = read(text, &mut NoFiles).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(steps(&scene, "elbow.rx"), [Drive::Frozen.into()]);
+    assert_eq!(steps(&scene, "wrist.rx"), [Drive::Free.into()]);
+}
+
+#[test]
 fn states_springs_and_limits_are_those_said() {
     let scene = scene(
         "start: {\"root\": (at: (1, 2, 3)), \"shoulder.qx\": 0.6, \"shoulder.qw\": 0.8, \"elbow.*\": deg(90), \"elbow.ry\": 0.5},

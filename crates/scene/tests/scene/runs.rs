@@ -96,8 +96,8 @@ fn a_loose_arm_swings_and_the_ground_feels_it() {
     let simulated = scene.simulate(&mut ()).expect("a motion");
     let motion = &simulated.motion;
     let layout = scene.figure().layout();
-    let [shoulder, elbow] =
-        ["right_shoulder.rx", "right_elbow.rx"].map(|name| layout.dof_index(name).expect("a dof"));
+    let is_loose = |name: &str| name.starts_with("right_shoulder.") || name == "right_elbow.rx";
+    let shoulder = layout.dof_index("right_shoulder.rx").expect("a dof");
     let middle = motion.len() / 2;
     // No muscle moves it but the limits; everything else is as planned.
     assert!(motion.tau(middle).expect("forces")[shoulder].abs() < 1e-9);
@@ -106,7 +106,8 @@ fn a_loose_arm_swings_and_the_ground_feels_it() {
     solaris_model::Trajectory::configuration(plan, motion.time()[middle], &mut planned);
     for dof in 0..layout.nq() {
         let off = (motion.q(middle)[dof] - planned[dof]).abs();
-        assert!(off < 1e-6 || dof == shoulder || dof == elbow, "{}: {off:e}", layout.q_names()[dof]);
+        let name = &layout.q_names()[dof];
+        assert!(off < 1e-6 || is_loose(name), "{name}: {off:e}");
     }
     let swings: Vec<f64> = (0..motion.len()).map(|frame| motion.q(frame)[shoulder]).collect();
     let range =

@@ -1,0 +1,79 @@
+//! What came of drives.
+
+use super::driven::name;
+use super::pass::Pass;
+use crate::{Drive, Outcome, OutcomeKind, Until};
+
+/// How near (rad or m) a target counts as reached.
+const REACHED: f64 = 1e-3;
+
+impl Pass<'_> {
+    /// What came of a drive that is done by itself.
+    pub(crate) fn result(&self, dof: usize) -> OutcomeKind {
+        let driven = &self.driven[dof];
+        let position =
+            self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
+        match self.simulation.drives[dof].get(driven.step).map(|step| &step.drive) {
+            Some(Drive::Simple { target, .. }) => {
+                let same = (self.v[dof] - target.velocity).abs() <= 1e-9 * (1.0 + target.velocity.abs());
+                if same { OutcomeKind::Reached } else { OutcomeKind::ReachedWithVelocity }
+            }
+            Some(Drive::Intensive { target, .. }) => {
+                let off = (position - target.position).abs();
+                match () {
+                    () if off <= REACHED && (self.v[dof] - target.velocity).abs() <= 10.0 * REACHED => {
+                        OutcomeKind::Reached
+                    }
+                    () if driven.limited => OutcomeKind::LimitedByTorque,
+                    () if off <= REACHED => OutcomeKind::ReachedWithVelocity,
+                    () => OutcomeKind::Missed(off),
+                }
+            }
+            Some(Drive::Torque(_) | Drive::FreeStyle { .. }) => OutcomeKind::Ended,
+            _ => OutcomeKind::Reached,
+        }
+    }
+
+    /// Writes down how a drive ended.
+    pub(crate) fn outcome(&mut self, dof: usize, result: OutcomeKind) {
+        let driven = &self.driven[dof];
+        let drive = name(self.simulation.drives[dof].get(driven.step));
+        let (start, acceleration) = (driven.start, driven.acceleration);
+        self.note(dof, drive, start, result, acceleration);
+    }
+
+    fn note(
+        &mut self,
+        dof: usize,
+        drive: &'static str,
+        start: f64,
+        result: OutcomeKind,
+        acceleration: Option<f64>,
+    ) {
+        let coordinate = self.simulation.figure.layout().coordinate(dof);
+        let position = coordinate.map_or(0.0, |coordinate| self.q[coordinate]);
+        let (end, velocity) = (self.t, self.v[dof]);
+        let outcome = Outcome { dof, drive, start, end, result, position, velocity, acceleration };
+        self.passed.outcomes.push(outcome);
+    }
+
+    /// Writes down what the end of the run has left undone.
+    pub(crate) fn note_unfinished(&mut self) {
+        for dof in 0..self.driven.len() {
+            let simulation = self.simulation;
+            let steps = &simulation.drives[dof];
+            let (driven, follows) = (&self.driven[dof], simulation.figure.follows(dof));
+            let at = driven.step;
+            let Some(step) = steps.get(at).filter(|_| !follows) else { continue };
+            // A record may go on for as long as it likes.
+            let is_recorded = matches!(step.drive, Drive::Recorded(_));
+            let lasts = driven.end.is_infinite() && step.until == Until::Done;
+            if !(lasts || driven.waits || is_recorded) {
+                self.outcome(dof, OutcomeKind::Unfinished);
+            }
+            for step in &steps[at + 1..] {
+                self.note(dof, step.drive.name(), self.t, OutcomeKind::NotBegun, None);
+            }
+        }
+    }
+}
