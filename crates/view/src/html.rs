@@ -71,12 +71,16 @@ pub(crate) fn table(rows: &[TableRow]) -> String {
     for row in rows {
         let [label, value, unit, note] =
             [&row.label, &row.value, &row.unit, &row.note].map(|text| escape(text));
+        // A sentence without a number has the whole width.
+        let cells = if value.is_empty() && unit.is_empty() {
+            format!("<td class=\"note\" colspan=\"3\">{note}</td>")
+        } else {
+            format!(
+                "<td class=\"value\">{value}</td><td class=\"unit\">{unit}</td><td class=\"note\">{note}</td>"
+            )
+        };
         // Writing to a string cannot fail.
-        let _ = writeln!(
-            html,
-            "      <tr><th scope=\"row\">{label}</th><td class=\"value\">{value}</td><td class=\"unit\">{unit}</td>\
-             <td class=\"note\">{note}</td></tr>"
-        );
+        let _ = writeln!(html, "      <tr><th scope=\"row\">{label}</th>{cells}</tr>");
     }
     html.push_str("    </table>\n  </details>");
     html
@@ -109,5 +113,9 @@ mod tests {
     fn a_table_without_rows_leaves_nothing() {
         assert_eq!(table(&[]), "");
         assert!(table(&[TableRow::new("a", "1", "m", "x<y")]).contains("<td class=\"note\">x&lt;y</td>"));
+        assert!(
+            table(&[TableRow::new("a", "", "", "said")])
+                .contains("<td class=\"note\" colspan=\"3\">said</td>")
+        );
     }
 }
