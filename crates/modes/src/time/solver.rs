@@ -81,8 +81,9 @@ impl Run<'_> {
         let mut sides = None;
         if self.events > 0 {
             let mut values = vec![0.0; self.events];
-            equations.host.borrow_mut().event_values(from, self.y, &mut values)?;
-            sides = Some(Sides::new(values, |index| evaluator.system.event_side(index)));
+            let mut host = equations.host.borrow_mut();
+            host.event_values(from, self.y, &mut values)?;
+            sides = Some(Sides::new(values, |index| host.event_side(index)));
         }
         let mut problem = OdeBuilder::<Mat>::new()
             .t0(from)

@@ -23,6 +23,7 @@ pub(super) trait Host {
     fn rate(&mut self, t: f64, y: &[f64], rate: &mut [f64]) -> Result<(), TimeError>;
     fn jacobian(&mut self, t: f64, y: &[f64], jacobian: &mut DMatrix<f64>) -> Result<(), TimeError>;
     fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) -> Result<(), TimeError>;
+    fn event_side(&self, index: usize) -> f64;
     fn settle(&self, y: &mut [f64]);
     /// Shows the state at a frame.
     fn show(&mut self, time: f64, y: &[f64]) -> Result<(), TimeError>;
@@ -45,6 +46,10 @@ impl<S: System + ?Sized> Host for Stretch<'_, '_, S> {
 
     fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) -> Result<(), TimeError> {
         self.evaluator.event_values(t, y, values)
+    }
+
+    fn event_side(&self, index: usize) -> f64 {
+        self.evaluator.system.event_side(index)
     }
 
     fn settle(&self, y: &mut [f64]) {
