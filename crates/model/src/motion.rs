@@ -42,6 +42,11 @@ pub enum EventKind {
         /// The link's name.
         link: String,
     },
+    /// The figure is computed from another link outwards from here on.
+    RootChange {
+        /// The new root's name.
+        link: String,
+    },
     /// Something moves a joint in another way from here on.
     DriveChange {
         /// What changes.

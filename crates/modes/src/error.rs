@@ -1,6 +1,6 @@
 //! Why there are no ground reactions.
 
-use solaris_dynamics::DynamicsError;
+use solaris_dynamics::{DynamicsError, RootViewError};
 use solaris_model::MotionError;
 
 /// Why a motion has no ground reactions.
@@ -48,6 +48,20 @@ pub enum ReactionError {
         time: f64,
         /// Normal force (N).
         normal: f64,
+    },
+    /// A motion without the contact of a foot.
+    #[error("the motion has no contact of '{link}'; find the ground reactions first")]
+    NoContacts {
+        /// The foot.
+        link: String,
+    },
+    /// A link that cannot be the root.
+    #[error("link '{link}' cannot be the root: {source}")]
+    Root {
+        /// The link.
+        link: String,
+        /// Why.
+        source: RootViewError,
     },
     /// The kernel refused.
     #[error(transparent)]

@@ -42,13 +42,13 @@ pub struct ReactionReport {
 }
 
 /// A foot: the links that carry its wrench.
-struct Foot {
+pub(crate) struct Foot {
     name: String,
-    carrier: Carrier,
+    pub(crate) carrier: Carrier,
 }
 
 impl Foot {
-    fn find(figure: &Figure, name: &str) -> Result<Self, ReactionError> {
+    pub(crate) fn find(figure: &Figure, name: &str) -> Result<Self, ReactionError> {
         let link = figure.link_index(name).ok_or_else(|| ReactionError::MissingLink {
             figure: figure.name().to_owned(),
             link: name.to_owned(),

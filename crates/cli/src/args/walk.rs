@@ -85,6 +85,12 @@ pub(super) fn command() -> Command {
             "FRAMES/S",
             &format!("Samples a second of the motion, {} to {} [default: {}]", RATE.1, RATE.2, RATE.0),
         ))
+        .arg(Arg::new("root").long("root").value_name("LINK").value_parser(["pelvis", "foot"]).hide_possible_values(true).help(
+            wrap(
+                "What the forces are computed from: the pelvis outwards, or the foot that stands, as the thesis does; no force \
+                 depends on it [default: pelvis]",
+            ),
+        ))
         .next_help_heading("Its style (people's: what people do at this frequency and step length)");
     PARAMETERS.iter().fold(command, |command, parameter| {
         let (unit, value) = match parameter.unit {

@@ -6,7 +6,7 @@ use solaris::gait::{
     check_bands,
 };
 use solaris::model::Motion;
-use solaris::modes::ReactionReport;
+use solaris::modes::{ReactionReport, RootReport};
 use std::io::Write;
 use std::time::Duration;
 
@@ -117,6 +117,19 @@ pub(crate) struct Forces {
     /// How far the total force that the motion implies is from the one that was prescribed.
     pub(crate) from_prescribed_n: Option<Extreme>,
     pub(crate) cop_from_prescribed_m: Extreme,
+    /// Where they were computed from the foot that stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) roots: Option<Roots>,
+}
+
+/// What computing from the foot that stands came to.
+#[derive(Debug, Serialize)]
+pub(crate) struct Roots {
+    /// Link and time of each root.
+    pub(crate) links: Vec<(String, f64)>,
+    /// Greatest difference of a reaction, and of a joint's force, from those that the pelvis as the root gives.
+    pub(crate) force_differs_n: f64,
+    pub(crate) torque_differs_n_m: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -130,7 +143,7 @@ impl Report {
         (height, mass): (f64, f64),
         plan: &WalkPlan,
         motion: &Motion,
-        reactions: &ReactionReport,
+        (reactions, rooted): (&ReactionReport, Option<&RootReport>),
         measures: &WalkMeasures,
         (planned, solved): (Duration, Duration),
     ) -> Self {
@@ -180,6 +193,7 @@ impl Report {
                 root_residual_n_m: reactions.root_residual.1,
                 from_prescribed_n: reactions.from_prescribed.map(pair),
                 cop_from_prescribed_m: pair(reactions.cop_from_nominal),
+                roots: rooted.map(roots),
             },
             run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
             notes: notes(plan, m),
@@ -190,6 +204,14 @@ impl Report {
     pub(crate) fn write(&self, mut writer: impl Write) -> std::io::Result<()> {
         serde_json::to_writer_pretty(&mut writer, self).map_err(std::io::Error::from)?;
         writer.write_all(b"\n")
+    }
+}
+
+fn roots(report: &RootReport) -> Roots {
+    Roots {
+        links: report.roots.iter().map(|(time, link)| (link.clone(), *time)).collect(),
+        force_differs_n: report.reaction.0,
+        torque_differs_n_m: report.torque,
     }
 }
 

@@ -173,6 +173,11 @@ fn trust_rows(report: &Report) -> Vec<Row> {
     }
     let residual = format!("{:.0e} / {:.0e}", forces.root_residual_n, forces.root_residual_n_m);
     rows.push(row("root residual", residual, "N / N m", "what no ground reaction explains"));
+    if let Some(roots) = &forces.roots {
+        let value = format!("{:.0e} / {:.0e}", roots.force_differs_n, roots.torque_differs_n_m);
+        let note = format!("off those from the pelvis; {} changes of root", roots.links.len() - 1);
+        rows.push(row("forces from the feet", value, "N / N m", &note));
+    }
     rows.push(row("double support", forces.double_support_split, "", "split: an assumption, no law"));
     let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));
     rows.push(row("run time", format!("{plan} + {rest}"), "ms", "plan + forces"));

@@ -14,5 +14,6 @@ mod lengths;
 mod newton;
 mod parameters;
 mod repeat;
+mod roots;
 mod torques;
 mod worst;

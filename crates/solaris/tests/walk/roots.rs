@@ -1,0 +1,78 @@
+//! The root is a choice: forces computed from the foot that stands are those computed from the pelvis.
+
+use crate::cases::{person, steps, walked};
+use solaris::gait::FEET;
+use solaris::model::EventKind;
+use solaris::modes::{ReactionError, reactions_from_feet};
+
+/// What rounding leaves, of the greatest force of its kind.
+const ROUNDING: f64 = 1e-9;
+
+#[test]
+fn forces_do_not_depend_on_the_root_through_every_change_of_support() {
+    for (height, frequency, count, rate) in
+        [(1.75, 110.0, 4, 120.0), (1.3, 105.0, 3, 97.0), (1.9, 90.0, 5, 60.0)]
+    {
+        let figure = person(height);
+        let (_, mut motion) = walked(&figure, &steps(frequency, count), rate);
+        let before = motion.clone();
+        let report = reactions_from_feet(&figure, &mut motion, FEET).expect("a walk on two feet");
+        let (force, moment, torque) = report.scale;
+        println!(
+            "{height} m, {frequency}/min: force {:.1e}, moment {:.1e}, torque {:.1e} of their scales; {} roots",
+            report.reaction.0 / force,
+            report.reaction.1 / moment,
+            report.torque / torque,
+            report.roots.len()
+        );
+        assert!(force > 9.0 * figure.mass() && torque > 0.1 * force);
+        // The report compares, and so does this, with what is in the motion.
+        let greatest = |of: &dyn Fn(usize) -> f64| (0..motion.len()).map(of).fold(0.0, f64::max);
+        let tau = greatest(&|row| {
+            let [was, is] = [&before, &motion].map(|motion| motion.tau(row).expect("forces"));
+            was.iter().zip(is).fold(0.0, |worst, (was, is)| f64::max(worst, (was - is).abs()))
+        });
+        assert!(tau <= ROUNDING * torque && tau == report.torque, "{tau:e}");
+        for foot in FEET {
+            let [was, is] = [&before, &motion].map(|motion| &motion.contact(foot).expect("a foot").samples);
+            let off = greatest(&|row| (was[row].force - is[row].force).norm());
+            let turn = greatest(&|row| (was[row].moment - is[row].moment).norm());
+            // Where it bears next to nothing, a centre of pressure is a quotient of two roundings.
+            let cop = greatest(&|row| {
+                let light = was[row].force.norm() < 0.01 * force;
+                if light { 0.0 } else { (was[row].cop - is[row].cop).norm() }
+            });
+            assert!(
+                off <= ROUNDING * force && turn <= ROUNDING * moment && cop < 1e-9,
+                "{foot}: {off:e} {turn:e} {cop:e}"
+            );
+        }
+        // Each step has the foot and then its toes as the root; from standing, through every step, to standing.
+        let links: Vec<&str> = report.roots.iter().map(|(_, link)| link.as_str()).collect();
+        assert!(links.len() >= 2 * count, "{links:?}");
+        for pair in links.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let is_roll = to == from.replace("_foot", "_toes") && from != to;
+            let is_step = from[..4] != to[..4] && to.ends_with("_foot");
+            assert!(is_roll || is_step || from == to.replace("_foot", "_toes"), "{links:?}");
+        }
+        let changes: Vec<(f64, String)> = motion
+            .events
+            .iter()
+            .filter_map(|event| match &event.kind {
+                EventKind::RootChange { link } => Some((event.time, link.clone())),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(changes, report.roots[1..]);
+    }
+}
+
+#[test]
+fn a_motion_without_reactions_has_nothing_to_compute_from() {
+    let figure = person(1.75);
+    let (plan, _) = walked(&figure, &steps(110.0, 2), 60.0);
+    let mut motion = plan.motion(&figure, 60.0).expect("a motion");
+    let refused = reactions_from_feet(&figure, &mut motion, FEET).expect_err("no contacts");
+    assert_eq!(refused, ReactionError::NoContacts { link: FEET[0].to_owned() });
+}
