@@ -1,0 +1,195 @@
+//! The least path within bounds, by an interior-point method.
+
+use crate::ground::consistency::sweep::{Cost, Path, Sweep};
+use nalgebra::{SMatrix, SVector};
+
+/// Slacks begin no smaller than this (m).
+const START: f64 = 0.01;
+/// What a metre beyond the limit costs, over what a metre of the path does: the limit gives way where it must, and the
+/// step stays defined.
+const LIMIT_COST: f64 = 1e9;
+/// Share of the way to the nearest bound that a step goes.
+const NEAR: f64 = 0.995;
+
+/// A bound of a frame's second difference: `along · a ≤ reach` (m).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side<const D: usize> {
+    pub(super) frame: usize,
+    pub(super) along: SVector<f64, D>,
+    pub(super) reach: f64,
+}
+
+/// `½ Σ (|δ_k|² + smooth·|a_k|²)` is to be least where every side holds and `|δ_k| ≤ limits[k]`.
+#[derive(Clone, Debug)]
+pub(super) struct Problem<const D: usize> {
+    pub(super) frames: usize,
+    pub(super) smooth: f64,
+    pub(super) sides: Vec<Side<D>>,
+    /// Positive (m), one a frame, or none at all.
+    pub(super) limits: Vec<f64>,
+}
+
+/// How a problem was solved.
+#[derive(Clone, Debug)]
+pub(super) struct Solution<const D: usize> {
+    pub(super) path: Path<D>,
+    pub(super) iterations: usize,
+    pub(super) converged: bool,
+}
+
+impl<const D: usize> Problem<D> {
+    /// Mehrotra's predictor and corrector. With slacks `s`, multipliers `λ` and the bounds as `g(x) + s = λ/κ` (`κ` =
+    /// `LIMIT_COST` for limits, infinite for sides), Newton's step on
+    ///
+    /// ```text
+    /// ∇f + ∇gᵀλ = 0     g + s − λ/κ = 0     s·λ = σμ
+    /// ```
+    ///
+    /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. A limit is the bound
+    /// `(|δ|² − L²)/2L`. It has converged when every bound holds within `tolerance` (m), the last step moved nothing by more,
+    /// and `Σ s·λ`, which bounds what could still be gained, leaves no path further away than `tolerance` by root of the sum
+    /// of squares. Where nothing needs to move the answer is exactly zero.
+    pub(super) fn solve(&self, iterations: usize, tolerance: f64) -> Solution<D> {
+        let mut path = Path::still(self.frames);
+        if self.sides.iter().all(|side| side.reach >= 0.0) {
+            return Solution { path, iterations: 0, converged: true };
+        }
+        let count = self.sides.len() + self.limits.len();
+        let mut way = path.clone();
+        let mut sweep = Sweep::new();
+        let mut costs = Vec::with_capacity(self.frames);
+        let mut slack: Vec<f64> = (0..count).map(|i| START.max(-self.value(i, &path))).collect();
+        let mut force = vec![START; count];
+        let (mut rest, mut target) = (vec![0.0; count], vec![0.0; count]);
+        let mut steps = vec![(0.0, 0.0); count];
+        let mut moved = f64::INFINITY;
+        for iteration in 0..=iterations {
+            for i in 0..count {
+                rest[i] = self.value(i, &path) + slack[i] - force[i] * self.give(i);
+                target[i] = slack[i] * force[i];
+            }
+            let gap: f64 = target.iter().sum();
+            let broken = rest.iter().fold(0.0, |worst: f64, rest| worst.max(rest.abs()));
+            let settled = broken.max(moved) <= tolerance && gap <= 0.5 * tolerance * tolerance;
+            if settled || iteration == iterations || !gap.is_finite() {
+                return Solution { path, iterations: iteration, converged: settled };
+            }
+            self.weigh(&path, &slack, &force, &mut costs);
+            if sweep.factor(&costs).is_none() {
+                return Solution { path, iterations: iteration, converged: false };
+            }
+            let mut length = 0.0;
+            for corrects in [false, true] {
+                self.pull(&path, [&slack, &force, &rest, &target], &mut costs);
+                sweep.solve(&costs, &mut way);
+                for i in 0..count {
+                    let along = self.slope(i, &path, &way);
+                    let push =
+                        (force[i] * (rest[i] + along) - target[i]) / (slack[i] + force[i] * self.give(i));
+                    steps[i] = (push * self.give(i) - rest[i] - along, push);
+                }
+                length = longest(&steps, &slack, &force);
+                if !corrects {
+                    let ahead =
+                        |i: usize| (slack[i] + length * steps[i].0) * (force[i] + length * steps[i].1);
+                    let left = (0..count).map(ahead).sum::<f64>() / gap;
+                    let centre = left.powi(3) * gap / count as f64;
+                    for i in 0..count {
+                        target[i] += steps[i].0 * steps[i].1 - centre;
+                    }
+                }
+            }
+            let length = (NEAR * length).min(1.0);
+            moved = way.place.iter().fold(0.0, |worst: f64, way| worst.max(way.norm()));
+            if !moved.is_finite() {
+                return Solution { path, iterations: iteration, converged: false };
+            }
+            for i in 0..count {
+                slack[i] += length * steps[i].0;
+                force[i] += length * steps[i].1;
+            }
+            path.advance(length, &way);
+        }
+        Solution { path, iterations, converged: false }
+    }
+
+    /// How far (m) the path is beyond bound i.
+    fn value(&self, i: usize, path: &Path<D>) -> f64 {
+        match self.sides.get(i) {
+            Some(side) => side.along.dot(&path.second[side.frame]) - side.reach,
+            None => {
+                let (place, limit) = self.limited(i, path);
+                (place.norm_squared() - limit * limit) / (2.0 * limit)
+            }
+        }
+    }
+
+    /// The change of bound i's value along `way`, to first order.
+    fn slope(&self, i: usize, path: &Path<D>, way: &Path<D>) -> f64 {
+        match self.sides.get(i) {
+            Some(side) => side.along.dot(&way.second[side.frame]),
+            None => {
+                let (place, limit) = self.limited(i, path);
+                place.dot(&way.place[i - self.sides.len()]) / limit
+            }
+        }
+    }
+
+    fn limited<'a>(&self, i: usize, path: &'a Path<D>) -> (&'a SVector<f64, D>, f64) {
+        let frame = i - self.sides.len();
+        (&path.place[frame], self.limits[frame])
+    }
+
+    /// How far (m) bound i gives way to a unit of its multiplier.
+    fn give(&self, i: usize) -> f64 {
+        if i < self.sides.len() { 0.0 } else { 1.0 / LIMIT_COST }
+    }
+
+    /// The matrices of the step.
+    fn weigh(&self, path: &Path<D>, slack: &[f64], force: &[f64], costs: &mut Vec<Cost<D>>) {
+        let (one, none) = (SMatrix::identity(), SVector::zeros());
+        let still = Cost { place: one, place_pull: none, second: one * self.smooth, second_pull: none };
+        costs.clear();
+        costs.resize(self.frames, still);
+        for (i, (slack, force)) in slack.iter().zip(force).enumerate() {
+            let weight = force / (slack + force * self.give(i));
+            if let Some(side) = self.sides.get(i) {
+                costs[side.frame].second += side.along * side.along.transpose() * weight;
+            } else {
+                let (place, limit) = self.limited(i, path);
+                costs[i - self.sides.len()].place +=
+                    one * (force / limit) + place * place.transpose() * (weight / (limit * limit));
+            }
+        }
+    }
+
+    /// The linear part of the step.
+    fn pull(&self, path: &Path<D>, [slack, force, rest, target]: [&[f64]; 4], costs: &mut [Cost<D>]) {
+        for (frame, cost) in costs.iter_mut().enumerate() {
+            cost.place_pull = path.place[frame];
+            cost.second_pull = path.second[frame] * self.smooth;
+        }
+        for i in 0..slack.len() {
+            let pull = force[i] + (force[i] * rest[i] - target[i]) / (slack[i] + force[i] * self.give(i));
+            if let Some(side) = self.sides.get(i) {
+                costs[side.frame].second_pull += side.along * pull;
+            } else {
+                let (place, limit) = self.limited(i, path);
+                costs[i - self.sides.len()].place_pull += place * (pull / limit);
+            }
+        }
+    }
+}
+
+/// The longest part, at most the whole, of a step that keeps slacks and multipliers from turning negative.
+fn longest(steps: &[(f64, f64)], slack: &[f64], force: &[f64]) -> f64 {
+    let mut length = 1.0_f64;
+    for ((step, slack), force) in steps.iter().zip(slack).zip(force) {
+        for (step, from) in [(step.0, slack), (step.1, force)] {
+            if step < 0.0 {
+                length = length.min(-from / step);
+            }
+        }
+    }
+    length
+}
