@@ -41,11 +41,8 @@ mod sweep;
 pub use error::{ConsistencyError, ShiftError};
 pub use shift::shift_root;
 
-use crate::ground::consistency::{outline::Ground, scene::Scene};
+use crate::ground::consistency::{interior::YIELD, outline::Ground, scene::Scene};
 use nalgebra::{Vector1, Vector2, Vector3};
-
-/// How much further (m) than asked the root may go: the limit yields by so much before it counts.
-const YIELD: f64 = 1e-6;
 
 /// The whole figure at one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -99,8 +96,8 @@ pub struct Violation {
 pub enum Outcome {
     /// Every frame is possible, within the limit.
     Reached,
-    /// The limit does not suffice. The shift makes every frame possible and goes beyond the limit by as little as it can, by
-    /// root of the sum of squares.
+    /// The limit does not suffice. The shift makes every frame possible and goes beyond the limit by as little as it can: by sum
+    /// of squares over the frames, of which a metre beyond weighs 10⁴ times one within.
     Short {
         /// The frame that goes furthest, from 0.
         frame: usize,

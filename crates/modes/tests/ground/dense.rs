@@ -105,7 +105,7 @@ fn small_cases_are_those_of_a_dense_programme() {
             limit: f64::INFINITY,
             margin: 0.01,
             smoothing,
-            tolerance: 1e-10,
+            tolerance: 1e-9,
             ..Default::default()
         };
         let mut vector =

@@ -5,11 +5,19 @@ use nalgebra::{SMatrix, SVector};
 
 /// Slacks begin no smaller than this (m).
 const START: f64 = 0.01;
-/// What a metre beyond the limit costs, over what a metre of the path does: the limit gives way where it must, and the
-/// step stays defined.
-const LIMIT_COST: f64 = 1e9;
+/// What a metre beyond a limit costs, over what a metre of the path does: so much that a limit holds where it can, and, if
+/// it cannot, so much that the sides still do.
+const LIMIT_COSTS: [f64; 2] = [1e9, 1e4];
+/// How much further (m) than asked the path may go: a limit yields by so much before it counts as not held.
+pub(super) const YIELD: f64 = 1e-6;
+/// How much stiffer than the path itself a side may be: it gives way by what is left, so that the step stays defined.
+const SIDE_COST: f64 = 1e12;
 /// Share of the way to the nearest bound that a step goes.
 const NEAR: f64 = 0.995;
+/// An iteration that leaves both the gap and what is broken above this share of their least so far has got nowhere.
+const PROGRESS: f64 = 0.9;
+/// Part of the gap that a step aims at after an iteration that got nowhere.
+const CENTRE: f64 = 0.3;
 
 /// A bound of a frame's second difference: `along · a ≤ reach` (m).
 #[derive(Clone, Copy, Debug)]
@@ -38,8 +46,20 @@ pub(super) struct Solution<const D: usize> {
 }
 
 impl<const D: usize> Problem<D> {
+    /// The least path that keeps within the limits, or if there is none, that goes beyond them by as little as can be.
+    pub(super) fn solve(&self, iterations: usize, tolerance: f64) -> Solution<D> {
+        let [strict, yielding] = LIMIT_COSTS;
+        let solution = self.minimise(strict, iterations, tolerance);
+        let mut pairs = solution.path.place.iter().zip(&self.limits);
+        if pairs.all(|(place, limit)| place.norm() <= limit + YIELD) {
+            return solution;
+        }
+        let yielded = self.minimise(yielding, iterations, tolerance);
+        Solution { iterations: solution.iterations + yielded.iterations, ..yielded }
+    }
+
     /// Mehrotra's predictor and corrector. With slacks `s`, multipliers `λ` and the bounds as `g(x) + s = λ/κ` (`κ` =
-    /// `LIMIT_COST` for limits, infinite for sides), Newton's step on
+    /// `cost` for limits, beyond what matters for sides), Newton's step on
     ///
     /// ```text
     /// ∇f + ∇gᵀλ = 0     g + s − λ/κ = 0     s·λ = σμ
@@ -48,13 +68,15 @@ impl<const D: usize> Problem<D> {
     /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. A limit is the bound
     /// `(|δ|² − L²)/2L`. It has converged when every bound holds within `tolerance` (m), the last step moved nothing by more,
     /// and `Σ s·λ`, which bounds what could still be gained, leaves no path further away than `tolerance` by root of the sum
-    /// of squares. Where nothing needs to move the answer is exactly zero.
-    pub(super) fn solve(&self, iterations: usize, tolerance: f64) -> Solution<D> {
+    /// of squares. An iteration that gets nowhere is followed by a plain step towards the middle, since the corrector can go
+    /// round in circles. Where nothing needs to move the answer is exactly zero.
+    fn minimise(&self, cost: f64, iterations: usize, tolerance: f64) -> Solution<D> {
         let mut path = Path::still(self.frames);
         if self.sides.iter().all(|side| side.reach >= 0.0) {
             return Solution { path, iterations: 0, converged: true };
         }
         let count = self.sides.len() + self.limits.len();
+        let give: Vec<f64> = (0..count).map(|i| self.give(i, cost)).collect();
         let mut way = path.clone();
         let mut sweep = Sweep::new();
         let mut costs = Vec::with_capacity(self.frames);
@@ -62,10 +84,10 @@ impl<const D: usize> Problem<D> {
         let mut force = vec![START; count];
         let (mut rest, mut target) = (vec![0.0; count], vec![0.0; count]);
         let mut steps = vec![(0.0, 0.0); count];
-        let mut moved = f64::INFINITY;
+        let (mut moved, mut least) = (f64::INFINITY, [f64::INFINITY; 2]);
         for iteration in 0..=iterations {
             for i in 0..count {
-                rest[i] = self.value(i, &path) + slack[i] - force[i] * self.give(i);
+                rest[i] = self.value(i, &path) + slack[i] - force[i] * give[i];
                 target[i] = slack[i] * force[i];
             }
             let gap: f64 = target.iter().sum();
@@ -74,22 +96,23 @@ impl<const D: usize> Problem<D> {
             if settled || iteration == iterations || !gap.is_finite() {
                 return Solution { path, iterations: iteration, converged: settled };
             }
-            self.weigh(&path, &slack, &force, &mut costs);
+            let progress = gap < PROGRESS * least[0] || broken < PROGRESS * least[1];
+            least = [least[0].min(gap), least[1].min(broken)];
+            self.weigh(&path, [&slack, &force, &give], &mut costs);
             if sweep.factor(&costs).is_none() {
                 return Solution { path, iterations: iteration, converged: false };
             }
             let mut length = 0.0;
             for corrects in [false, true] {
-                self.pull(&path, [&slack, &force, &rest, &target], &mut costs);
+                self.pull(&path, [&slack, &force, &give, &rest, &target], &mut costs);
                 sweep.solve(&costs, &mut way);
                 for i in 0..count {
                     let along = self.slope(i, &path, &way);
-                    let push =
-                        (force[i] * (rest[i] + along) - target[i]) / (slack[i] + force[i] * self.give(i));
-                    steps[i] = (push * self.give(i) - rest[i] - along, push);
+                    let push = (force[i] * (rest[i] + along) - target[i]) / (slack[i] + force[i] * give[i]);
+                    steps[i] = (push * give[i] - rest[i] - along, push);
                 }
                 length = longest(&steps, &slack, &force);
-                if !corrects {
+                if !corrects && progress {
                     let ahead =
                         |i: usize| (slack[i] + length * steps[i].0) * (force[i] + length * steps[i].1);
                     let left = (0..count).map(ahead).sum::<f64>() / gap;
@@ -97,6 +120,8 @@ impl<const D: usize> Problem<D> {
                     for i in 0..count {
                         target[i] += steps[i].0 * steps[i].1 - centre;
                     }
+                } else if !corrects {
+                    target.iter_mut().for_each(|target| *target -= CENTRE * gap / count as f64);
                 }
             }
             let length = (NEAR * length).min(1.0);
@@ -141,18 +166,18 @@ impl<const D: usize> Problem<D> {
     }
 
     /// How far (m) bound i gives way to a unit of its multiplier.
-    fn give(&self, i: usize) -> f64 {
-        if i < self.sides.len() { 0.0 } else { 1.0 / LIMIT_COST }
+    fn give(&self, i: usize, cost: f64) -> f64 {
+        self.sides.get(i).map_or(1.0 / cost, |side| side.along.norm_squared() / (SIDE_COST * self.smooth))
     }
 
     /// The matrices of the step.
-    fn weigh(&self, path: &Path<D>, slack: &[f64], force: &[f64], costs: &mut Vec<Cost<D>>) {
+    fn weigh(&self, path: &Path<D>, [slack, force, give]: [&[f64]; 3], costs: &mut Vec<Cost<D>>) {
         let (one, none) = (SMatrix::identity(), SVector::zeros());
         let still = Cost { place: one, place_pull: none, second: one * self.smooth, second_pull: none };
         costs.clear();
         costs.resize(self.frames, still);
         for (i, (slack, force)) in slack.iter().zip(force).enumerate() {
-            let weight = force / (slack + force * self.give(i));
+            let weight = force / (slack + force * give[i]);
             if let Some(side) = self.sides.get(i) {
                 costs[side.frame].second += side.along * side.along.transpose() * weight;
             } else {
@@ -164,13 +189,13 @@ impl<const D: usize> Problem<D> {
     }
 
     /// The linear part of the step.
-    fn pull(&self, path: &Path<D>, [slack, force, rest, target]: [&[f64]; 4], costs: &mut [Cost<D>]) {
+    fn pull(&self, path: &Path<D>, [slack, force, give, rest, target]: [&[f64]; 5], costs: &mut [Cost<D>]) {
         for (frame, cost) in costs.iter_mut().enumerate() {
             cost.place_pull = path.place[frame];
             cost.second_pull = path.second[frame] * self.smooth;
         }
         for i in 0..slack.len() {
-            let pull = force[i] + (force[i] * rest[i] - target[i]) / (slack[i] + force[i] * self.give(i));
+            let pull = force[i] + (force[i] * rest[i] - target[i]) / (slack[i] + force[i] * give[i]);
             if let Some(side) = self.sides.get(i) {
                 costs[side.frame].second_pull += side.along * pull;
             } else {

@@ -46,7 +46,7 @@ pub(super) struct Cost<const D: usize> {
 /// ```text
 /// M_d = P_d     M_c = P_c + P_d     M_e = P_e + P_c + P_cᵀ + P_d     (δ_{k+1} = δ_k + e_{k+1})
 /// a = −G⁻¹ (r + m_e + M_cᵀ δ + M_e e)     G = R + M_e                (e_{k+1} = e_k + a_k)
-/// P_d = Q + M_d − M_c G⁻¹ M_cᵀ     P_c = M_c G⁻¹ R     P_e = M_e G⁻¹ R
+/// P_d = Q + M_d − M_c G⁻¹ M_cᵀ     P_c = M_c − M_c G⁻¹ M_e     P_e = M_e − M_e G⁻¹ M_e
 /// ```
 ///
 /// (the Riccati recursion). Its numbers stay of the size of the curve that they describe; the normal equations of second
@@ -80,8 +80,8 @@ impl<const D: usize> Sweep<D> {
             let inverse = (cost.second + m_first).cholesky()?.inverse();
             *gains = [inverse, inverse * m_cross.transpose(), inverse * m_first];
             place = symmetric(cost.place + place - m_cross * gains[1]);
-            cross = m_cross * inverse * cost.second;
-            first = symmetric(m_first * inverse * cost.second);
+            cross = m_cross - m_cross * gains[2];
+            first = symmetric(m_first - m_first * gains[2]);
         }
         let inverse = first.cholesky()?.inverse();
         let carried = inverse * cross.transpose();
