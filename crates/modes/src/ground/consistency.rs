@@ -66,7 +66,7 @@ pub struct ConsistencyOptions {
     pub least_force: f64,
     /// The time θ (s) within which the shift may come and go.
     pub smoothing: f64,
-    /// Most iterations of either stage.
+    /// Most iterations of a stage; as many again where the limit does not suffice.
     pub iterations: usize,
     /// How far (m) the shift may be from the least one, and the centre of pressure from where it has to be.
     pub tolerance: f64,
@@ -97,7 +97,7 @@ pub enum Outcome {
     /// Every frame is possible, within the limit.
     Reached,
     /// The limit does not suffice. The shift makes every frame possible and goes beyond the limit by as little as it can: by sum
-    /// of squares over the frames, of which a metre beyond weighs 10⁴ times one within.
+    /// of squares over the frames, of which a metre beyond weighs 10³ times one within.
     Short {
         /// The frame that goes furthest, from 0.
         frame: usize,

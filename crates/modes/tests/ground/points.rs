@@ -196,10 +196,11 @@ fn a_limit_that_cannot_be_kept_is_told() {
         let options = ConsistencyOptions { limit, ..FREE };
         let found = consistent(rate, 70.0, &GRAVITY, 0.0, &frames, &outlines, &options).expect("solved");
         say(&format!(
-            "{:.4} of the least limit: {:?}, {} iterations",
+            "{:.4} of the least limit: {:?}, {} iterations, outside {:.1e} m",
             limit / best,
             found.outcome,
-            found.iterations
+            found.iterations,
+            found.after.outside
         ));
         assert_eq!(found.after.frames, 0, "possible all the same");
         match found.outcome {

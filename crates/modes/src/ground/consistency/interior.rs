@@ -7,11 +7,13 @@ use nalgebra::{SMatrix, SVector};
 const START: f64 = 0.01;
 /// What a metre beyond a limit costs, over what a metre of the path does: so much that a limit holds where it can, and, if
 /// it cannot, so much that the sides still do.
-const LIMIT_COSTS: [f64; 2] = [1e9, 1e4];
+const LIMIT_COSTS: [f64; 2] = [1e9, 1e3];
 /// How much further (m) than asked the path may go: a limit yields by so much before it counts as not held.
 pub(super) const YIELD: f64 = 1e-6;
 /// How much stiffer than the path itself a side may be: it gives way by what is left, so that the step stays defined.
 const SIDE_COST: f64 = 1e12;
+/// Where limits do not hold, how small the gap must be next to what that costs.
+const GAP: f64 = 1e-14;
 /// Share of the way to the nearest bound that a step goes.
 const NEAR: f64 = 0.995;
 /// An iteration that leaves both the gap and what is broken above this share of their least so far has got nowhere.
@@ -92,7 +94,8 @@ impl<const D: usize> Problem<D> {
             }
             let gap: f64 = target.iter().sum();
             let broken = rest.iter().fold(0.0, |worst: f64, rest| worst.max(rest.abs()));
-            let settled = broken.max(moved) <= tolerance && gap <= 0.5 * tolerance * tolerance;
+            let beyond: f64 = (self.sides.len()..count).map(|i| 0.5 * force[i] * force[i] * give[i]).sum();
+            let settled = broken.max(moved) <= tolerance && gap <= 0.5 * tolerance * tolerance + GAP * beyond;
             if settled || iteration == iterations || !gap.is_finite() {
                 return Solution { path, iterations: iteration, converged: settled };
             }
