@@ -66,7 +66,7 @@ pub struct ConsistencyOptions {
     pub least_force: f64,
     /// The time θ (s) within which the shift may come and go.
     pub smoothing: f64,
-    /// Most iterations of a stage; as many again where the limit does not suffice.
+    /// Most iterations of the search for a path; where the limit matters, a stage takes several searches.
     pub iterations: usize,
     /// How far (m) the shift may be from the least one, and the centre of pressure from where it has to be.
     pub tolerance: f64,
@@ -125,7 +125,7 @@ pub struct Consistency {
     pub before: Violation,
     /// What still is, worked out from the shifted motion's whole wrench.
     pub after: Violation,
-    /// Iterations of both stages.
+    /// Iterations of all searches, in both stages.
     pub iterations: usize,
     /// How it ended.
     pub outcome: Outcome,

@@ -235,3 +235,41 @@ fn noise_is_met() {
     ));
     assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
 }
+
+#[test]
+fn random_problems_settle() {
+    let mut seed = 3;
+    let (mut ends, mut most) = ([0; 2], 0);
+    for case in 0..300 {
+        let mut between = |low: f64, high: f64| low * (high / low).powf(0.5 + 0.5 * random(&mut seed));
+        let (rate, mass, sway) = (between(20.0, 1000.0), between(0.01, 1e4), between(0.3, 8.0));
+        let options = ConsistencyOptions {
+            limit: if case % 3 == 0 { f64::INFINITY } else { between(0.003, 0.3) },
+            margin: if case % 2 == 0 { 0.0 } else { between(1e-4, 0.049) },
+            least_force: between(1e-3, 0.5),
+            smoothing: between(0.02, 1.0),
+            ..Default::default()
+        };
+        let frames = between(3.0, 1500.0) as usize;
+        let (balances, outlines) = swaying(frames, rate, mass, sway);
+        let found = consistent(rate, mass, &GRAVITY, 0.0, &balances, &outlines, &options).expect("solved");
+        most = most.max(found.iterations);
+        match found.outcome {
+            Outcome::Reached => {
+                assert!(found.greatest <= options.limit + 1.1e-6, "case {case}");
+                ends[0] += 1;
+            }
+            Outcome::Short { by, .. } => {
+                assert!(by > 0.0 && options.limit.is_finite(), "case {case}");
+                ends[1] += 1;
+            }
+            outcome => panic!("case {case}: {outcome:?} {rate} {frames} {sway} {options:?} {found:?}"),
+        }
+        assert_eq!(found.after.frames, 0, "case {case}: {:?} {:?} {options:?}", found.after, found.outcome);
+    }
+    say(&format!(
+        "300 random problems: {} within the limit, {} short of it, at most {most} iterations",
+        ends[0], ends[1]
+    ));
+    assert!(ends[0] > 50 && ends[1] > 20);
+}

@@ -10,6 +10,10 @@ const START: f64 = 0.01;
 const LIMIT_COSTS: [f64; 2] = [1e9, 1e3];
 /// How much further (m) than asked the path may go: a limit yields by so much before it counts as not held.
 pub(super) const YIELD: f64 = 1e-6;
+/// Most rounds of finding where a limit matters.
+const ROUNDS: usize = 12;
+/// Beyond this share of its limit a place gets a bound, once any place is beyond the whole.
+const NEAR_LIMIT: f64 = 0.5;
 /// How much stiffer than the path itself a side may be: it gives way by what is left, so that the step stays defined.
 const SIDE_COST: f64 = 1e12;
 /// Where limits do not hold, how small the gap must be next to what that costs.
@@ -21,12 +25,29 @@ const PROGRESS: f64 = 0.9;
 /// Part of the gap that a step aims at after an iteration that got nowhere.
 const CENTRE: f64 = 0.3;
 
-/// A bound of a frame's second difference: `along · a ≤ reach` (m).
+/// What a bound is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Of {
+    /// A frame's second difference; it has to hold.
+    Second,
+    /// A frame's place; it gives way where it must.
+    Place,
+}
+
+/// A bound of a frame: `along · x ≤ reach` (m).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side<const D: usize> {
+    pub(super) of: Of,
     pub(super) frame: usize,
     pub(super) along: SVector<f64, D>,
     pub(super) reach: f64,
+}
+
+impl<const D: usize> Side<D> {
+    fn along(&self, path: &Path<D>) -> f64 {
+        let of = if self.of == Of::Place { &path.place } else { &path.second };
+        self.along.dot(&of[self.frame])
+    }
 }
 
 /// `½ Σ (|δ_k|² + smooth·|a_k|²)` is to be least where every side holds and `|δ_k| ≤ limits[k]`.
@@ -35,7 +56,7 @@ pub(super) struct Problem<const D: usize> {
     pub(super) frames: usize,
     pub(super) smooth: f64,
     pub(super) sides: Vec<Side<D>>,
-    /// Positive (m), one a frame, or none at all.
+    /// Lengths (m), one a frame, or none at all.
     pub(super) limits: Vec<f64>,
 }
 
@@ -49,15 +70,46 @@ pub(super) struct Solution<const D: usize> {
 
 impl<const D: usize> Problem<D> {
     /// The least path that keeps within the limits, or if there is none, that goes beyond them by as little as can be.
+    ///
+    /// A limit is the half-planes that touch its circle: wherever the path has gone too far it gets one, and the path is
+    /// sought again, until none is missing. Where nothing needs to move the answer is exactly zero.
     pub(super) fn solve(&self, iterations: usize, tolerance: f64) -> Solution<D> {
-        let [strict, yielding] = LIMIT_COSTS;
-        let solution = self.minimise(strict, iterations, tolerance);
-        let mut pairs = solution.path.place.iter().zip(&self.limits);
-        if pairs.all(|(place, limit)| place.norm() <= limit + YIELD) {
+        let mut solution = Solution { path: Path::still(self.frames), iterations: 0, converged: true };
+        if self.sides.iter().all(|side| side.reach >= 0.0) {
             return solution;
         }
-        let yielded = self.minimise(yielding, iterations, tolerance);
-        Solution { iterations: solution.iterations + yielded.iterations, ..yielded }
+        let mut sides = self.sides.clone();
+        for cost in LIMIT_COSTS {
+            for _ in 0..ROUNDS {
+                let before = solution.iterations;
+                solution = self.minimise(&sides, cost, iterations, tolerance);
+                solution.iterations += before;
+                let mut reached = solution.path.place.iter().zip(&self.limits);
+                if reached.all(|(place, limit)| place.norm() <= limit + YIELD) {
+                    return solution;
+                }
+                let known = sides.len();
+                self.touch(&solution.path, &mut sides);
+                if sides.len() == known || !solution.converged {
+                    break;
+                }
+            }
+        }
+        solution
+    }
+
+    /// Adds the bounds that the path shows to be missing.
+    fn touch(&self, path: &Path<D>, sides: &mut Vec<Side<D>>) {
+        let mut held = vec![f64::NEG_INFINITY; self.frames];
+        for side in sides.iter().filter(|side| side.of == Of::Place) {
+            held[side.frame] = held[side.frame].max(side.along(path));
+        }
+        for (frame, (place, limit)) in path.place.iter().zip(&self.limits).enumerate() {
+            let length = place.norm();
+            if length > NEAR_LIMIT * limit + YIELD && held[frame] < length - 0.5 * YIELD {
+                sides.push(Side { of: Of::Place, frame, along: place / length, reach: *limit });
+            }
+        }
     }
 
     /// Mehrotra's predictor and corrector. With slacks `s`, multipliers `λ` and the bounds as `g(x) + s = λ/κ` (`κ` =
@@ -67,29 +119,25 @@ impl<const D: usize> Problem<D> {
     /// ∇f + ∇gᵀλ = 0     g + s − λ/κ = 0     s·λ = σμ
     /// ```
     ///
-    /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. A limit is the bound
-    /// `(|δ|² − L²)/2L`. It has converged when every bound holds within `tolerance` (m), the last step moved nothing by more,
+    /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. It has converged when every bound holds within `tolerance` (m), the last step moved nothing by more,
     /// and `Σ s·λ`, which bounds what could still be gained, leaves no path further away than `tolerance` by root of the sum
     /// of squares. An iteration that gets nowhere is followed by a plain step towards the middle, since the corrector can go
     /// round in circles. Where nothing needs to move the answer is exactly zero.
-    fn minimise(&self, cost: f64, iterations: usize, tolerance: f64) -> Solution<D> {
+    fn minimise(&self, sides: &[Side<D>], cost: f64, iterations: usize, tolerance: f64) -> Solution<D> {
         let mut path = Path::still(self.frames);
-        if self.sides.iter().all(|side| side.reach >= 0.0) {
-            return Solution { path, iterations: 0, converged: true };
-        }
-        let count = self.sides.len() + self.limits.len();
-        let give: Vec<f64> = (0..count).map(|i| self.give(i, cost)).collect();
+        let count = sides.len();
+        let give: Vec<f64> = sides.iter().map(|side| self.give(side, cost)).collect();
         let mut way = path.clone();
         let mut sweep = Sweep::new();
         let mut costs = Vec::with_capacity(self.frames);
-        let mut slack: Vec<f64> = (0..count).map(|i| START.max(-self.value(i, &path))).collect();
+        let mut slack: Vec<f64> = sides.iter().map(|side| START.max(side.reach)).collect();
         let mut force = vec![START; count];
         let (mut rest, mut target) = (vec![0.0; count], vec![0.0; count]);
         let mut steps = vec![(0.0, 0.0); count];
         let (mut moved, mut least) = (f64::INFINITY, [f64::INFINITY; 2]);
         for iteration in 0..=iterations {
             for i in 0..count {
-                rest[i] = self.value(i, &path) + slack[i] - force[i] * give[i];
+                rest[i] = sides[i].along(&path) - sides[i].reach + slack[i] - force[i] * give[i];
                 target[i] = slack[i] * force[i];
             }
             let gap: f64 = target.iter().sum();
@@ -101,16 +149,16 @@ impl<const D: usize> Problem<D> {
             }
             let progress = gap < PROGRESS * least[0] || broken < PROGRESS * least[1];
             least = [least[0].min(gap), least[1].min(broken)];
-            self.weigh(&path, [&slack, &force, &give], &mut costs);
+            self.weigh(sides, [&slack, &force, &give], &mut costs);
             if sweep.factor(&costs).is_none() {
                 return Solution { path, iterations: iteration, converged: false };
             }
             let mut length = 0.0;
             for corrects in [false, true] {
-                self.pull(&path, [&slack, &force, &give, &rest, &target], &mut costs);
+                self.pull(sides, &path, [&slack, &force, &give, &rest, &target], &mut costs);
                 sweep.solve(&costs, &mut way);
                 for i in 0..count {
-                    let along = self.slope(i, &path, &way);
+                    let along = sides[i].along(&way);
                     let push = (force[i] * (rest[i] + along) - target[i]) / (slack[i] + force[i] * give[i]);
                     steps[i] = (push * give[i] - rest[i] - along, push);
                 }
@@ -141,70 +189,44 @@ impl<const D: usize> Problem<D> {
         Solution { path, iterations, converged: false }
     }
 
-    /// How far (m) the path is beyond bound i.
-    fn value(&self, i: usize, path: &Path<D>) -> f64 {
-        match self.sides.get(i) {
-            Some(side) => side.along.dot(&path.second[side.frame]) - side.reach,
-            None => {
-                let (place, limit) = self.limited(i, path);
-                (place.norm_squared() - limit * limit) / (2.0 * limit)
-            }
+    /// How far (m) a bound gives way to a unit of its multiplier.
+    fn give(&self, side: &Side<D>, cost: f64) -> f64 {
+        match side.of {
+            Of::Second => side.along.norm_squared() / (SIDE_COST * self.smooth),
+            Of::Place => 1.0 / cost,
         }
-    }
-
-    /// The change of bound i's value along `way`, to first order.
-    fn slope(&self, i: usize, path: &Path<D>, way: &Path<D>) -> f64 {
-        match self.sides.get(i) {
-            Some(side) => side.along.dot(&way.second[side.frame]),
-            None => {
-                let (place, limit) = self.limited(i, path);
-                place.dot(&way.place[i - self.sides.len()]) / limit
-            }
-        }
-    }
-
-    fn limited<'a>(&self, i: usize, path: &'a Path<D>) -> (&'a SVector<f64, D>, f64) {
-        let frame = i - self.sides.len();
-        (&path.place[frame], self.limits[frame])
-    }
-
-    /// How far (m) bound i gives way to a unit of its multiplier.
-    fn give(&self, i: usize, cost: f64) -> f64 {
-        self.sides.get(i).map_or(1.0 / cost, |side| side.along.norm_squared() / (SIDE_COST * self.smooth))
     }
 
     /// The matrices of the step.
-    fn weigh(&self, path: &Path<D>, [slack, force, give]: [&[f64]; 3], costs: &mut Vec<Cost<D>>) {
+    fn weigh(&self, sides: &[Side<D>], [slack, force, give]: [&[f64]; 3], costs: &mut Vec<Cost<D>>) {
         let (one, none) = (SMatrix::identity(), SVector::zeros());
         let still = Cost { place: one, place_pull: none, second: one * self.smooth, second_pull: none };
         costs.clear();
         costs.resize(self.frames, still);
-        for (i, (slack, force)) in slack.iter().zip(force).enumerate() {
-            let weight = force / (slack + force * give[i]);
-            if let Some(side) = self.sides.get(i) {
-                costs[side.frame].second += side.along * side.along.transpose() * weight;
-            } else {
-                let (place, limit) = self.limited(i, path);
-                costs[i - self.sides.len()].place +=
-                    one * (force / limit) + place * place.transpose() * (weight / (limit * limit));
-            }
+        for (i, side) in sides.iter().enumerate() {
+            let cost = &mut costs[side.frame];
+            let matrix = if side.of == Of::Place { &mut cost.place } else { &mut cost.second };
+            *matrix += side.along * side.along.transpose() * (force[i] / (slack[i] + force[i] * give[i]));
         }
     }
 
     /// The linear part of the step.
-    fn pull(&self, path: &Path<D>, [slack, force, give, rest, target]: [&[f64]; 5], costs: &mut [Cost<D>]) {
+    fn pull(
+        &self,
+        sides: &[Side<D>],
+        path: &Path<D>,
+        [slack, force, give, rest, target]: [&[f64]; 5],
+        costs: &mut [Cost<D>],
+    ) {
         for (frame, cost) in costs.iter_mut().enumerate() {
             cost.place_pull = path.place[frame];
             cost.second_pull = path.second[frame] * self.smooth;
         }
-        for i in 0..slack.len() {
-            let pull = force[i] + (force[i] * rest[i] - target[i]) / (slack[i] + force[i] * give[i]);
-            if let Some(side) = self.sides.get(i) {
-                costs[side.frame].second_pull += side.along * pull;
-            } else {
-                let (place, limit) = self.limited(i, path);
-                costs[i - self.sides.len()].place_pull += place * (pull / limit);
-            }
+        for (i, side) in sides.iter().enumerate() {
+            let cost = &mut costs[side.frame];
+            let pull = if side.of == Of::Place { &mut cost.place_pull } else { &mut cost.second_pull };
+            let push = (force[i] * rest[i] - target[i]) / (slack[i] + force[i] * give[i]);
+            *pull += side.along * (force[i] + push);
         }
     }
 }

@@ -1,13 +1,10 @@
 //! What a motion asks of the two stages: from balances and outlines to bounds of second differences.
 
-use crate::ground::consistency::interior::{Problem, Side, Solution};
+use crate::ground::consistency::interior::{Of, Problem, Side, Solution};
 use crate::ground::consistency::outline::{Edge, Ground, edges, has_room, outside};
 use crate::ground::consistency::{Balance, ConsistencyError, ConsistencyOptions, Violation};
 use crate::split::TotalWrench;
 use nalgebra::{Vector1, Vector3};
-
-/// The least limit (m) of the horizontal stage, where the vertical one has used the whole.
-const LEAST_LIMIT: f64 = 1e-4;
 
 /// What all frames share.
 pub(super) struct Scene<'a> {
@@ -61,6 +58,7 @@ impl Scene<'_> {
             let reach = self.height(frame) / self.weight;
             let normal = self.frames[frame].force.dot(&self.ground.up);
             Side {
+                of: Of::Second,
                 frame,
                 along: Vector1::new(-reach * self.mass * self.rate * self.rate),
                 reach: reach * (normal - self.options.least_force * self.weight),
@@ -89,6 +87,7 @@ impl Scene<'_> {
             let centre = self.ground.flat(&(com + (spin - force * height) / normal));
             let lever = height * self.mass * self.rate * self.rate / normal;
             sides.extend(edges.iter().map(|edge| Side {
+                of: Of::Second,
                 frame,
                 along: -edge.out * lever,
                 reach: edge.out.dot(&(edge.point - centre)) - self.options.margin,
@@ -96,7 +95,7 @@ impl Scene<'_> {
         }
         let left = |up: &Vector1<f64>| {
             let limit = self.options.limit;
-            (limit * limit - up.x * up.x).max(0.0).sqrt().max(LEAST_LIMIT.min(limit))
+            (limit * limit - up.x * up.x).max(0.0).sqrt()
         };
         let limits =
             if self.options.limit.is_finite() { up.path.place.iter().map(left).collect() } else { vec![] };
