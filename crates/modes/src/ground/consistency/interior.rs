@@ -3,7 +3,7 @@
 use crate::ground::consistency::sweep::{Cost, Path, Sweep};
 use nalgebra::{SMatrix, SVector};
 
-/// Slacks begin no smaller than this (m).
+/// Slacks and multipliers begin no smaller than this (m), nor than what is broken at first: from within, steps get further.
 const START: f64 = 0.01;
 /// What a metre beyond a limit costs, over what a metre of the path does: so much that a limit holds where it can, and, if
 /// it cannot, so much that the sides still do.
@@ -119,10 +119,10 @@ impl<const D: usize> Problem<D> {
     /// ∇f + ∇gᵀλ = 0     g + s − λ/κ = 0     s·λ = σμ
     /// ```
     ///
-    /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. It has converged when every bound holds within `tolerance` (m), the last step moved nothing by more,
-    /// and `Σ s·λ`, which bounds what could still be gained, leaves no path further away than `tolerance` by root of the sum
-    /// of squares. An iteration that gets nowhere is followed by a plain step towards the middle, since the corrector can go
-    /// round in circles. Where nothing needs to move the answer is exactly zero.
+    /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. It has
+    /// converged when every bound holds within `tolerance` (m), the last step moved nothing by more, and `Σ s·λ`, which bounds
+    /// what could still be gained, leaves no path further away than `tolerance` by root of the sum of squares. An iteration that gets nowhere is followed by a plain step towards the middle, since the corrector can go
+    /// round in circles.
     fn minimise(&self, sides: &[Side<D>], cost: f64, iterations: usize, tolerance: f64) -> Solution<D> {
         let mut path = Path::still(self.frames);
         let count = sides.len();
@@ -130,8 +130,9 @@ impl<const D: usize> Problem<D> {
         let mut way = path.clone();
         let mut sweep = Sweep::new();
         let mut costs = Vec::with_capacity(self.frames);
-        let mut slack: Vec<f64> = sides.iter().map(|side| START.max(side.reach)).collect();
-        let mut force = vec![START; count];
+        let start = sides.iter().fold(START, |worst, side| worst.max(-side.reach));
+        let mut slack: Vec<f64> = sides.iter().map(|side| side.reach.max(start)).collect();
+        let mut force = vec![start; count];
         let (mut rest, mut target) = (vec![0.0; count], vec![0.0; count]);
         let mut steps = vec![(0.0, 0.0); count];
         let (mut moved, mut least) = (f64::INFINITY, [f64::INFINITY; 2]);
