@@ -14,7 +14,8 @@ pub(super) const YIELD: f64 = 1e-6;
 const ROUNDS: usize = 12;
 /// Beyond this share of its limit a place gets a bound, once any place is beyond the whole.
 const NEAR_LIMIT: f64 = 0.5;
-/// How much stiffer than the path itself a side may be: it gives way by what is left, so that the step stays defined.
+/// How much stiffer than the path itself a side may be in a step, so that the step stays defined: what is left is the next
+/// step's.
 const SIDE_COST: f64 = 1e12;
 /// Where limits do not hold, how small the gap must be next to what that costs.
 const GAP: f64 = 1e-14;
@@ -112,14 +113,14 @@ impl<const D: usize> Problem<D> {
         }
     }
 
-    /// Mehrotra's predictor and corrector. With slacks `s`, multipliers `λ` and the bounds as `g(x) + s = λ/κ` (`κ` =
-    /// `cost` for limits, beyond what matters for sides), Newton's step on
+    /// Mehrotra's predictor and corrector. With slacks `s` and multipliers `λ`, Newton's step on
     ///
     /// ```text
-    /// ∇f + ∇gᵀλ = 0     g + s − λ/κ = 0     s·λ = σμ
+    /// ∇f + ∇gᵀλ = 0     g + s = λ/κ (places), 0 (second differences)     s·λ = σμ
     /// ```
     ///
-    /// comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`. It has
+    /// with `κ` = `cost`, comes down to a least path without bounds ([`Sweep`]) in which every bound weighs `λ/(s + λ/κ)`; in
+    /// the step alone, second differences have a `κ` as well (`SIDE_COST`). It has
     /// converged when every bound holds within `tolerance` (m), the last step moved nothing by more, and `Σ s·λ`, which bounds
     /// what could still be gained, leaves no path further away than `tolerance` by root of the sum of squares. An iteration that gets nowhere is followed by a plain step towards the middle, since the corrector can go
     /// round in circles.
@@ -138,7 +139,8 @@ impl<const D: usize> Problem<D> {
         let (mut moved, mut least) = (f64::INFINITY, [f64::INFINITY; 2]);
         for iteration in 0..=iterations {
             for i in 0..count {
-                rest[i] = sides[i].along(&path) - sides[i].reach + slack[i] - force[i] * give[i];
+                let given = if sides[i].of == Of::Place { force[i] * give[i] } else { 0.0 };
+                rest[i] = sides[i].along(&path) - sides[i].reach + slack[i] - given;
                 target[i] = slack[i] * force[i];
             }
             let gap: f64 = target.iter().sum();
@@ -190,7 +192,7 @@ impl<const D: usize> Problem<D> {
         Solution { path, iterations, converged: false }
     }
 
-    /// How far (m) a bound gives way to a unit of its multiplier.
+    /// How far (m) a bound gives way to a unit of its multiplier, within a step.
     fn give(&self, side: &Side<D>, cost: f64) -> f64 {
         match side.of {
             Of::Second => side.along.norm_squared() / (SIDE_COST * self.smooth),
