@@ -1,0 +1,144 @@
+//! Figures that sway and hop impossibly, shifted, and judged by inverse dynamics from their new states.
+
+use crate::support::{GRAVITY, beyond, hull, say};
+use nalgebra::Vector3;
+use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
+use solaris_model::{Base, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Record, human};
+use solaris_modes::{
+    Balance, Completed, ConsistencyOptions, ConsistencyOutcome as Outcome, TotalWrench, complete, consistent,
+    shift_root,
+};
+use std::f64::consts::PI;
+
+/// Points of soles (m) in their links' frames.
+type Soles = Vec<(usize, Vector3<f64>)>;
+
+/// The balance of every frame, and the hull of its soles.
+fn judge(figure: &Figure, states: &Completed, soles: &Soles) -> (Vec<Balance>, Vec<Vec<Vector3<f64>>>) {
+    let tree = Tree::<f64>::new(figure, GRAVITY).expect("a tree");
+    let mut workspace = Workspace::new(&tree);
+    let mut tau = vec![0.0; tree.nv()];
+    let frame = |frame: usize| {
+        let q = &states.q[frame * tree.nq()..][..tree.nq()];
+        let (v, a) =
+            (&states.v[frame * tree.nv()..][..tree.nv()], &states.a[frame * tree.nv()..][..tree.nv()]);
+        inverse_dynamics(&tree, &mut workspace, q, v, a, &[], &mut tau).expect("a state");
+        let wrench = workspace.base_wrench();
+        let com = center_of_mass(&tree, &mut workspace, q).expect("a state");
+        let place = |(link, point): &(usize, Vector3<f64>)| {
+            let pose = workspace.pose(*link);
+            pose.rotation * point + pose.translation
+        };
+        let outline = hull(&soles.iter().map(place).collect::<Vec<_>>());
+        (Balance { force: wrench.force, moment: wrench.moment, com }, outline)
+    };
+    (0..states.time.len()).map(frame).unzip()
+}
+
+/// What is impossible: how far (m) outside at worst, and the least normal force (N).
+fn worst(balances: &[Balance], outlines: &[Vec<Vector3<f64>>], level: f64) -> (f64, f64) {
+    let mut worst = (f64::NEG_INFINITY, f64::INFINITY);
+    for (balance, outline) in balances.iter().zip(outlines) {
+        worst.1 = worst.1.min(balance.force.y);
+        let wrench = TotalWrench { force: balance.force, moment: balance.moment };
+        let cop = wrench.centre_of_pressure(&Vector3::y(), level);
+        worst.0 = worst.0.max(cop.map_or(f64::INFINITY, |cop| beyond(outline, &cop)));
+    }
+    worst
+}
+
+fn moving(figure: &Figure, rate: f64, frames: usize, q: impl Fn(f64) -> Vec<f64>) -> Completed {
+    let nv = figure.layout().nv();
+    let time: Vec<f64> = (0..frames).map(|k| k as f64 / rate).collect();
+    let record = Record {
+        q: time.iter().flat_map(|&t| q(t)).collect(),
+        v: vec![0.0; frames * nv],
+        a: vec![0.0; frames * nv],
+        known_v: vec![false; nv],
+        known_a: vec![false; nv],
+        time,
+    };
+    complete(figure, &record, None).expect("a motion")
+}
+
+fn becomes_possible(name: &str, figure: &Figure, rate: f64, mut states: Completed, soles: &Soles) {
+    let level = judge(figure, &states, soles).1[0].iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+    let mass = figure.links().iter().map(solaris_model::Link::mass).sum::<f64>();
+    let (balances, outlines) = judge(figure, &states, soles);
+    let options = ConsistencyOptions { limit: f64::INFINITY, margin: 0.0, ..Default::default() };
+    let found = consistent(rate, mass, &GRAVITY, level, &balances, &outlines, &options).expect("solved");
+    let before = worst(&balances, &outlines, level);
+    assert!(before.1 < -1.0 && found.before.pull > 1.0 && found.before.frames > 50, "{before:?}");
+    let old = states.clone();
+    shift_root(figure, &mut states, &found).expect("shifted");
+    let (balances, outlines) = judge(figure, &states, soles);
+    let after = worst(&balances, &outlines, level);
+    say(&format!(
+        "{name}: {} of {} frames at fault, outside {:.3} m, pull {:.0} N; after: outside {:.1e} m, least force {:.3} of the \
+         weight; greatest shift {:.1} mm, {} iterations",
+        found.before.frames,
+        found.shift.len(),
+        found.before.outside,
+        found.before.pull,
+        after.0,
+        after.1 / (mass * 9.81),
+        1e3 * found.greatest,
+        found.iterations
+    ));
+    assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
+    assert!(after.0 < 1e-6, "outside by {}", after.0);
+    assert!(after.1 > (0.01 - 1e-6) * mass * 9.81, "pressed with {}", after.1);
+    // The centre of mass went with the root, and nothing else did anything.
+    let moved = judge(figure, &old, soles).0.into_iter().zip(&balances).zip(&found.shift);
+    for ((old, new), shift) in moved {
+        assert!((new.com - old.com - shift).norm() < 1e-12);
+    }
+    let (nq, first) = (figure.layout().nq(), figure.layout().joints()[1].q);
+    for (old, new) in old.q.chunks(nq).zip(states.q.chunks(nq)) {
+        assert_eq!(old[first..], new[first..]);
+    }
+}
+
+#[test]
+fn a_person_that_sways_and_hops() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let soles = figure.links().iter().enumerate().flat_map(|(link, of)| {
+        let around = [Vector3::x(), -Vector3::x(), Vector3::z(), -Vector3::z()].map(|way| way * 0.04);
+        of.sole().iter().flat_map(move |point| around.map(|way| (link, point.position + way)))
+    });
+    let slides: Vec<usize> = ["root.tx", "root.ty", "root.tz"]
+        .map(|name| figure.layout().v_names().iter().position(|n| n == name).expect("a slide"))
+        .to_vec();
+    let nq = figure.layout().nq();
+    let states = moving(&figure, 120.0, 400, |t| {
+        let mut q: Vec<f64> = (0..nq).map(|k| 0.06 * (2.0 * PI * 1.1 * t + k as f64).sin()).collect();
+        q[slides[0]] = 0.08 * (2.0 * PI * 0.9 * t).sin();
+        q[slides[1]] = 1.0 + 0.03 * (2.0 * PI * 3.2 * t).sin();
+        q[slides[2]] = 0.05 * (2.0 * PI * 0.6 * t).cos() + 0.5 * t;
+        q
+    });
+    becomes_possible("person", &figure, 120.0, states, &soles.collect());
+}
+
+#[test]
+fn a_free_body_with_an_arm() {
+    let inertia = |x, y, z| Inertia::Tensor(solaris_model::Matrix3::from_diagonal(&Vector3::new(x, y, z)));
+    let body = LinkSpec::root("body", Joint::new("root")).mass(20.0).inertia(inertia(0.6, 0.3, 0.5));
+    let arm = LinkSpec::child("arm", "body", Joint::new("shoulder").rx().at(Vector3::new(0.2, 0.3, 0.0)))
+        .mass(2.0)
+        .com(Vector3::new(0.0, -0.3, 0.0))
+        .inertia(inertia(0.02, 0.002, 0.02));
+    let figure = FigureBuilder::new("buoy").link(body).link(arm).build().expect("valid");
+    let figure = figure.on_base(Base::Free).expect("free");
+    let corners = [[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]];
+    let soles = corners.map(|[x, z]: [f64; 2]| (0, Vector3::new(0.15 * x, -0.8, 0.1 * z))).to_vec();
+    let states = moving(&figure, 100.0, 300, |t| {
+        let turn = Vector3::new(0.1 * (5.0 * t).sin(), 0.8 * t, 0.12 * (4.0 * t).cos());
+        let turn = solaris_model::UnitQuaternion::from_scaled_axis(turn);
+        let mut q = vec![0.1 * (5.0 * t).sin(), 0.9 + 0.03 * (19.0 * t).cos(), 0.07 * (6.0 * t).cos()];
+        q.extend(turn.coords.iter());
+        q.push(0.7 * (7.0 * t).sin());
+        q
+    });
+    becomes_possible("free body", &figure, 100.0, states, &soles);
+}
