@@ -7,6 +7,7 @@ mod complete;
 mod drive;
 mod element;
 mod error;
+pub mod ground;
 mod impact;
 mod inverse;
 mod loads;
