@@ -6,7 +6,9 @@
 //! [`ground_forces`] does all of it.
 
 mod error;
+mod given;
 mod judge;
+mod outline;
 mod predict;
 mod share;
 mod sole;
