@@ -16,13 +16,13 @@ use solaris_model::{Contact, Figure};
 /// A rule that shares the ground's wrench between the feet that stand: an assumption, since the laws of motion give its sum
 /// and nothing else. A foot that stands alone has all of it.
 ///
-/// All of them know a *nominal centre of pressure* and a *share* of each foot that stands. The nominal centre goes from the heel to where
-/// the foot presses when it stands alone, and from there to the tip, as `3x² − 2x³` of the time until the first of those that
-/// stand when it comes has left, and since the last of those came that stay when it leaves. Where it never stands alone it is
-/// half-way from the heel to the ball. The shares of two feet are those with which their nominal centres make the whole centre of
-/// pressure, as near as may be: where that lies between the feet says who bears how much. In a double support between two
-/// single ones they lead from 0 to 1 by themselves. Elsewhere each is multiplied by a *smooth share*, which rises and falls
-/// over the same times (not beyond the middle of the stance) as `3x² − 2x³`; more than two feet have these alone.
+/// All of them know a *nominal centre of pressure* and a *share* of each foot that stands. The nominal centre goes from the
+/// heel to where the foot presses when it first stands alone, and from where it last does to the tip, as `3x² − 2x³` of the
+/// time; half-way from the heel to the ball stands in for what a motion does not show. The shares of two feet are those with
+/// which their nominal centres make the whole centre of pressure, as near as may be: where that lies between the feet says who bears
+/// how much, and it leads from 0 to 1 by itself. The shares of more than two, or where nothing presses on the ground, rise and
+/// fall as `3x² − 2x³` of the time until the first of those that stand when a foot comes has left, and since the last of those
+/// came that stay when it leaves, but not beyond the middle of its stance, and are made to add up to 1.
 ///
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]

@@ -156,3 +156,29 @@ fn each_foot_beside_its_plate() {
         say(&format!("   irregular {} {:?}", ground.report.irregular, ground.report.feet));
     }
 }
+
+#[test]
+fn grid() {
+    let Some(subject) = Subject::read() else { return };
+    for height in [0.01, 0.015, 0.02, 0.03] {
+        for speed in [0.2, 0.3, 0.4, 0.5, 0.7, 1.0] {
+            let stance = solaris_modes::ground::StanceOptions { height, speed, ..Default::default() };
+            let found = solaris_modes::ground::find_stances(
+                &subject.pinned.figure,
+                subject.pinned.gravity(),
+                &subject.pinned.motion(),
+                &soles(&subject.pinned),
+                &stance,
+            )
+            .unwrap();
+            say(&format!(
+                "h {height} v {speed}: {:?}",
+                found
+                    .list
+                    .iter()
+                    .map(|s| (s.foot, (1e3 * s.start) as i32, (1e3 * s.end) as i32))
+                    .collect::<Vec<_>>()
+            ));
+        }
+    }
+}
