@@ -1,8 +1,29 @@
-//! The ground under a motion.
+//! The ground's forces in a motion that is known, from the motion alone.
+//!
+//! The laws of motion give the whole wrench of the ground ([`balance`]). Which foot stands when is found from how the soles
+//! move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`]). How two feet share the wrench
+//! is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden ([`judge`]).
+//! [`ground_forces`] does all of it. [`consistent`] finds the smallest change of the root's path after which the ground can do what
+//! is asked of it.
 
 mod consistency;
+mod error;
+mod given;
+mod judge;
+mod outline;
+mod predict;
+mod share;
+mod sole;
+mod stance;
+mod total;
 
 pub use consistency::{
-    Balance, Consistency, ConsistencyError, ConsistencyOptions, Outcome as ConsistencyOutcome, ShiftError,
-    Violation, consistent, shift_root,
+    Consistency, ConsistencyError, ConsistencyOptions, Outcome, ShiftError, Violation, consistent, shift_root,
 };
+pub use error::GroundError;
+pub use judge::{FootReport, Unsupported, Worst, judge};
+pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};
+pub use share::{Shared, Split, share};
+pub use sole::{SOLE_BREADTH, Sole, soles};
+pub use stance::{Belt, Stance, StanceOptions, Stances, find_stances, stances_of_planted};
+pub use total::{BalanceFrame, balance};

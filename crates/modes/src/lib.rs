@@ -7,7 +7,7 @@ mod complete;
 mod drive;
 mod element;
 mod error;
-mod ground;
+pub mod ground;
 mod impact;
 mod inverse;
 mod loads;
@@ -30,10 +30,6 @@ pub use complete::{CompleteError, Completed, Filter, complete};
 pub use drive::{Course, Drive, Law, Outcome, OutcomeKind, Shape, Step, Target, Until};
 pub use element::{Anchor, LimitLaw, PointSpring};
 pub use error::ReactionError;
-pub use ground::{
-    Balance, Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, ShiftError, Violation,
-    consistent, shift_root,
-};
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
 pub use passive::add_passive_forces;

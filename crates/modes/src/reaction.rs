@@ -187,7 +187,7 @@ impl<L: SupportLaw> Scene<'_, L> {
 }
 
 /// Which degrees of freedom of a joint slide: their forces are in N, the others' in N m.
-fn slides(joint: &JointKind) -> Vec<bool> {
+pub(crate) fn slides(joint: &JointKind) -> Vec<bool> {
     match joint {
         JointKind::Free { .. } => (0..6).map(|k| k < 3).collect(),
         _ => (0..joint.nv())

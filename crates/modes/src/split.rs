@@ -59,26 +59,49 @@ pub fn split_at_pivot(
     feet: &[FootSupport; 2],
 ) -> Option<[Contact; 2]> {
     let height = feet[0].cop.dot(up) * feet[0].share + feet[1].cop.dot(up) * feet[1].share;
-    let (force, normal) = (total.force, total.force.dot(up));
     let centre = total.centre_of_pressure(up, height)?;
     let shift = centre - feet[0].cop * feet[0].share - feet[1].cop * feet[1].share;
-    let stiffness = normal / (pivot * (com.dot(up) - height));
-    let tangential = |v: Vector3<f64>| v - up * v.dot(up);
-    let rest = tangential(force - (com - centre) * stiffness);
-    let mut twist = (total.moment - centre.cross(&force)).dot(up);
+    let mut parts = [TotalWrench::default(); 2];
+    pivot_parts(total, up, 1.0 / (pivot * (com.dot(up) - height)), feet, &mut parts);
     let mut contacts = [Contact::default(); 2];
-    for (contact, foot) in contacts.iter_mut().zip(feet) {
-        contact.cop = foot.cop + shift;
-        contact.force = (tangential(com - contact.cop) * stiffness + rest + up * normal) * foot.share;
-        twist -= (contact.cop - centre).cross(&contact.force).dot(up);
-    }
-    for (contact, foot) in contacts.iter_mut().zip(feet) {
-        contact.moment = contact.cop.cross(&contact.force) + up * (twist * foot.share);
-        if foot.share <= 0.0 {
-            *contact = Contact::default();
+    for ((contact, part), foot) in contacts.iter_mut().zip(parts).zip(feet) {
+        if foot.share > 0.0 {
+            *contact = Contact { force: part.force, moment: part.moment, cop: foot.cop + shift };
         }
     }
     Some(contacts)
+}
+
+/// The parts of any number of feet, also where nothing presses on the ground. With `k` = `pull` = 1/(κ y_c), `N = Σ sᵢ Pᵢ` of
+/// the given centres of pressure, and `m` the moment that the wrench has about `N`, the pivot split without a division by the
+/// normal force is
+///
+/// ```text
+/// Fᵢ = sᵢ [ F + k Fₙ (N − Pᵢ)_t ]
+/// Mᵢ = Pᵢ × Fᵢ + sᵢ [ m_t + n (T − k m_t·(N − Pᵢ)) ]      T = n·m − Σ n·((Pᵢ − N) × Fᵢ)
+/// ```
+///
+/// The sums are exact where all centres are at one height and the shares add up to 1.
+pub(crate) fn pivot_parts(
+    total: &TotalWrench,
+    up: &Vector3<f64>,
+    pull: f64,
+    feet: &[FootSupport],
+    parts: &mut [TotalWrench],
+) {
+    let tangential = |v: Vector3<f64>| v - up * v.dot(up);
+    let nominal: Vector3<f64> = feet.iter().map(|foot| foot.cop * foot.share).sum();
+    let about = total.moment - nominal.cross(&total.force);
+    let (normal, tilting) = (total.force.dot(up), tangential(about));
+    let mut twist = about.dot(up);
+    for (part, foot) in parts.iter_mut().zip(feet) {
+        part.force = (total.force + tangential(nominal - foot.cop) * (pull * normal)) * foot.share;
+        twist -= (foot.cop - nominal).cross(&part.force).dot(up);
+    }
+    for (part, foot) in parts.iter_mut().zip(feet) {
+        let own = twist - pull * tilting.dot(&(nominal - foot.cop));
+        part.moment = foot.cop.cross(&part.force) + (tilting + up * own) * foot.share;
+    }
 }
 
 #[cfg(test)]

@@ -41,19 +41,9 @@ mod sweep;
 pub use error::{ConsistencyError, ShiftError};
 pub use shift::shift_root;
 
+use crate::ground::BalanceFrame;
 use crate::ground::consistency::{interior::YIELD, outline::Ground, scene::Scene};
 use nalgebra::{Vector1, Vector2, Vector3};
-
-/// The whole figure at one frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Balance {
-    /// The ground's force on the figure (N), world axes.
-    pub force: Vector3<f64>,
-    /// Its moment about the world's origin (N m).
-    pub moment: Vector3<f64>,
-    /// The centre of mass (m).
-    pub com: Vector3<f64>,
-}
 
 /// What may be changed, and how well it is to be done.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,7 +139,7 @@ pub fn consistent(
     mass: f64,
     gravity: &Vector3<f64>,
     level: f64,
-    frames: &[Balance],
+    frames: &[BalanceFrame],
     outlines: &[Vec<Vector3<f64>>],
     options: &ConsistencyOptions,
 ) -> Result<Consistency, ConsistencyError> {
@@ -213,7 +203,7 @@ fn check_numbers(
     }
 }
 
-fn check_frames(frames: &[Balance], outlines: &[Vec<Vector3<f64>>]) -> Result<(), ConsistencyError> {
+fn check_frames(frames: &[BalanceFrame], outlines: &[Vec<Vector3<f64>>]) -> Result<(), ConsistencyError> {
     if frames.len() < 3 {
         return Err(ConsistencyError::TooShort { frames: frames.len() });
     }

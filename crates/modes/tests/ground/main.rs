@@ -1,7 +1,8 @@
-//! The ground under a motion: what makes its reactions possible.
+//! The ground's forces of motions that are known: laws, hard cases, and measured data where it is present.
 
-mod dense;
-mod figure;
-mod points;
-mod refusals;
+mod hard;
+mod laws;
+mod measured;
+#[path = "../inverse/pinned.rs"]
+mod pinned;
 mod support;

@@ -1,8 +1,9 @@
 //! What a motion asks of the two stages: from balances and outlines to bounds of second differences.
 
+use crate::ground::BalanceFrame;
 use crate::ground::consistency::interior::{Of, Problem, Side, Solution};
 use crate::ground::consistency::outline::{Edge, Ground, edges, has_room, outside};
-use crate::ground::consistency::{Balance, ConsistencyError, ConsistencyOptions, Violation};
+use crate::ground::consistency::{ConsistencyError, ConsistencyOptions, Violation};
 use crate::split::TotalWrench;
 use nalgebra::{Vector1, Vector3};
 
@@ -13,7 +14,7 @@ pub(super) struct Scene<'a> {
     pub(super) weight: f64,
     pub(super) level: f64,
     pub(super) ground: Ground,
-    pub(super) frames: &'a [Balance],
+    pub(super) frames: &'a [BalanceFrame],
     pub(super) options: &'a ConsistencyOptions,
     /// Of each frame the edges of what stands; none in flight.
     pub(super) edges: Vec<Vec<Edge>>,
@@ -75,7 +76,7 @@ impl Scene<'_> {
     pub(super) fn across(&self, up: &Solution<1>) -> Result<Solution<2>, ConsistencyError> {
         let mut sides = Vec::with_capacity(self.edges.iter().map(Vec::len).sum());
         for (frame, edges) in self.edges.iter().enumerate().filter(|(_, edges)| !edges.is_empty()) {
-            let Balance { force, moment, com } = &self.frames[frame];
+            let BalanceFrame { force, moment, com, .. } = &self.frames[frame];
             let height = self.height(frame) + up.path.place[frame].x;
             if height <= 0.0 {
                 return Err(ConsistencyError::Low { frame, height });
@@ -110,7 +111,7 @@ impl Scene<'_> {
     ) -> Result<Violation, ConsistencyError> {
         let mut worst = Violation::default();
         for (frame, edges) in self.edges.iter().enumerate().filter(|(_, edges)| !edges.is_empty()) {
-            let Balance { force, moment, com } = &self.frames[frame];
+            let BalanceFrame { force, moment, com, .. } = &self.frames[frame];
             let zero = Vector3::zeros();
             let (shift, acceleration) = moved.map_or((zero, zero), |(shift, a)| (shift[frame], a[frame]));
             let total = force + acceleration * self.mass;

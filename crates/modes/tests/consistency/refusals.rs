@@ -3,18 +3,19 @@
 use crate::support::{GRAVITY, balance, rectangle};
 use nalgebra::Vector3;
 use solaris_model::{FigureBuilder, Joint, LinkSpec};
-use solaris_modes::{
-    Balance, Completed, Consistency, ConsistencyError, ConsistencyOptions, ShiftError, consistent, shift_root,
+use solaris_modes::Completed;
+use solaris_modes::ground::{
+    BalanceFrame, Consistency, ConsistencyError, ConsistencyOptions, ShiftError, consistent, shift_root,
 };
 
 type Outlines = Vec<Vec<Vector3<f64>>>;
 
-fn stood() -> (Vec<Balance>, Outlines) {
+fn stood() -> (Vec<BalanceFrame>, Outlines) {
     let frame = balance(2.0, Vector3::new(0.0, 1.0, 0.0), Vector3::new(3.0, 0.0, 0.0), Vector3::zeros());
     (vec![frame; 5], vec![rectangle(Vector3::zeros(), [0.1, 0.05], 0.0); 5])
 }
 
-fn refused(change: impl FnOnce(&mut Vec<Balance>, &mut Outlines)) -> ConsistencyError {
+fn refused(change: impl FnOnce(&mut Vec<BalanceFrame>, &mut Outlines)) -> ConsistencyError {
     let (mut frames, mut outlines) = stood();
     change(&mut frames, &mut outlines);
     consistent(100.0, 2.0, &GRAVITY, 0.0, &frames, &outlines, &ConsistencyOptions::default())

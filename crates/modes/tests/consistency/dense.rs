@@ -2,7 +2,7 @@
 
 use crate::support::{GRAVITY, balance, random, rectangle, say};
 use nalgebra::{DMatrix, DVector, Vector3};
-use solaris_modes::{Balance, ConsistencyOptions, ConsistencyOutcome as Outcome, consistent};
+use solaris_modes::ground::{BalanceFrame, ConsistencyOptions, Outcome, consistent};
 
 /// The least `½ xᵀHx` with `Cx ≤ d`, by Hildreth: coordinates of the dual in turn, `λ ≥ 0` and `x = −H⁻¹Cᵀλ`.
 fn hildreth(h: &DMatrix<f64>, c: &DMatrix<f64>, d: &DVector<f64>) -> DVector<f64> {
@@ -28,7 +28,7 @@ fn hildreth(h: &DMatrix<f64>, c: &DMatrix<f64>, d: &DVector<f64>) -> DVector<f64
 fn reference(
     rate: f64,
     mass: f64,
-    frames: &[Balance],
+    frames: &[BalanceFrame],
     feet: &[Option<(Vector3<f64>, [f64; 2], f64)>],
     options: &ConsistencyOptions,
 ) -> Vec<Vector3<f64>> {
@@ -69,7 +69,7 @@ fn reference(
     // P'_x = (M_z − …)/F_y written for a ground at y = 0: M = P × F + τ ŷ gives M_z = P_x F_y and M_x = −P_z F_y.
     let mut rows = vec![];
     for (frame, (centre, half, turn)) in standing {
-        let Balance { force, moment, com } = frames[frame];
+        let BalanceFrame { force, moment, com, .. } = frames[frame];
         let lift = y[frame + 1];
         let rise = (y[frame + 2] - 2.0 * lift + y[frame]) * rate * rate;
         let spin = moment - com.cross(&force);
@@ -110,7 +110,7 @@ fn small_cases_are_those_of_a_dense_programme() {
         };
         let mut vector =
             |scale: f64| Vector3::new(random(&mut seed), random(&mut seed), random(&mut seed)) * scale;
-        let frames: Vec<Balance> = (0..count)
+        let frames: Vec<BalanceFrame> = (0..count)
             .map(|_| balance(mass, Vector3::new(0.1, 0.9, -0.2) + vector(0.05), vector(11.0), vector(20.0)))
             .collect();
         let feet: Vec<_> = (0..count)

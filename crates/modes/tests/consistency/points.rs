@@ -3,7 +3,7 @@
 use crate::support::{GRAVITY, WEIGHT, balance, random, rectangle, say};
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
-use solaris_modes::{Balance, Consistency, ConsistencyOptions, ConsistencyOutcome as Outcome, consistent};
+use solaris_modes::ground::{BalanceFrame, Consistency, ConsistencyOptions, Outcome, consistent};
 use std::f64::consts::PI;
 use std::time::Instant;
 
@@ -22,7 +22,7 @@ fn pushed(
     mass: f64,
     place: Vector3<f64>,
     push: Vector3<f64>,
-) -> (Vec<Balance>, Vec<Vec<Vector3<f64>>>) {
+) -> (Vec<BalanceFrame>, Vec<Vec<Vector3<f64>>>) {
     let ground = Vector3::new(place.x, 0.0, place.z);
     let frame = balance(mass, place, push, Vector3::zeros());
     (vec![frame; frames], vec![rectangle(ground, [0.1, 0.1], 0.0); frames])
@@ -83,7 +83,7 @@ fn a_pulling_ground_is_met_by_a_parabola_upwards() {
 }
 
 /// A mass that sways in both directions, on a foot that it leaves now and then, and jumps a little.
-fn swaying(frames: usize, rate: f64, mass: f64, sway: f64) -> (Vec<Balance>, Vec<Vec<Vector3<f64>>>) {
+fn swaying(frames: usize, rate: f64, mass: f64, sway: f64) -> (Vec<BalanceFrame>, Vec<Vec<Vector3<f64>>>) {
     let at = |k: usize| {
         let t = k as f64 / rate;
         let push = Vector3::new(
@@ -120,11 +120,16 @@ fn places_do_not_matter_nor_which_way_is_up() {
     let (balances, outlines) = swaying(300, 100.0, 70.0, 2.0);
     let here = consistent(100.0, 70.0, &GRAVITY, 0.0, &balances, &outlines, &FREE).expect("solved");
     let (turn, way) = (Rotation3::from_scaled_axis(V::new(1.0, -0.4, 2.0)), V::new(20.0, 7.0, -3.0));
-    let moved: Vec<Balance> = balances
+    let moved: Vec<BalanceFrame> = balances
         .iter()
         .map(|b| {
             let moment = turn * (b.moment + way.cross(&b.force));
-            Balance { force: turn * b.force, moment, com: turn * (b.com + way) }
+            BalanceFrame {
+                force: turn * b.force,
+                moment,
+                com: turn * (b.com + way),
+                ..BalanceFrame::default()
+            }
         })
         .collect();
     let place = |outline: &Vec<V<f64>>| outline.iter().map(|p| turn * (p + way)).collect();

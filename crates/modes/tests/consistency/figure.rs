@@ -4,17 +4,15 @@ use crate::support::{GRAVITY, beyond, hull, say};
 use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
 use solaris_model::{Base, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Record, human};
-use solaris_modes::{
-    Balance, Completed, ConsistencyOptions, ConsistencyOutcome as Outcome, TotalWrench, complete, consistent,
-    shift_root,
-};
+use solaris_modes::ground::{BalanceFrame, ConsistencyOptions, Outcome, consistent, shift_root};
+use solaris_modes::{Completed, TotalWrench, complete};
 use std::f64::consts::PI;
 
 /// Points of soles (m) in their links' frames.
 type Soles = Vec<(usize, Vector3<f64>)>;
 
 /// The balance of every frame, and the hull of its soles.
-fn judge(figure: &Figure, states: &Completed, soles: &Soles) -> (Vec<Balance>, Vec<Vec<Vector3<f64>>>) {
+fn judge(figure: &Figure, states: &Completed, soles: &Soles) -> (Vec<BalanceFrame>, Vec<Vec<Vector3<f64>>>) {
     let tree = Tree::<f64>::new(figure, GRAVITY).expect("a tree");
     let mut workspace = Workspace::new(&tree);
     let mut tau = vec![0.0; tree.nv()];
@@ -30,13 +28,13 @@ fn judge(figure: &Figure, states: &Completed, soles: &Soles) -> (Vec<Balance>, V
             pose.rotation * point + pose.translation
         };
         let outline = hull(&soles.iter().map(place).collect::<Vec<_>>());
-        (Balance { force: wrench.force, moment: wrench.moment, com }, outline)
+        (BalanceFrame { force: wrench.force, moment: wrench.moment, com, ..BalanceFrame::default() }, outline)
     };
     (0..states.time.len()).map(frame).unzip()
 }
 
 /// What is impossible: how far (m) outside at worst, and the least normal force (N).
-fn worst(balances: &[Balance], outlines: &[Vec<Vector3<f64>>], level: f64) -> (f64, f64) {
+fn worst(balances: &[BalanceFrame], outlines: &[Vec<Vector3<f64>>], level: f64) -> (f64, f64) {
     let mut worst = (f64::NEG_INFINITY, f64::INFINITY);
     for (balance, outline) in balances.iter().zip(outlines) {
         worst.1 = worst.1.min(balance.force.y);

@@ -1,0 +1,118 @@
+//! Why the ground's forces of a motion are not found.
+
+use solaris_dynamics::DynamicsError;
+
+/// Why a motion has no ground forces.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GroundError {
+    /// Nothing says which way is up.
+    #[error(
+        "gravity is {} {} {} m/s²; it must be finite and not zero, or nothing says which way the ground lies",
+        .gravity[0], .gravity[1], .gravity[2]
+    )]
+    NoGravity {
+        /// What was given (m/s²).
+        gravity: [f64; 3],
+    },
+    /// Nothing weighs anything.
+    #[error("figure '{figure}' has no mass, so nothing presses on the ground; give its links masses")]
+    NoMass {
+        /// The figure.
+        figure: String,
+    },
+    /// No feet.
+    #[error(
+        "figure '{figure}' has no soles; give its feet sole points (heel, ball, toe tip), or name the soles"
+    )]
+    NoSoles {
+        /// The figure.
+        figure: String,
+    },
+    /// A sole that is none.
+    #[error("sole '{sole}': {what} is {value}; {remedy}")]
+    Sole {
+        /// Its name.
+        sole: String,
+        /// What is wrong.
+        what: &'static str,
+        /// What it is.
+        value: String,
+        /// What it must be.
+        remedy: &'static str,
+    },
+    /// The motion is not one of this figure.
+    #[error("{what} of the motion has {found} numbers; {rows} rows of figure '{figure}' have {expected}")]
+    Length {
+        /// Which column.
+        what: &'static str,
+        /// Numbers that it has.
+        found: usize,
+        /// Rows of the motion.
+        rows: usize,
+        /// The figure.
+        figure: String,
+        /// Numbers that it must have.
+        expected: usize,
+    },
+    /// No frames.
+    #[error("the motion has no frames; it needs one at least")]
+    Empty,
+    /// Times that are none.
+    #[error("frame {frame} is at {time} s; times must be finite and rise")]
+    Time {
+        /// Index of the frame.
+        frame: usize,
+        /// Its time (s).
+        time: f64,
+    },
+    /// A number that cannot be used.
+    #[error("{name} is {value}{unit}; it must be {range}")]
+    Option {
+        /// What it is called.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit, after a space.
+        unit: &'static str,
+        /// What it may be.
+        range: &'static str,
+    },
+    /// A stance of no foot, or of no time.
+    #[error(
+        "stance {stance}: foot {foot} of {feet} from {start} s to {end} s; it must be of a sole that is there, and last"
+    )]
+    Stance {
+        /// Its index.
+        stance: usize,
+        /// Index of its sole.
+        foot: usize,
+        /// Number of soles.
+        feet: usize,
+        /// From when (s).
+        start: f64,
+        /// Until when (s).
+        end: f64,
+    },
+    /// A split for two feet, and more of them stand.
+    #[error("at {time} s {feet} feet stand; the split '{split}' is for two: choose 'pivot' or 'effort'")]
+    TooManyFeet {
+        /// Name of the split.
+        split: &'static str,
+        /// When (s).
+        time: f64,
+        /// How many stand.
+        feet: usize,
+    },
+    /// The figure or its gravity cannot be computed with.
+    #[error(transparent)]
+    Tree(DynamicsError),
+    /// A state that cannot be computed with.
+    #[error("at {time} s: {source}")]
+    State {
+        /// When (s).
+        time: f64,
+        /// Why.
+        source: DynamicsError,
+    },
+}

@@ -1,0 +1,97 @@
+//! The outline of a sole on the ground, and how far a point is outside of it.
+
+use super::Sole;
+use nalgebra::{Vector2, Vector3};
+use solaris_dynamics::Workspace;
+
+impl Sole {
+    /// The outline of the sole seen from above, where `workspace` has placed the links: the convex hull of heel, ball and tip,
+    /// each half a breadth to either side, on the ground at `level` (m, along `up`, of length 1), counter-clockwise seen from above. Empty
+    /// where the sole has no breadth.
+    pub fn outline(&self, workspace: &Workspace<f64>, up: &Vector3<f64>, level: f64) -> Vec<Vector3<f64>> {
+        let Some(width) = self.width else { return Vec::new() };
+        let points = self.points(workspace);
+        let [e, f] = axes(up);
+        let flat = |v: &Vector3<f64>| Vector2::new(v.dot(&e), v.dot(&f));
+        let along = flat(&(points[2] - points[0]));
+        // A sole that stands upright has no direction on the ground: any will do.
+        let along = along.try_normalize(1e-9).unwrap_or_else(Vector2::x);
+        let side = Vector2::new(-along.y, along.x) * (width / 2.0);
+        let corners = points.iter().map(flat).flat_map(|point| [point + side, point - side]);
+        hull(corners.collect()).into_iter().map(|p| e * p.x + f * p.y + up * level).collect()
+    }
+}
+
+/// How far (m) a point is outside of a convex outline, along the ground; zero inside. The outline is counter-clockwise seen
+/// from above.
+pub(super) fn outside(point: &Vector3<f64>, outline: &[Vector3<f64>], up: &Vector3<f64>) -> f64 {
+    let flat = |v: Vector3<f64>| v - up * v.dot(up);
+    let mut nearest = f64::INFINITY;
+    let mut inside = true;
+    for (i, a) in outline.iter().enumerate() {
+        let b = &outline[(i + 1) % outline.len()];
+        let (edge, to) = (flat(b - a), flat(point - a));
+        inside &= edge.cross(&to).dot(up) >= 0.0;
+        let s = if edge.norm_squared() > 0.0 {
+            (to.dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        nearest = nearest.min((to - edge * s).norm());
+    }
+    if inside { 0.0 } else { nearest }
+}
+
+/// Two axes of the ground, with `up` as the third.
+fn axes(up: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let least = up.iamin();
+    let mut e = Vector3::zeros();
+    e[least] = 1.0;
+    let e = (e - up * e.dot(up)).normalize();
+    [e, up.cross(&e)]
+}
+
+/// The convex hull, counter-clockwise, by Andrew's monotone chain.
+fn hull(mut points: Vec<Vector2<f64>>) -> Vec<Vector2<f64>> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let half = |points: &mut dyn Iterator<Item = Vector2<f64>>| {
+        let mut chain: Vec<Vector2<f64>> = Vec::new();
+        for point in points {
+            while let [.., a, b] = chain[..]
+                && (b - a).perp(&(point - a)) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut lower = half(&mut points.iter().copied());
+    lower.extend(half(&mut points.iter().rev().copied()));
+    lower
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn the_hull_leaves_out_what_is_inside_or_on_an_edge() {
+        let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.5, 0.4), (0.0, 1.0)];
+        let hull = hull(points.iter().map(|p| Vector2::new(p.0, p.1)).collect());
+        assert_eq!(hull, [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)].map(|p| Vector2::new(p.0, p.1)));
+    }
+
+    #[test]
+    fn a_point_beside_an_edge_and_one_beyond_a_corner() {
+        let up = Vector3::y();
+        let [e, f] = axes(&up);
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| e * x + f * y);
+        let at = |x: f64, y: f64| outside(&(e * x + f * y + up * 7.0), &square, &up);
+        assert_relative_eq!(at(0.5, 0.5), 0.0);
+        assert_relative_eq!(at(0.5, -0.2), 0.2, epsilon = 1e-15);
+        assert_relative_eq!(at(1.3, 1.4), 0.5, epsilon = 1e-15);
+    }
+}

@@ -1,0 +1,58 @@
+//! From a number that decides to the times at which it changes its mind.
+
+/// Spans of time (s) in which `decides` is less than zero, put between frames by straight lines. Gaps shorter than `shortest`
+/// (s) are closed, then shorter spans are dropped, unless an end of the motion cuts them off.
+pub(super) fn standing(time: &[f64], decides: &[f64], shortest: f64) -> Vec<(f64, f64)> {
+    let down = |i: usize| decides[i] < 0.0;
+    let edge = |i: usize| {
+        let (a, b) = (decides[i], decides[i + 1]);
+        let s = if (b - a).is_finite() { a / (a - b) } else { 0.5 };
+        time[i] + s * (time[i + 1] - time[i])
+    };
+    let mut spans: Vec<(f64, f64)> = Vec::new();
+    let mut start = None;
+    for i in 0..time.len() {
+        if down(i) && start.is_none() {
+            start = Some(if i == 0 { time[0] } else { edge(i - 1) });
+        }
+        if down(i) && (i + 1 == time.len() || !down(i + 1)) {
+            let end = if i + 1 == time.len() { time[i] } else { edge(i) };
+            if let Some(start) = start.take() {
+                match spans.last_mut() {
+                    Some(last) if start - last.1 < shortest => last.1 = end,
+                    _ => spans.push((start, end)),
+                }
+            }
+        }
+    }
+    let (Some(&first), Some(&last)) = (time.first(), time.last()) else { return spans };
+    spans.retain(|&(start, end)| end - start >= shortest || start <= first || end >= last);
+    spans
+}
+
+#[cfg(test)]
+mod tests {
+    use super::standing;
+
+    #[test]
+    fn edges_lie_where_the_line_crosses_zero() {
+        let time = [0.0, 1.0, 2.0, 3.0];
+        assert_eq!(standing(&time, &[3.0, -1.0, -1.0, 1.0], 0.1), [(0.75, 2.5)]);
+    }
+
+    #[test]
+    fn short_gaps_are_closed_and_short_stances_dropped_but_at_the_ends() {
+        let time: Vec<f64> = (0..10).map(f64::from).collect();
+        let decides = [-1.0, 1.0, 1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0];
+        // Half a second at either end; 3.5 to 4.5 and 5.5 to 6.5 with a gap of one second between.
+        assert_eq!(standing(&time, &decides, 0.1), [(0.0, 0.5), (3.5, 4.5), (5.5, 6.5), (8.5, 9.0)]);
+        assert_eq!(standing(&time, &decides, 1.5), [(0.0, 0.5), (3.5, 6.5), (8.5, 9.0)]);
+        assert_eq!(standing(&time, &decides, 2.5), [(0.0, 0.5), (3.5, 9.0)]);
+    }
+
+    #[test]
+    fn what_never_comes_down_never_stands() {
+        assert_eq!(standing(&[0.0, 1.0], &[f64::INFINITY; 2], 0.1), []);
+        assert_eq!(standing(&[0.5], &[-1.0], 0.1), [(0.5, 0.5)]);
+    }
+}
