@@ -3,14 +3,15 @@
 //! The laws of motion give the whole wrench of the ground ([`balance`]). Which foot stands when is found from how the soles
 //! move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`]). How two feet share the wrench
 //! is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden ([`judge`]).
-//! [`ground_forces`] does all of it. [`consistent`] finds the smallest change of the root's path after which the ground can do what
-//! is asked of it.
+//! [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the root's path after which the ground can do
+//! what is asked of it.
 
 mod consistency;
 mod error;
 mod given;
 mod judge;
 mod outline;
+mod possible;
 mod predict;
 mod share;
 mod sole;
@@ -22,6 +23,7 @@ pub use consistency::{
 };
 pub use error::GroundError;
 pub use judge::{FootReport, Unsupported, Worst, judge};
+pub use possible::make_consistent;
 pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};
 pub use share::{Shared, Split, share};
 pub use sole::{SOLE_BREADTH, Sole, soles};

@@ -1,5 +1,6 @@
 //! Why the ground's forces of a motion are not found.
 
+use super::{ConsistencyError, ShiftError};
 use solaris_dynamics::DynamicsError;
 
 /// Why a motion has no ground forces.
@@ -104,6 +105,26 @@ pub enum GroundError {
         /// How many stand.
         feet: usize,
     },
+    /// A sole without breadth, where its outline is asked.
+    #[error("sole '{sole}' has no breadth, so it is not known what it stands on; give it a width")]
+    NoBreadth {
+        /// The sole.
+        sole: String,
+    },
+    /// Frames that are not equally far apart.
+    #[error("frame {frame}, at {time} s, is not where equal frames have it; give the motion at a fixed rate")]
+    Uneven {
+        /// Its index.
+        frame: usize,
+        /// When (s).
+        time: f64,
+    },
+    /// A balance that cannot be set right.
+    #[error(transparent)]
+    Consistency(#[from] ConsistencyError),
+    /// A root that cannot be moved.
+    #[error(transparent)]
+    Shift(#[from] ShiftError),
     /// The figure or its gravity cannot be computed with.
     #[error(transparent)]
     Tree(DynamicsError),

@@ -16,10 +16,21 @@ impl Sole {
         let along = flat(&(points[2] - points[0]));
         // A sole that stands upright has no direction on the ground: any will do.
         let along = along.try_normalize(1e-9).unwrap_or_else(Vector2::x);
-        let side = Vector2::new(-along.y, along.x) * (width / 2.0);
-        let corners = points.iter().map(flat).flat_map(|point| [point + side, point - side]);
-        hull(corners.collect()).into_iter().map(|p| e * p.x + f * p.y + up * level).collect()
+        let side = (f * along.x - e * along.y) * (width / 2.0);
+        around(points.into_iter().flat_map(|point| [point + side, point - side]), up, level)
     }
+}
+
+/// The convex hull of points (m, world) as seen from above, on the ground at `level` (m, along `up`), counter-clockwise; empty
+/// of none.
+pub(super) fn around(
+    points: impl Iterator<Item = Vector3<f64>>,
+    up: &Vector3<f64>,
+    level: f64,
+) -> Vec<Vector3<f64>> {
+    let [e, f] = axes(up);
+    let flat = points.map(|v| Vector2::new(v.dot(&e), v.dot(&f)));
+    hull(flat.collect()).into_iter().map(|p| e * p.x + f * p.y + up * level).collect()
 }
 
 /// How far (m) a point is outside of a convex outline, along the ground; zero inside. The outline is counter-clockwise seen

@@ -140,3 +140,52 @@ fn a_free_body_with_an_arm() {
     });
     becomes_possible("free body", &figure, 100.0, states, &soles);
 }
+
+#[test]
+fn a_person_who_leans_too_far_is_moved_until_the_soles_bear() {
+    use solaris_modes::ground::{GroundOptions, Stance, Stances, ground_forces, make_consistent, soles};
+    let (figure, gravity) =
+        (solaris_model::human(1.75, 73.0).expect("a person"), Vector3::new(0.0, -9.80665, 0.0));
+    let (rate, count, nv) = (100.0, 201, figure.layout().nv());
+    // The whole body goes forwards and back at 2 Hz by 8 cm, the feet with it: 12 m/s² at the ends.
+    let z = figure.layout().dof_index("root.tz").expect("a slide");
+    let (mut q, mut v, mut a) = (vec![0.0; count * nv], vec![0.0; count * nv], vec![0.0; count * nv]);
+    let time: Vec<f64> = (0..count).map(|k| k as f64 / rate).collect();
+    let w = 4.0 * PI;
+    for (k, t) in time.iter().enumerate() {
+        q[k * nv + 1] = 0.98;
+        (q[k * nv + z], v[k * nv + z]) = (0.08 * (w * t).sin(), 0.08 * w * (w * t).cos());
+        a[k * nv + z] = -0.08 * w * w * (w * t).sin();
+    }
+    let mut states = Completed { time, q, v, a, ..Completed::default() };
+    let soles = soles(&figure);
+    let standing = (0..2).map(|foot| Stance { foot, start: 0.0, end: 2.0 }).collect();
+    let stances = Stances { list: standing, belt: Vector3::zeros(), level: 0.0, method: "given" };
+    let options = ConsistencyOptions { limit: f64::INFINITY, ..ConsistencyOptions::default() };
+    let found = make_consistent(&figure, gravity, &mut states, &soles, &stances, &options).expect("moved");
+    assert!(found.before.outside > 0.5 && found.before.frames > 50, "{:?}", found.before);
+    assert!(found.after.outside < 1e-9 && found.after.pull == 0.0 && found.outcome == Outcome::Reached);
+    assert!(found.greatest > 0.01 && found.greatest < 0.1, "{}", found.greatest);
+    // What is found from the moved motion agrees, foot by foot.
+    let options = GroundOptions { stances: Some(stances.clone()), ..GroundOptions::default() };
+    let forces = ground_forces(&figure, gravity, &states, &soles, &options).expect("forces");
+    assert!(forces.total.iter().all(|frame| frame.force.y > 0.0));
+    // Nothing is left to do.
+    let again = make_consistent(
+        &figure,
+        gravity,
+        &mut states,
+        &soles,
+        &stances,
+        &ConsistencyOptions { margin: 0.0, ..Default::default() },
+    );
+    assert!(again.expect("possible").greatest < 1e-12);
+    let bare: Vec<_> =
+        soles.iter().map(|sole| solaris_modes::ground::Sole { width: None, ..sole.clone() }).collect();
+    let refused =
+        make_consistent(&figure, gravity, &mut states, &bare, &stances, &ConsistencyOptions::default());
+    assert_eq!(
+        refused.expect_err("no outline").to_string(),
+        "sole 'left_foot' has no breadth, so it is not known what it stands on; give it a width"
+    );
+}
