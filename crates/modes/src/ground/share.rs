@@ -23,7 +23,6 @@ use solaris_model::{Contact, Figure};
 /// how much, and it leads from 0 to 1 by itself. The shares of more than two, or where nothing presses on the ground, rise and
 /// fall as `3x² − 2x³` of the time until the first of those that stand when a foot comes has left, and since the last of those
 /// came that stay when it leaves, but not beyond the middle of its stance, and are made to add up to 1.
-///
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Split {
@@ -34,9 +33,10 @@ pub enum Split {
     /// fore-aft: k₁ exp(−(2(t − T/3)/T)²) − 2 k₂ t/T      the rest: exp(−(2t/T)³)      k₁ = e^(4/9), k₂ = k₁ e^(−16/9)/2
     /// ```
     ///
-    /// at the time `t` of a double support of length `T`. Its centre of pressure stays where it was on the ground, with the moment about
-    /// the normal decaying like the rest; the leading foot has what is left of the whole wrench. Fore-aft is how the centre of
-    /// mass travels over the ground in that time. It is for two feet, and for double support between two single ones; elsewhere the pivot split stands in for it.
+    /// at the time `t` of a double support of length `T`. Its centre of pressure stays where it was on the ground, with the
+    /// moment about the normal decaying like the rest; the leading foot has what is left of the whole wrench. Fore-aft is how
+    /// the centre of mass travels over the ground in that time. It is for two feet, and for double support between two single
+    /// ones; elsewhere the pivot split stands in for it.
     Transition,
     /// Forces that point at one pivot above the centre of mass, as people's do ([`crate::split_at_pivot`]), with these shares
     /// and nominal centres of pressure; the pivot is 1.43 times as high as the centre of mass.

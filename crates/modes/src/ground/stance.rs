@@ -54,9 +54,9 @@ pub struct StanceOptions {
 }
 
 impl Default for StanceOptions {
-    /// 3 cm, 0.5 m/s, 0.1 s; the ground's motion as the feet tell it.
+    /// 2 cm, 0.5 m/s, 0.1 s; the ground's motion as the feet tell it.
     fn default() -> Self {
-        Self { height: 0.03, speed: 0.5, shortest: 0.1, belt: Belt::Auto }
+        Self { height: 0.02, speed: 0.5, shortest: 0.1, belt: Belt::Auto }
     }
 }
 
