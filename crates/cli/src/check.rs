@@ -3,8 +3,10 @@
 mod scene;
 
 use crate::error::CliError;
+use crate::findings::{heading, list};
 use crate::input::{self, Body};
 use crate::print::print;
+use crate::words::rounded;
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
@@ -140,31 +142,4 @@ impl<'a> Facts<'a> {
         row("gravity", format!("({x}, {y}, {z}) m/s², {whose}"))?;
         row("chains", self.chains.to_string())
     }
-}
-
-/// What kinds of findings are called: in JSON, and above a list of them.
-fn heading(kind: FindingKind) -> (&'static str, &'static str) {
-    match kind {
-        FindingKind::Suspect => ("suspect", "Looks wrong"),
-        FindingKind::Unsupported => ("unsupported", "Not read: a figure has no place for it"),
-        FindingKind::Note => ("note", "To know"),
-    }
-}
-
-/// Lists findings by kind.
-pub(crate) fn list(out: &mut dyn Write, findings: &[Finding]) -> std::io::Result<()> {
-    for kind in [FindingKind::Suspect, FindingKind::Unsupported, FindingKind::Note] {
-        let these: Vec<&Finding> = findings.iter().filter(|finding| finding.kind == kind).collect();
-        if !these.is_empty() {
-            writeln!(out, "\n{}", heading(kind).1)?;
-            these.iter().try_for_each(|finding| writeln!(out, "  {finding}"))?;
-        }
-    }
-    Ok(())
-}
-
-/// A mass as people read it: to a milligram. JSON has all digits.
-pub(crate) fn rounded(mass: f64) -> String {
-    let text = format!("{mass:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').trim_start_matches('-').to_owned()
 }

@@ -1,11 +1,12 @@
 //! `solaris convert`: a figure or a motion from one format to another.
 
-use crate::check::{list, rounded};
 use crate::error::CliError;
 use crate::figure::TEXT;
+use crate::findings::list;
 use crate::input::{self, Body, Size, extension};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
+use crate::words::{rounded, some};
 use clap::ArgMatches;
 use solaris::io::{csv, headings, sto};
 use solaris::model::{Scaling, text};
@@ -101,11 +102,4 @@ fn motion(matches: &ArgMatches, from: &Path, to: &PathBuf) -> Result<(), CliErro
         }
         writeln!(out, "wrote {}", to.display())
     })
-}
-
-/// Names as far as a person reads them.
-pub(crate) fn some(names: &[String]) -> String {
-    const MANY: usize = 8;
-    let shown = names[..names.len().min(MANY)].join(", ");
-    if names.len() > MANY { format!("{shown} and {} more", names.len() - MANY) } else { shown }
 }

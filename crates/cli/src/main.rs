@@ -7,6 +7,7 @@ mod check;
 mod convert;
 mod error;
 mod figure;
+mod findings;
 mod input;
 mod inverse;
 mod output;
@@ -17,6 +18,7 @@ mod report;
 mod run;
 mod underline;
 mod walk;
+mod words;
 
 use std::process::ExitCode;
 

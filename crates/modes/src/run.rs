@@ -40,12 +40,41 @@ struct Chosen {
     remarks: Vec<String>,
 }
 
+impl Simulation {
+    /// Refuses what [`Self::run`] would refuse at the beginning: settings out of range, drives that cannot begin, a start
+    /// that the guard does not let pass.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError`].
+    pub fn check(&self, settings: &Settings) -> Result<(), RunError> {
+        check_settings(settings)?;
+        check_work(settings)?;
+        let beginning = Settings { duration: 0.0, estimate: false, ..settings.clone() };
+        self.run(&beginning).map(|_| ())
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError`].
+    pub fn run(&self, settings: &Settings) -> Result<Run, RunError> {
+        self.run_watched(settings, &mut ())
+    }
+
+    /// Runs it while somebody looks on.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError`].
+    pub fn run_watched(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
+        run(self, settings, watch)
+    }
+}
+
 /// Runs a simulation.
-pub(crate) fn run(
-    simulation: &Simulation,
-    settings: &Settings,
-    watch: &mut dyn Watch,
-) -> Result<Run, RunError> {
+fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
     check_settings(settings)?;
     check_work(settings)?;
     let begun = watch.now();
@@ -79,14 +108,6 @@ pub(crate) fn run(
     let report =
         RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, phases, remarks };
     Ok(Run { motion, report })
-}
-
-/// Refuses what [`run`] would refuse at the beginning.
-pub(crate) fn check(simulation: &Simulation, settings: &Settings) -> Result<(), RunError> {
-    check_settings(settings)?;
-    check_work(settings)?;
-    let beginning = Settings { duration: 0.0, estimate: false, ..settings.clone() };
-    run(simulation, &beginning, &mut ()).map(|_| ())
 }
 
 fn check_settings(settings: &Settings) -> Result<(), SetupError> {

@@ -2,9 +2,7 @@
 
 use crate::drive::{Drive, Step, Until};
 use crate::element::{Anchor, LimitLaw, PointSpring};
-use crate::report::{Run, Watch};
-use crate::settings::Settings;
-use crate::trouble::{RunError, SetupError};
+use crate::trouble::SetupError;
 use nalgebra::Vector3;
 use solaris_model::{Figure, nearest};
 
@@ -175,34 +173,6 @@ impl Simulation {
             self.limits[dof] = law;
         }
         Ok(())
-    }
-
-    /// Refuses what [`Self::run`] would refuse at the beginning: settings out of range, drives that cannot begin, a start
-    /// that the guard does not let pass.
-    ///
-    /// # Errors
-    ///
-    /// [`RunError`].
-    pub fn check(&self, settings: &Settings) -> Result<(), RunError> {
-        crate::run::check(self, settings)
-    }
-
-    /// Runs it.
-    ///
-    /// # Errors
-    ///
-    /// [`RunError`].
-    pub fn run(&self, settings: &Settings) -> Result<Run, RunError> {
-        self.run_watched(settings, &mut ())
-    }
-
-    /// Runs it while somebody looks on.
-    ///
-    /// # Errors
-    ///
-    /// [`RunError`].
-    pub fn run_watched(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
-        crate::run::run(self, settings, watch)
     }
 
     /// Name of a degree of freedom.

@@ -1,5 +1,6 @@
 //! Steppers: how a state goes on in time, whatever it is the state of.
 
+mod advance;
 mod evaluate;
 mod fixed;
 mod locate;
@@ -8,5 +9,6 @@ mod solver;
 mod stepping;
 mod system;
 
-pub use stepping::{OnFrame, Stepping, Stopped, TimeError, advance};
+pub use advance::advance;
+pub use stepping::{OnFrame, Stepping, Stopped, TimeError};
 pub use system::{RateError, System};

@@ -1,11 +1,11 @@
 //! What a scene is.
 
-use super::list;
-use crate::convert::some;
 use crate::error::CliError;
+use crate::findings::list;
 use crate::input::{self, extension};
 use crate::print::print;
 use crate::run::{Loaded, load, refuse};
+use crate::words::{rounded, some};
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
@@ -117,10 +117,10 @@ impl Facts {
         row("figure", self.figure.clone())?;
         row("links", self.links.to_string())?;
         row("degrees of freedom", self.dofs.to_string())?;
-        row("mass", format!("{} kg", super::rounded(self.mass_kg)))?;
+        row("mass", format!("{} kg", rounded(self.mass_kg)))?;
         let [x, y, z] = self.gravity_m_s2;
         row("gravity", format!("({x}, {y}, {z}) m/s²"))?;
-        row("lasts", format!("{} s, {} frames a second", super::rounded(self.duration_s), self.rate_per_s))?;
+        row("lasts", format!("{} s, {} frames a second", rounded(self.duration_s), self.rate_per_s))?;
         row("method", self.method.clone())?;
         if self.springs > 0 {
             row("springs between points", self.springs.to_string())?;

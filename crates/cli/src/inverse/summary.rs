@@ -1,7 +1,7 @@
 //! What inverse dynamics came to, for people.
 
 use super::report::{FilterReport, Load, Report};
-use crate::convert::some;
+use crate::words::some;
 use std::io::{Result, Write};
 
 impl Report {

@@ -1,7 +1,7 @@
 //! What became of drives, and impacts, in words.
 
 use super::energy::digits;
-use crate::convert::some;
+use crate::words::some;
 use serde::Serialize;
 use solaris::model::{AxisKind, Figure, JointKind};
 use solaris::modes::{Impact, Outcome, OutcomeKind};

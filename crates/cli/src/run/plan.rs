@@ -1,7 +1,7 @@
 //! What was computed, and what was left out.
 
 use super::report::Phase;
-use crate::convert::some;
+use crate::words::some;
 use std::fmt::Write;
 
 /// The parts of the run, each with what is in it and what it costs.

@@ -20,6 +20,19 @@ pub(crate) enum Mode {
     Track(Box<Tracker>, f64),
 }
 
+/// What an event means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Meaning {
+    /// The drive of a degree of freedom gives way.
+    Until(usize),
+    /// A degree of freedom passes its lower or upper limit.
+    Limit(usize, Side),
+    /// A limit lets go.
+    Release(usize, Side),
+    /// A force changes its law.
+    Kink,
+}
+
 /// What drives one degree of freedom at the moment.
 pub(crate) struct Driven {
     /// Place of the drive in the sequence; beyond its end the degree of freedom stands still.

@@ -1,9 +1,8 @@
 //! Drives that begin, go on from frame to frame, and end.
 
-use super::driven::{Driven, Mode, name, target};
+use super::driven::{Driven, Meaning, Mode, name, target};
 use super::pass::Pass;
 use super::record::near;
-use super::watching::Meaning;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::drive::simple::{Begun, analyse, begin};

@@ -1,9 +1,8 @@
 //! Jumps of the velocities: joints that are stopped, limits that are hit, and what rests at a limit.
 
-use super::driven::Mode;
+use super::driven::{Meaning, Mode};
 use super::guard;
 use super::pass::Pass;
-use super::watching::Meaning;
 use crate::impact::{Side, strike};
 use crate::phase::Role;
 use crate::report::Impact;

@@ -1,10 +1,9 @@
 //! One pass through a simulation, by one method.
 
-use super::driven::{Driven, Mode};
+use super::driven::{Driven, Meaning, Mode};
 use super::guard;
 use super::ledger::Ledger;
 use super::record::{Record, near};
-use super::watching::Meaning;
 use crate::Outcome;
 use crate::body::Body;
 use crate::phase::{Phase, Role};
@@ -270,7 +269,7 @@ impl<'a> Pass<'a> {
 
     /// The force of the frame of every degree of freedom that tracks a target.
     fn track(&mut self, end: f64) -> Result<(), RunError> {
-        super::tracks::track(self, end - self.t)?;
+        self.find_forces(end - self.t)?;
         // A force that is new may lift off what rests.
         let tracks = |driven: &Driven| driven.held.is_some() && matches!(driven.mode, Mode::Track(..));
         if self.driven.iter().any(tracks) { self.rest(&[], &[]) } else { Ok(()) }

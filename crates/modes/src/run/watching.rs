@@ -1,6 +1,6 @@
 //! What a phase is given before a stretch, and what is watched for on the way.
 
-use super::driven::Mode;
+use super::driven::{Meaning, Mode};
 use super::pass::Pass;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
@@ -8,19 +8,6 @@ use crate::impact::Side;
 use crate::phase::{Phase, Role, Watched};
 use crate::trouble::SetupError;
 use crate::{LimitLaw, Until};
-
-/// What an event means.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Meaning {
-    /// The drive of a degree of freedom gives way.
-    Until(usize),
-    /// A degree of freedom passes its lower or upper limit.
-    Limit(usize, Side),
-    /// A limit lets go.
-    Release(usize, Side),
-    /// A force changes its law.
-    Kink,
-}
 
 impl Pass<'_> {
     /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.

@@ -1,7 +1,7 @@
 //! Far from ordinary: masses, springs, steps.
 
-use super::figures::{self, Case};
-use super::{solutions, tables::studied};
+use super::figures::{self, Case, studied};
+use super::solutions;
 use solaris_modes::{Method, Rule};
 
 /// For ratios of masses: the errors at steps of 1e-2 s and 1e-3 s, and how well the answer is known.

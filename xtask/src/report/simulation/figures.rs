@@ -5,7 +5,10 @@ use solaris_model::{
     Axis, Figure, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Passive, Placement, Shape, ShapeKind,
     Vector3,
 };
-use solaris_modes::{Anchor, Drive, LimitLaw, PointSpring, RunError, SetupError, Simulation, Step};
+use solaris_modes::study::{Study, StudyOptions, study};
+use solaris_modes::{
+    Anchor, Drive, LimitLaw, Method, PointSpring, RunError, Settings, SetupError, Simulation, Step,
+};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, TAU};
 
 const G: f64 = 9.81;
@@ -20,6 +23,21 @@ pub(super) struct Case {
     pub(super) rate: f64,
     /// None where only conserved quantities are known.
     pub(super) solution: Option<Solution>,
+}
+
+/// A case by some methods, its closed form or the finest run beside it.
+pub(super) fn studied(case: &Case, methods: &[Method]) -> Result<Study, String> {
+    let mut settings = Settings::new(case.duration, case.rate);
+    settings.method = Method::Automatic { tolerance: 1e-6 };
+    let options = StudyOptions {
+        methods: methods.to_vec(),
+        solution: case.solution.as_deref().map(|solution| solution as _),
+        repeats: 1,
+        evaluations: 600_000,
+        ..StudyOptions::default()
+    };
+    study(&case.simulation, &settings, &options, &mut (), &mut |_| {})
+        .map_err(|error| format!("{}: {error}", case.name))
 }
 
 /// Why a scene could not be made.

@@ -2,10 +2,10 @@
 
 use super::between::{self, KINDS, RATES};
 use super::extremes::{self, Spring};
-use super::figures::{Case, closed, conserved, governor};
+use super::figures::{Case, closed, conserved, governor, studied};
 use super::widths;
 use crate::report::table::{Cell, Table, number};
-use solaris_modes::study::{Accuracy, Row, Study, StudyOptions, method_name, setting, study};
+use solaris_modes::study::{Accuracy, Row, method_name, setting};
 use solaris_modes::{Method, Rule, Settings};
 
 const fn fixed(rule: Rule, step: f64) -> Method {
@@ -24,21 +24,6 @@ const PLAIN: [Method; 6] = [
 
 /// The tolerances of those that choose.
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
-
-/// A case by some methods, its closed form or the finest run beside it.
-pub(super) fn studied(case: &Case, methods: &[Method]) -> Result<Study, String> {
-    let mut settings = Settings::new(case.duration, case.rate);
-    settings.method = Method::Automatic { tolerance: 1e-6 };
-    let options = StudyOptions {
-        methods: methods.to_vec(),
-        solution: case.solution.as_deref().map(|solution| solution as _),
-        repeats: 1,
-        evaluations: 600_000,
-        ..StudyOptions::default()
-    };
-    study(&case.simulation, &settings, &options, &mut (), &mut |_| {})
-        .map_err(|error| format!("{}: {error}", case.name))
-}
 
 /// The error of a row, infinite where it came to trouble.
 fn error(row: &Row) -> f64 {
