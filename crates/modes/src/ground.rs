@@ -7,6 +7,7 @@
 
 mod error;
 mod given;
+mod guess;
 mod judge;
 mod outline;
 mod predict;
@@ -16,6 +17,7 @@ mod stance;
 mod total;
 
 pub use error::GroundError;
+pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
 pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};
 pub use share::{Shared, Split, share};
