@@ -16,10 +16,14 @@ use solaris_model::{Contact, Figure};
 /// A rule that shares the ground's wrench between the feet that stand: an assumption, since the laws of motion give its sum
 /// and nothing else. A foot that stands alone has all of it.
 ///
-/// All of them know *smooth shares* `sᵢ` of the feet: a foot that comes while others stand takes its share over as
-/// `10x³ − 15x⁴ + 6x⁵` of the time until the first of these leaves (or until the middle of its own stance, if that is
-/// sooner), one that leaves gives it back in the same way, and the shares of all that stand are made to add up to 1. Feet that have come and do not leave have equal
-/// ones.
+/// All of them know a *nominal centre of pressure* and a *share* of each foot that stands. The nominal centre goes from the heel to where
+/// the foot presses when it stands alone, and from there to the tip, as `3x² − 2x³` of the time until the first of those that
+/// stand when it comes has left, and since the last of those came that stay when it leaves. Where it never stands alone it is
+/// half-way from the heel to the ball. The shares of two feet are those with which their nominal centres make the whole centre of
+/// pressure, as near as may be: where that lies between the feet says who bears how much. In a double support between two
+/// single ones they lead from 0 to 1 by themselves. Elsewhere each is multiplied by a *smooth share*, which rises and falls
+/// over the same times (not beyond the middle of the stance) as `3x² − 2x³`; more than two feet have these alone.
+///
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Split {
@@ -34,9 +38,8 @@ pub enum Split {
     /// the normal decaying like the rest; the leading foot has what is left of the whole wrench. Fore-aft is how the centre of
     /// mass travels over the ground in that time. It is for two feet, and for double support between two single ones; elsewhere the pivot split stands in for it.
     Transition,
-    /// Forces that point at one pivot above the centre of mass, as people's do ([`crate::split_at_pivot`]), with the smooth
-    /// shares. The nominal centre of pressure of a foot goes from its heel to where it is when it stands alone, and from there to its tip,
-    /// in the same smooth steps; where it never stands alone it is half-way from the heel to the ball.
+    /// Forces that point at one pivot above the centre of mass, as people's do ([`crate::split_at_pivot`]), with these shares
+    /// and nominal centres of pressure; the pivot is 1.43 times as high as the centre of mass.
     #[default]
     Pivot,
     /// The least moments at the joints: in each frame, of all wrenches that add up to the whole, those for which
@@ -46,9 +49,9 @@ pub enum Split {
     /// ```
     ///
     /// is least, over all degrees of freedom but the root's and those of the toes (sliding ones with their force over `m g`).
-    /// `h` is the height of the centre of mass, `Mᵢ` the moment about the foot's nominal centre of pressure (that of the pivot
-    /// split), `l` half the length of the sole, `sᵢ` the smooth share and `w` = 0.05: what costs much is to press on a foot that comes or leaves. Nothing keeps a foot
-    /// from pulling; it is reported where it does.
+    /// `h` is the height of the centre of mass, `Mᵢ` the moment about the foot's nominal centre of pressure, `l` half the
+    /// length of the sole, `sᵢ` the share and `w` = 0.05: what costs much is to press on a foot that bears little. A foot with no
+    /// share has no force. Nothing keeps a foot from pulling; it is reported where it does.
     Effort,
 }
 
@@ -77,7 +80,7 @@ pub struct Shared {
     /// By foot, one contact a frame; zero where the foot does not stand.
     pub contacts: Vec<Vec<Contact>>,
     /// Frames in which several feet stand, not in a double support between a single support of the one and one of the other: at the
-    /// ends of a motion, in standing, with more than two feet. There the smooth shares are a guess, and [`Split::Transition`]
+    /// ends of a motion, in standing, with more than two feet. There the shares are a guess, and [`Split::Transition`]
     /// gives way to [`Split::Pivot`].
     pub irregular: usize,
 }

@@ -131,7 +131,7 @@ impl Stances {
 /// where a straight line through what decides becomes zero. Gaps shorter than `shortest` are closed, then stances shorter than
 /// that are dropped, but for those that the ends of the motion cut off.
 ///
-/// `level` is the mean of the lowest heights of the feet that may stand.
+/// `level` is the median of the lowest heights of the points of all feet that may stand.
 ///
 /// # Errors
 ///

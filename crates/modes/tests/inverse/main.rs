@@ -5,4 +5,5 @@ mod inverse;
 mod loads;
 mod measured;
 mod passive;
+mod pinned;
 mod support;

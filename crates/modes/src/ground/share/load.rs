@@ -1,7 +1,7 @@
 //! How a foot takes weight over, bears it and gives it back.
 
 use crate::ground::Stance;
-use solaris_profiles::step::quintic;
+use solaris_profiles::step::cubic;
 
 /// A stance, and when it has its full share.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +31,13 @@ impl Load {
     /// How far it has taken over at `t` (s), 0 to 1.
     pub(super) fn taken(&self, t: f64) -> f64 {
         let length = self.full.0 - self.stance.start;
-        if length > 0.0 { quintic((t - self.stance.start) / length).position } else { 1.0 }
+        if length > 0.0 { cubic((t - self.stance.start) / length).position } else { 1.0 }
     }
 
     /// How much of it is not given back at `t` (s), 1 to 0.
     pub(super) fn kept(&self, t: f64) -> f64 {
         let length = self.stance.end - self.full.1;
-        if length > 0.0 { quintic((self.stance.end - t) / length).position } else { 1.0 }
+        if length > 0.0 { cubic((self.stance.end - t) / length).position } else { 1.0 }
     }
 
     /// Its weight among those that stand at `t` (s); 0 where it does not.

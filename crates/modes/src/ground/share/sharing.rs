@@ -7,7 +7,7 @@ use crate::split::{FootSupport, TotalWrench};
 use nalgebra::Vector3;
 use solaris_dynamics::forward_kinematics;
 use solaris_model::Contact;
-use solaris_profiles::step::quintic;
+use solaris_profiles::step::cubic;
 
 /// What each foot gets in a frame.
 pub(super) type Parts = Vec<TotalWrench>;
@@ -24,6 +24,7 @@ pub(super) struct Sharing<'a> {
     /// Heel, ball and tip in the world (m), by frame and foot.
     points: Vec<Vec<[Vector3<f64>; 3]>>,
     loads: Vec<Load>,
+    doubles: Vec<Double>,
     /// Of each load, when (s) and where (m) it pressed alone, as near as possible to the beginning and the end of its full share.
     alone: Vec<[Option<(f64, Vector3<f64>)>; 2]>,
 }
@@ -49,7 +50,8 @@ impl<'a> Sharing<'a> {
             Ok(soles.iter().map(|sole| sole.points(workspace)).collect())
         })?;
         let loads = Load::all(&stances.list);
-        let mut out = Self { given, soles, stances, total, points, loads, alone: Vec::new() };
+        let doubles = doubles(&stances.list, &given.states.time);
+        let mut out = Self { given, soles, stances, total, points, loads, doubles, alone: Vec::new() };
         out.alone = (0..out.loads.len()).map(|i| out.pressed_alone(i)).collect();
         Ok(out)
     }
@@ -72,27 +74,50 @@ impl<'a> Sharing<'a> {
     pub(super) fn supports(&self, row: usize) -> Option<Vec<FootSupport>> {
         let t = self.given.states.time[row];
         let mut feet = vec![FootSupport::default(); self.soles.len()];
-        let mut standing = 0;
+        let mut standing = Vec::new();
         for (index, load) in self.loads.iter().enumerate() {
-            if (load.stance.start..=load.stance.end).contains(&t) {
-                standing += 1;
-                let foot = &mut feet[load.stance.foot];
-                *foot = FootSupport { share: load.weight(t), cop: self.nominal(index, row) };
+            let foot = load.stance.foot;
+            if (load.stance.start..=load.stance.end).contains(&t) && !standing.contains(&foot) {
+                feet[foot] = FootSupport { share: load.weight(t), cop: self.nominal(index, row) };
+                standing.push(foot);
             }
-        }
-        if standing == 0 {
-            return None;
         }
         let sum: f64 = feet.iter().map(|foot| foot.share).sum();
-        for (index, foot) in feet.iter_mut().enumerate() {
-            if sum > LEAST {
-                foot.share /= sum;
-            } else if self.stances.stands(index, t) {
-                // The one comes as the other leaves, in this very instant.
-                foot.share = 1.0 / f64::from(standing);
-            }
+        for foot in &standing {
+            // Where all are nothing, one comes as the other leaves, in this very instant.
+            let share = &mut feet[*foot].share;
+            *share = if sum > LEAST { *share / sum } else { 1.0 / standing.len() as f64 };
         }
-        Some(feet)
+        if let (&[a, b], Some(cop)) = (&standing[..], self.total[row].cop) {
+            self.lean(&mut feet, [a, b], &cop, t);
+        }
+        (!standing.is_empty()).then_some(feet)
+    }
+
+    /// Shares of two feet as the centre of pressure of both tells them:
+    ///
+    /// ```text
+    /// s_b = (P − N_a)·(N_b − N_a)/|N_b − N_a|², from 0 to 1      s_a = 1 − s_b
+    /// ```
+    ///
+    /// In a double support between two single ones that leads from 0 to 1, since there the nominal centres begin and end where the
+    /// foot presses alone. Elsewhere nothing says so, and the smooth shares are factors.
+    fn lean(&self, feet: &mut [FootSupport], [a, b]: [usize; 2], cop: &Vector3<f64>, t: f64) {
+        let line = feet[b].cop - feet[a].cop;
+        let along = (cop - feet[a].cop).dot(&line) / line.norm_squared();
+        if !along.is_finite() {
+            return;
+        }
+        let told = along.clamp(0.0, 1.0);
+        let [of_a, of_b] = if self.is_regular(t) {
+            [1.0 - told, told]
+        } else {
+            [(1.0 - told) * feet[a].share, told * feet[b].share]
+        };
+        if of_a + of_b > LEAST {
+            feet[a].share = of_a / (of_a + of_b);
+            feet[b].share = of_b / (of_a + of_b);
+        }
     }
 
     /// Where a foot is expected to press: from the heel to where it presses alone, and from there to the tip.
@@ -109,7 +134,7 @@ impl<'a> Sharing<'a> {
         } else if t > to {
             tip.lerp(&at(1), load.kept(t))
         } else {
-            at(0).lerp(&at(1), if to > from { quintic((t - from) / (to - from)).position } else { 0.0 })
+            at(0).lerp(&at(1), if to > from { cubic((t - from) / (to - from)).position } else { 0.0 })
         }
     }
 
@@ -156,23 +181,13 @@ impl<'a> Sharing<'a> {
         Contact { force: part.force, moment: part.moment, cop }
     }
 
-    /// Double supports between two single ones, neither cut off by an end of the motion.
-    pub(super) fn doubles(&self) -> Vec<Double> {
-        let list = &self.stances.list;
-        let time = &self.given.states.time;
-        let (first, last) = (time[0], time[time.len() - 1]);
-        let mut out = Vec::new();
-        for (i, a) in list.iter().enumerate() {
-            for (k, b) in list.iter().enumerate() {
-                let (start, end) = (b.start, a.end);
-                let overlap = a.foot != b.foot && a.start < start && start < end && end < b.end;
-                let among = |(n, c): (usize, &Stance)| n != i && n != k && c.start <= end && c.end >= start;
-                if overlap && start > first && end < last && !list.iter().enumerate().any(among) {
-                    out.push(Double { trailing: a.foot, leading: b.foot, start, end });
-                }
-            }
-        }
-        out
+    /// The double supports between two single ones.
+    pub(super) fn doubles(&self) -> &[Double] {
+        &self.doubles
+    }
+
+    fn is_regular(&self, t: f64) -> bool {
+        self.doubles.iter().any(|double| (double.start..=double.end).contains(&t))
     }
 
     /// Feet that stand in a frame.
@@ -181,11 +196,26 @@ impl<'a> Sharing<'a> {
         (0..self.soles.len()).filter(|foot| self.stances.stands(*foot, t)).count()
     }
 
-    /// Frames in which several feet stand outside of these.
+    /// Frames in which several feet stand outside of such double supports.
     pub(super) fn irregular(&self) -> usize {
-        let doubles = self.doubles();
         let time = &self.given.states.time;
-        let regular = |t: f64| doubles.iter().any(|double| (double.start..=double.end).contains(&t));
-        (0..time.len()).filter(|row| self.standing(*row) > 1 && !regular(time[*row])).count()
+        (0..time.len()).filter(|row| self.standing(*row) > 1 && !self.is_regular(time[*row])).count()
     }
+}
+
+/// Double supports between two single ones, neither cut off by an end of the motion.
+fn doubles(list: &[Stance], time: &[f64]) -> Vec<Double> {
+    let (Some(&first), Some(&last)) = (time.first(), time.last()) else { return Vec::new() };
+    let mut out = Vec::new();
+    for (i, a) in list.iter().enumerate() {
+        for (k, b) in list.iter().enumerate() {
+            let (start, end) = (b.start, a.end);
+            let overlap = a.foot != b.foot && a.start < start && start < end && end < b.end;
+            let among = |(n, c): (usize, &Stance)| n != i && n != k && c.start <= end && c.end >= start;
+            if overlap && start > first && end < last && !list.iter().enumerate().any(among) {
+                out.push(Double { trailing: a.foot, leading: b.foot, start, end });
+            }
+        }
+    }
+    out
 }

@@ -66,10 +66,9 @@ impl Tracks {
         Ok(Self { up, frames, feet })
     }
 
-    /// Mean height of the lowest points of the feet that may stand.
+    /// Median of the lowest heights of all points of the feet that may stand.
     pub(super) fn level(&self) -> f64 {
-        let standing: Vec<f64> = self.feet.iter().filter(|foot| foot.stands).map(Foot::lowest).collect();
-        standing.iter().sum::<f64>() / standing.len().max(1) as f64
+        quantile(self.feet.iter().filter(|foot| foot.stands).flat_map(|foot| foot.low).collect(), 0.5)
     }
 
     /// Median velocity of the lowest point of all where it is down; zero where it is slow.

@@ -1,0 +1,5 @@
+//! The ground's forces of motions that are known: laws, hard cases, and measured data where it is present.
+
+mod measured;
+#[path = "../inverse/pinned.rs"]
+mod pinned;
