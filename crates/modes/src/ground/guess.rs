@@ -16,9 +16,10 @@ const TOES: f64 = 0.36;
 /// heel: the origin of calcn     ball: the origin of toes     tip: ball + 0.36 (ball − heel), without its y in toes
 /// ```
 ///
-/// In these models the calcaneus' frame is where its lowest, hindmost point is, the toes' is between the metatarsal heads, and y is up in both.
-/// Over or under the true sole all three are by a centimetre or two. That shifts the ground, not the forces; so no breadth
-/// is guessed, and the centre of pressure is not judged. A sole is called as its foot, `calcn_r` or `calcn_l`.
+/// In these models the calcaneus' frame is at the back of the heel bone, the toes' is between the metatarsal heads, and y is up in both.
+/// The true sole lies some centimetres lower, by as much in all three points. That shifts the ground, and the centre of pressure by the
+/// same times the ratio of tangential to normal force; not the whole wrench, so not the joints above a foot that stands alone.
+/// No breadth is guessed, and the centre of pressure is not judged. A sole is called as its foot, `calcn_r` or `calcn_l`.
 pub fn guessed_soles(figure: &Figure) -> Vec<Sole> {
     ["r", "l"].into_iter().filter_map(|side| guess(figure, side)).collect()
 }
