@@ -1,13 +1,16 @@
 //! The commands and their options.
 
 mod figure;
+mod given;
+mod ground;
 mod inverse;
 mod profile;
 mod report;
 mod run;
 mod walk;
 
-pub(crate) use inverse::{BASES, Gravity};
+pub(crate) use given::{BASES, Gravity};
+pub(crate) use ground::AskedBelt;
 pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
 pub(crate) use walk::check;
 
@@ -38,7 +41,7 @@ pub(crate) fn command() -> Command {
         )
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .subcommands([walk::command(), run::command(), inverse::command()])
+        .subcommands([walk::command(), run::command(), inverse::command(), ground::command()])
         .subcommands(figure::commands())
         .subcommand(profile::command())
         .subcommand(report::command())

@@ -8,6 +8,8 @@ mod convert;
 mod error;
 mod figure;
 mod findings;
+mod given;
+mod ground;
 mod input;
 mod inverse;
 mod output;
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
         Some(("walk", matches)) => walk::run(matches),
         Some(("run", matches)) => run::run(matches),
         Some(("inverse", matches)) => inverse::run(matches),
+        Some(("ground", matches)) => ground::run(matches),
         Some(("check", matches)) => check::run(matches),
         Some(("figure", matches)) => figure::run(matches),
         Some(("convert", matches)) => convert::run(matches),

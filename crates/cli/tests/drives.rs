@@ -1,4 +1,4 @@
-//! What docs/drives.md quotes is what its commands print and draw.
+//! What docs/drives.md and docs/ground.md quote is what their commands print and draw.
 //!
 //! `UPDATE_PICTURES=1 cargo test -p solaris-cli --test drives` draws the picture anew.
 
@@ -22,18 +22,20 @@ fn solaris(words: &str) -> String {
 }
 
 #[test]
-fn the_page_quotes_what_is_printed() {
-    let page = fs::read_to_string(root().join("docs/drives.md")).expect("the page");
-    let mut quotes = 0;
-    for part in page.split("<!-- output of `solaris ").skip(1) {
-        let (command, rest) = part.split_once('`').expect("the end of a command");
-        let quote =
-            rest.split("```text\n").nth(1).and_then(|rest| rest.split("\n```").next()).expect("a block");
-        let printed = solaris(command);
-        assert!(printed.contains(quote), "`solaris {command}` does not print\n{quote}\nbut\n{printed}");
-        quotes += 1;
+fn the_pages_quote_what_is_printed() {
+    for (page, count) in [("docs/drives.md", 3), ("docs/ground.md", 1)] {
+        let page = fs::read_to_string(root().join(page)).expect(page);
+        let mut quotes = 0;
+        for part in page.split("<!-- output of `solaris ").skip(1) {
+            let (command, rest) = part.split_once('`').expect("the end of a command");
+            let quote =
+                rest.split("```text\n").nth(1).and_then(|rest| rest.split("\n```").next()).expect("a block");
+            let printed = solaris(command);
+            assert!(printed.contains(quote), "`solaris {command}` does not print\n{quote}\nbut\n{printed}");
+            quotes += 1;
+        }
+        assert_eq!(quotes, count);
     }
-    assert_eq!(quotes, 3);
 }
 
 #[test]

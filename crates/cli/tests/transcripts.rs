@@ -1,7 +1,7 @@
 //! The transcripts of `tests/cmd`: what a user types, the exit code behind `?`, and what is printed.
 //!
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
-//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`), the robot `arm.urdf`, the same with faults
+//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the robot `arm.urdf`, the same with faults
 //! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), and of curves the
 //! keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
 //! the robot, the same with faults (`faulty_scene.ron`), and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
@@ -48,6 +48,7 @@ fn furnish(folder: &Path) {
         "subject/walk.mot",
         "subject/grf.mot",
         "subject/loads.xml",
+        "subject/soles.ron",
         "figures/arm.urdf",
         "scenes/pendulum.ron",
         "scenes/arm_modes.ron",
@@ -72,6 +73,11 @@ fn furnish(folder: &Path) {
             &REACH.replace("\"elbow\": [Move", "\"elbw\": [Mve").replace("duration: 2.0", "duration: -2.0"),
         ),
         ("coarse.ron", &pendulum.replace("tolerance: 1e-8", "method: ExplicitEuler(step: 1e-2)")),
+        (
+            "faulty_soles.ron",
+            "Soles(version: 1, soles: [\n    Sole(name: \"right\", foot: \"calc_r\", heel: (-0.05, -0.08, 0), \
+             ball: (0.14, -0.08), tip: (0.21, -0.08, 0), widht: 0.1),\n])\n",
+        ),
         ("notes", "no folder"),
         ("keys.csv", "time,position\n0,5\n1,7\n2,-9\n"),
         ("misspelt.ron", "// A motion.\nMinimumJrek(from: 0, to: 1, duration: 2)\n"),

@@ -19,8 +19,10 @@
 //! quaternions and the velocities of ball and free joints never are.
 
 mod columns;
+mod force_table;
 mod forces;
 
+pub use force_table::{ForceHeadings, force_table};
 pub use forces::{force_prefixes, forces};
 
 use crate::error::IoError;

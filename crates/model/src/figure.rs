@@ -3,7 +3,7 @@
 use crate::anatomy::AnatomicalAngle;
 use crate::fault::{Fault, FigureError};
 use crate::follower::Follower;
-use crate::joint::JointKind;
+use crate::joint::{JointKind, Placement};
 use crate::layout::StateLayout;
 use crate::link::Link;
 use nalgebra::Vector3;
@@ -43,6 +43,16 @@ impl Figure {
     /// The link called `name`.
     pub fn link(&self, name: &str) -> Option<&Link> {
         self.link_index(name).map(|index| &self.links[index])
+    }
+
+    /// Index of the link called `name`, or of the one that carries the frame of that name (bodies that cannot move against
+    /// each other are one link), with where in the link's frame it stands: the link itself at its origin.
+    pub fn locate(&self, name: &str) -> Option<(usize, Placement)> {
+        if let Some(link) = self.link_index(name) {
+            return Some((link, Placement::identity()));
+        }
+        let frames = self.links.iter().map(|link| link.frames.iter().find(|frame| frame.name == name));
+        frames.enumerate().find_map(|(link, frame)| Some((link, frame?.placement)))
     }
 
     /// Index of the link that the joint called `name` moves.

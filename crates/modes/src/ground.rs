@@ -9,6 +9,7 @@
 mod consistency;
 mod error;
 mod given;
+mod guess;
 mod judge;
 mod outline;
 mod possible;
@@ -22,6 +23,7 @@ pub use consistency::{
     Consistency, ConsistencyError, ConsistencyOptions, Outcome, ShiftError, Violation, consistent, shift_root,
 };
 pub use error::GroundError;
+pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
 pub use possible::make_consistent;
 pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};

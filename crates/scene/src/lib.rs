@@ -4,10 +4,12 @@ mod error;
 mod loader;
 mod read;
 mod scene;
+mod soles;
 
 pub use error::SceneError;
 pub use loader::{Loader, NoFiles};
 pub use scene::{Scene, Simulated};
+pub use soles::read_soles;
 
 use solaris_model::TextError;
 

@@ -48,3 +48,7 @@ struct Profiles;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/drives.md")]
 struct Drives;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/ground.md")]
+struct Ground;

@@ -4,7 +4,7 @@ use crate::error::CliError;
 use crate::input;
 use clap::ArgMatches;
 use solaris::io::{Table, opensim, record};
-use solaris::model::{Figure, ForceRecord, Link, NamedFrame, nearest};
+use solaris::model::{Figure, ForceRecord, Link, nearest};
 use std::path::{Path, PathBuf};
 
 /// Measured forces as they were read.
@@ -71,7 +71,8 @@ impl External {
         for (i, link) in
             records.iter_mut().enumerate().flat_map(|(i, r)| r.links.iter_mut().map(move |l| (i, l)))
         {
-            *link = carrier(figure, link).ok_or_else(|| {
+            let found = figure.locate(link).map(|(index, _)| figure.links()[index].name().to_owned());
+            *link = found.ok_or_else(|| {
                 let names = figure.links().iter().map(Link::name);
                 let hint =
                     nearest(link, names).map_or_else(String::new, |name| format!("; did you mean '{name}'?"));
@@ -117,17 +118,6 @@ impl External {
         };
         format!("{}: {}", file.display(), plates.join(", "))
     }
-}
-
-/// The link called `name`, or the one that carries the frame of that name: bodies that cannot move against each other are
-/// one link.
-fn carrier(figure: &Figure, name: &str) -> Option<String> {
-    let has_frame = |frames: &[NamedFrame]| frames.iter().any(|frame| frame.name == name);
-    let mut links = figure.links().iter();
-    if figure.link(name).is_some() {
-        return Some(name.to_owned());
-    }
-    links.find(|link| has_frame(link.frames())).map(|link| link.name().to_owned())
 }
 
 /// What is wrong with a plate, said of the option.

@@ -1,7 +1,8 @@
 //! Joint forces as tables: our headings, and OpenSim's.
 
+use crate::given::slides;
 use solaris::io::Table;
-use solaris::model::{AxisKind, Figure, JointKind};
+use solaris::model::Figure;
 use solaris::modes::{Completed, InverseReport};
 
 /// `DOF.tau`, as CSV has it.
@@ -33,19 +34,4 @@ fn table(
     let values = rows.flat_map(|(time, tau)| std::iter::once(*time).chain(free.iter().map(|&dof| tau[dof])));
     let (values, lines) = (values.collect(), (1..).take(motion.time.len()).collect());
     Table { columns, values, lines, header_line: 1, ..Table::default() }
-}
-
-/// Of each degree of freedom, whether it slides: its force is in N, the others' in N m.
-pub(super) fn slides(figure: &Figure) -> Vec<bool> {
-    let mut slides = Vec::with_capacity(figure.layout().nv());
-    for link in figure.links() {
-        match link.joint().kind() {
-            JointKind::Free { .. } => slides.extend([true, true, true, false, false, false]),
-            JointKind::Axes(dofs) => {
-                slides.extend(dofs.iter().map(|dof| dof.axis.kind == AxisKind::Translation));
-            }
-            kind => slides.extend((0..kind.nv()).map(|_| false)),
-        }
-    }
-    slides
 }

@@ -1,9 +1,10 @@
-//! The commands on figures and recorded motions (`inverse`, `check`, `figure`, `convert`, `walk --figure`) from outside:
+//! The commands on figures and recorded motions (`inverse`, `ground`, `check`, `figure`, `convert`, `walk --figure`) from outside:
 //! what goes into files and what comes out. What is printed stands in the transcripts.
 
 mod bad_files;
 mod check;
 mod convert;
+mod ground;
 mod manners;
 mod refusals;
 mod robots;
@@ -71,7 +72,13 @@ fn folder_with(fixtures: &[&str]) -> TempDir {
 
 /// A folder with the subject: model, motion, forces, and their description.
 fn subject() -> TempDir {
-    folder_with(&["subject/subject.osim", "subject/walk.mot", "subject/grf.mot", "subject/loads.xml"])
+    folder_with(&[
+        "subject/subject.osim",
+        "subject/walk.mot",
+        "subject/grf.mot",
+        "subject/loads.xml",
+        "subject/soles.ron",
+    ])
 }
 
 /// A file of the reference data; where it is absent that is said aloud.

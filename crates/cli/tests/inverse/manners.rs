@@ -36,6 +36,17 @@ fn options_that_cannot_be_understood() {
         ("--filter-order 3", "--filter"),
         ("--base loose", "fixed, floating, free"),
         ("--passive perhaps", "on, off"),
+        ("--ground --external grf.mot --plate calcn_r=", "cannot be used with"),
+        ("--ground --external-loads loads.xml", "cannot be used with"),
+        ("--soles soles.ron", "--ground"),
+        ("--split pivot", "--ground"),
+        ("--belt auto", "--ground"),
+        ("--stance-height 0.02", "--ground"),
+        ("--ground --split half", "transition, pivot, effort"),
+        ("--ground --belt 0", "above zero"),
+        ("--ground --belt -1.2", "above zero"),
+        ("--ground --belt fast", "auto, or still"),
+        ("--ground --stance-speed quick", "must be a number"),
         ("--fliter 6Hz", "--filter"),
         ("more.mot", "unexpected argument"),
     ] {
@@ -219,8 +230,13 @@ fn many_rows_take_bounded_time() {
 
 #[test]
 fn every_example_of_the_help_runs() {
-    let folder =
-        folder_with(&["subject/subject.osim", "subject/grf.mot", "subject/loads.xml", "figures/arm.urdf"]);
+    let folder = folder_with(&[
+        "subject/subject.osim",
+        "subject/grf.mot",
+        "subject/loads.xml",
+        "subject/soles.ron",
+        "figures/arm.urdf",
+    ]);
     for (from, to) in
         [("subject/walk.mot", "ik.mot"), ("subject/walk.mot", "walk.mot"), ("figures/arm.urdf", "robot.urdf")]
     {
@@ -232,7 +248,7 @@ fn every_example_of_the_help_runs() {
     succeeded(&solaris(folder.path(), "walk --steps 1 --rate 30 -o walk.csv"));
     let mut run = 0;
     // The conversions last: one writes over the motion.
-    for help in ["", "figure human", "check", "inverse", "convert"] {
+    for help in ["", "figure human", "check", "inverse", "ground", "convert"] {
         let help = succeeded(&solaris(folder.path(), &format!("{help} --help"))).replace("\\\n", " ");
         let examples = help.lines().filter_map(|line| line.strip_prefix("  solaris "));
         for example in examples.filter(|example| !example.starts_with("walk ")) {
@@ -240,5 +256,5 @@ fn every_example_of_the_help_runs() {
             run += 1;
         }
     }
-    assert!(run >= 15, "{run} examples");
+    assert!(run >= 20, "{run} examples");
 }

@@ -97,7 +97,7 @@ fn both_formats_hold_the_same_numbers() {
     assert!(printed.contains("wrote tau.csv") && printed.contains("wrote tau.sto"), "{printed}");
     assert_eq!(
         names(folder.path()),
-        ["grf.mot", "loads.xml", "subject.osim", "tau.csv", "tau.sto", "walk.mot"]
+        ["grf.mot", "loads.xml", "soles.ron", "subject.osim", "tau.csv", "tau.sto", "walk.mot"]
     );
 }
 

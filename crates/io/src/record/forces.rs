@@ -6,7 +6,7 @@ use crate::table::{CONTACT, TIME, Table};
 use solaris_model::{Contact, ForceRecord, Vector3, nearest};
 
 /// Endings of force, point of application and torque in a table of `OpenSim`.
-const OPENSIM: [&str; 9] = [
+pub(super) const OPENSIM: [&str; 9] = [
     "ground_force_vx",
     "ground_force_vy",
     "ground_force_vz",

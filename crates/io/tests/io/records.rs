@@ -1,8 +1,9 @@
 //! Records of states and forces from tables.
 
 use crate::motions::{Full, full_human};
-use solaris_io::{IoError, Table, csv, record};
-use solaris_model::{Curve, Figure, FigureBuilder, Joint, LinkSpec, Vector3};
+use solaris_io::record::ForceHeadings;
+use solaris_io::{IoError, Table, csv, record, sto};
+use solaris_model::{Contact, ContactTrack, Curve, Figure, FigureBuilder, Joint, LinkSpec, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
 fn table(text: &str) -> Table {
@@ -219,4 +220,59 @@ fn mistakes_in_forces_are_answered() {
         Err(error) => error.to_string(),
     });
     insta::assert_snapshot!(answers.join("\n"));
+}
+
+#[test]
+fn forces_that_are_written_are_read_again() {
+    let vector = |i: usize, scale: f64| {
+        Vector3::new(1.1 * i as f64 - 3.0, 0.7 / (i as f64 + 1.0), 2.3 - i as f64) * scale
+    };
+    let contact =
+        |i: usize| Contact { force: vector(i, 300.0), moment: vector(i + 2, 90.0), cop: vector(i + 5, 0.1) };
+    // The last is of a foot in the air.
+    let samples: Vec<Contact> = (0..7).map(contact).chain([Contact::default()]).collect();
+    let tracks =
+        ["calcn_r", "calcn_l"].map(|link| ContactTrack { link: link.to_owned(), samples: samples.clone() });
+    let time: Vec<f64> = (0..8).map(|i| 0.1 * f64::from(i)).collect();
+    for (headings, prefix) in [(ForceHeadings::Solaris, "calcn_l"), (ForceHeadings::OpenSim, "calcn_l_")] {
+        let written = record::force_table(headings, &time, &tracks).expect("finite");
+        let mut text = Vec::new();
+        let read = match headings {
+            ForceHeadings::Solaris => {
+                csv::write_table(&written, &mut text).expect("written");
+                csv::read_table(std::str::from_utf8(&text).expect("text"))
+            }
+            ForceHeadings::OpenSim => {
+                sto::write(&written, &mut text).expect("written");
+                sto::read(std::str::from_utf8(&text).expect("text"))
+            }
+        };
+        let read = read.expect("a table");
+        assert_eq!((read.columns.len(), &read.values), (19, &written.values));
+        let found = record::forces(&read, &["foot".to_owned()], prefix).expect("forces");
+        assert_eq!(found.time, time);
+        for (found, given) in found.samples.iter().zip(&samples) {
+            assert_eq!((found.force, found.cop), (given.force, given.cop));
+            let off = (found.moment - given.moment).norm();
+            // Ours are the same bits; OpenSim's moments are about another point.
+            let rounding = 4.0 * f64::EPSILON * (given.moment.norm() + given.cop.norm() * given.force.norm());
+            assert!(off <= if headings == ForceHeadings::Solaris { 0.0 } else { rounding }, "{off:e}");
+        }
+    }
+}
+
+#[test]
+fn forces_that_do_not_fit_are_not_written() {
+    let track = |name: &str, count: usize| ContactTrack {
+        link: name.to_owned(),
+        samples: vec![Contact::default(); count],
+    };
+    let refused = |time: &[f64], tracks: &[ContactTrack]| {
+        record::force_table(ForceHeadings::OpenSim, time, tracks).expect_err("refused").to_string()
+    };
+    assert!(refused(&[0.0], &[track("a", 1), track("a", 1)]).starts_with("contacts of link 'a'"));
+    assert!(refused(&[0.0], &[track("a", 2)]).contains("2 contacts for 1 samples"));
+    let mut bad = track("a", 2);
+    bad.samples[1].force.y = f64::NAN;
+    assert!(refused(&[0.0, 0.5], &[bad]).starts_with("'a_ground_force_vy' at 0.5 s is NaN"));
 }

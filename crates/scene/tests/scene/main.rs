@@ -4,3 +4,4 @@ mod faults;
 mod fixtures;
 mod grammar;
 mod runs;
+mod soles;

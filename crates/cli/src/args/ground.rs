@@ -1,0 +1,102 @@
+//! The options of `solaris ground`, and those of the ground that `solaris inverse` shares with it.
+
+use super::{given, input, json, path, wrap};
+use clap::builder::ValueParser;
+use clap::{Arg, ArgAction, Command};
+use solaris::modes::ground::{Split, StanceOptions};
+
+const EXAMPLES: &str = "Examples:
+  solaris ground walk.mot subject.osim --soles soles.ron --filter 6Hz -o grf.mot
+      forces under both feet of a measured walk, without force plates; OpenSim reads them
+  solaris ground walk.mot subject.osim --soles soles.ron --filter 6Hz --split transition --json
+      another assumption of how two feet share what both bear; numbers for a program
+  solaris ground walk.csv human.ron -o grf.csv
+      a walk of `solaris walk`; the figure has soles of its own
+  solaris inverse subject.osim walk.mot --ground --soles soles.ron --filter 6Hz -o moments.sto
+      joint moments with these forces, in one command";
+
+pub(super) fn command() -> Command {
+    Command::new("ground")
+        .about("What the ground does to the feet in a given motion, without force plates")
+        .after_help(EXAMPLES)
+        .arg(input("motion", "MOTION", given::MOTION))
+        .arg(input("figure", "FIGURE", given::FIGURE))
+        .arg(path("output").short('o').action(ArgAction::Append).help(wrap(
+            "Write force, moment and centre of pressure of each foot: .mot or .sto with OpenSim's names (NAME_ground_force_vx), \
+             .csv with NAME.fx [default: none]",
+        )))
+        .arg(json("Print the summary as JSON instead of a table"))
+        .next_help_heading("The ground")
+        .args(options())
+        .next_help_heading("The motion")
+        .args(given::motion())
+        .next_help_heading("The figure")
+        .args(given::figure())
+}
+
+/// How the ground treadmills.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum AskedBelt {
+    Auto,
+    Still,
+    /// Its speed (m/s).
+    Speed(f64),
+}
+
+/// How the ground's forces are found.
+pub(super) fn options() -> [Arg; 6] {
+    let standing = StanceOptions::default();
+    [
+        Arg::new("split")
+            .long("split")
+            .value_name("NAME")
+            .value_parser(Split::ALL.map(Split::name))
+            .hide_possible_values(true)
+            .help(wrap(&format!(
+                "How two feet share what both bear, an assumption: transition (the smooth curves of people who walk), pivot \
+                 (forces that point at one point above the centre of mass), effort (least joint moments) [default: {}]",
+                Split::default().name()
+            ))),
+        path("soles").help(wrap(
+            "Where the feet meet the ground, as text: Soles(version: 1, soles: [Sole(name, foot, toes, heel, ball, tip, width), \
+             …]) [default: the figure's own soles, or a guess by the bodies calcn_r, toes_r, calcn_l, toes_l]",
+        )),
+        Arg::new("belt")
+            .long("belt")
+            .value_name("SPEED|auto|still")
+            .allow_hyphen_values(true)
+            .value_parser(ValueParser::new(parse_belt))
+            .help(wrap(
+                "How the ground itself moves, on a treadmill: its speed in m/s, along the feet on it; still; or as the feet on \
+                 it tell [default: auto]",
+            )),
+        length("stance-height", "M").help(wrap(&format!(
+            "How far above its lowest place a point of the sole may be and still stand, in m [default: {}]",
+            standing.height
+        ))),
+        length("stance-speed", "M/S").help(wrap(&format!(
+            "How fast it may be against the ground and still stand, in m/s [default: {}]",
+            standing.speed
+        ))),
+        length("stance-shortest", "S").help(wrap(&format!(
+            "Stances and gaps between them that are shorter than this are none, in s [default: {}]",
+            standing.shortest
+        ))),
+    ]
+}
+
+/// A number that is not below zero; what it may be is said where it is used.
+fn length(name: &'static str, unit: &'static str) -> Arg {
+    super::number(name, unit, "")
+}
+
+fn parse_belt(text: &str) -> Result<AskedBelt, String> {
+    match text {
+        "auto" => Ok(AskedBelt::Auto),
+        "still" => Ok(AskedBelt::Still),
+        _ => match text.parse::<f64>() {
+            Ok(speed) if speed > 0.0 && speed.is_finite() => Ok(AskedBelt::Speed(speed)),
+            _ => Err("it must be a speed above zero in m/s, such as 1.2, or auto, or still".to_owned()),
+        },
+    }
+}

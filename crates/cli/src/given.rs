@@ -1,0 +1,10 @@
+//! What is given to find forces: a figure and its motion, read and completed, and what is to be said of them.
+
+mod read;
+mod report;
+mod summary;
+mod units;
+
+pub(crate) use read::Given;
+pub(crate) use report::GivenReport;
+pub(crate) use units::slides;

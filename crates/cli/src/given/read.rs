@@ -1,0 +1,74 @@
+//! A figure and its motion from the files and options of the command line.
+
+use crate::args::{BASES, Gravity};
+use crate::error::CliError;
+use crate::input::{self, Body};
+use crate::progress::Progress;
+use clap::ArgMatches;
+use solaris::io::Table;
+use solaris::io::record::{self, Recorded};
+use solaris::model::Base;
+use solaris::modes::{Completed, Filter, complete};
+use std::path::{Path, PathBuf};
+
+/// Order of the filter when none is asked for.
+const FILTER_ORDER: u8 = 2;
+
+/// A figure in a motion, of which everything is known.
+pub(crate) struct Given {
+    /// The figure's file.
+    pub(crate) of: PathBuf,
+    /// The motion's file.
+    pub(crate) from: PathBuf,
+    pub(crate) body: Body,
+    /// Whether gravity was asked for.
+    pub(crate) gravity_is_asked: bool,
+    pub(crate) table: Table,
+    pub(crate) recorded: Recorded,
+    pub(crate) filter: Option<Filter>,
+    pub(crate) states: Completed,
+}
+
+impl Given {
+    /// Reads the figure `of` and the motion `from`, as the options say.
+    pub(crate) fn read(
+        matches: &ArgMatches,
+        of: &Path,
+        from: &Path,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
+        let mut body = input::body(of)?;
+        if let Some(base) = base(matches) {
+            if base == Base::Fixed && body.figure.links()[0].joint().kind().nv() > 0 {
+                let why =
+                    "its root joint moves, and --base fixed is for figures that stand fixed; leave it out"
+                        .to_owned();
+                return Err(CliError::Option { option: "base".to_owned(), value: "fixed".to_owned(), why });
+            }
+            body.figure = body.figure.on_base(base).map_err(|error| CliError::input(of, &error))?;
+        }
+        if let Some(Gravity(gravity)) = matches.get_one("gravity") {
+            body.gravity = *gravity;
+        }
+        let table = input::table(from)?;
+        let recorded = record::read(&body.figure, &table).map_err(|error| CliError::input(from, &error))?;
+        progress.stage("finding velocities and accelerations");
+        let filter = filter(matches);
+        let states = complete(&body.figure, &recorded.record, filter)
+            .map_err(|error| CliError::input(from, &error))?;
+        let gravity_is_asked = matches.contains_id("gravity");
+        let (of, from) = (of.to_owned(), from.to_owned());
+        Ok(Self { of, from, body, gravity_is_asked, table, recorded, filter, states })
+    }
+}
+
+fn base(matches: &ArgMatches) -> Option<Base> {
+    let asked = matches.get_one::<String>("base")?;
+    BASES.iter().find(|(name, _)| name == asked).map(|(_, base)| *base)
+}
+
+fn filter(matches: &ArgMatches) -> Option<Filter> {
+    let cutoff = *matches.get_one::<f64>("filter")?;
+    let order = *matches.get_one::<u8>("filter-order").unwrap_or(&FILTER_ORDER);
+    Some(Filter { cutoff, order: order.into() })
+}

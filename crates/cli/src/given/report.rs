@@ -1,0 +1,109 @@
+//! What was given, and how it was taken.
+
+use super::read::Given;
+use super::units::slides;
+use serde::Serialize;
+use solaris::model::{AxisKind, FindingKind, JointKind};
+
+/// What went in.
+#[derive(Serialize)]
+pub(crate) struct GivenReport {
+    pub(super) figure: String,
+    pub(super) format: &'static str,
+    pub(super) dofs: usize,
+    pub(super) mass_kg: f64,
+    pub(super) rows: usize,
+    pub(super) from_s: f64,
+    pub(super) to_s: f64,
+    /// What the motion's angles are in, and who says so.
+    pub(super) units: &'static str,
+    pub(super) has_times: bool,
+    pub(super) gravity_m_s2: [f64; 3],
+    pub(super) gravity_from: &'static str,
+    /// Degrees of freedom whose velocities and accelerations were found from the positions.
+    pub(super) from_positions: usize,
+    /// Degrees of freedom whose accelerations were found from the recorded velocities.
+    pub(super) from_velocities: usize,
+    pub(super) filter: Option<FilterReport>,
+    pub(super) many_turns: Vec<String>,
+    pub(super) outside_limits: Vec<Excess>,
+    pub(super) ignored_columns: Vec<String>,
+    /// Elements of the figure's file that were not read.
+    pub(super) not_read: usize,
+    /// Whether nothing holds the root in the world, so that the forces of its joint are errors.
+    pub(crate) root_is_free: bool,
+}
+
+#[derive(Serialize)]
+pub(super) struct FilterReport {
+    pub(super) cutoff_hz: f64,
+    pub(super) order: usize,
+    pub(super) spoiled_s: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Excess {
+    pub(super) dof: String,
+    pub(super) by: f64,
+    pub(super) at_s: f64,
+    #[serde(skip)]
+    pub(super) turns: bool,
+}
+
+impl GivenReport {
+    pub(crate) fn new(given: &Given) -> Self {
+        let Given { body, table, recorded, states, .. } = given;
+        let figure = &body.figure;
+        let (names, slides) = (figure.layout().v_names(), slides(figure));
+        let excess = figure.limit_excess(&states.q).into_iter().map(|found| Excess {
+            dof: names[found.dof].clone(),
+            by: found.by,
+            at_s: states.time[found.row],
+            turns: !slides[found.dof],
+        });
+        let derived = |from_velocity: bool| {
+            let dofs = states.differentiated.iter().enumerate();
+            dofs.filter(|(dof, here)| **here && recorded.record.known_v[*dof] == from_velocity).count()
+        };
+        Self {
+            figure: figure.name().to_owned(),
+            format: body.language.name(),
+            dofs: figure.layout().nv(),
+            mass_kg: figure.mass(),
+            rows: states.time.len(),
+            from_s: states.time.first().copied().unwrap_or_default(),
+            to_s: states.time.last().copied().unwrap_or_default(),
+            units: match table.in_degrees {
+                Some(true) => "angles in degrees, as its header says",
+                Some(false) => "angles in rad, as its header says",
+                None if table.header_line > 1 => "angles in rad, though its header does not say",
+                None => "angles in rad",
+            },
+            has_times: table.column("time").is_some(),
+            gravity_m_s2: body.gravity.into(),
+            gravity_from: match (given.gravity_is_asked, body.gravity_is_given) {
+                (true, _) => "as asked",
+                (false, true) => "the file's",
+                (false, false) => "standard, down in this format",
+            },
+            from_positions: derived(false),
+            from_velocities: derived(true),
+            filter: given.filter.map(|filter| FilterReport {
+                cutoff_hz: filter.cutoff,
+                order: filter.order,
+                spoiled_s: states.spoiled,
+            }),
+            many_turns: figure.many_turns(&states.q).into_iter().map(|dof| names[dof].clone()).collect(),
+            outside_limits: excess.collect(),
+            ignored_columns: recorded.ignored.clone(),
+            not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
+            root_is_free: is_base(figure.links()[0].joint().kind()),
+        }
+    }
+}
+
+/// Whether a root's joint places the whole figure in the world, rather than hold it there as a hinge does.
+fn is_base(root: &JointKind) -> bool {
+    let slides = root.axes().iter().filter(|dof| dof.axis.kind == AxisKind::Translation).count();
+    matches!(root, JointKind::Free { .. }) || (slides >= 2 && root.axes().len() > slides)
+}

@@ -1,0 +1,70 @@
+//! What was given, for people.
+
+use super::report::{FilterReport, GivenReport};
+use crate::words::{counted, row, short, some};
+use std::io::{Result, Write};
+
+impl GivenReport {
+    /// The figure, its motion, and what was made of it.
+    pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {
+        let Self { figure, format, dofs, mass_kg, .. } = self;
+        let dofs = counted(*dofs, "degree of freedom", "degrees of freedom");
+        writeln!(out, "{format} '{figure}': {dofs}, {} kg\n", short(*mass_kg))?;
+        let rows = counted(self.rows, "row", "rows");
+        let times = match (self.has_times, self.rows) {
+            (false, _) => " without times".to_owned(),
+            (true, 1) => format!(" at {} s", short(self.from_s)),
+            (true, _) => format!(", {} to {} s", short(self.from_s), short(self.to_s)),
+        };
+        row(out, "motion", &format!("{rows}{times}; {}", self.units))?;
+        let [x, y, z] = self.gravity_m_s2;
+        row(out, "gravity", &format!("({x}, {y}, {z}) m/s², {}", self.gravity_from))?;
+        let which = if self.filter.is_some() { "filtered " } else { "" };
+        for (count, of) in [(self.from_positions, "positions"), (self.from_velocities, "velocities")] {
+            let dofs = counted(count, "dof", "dofs");
+            let how = match self.rows {
+                _ if count == 0 => continue,
+                1 => "zero, since a single row has none".to_owned(),
+                2 => format!("of the straight line through the {which}{of}"),
+                _ => format!("of the natural quintic spline through the {which}{of}"),
+            };
+            row(out, "derivatives", &format!("{dofs}: {how}"))?;
+        }
+        if self.from_positions + self.from_velocities == 0 {
+            row(out, "derivatives", "as recorded")?;
+        }
+        self.write_filter(out)
+    }
+
+    fn write_filter(&self, out: &mut dyn Write) -> Result<()> {
+        let Some(FilterReport { cutoff_hz, order, spoiled_s }) = &self.filter else { return Ok(()) };
+        if self.from_positions + self.from_velocities == 0 {
+            return row(out, "filter", "not used: what is recorded with its derivatives is taken as it is");
+        }
+        let what = format!("zero-phase Butterworth, {cutoff_hz} Hz, order {order} there and back");
+        row(out, "filter", &what)?;
+        let ends = short(*spoiled_s);
+        row(out, "", &format!("the first and the last {ends} s are the filter's, not the motion's"))
+    }
+
+    /// What looks wrong with it, and what was not used.
+    pub(crate) fn write_doubts(&self, out: &mut dyn Write) -> Result<()> {
+        if !self.many_turns.is_empty() {
+            let what = format!("{}: more than two turns; are these degrees?", some(&self.many_turns));
+            row(out, "suspect", &what)?;
+        }
+        for (i, excess) in self.outside_limits.iter().enumerate() {
+            let (by, unit) = if excess.turns { (excess.by.to_degrees(), "°") } else { (excess.by, " m") };
+            let what = if i == 0 { "outside limits" } else { "" };
+            row(out, what, &format!("{} by {}{unit} at {} s", excess.dof, short(by), short(excess.at_s)))?;
+        }
+        if !self.ignored_columns.is_empty() {
+            row(out, "columns not used", &some(&self.ignored_columns))?;
+        }
+        if self.not_read > 0 {
+            let kinds = counted(self.not_read, "kind", "kinds");
+            row(out, "not read", &format!("{kinds} of things in the model; solaris check lists them"))?;
+        }
+        Ok(())
+    }
+}

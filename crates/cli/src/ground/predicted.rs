@@ -1,0 +1,104 @@
+//! The ground's forces of a motion that was given, as the options ask for them.
+
+use super::soles::{self, From};
+use crate::args::AskedBelt;
+use crate::error::{CliError, typed};
+use crate::given::Given;
+use clap::ArgMatches;
+use solaris::modes::ground::{
+    Belt, GroundError, GroundForces, GroundOptions, Sole, Split, StanceOptions, find_stances, ground_forces,
+};
+
+/// The ground's forces, and what they are found from.
+pub(crate) struct Predicted {
+    pub(super) soles: Vec<Sole>,
+    pub(super) from: From,
+    /// How the ground's own motion is known.
+    pub(super) belt_from: &'static str,
+    pub(crate) forces: GroundForces,
+}
+
+impl Predicted {
+    /// Finds them.
+    pub(crate) fn find(matches: &ArgMatches, given: &Given) -> Result<Self, CliError> {
+        if given.table.column("time").is_none() {
+            let why = "it has no column 'time', and which foot stands is found from how the feet move";
+            return Err(CliError::input(&given.from, &why));
+        }
+        let (soles, from) = soles::find(matches, given)?;
+        let default = StanceOptions::default();
+        let number = |option: &str, default| matches.get_one::<f64>(option).copied().unwrap_or(default);
+        let mut stance = StanceOptions {
+            height: number("stance-height", default.height),
+            speed: number("stance-speed", default.speed),
+            shortest: number("stance-shortest", default.shortest),
+            belt: Belt::Auto,
+        };
+        let refuse = |error| refused(&error, matches, given, &from);
+        let (figure, gravity, states) = (&given.body.figure, given.body.gravity, &given.states);
+        let belt_from = match matches.get_one("belt").unwrap_or(&AskedBelt::Auto) {
+            AskedBelt::Auto => "as the feet on it move",
+            AskedBelt::Still => {
+                stance.belt = Belt::Still;
+                "as asked"
+            }
+            AskedBelt::Speed(speed) => {
+                let found = find_stances(figure, gravity, states, &soles, &stance).map_err(refuse)?.belt;
+                let along = found.try_normalize(0.0).ok_or_else(|| no_belt(matches))?;
+                stance.belt = Belt::Speed(along * *speed);
+                "as fast as asked, along the feet on it"
+            }
+        };
+        let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
+        let options = GroundOptions { split: split.unwrap_or_default(), stance, stances: None };
+        let forces = ground_forces(figure, gravity, states, &soles, &options).map_err(refuse)?;
+        Ok(Self { soles, from, belt_from, forces })
+    }
+}
+
+/// A belt where there is none.
+fn no_belt(matches: &ArgMatches) -> CliError {
+    let why = format!(
+        "the feet do not move with a belt: where they are down they are slower than {} m/s, and nothing says which way it \
+         would run; leave --belt out",
+        Belt::LEAST
+    );
+    CliError::Option { option: "belt".to_owned(), value: typed(matches, "belt").unwrap_or_default(), why }
+}
+
+/// The option or the file that is at fault.
+fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, soles: &From) -> CliError {
+    let of_option = |option: &str, why: String| {
+        let value = typed(matches, option)?;
+        Some(CliError::Option { option: option.to_owned(), value, why })
+    };
+    let (option, why) = match error {
+        GroundError::Option { name, range, .. } => {
+            let option = match *name {
+                "the height" => "stance-height",
+                "the speed" => "stance-speed",
+                "the shortest stance" => "stance-shortest",
+                _ => "belt",
+            };
+            (option, format!("it must be {range}"))
+        }
+        GroundError::TooManyFeet { .. } => ("split", error.to_string()),
+        GroundError::NoGravity { .. } => ("gravity", error.to_string()),
+        _ => ("", String::new()),
+    };
+    if let Some(error) = of_option(option, why) {
+        return error;
+    }
+    let path = match (error, soles) {
+        (GroundError::Sole { .. }, From::File(path)) => path,
+        (
+            GroundError::Sole { .. }
+            | GroundError::NoMass { .. }
+            | GroundError::NoGravity { .. }
+            | GroundError::Tree(_),
+            _,
+        ) => &given.of,
+        _ => &given.from,
+    };
+    CliError::input(path, error)
+}

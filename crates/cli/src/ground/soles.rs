@@ -1,0 +1,69 @@
+//! Whose soles stand on the ground: those of a file, the figure's own, or a guess.
+
+use crate::error::CliError;
+use crate::given::Given;
+use crate::input;
+use crate::words::some;
+use clap::ArgMatches;
+use solaris::model::Figure;
+use solaris::modes::ground::{self, Sole};
+use solaris::scene::read_soles;
+use std::path::PathBuf;
+
+/// Who says where they are.
+pub(super) enum From {
+    File(PathBuf),
+    Figure,
+    Guess,
+}
+
+impl From {
+    pub(super) fn describe(&self) -> String {
+        match self {
+            Self::File(path) => format!("of {}", path.display()),
+            Self::Figure => "the figure's own".to_owned(),
+            Self::Guess => "guessed by the bodies' names".to_owned(),
+        }
+    }
+}
+
+/// The soles and who says so.
+pub(super) fn find(matches: &ArgMatches, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
+    let figure = &given.body.figure;
+    if let Some(path) = matches.get_one::<PathBuf>("soles") {
+        let text = input::text(path)?;
+        let soles = read_soles(&text, figure).map_err(|faults| input::faulty(path, &text, faults))?;
+        return Ok((soles, From::File(path.clone())));
+    }
+    let own = ground::soles(figure);
+    if !own.is_empty() {
+        return Ok((own, From::Figure));
+    }
+    let guessed = ground::guessed_soles(figure);
+    if !guessed.is_empty() {
+        return Ok((guessed, From::Guess));
+    }
+    Err(CliError::input(&given.of, &missing(figure)))
+}
+
+/// What to do about a figure of which nobody knows the feet.
+fn missing(figure: &Figure) -> String {
+    let links = figure.links();
+    let is_last = |i: &usize| links.iter().all(|link| link.parent() != Some(*i));
+    let last: Vec<String> = (0..links.len()).filter(is_last).map(|i| links[i].name().to_owned()).collect();
+    let example = last.first().cloned().unwrap_or_default();
+    format!(
+        "figure '{}' has no soles, and no bodies calcn_r and toes_r, calcn_l and toes_l to guess them by.
+Write down where its feet meet the ground, in a file for --soles, such as
+
+Soles(version: 1, soles: [
+    // Points in m, in the frame of the link or body that is named; hindmost, below the toes' joint, foremost.
+    // width: breadth in m; without it the centre of pressure is not judged. toes: \"LINK\" if the tip is on another.
+    Sole(name: \"right\", foot: \"{example}\", heel: (-0.05, -0.04, 0), ball: (0.13, -0.04, 0), tip: (0.2, -0.04, 0)),
+])
+
+Links at the ends of the figure: {}",
+        figure.name(),
+        some(&last)
+    )
+}

@@ -1,0 +1,94 @@
+//! What was found of the ground, for people.
+
+use super::report::{Extreme, Foot, GroundReport};
+use crate::words::{row, short, some};
+use std::io::{Result, Write};
+
+impl GroundReport {
+    /// Soles, ground, stances; each foot; what to look at.
+    pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {
+        let names: Vec<String> = self.feet.iter().map(|foot| foot.name.clone()).collect();
+        row(out, "soles", &format!("{}, {}", some(&names), self.soles_from))?;
+        row(out, "ground", &format!("{} m up, {}", short(self.level_m), self.belt()))?;
+        row(out, "stances", &format!("by {}", self.stances_from))?;
+        row(out, "split", &format!("{}: {}; an assumption, no law", self.split, self.assumption))?;
+        let weight = self.weight_n;
+        self.feet.iter().try_for_each(|foot| foot.write(out, weight))?;
+        let air = &self.unsupported;
+        writeln!(out)?;
+        if air.frames == 0 {
+            row(out, "no foot stands", "in no frame")?;
+        } else {
+            let [rms, force, at] = [air.force_rms_n, air.force_greatest_n, air.at_s].map(short);
+            let left = format!("a force of {rms} N is left there (rms), {force} N at {at} s");
+            row(out, "no foot stands", &format!("in {} frames; {left}", air.frames))?;
+        }
+        if !self.warnings.is_empty() {
+            writeln!(out, "\n  Look at")?;
+        }
+        self.warnings.iter().try_for_each(|warning| writeln!(out, "  - {warning}"))
+    }
+
+    fn belt(&self) -> String {
+        let speed = self.belt_m_s.iter().fold(0.0_f64, |speed, v| speed.hypot(*v));
+        let from = self.belt_from;
+        if speed == 0.0 {
+            return format!("still, {from}");
+        }
+        let [x, y, z] = self.belt_m_s.map(short);
+        format!("a belt of {} m/s, ({x}, {y}, {z}), {from}", short(speed))
+    }
+}
+
+impl Foot {
+    fn write(&self, out: &mut dyn Write, weight: f64) -> Result<()> {
+        writeln!(out, "\n  under {}", self.name)?;
+        let stances: Vec<String> = self
+            .stances_s
+            .iter()
+            .map(|[start, end]| format!("{} to {}", short(*start), short(*end)))
+            .collect();
+        if stances.is_empty() {
+            return line(out, "stands", "never");
+        }
+        line(out, "stands", &format!("{} s", some(&stances)))?;
+        let (greatest, of_weight) = (short(self.greatest_n), percent(self.greatest_n / weight));
+        line(out, "greatest force", &format!("{greatest} N, {of_weight} of the weight"))?;
+        if let Some(Extreme { worst, at_s, share }) = self.least_n {
+            let pulls = if share > 0.0 {
+                format!("; it pulls in {} of its frames", percent(share))
+            } else {
+                String::new()
+            };
+            line(out, "least force", &format!("{} N at {} s{pulls}", short(worst), short(at_s)))?;
+        }
+        if let Some(Extreme { worst, at_s, share }) = self.friction {
+            let above = percent(share);
+            let what = format!("{} at {} s; above 0.6 in {above} of its frames", short(worst), short(at_s));
+            line(out, "greatest friction", &what)?;
+        }
+        match self.cop_outside_m {
+            Some(Extreme { worst, .. }) if worst == 0.0 => line(out, "pressure", "inside of the sole"),
+            Some(Extreme { worst, at_s, share }) => {
+                let (by, at, share) = (short(worst * 1000.0), short(at_s), percent(share));
+                line(
+                    out,
+                    "pressure",
+                    &format!("{by} mm outside of the sole at {at} s; in {share} of its frames"),
+                )
+            }
+            None if self.width_m.is_none() => line(out, "pressure", "not judged: the sole has no width"),
+            None => line(out, "pressure", "not judged: the foot never bears 5 % of the weight"),
+        }
+    }
+}
+
+fn line(out: &mut dyn Write, what: &str, value: &str) -> Result<()> {
+    writeln!(out, "    {what:<20}{value}")
+}
+
+/// A share of all.
+fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    if percent > 0.0 && percent < 1.0 { "less than 1 %".to_owned() } else { format!("{percent:.0} %") }
+}
