@@ -89,12 +89,16 @@ fn falls(seeds: std::ops::Range<u64>) {
         let lowest = (0..150).map(height).enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).expect("frames");
         let bounce = (lowest.0..run.motion.len()).map(height).fold(f64::MIN, f64::max) - lowest.1;
         eprintln!(
-            "pose {seed}: still moving {:.1e}, deepest {:.1} mm ({}), bounce {bounce:.3} m, imbalance {:.1e}",
+            "pose {seed}: {:.1e} J left, fastest {:.1e}, deepest {:.1} mm ({}), bounce {bounce:.3} m, imbalance {:.1e}",
+            energy.end.kinetic,
             moving(&run),
             1e3 * deepest.depth,
             deepest.link,
             energy.imbalance / energy.scale
         );
+        assert!(energy.end.kinetic < 1e-3 * energy.scale, "pose {seed} does not come to rest: {energy:?}");
+        assert!(bounce < 0.1, "pose {seed} bounces by {bounce} m");
+        assert!(deepest.depth < 0.05, "pose {seed}: {deepest:?}");
     }
 }
 
