@@ -1,5 +1,6 @@
 //! `solaris run`: a scene comes to a motion.
 
+mod contact;
 mod energy;
 mod load;
 mod outcomes;

@@ -83,7 +83,7 @@ impl ShapeKind {
     }
 
     /// How far it reaches from its centre along a unit vector in its own axes (m).
-    pub(crate) fn reach(&self, along: &Vector3<f64>) -> f64 {
+    pub fn reach(&self, along: &Vector3<f64>) -> f64 {
         match *self {
             Self::Box { size } => along.abs().dot(&size) / 2.0,
             Self::Cylinder { radius: r, length: l } => r * along.xz().norm() + l / 2.0 * along.y.abs(),

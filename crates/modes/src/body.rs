@@ -3,7 +3,9 @@
 mod joints;
 mod limits;
 mod points;
+mod touching;
 
+use crate::contact::Surface;
 use crate::element::{LimitLaw, PointSpring};
 use crate::report::Energy;
 use crate::trouble::SetupError;
@@ -17,17 +19,20 @@ use solaris_dynamics::{
 };
 use solaris_model::Figure;
 use solaris_profiles::Scalar;
+use touching::GroundElement;
+pub(crate) use touching::{Pressed, Pressure};
 
 /// A figure with everything that acts in it by itself, for one scalar: what the drives' forces come on top of.
 ///
 /// Forces `tau` are those of the **drives**: springs, dampers, friction and limits of the joints, springs between points and
-/// gravity act besides them,
+/// gravity and the ground act besides them,
 ///
 /// ```text
-/// M·a + h = τ + τ_joints + τ_limits + Jᵀ·F_points
+/// M·a + h = τ + τ_joints + τ_limits + Jᵀ·(F_points + F_ground)
 /// ```
 ///
-/// What the figure does not have costs nothing: without springs between points no velocities of links are found.
+/// What the figure does not have costs nothing: without springs between points and without a ground no velocities of links are
+/// found.
 ///
 /// Degrees of freedom that follow others are taken as free: whoever calls gives them the motion that their leaders ask for.
 #[derive(Clone, Debug)]
@@ -39,12 +44,15 @@ pub(crate) struct Body<T> {
     joints: JointElements<T>,
     stops: Vec<Stop<T>>,
     points: Vec<PointElement<T>>,
+    ground: Option<GroundElement<T>>,
     /// What acts by itself along each degree of freedom, in the state of the last call.
     passive: Vec<T>,
-    /// What springs between points do to links, in the state of the last call.
+    /// What springs between points and the ground do to links, in the state of the last call.
     external: Vec<(usize, Wrench<T>)>,
-    /// What dampers and friction took in the state of the last call.
+    /// What dampers and friction took in the state of the last call, those of the ground among them.
     heat: T,
+    /// What the ground did in the state of the last call.
+    pressure: Pressure<T>,
     total: Vec<T>,
     zeros: Vec<T>,
 }
@@ -80,10 +88,19 @@ impl<T: Real + Scalar> Body<T> {
             passive: zeros.clone(),
             external: Vec::with_capacity(2 * springs.len()),
             heat: T::zero(),
+            ground: None,
+            pressure: Pressure::none(),
             total: zeros.clone(),
             zeros,
             tree,
         })
+    }
+
+    /// The same on a ground, whose touches name links of the figure.
+    pub(crate) fn on(mut self, surface: Option<&Surface>) -> Self {
+        self.ground = surface.map(GroundElement::of).filter(|ground| ground.len() > 0);
+        self.external.reserve(self.ground.as_ref().map_or(0, GroundElement::len));
+        self
     }
 
     /// Hybrid dynamics: where `prescribed[k]`, `a[k]` is read and the drive's force `tau[k]` written, else the other way round.
@@ -146,13 +163,29 @@ impl<T: Real + Scalar> Body<T> {
         self.heat
     }
 
+    /// What the ground does in the state of the last call of [`hybrid`](Self::hybrid) or [`inverse`](Self::inverse).
+    pub(crate) fn pressure(&self) -> &Pressure<T> {
+        &self.pressure
+    }
+
+    /// What the ground does at each touch in a state, by its index.
+    pub(crate) fn touching(
+        &mut self,
+        q: &[T],
+        v: &[T],
+    ) -> Result<impl Iterator<Item = Pressed<T>>, DynamicsError> {
+        velocities(&self.tree, &mut self.workspace, q, v)?;
+        Ok(self.ground.iter().flat_map(|ground| ground.each(&self.workspace)))
+    }
+
     /// The energy of a state.
     pub(crate) fn energy(&mut self, q: &[T], v: &[T]) -> Result<Energy, DynamicsError> {
         let kinetic = kinetic_energy(&self.tree, &mut self.workspace, q, v)?.value();
         let potential = potential_energy(&self.tree, &mut self.workspace, q)?.value();
         let stops = self.stops.iter().map(|stop| stop.energy(q).value());
         let points = self.points.iter().map(|spring| spring.energy(&self.workspace).value());
-        let elastic = self.joints.energy(q).value() + stops.sum::<f64>() + points.sum::<f64>();
+        let ground = self.ground.as_ref().map_or(0.0, |ground| ground.energy(&self.workspace).value());
+        let elastic = self.joints.energy(q).value() + stops.sum::<f64>() + points.sum::<f64>() + ground;
         Ok(Energy { kinetic, potential, elastic })
     }
 
@@ -174,11 +207,15 @@ impl<T: Real + Scalar> Body<T> {
             self.heat += stop.act(q, v, &mut self.passive);
         }
         self.external.clear();
-        if !self.points.is_empty() {
+        if !self.points.is_empty() || self.ground.is_some() {
             velocities(&self.tree, &mut self.workspace, q, v)?;
         }
         for spring in &self.points {
             self.heat += spring.act(&self.workspace, &mut self.external);
+        }
+        if let Some(ground) = &self.ground {
+            self.pressure = ground.act(&self.workspace, &mut self.external);
+            self.heat += self.pressure.damping + self.pressure.friction;
         }
         Ok(())
     }

@@ -4,6 +4,7 @@ mod balance;
 mod body;
 mod carrier;
 mod complete;
+mod contact;
 mod drive;
 mod element;
 mod error;
@@ -27,6 +28,7 @@ mod trouble;
 
 pub use balance::balance_momentum;
 pub use complete::{CompleteError, Completed, Filter, complete};
+pub use contact::{ContactLaw, GroundPlane, Touch, touches};
 pub use drive::{Course, Drive, Law, Outcome, OutcomeKind, Shape, Step, Target, Until};
 pub use element::{Anchor, LimitLaw, PointSpring};
 pub use error::ReactionError;
@@ -35,7 +37,10 @@ pub use loads::{LoadError, Loads};
 pub use passive::add_passive_forces;
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use recorded::Recorded;
-pub use report::{Counts, Energy, EnergyReport, ErrorEstimate, Impact, PhaseReport, Run, RunReport, Watch};
+pub use report::{
+    Counts, Energy, EnergyReport, ErrorEstimate, GroundReport, Impact, LinkContact, PhaseReport, Run,
+    RunReport, Watch,
+};
 pub use rooted::{RootReport, reactions_from_feet};
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;

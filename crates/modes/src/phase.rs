@@ -18,6 +18,7 @@ use prescribed::Prescribed;
 use reduction::Source;
 use small::Small;
 use solaris_dynamics::DynamicsError;
+pub(crate) use state::GROUND;
 use state::StateMap;
 
 /// What a degree of freedom is to the dynamics of a phase.
@@ -43,7 +44,7 @@ pub(crate) enum Watched {
 }
 
 /// The equations of motion of one stretch. The state is positions and velocities of what dynamics move, then the work of the
-/// drives and the heat of dampers since the beginning (J).
+/// drives and the heat of dampers since the beginning (J), and with a ground what that does since the stretch began.
 ///
 /// What nothing that is computed depends on is left out when the phase is made: links on prescribed motions that carry nothing
 /// that dynamics move, degrees of freedom that stand still, and with nothing to be moved the dynamics themselves. `report` says
@@ -83,7 +84,7 @@ impl Phase {
         let roles = source.roles(roles)?;
         let mut phase = Self {
             report: PhaseReport::default(),
-            state: StateMap::new(&simulation.figure, &roles),
+            state: StateMap::new(&simulation.figure, &roles, simulation.surface.is_some()),
             prescribed: Prescribed::new(&simulation.figure, &roles, q),
             watched: Vec::new(),
             sides: Vec::new(),
@@ -144,6 +145,12 @@ impl Phase {
             || self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }))
     }
 
+    /// The index of the work in the state (J); heat (J) follows, and with a ground what that does, [`GROUND`] entries: its impulse
+    /// (N s) along x, y and z, and what its damping and friction take (J).
+    pub(crate) fn accounts(&self) -> usize {
+        self.state.accounts()
+    }
+
     /// The state of the full `q`, `v`, with work and heat (J).
     pub(crate) fn pack(&self, q: &[f64], v: &[f64], work: f64, heat: f64) -> Vec<f64> {
         self.state.pack(q, v, work, heat)
@@ -182,7 +189,7 @@ impl Phase {
         }
     }
 
-    /// The degree of freedom of the full figure that an entry of the state belongs to; none for work and heat.
+    /// The degree of freedom of the full figure that an entry of the state belongs to; none for accounts.
     pub(crate) fn dof_of(&self, entry: usize) -> Option<usize> {
         self.state.dof_of(entry)
     }

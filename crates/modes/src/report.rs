@@ -32,10 +32,62 @@ pub struct RunReport {
     pub outcomes: Vec<Outcome>,
     /// Every impact, in the order of time.
     pub impacts: Vec<Impact>,
+    /// What the ground did, where there is one.
+    pub ground: Option<GroundReport>,
     /// What was computed and what was left out, one entry for each time that this changed.
     pub phases: Vec<PhaseReport>,
     /// What is worth knowing though it is no trouble.
     pub remarks: Vec<String>,
+}
+
+/// What the ground did, as far as dynamics computed what touches it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GroundReport {
+    /// The impulse of the ground along the world's axes (N s). With it `impulse + m·g·T` is the change of momentum where dynamics
+    /// move the whole figure.
+    pub impulse: [f64; 3],
+    /// What its damping has taken (J); part of [`EnergyReport::heat`].
+    pub damping: f64,
+    /// What its friction has taken (J); part of [`EnergyReport::heat`].
+    pub friction: f64,
+    /// Every link that touches the ground in a frame, in the order of the figure.
+    pub links: Vec<LinkContact>,
+}
+
+impl GroundReport {
+    /// The link that went deepest.
+    pub fn deepest(&self) -> Option<&LinkContact> {
+        self.links.iter().max_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
+    /// The link that slid fastest.
+    pub fn fastest(&self) -> Option<&LinkContact> {
+        self.links.iter().max_by(|a, b| a.slip.total_cmp(&b.slip))
+    }
+
+    /// The link that slid farthest.
+    pub fn farthest(&self) -> Option<&LinkContact> {
+        self.links.iter().max_by(|a, b| a.slid.total_cmp(&b.slid))
+    }
+}
+
+/// How one link touched the ground, as the frames show it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkContact {
+    /// Its name.
+    pub link: String,
+    /// How long it touched (s).
+    pub touching: f64,
+    /// How deep it was, at most (m).
+    pub depth: f64,
+    /// When (s).
+    pub depth_time: f64,
+    /// How fast its material slid along the ground, at most, at a touch that was pressed (m/s).
+    pub slip: f64,
+    /// When (s).
+    pub slip_time: f64,
+    /// How far it slid while it touched (m): the mean of its touches, each with the weight of its pressure, added up over the time.
+    pub slid: f64,
 }
 
 /// What a run took.

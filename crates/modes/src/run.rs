@@ -2,6 +2,7 @@
 
 mod automatic;
 mod compare;
+mod contacts;
 mod driven;
 mod drives;
 mod guard;
@@ -92,9 +93,10 @@ fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> R
     };
     let Chosen { passed, error, method, why, beside, mut remarks } = chosen;
     remarks.extend(outside(simulation));
-    let Passed { record, ledger, mut counts, outcomes, impacts, mut phases, .. } = passed;
+    let Passed { record, ledger, mut counts, outcomes, impacts, mut phases, ground, .. } = passed;
     counts.add(&beside);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
+    let ground = contacts::add(simulation, &mut motion, &ground)?;
     if settings.forces {
         add_forces(simulation, &mut motion)?;
     } else {
@@ -106,7 +108,7 @@ fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> R
     let seconds = begun.zip(watch.now()).map(|(begun, ended)| ended - begun);
     let energy = ledger.report;
     let report =
-        RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, phases, remarks };
+        RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, ground, phases, remarks };
     Ok(Run { motion, report })
 }
 
@@ -277,9 +279,9 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
 
 /// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
 fn add_forces(simulation: &Simulation, motion: &mut Motion) -> Result<(), RunError> {
-    let Simulation { figure, gravity, springs, limits, .. } = simulation;
+    let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
     let nv = figure.layout().nv();
-    let mut body = Body::new(figure, *gravity, springs, limits)?;
+    let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
         body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), tau)

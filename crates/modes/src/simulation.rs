@@ -1,5 +1,6 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
+use crate::contact::{GroundPlane, Surface, Touch};
 use crate::drive::{Drive, Step, Until};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::trouble::SetupError;
@@ -21,6 +22,7 @@ pub struct Simulation {
     pub(crate) springs: Vec<PointSpring>,
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
+    pub(crate) surface: Option<Surface>,
 }
 
 impl Simulation {
@@ -38,6 +40,7 @@ impl Simulation {
             drives: vec![vec![Drive::Free.into()]; nv],
             springs: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
+            surface: None,
         }
     }
 
@@ -144,6 +147,24 @@ impl Simulation {
     /// The springs and dampers between points.
     pub fn springs(&self) -> &[PointSpring] {
         &self.springs
+    }
+
+    /// Lays a ground under the figure, which `touches` can touch, [`touches`](crate::touches) for all that the figure says of
+    /// itself; in place of the one that there was.
+    ///
+    /// It acts on what dynamics move.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::UnknownLink`], [`SetupError::Range`].
+    pub fn ground(&mut self, plane: GroundPlane, touches: Vec<Touch>) -> Result<(), SetupError> {
+        self.surface = Some(Surface::new(&self.figure, plane, touches)?);
+        Ok(())
+    }
+
+    /// The ground, if there is one, and what can touch it.
+    pub fn grounded(&self) -> Option<(&GroundPlane, &[Touch])> {
+        self.surface.as_ref().map(|surface| (&surface.plane, &*surface.touches))
     }
 
     /// What the limits of a degree of freedom (index in `v`) do.

@@ -72,6 +72,11 @@ pub enum SetupError {
         /// What it has to be.
         range: &'static str,
     },
+    /// A ground that is to be found from a gravity that there is none of.
+    #[error(
+        "there is no gravity to say which way the ground lies and how stiff it is; give it a stiffness (N/m) and a direction up"
+    )]
+    NoGround,
     /// A curve that is none.
     #[error("the curve of '{dof}': {source}")]
     Profile {

@@ -5,6 +5,7 @@ mod curve;
 mod drive;
 mod drives;
 mod figures;
+mod ground;
 mod limits;
 mod names;
 mod settings;
@@ -28,7 +29,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 14] = [
+const FIELDS: [&str; 15] = [
     "version",
     "figures",
     "gravity",
@@ -42,6 +43,7 @@ const FIELDS: [&str; 14] = [
     "drives",
     "springs",
     "limits",
+    "ground",
     "walk",
 ];
 
@@ -86,6 +88,7 @@ impl SceneReader<'_> {
         self.start(&fields, &given, walk.as_ref());
         self.springs(&fields);
         self.limits(&fields);
+        self.ground(&fields);
         let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
         let simulation = self.simulation.take()?;
         Some(Scene {

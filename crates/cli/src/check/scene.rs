@@ -10,8 +10,9 @@ use clap::ArgMatches;
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
 use solaris::model::{Figure, FindingKind, JointKind};
-use solaris::modes::{LimitLaw, Method, Step, Until};
+use solaris::modes::{ContactLaw, GroundPlane, LimitLaw, Method, Step, Touch, Until};
 use solaris::scene::{Scene, is_scene};
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
 
@@ -62,8 +63,23 @@ struct Facts {
     method: String,
     walk_dofs: usize,
     springs: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground: Option<Ground>,
     drives: Vec<Driven>,
     limits: Vec<Limited>,
+}
+
+/// What bodies touch.
+#[derive(Serialize)]
+struct Ground {
+    up: [f64; 3],
+    height_m: f64,
+    friction: f64,
+    contact: String,
+    /// How many spheres can touch it.
+    touches: usize,
+    /// Of how many links.
+    links: usize,
 }
 
 /// Degrees of freedom with the same drives.
@@ -101,6 +117,7 @@ impl Facts {
             method: method(settings.method),
             walk_dofs: scene.walked(),
             springs: simulation.springs().len(),
+            ground: simulation.grounded().map(|(plane, touches)| Ground::of(plane, touches)),
             drives: drives.into_iter().map(|(drives, dofs)| Driven { drives, dofs: names(dofs) }).collect(),
             limits: limits
                 .into_iter()
@@ -125,6 +142,11 @@ impl Facts {
         if self.springs > 0 {
             row("springs between points", self.springs.to_string())?;
         }
+        if let Some(ground) = &self.ground {
+            row("ground", format!("height {} m, friction {}", ground.height_m, ground.friction))?;
+            row("contact", ground.contact.clone())?;
+            row("can touch it", format!("{} spheres of {} links", ground.touches, ground.links))?;
+        }
         writeln!(out, "\nDrives\n")?;
         for Driven { drives, dofs } in &self.drives {
             writeln!(out, "  {drives:<24}{:>4}  {}", dofs.len(), some(dofs))?;
@@ -136,6 +158,26 @@ impl Facts {
             }
         }
         Ok(())
+    }
+}
+
+impl Ground {
+    fn of(plane: &GroundPlane, touches: &[Touch]) -> Self {
+        let links: BTreeSet<usize> = touches.iter().map(|touch| touch.link).collect();
+        let contact = match plane.law {
+            ContactLaw::Spring { stiffness, damping, slip } => {
+                format!("spring {stiffness:.4e} N/m, damping {damping} s/m, slip {slip} m/s")
+            }
+            _ => "another".to_owned(),
+        };
+        Self {
+            up: plane.up.into_inner().into(),
+            height_m: plane.height,
+            friction: plane.friction,
+            contact,
+            touches: touches.len(),
+            links: links.len(),
+        }
     }
 }
 

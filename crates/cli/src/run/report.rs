@@ -1,5 +1,6 @@
 //! What there is to say of a run, as it is written to JSON.
 
+use super::contact::Contact;
 use super::energy::Energies;
 use super::outcomes::{Hit, Told};
 use serde::Serialize;
@@ -28,6 +29,10 @@ pub(super) struct Report {
     pub(super) drives: Vec<Told>,
     pub(super) impacts: Vec<Hit>,
     pub(super) phases: Vec<Phase>,
+    /// What the ground of the scene did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) contact: Option<Contact>,
+    /// What the ground does under a walk.
     pub(super) ground: Option<Ground>,
     pub(super) remarks: Vec<String>,
 }
@@ -78,8 +83,19 @@ pub(super) struct Ground {
 impl Report {
     pub(super) fn new(scene: &Scene, simulated: &Simulated) -> Self {
         let (figure, motion) = (scene.figure(), &simulated.motion);
-        let RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, phases, remarks } =
-            simulated.report.clone();
+        let RunReport {
+            method,
+            why,
+            counts,
+            seconds,
+            error,
+            energy,
+            outcomes,
+            impacts,
+            ground,
+            phases,
+            remarks,
+        } = simulated.report.clone();
         Self {
             version: env!("CARGO_PKG_VERSION"),
             scene: scene.name().to_owned(),
@@ -103,6 +119,7 @@ impl Report {
             drives: outcomes.iter().map(|outcome| Told::of(figure, outcome)).collect(),
             impacts: impacts.iter().map(|impact| Hit::of(figure, impact)).collect(),
             phases: phases.into_iter().map(Phase::of).collect(),
+            contact: ground.map(Contact::of),
             ground: simulated.reactions.as_ref().map(Ground::of),
             remarks,
         }

@@ -69,6 +69,9 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
     if report.energy.at_play > 0.0 {
         rows.extend(report.energy.rows());
     }
+    if let Some(contact) = &report.contact {
+        rows.extend(contact.rows());
+    }
     if let Some(ground) = &report.ground {
         let residual = format!("{:.0e} / {:.0e}", ground.root_residual_n, ground.root_residual_n_m);
         rows.push(row("root residual", residual, "N / N m, what no ground reaction explains"));

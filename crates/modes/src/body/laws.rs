@@ -1,7 +1,7 @@
 //! Laws that hold for every figure.
 
 use super::Body;
-use super::random::{Random, configuration, figure, limits, springs};
+use super::random::{Random, configuration, figure, ground, limits, springs};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, DVector, Vector3};
@@ -22,6 +22,7 @@ fn scene(random: &mut Random) -> Scene {
     let gravity = Vector3::new(0.3, -9.81, 1.0);
     let body = Body::new(&figure, gravity, &springs, &limits).expect("a valid figure");
     let (q, v) = (configuration(random, &figure), random.numbers(figure.layout().nv(), 2.0));
+    let body = body.on(ground(random, &figure).as_ref());
     Scene { figure, body, q, v }
 }
 

@@ -1,7 +1,8 @@
 //! Random figures and scenes, for tests.
 
+use crate::contact::{ContactLaw, GroundPlane, Surface, Touch};
 use crate::element::{Anchor, LimitLaw, PointSpring};
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, Limits, LinkSpec, Passive, Placement};
 
 /// A source of numbers: the same seed, the same numbers (`SplitMix64`).
@@ -125,6 +126,25 @@ pub(crate) fn springs(random: &mut Random, figure: &Figure) -> Vec<PointSpring> 
         rest: if random.chance(0.5) { random.between(0.0, 1.0) } else { 0.0 },
     };
     (0..count).map(spring).collect()
+}
+
+/// A slope through the middle of things, in two of three cases, and spheres of any links that can touch it.
+pub(crate) fn ground(random: &mut Random, figure: &Figure) -> Option<Surface> {
+    let law = ContactLaw::Spring {
+        stiffness: random.between(50.0, 500.0),
+        damping: random.between(0.0, 2.0),
+        slip: random.between(0.1, 1.0),
+    };
+    let up = Unit::new_normalize(random.vector(1.0));
+    let plane =
+        GroundPlane { up, height: random.between(-0.5, 0.5), friction: random.between(0.0, 1.0), law };
+    let touch = |_| Touch {
+        link: random.below(figure.links().len()),
+        center: random.vector(0.5),
+        radius: if random.chance(0.5) { random.between(0.0, 0.2) } else { 0.0 },
+    };
+    let touches = (0..6).map(touch).collect();
+    random.chance(0.67).then(|| Surface::new(figure, plane, touches).expect("valid"))
 }
 
 /// What the limits do, by degree of freedom.

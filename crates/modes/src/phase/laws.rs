@@ -4,7 +4,7 @@ mod governor;
 mod reduced;
 
 use super::{Phase, Role, Watched};
-use crate::body::random::{Random, configuration, figure, limits, springs};
+use crate::body::random::{Random, configuration, figure, ground, limits, springs};
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::simulation::Simulation;
@@ -77,6 +77,7 @@ impl Scene {
         };
         let paths = (0..n).map(path).collect();
         let v = random.numbers(n, 2.0);
+        simulation.surface = ground(random, &figure);
         Self { simulation, roles, q, v, forces, paths }
     }
 
@@ -152,7 +153,7 @@ fn a_state_is_the_same_after_packing_and_unpacking() {
             assert_relative_eq!(found, given, epsilon = 1e-15);
             match phase.dof_of(entry) {
                 Some(dof) => assert_eq!(scene.roles[dof], Role::Dynamic),
-                None => assert!(entry >= y.len() - 2),
+                None => assert!(entry >= phase.accounts()),
             }
         }
         for dof in 0..scene.roles.len() {
@@ -184,7 +185,7 @@ fn rates_of_positions_are_those_of_the_figure() {
             phase.pack(&q, &scene.v, 0.0, 0.0)
         };
         let (before, after) = (stepped(-h), stepped(h));
-        let positions = y.len() - 2 - scene.roles.iter().filter(|role| **role == Role::Dynamic).count();
+        let positions = phase.accounts() - scene.roles.iter().filter(|role| **role == Role::Dynamic).count();
         for entry in 0..positions {
             let slope = (after[entry] - before[entry]) / (2.0 * h);
             assert_relative_eq!(rates[entry], slope, epsilon = 1e-8);
@@ -228,8 +229,10 @@ fn work_and_heat_account_for_the_energy() {
         let mut phase = scene.phase(true);
         let (t, y) = (0.3, phase.pack(&scene.q, &scene.v, 0.0, 0.0));
         let rates = rate(&mut phase, t, &y);
-        let [work, heat] = rates[y.len() - 2..] else { panic!("two entries") };
-        let h = 1e-6 / (1.0 + largest(&rates[..y.len() - 2]));
+        let (end, [work, heat, ..]) = (phase.accounts(), &rates[phase.accounts()..]) else {
+            panic!("two accounts")
+        };
+        let h = 1e-6 / (1.0 + largest(&rates[..end]));
         let mut at = |by: f64| {
             let y: Vec<f64> = y.iter().zip(&rates).map(|(y, rate)| y + rate * by).collect();
             phase.energy(t + by, &y).expect("finite")
@@ -273,7 +276,7 @@ fn a_state_that_is_none_is_refused() {
     let mut phase = scene.phase(true);
     let y = phase.pack(&scene.q, &scene.v, 0.0, 0.0);
     assert!(y.len() > 2);
-    for entry in 0..y.len() - 2 {
+    for entry in 0..phase.accounts() {
         let mut bad = y.clone();
         bad[entry] = f64::NAN;
         let (mut rate, mut jacobian) = (vec![0.0; y.len()], DMatrix::zeros(y.len(), y.len()));

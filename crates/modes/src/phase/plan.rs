@@ -2,6 +2,7 @@
 
 use super::Role;
 use super::reduction::{Reduction, Source};
+use crate::contact::count;
 use crate::element::LimitLaw;
 use crate::report::PhaseReport;
 use nalgebra::Vector3;
@@ -11,7 +12,7 @@ use solaris_model::{Figure, Link};
 
 /// What is left for these roles, and what it takes to evaluate it; `standing` is the full `q`.
 ///
-/// The cost is that of the recursions. What springs and dampers themselves take is left out of the count: it is the same on
+/// The cost is that of the recursions, with all spheres on the ground that can touch it. What springs and dampers themselves take is left out of the count: it is the same on
 /// both sides, but for those that were dropped.
 pub(super) fn report(
     source: &Source,
@@ -23,13 +24,16 @@ pub(super) fn report(
         dofs.map(|dof| source.figure.layout().v_names()[dof].clone()).collect()
     };
     let is_dynamic = |dof: &usize| roles[*dof] == Role::Dynamic;
-    let full = cost(source, &source.figure, source.springs.len(), roles, standing);
+    let all_touches = count(source.surface.as_ref());
+    let full = cost(source, &source.figure, (source.springs.len(), all_touches), roles, standing);
     let mut report = PhaseReport {
         dynamic: names(&mut (0..roles.len()).filter(is_dynamic)),
         cost: (full, Operations::default()),
-        omitted: vec!["contact: the scene has no ground".to_owned()],
+        omitted: Vec::new(),
         ..PhaseReport::default()
     };
+    let left = reduction.map_or(0, |reduction| count(reduction.surface.as_ref()));
+    report.omitted.extend(contact(source.surface.is_some(), left, all_touches));
     let Some(reduction) = reduction else {
         report.dropped = source.figure.links().iter().map(|link| link.name().to_owned()).collect();
         report.omitted.push("dynamics: they move nothing".to_owned());
@@ -44,7 +48,7 @@ pub(super) fn report(
     report.cost.1 = if reduction.dropped.is_empty() && reduction.fused.is_empty() {
         full
     } else {
-        cost(source, &reduction.figure, reduction.springs.len(), &small_roles, &small_q)
+        cost(source, &reduction.figure, (reduction.springs.len(), left), &small_roles, &small_q)
     };
     report.omitted.extend(omitted(source, reduction));
     report
@@ -56,11 +60,25 @@ pub(super) fn total(cost: &Operations) -> u64 {
     multiplications + additions + divisions + sines
 }
 
+/// What was left out of the ground, if anything: `left` of `all` spheres can touch it.
+fn contact(is_there: bool, left: usize, all: usize) -> Option<String> {
+    if !is_there {
+        return Some("contact: the scene has no ground".to_owned());
+    }
+    let without = all - left;
+    (without > 0).then(|| {
+        format!(
+            "contact: {without} of {all} spheres that can touch the ground are on nothing that dynamics move"
+        )
+    })
+}
+
 /// What else was left out.
-fn omitted(source: &Source, Reduction { figure, springs, limits, .. }: &Reduction) -> Vec<String> {
+fn omitted(source: &Source, Reduction { figure, springs, limits, surface, .. }: &Reduction) -> Vec<String> {
     let mut omitted = Vec::new();
-    if springs.is_empty() {
-        omitted.push("velocities of links: no spring between points asks for them".to_owned());
+    if springs.is_empty() && surface.is_none() {
+        let who = if source.surface.is_some() { "and no ground asks" } else { "asks" };
+        omitted.push(format!("velocities of links: no spring between points {who} for them"));
     }
     if springs.len() < source.springs.len() {
         let (left, all) = (source.springs.len() - springs.len(), source.springs.len());
@@ -78,16 +96,16 @@ fn omitted(source: &Source, Reduction { figure, springs, limits, .. }: &Reductio
     omitted
 }
 
-/// Operations of one evaluation of hybrid dynamics of `figure` with so many springs between points.
-fn cost(source: &Source, figure: &Figure, springs: usize, roles: &[Role], q: &[f64]) -> Operations {
+/// Operations of one evaluation of hybrid dynamics of `figure` with so many springs between points, and spheres on the ground.
+fn cost(source: &Source, figure: &Figure, acting: (usize, usize), roles: &[Role], q: &[f64]) -> Operations {
     // A figure or a state that the dynamics refuse will be refused where it counts; here it costs what it cost until then.
-    Counted::measure(|| evaluate(source, figure, springs, roles, q).ok()).1
+    Counted::measure(|| evaluate(source, figure, acting, roles, q).ok()).1
 }
 
 fn evaluate(
     source: &Source,
     figure: &Figure,
-    springs: usize,
+    (springs, touches): (usize, usize),
     roles: &[Role],
     q: &[f64],
 ) -> Result<(), DynamicsError> {
@@ -98,9 +116,9 @@ fn evaluate(
     let zeros = vec![Counted::default(); roles.len()];
     let (v, mut a, mut tau) = (zeros.clone(), zeros.clone(), zeros);
     let none = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
-    let external = vec![(0, none); 2 * springs];
+    let external = vec![(0, none); 2 * springs + touches];
     let mut evaluate = || {
-        if springs > 0 {
+        if springs + touches > 0 {
             velocities(&tree, &mut workspace, &q, &v)?;
         }
         hybrid_dynamics(&tree, &mut workspace, &q, &v, &prescribed, &external, &mut a, &mut tau)

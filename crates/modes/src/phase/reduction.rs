@@ -1,6 +1,7 @@
 //! What is left of a figure when what nothing depends on is left out.
 
 use super::Role;
+use crate::contact::{Surface, Touch};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::simulation::Simulation;
 use crate::trouble::SetupError;
@@ -16,6 +17,7 @@ pub(super) struct Source {
     pub(super) springs: Vec<PointSpring>,
     /// By degree of freedom.
     pub(super) limits: Vec<LimitLaw>,
+    pub(super) surface: Option<Surface>,
     /// Each degree of freedom that follows another, and that one.
     followers: Vec<(usize, usize)>,
 }
@@ -27,6 +29,8 @@ pub(super) struct Reduction {
     pub(super) springs: Vec<PointSpring>,
     /// By degree of freedom of the small figure.
     pub(super) limits: Vec<LimitLaw>,
+    /// With the links of the small figure; none where none of these touches it.
+    pub(super) surface: Option<Surface>,
     /// For each entry of the small figure's `q`, its index in the full one's.
     pub(super) kept_q: Vec<usize>,
     /// For each entry of the small figure's `v`, its index in the full one's.
@@ -46,6 +50,7 @@ impl Source {
             gravity: simulation.gravity,
             springs: simulation.springs.clone(),
             limits: simulation.limits.clone(),
+            surface: simulation.surface.clone(),
             followers: followers.collect(),
         }
     }
@@ -111,6 +116,7 @@ impl Source {
             figure: fused.figure().clone(),
             springs: springs.filter_map(|spring| placed(spring, place)).collect(),
             limits: kept_v.iter().map(|dof| self.limits[*dof]).collect(),
+            surface: self.surface.as_ref().and_then(|surface| under(surface, &moved, place)),
             kept_q: full(fused.kept_q(), pruned.kept_q()),
             fused: pruned.kept_v().iter().copied().filter(|dof| still(*dof)).collect(),
             kept_v,
@@ -124,6 +130,7 @@ impl Source {
             figure: self.figure.clone(),
             springs: self.springs.clone(),
             limits: self.limits.clone(),
+            surface: self.surface.clone(),
             kept_q: (0..self.figure.layout().nq()).collect(),
             kept_v: (0..self.figure.layout().nv()).collect(),
             fused: Vec::new(),
@@ -141,7 +148,7 @@ impl Source {
         moved
     }
 
-    /// The links that what is computed depends on: those that are moved, those at the other ends of springs on these, and all
+    /// The links that what is computed depends on: those that are moved, touching the ground or not, those at the other ends of springs on these, and all
     /// that carries them.
     fn needed(&self, moved: &[bool]) -> Vec<bool> {
         let mut needed = moved.to_vec();
@@ -175,4 +182,14 @@ fn placed(spring: &PointSpring, place: impl Fn(usize) -> Option<LinkPlace>) -> O
     };
     let between = spring.between.map(anchor);
     (between[0].link != between[1].link).then_some(PointSpring { between, ..*spring })
+}
+
+/// The ground under what is moved, with the links that carry the touches; none where nothing of it can touch the ground.
+fn under(surface: &Surface, moved: &[bool], place: impl Fn(usize) -> Option<LinkPlace>) -> Option<Surface> {
+    let touch = |touch: &Touch| {
+        let LinkPlace { link, placement } = place(touch.link).filter(|_| moved[touch.link])?;
+        Some(Touch { link, center: placement.transform_point(&touch.center.into()).coords, ..*touch })
+    };
+    let touches: Vec<Touch> = surface.touches.iter().filter_map(touch).collect();
+    (!touches.is_empty()).then_some(Surface { plane: surface.plane, touches })
 }

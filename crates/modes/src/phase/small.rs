@@ -4,7 +4,8 @@ use super::Role;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{StateMap, unit};
-use crate::body::Body;
+use crate::body::{Body, Pressure};
+use crate::contact::count;
 use crate::report::Energy;
 use crate::time::RateError;
 use crate::trouble::SetupError;
@@ -102,10 +103,12 @@ impl Small {
         self.reduction.kept_v.binary_search(&dof).ok().map(|k| self.numbers.tau[k])
     }
 
-    /// Whether no link and no spring was dropped, and the forces on these degrees of freedom of the full figure are known.
+    /// Whether no link, no spring and no touch was dropped, and the forces on these degrees of freedom of the full figure are known.
     pub(super) fn is_complete(&self, source: &Source, dofs: &[usize]) -> bool {
-        let Reduction { dropped, springs, .. } = &self.reduction;
-        let all = dropped.is_empty() && springs.len() == source.springs.len();
+        let Reduction { dropped, springs, surface, .. } = &self.reduction;
+        let all = dropped.is_empty()
+            && springs.len() == source.springs.len()
+            && count(surface.as_ref()) == count(source.surface.as_ref());
         all && dofs.iter().all(|dof| self.force(*dof).is_some())
     }
 
@@ -151,8 +154,8 @@ impl Small {
         };
         let duals = self.duals.insert(duals);
         duals.take_constants(&self.numbers);
-        // Nothing depends on work and heat.
-        let columns = state.len() - 2;
+        // Nothing depends on the accounts.
+        let columns = state.accounts();
         for first in (0..columns).step_by(COLUMNS) {
             let seeded = first..columns.min(first + COLUMNS);
             for (i, (entry, value)) in duals.y.iter_mut().zip(y).enumerate() {
@@ -213,10 +216,10 @@ impl Maps {
 
 impl<T: Real + Scalar> Side<T> {
     fn new(source: &Source, reduction: &Reduction, state: &StateMap) -> Result<Self, DynamicsError> {
-        let Reduction { figure, springs, limits, kept_q, kept_v, .. } = reduction;
+        let Reduction { figure, springs, limits, surface, kept_q, kept_v, .. } = reduction;
         let zeros = |length: usize| vec![T::zero(); length];
         Ok(Self {
-            body: Body::compile(figure, source.gravity, springs, limits)?,
+            body: Body::compile(figure, source.gravity, springs, limits)?.on(surface.as_ref()),
             q: zeros(kept_q.len()),
             v: zeros(kept_v.len()),
             a: zeros(kept_v.len()),
@@ -262,7 +265,14 @@ impl<T: Real + Scalar> Side<T> {
             *rate = self.a[*k];
         }
         let work = self.tau.iter().zip(&self.v).fold(T::zero(), |work, (force, rate)| work + *force * *rate);
-        let length = self.rate.len();
-        (self.rate[length - 2], self.rate[length - 1]) = (work, self.body.heat());
+        let accounts = &mut self.rate[state.accounts()..];
+        (accounts[0], accounts[1]) = (work, self.body.heat());
+        if let [_, _, ground @ ..] = accounts
+            && !ground.is_empty()
+        {
+            let Pressure { force, damping, friction } = self.body.pressure();
+            ground[..3].copy_from_slice(force.as_slice());
+            (ground[3], ground[4]) = (*damping, *friction);
+        }
     }
 }

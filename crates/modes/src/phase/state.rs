@@ -5,7 +5,9 @@ use solaris_dynamics::Real;
 use solaris_model::Figure;
 use solaris_profiles::Scalar;
 
-/// The state of a phase: positions of what dynamics move, in the order of `q`, its velocities in the order of `v`, work, heat.
+/// The state of a phase: positions of what dynamics move, in the order of `q`, its velocities in the order of `v`, and the
+/// accounts: work, heat, and with a ground what it does ([`Pressure`](crate::body::Pressure)): its impulse along x, y and z, and
+/// what its damping and its friction have taken.
 ///
 /// Quaternions are plain numbers here: their rate `½ q⊗(ω, 0)` keeps their length but for the error of the steps, and whoever
 /// reads them makes it 1.
@@ -20,7 +22,12 @@ pub(super) struct StateMap {
     /// By degree of freedom of the full figure.
     position_of: Vec<Option<usize>>,
     velocity_of: Vec<Option<usize>>,
+    /// How many accounts the ground has.
+    ground: usize,
 }
+
+/// Accounts of a ground.
+pub(crate) const GROUND: usize = 5;
 
 /// How some positions go on; all indices are entries of the state.
 enum Piece {
@@ -33,8 +40,8 @@ enum Piece {
 }
 
 impl StateMap {
-    /// That of `figure` with these roles; those of a ball or free joint are equal.
-    pub(super) fn new(figure: &Figure, roles: &[Role]) -> Self {
+    /// That of `figure` with these roles, on a ground or not; those of a ball or free joint are equal.
+    pub(super) fn new(figure: &Figure, roles: &[Role], grounded: bool) -> Self {
         let layout = figure.layout();
         let velocities: Vec<usize> = (0..roles.len()).filter(|dof| roles[*dof] == Role::Dynamic).collect();
         let (mut coordinates, mut owners) = (Vec::new(), Vec::new());
@@ -59,6 +66,7 @@ impl StateMap {
             coordinates,
             velocities,
             owners,
+            ground: if grounded { GROUND } else { 0 },
         };
         map.find_pieces(figure);
         map
@@ -94,7 +102,12 @@ impl StateMap {
 
     /// Length of the state.
     pub(super) fn len(&self) -> usize {
-        self.coordinates.len() + self.velocities.len() + 2
+        self.accounts() + 2 + self.ground
+    }
+
+    /// Number of entries that are positions or velocities: the index of the work, which heat and the ground's accounts follow.
+    pub(super) fn accounts(&self) -> usize {
+        self.coordinates.len() + self.velocities.len()
     }
 
     /// Number of entries that are positions.
@@ -133,11 +146,12 @@ impl StateMap {
         self.owners.get(entry).or_else(velocity).copied()
     }
 
-    /// The state of the full `q`, `v`.
+    /// The state of the full `q`, `v`; the ground's accounts begin at zero.
     pub(super) fn pack(&self, q: &[f64], v: &[f64], work: f64, heat: f64) -> Vec<f64> {
         let positions = self.coordinates.iter().map(|index| q[*index]);
         let velocities = self.velocities.iter().map(|index| v[*index]);
-        positions.chain(velocities).chain([work, heat]).collect()
+        let ground = std::iter::repeat_n(0.0, self.ground);
+        positions.chain(velocities).chain([work, heat]).chain(ground).collect()
     }
 
     /// Writes what is in the state to the full `q`, `v`; quaternions with unit length.

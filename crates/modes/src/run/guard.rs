@@ -93,8 +93,7 @@ fn too_long(
 /// The eigenvalue (1/s) of greatest magnitude of the equations of a phase, its magnitude with the sign of its real part, and
 /// the degree of freedom that moves most in its direction; `None` for a state too large, or one without motion.
 pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, Option<usize>)> {
-    // The last two entries are accounts.
-    let n = y.len().checked_sub(2).filter(|n| (1..=MOST_STATES).contains(n))?;
+    let n = Some(phase.accounts()).filter(|n| (1..=MOST_STATES).contains(n))?;
     let mut jacobian = DMatrix::zeros(y.len(), y.len());
     phase.jacobian(time, y, &mut jacobian).ok()?;
     let motion = jacobian.view((0, 0), (n, n)).into_owned();

@@ -6,7 +6,7 @@ use super::ledger::Ledger;
 use super::record::{Record, near};
 use crate::Outcome;
 use crate::body::Body;
-use crate::phase::{Phase, Role};
+use crate::phase::{GROUND, Phase, Role};
 use crate::report::{Counts, Impact, PhaseReport, Watch};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
@@ -28,6 +28,8 @@ pub(crate) struct Passed {
     pub(crate) is_dynamic: bool,
     /// Whether velocities or forces jumped on the way.
     pub(crate) jumps: bool,
+    /// What the ground did to what dynamics move, as in the state of a phase.
+    pub(crate) ground: [f64; GROUND],
 }
 
 /// One pass, on its way.
@@ -92,7 +94,7 @@ pub(crate) fn pass(
 
 impl<'a> Pass<'a> {
     fn new(simulation: &'a Simulation, settings: &'a Settings, stepping: Stepping) -> Result<Self, RunError> {
-        let Simulation { figure, gravity, springs, limits, .. } = simulation;
+        let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
@@ -106,7 +108,7 @@ impl<'a> Pass<'a> {
             q,
             v,
             a,
-            body: Body::new(figure, *gravity, springs, limits)?,
+            body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()),
             cap: f64::INFINITY,
             leapt: Vec::new(),
             passed: Passed {
@@ -118,6 +120,7 @@ impl<'a> Pass<'a> {
                 phases: Vec::new(),
                 is_dynamic: false,
                 jumps: false,
+                ground: [0.0; GROUND],
             },
             work: 0.0,
             heat: 0.0,
@@ -155,7 +158,7 @@ impl<'a> Pass<'a> {
             passed.record.push(q, v, a);
         }
         let dynamic = phase.is_dynamic();
-        let (work, heat) = (y.len() - 2, y.len() - 1);
+        let (work, heat) = (phase.accounts(), phase.accounts() + 1);
         if dynamic {
             let energy = phase.energy(*t, &y).map_err(|error| at(RateError::Dynamics(error)))?;
             passed.ledger.begin(energy, y[work], y[heat]);
@@ -209,6 +212,9 @@ impl<'a> Pass<'a> {
         *t = stopped.time;
         phase.unpack(*t, &y, q, v);
         (self.work, self.heat) = (y[work], y[heat]);
+        for (sum, part) in passed.ground.iter_mut().zip(&y[heat + 1..]) {
+            *sum += part;
+        }
         if dynamic {
             let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(*t, error.into()))?;
             let share = passed.ledger.check(energy, y[work], y[heat]);

@@ -135,6 +135,19 @@ impl SceneReader<'_> {
         found
     }
 
+    /// The link called `name`, as it stands at `node`; `besides` is what else may stand there.
+    pub(super) fn link(&mut self, node: &Node<'_>, name: &str, besides: Option<&str>) -> Option<usize> {
+        let figure = self.figure()?;
+        if let Some(link) = figure.link_index(name) {
+            return Some(link);
+        }
+        let links = figure.links().iter().map(solaris_model::Link::name).chain(besides);
+        let hint = nearest(name, links).map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+        let message = format!("figure '{}' has no link '{name}'{hint}", figure.name());
+        self.reader.fault(node.span.clone(), message);
+        None
+    }
+
     /// The one degree of freedom that a name means.
     pub(super) fn meant_one(&mut self, key: &Node<'_>) -> Option<usize> {
         let meant = self.meant(key)?;

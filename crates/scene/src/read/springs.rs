@@ -1,7 +1,6 @@
 //! Springs and dampers between two points.
 
 use super::SceneReader;
-use solaris_model::nearest;
 use solaris_model::text::{Fields, Node};
 use solaris_modes::{Anchor, PointSpring};
 
@@ -62,15 +61,7 @@ impl SceneReader<'_> {
         if name == WORLD {
             return Some(Anchor { link: None, point: point? });
         }
-        let figure = self.figure()?;
-        let Some(link) = figure.link_index(name) else {
-            let links = figure.links().iter().map(solaris_model::Link::name).chain([WORLD]);
-            let hint =
-                nearest(name, links).map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
-            let message = format!("figure '{}' has no link '{name}'{hint}", figure.name());
-            self.reader.fault(name_node.span.clone(), message);
-            return None;
-        };
+        let link = self.link(name_node, name, Some(WORLD))?;
         Some(Anchor { link: Some(link), point: point? })
     }
 }

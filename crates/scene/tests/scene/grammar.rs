@@ -1,7 +1,10 @@
 //! What the words of a scene come to.
 
 use solaris_model::Vector3;
-use solaris_modes::{Anchor, Course, Drive, Law, LimitLaw, Method, Rule, Shape, Step, Target, Until};
+use solaris_modes::{
+    Anchor, ContactLaw, Course, Drive, Law, LimitLaw, Method, Rule, Shape, Step, Target, Touch, Until,
+    touches,
+};
 use solaris_profiles::Profile;
 use solaris_scene::{NoFiles, Scene, read};
 
@@ -144,6 +147,30 @@ fn states_springs_and_limits_are_those_said() {
     assert_eq!(simulation.limit_of(10), LimitLaw::Hard { restitution: 0.5 });
     assert_eq!(simulation.limit_of(11), LimitLaw::Ignore);
     assert_eq!(scene.settings().method, Method::Fixed { rule: Rule::SemiImplicitEuler, step: 1e-3 });
+}
+
+#[test]
+fn a_ground_is_the_one_said_or_fits_the_figure() {
+    let plain = scene("ground: Flat(friction: 0.5)");
+    let (plane, found) = plain.simulation().grounded().expect("a ground");
+    let figure = plain.figure();
+    // The scene's gravity is (0, 0, −1.62): up is against it, and the weight on one point sinks in by 2 mm.
+    assert!((plane.up.into_inner() - Vector3::z()).norm() < 1e-15 && plane.height == 0.0);
+    let ContactLaw::Spring { stiffness, damping, slip } = plane.law else { panic!("a spring") };
+    assert!((stiffness * 2e-3 / (figure.mass() * 1.62) - 1.0).abs() < 1e-12);
+    assert_eq!((plane.friction, damping, slip), (0.5, 1.0, 0.01));
+    assert_eq!(found, touches(figure));
+
+    let told = scene(
+        "ground: Flat(friction: 0, height: -2, up: (0, 3, 4), contact: Spring(stiffness: 5e3, damping: 0, slip: 0.1),
+                      touches: [(\"lower\", (0, 0, 1), 0.1), (\"lower\", (0, 1, 0))])",
+    );
+    let (plane, found) = told.simulation().grounded().expect("a ground");
+    assert!((plane.up.into_inner() - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-15);
+    assert_eq!((plane.height, plane.friction), (-2.0, 0.0));
+    assert_eq!(plane.law, ContactLaw::Spring { stiffness: 5e3, damping: 0.0, slip: 0.1 });
+    let touch = |center, radius| Touch { link: 2, center, radius };
+    assert_eq!(found, [touch(Vector3::z(), 0.1), touch(Vector3::y(), 0.0)]);
 }
 
 #[test]

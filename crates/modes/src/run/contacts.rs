@@ -1,0 +1,141 @@
+//! What the ground does to each link in every frame, and what there is to say of it.
+
+use super::guard;
+use crate::body::{Body, Pressed};
+use crate::contact::Surface;
+use crate::phase::GROUND;
+use crate::report::{GroundReport, LinkContact};
+use crate::simulation::Simulation;
+use crate::split::TotalWrench;
+use crate::trouble::RunError;
+use nalgebra::Vector3;
+use solaris_model::{Contact, ContactTrack, Event, EventKind, Ground, Motion};
+
+/// A link that can touch the ground.
+struct Foot {
+    link: usize,
+    track: ContactTrack,
+    told: LinkContact,
+    /// How deep its deepest touch was a frame ago (m), negative above the ground.
+    before: f64,
+    /// How fast it slid a frame ago (m/s).
+    sliding: f64,
+}
+
+/// One link in one frame.
+struct State {
+    wrench: TotalWrench,
+    /// Of the deepest touch (m).
+    depth: f64,
+    /// The greatest of a touch that is pressed (m/s).
+    slip: f64,
+    /// The mean of the touches, each with the weight of its pressure (m/s).
+    sliding: f64,
+}
+
+/// Adds to the motion the contacts of every link that ever touches, with the events of touching; what there is to say of the
+/// ground, if there is one. `sums` are the ground's accounts, as in the state of a phase.
+pub(super) fn add(
+    simulation: &Simulation,
+    motion: &mut Motion,
+    sums: &[f64; GROUND],
+) -> Result<Option<GroundReport>, RunError> {
+    let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
+    let Some(Surface { plane, touches }) = surface else { return Ok(None) };
+    let mut body = Body::<f64>::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
+    let mut feet: Vec<Foot> = Vec::new();
+    for (link, spec) in figure.links().iter().enumerate() {
+        if touches.iter().any(|touch| touch.link == link) {
+            feet.push(Foot::new(link, spec.name(), motion.len()));
+        }
+    }
+    let mut events = Vec::new();
+    for frame in 0..motion.len() {
+        let time = motion.time()[frame];
+        let step = frame.checked_sub(1).map_or(0.0, |before| time - motion.time()[before]);
+        let found = body.touching(motion.q(frame), motion.v(frame));
+        let found = found.map_err(|error| guard::of_dynamics(time, error))?;
+        let pressed: Vec<(usize, Pressed<f64>)> = touches.iter().map(|touch| touch.link).zip(found).collect();
+        for foot in &mut feet {
+            let own = pressed.iter().filter(|(link, _)| *link == foot.link).map(|(_, pressed)| pressed);
+            foot.take(&State::of(own, &plane.up), time, step, &mut events);
+            if let Some(contact) = foot.track.samples.last_mut() {
+                let total = TotalWrench { force: contact.force, moment: contact.moment };
+                contact.cop = total.centre_of_pressure(&plane.up, plane.height).unwrap_or_default();
+            }
+        }
+    }
+    feet.retain(|foot| foot.told.touching > 0.0);
+    motion.events.extend(events);
+    motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let level = plane.is_level(gravity);
+    motion.info.ground = level.then_some(Ground { height: plane.height, friction: Some(plane.friction) });
+    let (tracks, links) = feet.into_iter().map(|foot| (foot.track, foot.told)).unzip();
+    motion.contacts = tracks;
+    let [x, y, z, damping, friction] = *sums;
+    Ok(Some(GroundReport { impulse: [x, y, z], damping, friction, links }))
+}
+
+impl State {
+    fn of<'a>(touches: impl Iterator<Item = &'a Pressed<f64>>, up: &Vector3<f64>) -> Self {
+        let none = Self { wrench: TotalWrench::default(), depth: f64::NEG_INFINITY, slip: 0.0, sliding: 0.0 };
+        let (mut state, mut pressure) = (none, 0.0);
+        for Pressed { depth, point, slip, force, .. } in touches {
+            state.depth = state.depth.max(*depth);
+            state.wrench.force += force;
+            state.wrench.moment += point.cross(force);
+            let (speed, normal) = (slip.norm(), force.dot(up));
+            if normal > 0.0 {
+                state.slip = state.slip.max(speed);
+                state.sliding += normal * speed;
+                pressure += normal;
+            }
+        }
+        if pressure > 0.0 {
+            state.sliding /= pressure;
+        }
+        state
+    }
+}
+
+impl Foot {
+    fn new(link: usize, name: &str, frames: usize) -> Self {
+        let track = ContactTrack { link: name.to_owned(), samples: Vec::with_capacity(frames) };
+        let told = LinkContact { link: name.to_owned(), ..LinkContact::default() };
+        Self { link, track, told, before: f64::NAN, sliding: 0.0 }
+    }
+
+    /// The next frame, `step` (s) after the one before; between the two depths are taken as linear.
+    fn take(&mut self, state: &State, time: f64, step: f64, events: &mut Vec<Event>) {
+        let State { wrench: TotalWrench { force, moment }, depth, slip, sliding } = *state;
+        self.track.samples.push(Contact { force, moment, ..Contact::default() });
+        let told = &mut self.told;
+        if depth > told.depth {
+            (told.depth, told.depth_time) = (depth, time);
+        }
+        if slip > told.slip {
+            (told.slip, told.slip_time) = (slip, time);
+        }
+        let before = std::mem::replace(&mut self.before, depth);
+        let slid_before = std::mem::replace(&mut self.sliding, sliding);
+        // The first frame has none before it.
+        if before.is_nan() {
+            return;
+        }
+        let (was, is) = (before > 0.0, depth > 0.0);
+        let part = before / (before - depth);
+        let share = match (was, is) {
+            (true, true) => 1.0,
+            (true, false) => part,
+            (false, true) => 1.0 - part,
+            (false, false) => 0.0,
+        };
+        told.touching += share * step;
+        told.slid += share * step * 0.5 * (slid_before + sliding);
+        if was != is {
+            let link = told.link.clone();
+            let kind = if is { EventKind::TouchDown { link } } else { EventKind::LiftOff { link } };
+            events.push(Event { time: time - step + part * step, kind });
+        }
+    }
+}

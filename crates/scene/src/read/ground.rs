@@ -1,0 +1,108 @@
+//! The ground, and what can touch it.
+
+use super::SceneReader;
+use nalgebra::{Unit, Vector3};
+use solaris_model::text::{Fields, Node};
+use solaris_modes::{ContactLaw, GroundPlane, SetupError, Touch, touches};
+
+const FIELDS: [&str; 5] = ["friction", "height", "up", "contact", "touches"];
+const EXAMPLE: &str = "(\"foot\", (0, -0.08, 0.1), 0.02)";
+
+impl SceneReader<'_> {
+    /// Gives the simulation its ground: `Flat(friction: 0.8)`.
+    pub(super) fn ground(&mut self, fields: &Fields<'_, '_>) {
+        let Some(node) = fields.get("ground") else { return };
+        if let Some(walk) = fields.get("walk") {
+            let message = "a walk is planned with a ground of its own; remove ground or walk";
+            self.reader.fault(walk.span.clone(), message);
+        }
+        let Some(fields) = self.reader.fields(node, &["Flat"], &FIELDS) else { return };
+        let friction = self.reader.required(&fields, "friction", "0.8");
+        let friction = friction.and_then(|node| self.reader.number(node, "friction"));
+        let height = fields.get("height").map_or(Some(0.0), |node| self.reader.number(node, "height"));
+        let up = self.up(&fields);
+        let law = self.contact(&fields, node);
+        let touching = self.touches(&fields);
+        if let (Some(friction), Some(height), Some(up), Some(law), Some(touching), Some(simulation)) =
+            (friction, height, up, law, touching, &mut self.simulation)
+        {
+            let result = simulation.ground(GroundPlane { up, height, friction, law }, touching);
+            self.setup(&node.place(), result);
+        }
+    }
+
+    /// Against gravity, or as the scene says; along y without either.
+    fn up(&mut self, fields: &Fields<'_, '_>) -> Option<Unit<Vector3<f64>>> {
+        let Some(node) = fields.get("up") else {
+            let gravity =
+                self.simulation.as_ref().map_or_else(Vector3::zeros, |simulation| *simulation.gravity());
+            return Some(Unit::try_new(-gravity, 0.0).unwrap_or_else(Vector3::y_axis));
+        };
+        let up = self.reader.vector(node, "up")?;
+        let unit = Unit::try_new(up, 0.0);
+        if unit.is_none() {
+            self.reader.fault(node.place(), "up has no direction; it must not be zero");
+        }
+        unit
+    }
+
+    /// `Spring(stiffness: 3e5, damping: 1, slip: 0.01)`, each as needed.
+    fn contact(&mut self, fields: &Fields<'_, '_>, ground: &Node<'_>) -> Option<ContactLaw> {
+        let node = fields.get("contact");
+        let given = match node {
+            Some(node) => Some(self.reader.fields(node, &["Spring"], &["stiffness", "damping", "slip"])?),
+            None => None,
+        };
+        let given = given.as_ref();
+        let mut number = |field, default| {
+            let node = given.and_then(|fields| fields.get(field));
+            node.map_or(default, |node| self.reader.number(node, field))
+        };
+        let (damping, slip) =
+            (number("damping", Some(ContactLaw::DAMPING)), number("slip", Some(ContactLaw::SLIP)));
+        let stiffness = if given.is_some_and(|fields| fields.get("stiffness").is_some()) {
+            number("stiffness", None)
+        } else {
+            let simulation = self.simulation.as_ref()?;
+            let stiffness = ContactLaw::stiffness_for(simulation.figure(), simulation.gravity());
+            self.setup(
+                &node.map_or_else(|| ground.place(), Node::place),
+                stiffness.ok_or(SetupError::NoGround),
+            )
+        };
+        Some(ContactLaw::Spring { stiffness: stiffness?, damping: damping?, slip: slip? })
+    }
+
+    /// `[("foot", (x, y, z), radius), …]`, or what the figure says of itself.
+    fn touches(&mut self, fields: &Fields<'_, '_>) -> Option<Vec<Touch>> {
+        let Some(node) = fields.get("touches") else { return self.figure().map(touches) };
+        let Some(items) = node.items() else {
+            let message = format!("touches must be a list [{EXAMPLE}, …], not {}", node.describe());
+            self.reader.fault(node.place(), message);
+            return None;
+        };
+        let found: Vec<Option<Touch>> = items.iter().map(|item| self.touch(item)).collect();
+        found.into_iter().collect()
+    }
+
+    /// `("foot", (x, y, z), radius)`, the radius as needed.
+    fn touch(&mut self, node: &Node<'_>) -> Option<Touch> {
+        let (name_node, point, radius) = match node.items() {
+            Some([name, point]) => (name, point, None),
+            Some([name, point, radius]) => (name, point, Some(radius)),
+            _ => {
+                let message = format!(
+                    "what can touch is a link, a point of it and a radius {EXAMPLE}, not {}",
+                    node.describe()
+                );
+                self.reader.fault(node.place(), message);
+                return None;
+            }
+        };
+        let name = self.reader.name(name_node, "the name of a link");
+        let center = self.reader.vector(point, "the point");
+        let radius = radius.map_or(Some(0.0), |node| self.reader.number(node, "the radius"));
+        let link = self.link(name_node, name?, None);
+        Some(Touch { link: link?, center: center?, radius: radius? })
+    }
+}
