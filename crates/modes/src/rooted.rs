@@ -62,13 +62,11 @@ pub fn reactions_from_feet(
         }
         forward_kinematics(&tree, &mut workspace, motion.q(row))?;
         let links = [0, 1].map(|side| carriers[side].link(&workspace, &contacts[side].cop));
-        let at = match views.iter().position(|view| view.link == links[on]) {
-            Some(at) => at,
-            None => {
-                views.push(View::new(figure, links[on], gravity)?);
-                views.len() - 1
-            }
-        };
+        if views.iter().all(|view| view.link != links[on]) {
+            views.push(View::new(figure, links[on], gravity)?);
+        }
+        // There is one now.
+        let Some(view) = views.iter_mut().find(|view| view.link == links[on]) else { continue };
         let name = figure.links()[links[on]].name();
         if report.roots.last().is_none_or(|(_, last)| last != name) {
             report.roots.push((motion.time()[row], name.to_owned()));
@@ -77,8 +75,7 @@ pub fn reactions_from_feet(
             (links[1 - on], Wrench { force: contacts[1 - on].force, moment: contacts[1 - on].moment });
         let first = tau.len();
         tau.resize(first + tree.nv(), 0.0);
-        let base =
-            views[at].solve((motion.q(row), motion.v(row), motion.a(row)), other, &mut tau[first..])?;
+        let base = view.solve((motion.q(row), motion.v(row), motion.a(row)), other, &mut tau[first..])?;
         let total = TotalWrench { force: base.force, moment: base.moment };
         let cop = total.centre_of_pressure(&up, level).unwrap_or(contacts[on].cop);
         new[on][row] = Contact { force: base.force, moment: base.moment, cop };
@@ -117,7 +114,7 @@ impl RootReport {
 /// The figure from one of its links.
 struct View {
     link: usize,
-    view: RootView<f64>,
+    map: RootView<f64>,
     tree: Tree<f64>,
     workspace: Workspace<f64>,
     q: Vec<f64>,
@@ -128,12 +125,12 @@ struct View {
 
 impl View {
     fn new(figure: &Figure, link: usize, gravity: Vector3<f64>) -> Result<Self, ReactionError> {
-        let view = RootView::new(figure, link, RootAt::Joint)
+        let map = RootView::new(figure, link, RootAt::Joint)
             .map_err(|source| ReactionError::Root { link: figure.links()[link].name().to_owned(), source })?;
-        let tree = Tree::new(view.figure(), gravity)?;
+        let tree = Tree::new(map.figure(), gravity)?;
         let (workspace, nq, nv) = (Workspace::new(&tree), tree.nq(), tree.nv());
         let [v, a, tau] = [(); 3].map(|()| vec![0.0; nv]);
-        Ok(Self { link, view, tree, workspace, q: vec![0.0; nq], v, a, tau })
+        Ok(Self { link, map, tree, workspace, q: vec![0.0; nq], v, a, tau })
     }
 
     /// The forces of the joints (of the declared figure) in a state, with a wrench on another link; what the world does to the
@@ -144,11 +141,11 @@ impl View {
         (link, wrench): (usize, Wrench<f64>),
         tau: &mut [f64],
     ) -> Result<Wrench<f64>, ReactionError> {
-        self.view.to_view(q, v, a, &mut self.q, &mut self.v, &mut self.a)?;
-        let external = [(self.view.rerooted().links()[link].link, wrench)];
+        self.map.to_view(q, v, a, &mut self.q, &mut self.v, &mut self.a)?;
+        let external = [(self.map.rerooted().links()[link].link, wrench)];
         let Self { tree, workspace, .. } = self;
         inverse_dynamics(tree, workspace, &self.q, &self.v, &self.a, &external, &mut self.tau)?;
-        self.view.joint_forces_from_view(&self.tau, q, tau)?;
+        self.map.joint_forces_from_view(&self.tau, q, tau)?;
         Ok(self.workspace.base_wrench())
     }
 }

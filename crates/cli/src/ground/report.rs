@@ -31,7 +31,7 @@ pub(crate) struct GroundReport {
 #[derive(Serialize)]
 pub(super) struct Foot {
     pub(super) name: String,
-    pub(super) foot: String,
+    pub(super) link: String,
     pub(super) toes: Option<String>,
     pub(super) width_m: Option<f64>,
     pub(super) stances_s: Vec<[f64; 2]>,
@@ -77,7 +77,7 @@ impl GroundReport {
             let own = stances.list.iter().filter(|stance| stance.foot == i);
             Foot {
                 name: sole.name.clone(),
-                foot: name(sole.foot),
+                link: name(sole.foot),
                 toes: sole.toes.map(name),
                 width_m: sole.width,
                 stances_s: own.map(|stance| [stance.start, stance.end]).collect(),

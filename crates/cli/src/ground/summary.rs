@@ -68,8 +68,7 @@ impl Foot {
             line(out, "greatest friction", &what)?;
         }
         match self.cop_outside_m {
-            Some(Extreme { worst, .. }) if worst == 0.0 => line(out, "pressure", "inside of the sole"),
-            Some(Extreme { worst, at_s, share }) => {
+            Some(Extreme { worst, at_s, share }) if worst > 0.0 => {
                 let (by, at, share) = (short(worst * 1000.0), short(at_s), percent(share));
                 line(
                     out,
@@ -77,6 +76,7 @@ impl Foot {
                     &format!("{by} mm outside of the sole at {at} s; in {share} of its frames"),
                 )
             }
+            Some(_) => line(out, "pressure", "inside of the sole"),
             None if self.width_m.is_none() => line(out, "pressure", "not judged: the sole has no width"),
             None => line(out, "pressure", "not judged: the foot never bears 5 % of the weight"),
         }

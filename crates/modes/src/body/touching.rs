@@ -60,6 +60,13 @@ impl<T: Real + Scalar> Pressure<T> {
     }
 }
 
+impl<T: Real + Scalar> Sphere<T> {
+    /// The lowest point, in the world.
+    fn lowest(&self, workspace: &Workspace<T>) -> Vector3<T> {
+        workspace.pose(self.link).transform(&self.center) + self.down
+    }
+}
+
 impl<T: Real + Scalar> GroundElement<T> {
     /// That of `surface`.
     pub(super) fn of(surface: &Surface) -> Self {
@@ -115,19 +122,14 @@ impl<T: Real + Scalar> GroundElement<T> {
     /// What is in the springs (J), at the poses in `workspace`.
     pub(super) fn energy(&self, workspace: &Workspace<T>) -> T {
         let squares = self.touches.iter().map(|sphere| {
-            let depth = self.height - self.lowest(sphere, workspace).dot(&self.up);
+            let depth = self.height - sphere.lowest(workspace).dot(&self.up);
             if depth.value() > 0.0 { depth * depth } else { T::zero() }
         });
         <T as Real>::from_f64(0.5) * self.stiffness * squares.fold(T::zero(), |sum, square| sum + square)
     }
 
-    /// The lowest point, in the world.
-    fn lowest(&self, sphere: &Sphere<T>, workspace: &Workspace<T>) -> Vector3<T> {
-        workspace.pose(sphere.link).transform(&sphere.center) + sphere.down
-    }
-
     fn pressed(&self, sphere: &Sphere<T>, workspace: &Workspace<T>) -> Pressed<T> {
-        let point = self.lowest(sphere, workspace);
+        let point = sphere.lowest(workspace);
         let depth = self.height - point.dot(&self.up);
         let (pose, twist) = (workspace.pose(sphere.link), workspace.velocity(sphere.link));
         let arm = pose.rotation * sphere.center + sphere.down;

@@ -63,6 +63,7 @@ fn half_width(points: &[Vector3<f64>], shape: &Shape) -> Option<Vector3<f64>> {
 
 /// Centres in the shape's own frame, and radii (m).
 fn of_shape(kind: &ShapeKind) -> Vec<(Vector3<f64>, f64)> {
+    const SIGNS: &[f64] = &[-1.0, 1.0];
     let both = |signs: [&[f64]; 3], [x, y, z]: [f64; 3]| {
         let mut points = Vec::new();
         for a in signs[0] {
@@ -72,7 +73,6 @@ fn of_shape(kind: &ShapeKind) -> Vec<(Vector3<f64>, f64)> {
         }
         points
     };
-    const SIGNS: &[f64] = &[-1.0, 1.0];
     match *kind {
         ShapeKind::Sphere { radius } => vec![(Vector3::zeros(), radius)],
         ShapeKind::Capsule { radius, length } => {
@@ -160,6 +160,9 @@ mod tests {
         assert!(corners.iter().all(|(at, radius)| at.abs() == size / 2.0 && *radius == 0.0));
         let rims = of_shape(&ShapeKind::Cylinder { radius: 0.1, length: 0.5 });
         assert_eq!(rims.len(), 8);
-        assert!(rims.iter().all(|(at, _)| at.y.abs() == 0.25 && at.x.hypot(at.z) == 0.1));
+        assert!(
+            rims.iter()
+                .all(|(at, _)| (at.y.abs() - 0.25).abs() < 1e-15 && (at.x.hypot(at.z) - 0.1).abs() < 1e-15)
+        );
     }
 }

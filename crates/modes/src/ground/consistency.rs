@@ -162,7 +162,7 @@ pub fn consistent(
     );
     let differences = compose(&across.path.first, &up.path.first, rate);
     let velocity: Vec<_> = differences.iter().zip(&acceleration).map(|(e, a)| e + a * (0.5 / rate)).collect();
-    let after = scene.violation(Some((&shift, &acceleration)))?;
+    let after = scene.violation(Some([&shift, &acceleration]))?;
     let (mut furthest, mut greatest) = (0, 0.0);
     for (frame, shift) in shift.iter().enumerate() {
         if shift.norm() > greatest {

@@ -18,13 +18,6 @@ fn forces_do_not_depend_on_the_root_through_every_change_of_support() {
         let before = motion.clone();
         let report = reactions_from_feet(&figure, &mut motion, FEET).expect("a walk on two feet");
         let (force, moment, torque) = report.scale;
-        println!(
-            "{height} m, {frequency}/min: force {:.1e}, moment {:.1e}, torque {:.1e} of their scales; {} roots",
-            report.reaction.0 / force,
-            report.reaction.1 / moment,
-            report.torque / torque,
-            report.roots.len()
-        );
         assert!(force > 9.0 * figure.mass() && torque > 0.1 * force);
         // The report compares, and so does this, with what is in the motion.
         let greatest = |of: &dyn Fn(usize) -> f64| (0..motion.len()).map(of).fold(0.0, f64::max);
@@ -32,7 +25,7 @@ fn forces_do_not_depend_on_the_root_through_every_change_of_support() {
             let [was, is] = [&before, &motion].map(|motion| motion.tau(row).expect("forces"));
             was.iter().zip(is).fold(0.0, |worst, (was, is)| f64::max(worst, (was - is).abs()))
         });
-        assert!(tau <= ROUNDING * torque && tau == report.torque, "{tau:e}");
+        assert!(tau <= ROUNDING * torque && (tau - report.torque).abs() <= 0.0, "{tau:e}");
         for foot in FEET {
             let [was, is] = [&before, &motion].map(|motion| &motion.contact(foot).expect("a foot").samples);
             let off = greatest(&|row| (was[row].force - is[row].force).norm());

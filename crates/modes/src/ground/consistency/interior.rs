@@ -175,7 +175,10 @@ impl<const D: usize> Problem<D> {
                         target[i] += steps[i].0 * steps[i].1 - centre;
                     }
                 } else if !corrects {
-                    target.iter_mut().for_each(|target| *target -= CENTRE * gap / count as f64);
+                    let by = CENTRE * gap / count as f64;
+                    for target in &mut target {
+                        *target -= by;
+                    }
                 }
             }
             let length = (NEAR * length).min(1.0);

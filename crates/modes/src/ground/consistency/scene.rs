@@ -107,13 +107,13 @@ impl Scene<'_> {
     /// What is impossible, with the root where it is or moved and accelerated.
     pub(super) fn violation(
         &self,
-        moved: Option<(&[Vector3<f64>], &[Vector3<f64>])>,
+        moved: Option<[&[Vector3<f64>]; 2]>,
     ) -> Result<Violation, ConsistencyError> {
         let mut worst = Violation::default();
         for (frame, edges) in self.edges.iter().enumerate().filter(|(_, edges)| !edges.is_empty()) {
             let BalanceFrame { force, moment, com, .. } = &self.frames[frame];
             let zero = Vector3::zeros();
-            let (shift, acceleration) = moved.map_or((zero, zero), |(shift, a)| (shift[frame], a[frame]));
+            let (shift, acceleration) = moved.map_or((zero, zero), |[shift, a]| (shift[frame], a[frame]));
             let total = force + acceleration * self.mass;
             let moment = moment - com.cross(force) + (com + shift).cross(&total);
             let normal = total.dot(&self.ground.up);
