@@ -163,6 +163,29 @@ fn of_springs_and_limits() {
 }
 
 #[test]
+fn of_the_ground() {
+    let mut text = listed(&[
+        "ground: Flat",
+        "ground: Flta(friction: 1)",
+        "ground: Flat(friction: -1)",
+        "ground: Flat(friction: 1, hight: 2)",
+        "ground: Flat(friction: 1, up: (0, 0, 0))",
+        "ground: Flat(friction: 1, contact: Sprung(stiffness: 1))",
+        "ground: Flat(friction: 1, contact: Spring(stiffness: 0, damping: 1))",
+        "ground: Flat(friction: 1, contact: Spring(stifness: 1e4))",
+        "ground: Flat(friction: 1, contact: Spring(slip: deg(1)))",
+        "ground: Flat(friction: 1), gravity: (0, 0, 0)",
+        "ground: Flat(friction: 1, touches: 3)",
+        "ground: Flat(friction: 1, touches: [(\"lowr\", (0, 0, 0), 0.1), (\"tip\", 3), (\"tip\")])",
+        "ground: Flat(friction: 1, touches: [(\"lower\", (0, 0, 0), -0.1)])",
+    ]);
+    let scene = "Scene(version: 1, figures: {\"ann\": Human(height: 1.75, mass: 73)},\n\
+                 walk: Walk(steps: 3), ground: Flat(friction: 0.8))";
+    let _ = write!(text, "{scene}\n{}\n", faults(scene));
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_walks() {
     let mut text = listed(&["walk: Walk(steps: 3)"]);
     for case in [

@@ -117,3 +117,77 @@ fn a_loose_arm_swings_and_the_ground_feels_it() {
     assert!(reactions.root_residual.0 < 1e-8, "{reactions:?}");
     assert!(motion.contact("left_foot").is_some() && !motion.planted.is_empty());
 }
+
+#[test]
+fn a_block_slides_to_rest_and_a_ball_until_it_rolls() {
+    let scene = fixture("slide.ron");
+    let simulated = scene.simulate(&mut ()).expect("a motion");
+    let motion = &simulated.motion;
+    let layout = scene.figure().layout();
+    let [block, ball, spin] =
+        ["block.tx", "ball.tx", "ball.rz"].map(|name| layout.dof_index(name).expect("a dof"));
+    let (speed, deceleration) = (2.0, 0.4 * 9.806_65);
+    let last = motion.len() - 1;
+    let way = speed * speed / (2.0 * deceleration);
+    let off = motion.q(last)[block] - way;
+    assert!(off.abs() < 1e-3 && motion.v(last)[block].abs() < 1e-3, "off by {off} m");
+    // A tenth of a second before it stands it has a tenth of μ·g left.
+    let stop = speed / deceleration;
+    let before = motion.time().iter().position(|time| *time > stop - 0.1).expect("a frame");
+    let expected = deceleration * (stop - motion.time()[before]);
+    assert!((motion.v(before)[block] - expected).abs() < 5e-3, "{} {expected}", motion.v(before)[block]);
+    let rolls = 2.0 * speed / (7.0 * deceleration);
+    for frame in 0..=last {
+        let (time, v) = (motion.time()[frame], motion.v(frame));
+        let expected = if time < rolls { speed - deceleration * time } else { 5.0 / 7.0 * speed };
+        let soft = if (time - rolls).abs() < 0.02 { 2e-2 } else { 2e-3 };
+        assert!((v[ball] - expected).abs() < soft, "{} at {time} s: {expected}", v[ball]);
+        // Momentum about a point of the ground.
+        assert!((v[ball] - 0.4 * 0.05 * v[spin] - speed).abs() < 1e-4, "at {time} s");
+    }
+    assert!(motion.contact("block").is_some() && motion.contact("ball").is_some());
+}
+
+#[test]
+fn a_limp_person_falls_and_comes_to_rest() {
+    let scene = fixture("fall.ron");
+    let simulated = scene.simulate(&mut ()).expect("a motion");
+    let (report, motion) = (&simulated.report, &simulated.motion);
+    let energy = &report.energy;
+    assert!(energy.imbalance < 0.02 * energy.scale, "{energy:?}");
+    // The pelvis lies on the ground; what is left moves slowly.
+    let height = motion.q(motion.len() - 1)[1];
+    assert!(height < 0.25, "{height} m");
+    assert!(energy.end.kinetic < 0.01 * energy.scale, "{energy:?}");
+    let ground = report.ground.as_ref().expect("a ground");
+    let deepest = ground.deepest().expect("it touches");
+    assert!(deepest.depth < 0.04, "{deepest:?}");
+    // It begins and ends at rest, nearly: the ground has carried its weight.
+    let weight = 58.0 * 9.806_65 * 3.0;
+    assert!((ground.impulse[1] - weight).abs() < 0.02 * weight, "{ground:?}");
+}
+
+#[test]
+fn a_jumper_flies_as_its_take_off_says() {
+    let scene = fixture("jump.ron");
+    let simulated = scene.simulate(&mut ()).expect("a motion");
+    let motion = &simulated.motion;
+    let tree = solaris_dynamics::Tree::<f64>::new(scene.figure(), Vector3::zeros()).expect("a tree");
+    let mut workspace = solaris_dynamics::Workspace::new(&tree);
+    let mut momentum = |frame: usize| {
+        let (q, v) = (motion.q(frame), motion.v(frame));
+        solaris_dynamics::momentum(&tree, &mut workspace, q, v).expect("finite").linear
+    };
+    let track = motion.contact("shank").expect("a foot");
+    let flying: Vec<usize> =
+        (0..motion.len()).filter(|frame| track.samples[*frame].force == Vector3::zeros()).collect();
+    let flight = flying.chunk_by(|a, b| b - a == 1).max_by_key(|flight| flight.len()).expect("it flies");
+    assert!(flight.len() > 40, "{} frames of flight", flight.len());
+    let (first, last) = (flight[0], flight[flight.len() - 1]);
+    let weight = 68.0 * 9.806_65 * (motion.time()[last] - motion.time()[first]);
+    let off = momentum(last) - momentum(first) + Vector3::y() * weight;
+    assert!(off.norm() < 1e-6 * weight, "{off} N s");
+    assert!(momentum(first).y > 68.0, "it leaves the ground with more than 1 m/s");
+    let landed = simulated.motion.events.iter().any(|event| event.time > motion.time()[last]);
+    assert!(landed, "{:?}", simulated.motion.events);
+}
