@@ -4,6 +4,7 @@ use crate::pinned::{Pinned, file, say};
 use solaris_io::{record, sto};
 use solaris_model::{Contact, ForceRecord, Vector3};
 use solaris_modes::ground::{GroundForces, GroundOptions, Sole, Split, ground_forces};
+use std::fmt::Write as _;
 
 /// What is judged (s): the filter spoils the ends.
 const WINDOW: (f64, f64) = (0.45, 1.55);
@@ -149,7 +150,7 @@ fn each_foot_is_beside_its_plate() {
                 let theirs: Vec<f64> = subject.rows().map(|row| plate.samples[row].force[axis]).collect();
                 let (rms, r) = compare(&ours, &theirs);
                 let percent = 100.0 * rms / subject.weight();
-                line += &format!("  {percent:5.2} % ({r:.3})");
+                let _ = write!(line, "  {percent:5.2} % ({r:.3})");
                 assert!(percent < limit[axis] && (axis != 1 || r > correlation), "{line}");
             }
             let tenth = 0.1 * subject.weight();
