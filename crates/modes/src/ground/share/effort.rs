@@ -33,8 +33,8 @@ struct Effort<'a> {
 }
 
 impl Effort<'_> {
-    /// With `u` the wrenches about the nominal centres, forces over `m g` and moments over `m g h`, and the foot with the
-    /// greatest share bearing what the others `i` leave, `uₙ = U − Σ Xᵢ uᵢ`:
+    /// With `u` the wrenches about the nominal centres, forces over `m g` and moments over `m g h`, and the foot with
+    /// the greatest share bearing what the others `i` leave, `uₙ = U − Σ Xᵢ uᵢ`:
     ///
     /// ```text
     /// τ = c − Σ Bᵢ uᵢ      c = τ₀ − Jₙᵀ U      Bᵢ = Jᵢᵀ − Jₙᵀ Xᵢ
@@ -178,4 +178,72 @@ fn carried(arm: &Vector3<f64>) -> Matrix6<f64> {
 
 fn stack(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Completed;
+    use crate::ground::given::Given;
+    use crate::ground::{Stance, Stances, balance, soles};
+    use solaris_dynamics::Wrench;
+
+    /// The functional as the documentation writes it, by inverse dynamics with the feet loaded.
+    fn functional(sharing: &Sharing<'_>, row: usize, parts: &Parts) -> f64 {
+        let (given, feet) = (sharing.given, sharing.supports(row).expect("feet that stand"));
+        let (weight, height) = (given.weight, sharing.height(row));
+        let loads = sharing.soles.iter().zip(parts);
+        let loads = loads.map(|(sole, part)| (sole.foot, Wrench { force: part.force, moment: part.moment }));
+        let mut tau = vec![0.0; given.tree.nv()];
+        let (q, v, a) = (given.q(row), given.v(row), given.a(row));
+        let mut workspace = Workspace::new(&given.tree);
+        inverse_dynamics(&given.tree, &mut workspace, q, v, a, &loads.collect::<Vec<_>>(), &mut tau)
+            .expect("finite");
+        let mut sum = 0.0;
+        for (index, at) in given.figure.layout().joints().iter().enumerate().skip(1) {
+            if sharing.soles.iter().all(|sole| sole.toes != Some(index)) {
+                sum +=
+                    tau[at.v..at.v + at.nv].iter().map(|tau| (tau / (weight * height)).powi(2)).sum::<f64>();
+            }
+        }
+        for (foot, part) in parts.iter().enumerate() {
+            let (force, half) = (part.force / weight, sharing.length_of_sole(row, foot) / 2.0);
+            let moment = (part.moment - feet[foot].cop.cross(&part.force)) / (weight * half);
+            sum += 0.05 * (1.0 / feet[foot].share - 1.0) * (force.norm_squared() + moment.norm_squared());
+        }
+        sum
+    }
+
+    #[test]
+    fn other_wrenches_with_the_same_sum_cost_more() {
+        let figure = solaris_model::human(1.75, 73.0).expect("a person");
+        let gravity = Vector3::new(0.0, -9.81, 0.0);
+        let mut q: Vec<f64> = (0..figure.layout().nq()).map(|i| 0.1 * (i as f64).sin()).collect();
+        (q[0], q[1], q[2]) = (0.05, 0.9, 0.08);
+        let v = vec![0.1; figure.layout().nv()];
+        let states = Completed { time: vec![0.0], q, a: v.clone(), v, ..Completed::default() };
+        let given = Given::new(&figure, gravity, &states).expect("a motion");
+        let list = [0, 1].map(|foot| Stance { foot, start: -1.0, end: 1.0 }).to_vec();
+        let stances = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "told" };
+        let total = balance(&figure, gravity, &states, 0.0).expect("a total");
+        let soles = soles(&figure);
+        let sharing = Sharing::new(&given, &soles, &stances, &total).expect("points");
+        let shares = sharing.supports(0).expect("feet").iter().map(|foot| foot.share).collect::<Vec<_>>();
+        assert!(shares.iter().all(|share| (0.05..0.95).contains(share)), "{shares:?}");
+        let best = super::share(&sharing).expect("parts").remove(0);
+        let least = functional(&sharing, 0, &best);
+        for k in 0..6 {
+            let step = if k < 3 { 1.0 } else { 0.1 };
+            let cost = |sign: f64| {
+                let mut other = best.clone();
+                for (part, sign) in other.iter_mut().zip([sign, -sign]) {
+                    if k < 3 { part.force[k] += sign * step } else { part.moment[k - 3] += sign * step }
+                }
+                functional(&sharing, 0, &other)
+            };
+            let (up, down) = (cost(1.0) - least, cost(-1.0) - least);
+            // A parabola with its least value here rises alike to both sides.
+            assert!(up > 0.0 && (up - down).abs() < 1e-6 * up, "{k}: {up:e} {down:e}");
+        }
+    }
 }

@@ -12,8 +12,8 @@ pub(super) struct Load {
 }
 
 impl Load {
-    /// Of each stance: it takes over until the first of those that stand when it comes has left, and gives back from when
-    /// the last of those came that stay when it leaves; neither beyond its own middle.
+    /// Of each stance: it takes over until the first of those that stand when it comes has left, and gives back from
+    /// when the last of those came that stay when it leaves; neither beyond its own middle.
     pub(super) fn all(stances: &[Stance]) -> Vec<Self> {
         let full = |own: &Stance| {
             let others = || stances.iter().filter(|other| other.foot != own.foot);
@@ -28,21 +28,25 @@ impl Load {
         stances.iter().map(|stance| Self { stance: *stance, full: full(stance) }).collect()
     }
 
-    /// How far it has taken over at `t` (s), 0 to 1.
-    pub(super) fn taken(&self, t: f64) -> f64 {
-        let length = self.full.0 - self.stance.start;
-        if length > 0.0 { cubic((t - self.stance.start) / length).position } else { 1.0 }
+    /// Whether it comes while others stand.
+    pub(super) fn comes(&self) -> bool {
+        self.full.0 > self.stance.start
     }
 
-    /// How much of it is not given back at `t` (s), 1 to 0.
-    pub(super) fn kept(&self, t: f64) -> f64 {
-        let length = self.stance.end - self.full.1;
-        if length > 0.0 { cubic((self.stance.end - t) / length).position } else { 1.0 }
+    /// Whether it leaves while others stay.
+    pub(super) fn leaves(&self) -> bool {
+        self.full.1 < self.stance.end
     }
 
-    /// Its weight among those that stand at `t` (s); 0 where it does not.
+    /// Its weight among those that stand at `t` (s), 0 to 1; 0 where it does not stand.
     pub(super) fn weight(&self, t: f64) -> f64 {
-        if (self.stance.start..=self.stance.end).contains(&t) { self.taken(t) * self.kept(t) } else { 0.0 }
+        let Stance { start, end, .. } = self.stance;
+        if !(start..=end).contains(&t) {
+            return 0.0;
+        }
+        let taken = if self.comes() { cubic((t - start) / (self.full.0 - start)).position } else { 1.0 };
+        let kept = if self.leaves() { cubic((end - t) / (end - self.full.1)).position } else { 1.0 };
+        taken * kept
     }
 }
 

@@ -25,8 +25,9 @@ pub(super) struct Sharing<'a> {
     points: Vec<Vec<[Vector3<f64>; 3]>>,
     loads: Vec<Load>,
     doubles: Vec<Double>,
-    /// Of each load, when (s) and where (m) it pressed alone, as near as possible to the beginning and the end of its full share.
-    alone: Vec<[Option<(f64, Vector3<f64>)>; 2]>,
+    /// By foot and frame, the last frame up to this one and the first one from this one on in which the foot stands
+    /// alone and presses.
+    alone: Vec<Vec<[Option<usize>; 2]>>,
 }
 
 /// A double support between two single ones: trailing foot and leading foot.
@@ -52,22 +53,28 @@ impl<'a> Sharing<'a> {
         let loads = Load::all(&stances.list);
         let doubles = doubles(&stances.list, &given.states.time);
         let mut out = Self { given, soles, stances, total, points, loads, doubles, alone: Vec::new() };
-        out.alone = (0..out.loads.len()).map(|i| out.pressed_alone(i)).collect();
+        out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
         Ok(out)
     }
 
-    fn pressed_alone(&self, index: usize) -> [Option<(f64, Vector3<f64>)>; 2] {
-        let Load { stance, full } = self.loads[index];
+    fn stands_alone(&self, foot: usize) -> Vec<[Option<usize>; 2]> {
         let time = &self.given.states.time;
-        let after = time.partition_point(|t| *t < full.0);
-        let before = time.partition_point(|t| *t <= full.1).checked_sub(1);
-        [(after < time.len()).then_some(after), before].map(|row| {
-            let t = time[row?];
-            let others = self.loads.iter().filter(|load| load.stance.foot != stance.foot);
-            let alone = (stance.start..=stance.end).contains(&t)
-                && others.into_iter().all(|load| load.weight(t) <= 0.0);
-            self.total[row?].cop.filter(|_| alone).map(|cop| (t, cop))
-        })
+        let alone = |row: &usize| {
+            let here = self.stances.stands(foot, time[*row]) && self.standing(*row) == 1;
+            here && self.total[*row].cop.is_some()
+        };
+        let mut out = vec![[None; 2]; time.len()];
+        let mut last = None;
+        for row in 0..time.len() {
+            last = Some(row).filter(alone).or(last);
+            out[row][0] = last;
+        }
+        let mut next = None;
+        for row in (0..time.len()).rev() {
+            next = Some(row).filter(alone).or(next);
+            out[row][1] = next;
+        }
+        out
     }
 
     /// Share and nominal centre of pressure of every foot in a frame; `None` where none stands.
@@ -89,53 +96,34 @@ impl<'a> Sharing<'a> {
             *share = if sum > LEAST { *share / sum } else { 1.0 / standing.len() as f64 };
         }
         if let (&[a, b], Some(cop)) = (&standing[..], self.total[row].cop) {
-            self.lean(&mut feet, [a, b], &cop, t);
+            lean(&mut feet, [a, b], &cop);
         }
         (!standing.is_empty()).then_some(feet)
     }
 
-    /// Shares of two feet as the centre of pressure of both tells them:
-    ///
-    /// ```text
-    /// s_b = (P − N_a)·(N_b − N_a)/|N_b − N_a|², from 0 to 1      s_a = 1 − s_b
-    /// ```
-    ///
-    /// In a double support between two single ones that leads from 0 to 1, since there the nominal centres begin and end where the
-    /// foot presses alone. Elsewhere nothing says so, and the smooth shares are factors.
-    fn lean(&self, feet: &mut [FootSupport], [a, b]: [usize; 2], cop: &Vector3<f64>, t: f64) {
-        let line = feet[b].cop - feet[a].cop;
-        let along = (cop - feet[a].cop).dot(&line) / line.norm_squared();
-        if !along.is_finite() {
-            return;
-        }
-        let told = along.clamp(0.0, 1.0);
-        let [of_a, of_b] = if self.is_regular(t) {
-            [1.0 - told, told]
-        } else {
-            [(1.0 - told) * feet[a].share, told * feet[b].share]
-        };
-        if of_a + of_b > LEAST {
-            feet[a].share = of_a / (of_a + of_b);
-            feet[b].share = of_b / (of_a + of_b);
-        }
-    }
-
-    /// Where a foot is expected to press: from the heel to where it presses alone, and from there to the tip.
+    /// Where a foot is expected to press: from the heel, where it comes while others stand, to where it first stands
+    /// alone; from there to where it stands alone again; from where it last does to the tip, where it leaves while
+    /// others stay. In place of what is not there stands the point half-way from heel to ball.
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
-        let (load, t) = (&self.loads[index], self.given.states.time[row]);
-        let [heel, ball, tip] = self.points[row][load.stance.foot].map(|point| self.on_ground(point));
-        let at = |end: usize| {
-            self.alone[index][end]
-                .map_or_else(|| heel.lerp(&ball, 0.5), |(time, cop)| cop + self.stances.belt * (t - time))
+        let (load, time) = (&self.loads[index], &self.given.states.time);
+        let (Stance { foot, start, end }, t) = (load.stance, time[row]);
+        let [heel, ball, tip] = self.points[row][foot].map(|point| self.on_ground(point));
+        let middle = heel.lerp(&ball, 0.5);
+        let pressed = self.alone[foot][row].map(|row| {
+            let time = time[row?];
+            let cop = self.total[row?].cop.filter(|_| (start..=end).contains(&time))?;
+            Some((time, cop + self.stances.belt * (t - time)))
+        });
+        let first = if load.comes() { heel } else { middle };
+        let last = if load.leaves() { tip } else { middle };
+        let [(from, a), (to, b)] = match pressed {
+            [Some(before), Some(after)] => [before, after],
+            [Some(before), None] => [before, (end, last)],
+            [None, Some(after)] => [(start, first), after],
+            [None, None] if t < start.midpoint(end) => [(start, first), (start.midpoint(end), middle)],
+            [None, None] => [(start.midpoint(end), middle), (end, last)],
         };
-        let (from, to) = load.full;
-        if t < from {
-            heel.lerp(&at(0), load.taken(t))
-        } else if t > to {
-            tip.lerp(&at(1), load.kept(t))
-        } else {
-            at(0).lerp(&at(1), if to > from { cubic((t - from) / (to - from)).position } else { 0.0 })
-        }
+        a.lerp(&b, if to > from { cubic((t - from) / (to - from)).position } else { 0.0 })
     }
 
     /// The point of the ground below a point.
@@ -200,6 +188,23 @@ impl<'a> Sharing<'a> {
     pub(super) fn irregular(&self) -> usize {
         let time = &self.given.states.time;
         (0..time.len()).filter(|row| self.standing(*row) > 1 && !self.is_regular(time[*row])).count()
+    }
+}
+
+/// Shares of two feet as the centre of pressure of both tells them:
+///
+/// ```text
+/// s_b = (P − N_a)·(N_b − N_a)/|N_b − N_a|², from 0 to 1      s_a = 1 − s_b
+/// ```
+///
+/// Where a foot comes or leaves beside one that stands alone before or after, that is 0 by itself: there the nominal
+/// centre of the other is the whole centre of pressure.
+fn lean(feet: &mut [FootSupport], [a, b]: [usize; 2], cop: &Vector3<f64>) {
+    let line = feet[b].cop - feet[a].cop;
+    let along = (cop - feet[a].cop).dot(&line) / line.norm_squared();
+    if along.is_finite() {
+        feet[b].share = along.clamp(0.0, 1.0);
+        feet[a].share = 1.0 - feet[b].share;
     }
 }
 
