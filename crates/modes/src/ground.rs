@@ -1,10 +1,10 @@
 //! The ground's forces in a motion that is known, from the motion alone.
 //!
-//! The laws of motion give the whole wrench of the ground ([`balance`]). Which foot stands when is found from how the soles
-//! move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`]). How two feet share the wrench
-//! is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden ([`judge`]).
-//! [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the root's path after which the ground can do
-//! what is asked of it.
+//! The laws of motion give the whole wrench of the ground ([`balance`]). Which foot stands when is found from how the
+//! soles move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`]). How two feet share
+//! the wrench is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden
+//! ([`judge`]). [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the
+//! root's path after which the ground can do what is asked of it.
 
 mod consistency;
 mod error;

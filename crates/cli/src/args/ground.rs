@@ -58,8 +58,8 @@ pub(super) fn options() -> [Arg; 6] {
                 Split::default().name()
             ))),
         path("soles").help(wrap(
-            "Where the feet meet the ground, as text: Soles(version: 1, soles: [Sole(name, foot, toes, heel, ball, tip, width), \
-             …]) [default: the figure's own soles, or a guess by the bodies calcn_r, toes_r, calcn_l, toes_l]",
+            "Where the feet meet the ground: heel, ball and tip of each sole, as text (docs/ground.md has one) \
+             [default: the figure's own, or a guess by the bodies calcn and toes]",
         )),
         Arg::new("belt")
             .long("belt")

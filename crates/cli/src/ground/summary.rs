@@ -9,7 +9,11 @@ impl GroundReport {
     pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {
         let names: Vec<String> = self.feet.iter().map(|foot| foot.name.clone()).collect();
         row(out, "soles", &format!("{}, {}", some(&names), self.soles_from))?;
-        row(out, "ground", &format!("{} m up, {}", short(self.level_m), self.belt()))?;
+        row(
+            out,
+            "ground",
+            &format!("{} m up, {}", short((self.level_m * 1e3).round() / 1e3 + 0.0), self.belt()),
+        )?;
         row(out, "stances", &format!("by {}", self.stances_from))?;
         row(out, "split", &format!("{}: {}; an assumption, no law", self.split, self.assumption))?;
         let weight = self.weight_n;

@@ -21,8 +21,8 @@ fn say(text: &str) {
 /// A walk of `solaris walk`, its figure, and the figure's soles on it.
 fn walked() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
-    succeeded(&solaris(folder.path(), "walk --steps 4 --rate 120 -o walk.csv"));
-    succeeded(&solaris(folder.path(), "figure human --height 1.75 -o human.ron"));
+    succeeded(&solaris(folder.path(), "walk --height 1.75 --mass 73 --steps 4 --rate 120 -o walk.csv"));
+    succeeded(&solaris(folder.path(), "figure human --height 1.75 --mass 73 -o human.ron"));
     folder
 }
 
@@ -46,7 +46,7 @@ fn a_walk_gets_its_own_forces_back() {
     for foot in ["left_foot", "right_foot"] {
         let off = off(&grf, &walk, [foot, foot], weight);
         say(&format!("{foot}: off by {off:.3?} of the weight"));
-        assert!(off.iter().all(|off| *off < 0.25), "{foot}: {off:?}");
+        assert!(off.iter().zip([0.02, 0.21, 0.06]).all(|(off, limit)| *off < limit), "{foot}: {off:?}");
     }
     // The sum is no assumption. The plan's own forces are those of its samples.
     let sum = |table: &Table, end: &str| -> Vec<f64> {
@@ -222,7 +222,7 @@ fn a_measured_subject_needs_no_plates() {
     ]);
     let [free, plates] = ["free.csv", "plates.csv"].map(|name| table(folder.path(), name));
     let rows: Vec<usize> = (0..free.len()).filter(|&row| (0.3..=2.2).contains(&free.row(row)[0])).collect();
-    for (joint, limit) in [("ankle_angle", 25.0), ("knee_angle", 40.0), ("hip_flexion", 60.0)] {
+    for (joint, limit) in [("ankle_angle", 20.0), ("knee_angle", 16.0), ("hip_flexion", 15.0)] {
         for side in ["r", "l"] {
             let name = format!("{joint}_{side}.tau");
             let [a, b] = [&free, &plates].map(|table| column(table, &name));

@@ -26,21 +26,22 @@ pub struct FootReport {
     pub name: String,
     /// Frames in which it stands.
     pub frames: usize,
-    /// Greatest tangential over normal force, while the foot bears [`FootReport::LOADED`] of the weight; `share` of frames
-    /// above [`FootReport::FRICTION`]. `None` where it never bears so much.
+    /// Greatest tangential over normal force, while the foot bears [`FootReport::LOADED`] of the weight; `share` of
+    /// frames above [`FootReport::FRICTION`]. `None` where it never bears so much.
     pub friction: Option<Worst>,
-    /// How far (m) the centre of pressure is outside of the sole's outline at worst, while the foot bears so much; `share` of
-    /// frames outside. `None` where it never does, and where the sole has no breadth.
+    /// How far (m) the centre of pressure is outside of the sole's outline at worst, while the foot bears so much;
+    /// `share` of frames outside. `None` where it never does, and where the sole has no breadth.
     pub outside: Option<Worst>,
-    /// Least normal force (N); `share` of frames in which the ground would have to pull. `None` where the foot never stands.
+    /// Least normal force (N); `share` of frames in which the ground would have to pull. `None` where the foot never
+    /// stands.
     pub least: Option<Worst>,
     /// Greatest normal force (N).
     pub greatest: f64,
 }
 
 impl FootReport {
-    /// Share of the weight that a foot must bear for friction and centre of pressure to be judged: of nearly nothing both
-    /// mean nothing.
+    /// Share of the weight that a foot must bear for friction and centre of pressure to be judged: of nearly nothing
+    /// both mean nothing.
     pub const LOADED: f64 = 0.05;
 
     /// The friction ratio that is too much: dry soles on dry floors have about so much.

@@ -5,9 +5,9 @@ use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Workspace;
 
 impl Sole {
-    /// The outline of the sole seen from above, where `workspace` has placed the links: the convex hull of heel, ball and tip,
-    /// each half a breadth to either side, on the ground at `level` (m, along `up`, of length 1), counter-clockwise seen from above. Empty
-    /// where the sole has no breadth.
+    /// The outline of the sole seen from above, where `workspace` has placed the links: the convex hull of heel, ball
+    /// and tip, each half a breadth to either side, on the ground at `level` (m, along `up`, of length 1),
+    /// counter-clockwise seen from above. Empty where the sole has no breadth.
     pub fn outline(&self, workspace: &Workspace<f64>, up: &Vector3<f64>, level: f64) -> Vec<Vector3<f64>> {
         let Some(width) = self.width else { return Vec::new() };
         let points = self.points(workspace);
@@ -33,8 +33,8 @@ pub(super) fn around(
     hull(flat.collect()).into_iter().map(|p| e * p.x + f * p.y + up * level).collect()
 }
 
-/// How far (m) a point is outside of a convex outline, along the ground; zero inside. The outline is counter-clockwise seen
-/// from above.
+/// How far (m) a point is outside of a convex outline, along the ground; zero inside. The outline is counter-clockwise
+/// seen from above.
 pub(super) fn outside(point: &Vector3<f64>, outline: &[Vector3<f64>], up: &Vector3<f64>) -> f64 {
     let flat = |v: Vector3<f64>| v - up * v.dot(up);
     let mut nearest = f64::INFINITY;

@@ -61,16 +61,16 @@ impl GroundForces {
     }
 }
 
-/// Finds the ground's forces in a motion of `figure` under `gravity` (m/s², world axes): when which foot stands, the whole wrench,
-/// how it is shared, and what is wrong with it. The ground is level.
+/// Finds the ground's forces in a motion of `figure` under `gravity` (m/s², world axes): when which foot stands, the
+/// whole wrench, how it is shared, and what is wrong with it. The ground is level.
 ///
-/// A foot's force acts on its link, and on its toes once the centre of pressure has passed the ball, where the toes' link has ball and tip
-/// in the figure ([`GroundForces::records`]).
+/// A foot's force acts on its link, and on its toes once the centre of pressure has passed the ball, where the toes'
+/// link has ball and tip in the figure ([`GroundForces::records`]).
 ///
 /// # Errors
 ///
-/// No gravity, no mass, no soles or soles that are none, options out of their range, a motion that is not the figure's, a
-/// split that cannot share between so many feet, and the first state that the kernel refuses.
+/// No gravity, no mass, no soles or soles that are none, options out of their range, a motion that is not the figure's,
+/// a split that cannot share between so many feet, and the first state that the kernel refuses.
 ///
 /// # Examples
 ///

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use solaris_dynamics::Workspace;
 use solaris_model::{Figure, Link, SolePart};
 
-/// Breadth of a sole over its length, where nobody says it: in Drillis and Contini's table (1966, as printed by Winter 2009,
-/// figure 4.1) a foot is 0.055 body heights broad and 0.152 long.
+/// Breadth of a sole over its length, where nobody says it: in Drillis and Contini's table (1966, as printed by Winter
+/// 2009, figure 4.1) a foot is 0.055 body heights broad and 0.152 long.
 pub const SOLE_BREADTH: f64 = 0.055 / 0.152;
 
 /// A foot as the ground meets it: three points along the middle of its sole.

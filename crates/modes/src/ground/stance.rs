@@ -29,8 +29,8 @@ pub enum Belt {
     Still,
     /// With this velocity (m/s, world axes): a treadmill.
     Speed(Vector3<f64>),
-    /// As the feet on it do: the median of the horizontal velocity of the lowest point of all soles over the frames in which
-    /// it is down. Less than [`Belt::LEAST`] is none.
+    /// As the feet on it do: the median of the horizontal velocity of the lowest point of all soles over the frames in
+    /// which it is down. Less than [`Belt::LEAST`] is none.
     #[default]
     Auto,
 }
@@ -125,18 +125,19 @@ impl Stances {
 
 /// Finds when which foot stands, on level ground, from how heel, ball and tip of each sole move.
 ///
-/// A point of a sole is down while it is less than `height` above its own lowest height (the lowest but a twentieth of the
-/// frames, since it is seldom known how high above the ground a point really is), and slower than `speed` against the ground. A foot
-/// stands while one of its points is down; a foot that never comes within 5 cm of the lowest one never stands. An edge lies between two frames,
-/// where a straight line through what decides becomes zero. Gaps shorter than `shortest` are closed, then stances shorter than
-/// that are dropped, but for those that the ends of the motion cut off.
+/// A point of a sole is down while it is less than `height` above its own lowest height (the lowest but a twentieth of
+/// the frames, since it is seldom known how high above the ground a point really is), and slower than `speed` against
+/// the ground. A foot stands while one of its points is down; a foot that never comes within 5 cm of the lowest one
+/// never stands. An edge lies between two frames, where a straight line through what decides becomes zero. Gaps shorter
+/// than `shortest` are closed, then stances shorter than that are dropped, but for those that the ends of the motion
+/// cut off.
 ///
 /// `level` is the median of the lowest heights of the points of all feet that may stand.
 ///
 /// # Errors
 ///
-/// No gravity, no mass, no soles or soles that are none, options out of their range, a motion that is not the figure's, and the
-/// first state that the kernel refuses.
+/// No gravity, no mass, no soles or soles that are none, options out of their range, a motion that is not the figure's,
+/// and the first state that the kernel refuses.
 pub fn find_stances(
     figure: &Figure,
     gravity: Vector3<f64>,
@@ -162,8 +163,8 @@ pub fn find_stances(
     Ok(Stances { list, belt, level: tracks.level(), method: "heights and speeds of heel, ball and tip" })
 }
 
-/// Stances of a motion whose planted points are known: a foot stands while a point of one of its links is planted. `level` is
-/// the height of the ground along up (m); the ground stands still.
+/// Stances of a motion whose planted points are known: a foot stands while a point of one of its links is planted.
+/// `level` is the height of the ground along up (m); the ground stands still.
 pub fn stances_of_planted(soles: &[Sole], planted: &[Interval], level: f64) -> Stances {
     let mut list: Vec<Stance> = Vec::new();
     for (foot, sole) in soles.iter().enumerate() {

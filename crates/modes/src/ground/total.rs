@@ -19,8 +19,8 @@ pub struct BalanceFrame {
     pub moment: Vector3<f64>,
     /// Centre of mass (m).
     pub com: Vector3<f64>,
-    /// Centre of pressure (m): the point of the ground about which the moment is normal to it; `None` where nothing presses
-    /// on the ground.
+    /// Centre of pressure (m): the point of the ground about which the moment is normal to it; `None` where nothing
+    /// presses on the ground.
     pub cop: Option<Vector3<f64>>,
 }
 
@@ -35,8 +35,8 @@ impl BalanceFrame {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, a motion that is not the figure's, and the first state that the kernel refuses (numbers that are not
-/// finite among them).
+/// No gravity, no mass, a motion that is not the figure's, and the first state that the kernel refuses (numbers that
+/// are not finite among them).
 ///
 /// # Examples
 ///

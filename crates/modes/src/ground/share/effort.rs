@@ -33,8 +33,8 @@ struct Effort<'a> {
 }
 
 impl Effort<'_> {
-    /// With `u` the wrenches about the nominal centres, forces over `m g` and moments over `m g h`, and the foot with the
-    /// greatest share bearing what the others `i` leave, `uₙ = U − Σ Xᵢ uᵢ`:
+    /// With `u` the wrenches about the nominal centres, forces over `m g` and moments over `m g h`, and the foot with
+    /// the greatest share bearing what the others `i` leave, `uₙ = U − Σ Xᵢ uᵢ`:
     ///
     /// ```text
     /// τ = c − Σ Bᵢ uᵢ      c = τ₀ − Jₙᵀ U      Bᵢ = Jᵢᵀ − Jₙᵀ Xᵢ

@@ -12,8 +12,8 @@ pub(super) struct Load {
 }
 
 impl Load {
-    /// Of each stance: it takes over until the first of those that stand when it comes has left, and gives back from when
-    /// the last of those came that stay when it leaves; neither beyond its own middle.
+    /// Of each stance: it takes over until the first of those that stand when it comes has left, and gives back from
+    /// when the last of those came that stay when it leaves; neither beyond its own middle.
     pub(super) fn all(stances: &[Stance]) -> Vec<Self> {
         let full = |own: &Stance| {
             let others = || stances.iter().filter(|other| other.foot != own.foot);

@@ -25,8 +25,8 @@ pub(super) struct Sharing<'a> {
     points: Vec<Vec<[Vector3<f64>; 3]>>,
     loads: Vec<Load>,
     doubles: Vec<Double>,
-    /// By foot and frame, the last frame up to this one and the first one from this one on in which the foot stands alone and
-    /// presses.
+    /// By foot and frame, the last frame up to this one and the first one from this one on in which the foot stands
+    /// alone and presses.
     alone: Vec<Vec<[Option<usize>; 2]>>,
 }
 
@@ -101,9 +101,9 @@ impl<'a> Sharing<'a> {
         (!standing.is_empty()).then_some(feet)
     }
 
-    /// Where a foot is expected to press: from the heel, where it comes while others stand, to where it first stands alone; from
-    /// there to where it stands alone again; from where it last does to the tip, where it leaves while others stay. In place of what
-    /// is not there stands the point half-way from heel to ball.
+    /// Where a foot is expected to press: from the heel, where it comes while others stand, to where it first stands
+    /// alone; from there to where it stands alone again; from where it last does to the tip, where it leaves while
+    /// others stay. In place of what is not there stands the point half-way from heel to ball.
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
         let (load, time) = (&self.loads[index], &self.given.states.time);
         let (Stance { foot, start, end }, t) = (load.stance, time[row]);

@@ -32,8 +32,8 @@ pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
 /// A trailing foot in double support.
 struct Release {
     double: Double,
-    /// When double support begins: its force (N), the point of the ground that it presses on (m), and its moment about the normal
-    /// through that point (N m).
+    /// When double support begins: its force (N), the point of the ground that it presses on (m), and its moment about
+    /// the normal through that point (N m).
     force: Vector3<f64>,
     cop: Vector3<f64>,
     twist: f64,

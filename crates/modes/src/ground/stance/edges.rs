@@ -1,7 +1,7 @@
 //! From a number that decides to the times at which it changes its mind.
 
-/// Spans of time (s) in which `decides` is less than zero, put between frames by straight lines. Gaps shorter than `shortest`
-/// (s) are closed, then shorter spans are dropped, unless an end of the motion cuts them off.
+/// Spans of time (s) in which `decides` is less than zero, put between frames by straight lines. Gaps shorter than
+/// `shortest` (s) are closed, then shorter spans are dropped, unless an end of the motion cuts them off.
 pub(super) fn standing(time: &[f64], decides: &[f64], shortest: f64) -> Vec<(f64, f64)> {
     let down = |i: usize| decides[i] < 0.0;
     let edge = |i: usize| {
