@@ -4,6 +4,9 @@ use crate::support::{GRAVITY, balance, random, rectangle, say};
 use nalgebra::{DMatrix, DVector, Vector3};
 use solaris_modes::ground::{BalanceFrame, ConsistencyOptions, Outcome, consistent};
 
+/// What stands: a rectangle's centre, half sizes and turn.
+type Foot = (Vector3<f64>, [f64; 2], f64);
+
 /// The least `½ xᵀHx` with `Cx ≤ d`, by Hildreth: coordinates of the dual in turn, `λ ≥ 0` and `x = −H⁻¹Cᵀλ`.
 fn hildreth(h: &DMatrix<f64>, c: &DMatrix<f64>, d: &DVector<f64>) -> DVector<f64> {
     let back = h.clone().cholesky().expect("positive").solve(&c.transpose());
@@ -29,7 +32,7 @@ fn reference(
     rate: f64,
     mass: f64,
     frames: &[BalanceFrame],
-    feet: &[Option<(Vector3<f64>, [f64; 2], f64)>],
+    feet: &[Option<Foot>],
     options: &ConsistencyOptions,
 ) -> Vec<Vector3<f64>> {
     let count = frames.len();

@@ -1,4 +1,5 @@
 //! The ground in simulation: springs, dampers and friction.
+#![allow(clippy::print_stderr, reason = "what was measured")]
 
 mod friction;
 mod momentum;

@@ -18,7 +18,8 @@ fn numbers_that_are_none_are_refused_by_name() {
         ("slip", GroundPlane { law: law(1e4, 1.0, 0.0), ..good }),
     ];
     for (what, plane) in planes {
-        let error = Simulation::new(&figure, Vector3::zeros()).ground(plane, Vec::new()).unwrap_err();
+        let error =
+            Simulation::new(&figure, Vector3::zeros()).ground(plane, Vec::new()).expect_err("it is refused");
         assert!(matches!(&error, SetupError::Range { what: named, .. } if named.contains(what)), "{error}");
     }
     let touches = [
@@ -36,8 +37,15 @@ fn the_default_is_as_stiff_as_the_figure_is_heavy() {
     let figure = point();
     let plane = GroundPlane::under(&figure, &Vector3::new(0.0, -G, 0.0), 0.7).expect("gravity");
     let ContactLaw::Spring { stiffness, .. } = plane.law else { panic!("a spring") };
-    assert!((stiffness - 2.0 * G / 2e-3).abs() < 1e-9 && plane.up.y == 1.0 && plane.friction == 0.7);
-    assert_eq!(GroundPlane::under(&figure, &Vector3::zeros(), 0.7).unwrap_err(), SetupError::NoGround);
+    assert!(
+        (stiffness - 2.0 * G / 2e-3).abs() < 1e-9
+            && (plane.up.y - 1.0).abs() < 1e-15
+            && (plane.friction - 0.7).abs() < 1e-15
+    );
+    assert_eq!(
+        GroundPlane::under(&figure, &Vector3::zeros(), 0.7).expect_err("it is refused"),
+        SetupError::NoGround
+    );
 }
 
 /// What nothing moves by dynamics is not looked at; the plan says so.
