@@ -72,8 +72,8 @@ pub fn split_at_pivot(
     Some(contacts)
 }
 
-/// The parts of any number of feet, also where nothing presses on the ground. With `k` = `pull` = 1/(κ y_c), `N = Σ sᵢ Pᵢ` of
-/// the given centres of pressure, and `m` the moment that the wrench has about `N`, the pivot split without a division by the
+/// The parts of any number of feet, also where nothing presses on the ground. With `k` = `pull` = `1/(κ y_c)`,
+/// `N = Σ sᵢ Pᵢ` of the given centres of pressure, and `m` the moment that the wrench has about `N`, the pivot split without a division by the
 /// normal force is
 ///
 /// ```text

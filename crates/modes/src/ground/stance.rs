@@ -176,7 +176,7 @@ pub fn stances_of_planted(soles: &[Sole], planted: &[Interval], level: f64) -> S
         for stance in own {
             match list.last_mut() {
                 Some(last) if last.foot == foot && stance.start <= last.end => {
-                    last.end = last.end.max(stance.end)
+                    last.end = last.end.max(stance.end);
                 }
                 _ => list.push(stance),
             }
