@@ -149,7 +149,7 @@ fn each_foot_is_beside_its_plate() {
                 let theirs: Vec<f64> = subject.rows().map(|row| plate.samples[row].force[axis]).collect();
                 let (rms, r) = compare(&ours, &theirs);
                 let percent = 100.0 * rms / subject.weight();
-                line += &format!("  {percent:5.2} % ({r:.3})");
+                line = format!("{line}  {percent:5.2} % ({r:.3})");
                 assert!(percent < limit[axis] && (axis != 1 || r > correlation), "{line}");
             }
             let tenth = 0.1 * subject.weight();
