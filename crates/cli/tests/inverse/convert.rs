@@ -200,5 +200,5 @@ fn what_cannot_be_converted_says_why() {
         let said = crate::failed(&solaris(folder.path(), line), code);
         assert!(said.contains(why), "{line}: {said}");
     }
-    assert_eq!(names(folder.path()), ["grf.mot", "loads.xml", "subject.osim", "walk.mot"]);
+    assert_eq!(names(folder.path()), ["grf.mot", "loads.xml", "soles.ron", "subject.osim", "walk.mot"]);
 }
