@@ -4,7 +4,7 @@ mod touches;
 
 pub use touches::touches;
 
-use crate::simulation::{check_not_negative, check_positive};
+use crate::range::{check_not_negative, check_positive};
 use crate::trouble::SetupError;
 use nalgebra::{Unit, Vector3};
 use solaris_model::Figure;

@@ -14,6 +14,7 @@ mod inverse;
 mod loads;
 mod passive;
 mod phase;
+mod range;
 mod reaction;
 mod recorded;
 mod report;

@@ -15,9 +15,10 @@ mod tracks;
 mod watching;
 
 use crate::body::Body;
+use crate::range::check_not_negative;
 use crate::report::{Counts, ErrorEstimate, Run, RunReport, Watch};
 use crate::settings::{Method, Settings};
-use crate::simulation::{Simulation, check_not_negative};
+use crate::simulation::Simulation;
 use crate::time::Stepping;
 use crate::trouble::{Cause, RunError, SetupError, Trouble};
 use crate::{Drive, LimitLaw, Step};

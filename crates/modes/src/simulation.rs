@@ -3,6 +3,7 @@
 use crate::contact::{GroundPlane, Surface, Touch};
 use crate::drive::{Drive, Step, Until};
 use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::range::check_not_negative;
 use crate::trouble::SetupError;
 use nalgebra::Vector3;
 use solaris_model::{Figure, nearest};
@@ -268,18 +269,4 @@ fn check_limit(law: &LimitLaw) -> Result<(), SetupError> {
             check_not_negative(|| "the damping of a limit".to_owned(), damping)
         }
     }
-}
-
-pub(crate) fn check_not_negative(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
-    if value.is_finite() && value >= 0.0 {
-        return Ok(());
-    }
-    Err(SetupError::Range { what: what(), value, range: "a finite number, zero or more" })
-}
-
-pub(crate) fn check_positive(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
-    if value.is_finite() && value > 0.0 {
-        return Ok(());
-    }
-    Err(SetupError::Range { what: what(), value, range: "a finite number above zero" })
 }

@@ -1,7 +1,7 @@
 //! What a drive is called, and whether its numbers can be used.
 
 use super::{Course, Drive, Law, Target};
-use crate::simulation::{check_not_negative, check_positive};
+use crate::range::{check_not_negative, check_positive};
 use crate::trouble::SetupError;
 
 impl Drive {
