@@ -89,6 +89,40 @@ proptest! {
     }
 }
 
+proptest! {
+    /// A point that is held along one direction does not move along it, and the force on it has no other direction.
+    #[test]
+    fn a_point_held_along_a_direction_slides_across_it(seed in any::<u64>(), links in 3_usize..9) {
+        let mut random = Random::new(seed);
+        let figure = tree(&mut random, links, 0.3);
+        let mut kernel = Kernel::<f64>::new(&figure, GRAVITY);
+        let n = kernel.tree.nv();
+        let (q, v) = (random.slice(n, 2.0), random.slice(n, 1.0));
+        let tau = random.slice(n, 10.0);
+        let matrix = kernel.mass_matrix(&q).expect("valid");
+        let eigenvalues = if n == 0 { DVector::zeros(1) } else { matrix.symmetric_eigenvalues() };
+        prop_assume!(eigenvalues.min() > 1e-4 * eigenvalues.max());
+        let along = random.vector(1.0).normalize();
+        let contact = ContactConstraint {
+            acceleration: random.vector(2.0),
+            ..ContactConstraint::along(links - 1, random.vector(0.3), along)
+        };
+        let (free, nothing) = (vec![false; n], vec![0.0; n]);
+        let solved = solve(&mut kernel, &[contact], [&q, &v], &free, [&nothing, &tau]).expect("valid");
+        let (found, _, wrenches, residuals) = solved;
+        prop_assert_eq!(residuals.len(), 1);
+        prop_assume!(residuals[0].abs() < 1e-9 && largest(&found) < 1e3);
+        let moved = acceleration(&mut kernel, &contact, [&q, &v, &found]);
+        prop_assert!((moved - contact.acceleration).dot(&along).abs() < 1e-5 * (1.0 + largest(&found)));
+        let force = wrenches[0].1.force;
+        prop_assert!(force.cross(&along).norm() <= 1e-12 * force.norm());
+        let again = kernel.hybrid([&q, &v], &free, [&nothing, &tau], &wrenches).expect("valid");
+        for (x, y) in again[0].iter().zip(&found) {
+            prop_assert!((x - y).abs() <= 1e-9 * (1.0 + y.abs()));
+        }
+    }
+}
+
 /// A table of four legs on a floor that does not give.
 fn table() -> (Figure, Vec<Vector3<f64>>) {
     let top = LinkSpec::root("top", Joint::free("root")).mass(20.0).inertia(Inertia::diagonal(2.0, 3.0, 2.5));

@@ -2,20 +2,22 @@
 
 mod joints;
 mod limits;
+mod planted;
 mod points;
 mod touching;
 
-use crate::contact::Surface;
+use crate::contact::{Foothold, Surface};
 use crate::element::{LimitLaw, PointSpring};
 use crate::report::Energy;
 use crate::trouble::SetupError;
 use joints::JointElements;
 use limits::Stop;
 use nalgebra::{DMatrix, Vector3};
+use planted::Planted;
 use points::PointElement;
 use solaris_dynamics::{
-    DynamicsError, Real, Tree, Workspace, Wrench, hybrid_dynamics, inverse_dynamics, kinetic_energy,
-    mass_matrix, potential_energy, velocities,
+    DynamicsError, Real, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
+    hybrid_dynamics, inverse_dynamics, kinetic_energy, mass_matrix, potential_energy, velocities,
 };
 use solaris_model::Figure;
 use solaris_profiles::Scalar;
@@ -45,6 +47,10 @@ pub(crate) struct Body<T> {
     stops: Vec<Stop<T>>,
     points: Vec<PointElement<T>>,
     ground: Option<GroundElement<T>>,
+    /// What stands on the ground and stays there.
+    planted: Option<Planted<T>>,
+    /// What it asked for and did not get in the last call (m/s², rad/s², or m/s and rad/s of an impact).
+    missing: f64,
     /// What acts by itself along each degree of freedom, in the state of the last call.
     passive: Vec<T>,
     /// What springs between points and the ground do to links, in the state of the last call.
@@ -89,6 +95,8 @@ impl<T: Real + Scalar> Body<T> {
             external: Vec::with_capacity(2 * springs.len()),
             heat: T::zero(),
             ground: None,
+            planted: None,
+            missing: 0.0,
             pressure: Pressure::none(),
             total: zeros.clone(),
             zeros,
@@ -101,6 +109,13 @@ impl<T: Real + Scalar> Body<T> {
         self.ground = surface.map(GroundElement::of).filter(|ground| ground.len() > 0);
         self.external.reserve(self.ground.as_ref().map_or(0, GroundElement::len));
         self
+    }
+
+    /// From now on these stand on the ground and stay where they are, until others take their place.
+    pub(crate) fn plant(&mut self, footholds: &[Foothold]) {
+        self.missing = 0.0;
+        let ground = self.ground.as_ref().filter(|_| !footholds.is_empty());
+        self.planted = ground.map(|ground| Planted::new(&self.tree, ground, footholds));
     }
 
     /// Hybrid dynamics: where `prescribed[k]`, `a[k]` is read and the drive's force `tau[k]` written, else the other way round.
@@ -121,7 +136,17 @@ impl<T: Real + Scalar> Body<T> {
             *total = if prescribed[k] { T::zero() } else { tau[k] + self.passive[k] };
         }
         let (tree, workspace, external) = (&self.tree, &mut self.workspace, &self.external);
-        hybrid_dynamics(tree, workspace, q, v, prescribed, external, a, &mut self.total)?;
+        match (&mut self.planted, &self.ground) {
+            (Some(planted), Some(ground)) => {
+                planted.hold(ground, workspace);
+                let contacts = planted.contacts();
+                let total = &mut self.total;
+                self.missing =
+                    contact_dynamics(tree, workspace, contacts, q, v, prescribed, external, a, total)?;
+                self.pressure.force = planted.force();
+            }
+            _ => hybrid_dynamics(tree, workspace, q, v, prescribed, external, a, &mut self.total)?,
+        }
         for (k, force) in tau.iter_mut().enumerate().filter(|(k, _)| prescribed[*k]) {
             *force = self.total[k] - self.passive[k];
         }
@@ -129,8 +154,18 @@ impl<T: Real + Scalar> Body<T> {
     }
 
     /// The drives' forces of a motion.
-    pub(crate) fn inverse(&mut self, q: &[T], v: &[T], a: &[T], tau: &mut [T]) -> Result<(), DynamicsError> {
+    ///
+    /// `planted` is what the ground does to links that stand on it (about the world's origin).
+    pub(crate) fn inverse(
+        &mut self,
+        q: &[T],
+        v: &[T],
+        a: &[T],
+        planted: &[(usize, Wrench<T>)],
+        tau: &mut [T],
+    ) -> Result<(), DynamicsError> {
         self.act(q, v)?;
+        self.external.extend_from_slice(planted);
         inverse_dynamics(&self.tree, &mut self.workspace, q, v, a, &self.external, tau)?;
         for (force, passive) in tau.iter_mut().zip(&self.passive) {
             *force -= *passive;
@@ -145,16 +180,26 @@ impl<T: Real + Scalar> Body<T> {
     /// M·Δv = p
     /// ```
     ///
-    /// Gravity, springs and dampers have no part in it: their forces are finite.
+    /// Gravity, springs and dampers have no part in it: their forces are finite. What stands on the ground comes to rest there.
     pub(crate) fn impact(
         &mut self,
-        q: &[T],
+        (q, v): (&[T], &[T]),
         prescribed: &[bool],
         jump: &mut [T],
         impulse: &mut [T],
     ) -> Result<(), DynamicsError> {
-        let (tree, workspace) = (&self.weightless, &mut self.workspace);
-        hybrid_dynamics(tree, workspace, q, &self.zeros, prescribed, &[], jump, impulse)
+        let (tree, workspace, zeros) = (&self.weightless, &mut self.workspace, &self.zeros);
+        match (&mut self.planted, &self.ground) {
+            (Some(planted), Some(ground)) => {
+                velocities(&self.tree, workspace, q, v)?;
+                planted.stop(ground, workspace);
+                let contacts = planted.contacts();
+                self.missing =
+                    contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, &[], jump, impulse)?;
+            }
+            _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, &[], jump, impulse)?,
+        }
+        Ok(())
     }
 
     /// What dampers and friction take (W) in the state of the last call of [`hybrid`](Self::hybrid) or
@@ -166,6 +211,45 @@ impl<T: Real + Scalar> Body<T> {
     /// What the ground does in the state of the last call of [`hybrid`](Self::hybrid) or [`inverse`](Self::inverse).
     pub(crate) fn pressure(&self) -> &Pressure<T> {
         &self.pressure
+    }
+
+    /// What the ground does to each foothold (N, N m, about the world's origin), as the last call of [`hybrid`](Self::hybrid), or of
+    /// [`impact`](Self::impact) (N s, N m s), found it.
+    pub(crate) fn footing(&self) -> impl Iterator<Item = Wrench<T>> {
+        self.planted.iter().flat_map(Planted::wrenches)
+    }
+
+    /// The greatest acceleration (m/s², rad/s²) that footholds ask for and the last call of [`hybrid`](Self::hybrid) could not give them,
+    /// or velocity (m/s, rad/s) in an [`impact`](Self::impact).
+    pub(crate) fn missing(&self) -> f64 {
+        self.missing
+    }
+
+    /// Where the lowest point of a sphere that can touch the ground is (m), at the poses of the last call.
+    pub(crate) fn lowest(&self, touch: usize) -> Vector3<T> {
+        let sphere = self.ground.as_ref().map(|ground| &ground.spheres()[touch]);
+        sphere.map_or_else(Vector3::zeros, |sphere| sphere.lowest(&self.workspace))
+    }
+
+    /// How far above the ground it is (m).
+    pub(crate) fn gap(&self, touch: usize) -> T {
+        self.ground.as_ref().map_or_else(T::zero, |ground| ground.gap(touch, &self.workspace))
+    }
+
+    /// Places the links.
+    pub(crate) fn place(&mut self, q: &[T]) -> Result<(), DynamicsError> {
+        forward_kinematics(&self.tree, &mut self.workspace, q)
+    }
+
+    /// The accelerations (m/s²) of the lowest points of all spheres that can touch the ground, away from it.
+    pub(crate) fn rises(
+        &mut self,
+        q: &[T],
+        v: &[T],
+        a: &[T],
+    ) -> Result<impl Iterator<Item = T>, DynamicsError> {
+        accelerations(&self.tree, &mut self.workspace, q, v, a)?;
+        Ok(self.ground.iter().flat_map(|ground| ground.rises(&self.workspace)))
     }
 
     /// What the ground does at each touch in a state, by its index.
@@ -207,6 +291,7 @@ impl<T: Real + Scalar> Body<T> {
             self.heat += stop.act(q, v, &mut self.passive);
         }
         self.external.clear();
+        self.pressure = Pressure::none();
         if !self.points.is_empty() || self.ground.is_some() {
             velocities(&self.tree, &mut self.workspace, q, v)?;
         }

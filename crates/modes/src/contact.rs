@@ -1,7 +1,9 @@
 //! The ground, and where links can touch it.
 
+mod foothold;
 mod touches;
 
+pub(crate) use foothold::Foothold;
 pub use touches::touches;
 
 use crate::range::{check_not_negative, check_positive};
@@ -50,6 +52,18 @@ pub enum ContactLaw {
         /// `v_s` (m/s): at this speed friction has 71 % of its magnitude.
         slip: f64,
     },
+    /// What comes to the ground stays where it came down, until the ground would have to pull.
+    ///
+    /// The velocity of what comes down is lost in an instant, as in a plastic impact, and from then on it is held: its
+    /// acceleration is known, its force sought. Of a part that touches with several points at once the force as a whole is
+    /// found; where its centre of pressure would leave the points' convex hull the part begins to tip over that edge. Spheres
+    /// roll. Where the figure leaves open which part bears how much (two feet of a stiff table), the forces with the least sum
+    /// of squares are taken.
+    ///
+    /// Nothing sinks in, and nothing slides while it can be held: where friction would not hold what is asked of it, the report
+    /// says how much it would take. A part that would be pulled where it is held and sink where it is let go (Painlevé's paradox:
+    /// its friction would have given way before) slides without friction until it leaves the ground or comes to rest.
+    Planted,
 }
 
 impl ContactLaw {
@@ -93,7 +107,7 @@ impl GroundPlane {
             return Err(SetupError::Range { what, value: *value, range: "finite numbers" });
         }
         check_not_negative(|| "the friction of the ground".to_owned(), self.friction)?;
-        let ContactLaw::Spring { stiffness, damping, slip } = self.law;
+        let ContactLaw::Spring { stiffness, damping, slip } = self.law else { return Ok(()) };
         check_not_negative(|| "the damping of the ground".to_owned(), damping)?;
         check_positive(|| "the stiffness of the ground".to_owned(), stiffness)?;
         check_positive(|| "the slip of the ground".to_owned(), slip)
@@ -124,6 +138,11 @@ pub(crate) fn count(surface: Option<&Surface>) -> usize {
 }
 
 impl Surface {
+    /// Whether what comes to the ground stays there.
+    pub(crate) fn plants(&self) -> bool {
+        self.plane.law == ContactLaw::Planted
+    }
+
     /// Refuses numbers that are none, and links that `figure` does not have.
     pub(crate) fn new(figure: &Figure, plane: GroundPlane, touches: Vec<Touch>) -> Result<Self, SetupError> {
         plane.check()?;

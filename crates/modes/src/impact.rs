@@ -76,7 +76,7 @@ pub(crate) fn strike(
         for &(dof, velocity) in wanted {
             jump[dof] = velocity - v[dof];
         }
-        body.impact(q, &given, &mut jump, &mut impulse)?;
+        body.impact((q, v), &given, &mut jump, &mut impulse)?;
         let scale = (norm(&jump), norm(&impulse));
         let violated = |(dof, side): &&(usize, Side)| {
             let (after, push) = (side.outward() * (v[*dof] + jump[*dof]), side.outward() * impulse[*dof]);

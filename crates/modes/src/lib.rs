@@ -9,6 +9,7 @@ mod drive;
 mod element;
 mod error;
 pub mod ground;
+mod hull;
 mod impact;
 mod inverse;
 mod loads;
@@ -39,8 +40,8 @@ pub use passive::add_passive_forces;
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use recorded::Recorded;
 pub use report::{
-    Counts, Energy, EnergyReport, ErrorEstimate, GroundReport, Impact, LinkContact, PhaseReport, Run,
-    RunReport, Watch,
+    Counts, Energy, EnergyReport, ErrorEstimate, GroundReport, Impact, Landing, LinkContact, PhaseReport,
+    Run, RunReport, Watch,
 };
 pub use rooted::{RootReport, reactions_from_feet};
 pub use settings::{Guard, Method, Rule, Settings};

@@ -7,17 +7,18 @@ mod reduction;
 mod small;
 mod state;
 
+use crate::contact::Foothold;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::report::{Energy, PhaseReport};
 use crate::simulation::Simulation;
 use crate::time::{RateError, System};
 use crate::trouble::SetupError;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 use prescribed::Prescribed;
 use reduction::Source;
 use small::Small;
-use solaris_dynamics::DynamicsError;
+use solaris_dynamics::{DynamicsError, Wrench};
 pub(crate) use state::GROUND;
 use state::StateMap;
 
@@ -41,6 +42,10 @@ pub(crate) enum Watched {
     Velocity { dof: usize, value: f64 },
     /// The force that holds a prescribed degree of freedom, less that of its drive: where it passes through zero a limit lets go.
     Hold { dof: usize },
+    /// How far a sphere that can touch the ground is above it (m), and `below` (m).
+    Gap { touch: usize, below: f64 },
+    /// The force of a lever of a foothold, by their indices, as a part of the weight.
+    Lever { hold: usize, lever: usize },
 }
 
 /// The equations of motion of one stretch. The state is positions and velocities of what dynamics move, then the work of the
@@ -54,6 +59,8 @@ pub(crate) enum Watched {
 pub(crate) struct Phase {
     pub(crate) report: PhaseReport,
     source: Source,
+    /// Of the figure (N), or its mass where there is no gravity.
+    weight: f64,
     roles: Vec<Role>,
     leave_out: bool,
     state: StateMap,
@@ -63,6 +70,8 @@ pub(crate) struct Phase {
     sides: Vec<f64>,
     /// The drives' forces on degrees of freedom that are held: what a limit adds to them is all that it pushes.
     held: Vec<(usize, Force)>,
+    /// What stands on the ground and stays there.
+    planted: Vec<Foothold>,
     small: Option<Small>,
 }
 
@@ -82,6 +91,7 @@ impl Phase {
     ) -> Result<Self, SetupError> {
         let source = Source::of(simulation);
         let roles = source.roles(roles)?;
+        let weight = simulation.weight();
         let mut phase = Self {
             report: PhaseReport::default(),
             state: StateMap::new(&simulation.figure, &roles, simulation.surface.is_some()),
@@ -89,8 +99,10 @@ impl Phase {
             watched: Vec::new(),
             sides: Vec::new(),
             held: Vec::new(),
+            planted: Vec::new(),
             small: None,
             source,
+            weight,
             roles,
             leave_out,
         };
@@ -111,6 +123,22 @@ impl Phase {
     /// The motion of a prescribed degree of freedom; where nothing was said it stands where it stood.
     pub(crate) fn set_path(&mut self, dof: usize, path: Path) {
         self.prescribed.set(dof, path);
+    }
+
+    /// From now on these stand on the ground, with links that dynamics move.
+    pub(crate) fn plant(&mut self, footholds: &[Foothold]) {
+        if self.planted != footholds {
+            self.planted = footholds.to_vec();
+            if let Some(small) = &mut self.small {
+                small.plant(&self.planted);
+            }
+        }
+    }
+
+    /// What the ground does to each of them (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were
+    /// found last.
+    pub(crate) fn footing(&self) -> impl Iterator<Item = Wrench<f64>> {
+        self.small.iter().flat_map(Small::footing)
     }
 
     /// What is watched for from here on, and on which side of zero it belongs where it begins there (1, −1, or 0 for either).
@@ -194,6 +222,29 @@ impl Phase {
         self.state.dof_of(entry)
     }
 
+    /// Finds what is watched for needs in a state; whether there is any of it. A state that the dynamics refuse has none: its rate
+    /// says so.
+    fn see(&mut self, t: f64, y: &[f64]) -> bool {
+        let Some(small) = &mut self.small else { return false };
+        let any = |is: fn(&Watched) -> bool| self.watched.iter().any(is);
+        if any(|watched| matches!(watched, Watched::Hold { .. } | Watched::Lever { .. })) {
+            small.solve(&self.prescribed, t, y).is_ok()
+        } else if any(|watched| matches!(watched, Watched::Gap { .. })) {
+            small.place(&self.prescribed, t, y).is_ok()
+        } else {
+            false
+        }
+    }
+
+    /// The force of a lever as a part of the weight.
+    fn lever(&self, small: &Small, hold: usize, lever: usize) -> f64 {
+        let Some(surface) = &self.source.surface else { return f64::NAN };
+        let arm = self.planted[hold].levers[lever].arm;
+        let at = |touch| small.lowest(touch).map_or_else(Vector3::zeros, |(point, _)| point);
+        let wrench = small.footing().nth(hold);
+        wrench.map_or(f64::NAN, |wrench| arm.force(&wrench, at, &surface.plane.up) / self.weight)
+    }
+
     /// Finds what is left of the figure where the forces that hold `held` have to be known.
     fn compile(&mut self, held: &[usize]) -> Result<(), SetupError> {
         let standing = self.prescribed.standing();
@@ -215,6 +266,9 @@ impl Phase {
         let small = reduction
             .map(|reduction| Small::new(&self.source, &self.roles, reduction, &self.state, &self.prescribed));
         self.small = small.transpose()?;
+        if let Some(small) = &mut self.small {
+            small.plant(&self.planted);
+        }
         Ok(())
     }
 }
@@ -256,10 +310,8 @@ impl System for Phase {
     }
 
     fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
-        let holds = self.watched.iter().any(|watched| matches!(watched, Watched::Hold { .. }));
-        // A state that the dynamics refuse has no force either: its rate says so.
-        let small = self.small.as_mut().filter(|_| holds);
-        let small = small.and_then(|small| small.solve(&self.prescribed, t, y).ok().map(|()| &*small));
+        let seen = self.see(t, y);
+        let small = self.small.as_ref().filter(|_| seen);
         for (value, watched) in values.iter_mut().zip(&self.watched) {
             *value = match *watched {
                 Watched::Position { dof, value } => {
@@ -274,6 +326,12 @@ impl System for Phase {
                     let own = self.held.iter().find(|(held, _)| *held == dof);
                     let drive = own.map_or(0.0, |(_, force)| force.at(t));
                     small.and_then(|small| small.force(dof)).map_or(f64::NAN, |force| force - drive)
+                }
+                Watched::Gap { touch, below } => {
+                    small.and_then(|small| small.lowest(touch)).map_or(f64::NAN, |(_, gap)| gap + below)
+                }
+                Watched::Lever { hold, lever } => {
+                    small.map_or(f64::NAN, |small| self.lever(small, hold, lever))
                 }
             };
         }

@@ -52,6 +52,21 @@ pub struct GroundReport {
     pub friction: f64,
     /// Every link that touches the ground in a frame, in the order of the figure.
     pub links: Vec<LinkContact>,
+    /// What came down on a ground that [plants](crate::ContactLaw::Planted) what touches it, in the order of time.
+    pub landings: Vec<Landing>,
+}
+
+/// Something came down on the ground and stayed there: velocities jumped.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Landing {
+    /// When (s).
+    pub time: f64,
+    /// The links that came down.
+    pub links: Vec<String>,
+    /// The impulse of the ground on all that stands on it, along the world's axes (N s); part of [`GroundReport::impulse`].
+    pub impulse: [f64; 3],
+    /// The kinetic energy that was lost (J); part of [`EnergyReport::impacts`].
+    pub loss: f64,
 }
 
 impl GroundReport {
@@ -86,6 +101,12 @@ pub struct LinkContact {
     pub slip: f64,
     /// When (s).
     pub slip_time: f64,
+    /// The friction that it took, at most: the ratio of the force along the ground to that out of it.
+    pub friction: f64,
+    /// When (s).
+    pub friction_time: f64,
+    /// How long it took more than the ground's coefficient of friction (s): it ought to have slipped.
+    pub slipping: f64,
     /// How far it slid while it touched (m): the mean of its touches, each with the weight of its pressure, added up over the time.
     pub slid: f64,
 }

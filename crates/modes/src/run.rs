@@ -5,6 +5,7 @@ mod compare;
 mod contacts;
 mod driven;
 mod drives;
+mod footing;
 mod guard;
 mod impacts;
 mod ledger;
@@ -23,6 +24,7 @@ use crate::time::Stepping;
 use crate::trouble::{Cause, RunError, SetupError, Trouble};
 use crate::{Drive, LimitLaw, Step};
 use pass::{Passed, pass};
+use solaris_dynamics::Wrench;
 use solaris_model::Motion;
 
 /// Whether the methods that choose their steps are built in.
@@ -94,12 +96,17 @@ fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> R
     };
     let Chosen { passed, error, method, why, beside, mut remarks } = chosen;
     remarks.extend(outside(simulation));
-    let Passed { record, ledger, mut counts, outcomes, impacts, mut phases, ground, .. } = passed;
+    let Passed { mut record, ledger, mut counts, outcomes, impacts, landings, mut phases, ground, .. } =
+        passed;
+    let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
-    let ground = contacts::add(simulation, &mut motion, &ground)?;
+    let mut ground = contacts::add(simulation, &mut motion, &ground, &planted)?;
+    if let Some(ground) = &mut ground {
+        ground.landings = landings;
+    }
     if settings.forces {
-        add_forces(simulation, &mut motion)?;
+        add_forces(simulation, &mut motion, &planted)?;
     } else {
         let omitted = "forces of the drives: nobody asked for them";
         for phase in &mut phases {
@@ -279,13 +286,22 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
 }
 
 /// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
-fn add_forces(simulation: &Simulation, motion: &mut Motion) -> Result<(), RunError> {
+///
+/// `planted` is what the ground does to what stands on it: frame, link and wrench, in the order of the frames.
+fn add_forces(
+    simulation: &Simulation,
+    motion: &mut Motion,
+    planted: &[(usize, usize, Wrench<f64>)],
+) -> Result<(), RunError> {
     let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
     let nv = figure.layout().nv();
     let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
-        body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), tau)
+        let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
+        let own = own.iter().take_while(|(of, ..)| *of == frame);
+        let own: Vec<(usize, Wrench<f64>)> = own.map(|(_, link, wrench)| (*link, *wrench)).collect();
+        body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), &own, tau)
             .map_err(|error| guard::of_dynamics(motion.time()[frame], error))?;
         figure.fold_forces(motion.q(frame), tau);
     }

@@ -168,6 +168,12 @@ impl Simulation {
         self.surface.as_ref().map(|surface| (&surface.plane, &*surface.touches))
     }
 
+    /// What forces are weighed against: that of gravity on the figure (N), its mass (kg) where there is none, 1 without mass.
+    pub(crate) fn weight(&self) -> f64 {
+        let (mass, gravity) = (self.figure.mass(), self.gravity.norm());
+        [mass * gravity, mass].into_iter().find(|weight| *weight > 0.0).unwrap_or(1.0)
+    }
+
     /// What the limits of a degree of freedom (index in `v`) do.
     pub fn limit_of(&self, dof: usize) -> LimitLaw {
         self.limits[dof]

@@ -214,6 +214,24 @@ pub enum Cause {
         /// How many.
         count: usize,
     },
+    /// What stands on the ground is moved along it.
+    #[error(
+        "{link} cannot stay where it stands: what has a motion of its own moves it, by {missing:.1e} m/s² or m/s at least"
+    )]
+    Planted {
+        /// The link.
+        link: String,
+        /// What it asks for and cannot have (m/s², or m/s in an impact; rad for m where it turns).
+        missing: f64,
+    },
+    /// There is no way to stand.
+    #[error(
+        "no part of {links} can stay on the ground or leave it: holding it pulls, letting it go makes it sink"
+    )]
+    Footing {
+        /// The links.
+        links: String,
+    },
     /// A curve that does not begin where its degree of freedom is.
     #[error(
         "the curve of {dof} begins at {begins} with the velocity {velocity}, but {dof} is at {found} with {moving}"

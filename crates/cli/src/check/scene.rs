@@ -168,6 +168,7 @@ impl Ground {
             ContactLaw::Spring { stiffness, damping, slip } => {
                 format!("spring {stiffness:.4e} N/m, damping {damping} s/m, slip {slip} m/s")
             }
+            ContactLaw::Planted => "planted: what touches stays until the ground would pull".to_owned(),
             _ => "another".to_owned(),
         };
         Self {

@@ -2,7 +2,7 @@
 
 use super::energy::digits;
 use serde::Serialize;
-use solaris::modes::{GroundReport, LinkContact};
+use solaris::modes::{GroundReport, Landing, LinkContact};
 
 /// The most links that are named.
 const MANY: usize = 3;
@@ -15,6 +15,9 @@ pub(super) struct Contact {
     pub(super) damping_j: f64,
     pub(super) friction_j: f64,
     pub(super) links: Vec<Touched>,
+    /// What came down on a ground that plants what touches it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) landings: Vec<Landed>,
     #[serde(skip)]
     report: GroundReport,
 }
@@ -28,17 +31,32 @@ pub(super) struct Touched {
     pub(super) depth_time_s: f64,
     pub(super) slip_m_s: f64,
     pub(super) slip_time_s: f64,
+    /// The force along the ground as a part of that out of it, at most.
+    pub(super) friction: f64,
+    pub(super) friction_time_s: f64,
+    /// How long it took more friction than there is.
+    pub(super) slipping_s: f64,
     pub(super) slid_m: f64,
+}
+
+/// What came down.
+#[derive(Debug, Serialize)]
+pub(super) struct Landed {
+    pub(super) time_s: f64,
+    pub(super) links: Vec<String>,
+    pub(super) impulse_n_s: [f64; 3],
+    pub(super) loss_j: f64,
 }
 
 impl Contact {
     pub(super) fn of(report: GroundReport) -> Self {
-        let GroundReport { impulse, damping, friction, links } = report.clone();
+        let GroundReport { impulse, damping, friction, links, landings } = report.clone();
         Self {
             impulse_n_s: impulse,
             damping_j: damping,
             friction_j: friction,
             links: links.into_iter().map(Touched::of).collect(),
+            landings: landings.into_iter().map(Landed::of).collect(),
             report,
         }
     }
@@ -83,9 +101,17 @@ fn settled(one: f64, all: [f64; 3]) -> f64 {
     if one.abs() > 1e-9 * greatest { one } else { 0.0 }
 }
 
+impl Landed {
+    fn of(landing: Landing) -> Self {
+        let Landing { time, links, impulse, loss } = landing;
+        Self { time_s: time, links, impulse_n_s: impulse, loss_j: loss }
+    }
+}
+
 impl Touched {
     fn of(contact: LinkContact) -> Self {
-        let LinkContact { link, touching, depth, depth_time, slip, slip_time, slid } = contact;
+        let LinkContact { link, touching, depth, depth_time, slip, slip_time, .. } = contact;
+        let LinkContact { friction, friction_time, slipping, slid, .. } = contact;
         Self {
             link,
             touching_s: touching,
@@ -93,6 +119,9 @@ impl Touched {
             depth_time_s: depth_time,
             slip_m_s: slip,
             slip_time_s: slip_time,
+            friction,
+            friction_time_s: friction_time,
+            slipping_s: slipping,
             slid_m: slid,
         }
     }

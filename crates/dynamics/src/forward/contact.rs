@@ -28,12 +28,20 @@ pub struct ContactConstraint<T> {
     /// The angular acceleration of the link (rad/s², world axes) where it is held as well, and so a moment is sought
     /// besides the force; `None` for a contact that hands on a force alone.
     pub angular: Option<Vector3<T>>,
+    /// The direction (of length 1, world axes) along which alone the point is held, and the force acts: it slides across it
+    /// without friction. `None` for a point that is held in all directions; a link that is held as a whole always is.
+    pub along: Option<Vector3<T>>,
 }
 
 impl<T: Real> ContactConstraint<T> {
     /// A point of a link (m, link's frame) that stays where it is.
     pub fn point(link: usize, point: Vector3<T>) -> Self {
-        Self { link, point, acceleration: Vector3::zeros(), angular: None }
+        Self { link, point, acceleration: Vector3::zeros(), angular: None, along: None }
+    }
+
+    /// A point of a link (m, link's frame) that does not move along a direction (of length 1, world axes).
+    pub fn along(link: usize, point: Vector3<T>, direction: Vector3<T>) -> Self {
+        Self { along: Some(direction), ..Self::point(link, point) }
     }
 
     /// A link that neither moves nor turns; the force is said to act at `point` (m, link's frame).
@@ -41,9 +49,18 @@ impl<T: Real> ContactConstraint<T> {
         Self { angular: Some(Vector3::zeros()), ..Self::point(link, point) }
     }
 
+    /// The direction along which alone the point is held.
+    fn only(&self) -> Option<&Vector3<T>> {
+        self.along.as_ref().filter(|_| self.angular.is_none())
+    }
+
     /// How many numbers are prescribed.
     fn conditions(&self) -> usize {
-        if self.angular.is_some() { 6 } else { 3 }
+        match (self.angular, self.along) {
+            (Some(_), _) => 6,
+            (None, None) => 3,
+            (None, Some(_)) => 1,
+        }
     }
 }
 
@@ -62,11 +79,11 @@ pub struct Contacts<T> {
     response_forces: Vec<T>,
 }
 
-/// One scalar condition: an axis of a contact.
+/// One scalar condition: a direction of a contact, in world axes.
 #[derive(Clone, Copy)]
 struct Row<T> {
     contact: ContactConstraint<T>,
-    axis: usize,
+    axis: Vector3<T>,
     turns: bool,
 }
 
@@ -86,8 +103,7 @@ impl<T: Real> Contacts<T> {
         }
     }
 
-    /// The contacts, to change what is prescribed between calls. As many as before must hold their link's rotation: another
-    /// number of conditions is refused.
+    /// The contacts, to change what is prescribed between calls. Another number of conditions than before is refused.
     pub fn contacts_mut(&mut self) -> &mut [ContactConstraint<T>] {
         &mut self.list
     }
@@ -98,14 +114,17 @@ impl<T: Real> Contacts<T> {
     }
 
     /// What the last call left of the prescribed accelerations, by contact and axis (three linear, then three angular
-    /// where there are such): rounding, unless the contacts ask for what they cannot have together.
+    /// where there are such; one for a point that is held along a direction): rounding, unless the contacts ask for what they cannot have together.
     pub fn residuals(&self) -> &[T] {
         &self.right
     }
 
     fn rows(&self) -> impl Iterator<Item = Row<T>> + '_ {
         self.list.iter().flat_map(|&contact| {
-            (0..contact.conditions()).map(move |row| Row { contact, axis: row % 3, turns: row >= 3 })
+            (0..contact.conditions()).map(move |row| {
+                let axis = contact.only().copied().unwrap_or_else(|| Vector3::ith(row % 3, T::one()));
+                Row { contact, axis, turns: row >= 3 }
+            })
         })
     }
 }
@@ -206,7 +225,9 @@ fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(),
     }
     check_length("the conditions of all contacts", contacts.rows().count(), contacts.right.len())?;
     for (index, contact) in contacts.list.iter().enumerate() {
-        let numbers = [contact.point, contact.acceleration, contact.angular.unwrap_or_else(Vector3::zeros)];
+        let or_none = |vector: Option<Vector3<T>>| vector.unwrap_or_else(Vector3::zeros);
+        let (angular, along) = (or_none(contact.angular), or_none(contact.along));
+        let numbers = [contact.point, contact.acceleration, angular, along];
         if contact.link >= tree.link_count() || !numbers.iter().all(is_finite) {
             let (contact, last) = (format!("{contact:?}"), tree.link_count() - 1);
             return Err(DynamicsError::Contact { index, contact, last });
@@ -228,6 +249,11 @@ fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T
         if moving {
             linear += tree.gravity;
         }
+        if let Some(along) = contact.only() {
+            contacts.found[row] = along.dot(&linear);
+            row += 1;
+            continue;
+        }
         contacts.found[row..][..3].copy_from_slice(linear.as_slice());
         row += 3;
         if contact.angular.is_some() {
@@ -242,6 +268,11 @@ fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T
 fn prescribe<T: Real>(contacts: &mut Contacts<T>) {
     let mut row = 0;
     for contact in &contacts.list {
+        if let Some(along) = contact.only() {
+            contacts.right[row] = along.dot(&contact.acceleration) - contacts.found[row];
+            row += 1;
+            continue;
+        }
         for wanted in std::iter::once(contact.acceleration).chain(contact.angular) {
             for axis in 0..3 {
                 contacts.right[row] = wanted[axis] - contacts.found[row];
@@ -265,9 +296,7 @@ fn respond<T: Real>(
     let no_force = std::mem::take(&mut ws.zeros);
     for column in 0..contacts.right.len() {
         let Some(row) = contacts.rows().nth(column) else { continue };
-        let mut axis = Vector3::zeros();
-        axis[row.axis] = T::one();
-        let axis = apply_transposed(&ws.poses[row.contact.link].rotation, &axis);
+        let axis = apply_transposed(&ws.poses[row.contact.link].rotation, &row.axis);
         ws.loads.fill(Load::zero());
         ws.loads[row.contact.link] = if row.turns {
             Load { force: Vector3::zeros(), moment: -axis }
@@ -286,14 +315,18 @@ fn respond<T: Real>(
 
 /// Reads the wrenches off the solution.
 fn collect<T: Real>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
-    let (solution, mut row) = (contacts.solver.solution(), 0);
-    let mut next = || {
-        row += 3;
-        Vector3::new(solution[row - 3], solution[row - 2], solution[row - 1])
+    let mut solution = contacts.solver.solution();
+    let mut next = |count: usize| {
+        let (own, rest) = solution.split_at(count);
+        solution = rest;
+        own
     };
     for (contact, (link, wrench)) in contacts.list.iter().zip(&mut contacts.wrenches) {
-        let force = next();
-        let moment = if contact.angular.is_some() { next() } else { Vector3::zeros() };
+        let force = match contact.only() {
+            Some(along) => along * next(1)[0],
+            None => Vector3::from_column_slice(next(3)),
+        };
+        let moment = contact.angular.map_or_else(Vector3::zeros, |_| Vector3::from_column_slice(next(3)));
         let point = ws.poses[contact.link].transform(&contact.point);
         (*link, *wrench) = (contact.link, Wrench::at(&point, force, moment));
     }

@@ -46,7 +46,7 @@ fn inverse_dynamics_turn_hybrid_dynamics_round() {
         }
         let mut back = vec![0.0; n];
         let heat = body.heat();
-        body.inverse(&q, &v, &a, &mut back).expect("finite");
+        body.inverse(&q, &v, &a, &[], &mut back).expect("finite");
         assert_eq!(heat.to_bits(), body.heat().to_bits());
         for k in 0..n {
             assert_relative_eq!(back[k], tau[k], epsilon = 1e-10 * (1.0 + largest(&tau)));
@@ -87,7 +87,7 @@ fn an_impulse_is_the_mass_matrix_times_the_jump() {
         let n = v.len();
         let (mut jump, mut impulse) = (random.numbers(n, 2.0), random.numbers(n, 2.0));
         let prescribed: Vec<bool> = (0..n).map(|_| random.chance(0.4)).collect();
-        body.impact(&q, &prescribed, &mut jump, &mut impulse).expect("a state with inertia");
+        body.impact((&q, &v), &prescribed, &mut jump, &mut impulse).expect("a state with inertia");
         let mut matrix = DMatrix::zeros(n, n);
         body.mass_matrix(&q, &mut matrix).expect("finite");
         let product = matrix * DVector::from_vec(jump);
@@ -118,7 +118,7 @@ fn impulses_inside_keep_the_momentum() {
     let mut body = Body::<f64>::new(&figure, Vector3::zeros(), &[], &[LimitLaw::Ignore; 11]).expect("valid");
     let (mut jump, mut impulse) = (vec![0.0; 11], random.numbers(11, 4.0));
     impulse[..6].fill(0.0);
-    body.impact(&q, &[false; 11], &mut jump, &mut impulse).expect("a state with inertia");
+    body.impact((&q, &v), &[false; 11], &mut jump, &mut impulse).expect("a state with inertia");
     let after: Vec<f64> = v.iter().zip(&jump).map(|(v, jump)| v + jump).collect();
     let tree = Tree::<f64>::new(&figure, Vector3::zeros()).expect("valid");
     let mut workspace = Workspace::new(&tree);

@@ -11,19 +11,39 @@ pub(super) struct GroundElement<T> {
     up: Vector3<T>,
     height: T,
     friction: T,
-    stiffness: T,
-    damping: T,
-    /// `v_s²`.
-    slip: T,
+    law: Law<T>,
     touches: Vec<Sphere<T>>,
 }
 
 #[derive(Clone, Debug)]
-struct Sphere<T> {
-    link: usize,
+enum Law<T> {
+    Spring {
+        stiffness: T,
+        damping: T,
+        /// `v_s²`.
+        slip: T,
+    },
+    /// What it does is found along with the accelerations.
+    Planted,
+}
+
+/// A sphere of a link.
+#[derive(Clone, Debug)]
+pub(super) struct Sphere<T> {
+    pub(super) link: usize,
     center: Vector3<T>,
     /// From the centre to the lowest point, in the world.
     down: Vector3<T>,
+}
+
+/// How the material at the lowest point of a sphere moves, in the world.
+pub(super) struct Lowest<T> {
+    /// Where it is (m).
+    pub(super) point: Vector3<T>,
+    /// Its velocity (m/s).
+    pub(super) velocity: Vector3<T>,
+    /// Its acceleration (m/s²) where the sphere rolls.
+    pub(super) rolling: Vector3<T>,
 }
 
 /// What the ground does at one touch.
@@ -31,6 +51,8 @@ struct Sphere<T> {
 pub(crate) struct Pressed<T> {
     /// How deep the lowest point is (m), negative above the ground.
     pub(crate) depth: T,
+    /// How fast it gets deeper (m/s).
+    pub(crate) rate: T,
     /// The lowest point, in the world (m).
     pub(crate) point: Vector3<T>,
     /// The velocity of the material there along the ground (m/s).
@@ -62,8 +84,28 @@ impl<T: Real + Scalar> Pressure<T> {
 
 impl<T: Real + Scalar> Sphere<T> {
     /// The lowest point, in the world.
-    fn lowest(&self, workspace: &Workspace<T>) -> Vector3<T> {
+    pub(super) fn lowest(&self, workspace: &Workspace<T>) -> Vector3<T> {
         workspace.pose(self.link).transform(&self.center) + self.down
+    }
+
+    /// The lowest point and the material there, at the poses and velocities in `workspace`. Of a sphere that rolls the centre `C` is
+    /// accelerated with `−ω̇ × d`, `d` from there to the lowest point, and the material at the lowest point with `ω × (ω × d)`.
+    pub(super) fn material(&self, workspace: &Workspace<T>) -> Lowest<T> {
+        let (pose, twist) = (workspace.pose(self.link), workspace.velocity(self.link));
+        let arm = pose.rotation * self.center + self.down;
+        Lowest {
+            point: pose.translation + arm,
+            velocity: twist.linear + twist.angular.cross(&arm),
+            rolling: twist.angular.cross(&twist.angular.cross(&self.down)),
+        }
+    }
+
+    /// The acceleration (m/s²) of the lowest point away from the ground, at the accelerations in `workspace`: that of the centre.
+    fn rise(&self, workspace: &Workspace<T>, up: &Vector3<T>) -> T {
+        let (pose, twist) = (workspace.pose(self.link), workspace.velocity(self.link));
+        let (arm, acceleration) = (pose.rotation * self.center, workspace.acceleration(self.link));
+        let turning = acceleration.angular.cross(&arm) + twist.angular.cross(&twist.angular.cross(&arm));
+        up.dot(&(acceleration.linear + turning))
     }
 }
 
@@ -72,7 +114,14 @@ impl<T: Real + Scalar> GroundElement<T> {
     pub(super) fn of(surface: &Surface) -> Self {
         let number = <T as Real>::from_f64;
         let plane = &surface.plane;
-        let ContactLaw::Spring { stiffness, damping, slip } = plane.law;
+        let law = match plane.law {
+            ContactLaw::Spring { stiffness, damping, slip } => Law::Spring {
+                stiffness: number(stiffness),
+                damping: number(damping),
+                slip: number(slip * slip),
+            },
+            ContactLaw::Planted => Law::Planted,
+        };
         let sphere = |touch: &crate::contact::Touch| Sphere {
             link: touch.link,
             center: touch.center.map(number),
@@ -82,9 +131,7 @@ impl<T: Real + Scalar> GroundElement<T> {
             up: plane.up.map(number),
             height: number(plane.height),
             friction: number(plane.friction),
-            stiffness: number(stiffness),
-            damping: number(damping),
-            slip: number(slip * slip),
+            law,
             touches: surface.touches.iter().map(sphere).collect(),
         }
     }
@@ -101,6 +148,9 @@ impl<T: Real + Scalar> GroundElement<T> {
         external: &mut Vec<(usize, Wrench<T>)>,
     ) -> Pressure<T> {
         let mut all = Pressure::none();
+        if matches!(self.law, Law::Planted) {
+            return all;
+        }
         for sphere in &self.touches {
             let pressed = self.pressed(sphere, workspace);
             if pressed.depth.value() > 0.0 {
@@ -119,33 +169,59 @@ impl<T: Real + Scalar> GroundElement<T> {
         self.touches.iter().map(|sphere| self.pressed(sphere, workspace))
     }
 
+    /// Out of the ground, of length 1.
+    pub(super) fn up(&self) -> &Vector3<T> {
+        &self.up
+    }
+
+    /// The spheres.
+    pub(super) fn spheres(&self) -> &[Sphere<T>] {
+        &self.touches
+    }
+
+    /// How far above the ground the lowest point of a sphere is (m), at the poses in `workspace`.
+    pub(super) fn gap(&self, touch: usize, workspace: &Workspace<T>) -> T {
+        self.touches[touch].lowest(workspace).dot(&self.up) - self.height
+    }
+
+    /// The accelerations (m/s²) of all lowest points away from the ground, at the accelerations in `workspace`.
+    pub(super) fn rises(&self, workspace: &Workspace<T>) -> impl Iterator<Item = T> {
+        self.touches.iter().map(|sphere| sphere.rise(workspace, &self.up))
+    }
+
     /// What is in the springs (J), at the poses in `workspace`.
     pub(super) fn energy(&self, workspace: &Workspace<T>) -> T {
+        let Law::Spring { stiffness, .. } = self.law else { return T::zero() };
         let squares = self.touches.iter().map(|sphere| {
             let depth = self.height - sphere.lowest(workspace).dot(&self.up);
             if depth.value() > 0.0 { depth * depth } else { T::zero() }
         });
-        <T as Real>::from_f64(0.5) * self.stiffness * squares.fold(T::zero(), |sum, square| sum + square)
+        <T as Real>::from_f64(0.5) * stiffness * squares.fold(T::zero(), |sum, square| sum + square)
     }
 
     fn pressed(&self, sphere: &Sphere<T>, workspace: &Workspace<T>) -> Pressed<T> {
-        let point = sphere.lowest(workspace);
+        let Lowest { point, velocity, .. } = sphere.material(workspace);
         let depth = self.height - point.dot(&self.up);
-        let (pose, twist) = (workspace.pose(sphere.link), workspace.velocity(sphere.link));
-        let arm = pose.rotation * sphere.center + sphere.down;
-        let velocity = twist.linear + twist.angular.cross(&arm);
         let rate = -velocity.dot(&self.up);
         let slip = velocity + self.up * rate;
-        let mut pressed =
-            Pressed { depth, point, slip, force: Vector3::zeros(), damping: T::zero(), friction: T::zero() };
-        let push = self.stiffness * depth * (<T as Real>::from_f64(1.0) + self.damping * rate);
+        let mut pressed = Pressed {
+            depth,
+            rate,
+            point,
+            slip,
+            force: Vector3::zeros(),
+            damping: T::zero(),
+            friction: T::zero(),
+        };
+        let Law::Spring { stiffness, damping, slip: least } = self.law else { return pressed };
+        let push = stiffness * depth * (<T as Real>::from_f64(1.0) + damping * rate);
         if depth.value() > 0.0 {
             // Where it comes out so fast that the damper would pull, the ground lets go, and the spring's energy is lost.
             let normal = if push.value() > 0.0 { push } else { T::zero() };
-            pressed.damping = (normal - self.stiffness * depth) * rate;
+            pressed.damping = (normal - stiffness * depth) * rate;
             // v_t² + v_s² is never zero.
             let squared = slip.dot(&slip);
-            let drag = self.friction * normal / (squared + self.slip).sqrt();
+            let drag = self.friction * normal / (squared + least).sqrt();
             pressed.friction = drag * squared;
             pressed.force = self.up * normal - slip * drag;
         }

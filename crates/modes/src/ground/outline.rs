@@ -1,6 +1,7 @@
 //! The outline of a sole on the ground, and how far a point is outside of it.
 
 use super::Sole;
+use crate::hull::{axes, hull};
 use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Workspace;
 
@@ -29,8 +30,8 @@ pub(super) fn around(
     level: f64,
 ) -> Vec<Vector3<f64>> {
     let [e, f] = axes(up);
-    let flat = points.map(|v| Vector2::new(v.dot(&e), v.dot(&f)));
-    hull(flat.collect()).into_iter().map(|p| e * p.x + f * p.y + up * level).collect()
+    let flat: Vec<Vector2<f64>> = points.map(|v| Vector2::new(v.dot(&e), v.dot(&f))).collect();
+    hull(&flat).into_iter().map(|i| e * flat[i].x + f * flat[i].y + up * level).collect()
 }
 
 /// How far (m) a point is outside of a convex outline, along the ground; zero inside. The outline is counter-clockwise
@@ -53,47 +54,10 @@ pub(super) fn outside(point: &Vector3<f64>, outline: &[Vector3<f64>], up: &Vecto
     if inside { 0.0 } else { nearest }
 }
 
-/// Two axes of the ground, with `up` as the third.
-fn axes(up: &Vector3<f64>) -> [Vector3<f64>; 2] {
-    let least = up.iamin();
-    let mut e = Vector3::zeros();
-    e[least] = 1.0;
-    let e = (e - up * e.dot(up)).normalize();
-    [e, up.cross(&e)]
-}
-
-/// The convex hull, counter-clockwise, by Andrew's monotone chain.
-fn hull(mut points: Vec<Vector2<f64>>) -> Vec<Vector2<f64>> {
-    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    let half = |points: &mut dyn Iterator<Item = Vector2<f64>>| {
-        let mut chain: Vec<Vector2<f64>> = Vec::new();
-        for point in points {
-            while let [.., a, b] = chain[..]
-                && (b - a).perp(&(point - a)) <= 0.0
-            {
-                chain.pop();
-            }
-            chain.push(point);
-        }
-        chain.pop();
-        chain
-    };
-    let mut lower = half(&mut points.iter().copied());
-    lower.extend(half(&mut points.iter().rev().copied()));
-    lower
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
-
-    #[test]
-    fn the_hull_leaves_out_what_is_inside_or_on_an_edge() {
-        let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.5, 0.4), (0.0, 1.0)];
-        let hull = hull(points.iter().map(|p| Vector2::new(p.0, p.1)).collect());
-        assert_eq!(hull, [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)].map(|p| Vector2::new(p.0, p.1)));
-    }
 
     #[test]
     fn a_point_beside_an_edge_and_one_beyond_a_corner() {

@@ -1,7 +1,7 @@
 //! What is left of a figure when what nothing depends on is left out.
 
 use super::Role;
-use crate::contact::{Surface, Touch};
+use crate::contact::{Surface, Touch, count};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::simulation::Simulation;
 use crate::trouble::SetupError;
@@ -31,6 +31,8 @@ pub(super) struct Reduction {
     pub(super) limits: Vec<LimitLaw>,
     /// With the links of the small figure; none where none of these touches it.
     pub(super) surface: Option<Surface>,
+    /// For each of its touches, the index in the full figure's.
+    pub(super) kept_touches: Vec<usize>,
     /// For each entry of the small figure's `q`, its index in the full one's.
     pub(super) kept_q: Vec<usize>,
     /// For each entry of the small figure's `v`, its index in the full one's.
@@ -112,11 +114,14 @@ impl Source {
         let kept_v = full(fused.kept_v(), pruned.kept_v());
         let place = |link: usize| pruned.links()[link].map(|link| fused.links()[link]);
         let springs = self.springs.iter().filter(|spring| touches(spring, &moved));
+        let surface = self.surface.as_ref().and_then(|surface| under(surface, &moved, place));
+        let (surface, kept_touches) = surface.unzip();
         Ok(Some(Reduction {
             figure: fused.figure().clone(),
             springs: springs.filter_map(|spring| placed(spring, place)).collect(),
             limits: kept_v.iter().map(|dof| self.limits[*dof]).collect(),
-            surface: self.surface.as_ref().and_then(|surface| under(surface, &moved, place)),
+            surface,
+            kept_touches: kept_touches.unwrap_or_default(),
             kept_q: full(fused.kept_q(), pruned.kept_q()),
             fused: pruned.kept_v().iter().copied().filter(|dof| still(*dof)).collect(),
             kept_v,
@@ -131,6 +136,7 @@ impl Source {
             springs: self.springs.clone(),
             limits: self.limits.clone(),
             surface: self.surface.clone(),
+            kept_touches: (0..count(self.surface.as_ref())).collect(),
             kept_q: (0..self.figure.layout().nq()).collect(),
             kept_v: (0..self.figure.layout().nv()).collect(),
             fused: Vec::new(),
@@ -184,12 +190,18 @@ fn placed(spring: &PointSpring, place: impl Fn(usize) -> Option<LinkPlace>) -> O
     (between[0].link != between[1].link).then_some(PointSpring { between, ..*spring })
 }
 
-/// The ground under what is moved, with the links that carry the touches; none where nothing of it can touch the ground.
-fn under(surface: &Surface, moved: &[bool], place: impl Fn(usize) -> Option<LinkPlace>) -> Option<Surface> {
-    let touch = |touch: &Touch| {
+/// The ground under what is moved, with the links that carry the touches, and which touches these are; none where nothing of it can
+/// touch the ground.
+fn under(
+    surface: &Surface,
+    moved: &[bool],
+    place: impl Fn(usize) -> Option<LinkPlace>,
+) -> Option<(Surface, Vec<usize>)> {
+    let touch = |(i, touch): (usize, &Touch)| {
         let LinkPlace { link, placement } = place(touch.link).filter(|_| moved[touch.link])?;
-        Some(Touch { link, center: placement.transform_point(&touch.center.into()).coords, ..*touch })
+        Some((Touch { link, center: placement.transform_point(&touch.center.into()).coords, ..*touch }, i))
     };
-    let touches: Vec<Touch> = surface.touches.iter().filter_map(touch).collect();
-    (!touches.is_empty()).then_some(Surface { plane: surface.plane, touches })
+    let (touches, kept): (Vec<Touch>, Vec<usize>) =
+        surface.touches.iter().enumerate().filter_map(touch).unzip();
+    (!touches.is_empty()).then_some((Surface { plane: surface.plane, touches }, kept))
 }

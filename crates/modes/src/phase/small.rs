@@ -5,13 +5,13 @@ use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{StateMap, unit};
 use crate::body::{Body, Pressure};
-use crate::contact::count;
+use crate::contact::{Foothold, count};
 use crate::report::Energy;
 use crate::time::RateError;
 use crate::trouble::SetupError;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::scalar::Dual;
-use solaris_dynamics::{DynamicsError, Real};
+use solaris_dynamics::{DynamicsError, Real, Wrench};
 use solaris_profiles::Scalar;
 
 /// How many columns of a Jacobian are found at a time.
@@ -24,6 +24,8 @@ pub(super) struct Small {
     numbers: Side<f64>,
     /// With derivatives; made when the first Jacobian is asked for.
     duals: Option<Box<Side<Dual<COLUMNS>>>>,
+    /// What stands on the ground, with the touches of the small figure.
+    planted: Vec<Foothold>,
 }
 
 /// Where the entries of the state are in the small figure.
@@ -75,7 +77,47 @@ impl Small {
         for (q, full) in numbers.q.iter_mut().zip(&reduction.kept_q) {
             *q = prescribed.standing()[*full];
         }
-        Ok(Self { reduction, maps, numbers, duals: None })
+        Ok(Self { reduction, maps, numbers, duals: None, planted: Vec::new() })
+    }
+
+    /// From now on these stand on the ground; touches are those of the full figure, on links that dynamics move.
+    pub(super) fn plant(&mut self, footholds: &[Foothold]) {
+        let place = |touch: &usize| self.touch(*touch);
+        let small = |foothold: &Foothold| Foothold {
+            touches: foothold.touches.iter().filter_map(place).collect(),
+            corners: foothold.corners.iter().filter_map(place).collect(),
+            levers: Vec::new(),
+            slides: foothold.slides,
+        };
+        self.planted = footholds.iter().map(small).collect();
+        self.numbers.body.plant(&self.planted);
+        if let Some(duals) = &mut self.duals {
+            duals.body.plant(&self.planted);
+        }
+    }
+
+    /// The index of a touch of the full figure among those of the small one.
+    fn touch(&self, full: usize) -> Option<usize> {
+        self.reduction.kept_touches.binary_search(&full).ok()
+    }
+
+    /// What the ground does to each foothold (N, N m, about the world's origin), in the state that was [solved](Self::solve) last.
+    pub(super) fn footing(&self) -> impl Iterator<Item = Wrench<f64>> {
+        self.numbers.body.footing()
+    }
+
+    /// Where the lowest point of a touch of the full figure is (m), and how far above the ground, in that state; none where it was
+    /// left out.
+    pub(super) fn lowest(&self, touch: usize) -> Option<(Vector3<f64>, f64)> {
+        let touch = self.touch(touch)?;
+        Some((self.numbers.body.lowest(touch), self.numbers.body.gap(touch)))
+    }
+
+    /// Places the links as in a state.
+    pub(super) fn place(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) -> Result<(), DynamicsError> {
+        self.load(prescribed, t, y);
+        let Side { body, q, .. } = &mut self.numbers;
+        body.place(q)
     }
 
     /// Finds the accelerations of what dynamics move and the forces of the drives on all else.
@@ -150,7 +192,11 @@ impl Small {
         self.load(prescribed, t, y);
         let duals = match self.duals.take() {
             Some(duals) => duals,
-            None => Box::new(Side::new(source, &self.reduction, state)?),
+            None => {
+                let mut duals = Box::new(Side::new(source, &self.reduction, state)?);
+                duals.body.plant(&self.planted);
+                duals
+            }
         };
         let duals = self.duals.insert(duals);
         duals.take_constants(&self.numbers);

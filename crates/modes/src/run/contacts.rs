@@ -2,14 +2,18 @@
 
 use super::guard;
 use crate::body::{Body, Pressed};
-use crate::contact::Surface;
+use crate::contact::{GroundPlane, Surface};
 use crate::phase::GROUND;
 use crate::report::{GroundReport, LinkContact};
 use crate::simulation::Simulation;
 use crate::split::TotalWrench;
 use crate::trouble::RunError;
 use nalgebra::Vector3;
+use solaris_dynamics::Wrench;
 use solaris_model::{Contact, ContactTrack, Event, EventKind, Ground, Motion};
+
+/// Planted touches this near to the ground (m) are on it.
+const NEAR: f64 = 1e-6;
 
 /// A link that can touch the ground.
 struct Foot {
@@ -34,14 +38,17 @@ struct State {
 }
 
 /// Adds to the motion the contacts of every link that ever touches, with the events of touching; what there is to say of the
-/// ground, if there is one. `sums` are the ground's accounts, as in the state of a phase.
+/// ground, if there is one. `sums` are the ground's accounts, as in the state of a phase; `planted` is what it does to what stands
+/// on it: frame, link and wrench, in the order of the frames, where the events are known already.
 pub(super) fn add(
     simulation: &Simulation,
     motion: &mut Motion,
     sums: &[f64; GROUND],
+    planted: &[(usize, usize, Wrench<f64>)],
 ) -> Result<Option<GroundReport>, RunError> {
     let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
-    let Some(Surface { plane, touches }) = surface else { return Ok(None) };
+    let Some(ground @ Surface { plane, touches }) = surface else { return Ok(None) };
+    let surface_plants = ground.plants();
     let mut body = Body::<f64>::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
     let mut feet: Vec<Foot> = Vec::new();
     for (link, spec) in figure.links().iter().enumerate() {
@@ -56,9 +63,22 @@ pub(super) fn add(
         let found = body.touching(motion.q(frame), motion.v(frame));
         let found = found.map_err(|error| guard::of_dynamics(time, error))?;
         let pressed: Vec<(usize, Pressed<f64>)> = touches.iter().map(|touch| touch.link).zip(found).collect();
+        let stands = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
+        let stands = &stands[..stands.partition_point(|(of, ..)| *of == frame)];
         for foot in &mut feet {
             let own = pressed.iter().filter(|(link, _)| *link == foot.link).map(|(_, pressed)| pressed);
-            foot.take(&State::of(own, &plane.up), time, step, &mut events);
+            let mut state = State::of(own.clone(), &plane.up);
+            if surface_plants {
+                // What stands does not slip, but for what slides without friction.
+                state.slip =
+                    own.fold(
+                        0.0,
+                        |most, touch| if touch.depth > -NEAR { touch.slip.norm().max(most) } else { most },
+                    );
+                state.stand(stands.iter().find(|(_, link, _)| *link == foot.link).map(|(.., wrench)| wrench));
+            }
+            foot.take(&state, time, step, &mut events);
+            foot.weigh(&state, plane, time, step);
             if let Some(contact) = foot.track.samples.last_mut() {
                 let total = TotalWrench { force: contact.force, moment: contact.moment };
                 contact.cop = total.centre_of_pressure(&plane.up, plane.height).unwrap_or_default();
@@ -66,14 +86,16 @@ pub(super) fn add(
         }
     }
     feet.retain(|foot| foot.told.touching > 0.0);
-    motion.events.extend(events);
+    if !surface_plants {
+        motion.events.extend(events);
+    }
     motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     let level = plane.is_level(gravity);
     motion.info.ground = level.then_some(Ground { height: plane.height, friction: Some(plane.friction) });
     let (tracks, links) = feet.into_iter().map(|foot| (foot.track, foot.told)).unzip();
     motion.contacts = tracks;
     let [x, y, z, damping, friction] = *sums;
-    Ok(Some(GroundReport { impulse: [x, y, z], damping, friction, links }))
+    Ok(Some(GroundReport { impulse: [x, y, z], damping, friction, links, landings: Vec::new() }))
 }
 
 impl State {
@@ -96,6 +118,20 @@ impl State {
         }
         state
     }
+
+    /// The same of something that stands on the ground with this wrench, or does not.
+    fn stand(&mut self, wrench: Option<&Wrench<f64>>) {
+        self.wrench = TotalWrench::default();
+        match wrench {
+            Some(wrench) => {
+                self.wrench = TotalWrench { force: wrench.force, moment: wrench.moment };
+                // What stands is on the ground, whatever rounding says.
+                self.depth = self.depth.max(f64::MIN_POSITIVE);
+                self.sliding = self.slip;
+            }
+            None => (self.depth, self.slip) = (self.depth.min(0.0), 0.0),
+        }
+    }
 }
 
 impl Foot {
@@ -103,6 +139,23 @@ impl Foot {
         let track = ContactTrack { link: name.to_owned(), samples: Vec::with_capacity(frames) };
         let told = LinkContact { link: name.to_owned(), ..LinkContact::default() };
         Self { link, track, told, before: f64::NAN, sliding: 0.0 }
+    }
+
+    /// How much friction the next frame takes, `step` (s) after the one before.
+    fn weigh(&mut self, state: &State, plane: &GroundPlane, time: f64, step: f64) {
+        let force = state.wrench.force;
+        let normal = force.dot(&plane.up);
+        if normal <= 0.0 {
+            return;
+        }
+        let (friction, told) = ((force - plane.up.into_inner() * normal).norm() / normal, &mut self.told);
+        if friction > told.friction {
+            (told.friction, told.friction_time) = (friction, time);
+        }
+        // Springs take the whole of it where they slide.
+        if friction > plane.friction * (1.0 + 1e-9) {
+            told.slipping += step;
+        }
     }
 
     /// The next frame, `step` (s) after the one before; between the two depths are taken as linear.

@@ -31,6 +31,10 @@ pub(crate) enum Meaning {
     Release(usize, Side),
     /// A force changes its law.
     Kink,
+    /// Something that can touch the ground does, by its index.
+    Touch(usize),
+    /// A lever of a foothold gives way, by their indices.
+    Pull(usize, usize),
 }
 
 /// What drives one degree of freedom at the moment.

@@ -41,6 +41,7 @@ impl Pass<'_> {
         self.begin(&all)?;
         self.take_over(&[])?;
         self.settle(&[])?;
+        self.find_footing(&[])?;
         self.leap()
     }
 
@@ -61,6 +62,7 @@ impl Pass<'_> {
         }
         self.take_over(events)?;
         self.settle(events)?;
+        self.find_footing(events)?;
         self.leap()
     }
 

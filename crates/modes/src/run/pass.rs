@@ -1,13 +1,14 @@
 //! One pass through a simulation, by one method.
 
 use super::driven::{Driven, Meaning, Mode};
+use super::footing::Footing;
 use super::guard;
 use super::ledger::Ledger;
 use super::record::{Record, near};
 use crate::Outcome;
 use crate::body::Body;
 use crate::phase::{GROUND, Phase, Role};
-use crate::report::{Counts, Impact, PhaseReport, Watch};
+use crate::report::{Counts, Impact, Landing, PhaseReport, Watch};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
@@ -23,6 +24,7 @@ pub(crate) struct Passed {
     pub(crate) counts: Counts,
     pub(crate) outcomes: Vec<Outcome>,
     pub(crate) impacts: Vec<Impact>,
+    pub(crate) landings: Vec<Landing>,
     pub(crate) phases: Vec<PhaseReport>,
     /// Whether anything was integrated.
     pub(crate) is_dynamic: bool,
@@ -47,6 +49,8 @@ pub(crate) struct Pass<'a> {
     pub(crate) body: Body<f64>,
     /// Where the next stretch has to end at the latest (s).
     pub(crate) cap: f64,
+    /// What stands on the ground and stays there.
+    pub(crate) footing: Footing,
     /// What an impact has leapt over: drives that wait for a velocity.
     pub(crate) leapt: Vec<Meaning>,
     pub(crate) passed: Passed,
@@ -110,6 +114,7 @@ impl<'a> Pass<'a> {
             a,
             body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()),
             cap: f64::INFINITY,
+            footing: Footing::default(),
             leapt: Vec::new(),
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
@@ -117,6 +122,7 @@ impl<'a> Pass<'a> {
                 counts: Counts::default(),
                 outcomes: Vec::new(),
                 impacts: Vec::new(),
+                landings: Vec::new(),
                 phases: Vec::new(),
                 is_dynamic: false,
                 jumps: false,
@@ -149,13 +155,14 @@ impl<'a> Pass<'a> {
     /// Steps the phase, frames and all.
     fn step(&mut self, phase: &mut Phase, end: f64, watch: &mut dyn Watch) -> Result<Stopped, RunError> {
         let (simulation, settings) = (self.simulation, self.settings);
-        let Self { passed, q, v, a, t, .. } = self;
+        let Self { passed, q, v, a, t, footing, .. } = self;
         let mut y = phase.pack(q, v, self.work, self.heat);
         let at = |error| guard::of_rate(*t, error);
         if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
             phase.accelerations(*t, &y, a).map_err(at)?;
             passed.counts.evaluations += 1;
             passed.record.push(q, v, a);
+            passed.record.press(footing.links.iter().copied().zip(phase.footing()));
         }
         let dynamic = phase.is_dynamic();
         let (work, heat) = (phase.accounts(), phase.accounts() + 1);
@@ -179,6 +186,7 @@ impl<'a> Pass<'a> {
             phase.accelerations(time, y, a)?;
             spent += 1;
             record.push(q, v, a);
+            record.press(footing.links.iter().copied().zip(phase.footing()));
             watch.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
@@ -228,11 +236,7 @@ impl<'a> Pass<'a> {
 
     /// The phase for the roles that the drives give.
     fn compile(&mut self) -> Result<Compiled, RunError> {
-        let figure = &self.simulation.figure;
-        let mut roles: Vec<Role> = self.driven.iter().map(Driven::role).collect();
-        for follower in figure.followers() {
-            roles[follower.dof] = roles[follower.leader];
-        }
+        let roles = self.roles();
         if let Some(compiled) = self.compiled.take()
             && compiled.roles == roles
             && self.stands_where(&compiled)
@@ -261,6 +265,15 @@ impl<'a> Pass<'a> {
         Ok(compiled)
     }
 
+    /// The roles that the drives give.
+    pub(crate) fn roles(&self) -> Vec<Role> {
+        let mut roles: Vec<Role> = self.driven.iter().map(Driven::role).collect();
+        for follower in self.simulation.figure.followers() {
+            roles[follower.dof] = roles[follower.leader];
+        }
+        roles
+    }
+
     /// Whether what stands still stands where it stood when the phase was compiled.
     fn stands_where(&self, compiled: &Compiled) -> bool {
         let joints = self.simulation.figure.layout().joints().iter();
@@ -278,7 +291,12 @@ impl<'a> Pass<'a> {
         self.find_forces(end - self.t)?;
         // A force that is new may lift off what rests.
         let tracks = |driven: &Driven| driven.held.is_some() && matches!(driven.mode, Mode::Track(..));
-        if self.driven.iter().any(tracks) { self.rest(&[], &[]) } else { Ok(()) }
+        if self.driven.iter().any(tracks) {
+            self.rest(&[], &[])?;
+        }
+        // And make a foothold give way.
+        let is_new = self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..)));
+        if is_new { self.find_footing(&[]) } else { Ok(()) }
     }
 
     /// When the next stretch has to end (s).
@@ -331,6 +349,7 @@ impl<'a> Pass<'a> {
             let found = compiled.phase.accelerations(self.t, &y, &mut self.a);
             found.map_err(|error| guard::of_rate(self.t, error))?;
             self.passed.record.push(&self.q, &self.v, &self.a);
+            self.passed.record.press(self.footing.links.iter().copied().zip(compiled.phase.footing()));
         }
         self.end_phase();
         self.note_unfinished();

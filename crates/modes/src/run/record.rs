@@ -2,6 +2,7 @@
 
 use crate::trouble::SetupError;
 use nalgebra::Vector3;
+use solaris_dynamics::Wrench;
 use solaris_model::{Event, Figure, Motion, MotionInfo};
 
 /// The frames of a pass: times that are known beforehand, and the states that are found.
@@ -15,6 +16,8 @@ pub(crate) struct Record {
     /// How many are there.
     pub(crate) done: usize,
     pub(crate) events: Vec<Event>,
+    /// What the ground does to what stands on it: frame, link and wrench (about the world's origin), in the order of the frames.
+    pub(crate) planted: Vec<(usize, usize, Wrench<f64>)>,
 }
 
 impl Record {
@@ -48,6 +51,12 @@ impl Record {
         self.v.extend_from_slice(v);
         self.a.extend_from_slice(a);
         self.done += 1;
+    }
+
+    /// What the ground does, in the frame that was added last, to links that stand on it.
+    pub(crate) fn press(&mut self, footing: impl Iterator<Item = (usize, Wrench<f64>)>) {
+        let frame = self.done - 1;
+        self.planted.extend(footing.map(|(link, wrench)| (frame, link, wrench)));
     }
 
     /// The positions of a frame.

@@ -20,6 +20,8 @@ impl Pass<'_> {
             // A limit is not passed, and pushes inwards only.
             sides.push(match meaning {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
+                // Nothing goes into the ground or is pulled by it.
+                Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
                 Meaning::Until(_) | Meaning::Kink => 0.0,
             });
         };
@@ -53,6 +55,15 @@ impl Pass<'_> {
                 }
                 _ => {}
             }
+        }
+        phase.plant(&self.footing.holds);
+        for (hold, foothold) in self.footing.holds.iter().enumerate() {
+            for lever in 0..foothold.levers.len() {
+                watch(Watched::Lever { hold, lever }, Meaning::Pull(hold, lever));
+            }
+        }
+        for &(touch, below) in &self.footing.open {
+            watch(Watched::Gap { touch, below }, Meaning::Touch(touch));
         }
         phase.watch(watched, sides)?;
         Ok(meanings)

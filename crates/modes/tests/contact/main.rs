@@ -4,6 +4,7 @@
 mod friction;
 mod momentum;
 mod people;
+mod planted;
 mod restitution;
 mod setup;
 mod stiffness;

@@ -6,6 +6,7 @@ use solaris_model::text::{Fields, Node};
 use solaris_modes::{ContactLaw, GroundPlane, SetupError, Touch, touches};
 
 const FIELDS: [&str; 5] = ["friction", "height", "up", "contact", "touches"];
+const LAWS: [&str; 2] = ["Spring", "Planted"];
 const EXAMPLE: &str = "(\"foot\", (0, -0.08, 0.1), 0.02)";
 
 impl SceneReader<'_> {
@@ -46,11 +47,20 @@ impl SceneReader<'_> {
         unit
     }
 
-    /// `Spring(stiffness: 3e5, damping: 1, slip: 0.01)`, each as needed.
+    /// `Spring(stiffness: 3e5, damping: 1, slip: 0.01)`, each as needed, or `Planted`.
     fn contact(&mut self, fields: &Fields<'_, '_>, ground: &Node<'_>) -> Option<ContactLaw> {
         let node = fields.get("contact");
         let given = match node {
-            Some(node) => Some(self.reader.fields(node, &["Spring"], &["stiffness", "damping", "slip"])?),
+            Some(node) => {
+                let kind = self.reader.kind(node, &LAWS)?;
+                let known: &[&str] = if kind == "Spring" { &["stiffness", "damping", "slip"] } else { &[] };
+                let fields = self.reader.fields(node, &[kind], known)?;
+                if kind == "Planted" {
+                    let flawed = self.reader.only_known(&fields, known);
+                    return (!flawed).then_some(ContactLaw::Planted);
+                }
+                Some(fields)
+            }
             None => None,
         };
         let given = given.as_ref();

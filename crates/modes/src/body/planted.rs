@@ -1,0 +1,123 @@
+//! What stands on the ground and stays there.
+
+use super::touching::{GroundElement, Lowest};
+use crate::contact::Foothold;
+use nalgebra::Vector3;
+use solaris_dynamics::{ContactConstraint, Contacts, Real, Tree, Workspace, Wrench};
+use solaris_profiles::Scalar;
+
+/// In what time (s) a velocity that integration has left to what stands dies out.
+const CALM: f64 = 0.02;
+
+/// Footholds as conditions on the accelerations of links.
+#[derive(Clone, Debug)]
+pub(super) struct Planted<T> {
+    contacts: Contacts<T>,
+    holds: Vec<Hold>,
+}
+
+/// A foothold: its corners, by the indices of the touches, and its first condition.
+#[derive(Clone, Debug)]
+struct Hold {
+    corners: Vec<usize>,
+    whole: bool,
+    first: usize,
+}
+
+impl Hold {
+    /// How many conditions it is.
+    fn len(&self) -> usize {
+        if self.whole { 1 } else { self.corners.len() }
+    }
+}
+
+impl<T: Real + Scalar> Planted<T> {
+    /// Those on this ground.
+    pub(super) fn new(tree: &Tree<T>, ground: &GroundElement<T>, footholds: &[Foothold]) -> Self {
+        let (mut holds, mut list) = (Vec::with_capacity(footholds.len()), Vec::new());
+        for foothold in footholds {
+            let hold =
+                Hold { corners: foothold.corners.clone(), whole: foothold.is_whole(), first: list.len() };
+            for corner in &hold.corners[..hold.len()] {
+                let link = ground.spheres()[*corner].link;
+                list.push(match (hold.whole, foothold.slides) {
+                    (true, _) => ContactConstraint::fixed(link, Vector3::zeros()),
+                    (false, false) => ContactConstraint::point(link, Vector3::zeros()),
+                    (false, true) => ContactConstraint::along(link, Vector3::zeros(), *ground.up()),
+                });
+            }
+            holds.push(hold);
+        }
+        Self { contacts: Contacts::new(tree, list), holds }
+    }
+
+    /// Asks for the accelerations of what stays, at the poses and velocities in `workspace`: none, or those of a sphere that rolls. What velocity is
+    /// left dies out,
+    ///
+    /// ```text
+    /// a = ω × (ω × d) − v/T
+    /// ```
+    pub(super) fn hold(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>) {
+        self.ask(ground, workspace, <T as Real>::from_f64(CALM.recip()), <T as Real>::from_f64(1.0));
+    }
+
+    /// Asks for the jumps of the velocities after which it stands, `Δv = −v`.
+    pub(super) fn stop(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>) {
+        self.ask(ground, workspace, <T as Real>::from_f64(1.0), T::zero());
+    }
+
+    fn ask(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>, calm: T, rolling: T) {
+        for hold in &self.holds {
+            let conditions = &mut self.contacts.contacts_mut()[hold.first..];
+            let materials = hold.corners.iter().map(|corner| ground.spheres()[*corner].material(workspace));
+            if hold.whole {
+                // What neither moves nor turns does not roll.
+                let share = <T as Real>::from_f64((hold.corners.len() as f64).recip());
+                let (mut point, mut velocity) = (Vector3::zeros(), Vector3::zeros());
+                for material in materials {
+                    point += material.point * share;
+                    velocity += material.velocity * share;
+                }
+                let condition = &mut conditions[0];
+                condition.point = local(workspace, condition.link, &point);
+                condition.acceleration = -velocity * calm;
+                condition.angular = Some(-workspace.velocity(condition.link).angular * calm);
+            } else {
+                for (condition, Lowest { point, velocity, rolling: own }) in
+                    conditions.iter_mut().zip(materials)
+                {
+                    condition.point = local(workspace, condition.link, &point);
+                    condition.acceleration = own * rolling - velocity * calm;
+                }
+            }
+        }
+    }
+
+    /// The conditions.
+    pub(super) fn contacts(&mut self) -> &mut Contacts<T> {
+        &mut self.contacts
+    }
+
+    /// What the ground does to each foothold, about the world's origin, as was found last.
+    pub(super) fn wrenches(&self) -> impl Iterator<Item = Wrench<T>> {
+        self.holds.iter().map(|hold| {
+            let found = &self.contacts.wrenches()[hold.first..][..hold.len()];
+            let none = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
+            found.iter().fold(none, |sum, (_, wrench)| Wrench {
+                force: sum.force + wrench.force,
+                moment: sum.moment + wrench.moment,
+            })
+        })
+    }
+
+    /// The force on all of them (N).
+    pub(super) fn force(&self) -> Vector3<T> {
+        self.contacts.wrenches().iter().fold(Vector3::zeros(), |sum, (_, wrench)| sum + wrench.force)
+    }
+}
+
+/// A point of the world in a link's frame.
+fn local<T: Real>(workspace: &Workspace<T>, link: usize, point: &Vector3<T>) -> Vector3<T> {
+    let pose = workspace.pose(link);
+    pose.rotation.tr_mul(&(point - pose.translation))
+}

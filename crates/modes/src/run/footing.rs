@@ -1,0 +1,269 @@
+//! What comes to the ground, stands on it, and leaves it, where the ground [plants](crate::ContactLaw::Planted) what it touches.
+
+mod landing;
+mod standing;
+
+use super::driven::Meaning;
+use super::guard;
+use super::pass::Pass;
+use crate::body::Pressed;
+use crate::contact::{Foothold, Surface};
+use crate::phase::Role;
+use crate::trouble::{Cause, RunError, Trouble};
+use solaris_model::{Event, EventKind};
+use std::collections::HashSet;
+
+/// Touches this near to the ground (m) are on it.
+const NEAR: f64 = 1e-9;
+
+/// How far into the ground (m) what was on it but not held goes before it is seen.
+const BELOW: f64 = 1e-9;
+
+/// Velocities (m/s) below which a touch stands.
+const REST: f64 = 1e-6;
+
+/// A flight shorter than this (s) is none.
+const SHORTEST_FLIGHT: f64 = 1e-5;
+
+/// Forces, accelerations and velocities smaller than this part of the greatest are none.
+const ROUNDING: f64 = 1e-9;
+
+/// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
+const DENIED: f64 = 1e-6;
+
+/// What stands on the ground.
+#[derive(Default)]
+pub(crate) struct Footing {
+    pub(crate) holds: Vec<Foothold>,
+    /// For each of them the link that it counts as on: of a rigid part, the one nearest to the root that touches.
+    pub(crate) links: Vec<usize>,
+    /// What is not held but could come down: touches, each with how far below the ground (m) it is seen.
+    pub(crate) open: Vec<(usize, f64)>,
+    /// Rigid parts, by their first links, that slide: held they would be pulled, and let go they would sink.
+    sliding: Vec<usize>,
+    begun: bool,
+}
+
+/// Touches in an instant.
+struct Scene {
+    /// By touch, the first link of the rigid part that it belongs to; none where dynamics do not move it.
+    parts: Vec<Option<usize>>,
+    /// By touch, what there is without a force.
+    touches: Vec<Pressed<f64>>,
+    /// By touch, whether it is on the ground and on something that dynamics move.
+    closed: Vec<bool>,
+}
+
+/// Sets of touches that were tried, so that none is tried again.
+#[derive(Default)]
+struct Tried(HashSet<Vec<usize>>);
+
+impl Pass<'_> {
+    /// Finds what stands on the ground from now on; what comes down loses its velocity, and what the ground would have to pull
+    /// is let go.
+    pub(crate) fn find_footing(&mut self, events: &[Meaning]) -> Result<(), RunError> {
+        let Some(surface) = self.simulation.surface.as_ref().filter(|surface| surface.plants()) else {
+            return Ok(());
+        };
+        let before = std::mem::take(&mut self.footing.holds);
+        let (mut held, mut tried): (Vec<usize>, Tried) = Default::default();
+        for (hold, foothold) in before.iter().enumerate() {
+            let given_way = events.iter().find_map(|event| match event {
+                Meaning::Pull(of, lever) if *of == hold => Some(*lever),
+                _ => None,
+            });
+            let left = given_way.map_or(&foothold.touches, |lever| &foothold.levers[lever].left);
+            held.extend(left);
+            if given_way.is_some() {
+                // What stood until now is no way to stand any more, however near it is to one.
+                tried.0.insert(all_of(&before));
+            }
+        }
+        let mut scene = self.scene(surface, events)?;
+        held.retain(|touch| scene.closed[*touch]);
+        let let_go: Vec<usize> = all_of(&before).into_iter().filter(|touch| !held.contains(touch)).collect();
+        if self.comes_down(&scene, &[&held[..], &let_go].concat()) {
+            let stands = |touch: &usize| scene.closed[*touch] && scene.touches[*touch].rate >= -REST;
+            let all = held.iter().copied().chain((0..surface.touches.len()).filter(stands));
+            held = self.land(surface, &scene, all.collect())?;
+            self.settle(&[])?;
+            scene = self.scene(surface, events)?;
+        } else if !self.footing.begun {
+            held = (0..surface.touches.len())
+                .filter(|touch| scene.closed[*touch] && scene.touches[*touch].rate >= -REST)
+                .collect();
+        }
+        self.footing.begun = true;
+        let held = self.stand(surface, &mut scene, held, tried)?;
+        self.take_footing(surface, &scene, &held, &before);
+        Ok(())
+    }
+
+    /// The touches now, but for those that an event has brought to the ground or below: these are on it.
+    fn scene(&mut self, surface: &Surface, events: &[Meaning]) -> Result<Scene, RunError> {
+        let links = self.parts();
+        let parts: Vec<Option<usize>> = surface.touches.iter().map(|touch| links[touch.link]).collect();
+        let touches = self.body.touching(&self.q, &self.v);
+        let touches: Vec<Pressed<f64>> =
+            touches.map_err(|error| guard::of_dynamics(self.t, error))?.collect();
+        let closed = touches.iter().enumerate().map(|(i, touch)| {
+            let there = touch.depth >= -NEAR || events.contains(&Meaning::Touch(i));
+            there && parts[i].is_some()
+        });
+        Ok(Scene { closed: closed.collect(), touches, parts })
+    }
+
+    /// The rigid parts of what dynamics move: links whose joints stand still are one with the link that carries them.
+    fn parts(&self) -> Vec<Option<usize>> {
+        let (figure, roles) = (&self.simulation.figure, self.roles());
+        let mut parts: Vec<(usize, bool)> = Vec::with_capacity(figure.links().len());
+        for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {
+            let own = &roles[at.v..at.v + at.nv];
+            let carrier = link.parent().map(|parent| parts[parent]);
+            let moves = carrier.is_some_and(|(_, moves)| moves) || own.contains(&Role::Dynamic);
+            let is_part = own.iter().all(|role| *role == Role::Still);
+            parts.push((carrier.filter(|_| is_part).map_or(i, |(part, _)| part), moves));
+        }
+        parts.into_iter().map(|(part, moves)| moves.then_some(part)).collect()
+    }
+
+    /// Whether something is on the ground with a velocity that it cannot keep, but for what has `stood` until now.
+    fn comes_down(&self, scene: &Scene, stood: &[usize]) -> bool {
+        let mut touches = scene.touches.iter().enumerate().filter(|(i, _)| scene.closed[*i]);
+        touches.any(|(i, touch)| {
+            let slides = touch.slip.norm() > REST && touch.rate >= -REST;
+            !stood.contains(&i) && (touch.rate > REST || (slides && !self.footing.begun))
+        })
+    }
+
+    /// Footholds of these touches, one for each rigid part.
+    fn footholds(&self, surface: &Surface, scene: &Scene, held: &[usize]) -> Vec<Foothold> {
+        let mut parts: Vec<usize> = held.iter().filter_map(|touch| scene.parts[*touch]).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        let at = |touch: usize| scene.touches[touch].point;
+        let of = |own: usize| {
+            let touches = held.iter().copied().filter(|touch| scene.parts[*touch] == Some(own)).collect();
+            let foothold = Foothold::new(touches, at, &surface.plane.up)?;
+            Some(Foothold { slides: self.footing.sliding.contains(&own), ..foothold })
+        };
+        parts.into_iter().filter_map(of).collect()
+    }
+
+    /// The lever that is farthest beyond giving way, with what the ground does as the body found it last: the touches that are let
+    /// go. None where all hold. Forces below `least` are none.
+    fn worst_pull(
+        &self,
+        surface: &Surface,
+        scene: &Scene,
+        holds: &[Foothold],
+        least: f64,
+    ) -> Option<Vec<usize>> {
+        let at = |touch: usize| scene.touches[touch].point;
+        let wrenches: Vec<_> = self.body.footing().collect();
+        let greatest = wrenches.iter().map(|wrench| wrench.force.norm()).fold(least, f64::max);
+        let mut worst = (-ROUNDING * greatest, None);
+        for (hold, wrench) in holds.iter().zip(&wrenches) {
+            for lever in &hold.levers {
+                let force = lever.arm.force(wrench, at, &surface.plane.up);
+                if force < worst.0 {
+                    worst = (force, Some((hold, lever)));
+                }
+            }
+        }
+        worst.1.map(|(hold, lever)| {
+            hold.touches.iter().copied().filter(|touch| !lever.left.contains(touch)).collect()
+        })
+    }
+
+    /// Takes these as what stands on the ground, and tells what has changed.
+    fn take_footing(&mut self, surface: &Surface, scene: &Scene, held: &[usize], before: &[Foothold]) {
+        let holds = self.footholds(surface, scene, held);
+        self.body.plant(&holds);
+        let stands = |holds: &[Foothold], link: usize| {
+            holds.iter().any(|hold| hold.touches.iter().any(|touch| surface.touches[*touch].link == link))
+        };
+        for (link, spec) in self.simulation.figure.links().iter().enumerate() {
+            let (was, is) = (stands(before, link), stands(&holds, link));
+            // What stands from the beginning does not come down.
+            if was != is && self.t > 0.0 {
+                let link = spec.name().to_owned();
+                let kind = if is { EventKind::TouchDown { link } } else { EventKind::LiftOff { link } };
+                self.passed.record.events.push(Event { time: self.t, kind });
+            }
+        }
+        self.passed.jumps |= before != holds;
+        let is_open = |touch: &usize| {
+            scene.parts[*touch].is_some() && !held.contains(touch) && !scene.is_shut(&holds, *touch)
+        };
+        let below = |touch: usize| {
+            let depth = scene.touches[touch].depth;
+            (touch, if depth < -NEAR { 0.0 } else { BELOW + depth.max(0.0) })
+        };
+        self.footing.open = (0..surface.touches.len()).filter(is_open).map(below).collect();
+        self.footing.links = holds.iter().map(|hold| surface.touches[hold.touches[0]].link).collect();
+        self.footing.holds = holds;
+    }
+
+    /// Refuses footholds that the body could not give what they ask for.
+    fn check_denied(&self, holds: &[Foothold], surface: &Surface, scale: f64) -> Result<(), RunError> {
+        let missing = self.body.missing();
+        if missing <= DENIED * scale {
+            return Ok(());
+        }
+        let link = holds.first().map_or(0, |hold| surface.touches[hold.touches[0]].link);
+        let link = self.simulation.figure.links()[link].name().to_owned();
+        let advice = "let dynamics move the joints between it and the root, or take a ground of springs (contact: Spring())";
+        let (cause, advice) = (Cause::Planted { link, missing }, advice.to_owned());
+        Err(Trouble { time: self.t, dof: None, cause, advice }.into())
+    }
+}
+
+/// All touches of these footholds, in ascending order.
+fn all_of(holds: &[Foothold]) -> Vec<usize> {
+    let mut all: Vec<usize> = holds.iter().flat_map(|hold| &hold.touches).copied().collect();
+    all.sort_unstable();
+    all
+}
+
+impl Scene {
+    /// Whether a touch belongs to a part none of whose points can come nearer to the ground.
+    fn is_shut(&self, holds: &[Foothold], touch: usize) -> bool {
+        holds.iter().any(|hold| hold.is_area() && self.parts[hold.touches[0]] == self.parts[touch])
+    }
+}
+
+impl Tried {
+    /// Notes a set. Where it has been there, the part of the touch that was to be held `last` is let slide, and if it does
+    /// so already there is no way out.
+    fn check(
+        &mut self,
+        held: &mut Vec<usize>,
+        last: Option<usize>,
+        pass: &mut Pass<'_>,
+        (surface, scene): (&Surface, &Scene),
+    ) -> Result<(), RunError> {
+        held.sort_unstable();
+        held.dedup();
+        if self.0.insert(held.clone()) {
+            return Ok(());
+        }
+        let part = last.and_then(|touch| scene.parts[touch]);
+        if let Some(part) = part.filter(|part| !pass.footing.sliding.contains(part)) {
+            pass.footing.sliding.push(part);
+            self.0.clear();
+            return Ok(());
+        }
+        let mut links: Vec<&str> = Vec::new();
+        for touch in held.iter() {
+            let name = pass.simulation.figure.links()[surface.touches[*touch].link].name();
+            if !links.contains(&name) {
+                links.push(name);
+            }
+        }
+        let cause = Cause::Footing { links: links.join(", ") };
+        let advice =
+            "take a ground of springs (contact: Spring()), where everything slides a little".to_owned();
+        Err(Trouble { time: pass.t, dof: None, cause, advice }.into())
+    }
+}

@@ -1,0 +1,79 @@
+//! What stays on the ground, by the forces that it takes.
+
+use super::{REST, ROUNDING, SHORTEST_FLIGHT, Scene, Tried};
+use crate::contact::Surface;
+use crate::run::guard;
+use crate::run::pass::Pass;
+use crate::trouble::RunError;
+
+/// What a touch that is not held does next.
+#[derive(Clone, Copy)]
+enum Next {
+    /// It would go into the ground.
+    Sinks(usize),
+    /// It comes back so soon (s) that it has not left.
+    Returns(usize),
+}
+
+impl Pass<'_> {
+    /// Of the touches that are on the ground, those that stay there, beginning with `held` and never again with what was `tried`: levers that would pull give way, the worst
+    /// first, and what then would go into the ground is held again.
+    pub(super) fn stand(
+        &mut self,
+        surface: &Surface,
+        scene: &mut Scene,
+        mut held: Vec<usize>,
+        mut tried: Tried,
+    ) -> Result<Vec<usize>, RunError> {
+        let weight = self.simulation.weight();
+        let mut last = None;
+        // What slid and has come to rest may stay.
+        let slides = |part: usize| {
+            held.iter().any(|&i| scene.parts[i] == Some(part) && scene.touches[i].slip.norm() > REST)
+        };
+        self.footing.sliding.retain(|part| slides(*part));
+        loop {
+            tried.check(&mut held, last, self, (surface, scene))?;
+            let holds = self.footholds(surface, scene, &held);
+            self.body.plant(&holds);
+            let (prescribed, mut a, mut tau) = self.given();
+            let failed = |error| RunError::from(guard::of_dynamics(self.t, error));
+            self.body.hybrid(&self.q, &self.v, &prescribed, &mut a, &mut tau).map_err(failed)?;
+            self.passed.counts.evaluations += 1;
+            if let Some(released) = self.worst_pull(surface, scene, &holds, weight) {
+                held.retain(|touch| !released.contains(touch));
+                continue;
+            }
+            let rises: Vec<f64> = self.body.rises(&self.q, &self.v, &a).map_err(failed)?.collect();
+            let scale = rises.iter().fold(self.simulation.gravity.norm(), |most, x| most.max(x.abs()));
+            self.check_denied(&holds, surface, scale)?;
+            let open = |i: &usize| scene.closed[*i] && !held.contains(i) && !scene.is_shut(&holds, *i);
+            let mut next: Option<(f64, Next)> = None;
+            for touch in (0..rises.len()).filter(open) {
+                let (away, rise) = (-scene.touches[touch].rate, rises[touch]);
+                if rise >= -ROUNDING * scale {
+                    continue;
+                }
+                let flight = 2.0 * away.max(0.0) / -rise;
+                let found = if away <= REST { Next::Sinks(touch) } else { Next::Returns(touch) };
+                if flight >= SHORTEST_FLIGHT {
+                    // The next step has to see it off the ground.
+                    self.cap = self.cap.min(self.t + 0.5 * flight);
+                } else if next.is_none_or(|(least, _)| rise < least) {
+                    next = Some((rise, found));
+                }
+            }
+            let Some((_, next)) = next else { return Ok(held) };
+            let (Next::Sinks(touch) | Next::Returns(touch)) = next;
+            held.push(touch);
+            last = Some(touch);
+            let slides = scene.parts[touch].is_some_and(|part| self.footing.sliding.contains(&part));
+            if matches!(next, Next::Returns(_)) || (!slides && scene.touches[touch].slip.norm() > REST) {
+                // It has a velocity that it must not keep.
+                held = self.land(surface, scene, held)?;
+                *scene = self.scene(surface, &[])?;
+                (tried, last) = (Tried::default(), None);
+            }
+        }
+    }
+}

@@ -1,0 +1,384 @@
+//! A ground that plants what touches it: forces in closed form, plastic impacts, what lets go, what is refused.
+
+use crate::{G, at, fixed, simulation};
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use nalgebra::Unit;
+use solaris_model::{
+    Event, EventKind, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, Placement, ShapeKind, Vector3,
+};
+use solaris_modes::{
+    Cause, ContactLaw, Drive, GroundPlane, Run, RunError, Settings, Shape, Simulation, Step, Touch, Until,
+    touches,
+};
+use solaris_profiles::Profile;
+
+/// A floor at height 0, with a coefficient of friction that is only reported.
+fn ground(friction: f64) -> GroundPlane {
+    GroundPlane { up: Unit::new_unchecked(Vector3::y()), height: 0.0, friction, law: ContactLaw::Planted }
+}
+
+fn kinds(events: &[Event]) -> Vec<(bool, &str)> {
+    let kind = |event: &Event| match &event.kind {
+        EventKind::TouchDown { link } => Some((true, link.clone())),
+        EventKind::LiftOff { link } => Some((false, link.clone())),
+        _ => None,
+    };
+    // Leaked so that tests can compare with literals.
+    events.iter().filter_map(kind).map(|(down, link)| (down, &*link.leak())).collect()
+}
+
+/// A uniform body in a plane: along x, up along y, turning about z.
+fn flat(mass: f64, inertia: f64) -> Figure {
+    let joint = Joint::new("slide").tx().ty().rz();
+    let link = LinkSpec::root("body", joint).mass(mass).inertia(Inertia::diagonal(inertia, inertia, inertia));
+    FigureBuilder::new("body").link(link).build().expect("valid")
+}
+
+fn forces(motion: &Motion, link: &str) -> Vec<Vector3<f64>> {
+    motion.contact(link).expect("it touches").samples.iter().map(|contact| contact.force).collect()
+}
+
+/// `impulse + m·g·T = 0` from rest to rest.
+#[test]
+fn a_box_that_falls_flat_loses_all_and_stays() {
+    let kind = ShapeKind::Box { size: Vector3::new(0.4, 0.2, 0.3) };
+    let shape = solaris_model::Shape { kind, placement: Placement::identity() };
+    let link =
+        LinkSpec::root("box", Joint::free("root")).mass(3.0).inertia(Inertia::Uniform(shape)).shape(shape);
+    let figure = FigureBuilder::new("box").link(link).build().expect("valid");
+    let mut simulation = simulation(&figure, G, ground(0.5), touches(&figure));
+    simulation.start(&[0.0, 0.6, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0; 6]).expect("valid");
+    let run = simulation.run(&fixed(1.0, 100.0, 1e-2)).expect("runs");
+    let ground = run.report.ground.as_ref().expect("a ground");
+    let time = (2.0 * 0.5 / G).sqrt();
+    let [landing] = &ground.landings[..] else { panic!("{:?}", ground.landings) };
+    assert_relative_eq!(landing.time, time, max_relative = 1e-12);
+    assert_relative_eq!(landing.loss, 3.0 * G * 0.5, max_relative = 1e-12);
+    assert_relative_eq!(landing.impulse[1], 3.0 * G * time, max_relative = 1e-12);
+    assert_relative_eq!(ground.impulse[1], 3.0 * G, max_relative = 1e-12);
+    assert_relative_eq!(run.report.energy.impacts, landing.loss, max_relative = 1e-12);
+    let last = run.motion.len() - 1;
+    assert_abs_diff_eq!(run.motion.q(last)[1], 0.1, epsilon = 1e-12);
+    assert!(run.motion.v(last).iter().all(|v| v.abs() < 1e-12));
+    assert_relative_eq!(forces(&run.motion, "box")[last], Vector3::new(0.0, 3.0 * G, 0.0), epsilon = 1e-9);
+    assert_eq!(kinds(&run.motion.events), [(true, "box")]);
+    assert!(run.report.energy.imbalance < 1e-10 * run.report.energy.scale);
+}
+
+/// G. W. Housner, "The behavior of inverted pendulum structures during earthquakes" (1963): a uniform block of half width `b` and half
+/// height `h` rocks from corner to corner, and each impact leaves `r = 1 − (3/2)·sin²α` of its angular velocity, `tan α = b/h`.
+#[test]
+fn a_block_rocks_to_rest_as_housner_says() {
+    let (b, h, mass) = (0.15_f64, 0.5, 2.0);
+    let (alpha, r) = (b.atan2(h), b.hypot(h));
+    let figure = flat(mass, mass / 3.0 * r * r);
+    let corners = vec![at(Vector3::new(-b, -h, 0.0), 0.0), at(Vector3::new(b, -h, 0.0), 0.0)];
+    let mut simulation = simulation(&figure, G, ground(1.0), corners);
+    // Turned about its right corner, to the right.
+    let tilt = 0.5 * alpha;
+    let (x, y) = (r * (alpha - tilt).sin(), r * (alpha - tilt).cos());
+    simulation.start(&[-x, y, -tilt], &[0.0; 3]).expect("valid");
+    let run = simulation.run(&fixed(12.0, 100.0, 1e-3)).expect("runs");
+    let landings = &run.report.ground.as_ref().expect("a ground").landings;
+    let left = 1.0 - 1.5 * alpha.sin().powi(2);
+    let mut energy = mass * G * r * ((alpha - tilt).cos() - alpha.cos());
+    assert!(landings.len() > 10, "{}", landings.len());
+    // Until flights are too short to be any.
+    for landing in &landings[..10] {
+        assert_relative_eq!(landing.loss, energy * (1.0 - left * left), max_relative = 1e-8);
+        energy *= left * left;
+    }
+    let last = run.motion.len() - 1;
+    assert!(run.motion.v(last).iter().all(|v| v.abs() < 1e-9), "{:?}", run.motion.v(last));
+    assert_abs_diff_eq!(run.motion.q(last)[2], 0.0, epsilon = 1e-6);
+    // It lost all that it had: nothing bounces and nothing slides.
+    let all = mass * G * r * ((alpha - tilt).cos() - alpha.cos());
+    assert_relative_eq!(run.report.energy.impacts, all, max_relative = 1e-6);
+}
+
+/// A uniform rod of half length `l` on a point that does not slip, from `θ₀` off the vertical:
+///
+/// ```text
+/// θ̈ = (3g/4l)·sin θ      θ̇² = (3g/2l)·(cos θ₀ − cos θ)      N = m·(g − l·(sin θ·θ̈ + cos θ·θ̇²))      F = m·l·(cos θ·θ̈ − sin θ·θ̇²)
+/// ```
+#[test]
+fn a_rod_that_tips_over_presses_as_by_hand() {
+    let (l, mass, tilt) = (0.5, 1.5, 0.2_f64);
+    let figure = flat(mass, mass * l * l / 3.0);
+    let mut simulation = simulation(&figure, G, ground(0.3), vec![at(Vector3::new(0.0, -l, 0.0), 0.0)]);
+    simulation.start(&[l * tilt.sin(), l * tilt.cos(), -tilt], &[0.0; 3]).expect("valid");
+    let run = simulation.run(&fixed(0.6, 500.0, 1e-3)).expect("runs");
+    let found = forces(&run.motion, "body");
+    let mut greatest = (0.0, 0.0);
+    for (frame, force) in found.iter().enumerate() {
+        let theta: f64 = -run.motion.q(frame)[2];
+        let turning = 0.75 * G / l * theta.sin();
+        let squared = 1.5 * G / l * (tilt.cos() - theta.cos());
+        let normal = mass * (G - l * (theta.sin() * turning + theta.cos() * squared));
+        let along = mass * l * (theta.cos() * turning - theta.sin() * squared);
+        assert_abs_diff_eq!(force.y, normal, epsilon = 1e-7);
+        assert_abs_diff_eq!(force.x, along, epsilon = 1e-7);
+        greatest = if (along / normal).abs() > greatest.0 {
+            ((along / normal).abs(), run.motion.time()[frame])
+        } else {
+            greatest
+        };
+    }
+    let told = &run.report.ground.as_ref().expect("a ground").links[0];
+    assert_relative_eq!(told.friction, greatest.0, max_relative = 1e-6);
+    assert_relative_eq!(told.friction_time, greatest.1);
+    assert!(told.slipping > 0.0 && told.slipping < 0.6, "{}", told.slipping);
+    assert!(run.report.energy.imbalance < 1e-9 * run.report.energy.scale);
+    assert!(told.depth < 1e-9);
+}
+
+/// `a = (5/7)·g·sin α`, and it takes the friction `(2/7)·tan α`.
+#[test]
+fn a_ball_rolls_down_a_slope() {
+    let (angle, radius, mass) = (0.3_f64, 0.1, 2.0);
+    let figure = flat(mass, 0.4 * mass * radius * radius);
+    let up = Unit::new_normalize(Vector3::new(angle.sin(), angle.cos(), 0.0));
+    let plane = GroundPlane { up, ..ground(0.5) };
+    let mut simulation = simulation(&figure, G, plane, vec![at(Vector3::zeros(), radius)]);
+    let start = up.into_inner() * radius;
+    simulation.start(&[start.x, start.y, 0.0], &[0.0; 3]).expect("valid");
+    let run = simulation.run(&fixed(1.0, 100.0, 1e-2)).expect("runs");
+    let last = run.motion.len() - 1;
+    let down = Vector3::new(angle.cos(), -angle.sin(), 0.0);
+    let way = 0.5 * 5.0 / 7.0 * G * angle.sin();
+    let moved = Vector3::new(run.motion.q(last)[0], run.motion.q(last)[1], 0.0) - start;
+    assert_relative_eq!(moved, down * way, epsilon = 1e-9);
+    assert_relative_eq!(run.motion.q(last)[2], -way / radius, max_relative = 1e-9);
+    let told = &run.report.ground.as_ref().expect("a ground").links[0];
+    assert_relative_eq!(told.friction, 2.0 / 7.0 * angle.tan(), max_relative = 1e-9);
+}
+
+/// Two feet under a trunk, on hips that are held: six degrees of freedom and twelve conditions.
+fn table(hips: &Drive) -> Simulation {
+    let pole = |x: f64| Joint::new(if x > 0.0 { "right" } else { "left" }).at(Vector3::new(x, 0.0, 0.0)).rz();
+    let small = Inertia::diagonal(0.02, 0.02, 0.02);
+    let trunk =
+        LinkSpec::root("trunk", Joint::free("root")).mass(4.0).inertia(Inertia::diagonal(0.2, 0.2, 0.2));
+    let foot = |name: &str, x| LinkSpec::child(name, "trunk", pole(x)).mass(1.0).inertia(small);
+    let figure = FigureBuilder::new("table")
+        .link(trunk)
+        .link(foot("left_foot", -0.3))
+        .link(foot("right_foot", 0.3))
+        .build()
+        .expect("valid");
+    let corners = |link| {
+        [[-0.1, -0.2], [-0.1, 0.2], [0.1, -0.2], [0.1, 0.2]].map(|[x, z]| Touch {
+            link,
+            center: Vector3::new(x, -0.5, z),
+            radius: 0.0,
+        })
+    };
+    let mut simulation = simulation(&figure, G, ground(0.5), [corners(1), corners(2)].concat());
+    for name in ["left", "right"] {
+        simulation.drive(name, [hips.clone()]).expect("valid");
+    }
+    simulation.start(&[0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0], &[0.0; 8]).expect("valid");
+    simulation
+}
+
+#[test]
+fn two_feet_of_a_stiff_table_bear_its_weight_together() {
+    let along = Profile::Line { from: 0.0, to: 0.0, duration: 1.0 };
+    for hips in [Drive::Frozen, Drive::Kinematic(along)] {
+        let simulation = table(&hips);
+        let run = simulation.run(&fixed(0.5, 100.0, 1e-2)).expect("runs");
+        let last = run.motion.len() - 1;
+        let sum: Vector3<f64> = run.motion.contacts.iter().map(|track| track.samples[last].force).sum();
+        assert_relative_eq!(sum, Vector3::new(0.0, 6.0 * G, 0.0), epsilon = 1e-9);
+        if hips != Drive::Frozen {
+            for track in &run.motion.contacts {
+                assert_relative_eq!(track.samples[last].force.y, 3.0 * G, epsilon = 1e-9);
+            }
+        }
+        for frame in 0..run.motion.len() {
+            assert!(run.motion.v(frame).iter().all(|v| v.abs() < 1e-12));
+            // No drive of the root does anything: it has none.
+            let tau = run.motion.tau(frame).expect("forces");
+            assert!(tau[..6].iter().all(|tau| tau.abs() < 1e-9), "{tau:?}");
+        }
+        assert!(run.motion.events.is_empty());
+    }
+}
+
+/// An upright trunk on a bent leg that a torque of the knee straightens: the ground lets go when it would pull, what flies keeps
+/// its momentum, and it lands and stays.
+fn jumper() -> Simulation {
+    let solid = |mass: f64| Inertia::diagonal(0.02 * mass, 0.005 * mass, 0.02 * mass);
+    let below = |y: f64| Vector3::new(0.0, y, 0.0);
+    let link = |spec: LinkSpec, mass: f64, com: f64| spec.mass(mass).inertia(solid(mass)).com(below(com));
+    let hip = Joint::new("hip").rx();
+    let knee = Joint::new("knee").at(below(-0.4)).rx();
+    let figure = FigureBuilder::new("jumper")
+        .link(link(LinkSpec::root("trunk", Joint::new("root").tz().ty()), 50.0, 0.3))
+        .link(link(LinkSpec::child("thigh", "trunk", hip), 12.0, -0.2))
+        .link(link(LinkSpec::child("shank", "thigh", knee), 6.0, -0.2))
+        .build()
+        .expect("valid");
+    let toe = Touch { link: 2, center: below(-0.4), radius: 0.04 };
+    let mut simulation = simulation(&figure, G, ground(0.8), vec![toe]);
+    let straight =
+        |drive: Drive| Step { drive, until: Until::Position { dof: "knee".to_owned(), value: 0.25 } };
+    let bend = |to: f64| Step::from(Drive::Move { to, over: 0.15, along: Shape::default() });
+    let push = Drive::Torque(Profile::Line { from: -300.0, to: -300.0, duration: 5.0 });
+    let hold = || Step::from(Drive::Frozen);
+    simulation.drive("hip", [straight(Drive::Free), bend(-0.35), hold()]).expect("valid");
+    simulation.drive("knee", [straight(push), bend(0.7), hold()]).expect("valid");
+    let (hip, knee) = (-0.7_f64, 1.4_f64);
+    let height = 0.4 * hip.cos() + 0.4 * (hip + knee).cos() + 0.04;
+    simulation.start(&[0.0, height, hip, knee], &[0.0; 4]).expect("valid");
+    simulation
+}
+
+fn momentum_of(run: &Run, figure: &Figure, frame: usize) -> Vector3<f64> {
+    let tree = solaris_dynamics::Tree::<f64>::new(figure, Vector3::zeros()).expect("valid");
+    let workspace = &mut solaris_dynamics::Workspace::new(&tree);
+    solaris_dynamics::momentum(&tree, workspace, run.motion.q(frame), run.motion.v(frame))
+        .expect("finite")
+        .linear
+}
+
+#[test]
+fn a_jumper_pushes_off_flies_and_lands() {
+    let simulation = jumper();
+    let run = simulation.run(&fixed(1.2, 200.0, 5e-4)).expect("runs");
+    let events = kinds(&run.motion.events);
+    assert_eq!(&events[..2], [(false, "shank"), (true, "shank")], "{:?}", run.motion.events);
+    let times: Vec<f64> = run
+        .motion
+        .events
+        .iter()
+        .filter(|event| matches!(event.kind, EventKind::LiftOff { .. } | EventKind::TouchDown { .. }))
+        .map(|event| event.time)
+        .collect();
+    let mass = simulation.figure().mass();
+    // In flight the momentum changes by the weight alone.
+    let flying: Vec<usize> = (0..run.motion.len())
+        .filter(|frame| run.motion.time()[*frame] > times[0] && run.motion.time()[*frame] < times[1])
+        .collect();
+    assert!(flying.len() > 10, "{times:?}");
+    let first = momentum_of(&run, simulation.figure(), flying[0]);
+    for &frame in &flying {
+        let passed = run.motion.time()[frame] - run.motion.time()[flying[0]];
+        let expected = first - Vector3::y() * (mass * G * passed);
+        assert_abs_diff_eq!(momentum_of(&run, simulation.figure(), frame), expected, epsilon = 1e-8 * mass);
+        assert_eq!(forces(&run.motion, "shank")[frame], Vector3::zeros());
+    }
+    // Over all of it, by what the ground did.
+    let last = run.motion.len() - 1;
+    let ground = run.report.ground.as_ref().expect("a ground");
+    let change = momentum_of(&run, simulation.figure(), last);
+    assert_abs_diff_eq!(ground.impulse[1] - mass * G * 1.2, change.y, epsilon = 1e-7 * mass);
+    assert_abs_diff_eq!(ground.impulse[2], change.z, epsilon = 1e-7 * mass);
+    assert!(!ground.landings.is_empty());
+    // The ground never pulls.
+    assert!(forces(&run.motion, "shank").iter().all(|force| force.y >= -1e-6));
+    assert!(ground.deepest().expect("it touches").depth < 1e-6);
+    assert!(run.report.energy.imbalance < 1e-6 * run.report.energy.scale, "{:?}", run.report.energy);
+    // The forces of the drives are those that were asked for, and nothing acts on the root.
+    let tau = run.motion.tau(3).expect("forces");
+    for (found, given) in tau.iter().zip([0.0, 0.0, 0.0, -300.0]) {
+        assert_abs_diff_eq!(*found, given, epsilon = 1e-8);
+    }
+}
+
+#[test]
+fn what_is_left_out_changes_nothing() {
+    let simulation = jumper();
+    let settings = fixed(1.0, 100.0, 1e-3);
+    let whole = simulation.run(&Settings { leave_out: false, ..settings.clone() }).expect("runs");
+    let lean = simulation.run(&settings).expect("runs");
+    for frame in 0..lean.motion.len() {
+        for (a, b) in lean.motion.q(frame).iter().zip(whole.motion.q(frame)) {
+            assert_abs_diff_eq!(*a, *b, epsilon = 1e-8);
+        }
+    }
+    assert_eq!(kinds(&lean.motion.events), kinds(&whole.motion.events));
+}
+
+/// A block that slides onto the ground with its whole weight keeps nothing of its speed; one that leaves keeps all.
+#[test]
+fn a_start_that_cannot_be_kept_is_stopped() {
+    let figure = flat(2.0, 0.1);
+    let mut simulation = simulation(&figure, G, ground(0.5), vec![at(Vector3::zeros(), 0.0)]);
+    simulation.start(&[0.0, 0.0, 0.0], &[1.5, 0.0, 0.0]).expect("valid");
+    let run = simulation.run(&fixed(0.2, 100.0, 1e-2)).expect("runs");
+    assert_abs_diff_eq!(run.motion.v(0)[0], 0.0, epsilon = 1e-15);
+    assert_relative_eq!(run.report.energy.impacts, 2.25, max_relative = 1e-12);
+    simulation.start(&[0.0, 0.0, 0.0], &[1.5, 1.0, 0.0]).expect("valid");
+    let run = simulation.run(&fixed(0.1, 100.0, 1e-2)).expect("runs");
+    assert_relative_eq!(run.motion.v(10)[0], 1.5, max_relative = 1e-12);
+    assert!(run.report.ground.as_ref().expect("a ground").landings.is_empty());
+}
+
+#[test]
+fn a_foot_that_a_curve_drags_along_is_refused() {
+    let cart = LinkSpec::root("cart", Joint::new("rail").tx()).mass(1.0);
+    let foot = LinkSpec::child("foot", "cart", Joint::new("lift").ty()).mass(1.0);
+    let figure = FigureBuilder::new("plough").link(cart).link(foot).build().expect("valid");
+    let mut simulation =
+        simulation(&figure, G, ground(0.5), vec![Touch { link: 1, ..at(Vector3::zeros(), 0.0) }]);
+    let along = Profile::Line { from: 0.0, to: 1.0, duration: 1.0 };
+    simulation.drive("rail", [Drive::Kinematic(along)]).expect("valid");
+    simulation.start(&[0.0, 0.1], &[1.0, 0.0]).expect("valid");
+    let error = simulation.run(&fixed(0.5, 100.0, 1e-2)).expect_err("it cannot stay");
+    let RunError::Trouble(trouble) = &error else { panic!("{error}") };
+    assert!(matches!(&trouble.cause, Cause::Planted { link, .. } if link == "foot"), "{error}");
+    assert!(error.to_string().contains("contact: Spring()"), "{error}");
+}
+
+/// Chains of thick rods, thrown to the ground turning: what the ground does never adds energy, whatever lands on what, and momentum is
+/// accounted for.
+#[test]
+fn what_is_thrown_loses_energy_only() {
+    let mut landings = 0;
+    for seed in 0..12_u32 {
+        let (angle, ratio) = (0.5 * f64::from(seed), [1.0, 1e-3, 1e3][seed as usize % 3]);
+        let solid = |radius: f64| solaris_model::Shape {
+            kind: ShapeKind::Capsule { radius, length: 0.4 },
+            placement: Placement::translation(0.0, -0.2, 0.0),
+        };
+        let down = Vector3::new(0.0, -0.4, 0.0);
+        let rod = |link: LinkSpec, mass: f64| {
+            link.mass(mass).inertia(Inertia::Uniform(solid(0.08))).shape(solid(0.08))
+        };
+        let hinge = Joint::new("hinge").at(down).rx().rz();
+        let figure = FigureBuilder::new("chain")
+            .link(rod(LinkSpec::root("first", Joint::free("root")), 1.0))
+            .link(rod(LinkSpec::child("second", "first", hinge), ratio))
+            .build()
+            .expect("valid");
+        let mut simulation = simulation(&figure, G, ground(0.8), touches(&figure));
+        let turn = [0.3 * angle.sin(), 0.2, 0.1 * angle, 0.9];
+        let length = turn.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let turn = turn.map(|x| x / length);
+        let q = [0.0, 1.5, 0.0, turn[0], turn[1], turn[2], turn[3], 0.4, -0.2];
+        let v = [1.0, 0.5, -0.4, angle.cos(), -1.0, 2.0, 1.0, 0.5];
+        simulation.start(&q, &v).expect("valid");
+        let settings = Settings { forces: false, ..fixed(1.0, 200.0, 5e-4) };
+        let run = simulation.run(&settings).unwrap_or_else(|error| panic!("chain {seed}: {error}"));
+        let (ground, energy) = (run.report.ground.as_ref().expect("a ground"), &run.report.energy);
+        landings += ground.landings.len();
+        eprintln!(
+            "chain {seed}: {} landings, {:.1e} of the energy unaccounted for, deepest {:.1e} m",
+            ground.landings.len(),
+            energy.imbalance / energy.scale,
+            ground.deepest().map_or(0.0, |link| link.depth),
+        );
+        for landing in &ground.landings {
+            assert!(landing.loss >= -1e-9 * energy.scale, "chain {seed}: {landing:?}");
+        }
+        assert!(energy.imbalance < 1e-4 * energy.scale, "chain {seed}: {energy:?}");
+        assert!(ground.deepest().expect("it falls").depth < 1e-4, "chain {seed}");
+        let last = run.motion.len() - 1;
+        let momentum = momentum_of(&run, &figure, last) - momentum_of(&run, &figure, 0);
+        let weight = figure.mass() * G;
+        let impulse = Vector3::from(ground.impulse) - Vector3::y() * weight;
+        assert_abs_diff_eq!(impulse, momentum, epsilon = 1e-5 * weight);
+    }
+    assert!(landings > 30, "{landings}");
+}
