@@ -136,6 +136,31 @@ impl Pass<'_> {
         })
     }
 
+    /// Lets the part of a touch slide; if it does so already, or there is none, there is no way to stand on what is `held`.
+    fn let_slide(
+        &mut self,
+        held: &[usize],
+        touch: Option<usize>,
+        (surface, scene): (&Surface, &Scene),
+    ) -> Result<(), RunError> {
+        let part = touch.and_then(|touch| scene.parts[touch]);
+        if let Some(part) = part.filter(|part| !self.footing.sliding.contains(part)) {
+            self.footing.sliding.push(part);
+            return Ok(());
+        }
+        let mut links: Vec<&str> = Vec::new();
+        for touch in held.iter() {
+            let name = self.simulation.figure.links()[surface.touches[*touch].link].name();
+            if !links.contains(&name) {
+                links.push(name);
+            }
+        }
+        let cause = Cause::Footing { links: links.join(", ") };
+        let advice =
+            "take a ground of springs (contact: Spring()), where everything slides a little".to_owned();
+        Err(Trouble { time: self.t, dof: None, cause, advice }.into())
+    }
+
     /// Footholds of these touches, one for each rigid part.
     fn footholds(&self, surface: &Surface, scene: &Scene, held: &[usize]) -> Vec<Foothold> {
         let mut parts: Vec<usize> = held.iter().filter_map(|touch| scene.parts[*touch]).collect();
@@ -248,22 +273,7 @@ impl Tried {
         if self.0.insert(held.clone()) {
             return Ok(());
         }
-        let part = last.and_then(|touch| scene.parts[touch]);
-        if let Some(part) = part.filter(|part| !pass.footing.sliding.contains(part)) {
-            pass.footing.sliding.push(part);
-            self.0.clear();
-            return Ok(());
-        }
-        let mut links: Vec<&str> = Vec::new();
-        for touch in held.iter() {
-            let name = pass.simulation.figure.links()[surface.touches[*touch].link].name();
-            if !links.contains(&name) {
-                links.push(name);
-            }
-        }
-        let cause = Cause::Footing { links: links.join(", ") };
-        let advice =
-            "take a ground of springs (contact: Spring()), where everything slides a little".to_owned();
-        Err(Trouble { time: pass.t, dof: None, cause, advice }.into())
+        self.0.clear();
+        pass.let_slide(held, last, (surface, scene))
     }
 }

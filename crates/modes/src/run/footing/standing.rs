@@ -69,10 +69,14 @@ impl Pass<'_> {
             last = Some(touch);
             let slides = scene.parts[touch].is_some_and(|part| self.footing.sliding.contains(&part));
             if matches!(next, Next::Returns(_)) || (!slides && scene.touches[touch].slip.norm() > REST) {
-                // It has a velocity that it must not keep.
+                // It has a velocity that it must not keep, unless to stop it the ground would have to pull.
                 held = self.land(surface, scene, held)?;
                 *scene = self.scene(surface, &[])?;
                 (tried, last) = (Tried::default(), None);
+                if !held.contains(&touch) {
+                    self.let_slide(&held, Some(touch), (surface, scene))?;
+                    held.push(touch);
+                }
             }
         }
     }
