@@ -22,7 +22,7 @@ mod total;
 pub use consistency::{
     Consistency, ConsistencyError, ConsistencyOptions, Outcome, ShiftError, Violation, consistent, shift_root,
 };
-pub use error::GroundError;
+pub use error::{GroundError, GroundOption};
 pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
 pub use possible::make_consistent;

@@ -6,7 +6,8 @@ use crate::error::{CliError, typed};
 use crate::given::Given;
 use clap::ArgMatches;
 use solaris::modes::ground::{
-    Belt, GroundError, GroundForces, GroundOptions, Sole, Split, StanceOptions, find_stances, ground_forces,
+    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, Split, StanceOptions, find_stances,
+    ground_forces,
 };
 
 /// The ground's forces, and what they are found from.
@@ -73,12 +74,14 @@ fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, soles: &Fro
         Some(CliError::Option { option: option.to_owned(), value, why })
     };
     let (option, why) = match error {
-        GroundError::Option { name, range, .. } => {
-            let option = match *name {
-                "the height" => "stance-height",
-                "the speed" => "stance-speed",
-                "the shortest stance" => "stance-shortest",
-                _ => "belt",
+        GroundError::Option { option, range, .. } => {
+            let option = match option {
+                GroundOption::Height => "stance-height",
+                GroundOption::Speed => "stance-speed",
+                GroundOption::Shortest => "stance-shortest",
+                GroundOption::Belt => "belt",
+                // Nobody types it.
+                _ => "",
             };
             (option, format!("it must be {range}"))
         }
