@@ -6,6 +6,7 @@
 //! ([`judge`]). [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the
 //! root's path after which the ground can do what is asked of it.
 
+mod carry;
 mod consistency;
 mod error;
 mod given;
