@@ -158,3 +158,22 @@ fn a_root_that_is_fixed_is_told_of_the_base() {
     let said = refused(&solaris(folder.path(), line));
     assert!(said.contains("--base floating or --base free lets it go"), "{said}");
 }
+
+#[test]
+fn a_clip_with_a_gap_or_of_two_frames_is_refused() {
+    let folder = folder_with(&["clips/dancer.ron", "clips/dance.csv"]);
+    let text = read(&folder.path().join("dance.csv"));
+    let lines: Vec<&str> = text.lines().collect();
+    for (kept, why) in [
+        (
+            [&lines[..26], &lines[27..]].concat(),
+            "gap.csv: frame 25, at 0.52 s, is not where equal frames have it",
+        ),
+        (lines[..3].to_vec(), "gap.csv: the motion has too few frames for accelerations: 2; give 3 or more"),
+        (lines[..2].to_vec(), "gap.csv: the motion has too few frames for accelerations: 1; give 3 or more"),
+    ] {
+        write(folder.path(), "gap.csv", &(kept.join("\n") + "\n"));
+        let said = refused(&solaris(folder.path(), "ground gap.csv dancer.ron --consistent"));
+        assert!(said.contains(why), "{said}");
+    }
+}
