@@ -1,10 +1,13 @@
 //! `solaris ground`: what the ground does to the feet in a given motion.
 
+mod files;
+mod moved;
 mod predicted;
 mod report;
 mod soles;
 mod summary;
 
+pub(crate) use files::{Content, outputs, write_motion};
 pub(crate) use predicted::Predicted;
 pub(crate) use report::GroundReport;
 
@@ -12,7 +15,6 @@ use crate::convert::{TABLE, TableFormat};
 use crate::error::CliError;
 use crate::given::{Given, GivenReport};
 use crate::input::extension;
-use crate::output::Outputs;
 use crate::print::print;
 use crate::progress::Progress;
 use clap::ArgMatches;
@@ -30,8 +32,7 @@ struct Report {
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let outputs = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(outputs.map(|path| ("-o", path, TABLE)))?;
+    let outputs = outputs(matches)?;
     let [mut from, mut of] =
         ["motion", "figure"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
     // `solaris inverse` has them the other way round, and their names tell them apart.
@@ -43,24 +44,27 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 
     let progress = Progress::new(4);
     progress.stage("reading");
-    let given = Given::read(matches, &of, &from, &progress)?;
+    let mut given = Given::read(matches, &of, &from, &progress)?;
     progress.stage("finding the ground's forces");
-    let ground = Predicted::find(matches, &given)?;
+    let ground = Predicted::find(matches, &mut given)?;
 
     progress.stage("writing");
     let table = |headings| {
         let tracks = &ground.forces.contacts;
         force_table(headings, &given.states.time, tracks).map_err(CliError::other)
     };
-    outputs.write(|format, mut writer| {
-        match format {
-            TableFormat::Csv => csv::write_table(&table(ForceHeadings::Solaris)?, &mut writer),
-            TableFormat::Sto => sto::write(&table(ForceHeadings::OpenSim)?, &mut writer),
+    outputs.write(|content, mut writer| {
+        match content {
+            Content::Forces(TableFormat::Csv) => {
+                csv::write_table(&table(ForceHeadings::Solaris)?, &mut writer)
+            }
+            Content::Forces(TableFormat::Sto) => sto::write(&table(ForceHeadings::OpenSim)?, &mut writer),
+            Content::Motion(format) => return write_motion(format, writer, &given),
         }
         .map_err(CliError::other)
     })?;
     drop(progress);
-    let report = Report { ground: GroundReport::new(&ground, &given), given: GivenReport::new(&given) };
+    let report = Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given) };
     print(|out| {
         if matches.get_flag("json") {
             serde_json::to_writer_pretty(&mut *out, &report).map_err(std::io::Error::from)?;

@@ -5,11 +5,10 @@ mod report;
 mod summary;
 mod tables;
 
-use crate::convert::{TABLE, TableFormat};
+use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::Given;
-use crate::ground::{GroundReport, Predicted};
-use crate::output::Outputs;
+use crate::ground::{Content, GroundReport, Predicted, outputs, write_motion};
 use crate::print::print;
 use crate::progress::Progress;
 use clap::ArgMatches;
@@ -20,8 +19,7 @@ use solaris::modes::{InverseOptions, inverse_motion};
 use std::path::PathBuf;
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let outputs = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(outputs.map(|path| ("-o", path, TABLE)))?;
+    let outputs = outputs(matches)?;
     let [of, from] =
         ["figure", "motion"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
 
@@ -30,13 +28,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 
     let progress = Progress::new(5);
     progress.stage("reading");
-    let given = Given::read(matches, &of, &from, &progress)?;
-    let figure = &given.body.figure;
+    let mut given = Given::read(matches, &of, &from, &progress)?;
     let external = External::read(matches)?;
-    let mut loads = external.records(figure)?;
+    let mut loads = external.records(&given.body.figure)?;
 
     progress.stage("finding the forces");
-    let ground = matches.get_flag("ground").then(|| Predicted::find(matches, &given)).transpose()?;
+    let ground = matches.get_flag("ground").then(|| Predicted::find(matches, &mut given)).transpose()?;
+    let figure = &given.body.figure;
     loads.extend(ground.iter().flat_map(|ground| ground.forces.records()));
     let passive = matches.get_one::<String>("passive").is_none_or(|on| on == "on");
     let rows = progress.rows(given.states.time.len());
@@ -46,12 +44,15 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         .map_err(|error| CliError::input(&from, &error))?;
 
     progress.stage("writing");
-    outputs.write(|format, mut writer| {
-        match format {
-            TableFormat::Csv => {
+    outputs.write(|content, mut writer| {
+        match content {
+            Content::Forces(TableFormat::Csv) => {
                 csv::write_table(&tables::torques(figure, &given.states, &forces), &mut writer)
             }
-            TableFormat::Sto => sto::write(&tables::moments(figure, &given.states, &forces), &mut writer),
+            Content::Forces(TableFormat::Sto) => {
+                sto::write(&tables::moments(figure, &given.states, &forces), &mut writer)
+            }
+            Content::Motion(format) => return write_motion(format, writer, &given),
         }
         .map_err(CliError::other)
     })?;
@@ -63,7 +64,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
             Some(_) => "the ground's, found from the motion".to_owned(),
             None => external.describe(),
         },
-        ground: ground.map(|ground| GroundReport::new(&ground, &given)),
+        ground: ground.map(|ground| GroundReport::new(ground, &given)),
     };
     let report = Report::new(&given, asked, &forces);
     print(|out| {

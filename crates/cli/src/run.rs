@@ -11,6 +11,7 @@ mod table;
 mod watch;
 
 pub(crate) use load::{Loaded, load};
+pub(crate) use table::positions;
 
 use crate::error::CliError;
 use crate::input::extension;
@@ -144,7 +145,7 @@ fn write(
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
         Format::Bvh => bvh(figure, motion, writer),
         Format::Sto => {
-            solaris::io::sto::write(&table::coordinates(figure, motion), &mut writer).map_err(CliError::other)
+            solaris::io::sto::write(&table::positions(figure, motion), &mut writer).map_err(CliError::other)
         }
         Format::Html => {
             let options = PageOptions { title: summary::title(report), table: summary::page_rows(report) };

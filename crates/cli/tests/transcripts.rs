@@ -1,7 +1,7 @@
 //! The transcripts of `tests/cmd`: what a user types, the exit code behind `?`, and what is printed.
 //!
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
-//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the robot `arm.urdf`, the same with faults
+//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clip (`dancer.ron`, `dance.csv`), the robot `arm.urdf`, the same with faults
 //! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), and of curves the
 //! keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
 //! the robot, the same with faults (`faulty_scene.ron`), and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
@@ -50,6 +50,8 @@ fn furnish(folder: &Path) {
         "subject/loads.xml",
         "subject/soles.ron",
         "figures/arm.urdf",
+        "clips/dancer.ron",
+        "clips/dance.csv",
         "scenes/pendulum.ron",
         "scenes/arm_modes.ron",
         "scenes/walk_loose_arm.ron",

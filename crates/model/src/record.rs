@@ -1,6 +1,7 @@
 //! What was recorded of a motion, before anything is derived from it.
 
 use crate::motion::Contact;
+use nalgebra::Vector3;
 
 /// States of a figure over time, of which velocities and accelerations may be missing.
 ///
@@ -27,6 +28,8 @@ pub struct Record {
 pub struct ForceRecord {
     /// The link that they act on, or two: the second once the centre of pressure has passed the point between them.
     pub links: Vec<String>,
+    /// Of two links, that point and the second one's foremost (m, in the second's frame); `None` for ball and tip of its sole.
+    pub ball_and_tip: Option<[Vector3<f64>; 2]>,
     /// When (s), rising; need not be the times of the motion.
     pub time: Vec<f64>,
     /// What acts, one a time: world axes, moment about the world's origin.

@@ -22,7 +22,12 @@ impl Carrier {
     pub(crate) fn of_two(figure: &Figure, link: usize, toes: usize) -> Option<Self> {
         let point = |part| figure.links()[toes].sole_point(part).copied();
         let (ball, tip) = (point(SolePart::Ball)?, point(SolePart::ToeTip)?);
-        Some(Self { link, toes: Some((toes, ball, tip)) })
+        Some(Self::of_points(link, toes, [ball, tip]))
+    }
+
+    /// A foot with toes whose ball and tip (m) are in the toes' frame.
+    pub(crate) const fn of_points(link: usize, toes: usize, [ball, tip]: [Vector3<f64>; 2]) -> Self {
+        Self { link, toes: Some((toes, ball, tip)) }
     }
 
     /// Whether it depends on where the links are.

@@ -6,6 +6,7 @@
 //! ([`judge`]). [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the
 //! root's path after which the ground can do what is asked of it.
 
+mod carry;
 mod consistency;
 mod error;
 mod given;
@@ -22,7 +23,7 @@ mod total;
 pub use consistency::{
     Consistency, ConsistencyError, ConsistencyOptions, Outcome, ShiftError, Violation, consistent, shift_root,
 };
-pub use error::GroundError;
+pub use error::{GroundError, GroundOption};
 pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
 pub use possible::make_consistent;

@@ -51,6 +51,19 @@ pub enum LoadError {
         /// The second.
         toes: String,
     },
+    /// Points that do not say where the second link begins.
+    #[error(
+        "the ball {ball:?} and the tip {tip:?} (m) of link '{toes}' do not say from where on it carries the force; give two \
+         points that are finite and apart"
+    )]
+    Points {
+        /// The second link.
+        toes: String,
+        /// Where it begins (m).
+        ball: [f64; 3],
+        /// Its foremost point (m).
+        tip: [f64; 3],
+    },
     /// The numbers are no record.
     #[error(
         "the force on '{link}' has {samples} samples at {times} times; it must have one a time, at least one"
@@ -104,11 +117,11 @@ impl Loads {
     ///
     /// # Errors
     ///
-    /// Links that the figure does not have, a second link without ball and toe tip, records that are none, and a motion
+    /// Links that the figure does not have, a second link of which ball and tip are not known, records that are none, and a motion
     /// that goes on where a record does not.
     pub fn at_times(figure: &Figure, records: &[ForceRecord], time: &[f64]) -> Result<Self, LoadError> {
         let tracks = records.iter().map(|record| {
-            let carrier = carrier(figure, &record.links)?;
+            let carrier = carrier(figure, record)?;
             check(record)?;
             Ok(Track { carrier, samples: sampled(record, time)? })
         });
@@ -135,7 +148,7 @@ impl Loads {
     }
 }
 
-fn carrier(figure: &Figure, links: &[String]) -> Result<Carrier, LoadError> {
+fn carrier(figure: &Figure, record: &ForceRecord) -> Result<Carrier, LoadError> {
     let find = |name: &String| {
         figure.link_index(name).ok_or_else(|| LoadError::UnknownLink {
             figure: figure.name().to_owned(),
@@ -143,11 +156,19 @@ fn carrier(figure: &Figure, links: &[String]) -> Result<Carrier, LoadError> {
             nearest: solaris_model::nearest(name, figure.links().iter().map(solaris_model::Link::name)),
         })
     };
-    match links {
-        [link] => Ok(Carrier::of_one(find(link)?)),
-        [foot, toes] => Carrier::of_two(figure, find(foot)?, find(toes)?)
+    match (&record.links[..], record.ball_and_tip) {
+        ([link], _) => Ok(Carrier::of_one(find(link)?)),
+        ([foot, toes], None) => Carrier::of_two(figure, find(foot)?, find(toes)?)
             .ok_or_else(|| LoadError::NoBall { foot: foot.clone(), toes: toes.clone() }),
-        _ => Err(LoadError::Links { links: links.len() }),
+        ([foot, toes], Some(points)) => {
+            let apart = points[1] - points[0];
+            if !(apart.norm_squared().is_finite() && apart.norm_squared() > 0.0) {
+                let [ball, tip] = points.map(Into::into);
+                return Err(LoadError::Points { toes: toes.clone(), ball, tip });
+            }
+            Ok(Carrier::of_points(find(foot)?, find(toes)?, points))
+        }
+        (links, _) => Err(LoadError::Links { links: links.len() }),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{given, input, json, path, wrap};
 use clap::builder::ValueParser;
 use clap::{Arg, ArgAction, Command};
-use solaris::modes::ground::{Split, StanceOptions};
+use solaris::modes::ground::{ConsistencyOptions, Split, StanceOptions};
 
 const EXAMPLES: &str = "Examples:
   solaris ground walk.mot subject.osim --soles soles.ron --filter 6Hz -o grf.mot
@@ -12,6 +12,8 @@ const EXAMPLES: &str = "Examples:
       another assumption of how two feet share what both bear; numbers for a program
   solaris ground walk.csv human.ron -o grf.csv
       a walk of `solaris walk`; the figure has soles of its own
+  solaris ground clip.csv human.ron --consistent --motion-out moved.csv
+      an animation that floats or leans too far: its root moved by the least after which the ground can bear it
   solaris inverse subject.osim walk.mot --ground --soles soles.ron --filter 6Hz -o moments.sto
       joint moments with these forces, in one command";
 
@@ -28,6 +30,8 @@ pub(super) fn command() -> Command {
         .arg(json("Print the summary as JSON instead of a table"))
         .next_help_heading("The ground")
         .args(options())
+        .next_help_heading("A motion that the ground can bear")
+        .args(consistent())
         .next_help_heading("The motion")
         .args(given::motion())
         .next_help_heading("The figure")
@@ -82,6 +86,27 @@ pub(super) fn options() -> [Arg; 6] {
             "Stances and gaps between them that are shorter than this are none, in s [default: {}]",
             standing.shortest
         ))),
+    ]
+}
+
+/// How the motion is changed before forces are found.
+pub(super) fn consistent() -> [Arg; 3] {
+    let default = ConsistencyOptions::default();
+    [
+        Arg::new("consistent").long("consistent").action(ArgAction::SetTrue).help(wrap(&format!(
+            "First move the root by the least that keeps the ground from pulling and the centre of pressure {} mm inside of the \
+             soles that stand; all else stays, so the feet go with it",
+            default.margin * 1e3
+        ))),
+        super::number("consistent-limit", "M", &format!(
+            "How far it may be moved, in m, or inf; where that does not suffice it goes beyond, and the summary says so \
+             [default: {}]",
+            default.limit
+        ))
+        .requires("consistent"),
+        path("motion-out").requires("consistent").action(ArgAction::Append).help(wrap(
+            "Write the motion that was moved: .csv with DOF.q, .v and .a; .mot, .sto (positions); .bvh [default: none]",
+        )),
     ]
 }
 

@@ -16,7 +16,9 @@ const EXAMPLES: &str = "Examples:
       --plate right_foot+right_toes=right_foot -o tau.csv
       a walk of `solaris walk`: the toes carry the force once the centre of pressure has passed the ball
   solaris inverse subject.osim walk.mot --ground --soles soles.ron --filter 6Hz -o moments.sto
-      joint moments without force plates: the ground's forces are found from the motion (solaris ground)";
+      joint moments without force plates: the ground's forces are found from the motion (solaris ground)
+  solaris inverse human.ron clip.csv --ground --consistent --motion-out moved.csv -o tau.csv
+      joint torques of an animation whose root is moved before, by the least after which the ground can bear it";
 
 pub(super) fn command() -> Command {
     Command::new("inverse")
@@ -33,6 +35,7 @@ pub(super) fn command() -> Command {
         .next_help_heading("Forces found from the motion")
         .arg(predicted())
         .args(ground::options().map(|option| option.requires("ground")))
+        .args(ground::consistent().map(|option| option.requires("ground")))
         .next_help_heading("The motion")
         .args(given::motion())
         .next_help_heading("The figure")

@@ -1,12 +1,14 @@
 //! The ground's forces of a motion that was given, as the options ask for them.
 
+use super::moved::{self, Moved};
 use super::soles::{self, From};
 use crate::args::AskedBelt;
 use crate::error::{CliError, typed};
 use crate::given::Given;
 use clap::ArgMatches;
 use solaris::modes::ground::{
-    Belt, GroundError, GroundForces, GroundOptions, Sole, Split, StanceOptions, find_stances, ground_forces,
+    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, Split, StanceOptions, find_stances,
+    ground_forces, make_consistent,
 };
 
 /// The ground's forces, and what they are found from.
@@ -15,16 +17,19 @@ pub(crate) struct Predicted {
     pub(super) from: From,
     /// How the ground's own motion is known.
     pub(super) belt_from: &'static str,
+    /// What was changed of the motion, where that was asked for.
+    pub(super) moved: Option<Moved>,
     pub(crate) forces: GroundForces,
 }
 
 impl Predicted {
-    /// Finds them.
-    pub(crate) fn find(matches: &ArgMatches, given: &Given) -> Result<Self, CliError> {
+    /// Finds them; with `--consistent` in a motion whose root is moved before.
+    pub(crate) fn find(matches: &ArgMatches, given: &mut Given) -> Result<Self, CliError> {
         if given.table.column("time").is_none() {
             let why = "it has no column 'time', and which foot stands is found from how the feet move";
             return Err(CliError::input(&given.from, &why));
         }
+        let consistent = moved::asked(matches)?;
         let (soles, from) = soles::find(matches, given)?;
         let default = StanceOptions::default();
         let number = |option: &str, default| matches.get_one::<f64>(option).copied().unwrap_or(default);
@@ -50,9 +55,20 @@ impl Predicted {
             }
         };
         let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
-        let options = GroundOptions { split: split.unwrap_or_default(), stance, stances: None };
-        let forces = ground_forces(figure, gravity, states, &soles, &options).map_err(refuse)?;
-        Ok(Self { soles, from, belt_from, forces })
+        let stances = find_stances(figure, gravity, states, &soles, &stance).map_err(refuse)?;
+        let mut moved = None;
+        if let Some(options) = consistent {
+            let states = &mut given.states;
+            let found = make_consistent(&given.body.figure, gravity, states, &soles, &stances, &options);
+            let found = found.map_err(|error| {
+                moved::refused(&error, given, &from).unwrap_or_else(|| refused(&error, matches, given, &from))
+            })?;
+            moved = Some(Moved::new(&found, &options, &given.states.time));
+        }
+        let options = GroundOptions { split: split.unwrap_or_default(), stance, stances: Some(stances) };
+        let forces = ground_forces(&given.body.figure, gravity, &given.states, &soles, &options)
+            .map_err(|error| refused(&error, matches, given, &from))?;
+        Ok(Self { soles, from, belt_from, moved, forces })
     }
 }
 
@@ -73,12 +89,14 @@ fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, soles: &Fro
         Some(CliError::Option { option: option.to_owned(), value, why })
     };
     let (option, why) = match error {
-        GroundError::Option { name, range, .. } => {
-            let option = match *name {
-                "the height" => "stance-height",
-                "the speed" => "stance-speed",
-                "the shortest stance" => "stance-shortest",
-                _ => "belt",
+        GroundError::Option { option, range, .. } => {
+            let option = match option {
+                GroundOption::Height => "stance-height",
+                GroundOption::Speed => "stance-speed",
+                GroundOption::Shortest => "stance-shortest",
+                GroundOption::Belt => "belt",
+                // Nobody types it.
+                _ => "",
             };
             (option, format!("it must be {range}"))
         }

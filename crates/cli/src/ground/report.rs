@@ -1,5 +1,6 @@
 //! What was found of the ground, as numbers.
 
+use super::moved::Moved;
 use super::predicted::Predicted;
 use super::soles::From;
 use crate::given::{Given, GivenReport};
@@ -18,6 +19,9 @@ pub(crate) struct GroundReport {
     pub(super) split: &'static str,
     #[serde(skip)]
     pub(super) assumption: &'static str,
+    /// What was changed of the motion; absent where that was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) consistent: Option<Moved>,
     pub(super) weight_n: f64,
     pub(super) feet: Vec<Foot>,
     /// Frames in which several feet stand, but not between two single supports.
@@ -70,7 +74,7 @@ pub(super) struct Unsupported {
 }
 
 impl GroundReport {
-    pub(crate) fn new(ground: &Predicted, given: &Given) -> Self {
+    pub(crate) fn new(ground: Predicted, given: &Given) -> Self {
         let (stances, found) = (&ground.forces.stances, &ground.forces.report);
         let name = |link: usize| given.body.figure.links()[link].name().to_owned();
         let foot = |(i, (sole, foot)): (usize, (&solaris::modes::ground::Sole, &FootReport))| {
@@ -102,6 +106,7 @@ impl GroundReport {
                 Split::Effort => "least moments in the joints",
                 _ => "",
             },
+            consistent: ground.moved,
             weight_n: found.weight,
             feet: ground.soles.iter().zip(&found.feet).enumerate().map(foot).collect(),
             irregular_frames: found.irregular,
@@ -119,7 +124,7 @@ impl GroundReport {
 
     /// What looks wrong, in words.
     fn doubts(&self, soles: &From, root_is_free: bool) -> Vec<String> {
-        let mut doubts = Vec::new();
+        let mut doubts = self.consistent.as_ref().map(Moved::doubts).unwrap_or_default();
         if !root_is_free {
             doubts.push(
                 "the world holds the figure's root, and what it does there is counted as the ground's"

@@ -16,6 +16,9 @@ impl GroundReport {
         )?;
         row(out, "stances", &format!("by {}", self.stances_from))?;
         row(out, "split", &format!("{}: {}; an assumption, no law", self.split, self.assumption))?;
+        if let Some(moved) = &self.consistent {
+            moved.write(out)?;
+        }
         let weight = self.weight_n;
         self.feet.iter().try_for_each(|foot| foot.write(out, weight))?;
         let air = &self.unsupported;

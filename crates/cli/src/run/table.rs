@@ -4,7 +4,7 @@ use solaris::io::Table;
 use solaris::model::{Figure, Motion};
 
 /// A column for each position, in rad and m.
-pub(super) fn coordinates(figure: &Figure, motion: &Motion) -> Table {
+pub(crate) fn positions(figure: &Figure, motion: &Motion) -> Table {
     let names = figure.layout().q_names().iter().cloned();
     let columns = std::iter::once("time".to_owned()).chain(names).collect();
     let rows = motion.time().iter().enumerate();

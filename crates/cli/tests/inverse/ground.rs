@@ -19,7 +19,7 @@ fn say(text: &str) {
 }
 
 /// A walk of `solaris walk`, its figure, and the figure's soles on it.
-fn walked() -> tempfile::TempDir {
+pub(crate) fn walked() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     succeeded(&solaris(folder.path(), "walk --height 1.75 --mass 73 --steps 4 --rate 120 -o walk.csv"));
     succeeded(&solaris(folder.path(), "figure human --height 1.75 --mass 73 -o human.ron"));

@@ -3,12 +3,14 @@
 
 mod bad_files;
 mod check;
+mod consistent;
 mod convert;
 mod ground;
 mod manners;
 mod refusals;
 mod robots;
 mod subject;
+mod toes;
 mod walk;
 
 use serde_json::Value;

@@ -246,6 +246,7 @@ fn every_example_of_the_help_runs() {
     let scene = Path::new(crate::FIXTURES).join("scenes/pendulum.ron");
     std::fs::copy(scene, folder.path().join("scene.ron")).expect("copied");
     succeeded(&solaris(folder.path(), "walk --steps 1 --rate 30 -o walk.csv"));
+    std::fs::copy(folder.path().join("walk.csv"), folder.path().join("clip.csv")).expect("copied");
     let mut run = 0;
     // The conversions last: one writes over the motion.
     for help in ["", "figure human", "check", "inverse", "ground", "convert"] {

@@ -154,8 +154,9 @@ impl ExternalForce {
             let (force, cop) = (read(force), read(point));
             Contact { force, moment: read(torque) + cop.cross(&force), cop }
         });
-        let samples = samples.collect();
-        Ok(ForceRecord { links: vec![self.body.clone()], time: table.values_of(time).collect(), samples })
+        let (links, time, samples) =
+            (vec![self.body.clone()], table.values_of(time).collect(), samples.collect());
+        Ok(ForceRecord { links, ball_and_tip: None, time, samples })
     }
 }
 

@@ -73,7 +73,8 @@ pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<ForceReco
             Contact { force, moment: third + second.cross(&force), cop: second }
         }
     });
-    Ok(ForceRecord { links: links.to_vec(), time: times(table, time)?, samples: samples.collect() })
+    let (links, time, samples) = (links.to_vec(), times(table, time)?, samples.collect());
+    Ok(ForceRecord { links, ball_and_tip: None, time, samples })
 }
 
 /// The prefixes of all forces of a table, in its order.

@@ -2,6 +2,46 @@
 
 use super::{ConsistencyError, ShiftError};
 use solaris_dynamics::DynamicsError;
+use std::fmt;
+
+/// A number that the search for the ground's forces is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum GroundOption {
+    /// [`StanceOptions::height`](super::StanceOptions::height).
+    Height,
+    /// [`StanceOptions::speed`](super::StanceOptions::speed).
+    Speed,
+    /// [`StanceOptions::shortest`](super::StanceOptions::shortest).
+    Shortest,
+    /// [`Belt::Speed`](super::Belt::Speed), by its length.
+    Belt,
+    /// [`Stances::level`](super::Stances::level).
+    Level,
+}
+
+impl GroundOption {
+    /// What it is in.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Height | Self::Level => "m",
+            Self::Speed | Self::Belt => "m/s",
+            Self::Shortest => "s",
+        }
+    }
+}
+
+impl fmt::Display for GroundOption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Height => "the height of what stands",
+            Self::Speed => "the speed of what stands",
+            Self::Shortest => "the shortest stance",
+            Self::Belt => "the speed of the belt",
+            Self::Level => "the level of the ground",
+        })
+    }
+}
 
 /// Why a motion has no ground forces.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -68,14 +108,12 @@ pub enum GroundError {
         time: f64,
     },
     /// A number that cannot be used.
-    #[error("{name} is {value}{unit}; it must be {range}")]
+    #[error("{option} is {value} {}; it must be {range}", .option.unit())]
     Option {
-        /// What it is called.
-        name: &'static str,
+        /// Which one.
+        option: GroundOption,
         /// What was given.
         value: f64,
-        /// Its unit, after a space.
-        unit: &'static str,
         /// What it may be.
         range: &'static str,
     },

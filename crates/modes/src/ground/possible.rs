@@ -4,7 +4,8 @@ use crate::complete::Completed;
 use crate::ground::given::Given;
 use crate::ground::outline::around;
 use crate::ground::{
-    Consistency, ConsistencyOptions, GroundError, Sole, Stances, balance, consistent, shift_root,
+    Consistency, ConsistencyError, ConsistencyOptions, GroundError, Sole, Stances, balance, consistent,
+    shift_root,
 };
 use nalgebra::Vector3;
 use solaris_dynamics::forward_kinematics;
@@ -51,13 +52,37 @@ pub fn make_consistent(
     Ok(found)
 }
 
-/// Frames a second, where they are equally far apart.
+/// Frames a second, where they are equally far apart; the frame that is refused comes after the step that differs most.
 fn rate(time: &[f64]) -> Result<f64, GroundError> {
-    let (first, last) = (time[0], time[time.len() - 1]);
-    let step = (last - first) / (time.len().max(2) - 1) as f64;
-    let even = |i: usize| ((time[i] - first) / step - i as f64).abs() < EVEN;
-    match (1..time.len()).find(|i| !even(*i)) {
-        None => Ok(step.recip()),
-        Some(frame) => Err(GroundError::Uneven { frame, time: time[frame] }),
+    let frames = time.len();
+    if frames < 3 {
+        return Err(ConsistencyError::TooShort { frames }.into());
+    }
+    let (first, last) = (time[0], time[frames - 1]);
+    let step = (last - first) / (frames - 1) as f64;
+    if time.iter().enumerate().all(|(i, t)| ((t - first) / step - i as f64).abs() < EVEN) {
+        return Ok(step.recip());
+    }
+    // Most steps are right, and a gap shifts their mean: the middle one is what the others are held against.
+    let steps: Vec<f64> = time.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let off = |step: &usize| (steps[*step] - sorted[steps.len() / 2]).abs();
+    let worst = (0..steps.len()).max_by(|a, b| off(a).total_cmp(&off(b)));
+    let frame = worst.map_or(0, |step| step + 1);
+    Err(GroundError::Uneven { frame, time: time[frame] })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_frame_that_is_missing_is_found() {
+        let even: Vec<f64> = (0..101).map(|k| f64::from(k) / 50.0).collect();
+        assert!((rate(&even).expect("even") - 50.0).abs() < 1e-9);
+        assert_eq!(rate(&[0.0]), Err(ConsistencyError::TooShort { frames: 1 }.into()));
+        let gap = [&even[..25], &even[26..]].concat();
+        assert_eq!(rate(&gap), Err(GroundError::Uneven { frame: 25, time: 0.52 }));
     }
 }

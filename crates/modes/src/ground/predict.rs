@@ -1,12 +1,14 @@
 //! The ground's forces of a motion, from the soles to what is wrong with them.
 
 use crate::complete::Completed;
+use crate::ground::carry::{Carried, carried};
+use crate::ground::given::Given;
 use crate::ground::{
     BalanceFrame, FootReport, GroundError, Sole, Split, StanceOptions, Stances, Unsupported, balance,
     find_stances, judge, share,
 };
 use nalgebra::Vector3;
-use solaris_model::{ContactTrack, Figure, ForceRecord, SolePart};
+use solaris_model::{ContactTrack, Figure, ForceRecord};
 
 /// How the ground's forces are to be found.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,8 +32,8 @@ pub struct GroundForces {
     pub stances: Stances,
     /// What is to be said of them.
     pub report: GroundReport,
-    /// By sole, the links that carry the force.
-    links: Vec<Vec<String>>,
+    /// By sole, what carries the force.
+    carried: Vec<Carried>,
 }
 
 /// What is to be said of forces that were found.
@@ -52,8 +54,9 @@ pub struct GroundReport {
 impl GroundForces {
     /// What acts on the figure, as [`crate::inverse_motion`] takes it: a record for each foot.
     pub fn records(&self) -> Vec<ForceRecord> {
-        let records = self.contacts.iter().zip(&self.links).map(|(track, links)| ForceRecord {
-            links: links.clone(),
+        let records = self.contacts.iter().zip(&self.carried).map(|(track, carried)| ForceRecord {
+            links: carried.links.clone(),
+            ball_and_tip: carried.ball_and_tip,
             time: self.total.iter().map(|frame| frame.time).collect(),
             samples: track.samples.clone(),
         });
@@ -64,8 +67,9 @@ impl GroundForces {
 /// Finds the ground's forces in a motion of `figure` under `gravity` (m/s², world axes): when which foot stands, the
 /// whole wrench, how it is shared, and what is wrong with it. The ground is level.
 ///
-/// A foot's force acts on its link, and on its toes once the centre of pressure has passed the ball, where the toes'
-/// link has ball and tip in the figure ([`GroundForces::records`]).
+/// A foot's force acts on its link, and on its toes once the centre of pressure has passed the ball
+/// ([`GroundForces::records`]). In the frame of the toes' link the ball is where it is with all joints at zero. Of the figure's
+/// own soles ([`crate::ground::soles`]) the toes' link has a ball of its own, or the foot carries all.
 ///
 /// # Errors
 ///
@@ -115,16 +119,6 @@ pub fn ground_forces(
     let contacts = soles.iter().zip(shared.contacts);
     let contacts =
         contacts.map(|(sole, samples)| ContactTrack { link: sole.name.clone(), samples }).collect();
-    let links = soles.iter().map(|sole| links(figure, sole)).collect();
-    Ok(GroundForces { contacts, total, stances, report, links })
-}
-
-/// The links that a force on this sole can act on.
-fn links(figure: &Figure, sole: &Sole) -> Vec<String> {
-    let toes = sole.toes.map(|toes| &figure.links()[toes]);
-    let toes = toes.filter(|toes| {
-        [SolePart::Ball, SolePart::ToeTip].iter().all(|part| toes.sole_point(*part).is_some())
-    });
-    let foot = &figure.links()[sole.foot];
-    std::iter::once(foot).chain(toes).map(|link| link.name().to_owned()).collect()
+    let carried = carried(&Given::new(figure, gravity, states)?, soles)?;
+    Ok(GroundForces { contacts, total, stances, report, carried })
 }

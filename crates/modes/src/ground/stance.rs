@@ -5,7 +5,7 @@ mod track;
 
 use crate::complete::Completed;
 use crate::ground::given::Given;
-use crate::ground::{GroundError, Sole};
+use crate::ground::{GroundError, GroundOption, Sole};
 use edges::standing;
 use nalgebra::Vector3;
 use solaris_model::{Figure, Interval};
@@ -62,27 +62,20 @@ impl Default for StanceOptions {
 
 impl StanceOptions {
     fn check(&self) -> Result<(), GroundError> {
-        let more = "finite and more than zero";
-        for (name, value, unit) in [("the height", self.height, " m"), ("the speed", self.speed, " m/s")] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(GroundError::Option { name, value, unit, range: more });
-            }
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        let (some, more) = ("finite and more than zero", "finite and not less than zero");
+        let mut numbers = vec![
+            (GroundOption::Height, self.height, positive(self.height), some),
+            (GroundOption::Speed, self.speed, positive(self.speed), some),
+            (GroundOption::Shortest, self.shortest, self.shortest.is_finite() && self.shortest >= 0.0, more),
+        ];
+        if let Belt::Speed(velocity) = self.belt {
+            let speed = velocity.norm();
+            numbers.push((GroundOption::Belt, speed, speed.is_finite(), "finite"));
         }
-        if !(self.shortest.is_finite() && self.shortest >= 0.0) {
-            let (name, value) = ("the shortest stance", self.shortest);
-            return Err(GroundError::Option {
-                name,
-                value,
-                unit: " s",
-                range: "finite and not less than zero",
-            });
-        }
-        match self.belt {
-            Belt::Speed(v) if !v.norm().is_finite() => {
-                let name = "the speed of the belt";
-                Err(GroundError::Option { name, value: v.norm(), unit: " m/s", range: "finite" })
-            }
-            _ => Ok(()),
+        match numbers.into_iter().find(|(_, _, right, _)| !right) {
+            Some((option, value, _, range)) => Err(GroundError::Option { option, value, range }),
+            None => Ok(()),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The whole wrench of the ground in a motion.
 
 use crate::complete::Completed;
-use crate::ground::GroundError;
 use crate::ground::given::Given;
+use crate::ground::{GroundError, GroundOption};
 use crate::split::TotalWrench;
 use nalgebra::Vector3;
 use solaris_dynamics::{center_of_mass, inverse_dynamics};
@@ -79,5 +79,5 @@ pub fn balance(
 }
 
 pub(crate) const fn bad_level(level: f64) -> GroundError {
-    GroundError::Option { name: "the level of the ground", value: level, unit: " m", range: "finite" }
+    GroundError::Option { option: GroundOption::Level, value: level, range: "finite" }
 }

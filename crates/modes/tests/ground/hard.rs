@@ -5,8 +5,8 @@ use approx::assert_relative_eq;
 use solaris_model::{FigureBuilder, Joint, LinkSpec, SolePart, Vector3};
 use solaris_modes::Completed;
 use solaris_modes::ground::{
-    Belt, GroundError, GroundOptions, Split, Stance, StanceOptions, Stances, find_stances, ground_forces,
-    soles,
+    Belt, GroundError, GroundOption, GroundOptions, Split, Stance, StanceOptions, Stances, find_stances,
+    ground_forces, soles,
 };
 
 fn refused(states: &Completed, options: &GroundOptions, gravity: Vector3<f64>) -> GroundError {
@@ -30,14 +30,16 @@ fn what_cannot_be_is_refused_by_name() {
     bad.q.pop();
     assert!(matches!(refused(&bad, &options, GRAVITY), GroundError::Length { what: "q", .. }));
     assert_eq!(refused(&Completed::default(), &options, GRAVITY), GroundError::Empty);
-    for stance in [
-        StanceOptions { height: f64::NAN, ..StanceOptions::default() },
-        StanceOptions { speed: 0.0, ..StanceOptions::default() },
-        StanceOptions { shortest: -0.1, ..StanceOptions::default() },
-        StanceOptions { belt: Belt::Speed(Vector3::repeat(f64::NAN)), ..StanceOptions::default() },
+    let (still, belt) = (StanceOptions::default(), Belt::Speed(Vector3::repeat(f64::NAN)));
+    for (stance, number) in [
+        (StanceOptions { height: f64::NAN, ..still }, GroundOption::Height),
+        (StanceOptions { speed: 0.0, ..still }, GroundOption::Speed),
+        (StanceOptions { shortest: -0.1, ..still }, GroundOption::Shortest),
+        (StanceOptions { belt, ..still }, GroundOption::Belt),
     ] {
         let options = GroundOptions { stance, ..GroundOptions::default() };
-        assert!(matches!(refused(&states, &options, GRAVITY), GroundError::Option { .. }));
+        let error = refused(&states, &options, GRAVITY);
+        assert!(matches!(error, GroundError::Option { option, .. } if option == number), "{error}");
     }
     for stance in [
         Stance { foot: 2, start: 0.0, end: 1.0 },

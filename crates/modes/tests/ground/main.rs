@@ -6,3 +6,4 @@ mod measured;
 #[path = "../inverse/pinned.rs"]
 mod pinned;
 mod support;
+mod toes;

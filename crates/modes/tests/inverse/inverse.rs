@@ -110,6 +110,7 @@ fn a_motion_with_its_contacts_gives_its_forces_back() {
     ground_reactions(&figure, &mut motion, ["left_foot", "right_foot"], &Standing).expect("it stands");
     let record = |side: &str| ForceRecord {
         links: vec![format!("{side}_foot"), format!("{side}_toes")],
+        ball_and_tip: None,
         time: motion.time().to_vec(),
         samples: motion.contact(&format!("{side}_foot")).expect("written").samples.clone(),
     };

@@ -106,7 +106,8 @@ impl Pinned {
                 cop: Vector3::zeros(),
             };
             let samples = rows.chunks_exact(6).map(contact).collect();
-            ForceRecord { links: vec![self.carrier(body)], time: numbers(&self.json["time"]), samples }
+            let (links, time) = (vec![self.carrier(body)], numbers(&self.json["time"]));
+            ForceRecord { links, ball_and_tip: None, time, samples }
         };
         ["calcn_r", "calcn_l"].map(wrench).to_vec()
     }

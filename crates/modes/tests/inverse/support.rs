@@ -40,6 +40,7 @@ pub(crate) fn forces(links: &[&str], rows: &[(f64, Contact)]) -> ForceRecord {
     let links = links.iter().map(|link| (*link).to_owned()).collect();
     ForceRecord {
         links,
+        ball_and_tip: None,
         time: rows.iter().map(|row| row.0).collect(),
         samples: rows.iter().map(|row| row.1).collect(),
     }

@@ -15,7 +15,7 @@ pub enum ConsistencyError {
         needed: &'static str,
     },
     /// Too few frames for accelerations.
-    #[error("there are {frames} frames; accelerations need 3 or more")]
+    #[error("the motion has too few frames for accelerations: {frames}; give 3 or more")]
     TooShort {
         /// Frames given.
         frames: usize,

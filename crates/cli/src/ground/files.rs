@@ -1,0 +1,73 @@
+//! The files that `solaris ground` and `solaris inverse` write: a table of forces, and the motion that was changed.
+
+use crate::convert::TableFormat;
+use crate::error::CliError;
+use crate::given::Given;
+use crate::output::{Formats, Outputs};
+use crate::run::positions;
+use clap::ArgMatches;
+use solaris::io::bvh::Unit;
+use solaris::io::{bvh, csv, sto};
+use solaris::model::{Motion, MotionInfo};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// What a file is to hold.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Content {
+    /// Forces, of the ground or of the joints.
+    Forces(TableFormat),
+    /// The motion that `--consistent` made.
+    Motion(MotionFormat),
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum MotionFormat {
+    Csv,
+    Sto,
+    Bvh,
+}
+
+const FORCES: Formats<Content> = &[
+    ("csv", Content::Forces(TableFormat::Csv)),
+    ("sto", Content::Forces(TableFormat::Sto)),
+    ("mot", Content::Forces(TableFormat::Sto)),
+];
+
+const MOTION: Formats<Content> = &[
+    ("csv", Content::Motion(MotionFormat::Csv)),
+    ("sto", Content::Motion(MotionFormat::Sto)),
+    ("mot", Content::Motion(MotionFormat::Sto)),
+    ("bvh", Content::Motion(MotionFormat::Bvh)),
+];
+
+/// The files that the options name.
+pub(crate) fn outputs(matches: &ArgMatches) -> Result<Outputs<Content>, CliError> {
+    let forces = matches.get_many::<PathBuf>("output").unwrap_or_default();
+    let motions = matches.get_many::<PathBuf>("motion-out").unwrap_or_default();
+    let motions = motions.map(|path| ("--motion-out", path, MOTION));
+    Outputs::new(forces.map(|path| ("-o", path, FORCES)).chain(motions))
+}
+
+/// Writes the motion as it is now; its frames are equally far apart.
+pub(crate) fn write_motion(
+    format: MotionFormat,
+    mut writer: &mut dyn Write,
+    given: &Given,
+) -> Result<(), CliError> {
+    let (figure, states) = (&given.body.figure, &given.states);
+    let steps = states.time.len().saturating_sub(1) as f64;
+    let rate = match (states.time.first(), states.time.last()) {
+        (Some(first), Some(last)) => steps / (last - first),
+        _ => 0.0,
+    };
+    let info = MotionInfo { gravity: given.body.gravity, ground: None, ..MotionInfo::on_earth(figure, rate) };
+    let columns = [states.q.clone(), states.v.clone(), states.a.clone()];
+    let motion = Motion::new(figure, info, states.time.clone(), columns).map_err(CliError::other)?;
+    match format {
+        MotionFormat::Csv => csv::write(figure, &motion, &mut writer),
+        MotionFormat::Sto => sto::write(&positions(figure, &motion), &mut writer),
+        MotionFormat::Bvh => bvh::write(figure, &motion, Unit::default(), &mut writer),
+    }
+    .map_err(CliError::other)
+}

@@ -1,0 +1,227 @@
+//! What `--consistent` makes of a motion: the root's path changed by as little as the ground asks for.
+
+use super::soles::From;
+use crate::error::{CliError, typed};
+use crate::given::Given;
+use crate::words::{counted, row, short};
+use clap::ArgMatches;
+use serde::Serialize;
+use solaris::modes::ground::{
+    Consistency, ConsistencyError, ConsistencyOptions, GroundError, Outcome, ShiftError, Violation,
+};
+use std::io::{Result, Write};
+
+/// How it is to be done, where it is asked for.
+pub(super) fn asked(matches: &ArgMatches) -> std::result::Result<Option<ConsistencyOptions>, CliError> {
+    if !matches.get_flag("consistent") {
+        return Ok(None);
+    }
+    let default = ConsistencyOptions::default();
+    let limit = matches.get_one::<f64>("consistent-limit").copied().unwrap_or(default.limit);
+    if limit > 0.0 {
+        return Ok(Some(ConsistencyOptions { limit, ..default }));
+    }
+    let why = "it must be more than 0 m, or inf for as far as it takes".to_owned();
+    let value = typed(matches, "consistent-limit").unwrap_or_default();
+    Err(CliError::Option { option: "consistent-limit".to_owned(), value, why })
+}
+
+/// Why a motion cannot be made consistent, where the command line has its own words for it.
+pub(super) fn refused(error: &GroundError, given: &Given, soles: &From) -> Option<CliError> {
+    let of_soles = |why: String| {
+        Some(match soles {
+            From::File(path) => CliError::input(path, &why),
+            _ => CliError::input(&given.of, &format!("{why}, in a file for --soles")),
+        })
+    };
+    match error {
+        GroundError::NoBreadth { sole } => of_soles(format!(
+            "--consistent keeps the centre of pressure within the soles, and sole '{sole}' has no breadth; give it a width"
+        )),
+        GroundError::Consistency(ConsistencyError::Narrow { margin, .. }) => of_soles(format!(
+            "--consistent keeps the centre of pressure {} mm inside of the soles, and there are narrower ones; give them \
+             their width",
+            short(margin * 1e3)
+        )),
+        GroundError::Shift(ShiftError::NoSlides { joint }) => {
+            let what_to_do = if given.body.figure.links()[0].joint().kind().nv() == 0 {
+                "it is fixed: --base floating or --base free lets it go, and the motion then has the root's columns"
+            } else {
+                "write the figure as text (solaris convert), let that joint begin with tx, ty and tz, or be free, and give \
+                 the motion their columns"
+            };
+            let why = format!(
+                "--consistent moves the root along three axes at right angles, and joint '{joint}' has not that freedom; \
+                 {what_to_do}"
+            );
+            Some(CliError::input(&given.of, &why))
+        }
+        _ => None,
+    }
+}
+
+/// What was changed, as numbers.
+#[derive(Serialize)]
+pub(super) struct Moved {
+    /// Absent where there is none.
+    limit_mm: Option<f64>,
+    outcome: &'static str,
+    /// How far beyond the limit it goes, and when; absent where it keeps it.
+    beyond_limit: Option<Peak>,
+    rms_mm: f64,
+    greatest: Peak,
+    /// Along the world's axes.
+    axes: [Along; 3],
+    before: Impossible,
+    after: Impossible,
+    iterations: usize,
+}
+
+/// Of a way nobody sees less than a micrometre.
+fn millimetres(value: f64) -> String {
+    if value != 0.0 && value.abs() < 1e-3 {
+        "less than 0.001 mm".to_owned()
+    } else {
+        format!("{} mm", short(value))
+    }
+}
+
+/// The furthest of a way.
+#[derive(Clone, Copy, Serialize)]
+struct Peak {
+    mm: f64,
+    at_s: f64,
+}
+
+/// The change along one axis of the world.
+#[derive(Serialize)]
+struct Along {
+    axis: &'static str,
+    rms_mm: f64,
+    /// With its sign.
+    greatest: Peak,
+}
+
+/// What the ground cannot do.
+#[derive(Serialize)]
+struct Impossible {
+    frames: usize,
+    cop_outside_mm: f64,
+    pull_n: f64,
+}
+
+impl std::convert::From<Violation> for Impossible {
+    fn from(of: Violation) -> Self {
+        Self { frames: of.frames, cop_outside_mm: of.outside * 1e3, pull_n: of.pull }
+    }
+}
+
+impl Moved {
+    pub(super) fn new(found: &Consistency, options: &ConsistencyOptions, time: &[f64]) -> Self {
+        let (outcome, beyond_limit) = match found.outcome {
+            Outcome::Reached => ("reached", None),
+            Outcome::Short { frame, by } => ("short", Some(Peak { mm: by * 1e3, at_s: time[frame] })),
+            _ => ("unsettled", None),
+        };
+        let peak = |value: &dyn Fn(usize) -> f64| {
+            let mut greatest = Peak { mm: 0.0, at_s: time.first().copied().unwrap_or_default() };
+            for (frame, &at_s) in time.iter().enumerate() {
+                let mm = value(frame) * 1e3;
+                if mm.abs() > greatest.mm.abs() {
+                    greatest = Peak { mm, at_s };
+                }
+            }
+            greatest
+        };
+        let axis = |k: usize| {
+            let squares: f64 = found.shift.iter().map(|shift| shift[k] * shift[k]).sum();
+            let rms_mm = (squares / found.shift.len() as f64).sqrt() * 1e3;
+            Along { axis: ["x", "y", "z"][k], rms_mm, greatest: peak(&|frame| found.shift[frame][k]) }
+        };
+        Self {
+            limit_mm: options.limit.is_finite().then_some(options.limit * 1e3),
+            outcome,
+            beyond_limit,
+            rms_mm: found.rms * 1e3,
+            greatest: peak(&|frame| found.shift[frame].norm()),
+            axes: [0, 1, 2].map(axis),
+            before: found.before.into(),
+            after: found.after.into(),
+            iterations: found.iterations,
+        }
+    }
+
+    /// What was changed, for people.
+    pub(super) fn write(&self, out: &mut dyn Write) -> Result<()> {
+        row(out, "made consistent", &self.describe())?;
+        if self.greatest.mm == 0.0 {
+            return Ok(());
+        }
+        let line = |out: &mut dyn Write, what: &str, value: &str| writeln!(out, "    {what:<20}{value}");
+        let moved = |rms: f64, Peak { mm, at_s }: Peak| {
+            let greatest = format!("greatest {} at {} s", millimetres(mm), short(at_s));
+            if mm == 0.0 { "0 mm".to_owned() } else { format!("{} rms, {greatest}", millimetres(rms)) }
+        };
+        line(out, "root moved", &moved(self.rms_mm, self.greatest))?;
+        for Along { axis, rms_mm, greatest } in &self.axes {
+            line(out, &format!("  along {axis}"), &moved(*rms_mm, *greatest))?;
+        }
+        line(out, "before", &self.before.describe())?;
+        line(out, "after", &self.after.describe())
+    }
+
+    fn describe(&self) -> String {
+        let (iterations, within) = (self.iterations, self.limit_mm.map(short));
+        match (self.outcome, &self.beyond_limit, within) {
+            ("reached", ..) if self.greatest.mm == 0.0 => {
+                "nothing to change: every frame in which a foot stands is possible".to_owned()
+            }
+            ("reached", _, Some(within)) => {
+                format!("every frame in which a foot stands is possible, within {within} mm")
+            }
+            ("reached", ..) => "every frame in which a foot stands is possible".to_owned(),
+            (_, Some(Peak { mm, at_s }), Some(within)) => {
+                let (by, at) = (short(*mm), short(*at_s));
+                format!(
+                    "every frame in which a foot stands is possible, but not within {within} mm: {by} mm more at {at} s"
+                )
+            }
+            _ => format!("not settled after {iterations} iterations; frames may be impossible still"),
+        }
+    }
+
+    /// What a person should look at.
+    pub(super) fn doubts(&self) -> Vec<String> {
+        match (&self.beyond_limit, self.outcome) {
+            (Some(Peak { mm, at_s }), _) => {
+                let (by, at) = (short(*mm), short(*at_s));
+                vec![format!(
+                    "the root goes {by} mm beyond --consistent-limit at {at} s: the motion is far from possible there"
+                )]
+            }
+            (None, "unsettled") => {
+                let what = "the search for a consistent motion did not settle: the change is not the least, and may not do";
+                vec![what.to_owned()]
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+impl Impossible {
+    fn describe(&self) -> String {
+        let Self { frames, cop_outside_mm, pull_n } = *self;
+        if frames == 0 {
+            return "no impossible frame".to_owned();
+        }
+        let mut what = Vec::new();
+        if cop_outside_mm > 0.0 {
+            what.push(format!("pressure {} mm outside of what stands", short(cop_outside_mm)));
+        }
+        if pull_n > 0.0 {
+            what.push(format!("a pull of {} N", short(pull_n)));
+        }
+        let frames = counted(frames, "impossible frame", "impossible frames");
+        format!("{frames}: {}, at worst", what.join(", "))
+    }
+}
