@@ -175,6 +175,19 @@ impl JointKind {
         }
     }
 
+    /// Where in the joint's `q` its slides (m) are.
+    pub fn slides(&self) -> impl Iterator<Item = usize> + '_ {
+        let count = match self {
+            Self::Axes(dofs) => dofs.len(),
+            Self::Ball { .. } => 0,
+            Self::Free { .. } => 3,
+        };
+        (0..count).filter(move |i| match self {
+            Self::Axes(dofs) => dofs[*i].axis.kind == AxisKind::Translation,
+            Self::Ball { .. } | Self::Free { .. } => true,
+        })
+    }
+
     /// What the velocity coordinate `index` of this joint adds to the diagonal of the mass matrix (kg or kg m²).
     pub fn armature(&self, index: usize) -> f64 {
         match self {

@@ -77,6 +77,15 @@ pub enum SetupError {
         "there is no gravity to say which way the ground lies and how stiff it is; give it a stiffness (N/m) and a direction up"
     )]
     NoGround,
+    /// A figure that cannot be put on the ground.
+    #[error(
+        "the figure cannot be put on the ground: '{joint}', the joint of its root, does not slide out of it, or nothing of it can \
+         touch the ground; give the root a free joint or a slide, or leave stand out"
+    )]
+    NoWayDown {
+        /// The joint of the root.
+        joint: String,
+    },
     /// A curve that is none.
     #[error("the curve of '{dof}': {source}")]
     Profile {

@@ -81,6 +81,12 @@ impl Pass<'_> {
         }
         let mut scene = self.scene(surface, events)?;
         held.retain(|touch| scene.closed[*touch]);
+        // What has come down so slowly that nothing has to be stopped.
+        let brought = events.iter().filter_map(|event| match event {
+            Meaning::Touch(touch) if scene.closed[*touch] => Some(*touch),
+            _ => None,
+        });
+        held.extend(brought.filter(|touch| scene.touches[*touch].rate.abs() <= REST));
         let let_go: Vec<usize> = all_of(&before).into_iter().filter(|touch| !held.contains(touch)).collect();
         if self.comes_down(&scene, &[&held[..], &let_go].concat()) {
             let stands = |touch: &usize| scene.closed[*touch] && scene.touches[*touch].rate >= -REST;

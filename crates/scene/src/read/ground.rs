@@ -5,7 +5,7 @@ use nalgebra::{Unit, Vector3};
 use solaris_model::text::{Fields, Node};
 use solaris_modes::{ContactLaw, GroundPlane, SetupError, Touch, touches};
 
-const FIELDS: [&str; 5] = ["friction", "height", "up", "contact", "touches"];
+const FIELDS: [&str; 6] = ["friction", "height", "up", "contact", "touches", "stand"];
 const LAWS: [&str; 2] = ["Spring", "Planted"];
 const EXAMPLE: &str = "(\"foot\", (0, -0.08, 0.1), 0.02)";
 
@@ -28,6 +28,13 @@ impl SceneReader<'_> {
             (friction, height, up, law, touching, &mut self.simulation)
         {
             let result = simulation.ground(GroundPlane { up, height, friction, law }, touching);
+            self.setup(&node.place(), result);
+        }
+        if let Some(node) = fields.get("stand")
+            && self.reader.kind(node, &["true", "false"]) == Some("true")
+            && let Some(simulation) = &mut self.simulation
+        {
+            let result = simulation.stand();
             self.setup(&node.place(), result);
         }
     }
