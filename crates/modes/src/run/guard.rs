@@ -5,12 +5,15 @@ use crate::settings::Guard;
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, System, TimeError};
 use crate::trouble::{Cause, RunError, SetupError, Trouble};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Schur};
 use solaris_dynamics::DynamicsError;
 use solaris_model::{AxisKind, EulerOrder};
 
 /// The largest state whose eigenvalues are found: they take the cube of it.
 const MOST_STATES: usize = 160;
+
+/// Sweeps for each eigenvalue, of which two or three are usual.
+const MOST_SWEEPS: usize = 30;
 
 /// The least part of a step that advice after trouble may come down to.
 const BELIEVED: f64 = 1e-2;
@@ -100,7 +103,9 @@ pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, 
     if motion.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    let eigenvalues = motion.clone().complex_eigenvalues();
+    // Without a bound the search for them may not end. The coarser one is told from the finer by no more than its own 1e-9.
+    let schur = |least| Schur::try_new(motion.clone(), least, MOST_SWEEPS * n);
+    let eigenvalues = schur(f64::EPSILON).or_else(|| schur(1e-9))?.complex_eigenvalues();
     let stiffest = eigenvalues.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm()))?;
     let magnitude = stiffest.norm();
     if magnitude == 0.0 {
