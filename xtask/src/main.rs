@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
 mod ci;
+mod falls;
 mod golden;
 mod layers;
 mod peers;
@@ -16,6 +17,7 @@ const HELP: &str = "\
 cargo xtask CHORE
 
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
+  falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let done = match args[..] {
         ["ci"] => ci::run(),
+        ["falls"] => falls::run(),
         ["golden", ref options @ ..] => {
             golden::Options::parse(options).and_then(|options| golden::run(&options))
         }

@@ -114,12 +114,58 @@ pub struct Human {
     height: f64,
     mass: f64,
     lengths: Vec<(String, f64)>,
+    joints: Joints,
+}
+
+/// How the joints of a human move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Joints {
+    /// Each by three angles.
+    Angles,
+    /// See [`Human::limp`].
+    Limp,
 }
 
 impl Human {
     /// A human of `height` (m) and `mass` (kg).
     pub fn new(height: f64, mass: f64) -> Self {
-        Self { height, mass, lengths: Vec::new() }
+        Self { height, mass, lengths: Vec::new(), joints: Joints::Angles }
+    }
+
+    /// Gives the human joints that no fall takes into gimbal lock, and the damping of tissue without muscles at work.
+    ///
+    /// - The root is a free joint and the shoulders are ball joints: whichever three angles one takes, a fall turns them into
+    ///   lock, for they turn farther than a quarter turn each way. A ball joint has no limits, so what holds the upper arm is
+    ///   the ground.
+    /// - The elbows turn in the order X-Z-Y (flexion, carrying angle, pronation): the angle in the middle, which must not come
+    ///   near ±90°, is the one that hardly turns. All others stay in the order Z-Y-X; their middle angle has a range of ±45° at
+    ///   most.
+    /// - Every joint has a damper, `d·v` on each of its degrees of freedom. At 1.741 m and 73 kg:
+    ///
+    /// | joint | `d` (N m s/rad) |
+    /// |---|---|
+    /// | lumbar, thorax | 2 |
+    /// | hip | 1 |
+    /// | neck, head, clavicle, shoulder, knee | 0.5 |
+    /// | elbow, ankle | 0.2 |
+    /// | wrist | 0.03 |
+    /// | toes | 0.01 |
+    ///
+    /// The numbers are chosen, not measured: of the size that limbs have which swing out by themselves within a few swings. They
+    /// go with `m·h^(3/2)`, so that bodies of like shape fall alike (Froude).
+    ///
+    /// There are 21 segments and 66 degrees of freedom as ever, 69 coordinates. The names of angles that are coordinates stay;
+    /// those of root and shoulders are gone.
+    ///
+    /// ```
+    /// let limp = solaris_model::Human::new(1.75, 73.0).limp().build()?;
+    /// assert_eq!((limp.layout().nq(), limp.layout().nv()), (69, 66));
+    /// assert!(limp.layout().v_names().contains(&"left_shoulder.wx".to_owned()));
+    /// # Ok::<(), solaris_model::HumanError>(())
+    /// ```
+    pub fn limp(mut self) -> Self {
+        self.joints = Joints::Limp;
+        self
     }
 
     /// Gives one segment a length of its own (m): `thigh` for both sides, `left_thigh` for one.
@@ -147,7 +193,7 @@ impl Human {
         for (name, length) in &self.lengths {
             factors.push((name.clone(), self.factor(name, *length)?));
         }
-        Ok(build::figure(height, mass, |segment| {
+        Ok(build::figure(height, mass, self.joints, |segment| {
             factors
                 .iter()
                 .rev()

@@ -1,11 +1,15 @@
 //! From the table of segments to a figure.
 
-use super::segments::{ANGLES, BALL_HEIGHT, Drawn, HEEL_BEHIND, LIMITS, REFERENCE_HEIGHT, SEGMENTS, Segment};
+use super::Joints;
+use super::segments::{
+    ANGLES, BALL_HEIGHT, DAMPING, Drawn, HEEL_BEHIND, LIMITS, REFERENCE_HEIGHT, REFERENCE_MASS, SEGMENTS,
+    Segment,
+};
 use crate::builder::{FigureBuilder, LinkSpec};
 use crate::fault::FigureError;
 use crate::figure::Figure;
 use crate::inertia::{Inertia, Shape, ShapeKind};
-use crate::joint::Joint;
+use crate::joint::{Joint, Passive};
 use crate::link::SolePart;
 use crate::scale::exact_total;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -16,14 +20,21 @@ pub(super) fn scale(height: f64) -> f64 {
 }
 
 /// The figure; `factor` gives a segment's own length factor by its sided name.
-pub(super) fn figure(height: f64, mass: f64, factor: impl Fn(&str) -> f64) -> Result<Figure, FigureError> {
+pub(super) fn figure(
+    height: f64,
+    mass: f64,
+    joints: Joints,
+    factor: impl Fn(&str) -> f64,
+) -> Result<Figure, FigureError> {
     let scale = scale(height);
+    let sides = ["", "left_", "right_"];
+    let of = |prefix| Side { prefix, joints, damping: mass / REFERENCE_MASS * scale.powf(1.5) };
     let total: f64 = SEGMENTS.iter().map(|s| if s.paired { 2.0 * s.mass } else { s.mass }).sum();
     let segments = || {
         let of_side = |prefix: &'static str| {
-            SEGMENTS.iter().filter(move |s| s.paired != prefix.is_empty()).map(move |s| (Side { prefix }, s))
+            SEGMENTS.iter().filter(move |s| s.paired != prefix.is_empty()).map(move |s| (of(prefix), s))
         };
-        ["", "left_", "right_"].into_iter().flat_map(of_side)
+        sides.into_iter().flat_map(of_side)
     };
     let mut masses: Vec<f64> = segments().map(|(_, segment)| mass * segment.mass / total).collect();
     // The heaviest segment, the abdomen, takes what rounding leaves.
@@ -33,7 +44,8 @@ pub(super) fn figure(height: f64, mass: f64, factor: impl Fn(&str) -> f64) -> Re
     for ((side, segment), mass) in segments().zip(masses) {
         builder = builder.link(side.link(segment, scale, mass, &factor));
     }
-    for &(name, joint, axis, left, right) in ANGLES {
+    let is_coordinate = |joint: &str| joints == Joints::Angles || !is_quaternion(joint);
+    for &(name, joint, axis, left, right) in ANGLES.iter().filter(|(_, joint, ..)| is_coordinate(joint)) {
         let paired = SEGMENTS.iter().any(|s| s.joint == joint && s.paired);
         let sides: &[(&str, f64)] =
             if paired { &[("left_", left), ("right_", right)] } else { &[("", left)] };
@@ -44,9 +56,17 @@ pub(super) fn figure(height: f64, mass: f64, factor: impl Fn(&str) -> f64) -> Re
     builder.build()
 }
 
+/// Whether a limp body has it turn by a quaternion.
+fn is_quaternion(joint: &str) -> bool {
+    matches!(joint, "root" | "shoulder")
+}
+
 /// One side of the body; the middle has no prefix.
 struct Side {
     prefix: &'static str,
+    joints: Joints,
+    /// Of a limp body's joints, relative to the table.
+    damping: f64,
 }
 
 impl Side {
@@ -104,16 +124,27 @@ impl Side {
         } else {
             segment.joint.to_owned()
         };
-        let mut joint = Joint::new(name).at(self.vector(segment.offset) * parent_scale);
+        let at = self.vector(segment.offset) * parent_scale;
+        let is_limp = self.joints == Joints::Limp;
+        let damper = DAMPING.iter().find(|(joint, _)| is_limp && *joint == segment.joint);
+        let damping = damper.map_or(0.0, |(_, damping)| damping * self.damping);
+        let acts = Passive { damping, ..Passive::default() };
+        if is_limp && is_quaternion(segment.joint) {
+            let is_root = segment.parent.is_empty();
+            return if is_root { Joint::free(name) } else { Joint::ball(name) }.at(at).passive(acts);
+        }
+        let mut joint = Joint::new(name).at(at);
         if segment.parent.is_empty() {
             joint = joint.tx().ty().tz();
         }
-        for axis in ["rz", "ry", "rx"] {
+        let order = if is_limp && segment.joint == "elbow" { ["rx", "rz", "ry"] } else { ["rz", "ry", "rx"] };
+        for axis in order {
             joint = match axis {
                 "rz" => joint.rz(),
                 "ry" => joint.ry(),
                 _ => joint.rx(),
-            };
+            }
+            .passive(acts);
             if let Some(&(.., lower, upper)) =
                 LIMITS.iter().find(|(j, a, ..)| *j == segment.joint && *a == axis)
             {

@@ -3,6 +3,9 @@
 /// Height for which the lengths below hold (m).
 pub(super) const REFERENCE_HEIGHT: f64 = 1.741;
 
+/// Mass for which the damping below holds (kg).
+pub(super) const REFERENCE_MASS: f64 = 73.0;
+
 /// One segment, of the left side where there are two. Vectors are x left, y up, z forward (m).
 pub(super) struct Segment {
     /// Name, without the side.
@@ -97,6 +100,13 @@ pub(super) const LIMITS: &[(&str, &str, f64, f64)] = &[
     ("knee", "rz", -5.0, 5.0), ("knee", "ry", -30.0, 30.0), ("knee", "rx", -10.0, 150.0),
     ("ankle", "rz", -35.0, 20.0), ("ankle", "ry", -30.0, 30.0), ("ankle", "rx", -30.0, 55.0),
     ("toes", "rz", -10.0, 10.0), ("toes", "ry", -10.0, 10.0), ("toes", "rx", -75.0, 40.0),
+];
+
+/// Damping of a limp body's joints (N m s/rad): [`crate::Human::limp`].
+#[rustfmt::skip]
+pub(super) const DAMPING: &[(&str, f64)] = &[
+    ("lumbar", 2.0), ("thorax", 2.0), ("neck", 0.5), ("head", 0.5), ("clavicle", 0.5), ("shoulder", 0.5), ("elbow", 0.2),
+    ("wrist", 0.03), ("hip", 1.0), ("knee", 0.5), ("ankle", 0.2), ("toes", 0.01),
 ];
 
 /// Anatomical angles: name, joint, axis, sign on the left, sign on the right (equal where there is one only).

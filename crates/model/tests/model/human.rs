@@ -134,6 +134,55 @@ fn a_segment_may_have_its_own_length() {
     assert!((figure.mass() - 73.0).abs() < 1e-12);
 }
 
+/// Whatever a fall does to it, no joint comes near lock as long as it stays near its range.
+#[test]
+fn a_limp_human_has_no_lock_within_its_range() {
+    let limp = Human::new(1.75, 73.0).limp().build().expect("in range");
+    assert_eq!((limp.links().len(), limp.layout().nq(), limp.layout().nv()), (21, 69, 66));
+    for link in limp.links() {
+        let [_, middle, _] = link.joint().kind().axes() else {
+            assert!(link.joint().kind().quaternion().is_some(), "{}", link.joint().name());
+            continue;
+        };
+        let range = middle.limits.expect("a range");
+        let farthest = range.upper.max(-range.lower).to_degrees();
+        assert!(farthest < 45.001, "{} turns by {farthest}° about its middle axis", link.joint().name());
+    }
+}
+
+/// Masses, places and ranges are those of anybody.
+#[test]
+fn a_limp_human_is_the_same_body() {
+    let (figure, limp) = (ordinary(), Human::new(1.75, 73.0).limp().build().expect("in range"));
+    for (one, other) in figure.links().iter().zip(limp.links()) {
+        assert_eq!((one.mass(), one.com(), one.inertia()), (other.mass(), other.com(), other.inertia()));
+        let (one, other) = (one.joint(), other.joint());
+        assert_eq!((one.name(), one.placement()), (other.name(), other.placement()));
+        for dof in other.kind().axes() {
+            let same = one.kind().axes().iter().find(|one| one.axis == dof.axis).expect("the same axis");
+            assert_eq!(same.limits, dof.limits, "{}", one.name());
+            assert!(dof.passive.damping > 0.0 && same.passive.is_none(), "{}", one.name());
+        }
+    }
+    let left = limp.anatomical_angle("left_elbow.flexion").expect("an angle");
+    assert_eq!(limp.layout().v_names()[left.dof], "left_elbow.rx");
+    assert!(limp.anatomical_angle("left_shoulder.flexion").is_none());
+    assert_eq!(figure.anatomical_angles().len() - limp.anatomical_angles().len(), 9);
+}
+
+/// Torques go with `m·g·h`, times with `√(h/g)`.
+#[test]
+fn damping_goes_with_the_size() {
+    let damping = |height: f64, mass: f64| {
+        let limp = Human::new(height, mass).limp().build().expect("in range");
+        let knee = limp.joint_index("left_knee").expect("a knee");
+        limp.links()[knee].joint().kind().passive(0).damping
+    };
+    assert!((damping(1.741, 73.0) - 0.5).abs() < 1e-15);
+    let expected = damping(1.75, 73.0) * 0.5 * 0.5_f64.powf(1.5);
+    assert!((damping(0.875, 36.5) - expected).abs() < 1e-15);
+}
+
 #[test]
 fn what_is_no_human_is_refused_with_the_range() {
     let bmi = |index: f64| human(1.75, index * 1.75 * 1.75);

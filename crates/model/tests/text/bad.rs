@@ -148,6 +148,8 @@ fn cases() -> Vec<(&'static str, String)> {
         ("a bracket too many", format!("{CRANE})")),
         ("a body and links", one("name: \"crane\",", "body: Human(height: 1.75, mass: 73),")),
         ("a body that is none", "Figure(version: 1, stature: -1, body: Human(height: 17.5, mass: 73))".to_owned()),
+        ("joints that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, joints: Limb))".to_owned()),
+        ("joints that say more", "Figure(version: 1, body: Human(height: 1.75, mass: 73, joints: Limp(damping: 1)))".to_owned()),
         ("segments that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, segments: {\"left_thig\": 0.4, \"shank\": 4.3, \"hand\": \"big\"}))".to_owned()),
         ("a body without height", "Figure(version: 1, body: human(mass: 73))".to_owned()),
         ("several faults in several links", spoilt(&[

@@ -77,6 +77,12 @@ fn a_body_is_one_word() {
         figure("(version: 1, stature: 1.7, body: Human(height: 1.65, mass: 58))").stature(),
         Some(1.7)
     );
+    let limp = |joints: &str| {
+        figure(&format!("(version: 1, body: Human(height: 1.65, mass: 58, joints: {joints}))"))
+    };
+    let wanted = solaris_model::Human::new(1.65, 58.0).limp().build().expect("a human");
+    assert_eq!(limp("Limp").links(), wanted.links());
+    assert_eq!(limp("Angles").layout().nq(), 66);
 }
 
 #[test]

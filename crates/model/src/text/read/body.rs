@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 impl FigureReader<'_> {
-    /// `Human(height: 1.75, mass: 73.0, segments: {"left_thigh": 0.45})`
+    /// `Human(height: 1.75, mass: 73.0, segments: {"left_thigh": 0.45}, joints: Limp)`
     pub(super) fn body(
         &mut self,
         node: &Node<'_>,
@@ -20,15 +20,19 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let fields = self.fields(node, &["Human"], &["height", "mass", "segments"])?;
+        let fields = self.fields(node, &["Human"], &["height", "mass", "segments", "joints"])?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
         let height = height_node.and_then(|node| self.number(node, "the height"));
         let mass = mass_node.and_then(|node| self.number(node, "the mass"));
         let segments = fields.get("segments").map(|node| self.segments(node)).unwrap_or_default();
-        let (height, mass) = (height?, mass?);
+        let joints = fields.get("joints").map(|node| self.is_limp(node));
+        let (height, mass, is_limp) = (height?, mass?, joints.unwrap_or(Some(false))?);
         let place = |node: Option<&Node<'_>>| node.map_or(fields.at.clone(), |node| node.span.clone());
         let mut human = Human::new(height, mass);
+        if is_limp {
+            human = human.limp();
+        }
         if let Err(error) = human.build() {
             let field = if matches!(error, HumanError::Height { .. }) { height_node } else { mass_node };
             self.fault(place(field), error.to_string());
@@ -62,6 +66,15 @@ impl FigureReader<'_> {
                 None
             }
         }
+    }
+
+    fn is_limp(&mut self, node: &Node<'_>) -> Option<bool> {
+        let kind = self.kind(node, &["Angles", "Limp"])?;
+        if node.group().is_some() {
+            self.fault(node.span.clone(), format!("{kind} stands alone: there is nothing more to say of it"));
+            return None;
+        }
+        Some(kind == "Limp")
     }
 
     fn segments(&mut self, node: &Node<'_>) -> Vec<Segment> {
