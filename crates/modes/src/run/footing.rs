@@ -154,6 +154,11 @@ impl Pass<'_> {
             self.footing.sliding.push(part);
             return Ok(());
         }
+        self.no_footing(held, surface)
+    }
+
+    /// There is no way to stand on what is `held`, or beside it.
+    fn no_footing<T>(&self, held: &[usize], surface: &Surface) -> Result<T, RunError> {
         let mut links: Vec<&str> = Vec::new();
         for touch in held.iter() {
             let name = self.simulation.figure.links()[surface.touches[*touch].link].name();

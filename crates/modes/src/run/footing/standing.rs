@@ -6,14 +6,8 @@ use crate::run::guard;
 use crate::run::pass::Pass;
 use crate::trouble::RunError;
 
-/// What a touch that is not held does next.
-#[derive(Clone, Copy)]
-enum Next {
-    /// It would go into the ground.
-    Sinks(usize),
-    /// It comes back so soon (s) that it has not left.
-    Returns(usize),
-}
+/// Rounds at one instant after which there is no end to be expected, for each touch.
+const MOST_ROUNDS: usize = 50;
 
 impl Pass<'_> {
     /// Of the touches that are on the ground, those that stay there, beginning with `held` and never again with what was `tried`: levers that would pull give way, the worst
@@ -32,7 +26,7 @@ impl Pass<'_> {
             held.iter().any(|&i| scene.parts[i] == Some(part) && scene.touches[i].slip.norm() > REST)
         };
         self.footing.sliding.retain(|part| slides(*part));
-        loop {
+        for _ in 0..MOST_ROUNDS * (1 + surface.touches.len()) {
             tried.check(&mut held, last, self, (surface, scene))?;
             let holds = self.footholds(surface, scene, &held);
             self.body.plant(&holds);
@@ -48,27 +42,28 @@ impl Pass<'_> {
             let scale = rises.iter().fold(self.simulation.gravity.norm(), |most, x| most.max(x.abs()));
             self.check_denied(&holds, surface, scale)?;
             let open = |i: &usize| scene.closed[*i] && !held.contains(i) && !scene.is_shut(&holds, *i);
-            let mut next: Option<(f64, Next)> = None;
+            let mut next: Option<(f64, usize)> = None;
             for touch in (0..rises.len()).filter(open) {
                 let (away, rise) = (-scene.touches[touch].rate, rises[touch]);
                 if rise >= -ROUNDING * scale {
                     continue;
                 }
                 let flight = 2.0 * away.max(0.0) / -rise;
-                let found = if away <= REST { Next::Sinks(touch) } else { Next::Returns(touch) };
-                if flight >= SHORTEST_FLIGHT {
+                // What comes back at once has not left: what velocity it has dies out.
+                let stays =
+                    away <= REST || (flight < SHORTEST_FLIGHT && scene.touches[touch].slip.norm() <= REST);
+                if !stays {
                     // The next step has to see it off the ground.
                     self.cap = self.cap.min(self.t + 0.5 * flight);
                 } else if next.is_none_or(|(least, _)| rise < least) {
-                    next = Some((rise, found));
+                    next = Some((rise, touch));
                 }
             }
-            let Some((_, next)) = next else { return Ok(held) };
-            let (Next::Sinks(touch) | Next::Returns(touch)) = next;
+            let Some((_, touch)) = next else { return Ok(held) };
             held.push(touch);
             last = Some(touch);
             let slides = scene.parts[touch].is_some_and(|part| self.footing.sliding.contains(&part));
-            if matches!(next, Next::Returns(_)) || (!slides && scene.touches[touch].slip.norm() > REST) {
+            if !slides && scene.touches[touch].slip.norm() > REST {
                 // It has a velocity that it must not keep, unless to stop it the ground would have to pull.
                 held = self.land(surface, scene, held)?;
                 *scene = self.scene(surface, &[])?;
@@ -79,5 +74,6 @@ impl Pass<'_> {
                 }
             }
         }
+        self.no_footing(&held, surface)
     }
 }
