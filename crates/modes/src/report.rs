@@ -52,6 +52,8 @@ pub struct GroundReport {
     pub friction: f64,
     /// Every link that touches the ground in a frame, in the order of the figure.
     pub links: Vec<LinkContact>,
+    /// Whether the ground [plants](crate::ContactLaw::Planted) what touches it.
+    pub planted: bool,
     /// What came down on a ground that [plants](crate::ContactLaw::Planted) what touches it, in the order of time.
     pub landings: Vec<Landing>,
 }
@@ -65,7 +67,8 @@ pub struct Landing {
     pub links: Vec<String>,
     /// The impulse of the ground on all that stands on it, along the world's axes (N s); part of [`GroundReport::impulse`].
     pub impulse: [f64; 3],
-    /// The kinetic energy that was lost (J); part of [`EnergyReport::impacts`].
+    /// The kinetic energy that was lost (J); part of [`EnergyReport::impacts`]. Drives that keep their motion do work on it: it can be
+    /// negative.
     pub loss: f64,
 }
 
@@ -78,6 +81,11 @@ impl GroundReport {
     /// The link that slid fastest.
     pub fn fastest(&self) -> Option<&LinkContact> {
         self.links.iter().max_by(|a, b| a.slip.total_cmp(&b.slip))
+    }
+
+    /// The link that took the most friction.
+    pub fn roughest(&self) -> Option<&LinkContact> {
+        self.links.iter().max_by(|a, b| a.friction.total_cmp(&b.friction))
     }
 
     /// The link that slid farthest.

@@ -50,7 +50,7 @@ pub(super) struct Landed {
 
 impl Contact {
     pub(super) fn of(report: GroundReport) -> Self {
-        let GroundReport { impulse, damping, friction, links, landings } = report.clone();
+        let GroundReport { impulse, damping, friction, links, landings, .. } = report.clone();
         Self {
             impulse_n_s: impulse,
             damping_j: damping,
@@ -75,7 +75,7 @@ impl Contact {
         let more = if more > 0 { format!(" and {more} more") } else { String::new() };
         let [x, y, z] = self.impulse_n_s.map(|impulse| digits(settled(impulse, self.impulse_n_s)));
         let at = |link: &str, time: f64| format!("{link}, at {time:.3} s");
-        vec![
+        let mut rows = vec![
             row("touched the ground", self.links.len().to_string(), format!("{}{more}", names.join(", "))),
             row(
                 "deepest",
@@ -89,9 +89,33 @@ impl Contact {
             ),
             row("slid farthest", format!("{} m", digits(farthest.slid)), farthest.link.clone()),
             row("impulse of the ground", format!("({x}, {y}, {z}) N s"), String::new()),
-            row("lost in contact", format!("{} J", digits(self.damping_j)), "to damping".to_owned()),
-            row("", format!("{} J", digits(self.friction_j)), "to friction".to_owned()),
-        ]
+        ];
+        if let Some(roughest) = report.roughest().filter(|_| report.planted) {
+            let LinkContact { link, friction, friction_time, slipping, .. } = roughest;
+            let more = if *slipping > 0.0 {
+                format!("; for {} s more than there is: it ought to slip", digits(*slipping))
+            } else {
+                String::new()
+            };
+            rows.push(row(
+                "friction that it took",
+                digits(*friction),
+                format!("{}{more}", at(link, *friction_time)),
+            ));
+            rows.extend(report.landings.first().map(|first| {
+                let times = report.landings.len();
+                let value = if times == 1 { "once".to_owned() } else { format!("{times} times") };
+                row("came down", value, at(&first.links.join(", "), first.time))
+            }));
+        } else {
+            rows.push(row(
+                "lost in contact",
+                format!("{} J", digits(self.damping_j)),
+                "to damping".to_owned(),
+            ));
+            rows.push(row("", format!("{} J", digits(self.friction_j)), "to friction".to_owned()));
+        }
+        rows
     }
 }
 

@@ -95,7 +95,14 @@ pub(super) fn add(
     let (tracks, links) = feet.into_iter().map(|foot| (foot.track, foot.told)).unzip();
     motion.contacts = tracks;
     let [x, y, z, damping, friction] = *sums;
-    Ok(Some(GroundReport { impulse: [x, y, z], damping, friction, links, landings: Vec::new() }))
+    Ok(Some(GroundReport {
+        impulse: [x, y, z],
+        damping,
+        friction,
+        links,
+        planted: surface_plants,
+        landings: Vec::new(),
+    }))
 }
 
 impl State {
