@@ -3,7 +3,7 @@
 mod foothold;
 mod touches;
 
-pub(crate) use foothold::Foothold;
+pub(crate) use foothold::{CALM, Foothold};
 pub use touches::touches;
 
 use crate::range::{check_not_negative, check_positive};

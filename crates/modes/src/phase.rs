@@ -44,8 +44,8 @@ pub(crate) enum Watched {
     Hold { dof: usize },
     /// How far a sphere that can touch the ground is above it (m), and `below` (m).
     Gap { touch: usize, below: f64 },
-    /// The force of a lever of a foothold, by their indices, as a part of the weight.
-    Lever { hold: usize, lever: usize },
+    /// The force of a lever of a foothold, by their indices, as a part of the weight, and `slack`.
+    Lever { hold: usize, lever: usize, slack: f64 },
 }
 
 /// The equations of motion of one stretch. The state is positions and velocities of what dynamics move, then the work of the
@@ -330,8 +330,8 @@ impl System for Phase {
                 Watched::Gap { touch, below } => {
                     small.and_then(|small| small.lowest(touch)).map_or(f64::NAN, |(_, gap)| gap + below)
                 }
-                Watched::Lever { hold, lever } => {
-                    small.map_or(f64::NAN, |small| self.lever(small, hold, lever))
+                Watched::Lever { hold, lever, slack } => {
+                    small.map_or(f64::NAN, |small| self.lever(small, hold, lever) + slack)
                 }
             };
         }

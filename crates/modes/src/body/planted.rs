@@ -1,13 +1,10 @@
 //! What stands on the ground and stays there.
 
 use super::touching::{GroundElement, Lowest};
-use crate::contact::Foothold;
+use crate::contact::{CALM, Foothold};
 use nalgebra::Vector3;
 use solaris_dynamics::{ContactConstraint, Contacts, Real, Tree, Workspace, Wrench};
 use solaris_profiles::Scalar;
-
-/// In what time (s) a velocity that integration has left to what stands dies out.
-const CALM: f64 = 0.02;
 
 /// Footholds as conditions on the accelerations of links.
 #[derive(Clone, Debug)]

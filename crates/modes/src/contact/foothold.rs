@@ -4,6 +4,9 @@ use crate::hull::{axes, hull};
 use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Wrench;
 
+/// In what time (s) a velocity that integration has left to what stands dies out.
+pub(crate) const CALM: f64 = 0.02;
+
 /// Points of a hull that is narrower than this (m) are in a line, and those of a line that is shorter in one place.
 const NARROW: f64 = 1e-6;
 

@@ -25,8 +25,14 @@ const REST: f64 = 1e-6;
 /// A flight shorter than this (s) is none.
 const SHORTEST_FLIGHT: f64 = 1e-5;
 
-/// Forces, accelerations and velocities smaller than this part of the greatest are none.
+/// Accelerations and velocities smaller than this part of the greatest are none.
 const ROUNDING: f64 = 1e-9;
+
+/// Forces smaller than this part of the weight, or of the greatest, are none: what integration leaves to what stands.
+const PULL: f64 = 1e-6;
+
+/// The part of the weight below zero at which a lever gives way on the way, so that none that is taken as holding has done so already.
+pub(super) const SLACK: f64 = 2.0 * PULL;
 
 /// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
 const DENIED: f64 = 1e-6;
@@ -198,7 +204,7 @@ impl Pass<'_> {
         let at = |touch: usize| scene.touches[touch].point;
         let wrenches: Vec<_> = self.body.footing().collect();
         let greatest = wrenches.iter().map(|wrench| wrench.force.norm()).fold(least, f64::max);
-        let mut worst = (-ROUNDING * greatest, None);
+        let mut worst = (-PULL * greatest, None);
         for (hold, wrench) in holds.iter().zip(&wrenches) {
             for lever in &hold.levers {
                 let force = lever.arm.force(wrench, at, &surface.plane.up);

@@ -1,6 +1,7 @@
 //! What a phase is given before a stretch, and what is watched for on the way.
 
 use super::driven::{Meaning, Mode};
+use super::footing::SLACK;
 use super::pass::Pass;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
@@ -59,7 +60,7 @@ impl Pass<'_> {
         phase.plant(&self.footing.holds);
         for (hold, foothold) in self.footing.holds.iter().enumerate() {
             for lever in 0..foothold.levers.len() {
-                watch(Watched::Lever { hold, lever }, Meaning::Pull(hold, lever));
+                watch(Watched::Lever { hold, lever, slack: SLACK }, Meaning::Pull(hold, lever));
             }
         }
         for &(touch, below) in &self.footing.open {

@@ -110,6 +110,7 @@ impl Reader {
             if !known.contains(&name) {
                 let hint = match nearest(name, known.iter().copied()) {
                     Some(near) => format!("did you mean '{near}'?"),
+                    None if known.is_empty() => "it has none".to_owned(),
                     None => format!("its fields are {}", known.join(", ")),
                 };
                 self.fault(named.span.clone(), format!("{kind} has no field '{name}'; {hint}"));

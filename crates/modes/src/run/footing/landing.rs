@@ -1,6 +1,7 @@
 //! What comes down on the ground in an instant.
 
 use super::{REST, ROUNDING, Scene, Tried};
+use crate::body::Pressed;
 use crate::contact::Surface;
 use crate::phase::Role;
 use crate::report::Landing;
@@ -23,6 +24,8 @@ impl Pass<'_> {
     ) -> Result<Vec<usize>, RunError> {
         let time = self.t;
         let failed = |error| RunError::from(guard::of_dynamics(time, error));
+        let stops = |touch: &Pressed<f64>| touch.rate > REST || touch.slip.norm() > REST;
+        let moved: Vec<bool> = scene.touches.iter().map(stops).collect();
         let down: Vec<bool> = scene.touches.iter().map(|touch| touch.rate > REST).collect();
         let speed =
             scene.touches.iter().map(|touch| touch.slip.norm() + touch.rate.abs()).fold(0.0, f64::max);
@@ -80,7 +83,7 @@ impl Pass<'_> {
             *sum += part;
         }
         let mut links: Vec<String> = Vec::new();
-        for touch in holds.iter().flat_map(|hold| &hold.touches).filter(|touch| down[**touch]) {
+        for touch in holds.iter().flat_map(|hold| &hold.touches).filter(|touch| moved[**touch]) {
             let name = self.simulation.figure.links()[surface.touches[*touch].link].name();
             if !links.iter().any(|other| other == name) {
                 links.push(name.to_owned());

@@ -1,7 +1,7 @@
 //! What stays on the ground, by the forces that it takes.
 
 use super::{REST, ROUNDING, SHORTEST_FLIGHT, Scene, Tried};
-use crate::contact::Surface;
+use crate::contact::{CALM, Surface};
 use crate::run::guard;
 use crate::run::pass::Pass;
 use crate::trouble::RunError;
@@ -45,7 +45,8 @@ impl Pass<'_> {
             let mut next: Option<(f64, usize)> = None;
             for touch in (0..rises.len()).filter(open) {
                 let (away, rise) = (-scene.touches[touch].rate, rises[touch]);
-                if rise >= -ROUNDING * scale {
+                // What stands does so with a velocity that dies out.
+                if rise >= -ROUNDING * scale - REST / CALM {
                     continue;
                 }
                 let flight = 2.0 * away.max(0.0) / -rise;
