@@ -35,7 +35,7 @@ const PULL: f64 = 1e-6;
 pub(super) const SLACK: f64 = 2.0 * PULL;
 
 /// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
-const DENIED: f64 = 1e-6;
+const DENIED: f64 = 1e-3;
 
 /// What stands on the ground.
 #[derive(Default)]

@@ -315,6 +315,44 @@ fn a_start_that_cannot_be_kept_is_stopped() {
     assert!(run.report.ground.as_ref().expect("a ground").landings.is_empty());
 }
 
+/// On a slope, with a root that is turned, whether it slides along its axes or is free.
+#[test]
+fn a_figure_is_put_on_the_ground() {
+    let up = Unit::new_normalize(Vector3::new(0.3, 1.0, -0.2));
+    let plane = GroundPlane { up, height: 0.25, ..ground(0.5) };
+    let kind = ShapeKind::Capsule { radius: 0.1, length: 0.6 };
+    let shape = solaris_model::Shape { kind, placement: Placement::translation(0.0, 0.1, 0.0) };
+    let of = |joint: Joint| {
+        let link = LinkSpec::root("rod", joint).mass(1.0).inertia(Inertia::Uniform(shape)).shape(shape);
+        FigureBuilder::new("rod").link(link).build().expect("valid")
+    };
+    for (figure, q) in [
+        (of(Joint::free("root")), vec![0.4, 2.0, -1.0, 0.1, 0.7, 0.1, 0.7]),
+        (of(Joint::new("root").rz().tx().ty().rx()), vec![0.6, 0.3, -0.4, 0.2]),
+    ] {
+        let mut simulation = simulation(&figure, G, plane, touches(&figure));
+        simulation.start(&q, &vec![0.0; figure.layout().nv()]).expect("valid");
+        let before = simulation.state().0.to_vec();
+        let lifted = simulation.stand().expect("it slides");
+        assert!(lifted.abs() > 0.1, "{lifted}");
+        let run = simulation.run(&fixed(0.0, 100.0, 1e-2)).expect("runs");
+        let tree = solaris_dynamics::Tree::<f64>::new(&figure, Vector3::zeros()).expect("valid");
+        let workspace = &mut solaris_dynamics::Workspace::new(&tree);
+        solaris_dynamics::forward_kinematics(&tree, workspace, run.motion.q(0)).expect("finite");
+        let gap =
+            |touch: &Touch| workspace.pose(0).transform(&touch.center).dot(&up) - touch.radius - plane.height;
+        let least = touches(&figure).iter().map(gap).fold(f64::INFINITY, f64::min);
+        assert_abs_diff_eq!(least, 0.0, epsilon = 1e-14);
+        // Again it is there already.
+        assert_abs_diff_eq!(simulation.stand().expect("it slides"), 0.0, epsilon = 1e-14);
+        assert_ne!(before, simulation.state().0);
+    }
+    let welded = of(Joint::new("root").rz());
+    let mut simulation = simulation(&welded, G, plane, touches(&welded));
+    let error = simulation.stand().expect_err("it does not slide").to_string();
+    assert!(error.contains("'root'") && error.contains("give the root a free joint"), "{error}");
+}
+
 #[test]
 fn a_foot_that_a_curve_drags_along_is_refused() {
     let cart = LinkSpec::root("cart", Joint::new("rail").tx()).mass(1.0);

@@ -32,7 +32,8 @@ impl Pass<'_> {
         let nv = self.v.len();
         let (mut jump, mut impulse) = (vec![0.0; nv], vec![0.0; nv]);
         let (mut tried, mut last) = (Tried::default(), None);
-        let comes = |part: usize| (0..down.len()).any(|i| down[i] && scene.parts[i] == Some(part));
+        let comes =
+            |part: usize| (0..down.len()).any(|i| down[i] && scene.closed[i] && scene.parts[i] == Some(part));
         self.footing.sliding.retain(|part| !comes(*part));
         let holds = loop {
             tried.check(&mut held, last, self, (surface, scene))?;
