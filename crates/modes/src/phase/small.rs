@@ -190,13 +190,12 @@ impl Small {
         jacobian: &mut DMatrix<f64>,
     ) -> Result<(), RateError> {
         self.load(prescribed, t, y);
-        let duals = match self.duals.take() {
-            Some(duals) => duals,
-            None => {
-                let mut duals = Box::new(Side::new(source, &self.reduction, state)?);
-                duals.body.plant(&self.planted);
-                duals
-            }
+        let duals = if let Some(duals) = self.duals.take() {
+            duals
+        } else {
+            let mut duals = Box::new(Side::new(source, &self.reduction, state)?);
+            duals.body.plant(&self.planted);
+            duals
         };
         let duals = self.duals.insert(duals);
         duals.take_constants(&self.numbers);

@@ -129,14 +129,13 @@ impl State {
     /// The same of something that stands on the ground with this wrench, or does not.
     fn stand(&mut self, wrench: Option<&Wrench<f64>>) {
         self.wrench = TotalWrench::default();
-        match wrench {
-            Some(wrench) => {
-                self.wrench = TotalWrench { force: wrench.force, moment: wrench.moment };
-                // What stands is on the ground, whatever rounding says.
-                self.depth = self.depth.max(f64::MIN_POSITIVE);
-                self.sliding = self.slip;
-            }
-            None => (self.depth, self.slip) = (self.depth.min(0.0), 0.0),
+        if let Some(wrench) = wrench {
+            self.wrench = TotalWrench { force: wrench.force, moment: wrench.moment };
+            // What stands is on the ground, whatever rounding says.
+            self.depth = self.depth.max(f64::MIN_POSITIVE);
+            self.sliding = self.slip;
+        } else {
+            (self.depth, self.slip) = (self.depth.min(0.0), 0.0);
         }
     }
 }

@@ -166,7 +166,7 @@ impl Pass<'_> {
     /// There is no way to stand on what is `held`, or beside it.
     fn no_footing<T>(&self, held: &[usize], surface: &Surface) -> Result<T, RunError> {
         let mut links: Vec<&str> = Vec::new();
-        for touch in held.iter() {
+        for touch in held {
             let name = self.simulation.figure.links()[surface.touches[*touch].link].name();
             if !links.contains(&name) {
                 links.push(name);

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stderr, reason = "what was measured")]
 
 mod friction;
+mod leaping;
 mod momentum;
 mod people;
 mod planted;

@@ -1,0 +1,74 @@
+//! What is watched for while a phase lasts.
+
+use super::Phase;
+use super::small::Small;
+use nalgebra::Vector3;
+
+/// What is watched for: an event is where the function passes through zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Watched {
+    /// `q[coordinate] − value`, of the full figure.
+    Position { dof: usize, value: f64 },
+    /// `v[dof] − value`, of the full figure.
+    Velocity { dof: usize, value: f64 },
+    /// The force that holds a prescribed degree of freedom, less that of its drive: where it passes through zero a limit lets go.
+    Hold { dof: usize },
+    /// How far a sphere that can touch the ground is above it (m), and `below` (m).
+    Gap { touch: usize, below: f64 },
+    /// The force of a lever of a foothold, by their indices, as a part of the weight, and `slack`.
+    Lever { hold: usize, lever: usize, slack: f64 },
+}
+
+impl Phase {
+    /// The values of what is watched for in a state.
+    pub(super) fn watched_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
+        let seen = self.see(t, y);
+        let small = self.small.as_ref().filter(|_| seen);
+        for (value, watched) in values.iter_mut().zip(&self.watched) {
+            *value = match *watched {
+                Watched::Position { dof, value } => {
+                    let entry = self.state.position_of(dof);
+                    entry.map_or_else(|| self.prescribed.at(dof, t)[0], |entry| y[entry]) - value
+                }
+                Watched::Velocity { dof, value } => {
+                    let entry = self.state.velocity_of(dof);
+                    entry.map_or_else(|| self.prescribed.at(dof, t)[1], |entry| y[entry]) - value
+                }
+                Watched::Hold { dof } => {
+                    let own = self.held.iter().find(|(held, _)| *held == dof);
+                    let drive = own.map_or(0.0, |(_, force)| force.at(t));
+                    small.and_then(|small| small.force(dof)).map_or(f64::NAN, |force| force - drive)
+                }
+                Watched::Gap { touch, below } => {
+                    small.and_then(|small| small.lowest(touch)).map_or(f64::NAN, |(_, gap)| gap + below)
+                }
+                Watched::Lever { hold, lever, slack } => {
+                    small.map_or(f64::NAN, |small| self.lever(small, hold, lever) + slack)
+                }
+            };
+        }
+    }
+
+    /// Finds what the watched needs in a state; whether there is any of it. A state that the dynamics refuse has none: its rate
+    /// says so.
+    fn see(&mut self, t: f64, y: &[f64]) -> bool {
+        let Some(small) = &mut self.small else { return false };
+        let any = |is: fn(&Watched) -> bool| self.watched.iter().any(is);
+        if any(|watched| matches!(watched, Watched::Hold { .. } | Watched::Lever { .. })) {
+            small.solve(&self.prescribed, t, y).is_ok()
+        } else if any(|watched| matches!(watched, Watched::Gap { .. })) {
+            small.place(&self.prescribed, t, y).is_ok()
+        } else {
+            false
+        }
+    }
+
+    /// The force of a lever as a part of the weight.
+    fn lever(&self, small: &Small, hold: usize, lever: usize) -> f64 {
+        let Some(surface) = &self.source.surface else { return f64::NAN };
+        let arm = self.planted[hold].levers[lever].arm;
+        let at = |touch| small.lowest(touch).map_or_else(Vector3::zeros, |(point, _)| point);
+        let wrench = small.footing().nth(hold);
+        wrench.map_or(f64::NAN, |wrench| arm.force(&wrench, at, &surface.plane.up) / self.weight)
+    }
+}
