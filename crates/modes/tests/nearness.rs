@@ -73,7 +73,8 @@ fn nothing_is_measured_without_shapes_and_another_figures_motion_is_refused() {
     let (with, without) = (two_arms(true), two_arms(false));
     assert_eq!(nearness(&without, &motion(&without, &[vec![0.0; 3]], 1.0)), Ok(None));
     assert_eq!(nearness(&with, &motion(&with, &[], 1.0)), Ok(None));
-    let other = nearness(&without, &motion(&with, &[vec![0.0; 3]], 1.0));
+    let person = human(1.75, 73.0).expect("within range");
+    let other = nearness(&with, &motion(&person, &[neutral(&person)], 1.0));
     assert!(matches!(other, Err(NearnessError::Motion(_))), "{other:?}");
 }
 

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// How near (m) two ends and radii count as one.
 const ONE: f64 = 1e-9;
 /// Corners of a ring.
-const CORNERS: usize = 12;
+const CORNERS: usize = 16;
 /// Rings of a disc.
 const RINGS: usize = 5;
 /// The most capsules beside each other in a box.
