@@ -96,8 +96,8 @@ mod tests {
             apart([[1.0, 0.1, 0.0], [3.0, 9.0, 0.0]], 0.1); // at an end
         }
         let point = segment([[1.0, 2.0, 2.0]; 2]);
-        assert_eq!(distance(&point, &segment([[0.0; 3]; 2])), 3.0);
-        assert_eq!(distance(&point, &point), 0.0);
+        assert_abs_diff_eq!(distance(&point, &segment([[0.0; 3]; 2])), 3.0, epsilon = 1e-15);
+        assert_abs_diff_eq!(distance(&point, &point), 0.0, epsilon = 0.0);
     }
 
     #[test]
@@ -133,7 +133,7 @@ mod tests {
                 epsilon = 1e-7 * scale,
                 max_relative = 1e-7
             );
-            assert_eq!(found, distance(&second, &first));
+            assert_eq!(found.to_bits(), distance(&second, &first).to_bits());
             let [a, b] = first;
             assert_abs_diff_eq!(found, distance(&[b, a], &second), epsilon = 1e-14 * scale);
         }
