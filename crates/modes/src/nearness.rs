@@ -68,8 +68,7 @@ pub enum NearnessError {
 /// person's ellipsoids are filled to within 4 mm, boxes and cylinders have their edges rounded by their least half
 /// thickness, and wide boxes grooves of 0.13 of it where up to nine capsules are enough.
 ///
-/// Pairs whose bounding spheres are farther apart than what was found are passed over. Nothing is allocated for a frame;
-/// its work grows with the number of pairs, by some nanoseconds each.
+/// Pairs whose bounding spheres are farther apart than what was found are passed over. Nothing is allocated for a frame.
 ///
 /// # Errors
 ///
