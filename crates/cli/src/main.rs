@@ -12,6 +12,7 @@ mod given;
 mod ground;
 mod input;
 mod inverse;
+mod limbs;
 mod output;
 mod print;
 mod profile;

@@ -15,6 +15,7 @@ pub(crate) use table::positions;
 
 use crate::error::CliError;
 use crate::input::extension;
+use crate::limbs::Limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use clap::ArgMatches;
@@ -73,7 +74,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(&path, error))?;
     watcher.writing();
-    let report = Report::new(&scene, &simulated);
+    let limbs = Limbs::of(scene.figure(), &simulated.motion)?;
+    let report = Report::new(&scene, &simulated, limbs);
     outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report))?;
     drop(watcher);
 

@@ -3,6 +3,7 @@
 use super::contact::Contact;
 use super::energy::Energies;
 use super::outcomes::{Hit, Told};
+use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::dynamics::scalar::Operations;
 use solaris::modes::{PhaseReport, ReactionReport, RunReport};
@@ -34,6 +35,9 @@ pub(super) struct Report {
     pub(super) contact: Option<Contact>,
     /// What the ground does under a walk.
     pub(super) ground: Option<Ground>,
+    /// How near limbs came to each other, where there are any to measure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) nearest_limbs: Option<Limbs>,
     pub(super) remarks: Vec<String>,
 }
 
@@ -81,7 +85,7 @@ pub(super) struct Ground {
 }
 
 impl Report {
-    pub(super) fn new(scene: &Scene, simulated: &Simulated) -> Self {
+    pub(super) fn new(scene: &Scene, simulated: &Simulated, limbs: Option<Limbs>) -> Self {
         let (figure, motion) = (scene.figure(), &simulated.motion);
         let RunReport {
             method,
@@ -121,6 +125,7 @@ impl Report {
             phases: phases.into_iter().map(Phase::of).collect(),
             contact: ground.map(Contact::of),
             ground: simulated.reactions.as_ref().map(Ground::of),
+            nearest_limbs: limbs,
             remarks,
         }
     }

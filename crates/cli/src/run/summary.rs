@@ -72,6 +72,9 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
     if let Some(contact) = &report.contact {
         rows.extend(contact.rows());
     }
+    if let Some(limbs) = &report.nearest_limbs {
+        rows.push(row("nearest limbs", format!("{} mm", limbs.millimetres()), &limbs.note()));
+    }
     if let Some(ground) = &report.ground {
         let residual = format!("{:.0e} / {:.0e}", ground.root_residual_n, ground.root_residual_n_m);
         rows.push(row("root residual", residual, "N / N m, what no ground reaction explains"));

@@ -1,5 +1,6 @@
 //! The numbers of a walk, as they are written to JSON.
 
+use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
     Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, WalkPlan,
@@ -77,6 +78,9 @@ pub(crate) struct Whole {
     pub(crate) toe_clearance_m: Extreme,
     pub(crate) cop_outside_m: Extreme,
     pub(crate) least_knee_deg: Extreme,
+    /// How near limbs came to each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) nearest_limbs: Option<Limbs>,
     pub(crate) joints: Vec<JointPeaks>,
 }
 
@@ -144,7 +148,7 @@ impl Report {
         plan: &WalkPlan,
         motion: &Motion,
         (reactions, rooted): (&ReactionReport, Option<&RootReport>),
-        measures: &WalkMeasures,
+        (measures, limbs): (&WalkMeasures, Option<Limbs>),
         (planned, solved): (Duration, Duration),
     ) -> Self {
         let style = plan.style();
@@ -184,6 +188,7 @@ impl Report {
                 toe_clearance_m: extreme(m.clearance),
                 cop_outside_m: extreme(m.cop_outside),
                 least_knee_deg: Extreme { value: m.least_knee.value.to_degrees(), at_s: m.least_knee.time },
+                nearest_limbs: limbs,
                 joints: m.joints.iter().map(joint).collect(),
             },
             bands: m.steady.as_ref().map_or_else(Vec::new, bands),

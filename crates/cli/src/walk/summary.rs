@@ -120,6 +120,9 @@ fn walk_rows(report: &Report) -> Vec<Row> {
         row("CoP outside the foot", millimetres(&whole.cop_outside_m, 1), "mm", "at most"),
         row("least knee flexion", fixed(whole.least_knee_deg.value, 1), "°", at(&whole.least_knee_deg)),
     ]);
+    rows.extend(
+        whole.nearest_limbs.iter().map(|limbs| row("nearest limbs", limbs.millimetres(), "mm", limbs.note())),
+    );
     for joint in &whole.joints {
         let (moment, power, names) = match joint.joint {
             "hip" => ("hip moment, peaks", "hip power, peaks", "extensor / flexor"),
