@@ -90,6 +90,10 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 60, max_global_rejects: 10_000, failure_persistence: None, ..ProptestConfig::default()
+    })]
+
     /// A point that is held along one direction does not move along it, and the force on it has no other direction.
     #[test]
     fn a_point_held_along_a_direction_slides_across_it(seed in any::<u64>(), links in 3_usize..9) {
