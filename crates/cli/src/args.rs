@@ -10,7 +10,7 @@ mod run;
 mod walk;
 
 pub(crate) use given::{BASES, Gravity};
-pub(crate) use ground::AskedBelt;
+pub(crate) use ground::{AskedBelt, AskedPlate};
 pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
 pub(crate) use walk::check;
 

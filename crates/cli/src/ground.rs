@@ -1,5 +1,6 @@
 //! `solaris ground`: what the ground does to the feet in a given motion.
 
+mod against;
 mod files;
 mod moved;
 mod predicted;
@@ -8,6 +9,8 @@ mod soles;
 mod summary;
 
 pub(crate) use files::{Content, outputs, write_motion};
+
+use files::{Written, outputs_or_picture};
 pub(crate) use predicted::Predicted;
 pub(crate) use report::GroundReport;
 
@@ -17,10 +20,13 @@ use crate::given::{Given, GivenReport};
 use crate::input::extension;
 use crate::print::print;
 use crate::progress::Progress;
+use against::Plates;
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::io::record::{ForceHeadings, force_table};
 use solaris::io::{csv, sto};
+use solaris::model::Vector3;
+use solaris::view::{FootForces, forces};
 use std::path::{Path, PathBuf};
 
 /// What is printed as JSON.
@@ -32,21 +38,22 @@ struct Report {
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let outputs = outputs(matches)?;
+    let outputs = outputs_or_picture(matches)?;
     let [mut from, mut of] =
         ["motion", "figure"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
     // `solaris inverse` has them the other way round, and their names tell them apart.
     if is_table(&of) && !is_table(&from) {
         std::mem::swap(&mut of, &mut from);
     }
-    let soles = matches.get_one::<PathBuf>("soles");
-    outputs.keep_off([&of, &from].into_iter().chain(soles).map(PathBuf::as_path))?;
+    let others = ["soles", "against"].map(|name| matches.get_one::<PathBuf>(name));
+    outputs.keep_off([&of, &from].into_iter().chain(others.into_iter().flatten()).map(PathBuf::as_path))?;
 
     let progress = Progress::new(4);
     progress.stage("reading");
     let mut given = Given::read(matches, &of, &from, &progress)?;
     progress.stage("finding the ground's forces");
     let ground = Predicted::find(matches, &mut given)?;
+    let plates = Plates::read(matches, &ground.soles)?;
 
     progress.stage("writing");
     let table = |headings| {
@@ -55,16 +62,29 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     };
     outputs.write(|content, mut writer| {
         match content {
-            Content::Forces(TableFormat::Csv) => {
+            Written::Table(Content::Forces(TableFormat::Csv)) => {
                 csv::write_table(&table(ForceHeadings::Solaris)?, &mut writer)
             }
-            Content::Forces(TableFormat::Sto) => sto::write(&table(ForceHeadings::OpenSim)?, &mut writer),
-            Content::Motion(format) => return write_motion(format, writer, &given),
+            Written::Table(Content::Forces(TableFormat::Sto)) => {
+                sto::write(&table(ForceHeadings::OpenSim)?, &mut writer)
+            }
+            Written::Picture => {
+                return writer
+                    .write_all(picture(&ground, &given, plates.as_ref()).as_bytes())
+                    .map_err(CliError::other);
+            }
+            Written::Table(Content::Motion(format)) => return write_motion(format, writer, &given),
         }
         .map_err(CliError::other)
     })?;
     drop(progress);
-    let report = Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given) };
+    let beside = plates.map(|plates| {
+        plates.beside(&given.states.time, &ground.forces.contacts, ground.forces.report.weight)
+    });
+    let mut report = Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given) };
+    if let Some((feet, whole)) = beside {
+        report.ground.hold_against(feet, whole);
+    }
     print(|out| {
         if matches.get_flag("json") {
             serde_json::to_writer_pretty(&mut *out, &report).map_err(std::io::Error::from)?;
@@ -75,6 +95,29 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         report.ground.write(out)?;
         outputs.paths().try_for_each(|path| writeln!(out, "\nwrote {}", path.display()))
     })
+}
+
+/// Forces of each foot along the world's axes, and what plates measured.
+fn picture(ground: &Predicted, given: &Given, plates: Option<&Plates>) -> String {
+    let (time, tracks) = (&*given.states.time, &ground.forces.contacts);
+    let mut feet: Vec<FootForces<'_>> = Vec::new();
+    let [first, last] = [time.first(), time.last()].map(|time| time.copied().unwrap_or_default());
+    for (sole, track) in tracks.iter().enumerate() {
+        feet.push(FootForces { name: &track.link, time, samples: &track.samples, is_measured: false });
+        let measured = plates.iter().flat_map(|plates| plates.feet()).find(|(of, _)| *of == sole);
+        if let Some((_, record)) = measured {
+            // What was measured before and after the motion is not in the picture.
+            let begin = record.time.partition_point(|time| *time < first);
+            let end = record.time.partition_point(|time| *time <= last);
+            let (time, samples) = (&record.time[begin..end], &record.samples[begin..end]);
+            if !time.is_empty() {
+                feet.push(FootForces { name: &track.link, time, samples, is_measured: true });
+            }
+        }
+    }
+    let axes = [("along x", Vector3::x()), ("along y", Vector3::y()), ("along z", Vector3::z())];
+    let title = given.from.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    forces(&feet, &axes, &format!("{title}: forces of the ground"))
 }
 
 fn is_table(path: &Path) -> bool {

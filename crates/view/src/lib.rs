@@ -5,8 +5,10 @@ mod curves;
 mod data;
 mod draw;
 mod error;
+mod forces;
 mod frames;
 mod html;
+mod over_time;
 mod pack;
 pub mod precision;
 pub mod profile;
@@ -14,6 +16,7 @@ mod world;
 
 pub use coordinates::coordinates;
 pub use error::ViewError;
+pub use forces::{FootForces, forces};
 pub use frames::FRAME_RATE;
 
 use solaris_model::{Figure, Motion};

@@ -10,6 +10,9 @@ const EXAMPLES: &str = "Examples:
       forces under both feet of a measured walk, without force plates; OpenSim reads them
   solaris ground walk.mot subject.osim --soles soles.ron --filter 6Hz --split transition --json
       another assumption of how two feet share what both bear; numbers for a program
+  solaris ground walk.mot subject.osim --soles soles.ron --filter 6Hz \
+      --against plates.mot --plate right= --plate left=1_ -o forces.svg
+      how far they are from what plates measured, and a picture of both
   solaris ground walk.csv human.ron -o grf.csv
       a walk of `solaris walk`; the figure has soles of its own
   solaris ground clip.csv human.ron --consistent --motion-out moved.csv
@@ -25,8 +28,24 @@ pub(super) fn command() -> Command {
         .arg(input("figure", "FIGURE", given::FIGURE))
         .arg(path("output").short('o').action(ArgAction::Append).help(wrap(
             "Write force, moment and centre of pressure of each foot: .mot or .sto with OpenSim's names (NAME_ground_force_vx), \
-             .csv with NAME.fx [default: none]",
+             .csv with NAME.fx; or draw the forces: .svg [default: none]",
         )))
+        .arg(path("against").requires("plate").help(wrap(
+            "Measured forces to hold the found ones against, in the summary and the picture: .mot, .sto or .csv, as \
+             --external of `solaris inverse`",
+        )))
+        .arg(
+            Arg::new("plate")
+                .long("plate")
+                .value_name("FOOT=PREFIX")
+                .action(ArgAction::Append)
+                .requires("against")
+                .value_parser(ValueParser::new(parse_plate))
+                .help(wrap(
+                    "Which columns of that file were measured under which sole, by its name: PREFIX is what stands before \
+                     ground_force_vx (may be empty) or before .fx. Several are allowed",
+                )),
+        )
         .arg(json("Print the summary as JSON instead of a table"))
         .next_help_heading("The ground")
         .args(options())
@@ -36,6 +55,20 @@ pub(super) fn command() -> Command {
         .args(given::motion())
         .next_help_heading("The figure")
         .args(given::figure())
+}
+
+/// What was measured under a sole.
+#[derive(Clone, Debug)]
+pub(crate) struct AskedPlate {
+    /// The name of the sole.
+    pub(crate) foot: String,
+    /// What its columns begin with.
+    pub(crate) prefix: String,
+}
+
+fn parse_plate(text: &str) -> Result<AskedPlate, String> {
+    let (foot, prefix) = text.split_once('=').ok_or("it must be FOOT=PREFIX, such as right= or left=1_")?;
+    Ok(AskedPlate { foot: foot.trim().to_owned(), prefix: prefix.to_owned() })
 }
 
 /// How the ground treadmills.

@@ -41,12 +41,47 @@ const MOTION: Formats<Content> = &[
     ("bvh", Content::Motion(MotionFormat::Bvh)),
 ];
 
-/// The files that the options name.
+/// What a file of `solaris ground` is to hold.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Written {
+    Table(Content),
+    /// Forces over time.
+    Picture,
+}
+
+const FORCES_OR_PICTURE: Formats<Written> = &[
+    ("csv", Written::Table(Content::Forces(TableFormat::Csv))),
+    ("sto", Written::Table(Content::Forces(TableFormat::Sto))),
+    ("mot", Written::Table(Content::Forces(TableFormat::Sto))),
+    ("svg", Written::Picture),
+];
+
+const MOVED: Formats<Written> = &[
+    ("csv", Written::Table(Content::Motion(MotionFormat::Csv))),
+    ("sto", Written::Table(Content::Motion(MotionFormat::Sto))),
+    ("mot", Written::Table(Content::Motion(MotionFormat::Sto))),
+    ("bvh", Written::Table(Content::Motion(MotionFormat::Bvh))),
+];
+
+/// The files that the options of `solaris ground` name.
+pub(super) fn outputs_or_picture(matches: &ArgMatches) -> Result<Outputs<Written>, CliError> {
+    named(matches, FORCES_OR_PICTURE, MOVED)
+}
+
+/// The files that the options of `solaris inverse` name.
 pub(crate) fn outputs(matches: &ArgMatches) -> Result<Outputs<Content>, CliError> {
+    named(matches, FORCES, MOTION)
+}
+
+fn named<T: Copy + 'static>(
+    matches: &ArgMatches,
+    formats: Formats<T>,
+    motion: Formats<T>,
+) -> Result<Outputs<T>, CliError> {
     let forces = matches.get_many::<PathBuf>("output").unwrap_or_default();
     let motions = matches.get_many::<PathBuf>("motion-out").unwrap_or_default();
-    let motions = motions.map(|path| ("--motion-out", path, MOTION));
-    Outputs::new(forces.map(|path| ("-o", path, FORCES)).chain(motions))
+    let motions = motions.map(|path| ("--motion-out", path, motion));
+    Outputs::new(forces.map(|path| ("-o", path, formats)).chain(motions))
 }
 
 /// Writes the motion as it is now; its frames are equally far apart.

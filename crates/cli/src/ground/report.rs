@@ -1,5 +1,6 @@
 //! What was found of the ground, as numbers.
 
+use super::against::Beside;
 use super::moved::Moved;
 use super::predicted::Predicted;
 use super::soles::From;
@@ -27,6 +28,9 @@ pub(crate) struct GroundReport {
     /// Frames in which several feet stand, but not between two single supports.
     pub(super) irregular_frames: usize,
     pub(super) unsupported: Unsupported,
+    /// The forces of the feet that have a plate, together, beside these.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) beside_plates: Option<Beside>,
     /// What a person should look at.
     pub(super) warnings: Vec<String>,
 }
@@ -48,6 +52,9 @@ pub(super) struct Foot {
     pub(super) friction: Option<Extreme>,
     /// Absent where it is not judged; `share` of frames outside.
     pub(super) cop_outside_m: Option<Extreme>,
+    /// Where it has a plate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) beside_plate: Option<Beside>,
 }
 
 /// The worst of a quantity, and the share of the foot's frames that are at fault.
@@ -91,6 +98,7 @@ impl GroundReport {
                 least_n: foot.least.map(Extreme::from),
                 friction: foot.friction.map(Extreme::from),
                 cop_outside_m: foot.outside.map(Extreme::from),
+                beside_plate: None,
             }
         };
         let mut report = Self {
@@ -116,10 +124,19 @@ impl GroundReport {
                 force_greatest_n: found.unsupported.force,
                 at_s: found.unsupported.time,
             },
+            beside_plates: None,
             warnings: Vec::new(),
         };
         report.warnings = report.doubts(&ground.from, GivenReport::new(given).root_is_free);
         report
+    }
+
+    /// Takes in how far the forces are from those of plates: by foot, and of all feet with a plate together.
+    pub(super) fn hold_against(&mut self, feet: Vec<Option<Beside>>, whole: Option<Beside>) {
+        for (foot, beside) in self.feet.iter_mut().zip(feet) {
+            foot.beside_plate = beside;
+        }
+        self.beside_plates = whole;
     }
 
     /// What looks wrong, in words.

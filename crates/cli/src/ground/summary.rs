@@ -23,6 +23,9 @@ impl GroundReport {
         self.feet.iter().try_for_each(|foot| foot.write(out, weight))?;
         let air = &self.unsupported;
         writeln!(out)?;
+        if let Some(beside) = &self.beside_plates {
+            row(out, "beside all plates", &beside.words())?;
+        }
         if air.frames == 0 {
             row(out, "no foot stands", "in no frame")?;
         } else {
@@ -86,7 +89,8 @@ impl Foot {
             Some(_) => line(out, "pressure", "inside of the sole"),
             None if self.width_m.is_none() => line(out, "pressure", "not judged: the sole has no width"),
             None => line(out, "pressure", "not judged: the foot never bears 5 % of the weight"),
-        }
+        }?;
+        self.beside_plate.map_or(Ok(()), |beside| line(out, "beside its plate", &beside.words()))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The commands on figures and recorded motions (`inverse`, `ground`, `check`, `figure`, `convert`, `walk --figure`) from outside:
 //! what goes into files and what comes out. What is printed stands in the transcripts.
 
+mod against;
 mod bad_files;
 mod check;
 mod consistent;

@@ -237,9 +237,12 @@ fn every_example_of_the_help_runs() {
         "subject/soles.ron",
         "figures/arm.urdf",
     ]);
-    for (from, to) in
-        [("subject/walk.mot", "ik.mot"), ("subject/walk.mot", "walk.mot"), ("figures/arm.urdf", "robot.urdf")]
-    {
+    for (from, to) in [
+        ("subject/walk.mot", "ik.mot"),
+        ("subject/walk.mot", "walk.mot"),
+        ("subject/grf.mot", "plates.mot"),
+        ("figures/arm.urdf", "robot.urdf"),
+    ] {
         std::fs::copy(Path::new(crate::FIXTURES).join(from), folder.path().join(to)).expect("copied");
     }
     write(folder.path(), "trajectory.csv", "time,shoulder.q,elbow.q\n0,0,0\n1,0.1,0.2\n2,0.3,0\n3,0,0\n");
