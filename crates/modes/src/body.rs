@@ -49,8 +49,6 @@ pub(crate) struct Body<T> {
     ground: Option<GroundElement<T>>,
     /// What stands on the ground and stays there.
     planted: Option<Planted<T>>,
-    /// What it asked for and did not get in the last call (m/s², rad/s², or m/s and rad/s of an impact).
-    missing: f64,
     /// What acts by itself along each degree of freedom, in the state of the last call.
     passive: Vec<T>,
     /// What springs between points and the ground do to links, in the state of the last call.
@@ -96,7 +94,6 @@ impl<T: Real + Scalar> Body<T> {
             heat: T::zero(),
             ground: None,
             planted: None,
-            missing: 0.0,
             pressure: Pressure::none(),
             total: zeros.clone(),
             zeros,
@@ -113,7 +110,6 @@ impl<T: Real + Scalar> Body<T> {
 
     /// From now on these stand on the ground and stay where they are, until others take their place.
     pub(crate) fn plant(&mut self, footholds: &[Foothold]) {
-        self.missing = 0.0;
         let ground = self.ground.as_ref().filter(|_| !footholds.is_empty());
         self.planted = ground.map(|ground| Planted::new(&self.tree, ground, footholds));
     }
@@ -141,8 +137,7 @@ impl<T: Real + Scalar> Body<T> {
                 planted.hold(ground, workspace);
                 let contacts = planted.contacts();
                 let total = &mut self.total;
-                self.missing =
-                    contact_dynamics(tree, workspace, contacts, q, v, prescribed, external, a, total)?;
+                contact_dynamics(tree, workspace, contacts, q, v, prescribed, external, a, total)?;
                 self.pressure.force = planted.force();
             }
             _ => hybrid_dynamics(tree, workspace, q, v, prescribed, external, a, &mut self.total)?,
@@ -194,8 +189,7 @@ impl<T: Real + Scalar> Body<T> {
                 velocities(&self.tree, workspace, q, v)?;
                 planted.stop(ground, workspace);
                 let contacts = planted.contacts();
-                self.missing =
-                    contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, &[], jump, impulse)?;
+                contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, &[], jump, impulse)?;
             }
             _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, &[], jump, impulse)?,
         }
@@ -219,10 +213,10 @@ impl<T: Real + Scalar> Body<T> {
         self.planted.iter().flat_map(Planted::wrenches)
     }
 
-    /// The greatest acceleration (m/s², rad/s²) that footholds ask for and the last call of [`hybrid`](Self::hybrid) could not give them,
-    /// or velocity (m/s, rad/s) in an [`impact`](Self::impact).
-    pub(crate) fn missing(&self) -> f64 {
-        self.missing
+    /// The greatest acceleration (m/s², rad/s²) that a foothold asks for and the last call of [`hybrid`](Self::hybrid) could not give
+    /// it, or velocity (m/s, rad/s) in an [`impact`](Self::impact), after the index of that foothold.
+    pub(crate) fn missing(&self) -> (usize, f64) {
+        self.planted.as_ref().map_or((0, 0.0), Planted::most_missing)
     }
 
     /// Where the lowest point of a sphere that can touch the ground is (m), at the poses of the last call.

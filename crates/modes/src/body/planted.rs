@@ -19,6 +19,8 @@ struct Hold {
     corners: Vec<usize>,
     whole: bool,
     first: usize,
+    /// Numbers in each condition.
+    rows: usize,
 }
 
 impl Hold {
@@ -33,8 +35,13 @@ impl<T: Real + Scalar> Planted<T> {
     pub(super) fn new(tree: &Tree<T>, ground: &GroundElement<T>, footholds: &[Foothold]) -> Self {
         let (mut holds, mut list) = (Vec::with_capacity(footholds.len()), Vec::new());
         for foothold in footholds {
-            let hold =
-                Hold { corners: foothold.corners.clone(), whole: foothold.is_whole(), first: list.len() };
+            let rows = match (foothold.is_whole(), foothold.slides) {
+                (true, _) => 6,
+                (false, false) => 3,
+                (false, true) => 1,
+            };
+            let (corners, whole) = (foothold.corners.clone(), foothold.is_whole());
+            let hold = Hold { corners, whole, first: list.len(), rows };
             for corner in &hold.corners[..hold.len()] {
                 let link = ground.spheres()[*corner].link;
                 list.push(match (hold.whole, foothold.slides) {
@@ -48,8 +55,8 @@ impl<T: Real + Scalar> Planted<T> {
         Self { contacts: Contacts::new(tree, list), holds }
     }
 
-    /// Asks for the accelerations of what stays, at the poses and velocities in `workspace`: none, or those of a sphere that rolls. What velocity is
-    /// left dies out,
+    /// Asks for the accelerations of what stays, at the poses and velocities in `workspace`: none, or those of a sphere that
+    /// rolls. What velocity is left dies out,
     ///
     /// ```text
     /// a = ω × (ω × d) − v/T
@@ -105,6 +112,21 @@ impl<T: Real + Scalar> Planted<T> {
                 moment: sum.moment + wrench.moment,
             })
         })
+    }
+
+    /// The foothold of which most is missing of what was asked for in the last call, by its index, and how much.
+    pub(super) fn most_missing(&self) -> (usize, f64) {
+        let (mut most, mut rest) = ((0, 0.0), self.contacts.residuals());
+        for (index, hold) in self.holds.iter().enumerate() {
+            let rows = hold.len() * hold.rows;
+            let (own, others) = rest.split_at(rows);
+            rest = others;
+            let missing = own.iter().fold(0.0, |most: f64, left| most.max(left.value().abs()));
+            if missing > most.1 {
+                most = (index, missing);
+            }
+        }
+        most
     }
 
     /// The force on all of them (N).

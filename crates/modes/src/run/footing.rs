@@ -249,11 +249,11 @@ impl Pass<'_> {
 
     /// Refuses footholds that the body could not give what they ask for.
     fn check_denied(&self, holds: &[Foothold], surface: &Surface, scale: f64) -> Result<(), RunError> {
-        let missing = self.body.missing();
+        let (hold, missing) = self.body.missing();
         if missing <= DENIED * scale {
             return Ok(());
         }
-        let link = holds.first().map_or(0, |hold| surface.touches[hold.touches[0]].link);
+        let link = holds.get(hold).map_or(0, |hold| surface.touches[hold.touches[0]].link);
         let link = self.simulation.figure.links()[link].name().to_owned();
         let advice = "let dynamics move the joints between it and the root, or take a ground of springs (contact: Spring())";
         let (cause, advice) = (Cause::Planted { link, missing }, advice.to_owned());

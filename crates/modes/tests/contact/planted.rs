@@ -257,14 +257,18 @@ fn a_figure_is_put_on_the_ground() {
 
 #[test]
 fn a_foot_that_a_curve_drags_along_is_refused() {
-    let cart = LinkSpec::root("cart", Joint::new("rail").tx()).mass(1.0);
+    // Beside a block that stands as it should.
+    let block = LinkSpec::child("block", "field", Joint::new("block").tx().ty()).mass(1.0);
+    let cart = LinkSpec::child("cart", "field", Joint::new("rail").tx()).mass(1.0);
     let foot = LinkSpec::child("foot", "cart", Joint::new("lift").ty()).mass(1.0);
-    let figure = FigureBuilder::new("plough").link(cart).link(foot).build().expect("valid");
-    let mut simulation =
-        simulation(&figure, G, ground(0.5), vec![Touch { link: 1, ..at(Vector3::zeros(), 0.0) }]);
+    let field = LinkSpec::root("field", Joint::new("place"));
+    let figure =
+        FigureBuilder::new("plough").link(field).link(block).link(cart).link(foot).build().expect("valid");
+    let touches = [1, 3].map(|link| Touch { link, ..at(Vector3::zeros(), 0.0) });
+    let mut simulation = simulation(&figure, G, ground(0.5), touches.to_vec());
     let along = Profile::Line { from: 0.0, to: 1.0, duration: 1.0 };
     simulation.drive("rail", [Drive::Kinematic(along)]).expect("valid");
-    simulation.start(&[0.0, 0.1], &[1.0, 0.0]).expect("valid");
+    simulation.start(&[0.0, 0.0, 0.0, 0.1], &[0.0, 0.0, 1.0, 0.0]).expect("valid");
     let error = simulation.run(&fixed(0.5, 100.0, 1e-2)).expect_err("it cannot stay");
     let RunError::Trouble(trouble) = &error else { panic!("{error}") };
     assert!(matches!(&trouble.cause, Cause::Planted { link, .. } if link == "foot"), "{error}");

@@ -10,8 +10,8 @@ use crate::trouble::RunError;
 const MOST_ROUNDS: usize = 50;
 
 impl Pass<'_> {
-    /// Of the touches that are on the ground, those that stay there, beginning with `held` and never again with what was `tried`: levers that would pull give way, the worst
-    /// first, and what then would go into the ground is held again.
+    /// Of the touches that are on the ground, those that stay there, beginning with `held` and never again with what was
+    /// `tried`: levers that would pull give way, the worst first, and what then would go into the ground is held again.
     pub(super) fn stand(
         &mut self,
         surface: &Surface,
