@@ -80,6 +80,8 @@ pub enum GaitError {
          style"
     )]
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
+    #[error("{determinants} determinants cannot walk like this: {why}")]
+    Infeasible { determinants: &'static str, why: Box<crate::determinants::Infeasible> },
     #[error("the motion has no {what}; find the ground reactions first")]
     NothingToMeasure { what: &'static str },
     #[error("the figure has no anatomical angle '{angle}'")]

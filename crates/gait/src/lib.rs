@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod body;
+pub mod determinants;
 mod error;
 mod foot;
 mod grid;
