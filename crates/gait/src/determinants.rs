@@ -9,6 +9,7 @@ mod cycle;
 pub mod five;
 mod posture;
 mod proportions;
+mod table;
 pub mod three;
 mod timing;
 
@@ -16,4 +17,5 @@ pub use condition::{Condition, Infeasible, KeyParameter, Nearest};
 pub use cycle::{Cycle, KeyPhase, PhaseRoot};
 pub use posture::{ArmAngles, Joints, KeyPosture, LegAngles, Pelvis, Root, TrunkAngles};
 pub use proportions::Proportions;
+pub use table::{Agreement, Cell, GaitTable};
 pub use timing::{DoubleSupport, THESIS_WALK_RATIO, highest_step_frequency, thesis_step_length};
