@@ -82,6 +82,20 @@ pub enum GaitError {
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
     #[error("{determinants} determinants cannot walk like this: {why}")]
     Infeasible { determinants: &'static str, why: Box<crate::determinants::Infeasible> },
+    #[error(
+        "a walk through key postures needs a step, phases in each of its three cycles, and a duration for each phase"
+    )]
+    EmptyScript,
+    #[error(
+        "a walk through key postures: its {name} is {value}; it must be a finite number, and more than nothing"
+    )]
+    ScriptNumber { name: &'static str, value: f64 },
+    #[error(
+        "{parameter} from {lower} to {upper} is no span of a map; it needs two numbers, the lesser first"
+    )]
+    MapSpan { parameter: &'static str, lower: f64, upper: f64 },
+    #[error("a map of {places} places a side; it must be {least} to {most}")]
+    MapPlaces { places: usize, least: usize, most: usize },
     #[error("the motion has no {what}; find the ground reactions first")]
     NothingToMeasure { what: &'static str },
     #[error("the figure has no anatomical angle '{angle}'")]

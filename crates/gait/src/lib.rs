@@ -5,10 +5,12 @@ pub mod determinants;
 mod error;
 mod foot;
 mod grid;
+mod keyed;
 mod lacks;
 mod laws;
 mod leg;
 mod legs;
+mod map;
 mod measure;
 mod momentum;
 mod parameter;
@@ -24,8 +26,10 @@ mod walk;
 mod walker;
 
 pub use error::GaitError;
+pub use keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 pub use lacks::lacks;
 pub use leg::LegGeometry;
+pub use map::{Edge, FeasibleMap, MapCondition};
 pub use measure::{
     Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,
     measure,

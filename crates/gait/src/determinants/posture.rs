@@ -1,6 +1,7 @@
 //! One key posture: pitches of the segments, and where they put the joints.
 
 use super::proportions::Proportions;
+use crate::leg::LegPose;
 
 /// Pitches of a leg's segments (rad): positive where the lower end is behind, the toes down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -129,6 +130,17 @@ impl LegAngles {
             Root::Tip => joints.tip,
         };
         [at[0] - from[0], at[1] - from[1]]
+    }
+}
+
+impl LegAngles {
+    /// As the closed forms of a figure's leg have it, whose axes lean against the lines between the joints.
+    pub(crate) fn pose(&self, thigh_lean: f64, shank_lean: f64) -> LegPose {
+        // A leg's posture counts forward, and from the axes: the line from hip to knee is at ζ₁ − α, that to the ankle at
+        // ζ₂ − (α − k).
+        let thigh = thigh_lean - self.thigh;
+        let knee = thigh - (shank_lean - self.shank);
+        LegPose { side: 0.0, thigh, knee, pitch: self.foot, toes: self.toes }
     }
 }
 
