@@ -13,6 +13,7 @@ mod given;
 mod guess;
 mod judge;
 mod outline;
+mod planted;
 mod possible;
 mod predict;
 mod share;
@@ -26,6 +27,7 @@ pub use consistency::{
 pub use error::{GroundError, GroundOption};
 pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
+pub use planted::{PlantedError, reactions_of_planted};
 pub use possible::make_consistent;
 pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};
 pub use share::{Shared, Split, share};

@@ -10,14 +10,18 @@ mod frames;
 mod html;
 mod over_time;
 mod pack;
+mod postures;
 pub mod precision;
 pub mod profile;
+mod regions;
 mod world;
 
 pub use coordinates::coordinates;
 pub use error::ViewError;
 pub use forces::{FootForces, forces};
 pub use frames::FRAME_RATE;
+pub use postures::{Room, Stick, StickLine, StickPart, postures};
+pub use regions::{Regions, regions};
 
 use solaris_model::{Figure, Motion};
 
