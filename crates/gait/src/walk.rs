@@ -7,6 +7,7 @@ mod laws;
 mod numbers;
 mod passes;
 mod plan;
+mod repeat;
 mod schedule;
 mod solve;
 mod standing;

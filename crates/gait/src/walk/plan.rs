@@ -4,6 +4,7 @@ use super::feet::Foot;
 use super::laws::WalkLaws;
 use super::numbers::REST;
 use super::passes::{Passes, Solved, Timeline};
+use super::repeat::Repeat;
 use super::standing::Standing;
 use crate::body::Body;
 use crate::error::GaitError;
@@ -21,10 +22,14 @@ use solaris_profiles::UniformSpline;
 
 /// A planned walk: its posture, and what the ground is to do, at any time.
 ///
-/// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1.
+/// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1. Of a walk of more than 42 steps
+/// the middle stride is planned once and repeated; *nodes* are those that were planned.
 pub struct WalkPlan {
     pub(super) body: Body,
+    /// Of the walk that was planned, and of the whole one.
     pub(super) laws: WalkLaws,
+    pub(super) whole: WalkLaws,
+    pub(super) repeat: Repeat,
     pub(super) feet: [Foot; 2],
     pelvis: UniformSpline<3>,
     grid: Grid,
@@ -47,7 +52,9 @@ impl WalkPlan {
     pub fn new(stride: &StridePlan, steps: usize, resolution: Resolution) -> Result<Self, GaitError> {
         let (body, style) = (stride.body.clone(), stride.style);
         let standing = Standing::new(&body, &style);
-        let laws = WalkLaws::new(&body, &style, steps, stride.mean_height(), standing)?;
+        let repeat = Repeat::new(steps, resolution.nodes, style.step_length);
+        let of = |steps: usize| WalkLaws::new(&body, &style, steps, stride.mean_height(), standing);
+        let (laws, whole) = (of(repeat.planned)?, of(steps)?);
         let timeline = Timeline::new(&laws, resolution.nodes, style.stride_time);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
             Passes::new(body, laws, stride, timeline).run(resolution.walk_passes)?;
@@ -61,6 +68,8 @@ impl WalkPlan {
             moving: timeline.moving,
             body,
             laws,
+            whole,
+            repeat,
             feet,
             nodes,
             corrections,
@@ -84,12 +93,12 @@ impl WalkPlan {
 
     /// Number of steps, without the closing one.
     pub fn steps(&self) -> usize {
-        self.laws.steps
+        self.whole.steps
     }
 
     /// Heel prints along z (m): both feet standing, each step, and the closing foot.
     pub fn prints(&self) -> &[f64] {
-        self.laws.prints()
+        self.whole.prints()
     }
 
     /// Amplitudes of the shifts of load: fore and aft at start and end (m), sideways at start and end (step widths).
@@ -97,7 +106,7 @@ impl WalkPlan {
         (self.laws.amplitudes.sagittal, self.laws.amplitudes.lateral)
     }
 
-    /// By how much each contact lowers the body (m), from the standing feet to the last step.
+    /// By how much each contact lowers the body (m), from the standing feet to the last step that was planned.
     pub fn height_corrections(&self) -> &[f64] {
         &self.corrections
     }
@@ -107,7 +116,7 @@ impl WalkPlan {
         (self.nodes.len(), self.moving)
     }
 
-    /// Clock of a node: 0 where left heel contact would have been before the first step.
+    /// Clock of a node in the walk that was planned: 0 where left heel contact would have been before the first step.
     pub fn clock(&self, node: usize) -> f64 {
         self.first + node as f64 * self.grid.step / self.laws.style.stride_time
     }
@@ -134,7 +143,10 @@ impl WalkPlan {
 
     /// Share and centre of pressure of both feet at a clock.
     pub fn support(&self, clock: f64) -> [FootSupport; 2] {
-        self.laws.support(clock)
+        let (u, advance) = self.repeat.fold(clock);
+        let mut feet = self.laws.support(u);
+        feet.iter_mut().for_each(|foot| foot.cop.z += advance);
+        feet
     }
 
     /// Prescribed wrenches of both feet at a node.
@@ -144,7 +156,7 @@ impl WalkPlan {
 
     /// Prescribed total force at a clock (N).
     pub fn force(&self, clock: f64) -> Vector3<f64> {
-        Vector3::from(self.force.position(clock))
+        Vector3::from(self.force.position(self.repeat.fold(clock).0))
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.
@@ -163,15 +175,15 @@ impl WalkPlan {
     }
 
     fn posture(&self, clock: f64) -> Posture {
-        let u = self.moving_clock(clock);
+        let (u, advance) = self.repeat.fold(self.moving_clock(clock));
         let (trunk, arms) = self.laws.angles(u);
         let pelvis = Vector3::from(self.pelvis.position(u));
-        Posture { pelvis, trunk, arms, legs: self.hips_and_legs(u).1 }
+        let legs = self.hips_and_legs(u).1;
+        Posture { pelvis: pelvis + Vector3::z() * advance, trunk, arms, legs }
     }
 
-    /// Hips (in each foot's world: the right one mirrored) and poses of both legs at a clock.
-    pub(super) fn hips_and_legs(&self, clock: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
-        let u = self.moving_clock(clock);
+    /// Hips (in each foot's world: the right one mirrored) and poses of both legs at a clock of the walk that was planned.
+    pub(super) fn hips_and_legs(&self, u: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
         let rotation = laws::rotation(self.laws.angles(u).0[0]);
         let pelvis = Vector3::from(self.pelvis.position(u));
         let hips = [0, 1].map(|side| {
@@ -183,13 +195,13 @@ impl WalkPlan {
 
     /// The clock, or one at rest before or after the walk.
     fn moving_clock(&self, clock: f64) -> f64 {
-        clock.clamp(self.laws.begin - 1.0, self.laws.end + 1.0)
+        clock.clamp(self.whole.begin - 1.0, self.whole.end + 1.0)
     }
 }
 
 impl Trajectory for WalkPlan {
     fn duration(&self) -> f64 {
-        self.time(self.laws.end + REST)
+        self.time(self.whole.end + REST)
     }
 
     fn configuration(&self, t: f64, q: &mut [f64]) {

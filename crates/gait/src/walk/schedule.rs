@@ -40,8 +40,8 @@ impl WalkPlan {
     pub fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
         for (side, link) in FEET.iter().enumerate() {
-            for j in 0..self.laws.episode_count(side) {
-                let episode = self.laws.episode(side, j);
+            for j in 0..self.whole.episode_count(side) {
+                let episode = self.whole.episode(side, j);
                 let link = (*link).to_owned();
                 if episode.kind != Kind::First {
                     let kind = EventKind::TouchDown { link: link.clone() };
@@ -63,9 +63,11 @@ impl WalkPlan {
         let mut planted = Vec::new();
         let end = self.duration();
         for side in [0, 1] {
-            for j in 0..self.laws.episode_count(side) {
-                let episode = self.laws.episode(side, j);
-                let stance = &self.feet[side].stances[j];
+            for j in 0..self.whole.episode_count(side) {
+                let episode = self.whole.episode(side, j);
+                // A little after the contact, where rounding does not decide which print it is.
+                let planned = self.laws.episode_at(side, self.repeat.fold(episode.contact + 0.01).0);
+                let stance = &self.feet[side].stances[planned];
                 let clock = |v: f64| self.time(episode.contact + v).clamp(0.0, end);
                 let pushes = matches!(episode.kind, Kind::First | Kind::Step);
                 let landed = if matches!(episode.kind, Kind::First) { -1.0 } else { 0.0 };
