@@ -1,7 +1,7 @@
 //! From pelvis, trunk, arms and legs to the figure's coordinates.
 
 use crate::body::{Body, Segment};
-use crate::foot::{FootPlane, mirror_rotation};
+use crate::foot::{FootPlane, mirror, mirror_rotation};
 use crate::laws::{self, Euler};
 use crate::leg::LegPose;
 use nalgebra::Vector3;
@@ -15,6 +15,17 @@ pub(crate) struct Posture {
 }
 
 impl Posture {
+    /// The mirror image in the body's middle plane. Each leg's pose is one of a left leg, whichever side it is on.
+    pub(crate) fn mirrored(self) -> Self {
+        let ([left_arm, right_arm], [left_leg, right_leg]) = (self.arms, self.legs);
+        Self {
+            pelvis: mirror(&self.pelvis),
+            trunk: self.trunk.map(|[z, y, x]| [-z, -y, x]),
+            arms: [right_arm, left_arm],
+            legs: [right_leg, left_leg],
+        }
+    }
+
     /// Writes the figure's coordinates to `q` (length `nq`).
     pub(crate) fn write(&self, body: &Body, plane: &FootPlane, q: &mut [f64]) {
         let root = self.pelvis - body.middle[0].offset;

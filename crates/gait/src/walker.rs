@@ -56,6 +56,8 @@ pub struct WalkRequest {
     pub speed: Option<f64>,
     /// How far.
     pub extent: Extent,
+    /// Whether the left foot makes the first step; else the right one.
+    pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
     pub parameters: Vec<(&'static str, f64)>,
     /// How finely to plan.
@@ -69,6 +71,7 @@ impl Default for WalkRequest {
             step_length: None,
             speed: None,
             extent: Extent::Steps(10),
+            left_first: false,
             parameters: Vec::new(),
             resolution: Resolution::default(),
         }
@@ -87,7 +90,7 @@ pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitErro
     let pace = Pace::of(request, body.height)?;
     let plan = pace.plan(&body, request)?;
     pace.check(&plan).map_err(|error| pace.advise(error, &body, request))?;
-    Ok(plan)
+    Ok(if request.left_first { plan.mirrored() } else { plan })
 }
 
 /// Step frequency, step length and number of steps.

@@ -30,6 +30,8 @@ pub struct WalkPlan {
     pub(super) laws: WalkLaws,
     pub(super) whole: WalkLaws,
     pub(super) repeat: Repeat,
+    /// Whether all is mirrored, so that the left foot goes first.
+    pub(super) left_first: bool,
     pub(super) feet: [Foot; 2],
     pelvis: UniformSpline<3>,
     grid: Grid,
@@ -70,10 +72,27 @@ impl WalkPlan {
             laws,
             whole,
             repeat,
+            left_first: false,
             feet,
             nodes,
             corrections,
         })
+    }
+
+    /// The mirror image of the walk: the other foot goes first.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self { left_first: !self.left_first, ..self }
+    }
+
+    /// Of a pair, the left foot's first.
+    fn sided<T>(&self, [a, b]: [T; 2]) -> [T; 2] {
+        if self.left_first { [b, a] } else { [a, b] }
+    }
+
+    /// A vector as the walk has it.
+    fn seen(&self, v: Vector3<f64>) -> Vector3<f64> {
+        if self.left_first { mirror(&v) } else { v }
     }
 
     /// The style of the steady part.
@@ -133,30 +152,39 @@ impl WalkPlan {
 
     /// Centre of mass at a node (m).
     pub fn com(&self, node: usize) -> Vector3<f64> {
-        self.nodes[node].com
+        self.seen(self.nodes[node].com)
     }
 
     /// Rate of the angular momentum about the centre of mass at a node (N m).
     pub fn momentum_rate(&self, node: usize) -> Vector3<f64> {
-        self.nodes[node].momentum_rate
+        // It turns the other way in the mirror, but for what is about the axis across.
+        let rate = self.nodes[node].momentum_rate;
+        if self.left_first { -mirror(&rate) } else { rate }
     }
 
     /// Share and centre of pressure of both feet at a clock.
     pub fn support(&self, clock: f64) -> [FootSupport; 2] {
         let (u, advance) = self.repeat.fold(clock);
         let mut feet = self.laws.support(u);
-        feet.iter_mut().for_each(|foot| foot.cop.z += advance);
-        feet
+        for foot in &mut feet {
+            foot.cop = self.seen(foot.cop + Vector3::z() * advance);
+        }
+        self.sided(feet)
     }
 
     /// Prescribed wrenches of both feet at a node.
     pub fn forces(&self, node: usize) -> [Contact; 2] {
-        self.nodes[node].feet(&self.laws.style)
+        let feet = self.nodes[node].feet(&self.laws.style).map(|foot| Contact {
+            force: self.seen(foot.force),
+            moment: if self.left_first { -mirror(&foot.moment) } else { foot.moment },
+            cop: self.seen(foot.cop),
+        });
+        self.sided(feet)
     }
 
     /// Prescribed total force at a clock (N).
     pub fn force(&self, clock: f64) -> Vector3<f64> {
-        Vector3::from(self.force.position(self.repeat.fold(clock).0))
+        self.seen(Vector3::from(self.force.position(self.repeat.fold(clock).0)))
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.
@@ -179,7 +207,8 @@ impl WalkPlan {
         let (trunk, arms) = self.laws.angles(u);
         let pelvis = Vector3::from(self.pelvis.position(u));
         let legs = self.hips_and_legs(u).1;
-        Posture { pelvis: pelvis + Vector3::z() * advance, trunk, arms, legs }
+        let posture = Posture { pelvis: pelvis + Vector3::z() * advance, trunk, arms, legs };
+        if self.left_first { posture.mirrored() } else { posture }
     }
 
     /// Hips (in each foot's world: the right one mirrored) and poses of both legs at a clock of the walk that was planned.

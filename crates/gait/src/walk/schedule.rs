@@ -36,13 +36,19 @@ impl WalkPlan {
         Ok(motion)
     }
 
+    /// The side that a foot of the plan is on.
+    fn seen_side(&self, side: usize) -> usize {
+        if self.left_first { 1 - side } else { side }
+    }
+
     /// Touch-downs and lift-offs in the order of time.
     pub fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
-        for (side, link) in FEET.iter().enumerate() {
+        for side in [0, 1] {
+            let link = FEET[self.seen_side(side)];
             for j in 0..self.whole.episode_count(side) {
                 let episode = self.whole.episode(side, j);
-                let link = (*link).to_owned();
+                let link = link.to_owned();
                 if episode.kind != Kind::First {
                     let kind = EventKind::TouchDown { link: link.clone() };
                     events.push(Event { time: self.time(episode.contact), kind });
@@ -77,11 +83,12 @@ impl WalkPlan {
                     landed
                 };
                 let last = |v: f64| if pushes { clock(v) } else { end };
+                let (foot, toes) = (FEET[self.seen_side(side)], TOES[self.seen_side(side)]);
                 let spans = [
-                    (FEET[side], SolePart::Heel, clock(landed), last(stance.heel_off())),
-                    (FEET[side], SolePart::Ball, clock(flat), last(stance.heel_off())),
-                    (TOES[side], SolePart::Ball, clock(flat), last(stance.tip_roll_at())),
-                    (TOES[side], SolePart::ToeTip, clock(flat), last(self.laws.style.toe_off())),
+                    (foot, SolePart::Heel, clock(landed), last(stance.heel_off())),
+                    (foot, SolePart::Ball, clock(flat), last(stance.heel_off())),
+                    (toes, SolePart::Ball, clock(flat), last(stance.tip_roll_at())),
+                    (toes, SolePart::ToeTip, clock(flat), last(self.laws.style.toe_off())),
                 ];
                 for (link, part, start, end) in spans {
                     let Some(index) = figure.link_index(link) else { continue };

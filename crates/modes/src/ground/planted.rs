@@ -1,7 +1,9 @@
 //! The ground's forces of a motion that says itself where its feet are planted.
 
 use crate::complete::Completed;
-use crate::ground::{GroundError, GroundOptions, GroundReport, Split, ground_forces, soles, stances_of_planted};
+use crate::ground::{
+    GroundError, GroundOptions, GroundReport, Split, ground_forces, soles, stances_of_planted,
+};
 use crate::inverse::{InverseError, InverseOptions, Residual, inverse_motion};
 use solaris_model::{Figure, Motion, MotionError};
 
