@@ -7,6 +7,7 @@
 mod condition;
 mod cycle;
 pub mod five;
+mod model;
 mod posture;
 mod proportions;
 mod table;
@@ -15,6 +16,7 @@ mod timing;
 
 pub use condition::{Condition, Infeasible, KeyParameter, Nearest};
 pub use cycle::{Cycle, KeyPhase, PhaseRoot};
+pub use model::{Determinants, KeySolution, TABLES, table};
 pub use posture::{ArmAngles, Joints, KeyPosture, LegAngles, Pelvis, Root, TrunkAngles};
 pub use proportions::Proportions;
 pub use table::{Agreement, Cell, GaitTable};

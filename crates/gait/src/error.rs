@@ -82,6 +82,8 @@ pub enum GaitError {
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
     #[error("{determinants} determinants cannot walk like this: {why}")]
     Infeasible { determinants: &'static str, why: Box<crate::determinants::Infeasible> },
+    #[error("{found} values for the {expected} parameters of {determinants} determinants")]
+    ParameterCount { determinants: &'static str, found: usize, expected: usize },
     #[error(
         "a walk through key postures needs a step, phases in each of its three cycles, and a duration for each phase"
     )]

@@ -21,6 +21,7 @@ mod stance;
 mod stride;
 mod style;
 mod swing;
+mod thesis;
 mod upper;
 mod walk;
 mod walker;
@@ -37,6 +38,7 @@ pub use measure::{
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stride::{Resolution, StridePlan};
 pub use style::{Style, WALK_RATIO};
+pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
 pub use walk::{FEET, WalkPlan};
 pub use walker::{
     DEFAULT_STEP_FREQUENCY, Extent, FRICTION, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, WalkRequest, walk,

@@ -119,7 +119,14 @@ impl KeyChoice {
             let (lower, upper) = parameters[index].range;
             if !(lower..=upper).contains(value) {
                 let (parameter, unit) = (parameters[index].name, parameters[index].unit);
-                return Err(GaitError::Range { parameter, value: *value, unit, lower, upper, why: String::new() });
+                return Err(GaitError::Range {
+                    parameter,
+                    value: *value,
+                    unit,
+                    lower,
+                    upper,
+                    why: String::new(),
+                });
             }
             given[index] = Some(*value);
         }
@@ -163,7 +170,8 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     let postures = request.determinants.solve(&proportions, values, speed)?;
     let parts = postures.parts(&proportions, request.double_support, step_frequency);
     let mut parts = parts.into_iter();
-    let cycles = postures.cycles.clone().map(|phases| ScriptCycle { phases, parts: parts.next().unwrap_or_default() });
+    let cycles =
+        postures.cycles.clone().map(|phases| ScriptCycle { phases, parts: parts.next().unwrap_or_default() });
     let script = KeyScript { cycles, steps, step_length, step_time: 60.0 / step_frequency };
     let options = KeyedOptions {
         in_between: request.in_between,
@@ -180,10 +188,13 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.
 fn pace(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
     // A length that was given as a parameter is one all the same.
-    let parameter = request.parameters.iter().find(|(name, _)| *name == "step-length").map(|(_, value)| *value);
-    let (frequency, length, speed) = (request.step_frequency, request.step_length.or(parameter), request.speed);
-    for (name, value, unit) in
-        [("step length", length, " m"), ("speed", speed, " m/s")].into_iter().filter_map(|(n, v, u)| Some((n, v?, u)))
+    let parameter =
+        request.parameters.iter().find(|(name, _)| *name == "step-length").map(|(_, value)| *value);
+    let (frequency, length, speed) =
+        (request.step_frequency, request.step_length.or(parameter), request.speed);
+    for (name, value, unit) in [("step length", length, " m"), ("speed", speed, " m/s")]
+        .into_iter()
+        .filter_map(|(n, v, u)| Some((n, v?, u)))
     {
         range(name, value, unit, (1e-3 * height, 3.0 * height))?;
     }
@@ -207,7 +218,12 @@ fn pace(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
     Ok((frequency, length))
 }
 
-fn range(parameter: &'static str, value: f64, unit: &'static str, (lower, upper): (f64, f64)) -> Result<(), GaitError> {
+fn range(
+    parameter: &'static str,
+    value: f64,
+    unit: &'static str,
+    (lower, upper): (f64, f64),
+) -> Result<(), GaitError> {
     if (lower..=upper).contains(&value) {
         Ok(())
     } else {

@@ -1,8 +1,8 @@
 //! Walks through key postures: what is planted stays, nothing sinks, every posture is met.
 
+use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_gait::determinants::{Cycle, DoubleSupport, KeyPhase, Proportions, five};
 use solaris_gait::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
-use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{Figure, SolePart, Trajectory, Vector3, human};
 
 fn script(figure: &Figure, step_frequency: f64, steps: usize) -> KeyScript {
@@ -57,7 +57,8 @@ fn what_is_planted_stays_and_nothing_sinks() {
         for step_frequency in [80.0, 110.0, 125.0] {
             for in_between in [InBetween::Rest, InBetween::Linear] {
                 let options = KeyedOptions { in_between, ..KeyedOptions::default() };
-                let walk = KeyedWalk::new(&figure, &script(&figure, step_frequency, 4), options).expect("a walk");
+                let walk =
+                    KeyedWalk::new(&figure, &script(&figure, step_frequency, 4), options).expect("a walk");
                 let mut stage = Stage::new(&figure, &walk);
                 for interval in walk.planted(&figure) {
                     stage.pose(interval.start);
@@ -66,7 +67,10 @@ fn what_is_planted_stays_and_nothing_sinks() {
                         let t = interval.start + (interval.end - interval.start) * f64::from(k) / 40.0;
                         stage.pose(t);
                         let off = (stage.at(interval.link, &interval.point) - place).norm();
-                        assert!(off < 1e-6, "{height} {step_frequency} {in_between:?} {interval:?} {t}: {off:e}");
+                        assert!(
+                            off < 1e-6,
+                            "{height} {step_frequency} {in_between:?} {interval:?} {t}: {off:e}"
+                        );
                     }
                 }
                 let lowest = lowest(&figure, &walk);

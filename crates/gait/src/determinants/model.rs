@@ -87,9 +87,7 @@ impl Determinants {
                 let refuse = |why| GaitError::Infeasible { determinants: self.word(), why: Box::new(why) };
                 three::ThreeParameters::automatic(p, step_length).map_err(refuse)?.values().to_vec()
             }
-            Self::Five => {
-                five::FiveParameters::automatic(p, step_frequency, step_length)?.values().to_vec()
-            }
+            Self::Five => five::FiveParameters::automatic(p, step_frequency, step_length)?.values().to_vec(),
         })
     }
 
@@ -119,7 +117,7 @@ impl Determinants {
                 let arms = three::ArmCoefficients::default();
                 Ok(KeySolution {
                     values: values.to_vec(),
-                    angles: angles.listed(),
+                    angles: three_angles(&angles),
                     cycles: CYCLES.map(|cycle| three::phases(&angles, &arms, cycle)),
                     before: three::start(&angles, &arms, Cycle::Intermediate),
                     remarks: Vec::new(),
@@ -132,7 +130,7 @@ impl Determinants {
                 let upper = five::Upper::automatic(&angles, speed);
                 Ok(KeySolution {
                     values: values.to_vec(),
-                    angles: angles.listed(),
+                    angles: five_angles(&angles),
                     cycles: CYCLES.map(|cycle| five::phases(&angles, &upper, cycle)),
                     before: five::posture_before(&angles, &upper, Cycle::Intermediate),
                     remarks: five::remarks(&angles),
@@ -143,7 +141,8 @@ impl Determinants {
     }
 
     fn sized<const N: usize>(self, values: &[f64]) -> Result<[f64; N], GaitError> {
-        let error = || GaitError::ParameterCount { determinants: self.word(), found: values.len(), expected: N };
+        let error =
+            || GaitError::ParameterCount { determinants: self.word(), found: values.len(), expected: N };
         values.try_into().map_err(|_| error())
     }
 }
@@ -169,10 +168,43 @@ impl KeySolution {
             Solved::Five(angles) => {
                 let timing = double_support.map_or(five::Timing::Travel, five::Timing::DoubleSupport);
                 let parts = timing.parts(p, angles, step_frequency);
-                [0, 1, 2].map(|cycle| self.cycles[cycle].iter().map(|phase| parts[phase.number - 1]).collect())
+                [0, 1, 2]
+                    .map(|cycle| self.cycles[cycle].iter().map(|phase| parts[phase.number - 1]).collect())
             }
         }
     }
+}
+
+fn three_angles(angles: &three::ThreeAngles) -> Vec<(&'static str, &'static str, f64)> {
+    vec![
+        ("α", "straight legs of a stride", angles.alpha),
+        ("δ", "pelvic tilt", angles.tilt),
+        ("χ", "stance shank at lift-off", angles.chi),
+        ("ξ", "stance thigh at lift-off", angles.xi),
+        ("θ₁", "thigh that lifts off first", angles.theta1),
+        ("θ₃", "shank and foot that lift off first", angles.theta3),
+        ("ω", "thigh that lifts off", angles.omega),
+        ("φ", "shank and foot that lift off", angles.phi),
+    ]
+}
+
+fn five_angles(angles: &five::FiveAngles) -> Vec<(&'static str, &'static str, f64)> {
+    let q = &angles.parameters;
+    vec![
+        ("α", "straight leg at heel strike", angles.alpha),
+        ("β", "straight rear leg at heel strike", angles.beta),
+        ("δ", "pelvic tilt at heel strike", q.tilt),
+        ("τ", "pelvic rotation before heel strike", q.rotation),
+        ("ξ", "stance thigh at lift-off", angles.xi),
+        ("φ", "thigh that lifts off", q.thigh_lift_off),
+        ("ω", "shank and foot that lift off", angles.omega),
+        ("μ", "stance thigh in passing", angles.mu),
+        ("ψ", "stance shank in passing", angles.psi),
+        ("κ", "swinging thigh in passing", q.thigh_swing),
+        ("ε", "swinging shank in passing", angles.epsilon),
+        ("θ", "straight rear leg in the stretch", q.heel_strike_angle),
+        ("χ", "leading thigh in the stretch", angles.chi),
+    ]
 }
 
 /// A table of the thesis by its number, `7.1` to `7.8` and `8.1` to `8.7`, computed anew.
@@ -181,6 +213,5 @@ pub fn table(number: &str) -> Option<GaitTable> {
 }
 
 /// The numbers of all tables.
-pub const TABLES: [&str; 15] = [
-    "7.1", "7.2", "7.3", "7.4", "7.5", "7.6", "7.7", "7.8", "8.1", "8.2", "8.3", "8.4", "8.5", "8.6", "8.7",
-];
+pub const TABLES: [&str; 15] =
+    ["7.1", "7.2", "7.3", "7.4", "7.5", "7.6", "7.7", "7.8", "8.1", "8.2", "8.3", "8.4", "8.5", "8.6", "8.7"];

@@ -14,11 +14,14 @@ const FREQUENCIES: (f64, f64) = (30.0, 181.75);
 
 /// Pelvic tilt (°) over step length by height: people's at usual steps, and none at shorter ones, where a tilt would have the
 /// foot land behind the hip.
-const TILT: [[f64; 2]; 7] = [[0.18, 0.0], [0.24, 2.2], [0.30, 3.0], [0.38, 3.5], [0.44, 4.0], [0.48, 4.5], [0.52, 5.0]];
+const TILT: [[f64; 2]; 7] =
+    [[0.18, 0.0], [0.24, 2.2], [0.30, 3.0], [0.38, 3.5], [0.44, 4.0], [0.48, 4.5], [0.52, 5.0]];
 /// Pelvic rotation (°).
-const ROTATION: [[f64; 2]; 6] = [[0.18, 2.0], [0.32, 3.0], [0.38, 4.0], [0.44, 5.0], [0.48, 6.0], [0.52, 8.0]];
+const ROTATION: [[f64; 2]; 6] =
+    [[0.18, 2.0], [0.32, 3.0], [0.38, 4.0], [0.44, 5.0], [0.48, 6.0], [0.52, 8.0]];
 /// ξ − α (°): what the standing thigh rises by as the foot comes flat, the room of (iii).
-const RISE: [[f64; 2]; 7] = [[0.18, 0.6], [0.32, 0.9], [0.38, 4.3], [0.44, 8.1], [0.48, 10.7], [0.52, 13.3], [0.6, 19.0]];
+const RISE: [[f64; 2]; 7] =
+    [[0.18, 0.6], [0.32, 0.9], [0.38, 4.3], [0.44, 8.1], [0.48, 10.7], [0.52, 13.3], [0.6, 19.0]];
 /// p by height.
 const LANDING: [[f64; 2]; 3] = [[0.18, 0.004], [0.32, 0.0057], [0.52, 0.0157]];
 /// Room of (i), α − χ (°), and the greatest part of α that it takes.
