@@ -8,6 +8,7 @@ mod drives;
 mod footing;
 mod guard;
 mod impacts;
+mod kinks;
 mod ledger;
 mod outcomes;
 mod pass;

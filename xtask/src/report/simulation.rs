@@ -6,6 +6,7 @@
 mod between;
 mod extremes;
 mod figures;
+mod ground;
 #[cfg(feature = "stiff")]
 mod pictures;
 mod solutions;

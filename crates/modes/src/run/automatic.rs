@@ -1,5 +1,6 @@
 //! Which method and which step meet a tolerance.
 
+use super::kinks::has_kinks;
 use super::pass::{Passed, pass};
 use super::{Chosen, NOTHING, Quiet, compare, describe, scaled};
 use crate::report::{Counts, ErrorEstimate, Watch};
@@ -106,7 +107,8 @@ impl<'a> Ladder<'a> {
             if let Some(last) = self.last.take() {
                 self.beside.add(&last.counts);
                 let apart = compare::difference(&self.simulation.figure, &passed.record, &last.record)?;
-                let error = scaled(apart, share(before, apart.position, passed.jumps));
+                let jumps = passed.jumps || has_kinks(self.simulation, &passed)?;
+                let error = scaled(apart, share(before, apart.position, jumps));
                 before = apart.position;
                 if error.position <= self.tolerance {
                     return Ok(self.done(passed, error, stepping, remarks));

@@ -99,3 +99,19 @@ fn without_damping_it_comes_back_to_where_it_fell_from() {
     let late = (1000..run.motion.len()).map(|frame| run.motion.q(frame)[1]).fold(f64::MIN, f64::max);
     assert_abs_diff_eq!(late, 0.5, epsilon = 1e-4);
 }
+
+/// A touch begins within a step, so that the differences of ever shorter steps fall by chance: none of them was sixteen times as large as
+/// what is left, though one may be sixteen times as large as the next.
+#[test]
+fn what_is_said_of_a_fall_on_springs_is_no_less_than_what_is_true() {
+    for stiffness in [1e3, 1e4, 1e5] {
+        let plane = floor(0.0, stiffness, 10.0, 1e-2);
+        let mut simulation = simulation(&point(), G, plane, vec![at(Vector3::zeros(), 0.0)]);
+        simulation.start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
+        let run = simulation.run(&Settings::new(0.5, 100.0)).expect("runs");
+        let fine = simulation.run(&fixed(0.5, 100.0, 1e-5)).expect("runs");
+        let off = (0..run.motion.len()).map(|frame| (run.motion.q(frame)[1] - fine.motion.q(frame)[1]).abs());
+        let (off, said) = (off.fold(0.0, f64::max), run.report.error.expect("an estimate").position);
+        assert!(off <= said && said <= 1e-6, "{stiffness}: said {said:e}, is {off:e}");
+    }
+}

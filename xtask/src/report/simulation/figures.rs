@@ -11,8 +11,8 @@ use solaris_modes::{
 };
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, TAU};
 
-const G: f64 = 9.81;
-const DOWN: Vector3<f64> = Vector3::new(0.0, -G, 0.0);
+pub(super) const G: f64 = 9.81;
+pub(super) const DOWN: Vector3<f64> = Vector3::new(0.0, -G, 0.0);
 
 /// A scene with what is known of it.
 pub(super) struct Case {
@@ -101,7 +101,7 @@ pub(super) fn conserved() -> Result<Vec<Case>, Faulty> {
     Ok(vec![case("tumbling body, 10 s", tumbling()?, 10.0), case("falling cat, 1 s", cat()?, 1.0)])
 }
 
-fn built(name: &str, links: impl IntoIterator<Item = LinkSpec>) -> Result<Figure, FigureError> {
+pub(super) fn built(name: &str, links: impl IntoIterator<Item = LinkSpec>) -> Result<Figure, FigureError> {
     links.into_iter().fold(FigureBuilder::new(name), FigureBuilder::link).build()
 }
 

@@ -1,7 +1,7 @@
 //! The pictures of docs/trust.md: error against time.
 
 use super::figures::{self, Case};
-use super::solutions;
+use super::{ground, solutions};
 use crate::report::write;
 use solaris_modes::study::{StudyOptions, study};
 use solaris_modes::{Settings, Watch};
@@ -30,6 +30,10 @@ pub(super) fn draw() -> Result<(), String> {
     };
     let folder = crate::workspace::root().join("docs/trust");
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    eprintln!("report: on the ground");
+    for (file, picture) in ground::picture::diagrams()? {
+        write(&format!("docs/trust/{file}.svg"), &svg(&picture, Against::Evaluations))?;
+    }
     for (file, case) in [("pendulum", pendulum), ("governor", figures::governor()?)] {
         eprintln!("report: {}, all settings", case.name);
         let options = StudyOptions {

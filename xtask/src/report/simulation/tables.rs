@@ -3,12 +3,12 @@
 use super::between::{self, KINDS, RATES};
 use super::extremes::{self, Spring};
 use super::figures::{Case, closed, conserved, governor, studied};
-use super::widths;
+use super::{ground, widths};
 use crate::report::table::{Cell, Table, number};
 use solaris_modes::study::{Accuracy, Row, method_name, setting};
 use solaris_modes::{Method, Rule, Settings};
 
-const fn fixed(rule: Rule, step: f64) -> Method {
+pub(super) const fn fixed(rule: Rule, step: f64) -> Method {
     Method::Fixed { rule, step }
 }
 
@@ -31,7 +31,7 @@ fn error(row: &Row) -> f64 {
 }
 
 /// The error with the least that is told: what is less counts as 1e-13.
-fn cell(error: f64) -> Cell {
+pub(super) fn cell(error: f64) -> Cell {
     Cell::Numbers(vec![if error < 1e-13 { 1e-13 } else { error }])
 }
 
@@ -222,7 +222,7 @@ pub(super) fn in_betweens() -> Table {
 
 /// Tables that need no more than the fixed rules.
 pub(super) fn all() -> Result<Vec<(&'static str, Table)>, String> {
-    Ok(vec![
+    let mut all = vec![
         ("closed forms", closed_forms()?),
         ("estimates", estimates()?),
         ("kept", kept()?),
@@ -231,7 +231,9 @@ pub(super) fn all() -> Result<Vec<(&'static str, Table)>, String> {
         ("stiffness", stiffness()?),
         ("precisions", precisions()?),
         ("in-betweens", in_betweens()),
-    ])
+    ];
+    all.extend(ground::tables::all()?);
+    Ok(all)
 }
 
 /// Tables of the methods that choose their steps.
@@ -251,10 +253,12 @@ pub(super) mod adaptive {
         let methods = [adaptive(1e-6), adaptive(1e-9), stiff(1e-6), stiff(1e-9)];
         let header = vec!["adaptive, 1e-6", "adaptive, 1e-9", "stiff, 1e-6", "stiff, 1e-9"];
         let governor = [stiff(1e-4), stiff(1e-6), stiff(1e-8), stiff(1e-10), adaptive(1e-4), adaptive(1e-8)];
-        Ok(vec![
+        let mut all = vec![
             ("adaptive", by_method("worst position (rad or m)", &closed()?, &methods, header)?),
             ("governor, adaptive", governor_by(&governor)?),
             ("equations", crate::report::simulation::systems::table()?),
-        ])
+        ];
+        all.extend(crate::report::simulation::ground::tables::adaptive()?);
+        Ok(all)
     }
 }
