@@ -12,7 +12,7 @@ mod walk;
 pub(crate) use given::{BASES, Gravity};
 pub(crate) use ground::{AskedBelt, AskedPlate};
 pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
-pub(crate) use walk::check;
+pub(crate) use walk::{check, key_options};
 
 use clap::builder::{Str, ValueParser};
 use clap::{Arg, ArgAction, Command};

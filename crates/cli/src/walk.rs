@@ -1,25 +1,27 @@
 //! `solaris walk`: a person walks.
 
 mod numbers;
+mod planned;
 mod report;
+mod request;
 mod summary;
 
-use crate::args::{BODY_MASS_INDEX, DEFAULT_STEPS, HEIGHT, RATE, check};
-use crate::error::{CliError, typed};
+use crate::args::{BODY_MASS_INDEX, HEIGHT, RATE, check};
+use crate::error::CliError;
 use crate::input;
 use crate::limbs::Limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
 use clap::ArgMatches;
+use planned::Planned;
 use report::Report;
-use solaris::gait::{Extent, FEET, PARAMETERS, STEPS, WalkRequest, lacks, measure, walk};
-use solaris::model::{Figure, Motion, Trajectory, human};
-use solaris::modes::{ground_reactions, reactions_from_feet};
+use request::{Request, looped, number, out_of_range};
+use solaris::gait::{lacks, measure};
+use solaris::model::{Figure, Motion, human};
 use solaris::view::{PageOptions, page};
 use std::io::Write;
 use std::path::PathBuf;
-use std::time::Instant;
 
 /// What a file of a walk holds.
 #[derive(Clone, Copy, Debug)]
@@ -51,27 +53,15 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         return Err(out_of_range(matches, "rate", format!("it must be {} to {} frames/s", RATE.1, RATE.2)));
     }
     let figure = figure(matches)?;
-    let request = request(matches)?;
+    let request = Request::of(matches)?;
 
     let progress = Progress::new(4);
-    let start = Instant::now();
-    progress.stage("planning the walk");
-    let plan = walk(&figure, &request).map_err(|error| CliError::of_gait(error, matches))?;
-    let planned = start.elapsed();
-    check_size(plan.duration(), rate)?;
-    progress.stage("finding the forces");
-    let mut motion = plan.motion(&figure, rate).map_err(CliError::other)?;
-    let reactions = ground_reactions(&figure, &mut motion, FEET, &plan).map_err(CliError::other)?;
-    let from_feet = matches.get_one::<String>("root").is_some_and(|root| root == "foot");
-    let rooted = from_feet.then(|| reactions_from_feet(&figure, &mut motion, FEET)).transpose();
-    let rooted = rooted.map_err(CliError::other)?;
+    let planned = Planned::of(&figure, &request, looped(matches), rate, &progress, matches)?;
     progress.stage("measuring");
-    let measures = measure(&figure, &motion).map_err(CliError::other)?;
-    let solved = start.elapsed();
-    let limbs = Limbs::of(&figure, &motion)?;
-    let person = (plan.stature(), figure.mass());
-    let forces = (&reactions, rooted.as_ref());
-    let report = Report::new(person, &plan, &motion, forces, (&measures, limbs), (planned, solved));
+    let measures = measure(&figure, &planned.motion).map_err(CliError::other)?;
+    let limbs = Limbs::of(&figure, &planned.motion)?;
+    let motion = planned.motion.clone();
+    let report = Report::new(figure.mass(), planned, &measures, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| write(format, writer, &figure, &motion, &report))?;
     drop(progress);
@@ -100,14 +90,6 @@ fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
     human(height, mass).map_err(|error| CliError::of_human(error, matches))
 }
 
-fn number(matches: &ArgMatches, name: &str) -> Option<f64> {
-    matches.get_one::<f64>(name).copied()
-}
-
-fn out_of_range(matches: &ArgMatches, option: &str, why: String) -> CliError {
-    CliError::Option { option: option.to_owned(), value: typed(matches, option).unwrap_or_default(), why }
-}
-
 /// Refuses a motion for which no memory may be left.
 fn check_size(duration: f64, rate: f64) -> Result<(), CliError> {
     let frames = duration * rate;
@@ -115,27 +97,6 @@ fn check_size(duration: f64, rate: f64) -> Result<(), CliError> {
         return Ok(());
     }
     Err(CliError::TooLong { duration, rate, frames, most: MOST_FRAMES })
-}
-
-fn request(matches: &ArgMatches) -> Result<WalkRequest, CliError> {
-    let steps = matches.get_one::<i64>("steps").copied().unwrap_or(DEFAULT_STEPS);
-    let extent = if let Some(distance) = number(matches, "distance") {
-        Extent::Distance(distance)
-    } else {
-        let in_range = usize::try_from(steps).ok().filter(|steps| (STEPS.0..=STEPS.1).contains(steps));
-        let why = || format!("it must be {} to {}", STEPS.0, STEPS.1);
-        let steps = in_range.ok_or_else(|| out_of_range(matches, "steps", why()))?;
-        Extent::Steps(steps)
-    };
-    let parameters = PARAMETERS.iter().filter_map(|p| number(matches, p.name).map(|value| (p.name, value)));
-    Ok(WalkRequest {
-        step_frequency: number(matches, "step-frequency"),
-        step_length: number(matches, "step-length"),
-        speed: number(matches, "speed"),
-        extent,
-        parameters: parameters.collect(),
-        ..WalkRequest::default()
-    })
 }
 
 fn write(

@@ -51,6 +51,8 @@ pub(crate) struct Body {
     pub(crate) fingerprint: u64,
     pub(crate) mass: f64,
     pub(crate) height: f64,
+    /// Number of the figure's coordinates.
+    pub(crate) nq: usize,
     pub(crate) leg: LegGeometry,
     /// First entry of the root's translations in `q`.
     pub(crate) root: usize,
@@ -75,6 +77,7 @@ impl Body {
         Ok(Self {
             fingerprint: figure.fingerprint(),
             mass: figure.mass(),
+            nq: figure.layout().nq(),
             height: figure.stature().unwrap_or(leg.length() / LEG_OVER_HEIGHT),
             leg,
             root,

@@ -16,6 +16,7 @@ use crate::determinants::Proportions;
 use crate::error::GaitError;
 use crate::foot::FootPlane;
 use crate::posture::Posture;
+use crate::stride_loop::StrideLoop;
 use phase::Phase;
 use script::Sway;
 use solaris_model::{Figure, Trajectory};
@@ -37,6 +38,8 @@ pub struct KeyedWalk {
     step_time: f64,
     /// Heel prints (m) as the steps make them, after the two that it stands on.
     prints: Vec<f64>,
+    /// From when to when a stride repeats itself (s).
+    loops: Option<(f64, f64)>,
 }
 
 impl KeyedWalk {
@@ -53,7 +56,12 @@ impl KeyedWalk {
         let rest = REST * script.step_time;
         let (phases, prints) = script::laid_out(&proportions, script, &options, rest);
         let sway = Sway::new(&options, script, &phases);
-        Ok(Self { body, proportions, options, phases, sway, step_time: script.step_time, prints })
+        let [starting, intermediate, _] = &script.cycles;
+        let (first, length) = (starting.phases.len(), intermediate.phases.len());
+        let start = |cycle: usize| phases[first + cycle * length].start;
+        // The sway has come to its height after the first step, and dies away in the last one.
+        let loops = (script.steps >= 6).then(|| (start(1), start(3)));
+        Ok(Self { body, proportions, options, sway, step_time: script.step_time, prints, loops, phases })
     }
 
     /// Heel prints along z (m): each step's, and the closing foot's.
@@ -74,6 +82,13 @@ impl KeyedWalk {
     /// The times (s) at which a key posture is met, with its name, the first where the movement begins.
     pub fn keys(&self) -> impl Iterator<Item = (f64, &'static str)> {
         self.phases.iter().map(|phase| (phase.start + phase.duration, phase.to.name))
+    }
+
+    /// The stride of the second and third intermediate cycle, to be repeated; none of a walk of fewer than six steps.
+    pub fn stride_loop(&self) -> Option<StrideLoop<'_, Self>> {
+        let &(from, to) = self.loops.as_ref()?;
+        let advance = self.prints[2] - self.prints[0];
+        Some(StrideLoop::new(self, self.body.nq, self.body.root + 2, (from, to - from), advance))
     }
 
     fn posture(&self, t: f64) -> Posture {

@@ -19,6 +19,7 @@ mod posture;
 mod prescribed;
 mod stance;
 mod stride;
+mod stride_loop;
 mod style;
 mod swing;
 mod thesis;
@@ -37,6 +38,7 @@ pub use measure::{
 };
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stride::{Resolution, StridePlan};
+pub use stride_loop::{StrideLoop, Walking, on_the_spot};
 pub use style::{Style, WALK_RATIO};
 pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
 pub use walk::{FEET, WalkPlan};

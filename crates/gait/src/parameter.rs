@@ -63,7 +63,7 @@ pub const PARAMETERS: &[Parameter] = &[
         place: |s| &mut s.heel_strike_angle,
     },
     Parameter {
-        name: "pelvic-rotation",
+        name: "rotation",
         symbol: "τ",
         help: "turn of the pelvis at contact, leading hip forward",
         unit: Unit::Degrees,
@@ -71,7 +71,7 @@ pub const PARAMETERS: &[Parameter] = &[
         place: |s| &mut s.pelvic_rotation,
     },
     Parameter {
-        name: "pelvic-tilt",
+        name: "tilt",
         symbol: "δ",
         help: "amplitude of the pelvis' side tilt (obliquity); the peak is about 0.92 of it",
         unit: Unit::Degrees,

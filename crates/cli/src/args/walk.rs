@@ -2,10 +2,12 @@
 
 use super::{BODY_MASS_INDEX, DEFAULT_STEPS, HEIGHT, RATE, json, number, parse_count, path, wrap};
 use crate::error::{CliError, typed};
-use clap::builder::ValueParser;
+use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command};
+use solaris::gait::determinants::{KeyParameter, THESIS_WALK_RATIO, five, three};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, PARAMETERS, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, Unit, WALK_RATIO,
+    DEFAULT_STEP_FREQUENCY, PARAMETERS, Parameter, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
+    THESIS_STEP_FREQUENCY, Unit, WALK_RATIO,
 };
 
 const WALK_EXAMPLES: &str = "Examples:
@@ -14,7 +16,11 @@ const WALK_EXAMPLES: &str = "Examples:
   solaris walk --height 1.2 --mass 25 --step-frequency 100 --distance 5 -o child.html -o child.csv
       a child walks five metres, as a page and as a table
   solaris walk --speed 1.2 --arm-swing 5 -o stiff.bvh --report stiff.json
-      motion capture for an animation tool, and the numbers of the walk as JSON";
+      motion capture for an animation tool, and the numbers of the walk as JSON
+  solaris walk --style thesis --determinants 3 --step-frequency 95 -o thesis.html
+      through the key postures of three determinants, from rest to rest
+  solaris walk --loop in-place -o loop.bvh
+      one stride that repeats, for a game";
 
 pub(super) fn command() -> Command {
     let (slowest, fastest) = STEP_FREQUENCY;
@@ -91,8 +97,9 @@ pub(super) fn command() -> Command {
                  depends on it [default: pelvis]",
             ),
         ))
+        .args(manner())
         .next_help_heading("Its style (people's: what people do at this frequency and step length)");
-    PARAMETERS.iter().fold(command, |command, parameter| {
+    let command = PARAMETERS.iter().fold(command, |command, parameter| {
         let (unit, value) = match parameter.unit {
             Unit::Degrees => ("°", "DEGREES"),
             Unit::Metres => (" m", "M"),
@@ -100,9 +107,85 @@ pub(super) fn command() -> Command {
         let symbol =
             if parameter.symbol.is_empty() { String::new() } else { format!("{}: ", parameter.symbol) };
         let (lower, upper) = parameter.range;
-        let help = format!("{symbol}{}, {lower} to {upper}{unit} [default: people's]", parameter.help);
+        let thesis = key_parameters().find(|key| key.name == parameter.name);
+        let thesis = thesis.map_or_else(String::new, |key| {
+            let (lower, upper) = key.range;
+            format!("; style thesis: {}, {lower} to {upper}{}", key.help, key.unit)
+        });
+        let help = format!(
+            "{symbol}{}, {lower} to {upper}{unit}{thesis} [default: {}]",
+            parameter.help,
+            if thesis.is_empty() { "people's" } else { "people's, or chosen" }
+        );
         command.arg(number(parameter.name, value, &help))
-    })
+    });
+    let of_thesis = |command: Command, parameters: &'static [KeyParameter]| {
+        let own = |parameter: &&KeyParameter| {
+            parameter.name != "step-length" && Parameter::named(parameter.name).is_none()
+        };
+        parameters.iter().filter(own).fold(command, |command, parameter| {
+            let value = if parameter.unit == "°" { "DEGREES" } else { "M" };
+            let (lower, upper) = parameter.range;
+            let (symbol, unit) = (parameter.symbol, parameter.unit);
+            let help = format!(
+                "{symbol}: {}, {lower} to {upper}{unit} [default: chosen inside its bounds]",
+                parameter.help
+            );
+            command.arg(number(parameter.name, value, &help))
+        })
+    };
+    let command = command.next_help_heading("Key postures of five determinants (--style thesis)");
+    let command = of_thesis(command, five::PARAMETERS);
+    let command =
+        command.next_help_heading("Key postures of three determinants (--style thesis --determinants 3)");
+    of_thesis(command, three::PARAMETERS)
+}
+
+/// All parameters of key postures, those of five determinants first.
+fn key_parameters() -> impl Iterator<Item = &'static KeyParameter> {
+    five::PARAMETERS.iter().chain(three::PARAMETERS)
+}
+
+/// The names of the options that are parameters of key postures.
+pub(crate) fn key_options() -> Vec<&'static str> {
+    let mut names: Vec<&str> = key_parameters().map(|parameter| parameter.name).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+/// In which manner it walks.
+fn manner() -> [Arg; 7] {
+    let choice = |name: &'static str, value: &'static str, of: &'static [&'static str]| {
+        Arg::new(name)
+            .long(name)
+            .value_name(value)
+            .value_parser(PossibleValuesParser::new(of))
+            .hide_possible_values(true)
+    };
+    let (slowest, fastest) = THESIS_STEP_FREQUENCY;
+    [
+        choice("style", "STYLE", &["smooth", "thesis"]).help(wrap(&format!(
+            "smooth: forces first, as people walk; thesis: through key postures, the body stopping at each, {slowest} to {fastest} \
+             steps/min, {THESIS_WALK_RATIO}·height·frequency a step [default: smooth]"
+        ))),
+        choice("determinants", "N", &["3", "5"]).help(wrap(
+            "5: pelvic rotation, pelvic tilt, flexion of the stance knee, the foot's plantar flexion, compass gait; 3: without \
+             the first and the foot's [default: 5]",
+        )),
+        choice("first", "SIDE", &["left", "right"]).help("Which foot makes the first step [default: right]"),
+        choice("loop", "HOW", &["in-place", "moving"]).help(wrap(
+            "One stride that repeats instead of a walk: on the spot, or going on; the rate is fitted to it [default: a walk]",
+        )).conflicts_with("extent"),
+        choice("in-betweens", "HOW", &["rest", "linear"]).help(wrap(
+            "Style thesis: from posture to posture by minimum jerk, at rest in each, or at an even pace [default: rest]",
+        )),
+        choice("double-support", "LAW", &["thesis", "measured", "travel"]).help(wrap(
+            "Style thesis: how long both feet stand: the thesis's law, the measured one, or as long as the pelvis takes at an \
+             even pace [default: thesis]",
+        )),
+        number("sway", "M", "Style thesis: amplitude of the pelvis' way to the sides, towards the foot that stands [default: 0]"),
+    ]
 }
 
 /// Where to write what.

@@ -1,15 +1,13 @@
 //! The numbers of a walk, as they are written to JSON.
 
+use super::planned::{Plan, Planned};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, WalkPlan,
-    check_bands,
+    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, check_bands,
 };
-use solaris::model::Motion;
-use solaris::modes::{ReactionReport, RootReport};
+use solaris::modes::RootReport;
 use std::io::Write;
-use std::time::Duration;
 
 /// Everything that a walk came to.
 #[derive(Debug, Serialize)]
@@ -18,6 +16,9 @@ pub(crate) struct Report {
     pub(crate) version: &'static str,
     pub(crate) person: Person,
     pub(crate) walk: Walk,
+    /// Of a walk in the thesis's style.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) key_postures: Option<KeyPostures>,
     pub(crate) steady_stride: Option<Stride>,
     pub(crate) whole_walk: Whole,
     pub(crate) bands: Vec<BandList>,
@@ -32,8 +33,21 @@ pub(crate) struct Person {
     pub(crate) mass_kg: f64,
 }
 
+/// What the key postures of the thesis's style are.
+#[derive(Debug, Serialize)]
+pub(crate) struct KeyPostures {
+    pub(crate) determinants: usize,
+    /// Name, symbol, value, unit.
+    pub(crate) parameters: Vec<(&'static str, &'static str, f64, &'static str)>,
+    /// Symbol, what it is, degrees.
+    pub(crate) angles_deg: Vec<(&'static str, &'static str, f64)>,
+    /// What the thesis asks for besides, and these do not have.
+    pub(crate) remarks: Vec<String>,
+}
+
 #[derive(Debug, Serialize)]
 pub(crate) struct Walk {
+    pub(crate) style: &'static str,
     pub(crate) steps: usize,
     pub(crate) step_frequency_per_min: f64,
     pub(crate) step_length_m: f64,
@@ -120,10 +134,28 @@ pub(crate) struct Forces {
     pub(crate) root_residual_n_m: f64,
     /// How far the total force that the motion implies is from the one that was prescribed.
     pub(crate) from_prescribed_n: Option<Extreme>,
-    pub(crate) cop_from_prescribed_m: Extreme,
+    pub(crate) cop_from_prescribed_m: Option<Extreme>,
+    /// Where the ground would have to pull.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) pulls: Option<Pull>,
     /// Where they were computed from the foot that stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) roots: Option<Roots>,
+}
+
+/// The ground would have to pull at a foot.
+#[derive(Debug, Serialize)]
+pub(crate) struct Pull {
+    pub(crate) least_percent_bw: f64,
+    pub(crate) at_s: f64,
+    /// Share of that foot's stance in which it would.
+    pub(crate) share_of_stance: f64,
+}
+
+impl From<(f64, f64)> for Extreme {
+    fn from((value, at_s): (f64, f64)) -> Self {
+        Self { value, at_s }
+    }
 }
 
 /// What computing from the foot that stands came to.
@@ -143,15 +175,10 @@ pub(crate) struct RunTime {
 }
 
 impl Report {
-    pub(crate) fn new(
-        (height, mass): (f64, f64),
-        plan: &WalkPlan,
-        motion: &Motion,
-        (reactions, rooted): (&ReactionReport, Option<&RootReport>),
-        (measures, limbs): (&WalkMeasures, Option<Limbs>),
-        (planned, solved): (Duration, Duration),
-    ) -> Self {
-        let style = plan.style();
+    pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
+        let Planned { plan, motion, forces, planned, solved } = planned;
+        let (height, step_frequency, step_length) =
+            (plan.stature(), plan.step_frequency(), plan.step_length());
         let m = measures;
         let joint = |joint: &solaris::gait::JointPeaks| JointPeaks {
             joint: joint.joint,
@@ -160,16 +187,16 @@ impl Report {
             generated: extreme(joint.generated),
             absorbed: extreme(joint.absorbed),
         };
-        let pair = |(value, at_s): (f64, f64)| Extreme { value, at_s };
         Self {
             version: env!("CARGO_PKG_VERSION"),
             person: Person { height_m: height, mass_kg: mass },
             walk: Walk {
+                style: plan.style(),
                 steps: m.steps,
-                step_frequency_per_min: style.step_frequency,
-                step_length_m: style.step_length,
-                step_length_over_peoples: style.step_length / (WALK_RATIO * height * style.step_frequency),
-                speed_m_s: style.step_length * style.step_frequency / 60.0,
+                step_frequency_per_min: step_frequency,
+                step_length_m: step_length,
+                step_length_over_peoples: step_length / (WALK_RATIO * height * step_frequency),
+                speed_m_s: step_length * step_frequency / 60.0,
                 distance_m: m.distance,
                 duration_s: m.duration,
                 frames: motion.len(),
@@ -192,16 +219,10 @@ impl Report {
                 joints: m.joints.iter().map(joint).collect(),
             },
             bands: m.steady.as_ref().map_or_else(Vec::new, bands),
-            forces: Forces {
-                double_support_split: reactions.split,
-                root_residual_n: reactions.root_residual.0,
-                root_residual_n_m: reactions.root_residual.1,
-                from_prescribed_n: reactions.from_prescribed.map(pair),
-                cop_from_prescribed_m: pair(reactions.cop_from_nominal),
-                roots: rooted.map(roots),
-            },
+            key_postures: plan.postures(),
+            forces,
             run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
-            notes: notes(plan, m),
+            notes: notes(&plan, m),
         }
     }
 
@@ -212,7 +233,7 @@ impl Report {
     }
 }
 
-fn roots(report: &RootReport) -> Roots {
+pub(super) fn roots(report: &RootReport) -> Roots {
     Roots {
         links: report.roots.iter().map(|(time, link)| (link.clone(), *time)).collect(),
         force_differs_n: report.reaction.0,
@@ -259,9 +280,19 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
 }
 
 /// What is known to be wrong with such a walk, said where it shows.
-fn notes(plan: &WalkPlan, measures: &WalkMeasures) -> Vec<String> {
-    let step_frequency = plan.style().step_frequency;
+fn notes(plan: &Plan, measures: &WalkMeasures) -> Vec<String> {
     let mut notes = Vec::new();
+    let plan = match plan {
+        Plan::Smooth(plan) => plan,
+        Plan::Thesis(_) => {
+            notes.push(format!(
+                "the body stops at every posture: forces reach {:.0} %BW; --style smooth walks on",
+                measures.vertical.value
+            ));
+            return notes;
+        }
+    };
+    let step_frequency = plan.style().step_frequency;
     if measures.least_knee.value < 0.0 {
         notes.push(format!(
             "a knee is hyperextended by {:.1}° at {:.2} s",

@@ -1,7 +1,7 @@
 //! The table that a walk prints, and the one on its page.
 
 use super::numbers::{beside, fixed, short, wrapped};
-use super::report::{BandList, Check, Extreme, Report};
+use super::report::{BandList, Check, Extreme, KeyPostures, Report};
 use solaris::view::TableRow;
 use std::fmt::Write;
 use std::path::Path;
@@ -32,6 +32,7 @@ pub(super) fn title(report: &Report) -> String {
 /// The rows for the page.
 pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
     let mut all = walk_rows(report);
+    all.extend(report.key_postures.iter().flat_map(posture_rows));
     all.extend(steady_rows(report));
     all.extend(report.bands.iter().map(|list| {
         let [inside, outside] = names(list).map(|names| names.join(", "));
@@ -46,6 +47,10 @@ pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
 /// The table as it is printed.
 pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>) -> String {
     let mut text = format!("{}\n\n{}", title(report), lines(&walk_rows(report)));
+    if let Some(postures) = &report.key_postures {
+        let _ = writeln!(text, "\nIts key postures, of {} determinants\n", postures.determinants);
+        text.push_str(&lines(&posture_rows(postures)));
+    }
     if let Some(stride) = &report.steady_stride {
         let (from, to) = stride.span_s;
         let _ = writeln!(text, "\nA steady stride, from {from:.2} to {to:.2} s, and people's\n");
@@ -135,6 +140,21 @@ fn walk_rows(report: &Report) -> Vec<Row> {
     rows
 }
 
+/// The parameters and the angles of key postures.
+fn posture_rows(postures: &KeyPostures) -> Vec<Row> {
+    let parameters = postures.parameters.iter().map(|(name, symbol, value, unit)| {
+        let decimals = if *unit == "°" { 2 } else { 4 };
+        row(name, fixed(*value, decimals), unit, format!("{symbol}, a parameter"))
+    });
+    let angles = postures
+        .angles_deg
+        .iter()
+        .filter(|(symbol, ..)| !postures.parameters.iter().any(|(_, parameter, ..)| parameter == symbol));
+    let angles = angles.map(|(symbol, what, value)| row(what, fixed(*value, 2), "°", *symbol));
+    let remarks = postures.remarks.iter().map(|remark| row("remark", "", "", remark));
+    parameters.chain(angles).chain(remarks).collect()
+}
+
 fn double_support_row(supports: &[f64]) -> Option<Row> {
     let least = supports.iter().copied().reduce(f64::min)?;
     let most = supports.iter().copied().reduce(f64::max)?;
@@ -180,6 +200,10 @@ fn trust_rows(report: &Report) -> Vec<Row> {
         let value = format!("{:.0e} / {:.0e}", roots.force_differs_n, roots.torque_differs_n_m);
         let note = format!("off those from the pelvis; {} changes of root", roots.links.len() - 1);
         rows.push(row("forces from the feet", value, "N / N m", &note));
+    }
+    if let Some(pull) = &forces.pulls {
+        let note = format!("the ground would have to pull, at {:.2} s; no ground does", pull.at_s);
+        rows.push(row("least force on a foot", fixed(pull.least_percent_bw, 0), "%BW", note));
     }
     rows.push(row("double support", forces.double_support_split, "", "split: an assumption, no law"));
     let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));

@@ -15,6 +15,7 @@ use crate::leg::LegPose;
 use crate::posture::Posture;
 use crate::prescribed::PrescribedNode;
 use crate::stride::{Resolution, StridePlan};
+use crate::stride_loop::StrideLoop;
 use nalgebra::Vector3;
 use solaris_model::{Contact, Trajectory};
 use solaris_modes::FootSupport;
@@ -220,6 +221,16 @@ impl WalkPlan {
             if side == 0 { hip } else { mirror(&hip) }
         });
         (hips, [0, 1].map(|side| self.feet[side].pose(&self.laws, &self.body.leg, u, &hips[side])))
+    }
+
+    /// The middle stride, to be repeated; none of a walk of fewer than 42 steps, in which it still feels beginning or end.
+    pub fn stride_loop(&self) -> Option<StrideLoop<'_, Self>> {
+        let (body, style) = (&self.body, &self.laws.style);
+        // A left contact, or a right one where all is mirrored.
+        let contact = self.repeat.middle()?;
+        let nq = body.nq;
+        let span = (self.time(contact), style.stride_time);
+        Some(StrideLoop::new(self, nq, body.root + 2, span, 2.0 * style.step_length))
     }
 
     /// The clock, or one at rest before or after the walk.

@@ -31,6 +31,11 @@ impl Repeat {
         Self { planned, strides, cut, advance: 2.0 * step_length }
     }
 
+    /// The clock of a contact from which on a stride repeats itself, where there is one.
+    pub(super) fn middle(&self) -> Option<f64> {
+        (self.planned + 1 >= LONGEST).then(|| (self.planned / 4) as f64)
+    }
+
     /// The clock of the planned walk for one of the whole walk, and how much farther along the body is (m).
     pub(super) fn fold(&self, u: f64) -> (f64, f64) {
         let strides = (u - self.cut).floor().clamp(0.0, self.strides as f64);

@@ -1,0 +1,142 @@
+//! What is asked of a walk, out of the options.
+
+use crate::args::{DEFAULT_STEPS, key_options};
+use crate::error::{CliError, typed};
+use clap::ArgMatches;
+use solaris::gait::determinants::{Determinants, DoubleSupport, five, three};
+use solaris::gait::{Extent, InBetween, PARAMETERS, Parameter, STEPS, ThesisRequest, WalkRequest};
+
+/// A walk in one of the two styles.
+#[derive(Debug)]
+pub(super) enum Request {
+    Smooth(WalkRequest),
+    Thesis(ThesisRequest),
+}
+
+/// One stride, and whether it stays on the spot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Looped {
+    InPlace,
+    Moving,
+}
+
+/// Steps of which one in the middle is taken where a stride is to repeat itself.
+const LOOPED_STEPS: (usize, usize) = (42, 6);
+
+impl Request {
+    pub(super) fn of(matches: &ArgMatches) -> Result<Self, CliError> {
+        let thesis = word(matches, "style") == Some("thesis");
+        let determinants = determinants(matches);
+        let extent = extent(matches, if thesis { LOOPED_STEPS.1 } else { LOOPED_STEPS.0 })?;
+        let left_first = word(matches, "first") == Some("left");
+        refuse_others(matches, thesis, determinants)?;
+        let [step_frequency, step_length, speed] =
+            ["step-frequency", "step-length", "speed"].map(|name| number(matches, name));
+        if thesis {
+            let names = determinants_options(determinants);
+            let given = names.filter(|name| *name != "step-length");
+            let parameters = given.filter_map(|name| number(matches, name).map(|value| (name, value)));
+            let double_support = match word(matches, "double-support") {
+                Some("measured") => Some(DoubleSupport::Measured),
+                Some("travel") => None,
+                _ => Some(DoubleSupport::Thesis),
+            };
+            let linear = word(matches, "in-betweens") == Some("linear");
+            return Ok(Self::Thesis(ThesisRequest {
+                determinants,
+                step_frequency,
+                step_length,
+                speed,
+                extent,
+                parameters: parameters.collect(),
+                double_support,
+                in_between: if linear { InBetween::Linear } else { InBetween::Rest },
+                step_width: number(matches, "step-width"),
+                sway: number(matches, "sway").unwrap_or_default(),
+                left_first,
+            }));
+        }
+        let given = PARAMETERS.iter().filter_map(|p| number(matches, p.name).map(|value| (p.name, value)));
+        let mut parameters: Vec<(&'static str, f64)> = given.collect();
+        if determinants == Determinants::Three {
+            // The determinant that is missing: the pelvis does not turn.
+            parameters.push(("rotation", 0.0));
+        }
+        Ok(Self::Smooth(WalkRequest {
+            step_frequency,
+            step_length,
+            speed,
+            extent,
+            left_first,
+            parameters,
+            ..WalkRequest::default()
+        }))
+    }
+}
+
+/// How one stride is to be repeated, if it is.
+pub(super) fn looped(matches: &ArgMatches) -> Option<Looped> {
+    word(matches, "loop").map(|how| if how == "in-place" { Looped::InPlace } else { Looped::Moving })
+}
+
+pub(super) fn determinants(matches: &ArgMatches) -> Determinants {
+    if word(matches, "determinants") == Some("3") { Determinants::Three } else { Determinants::Five }
+}
+
+fn determinants_options(determinants: Determinants) -> impl Iterator<Item = &'static str> {
+    let parameters = match determinants {
+        Determinants::Three => three::PARAMETERS,
+        Determinants::Five => &five::PARAMETERS[..],
+    };
+    parameters.iter().map(|parameter| parameter.name)
+}
+
+fn extent(matches: &ArgMatches, looped_steps: usize) -> Result<Extent, CliError> {
+    if looped(matches).is_some() {
+        return Ok(Extent::Steps(looped_steps));
+    }
+    if let Some(distance) = number(matches, "distance") {
+        return Ok(Extent::Distance(distance));
+    }
+    let steps = matches.get_one::<i64>("steps").copied().unwrap_or(DEFAULT_STEPS);
+    let in_range = usize::try_from(steps).ok().filter(|steps| (STEPS.0..=STEPS.1).contains(steps));
+    let why = || format!("it must be {} to {}", STEPS.0, STEPS.1);
+    Ok(Extent::Steps(in_range.ok_or_else(|| out_of_range(matches, "steps", why()))?))
+}
+
+/// Refuses options of the other style and of the other number of determinants.
+fn refuse_others(matches: &ArgMatches, thesis: bool, determinants: Determinants) -> Result<(), CliError> {
+    let own: Vec<&str> = determinants_options(determinants).collect();
+    let style = if thesis { "thesis" } else { "smooth" };
+    let has = |name: &str| {
+        if thesis {
+            own.contains(&name) || name == "step-width"
+        } else {
+            (Parameter::named(name).is_some() || name == "step-length")
+                && !(determinants == Determinants::Three && name == "rotation")
+        }
+    };
+    let all = PARAMETERS.iter().map(|parameter| parameter.name).chain(key_options());
+    let count = determinants.count();
+    for name in all.filter(|name| typed(matches, name).is_some() && !has(name)) {
+        let why = format!("the style '{style}' of {count} determinants has no such parameter");
+        return Err(out_of_range(matches, name, why));
+    }
+    let of_thesis = ["in-betweens", "double-support", "sway"];
+    match of_thesis.into_iter().find(|name| typed(matches, name).is_some()) {
+        Some(name) if !thesis => Err(out_of_range(matches, name, "only --style thesis has this".to_owned())),
+        _ => Ok(()),
+    }
+}
+
+pub(super) fn number(matches: &ArgMatches, name: &str) -> Option<f64> {
+    matches.try_get_one::<f64>(name).ok().flatten().copied()
+}
+
+fn word<'a>(matches: &'a ArgMatches, name: &str) -> Option<&'a str> {
+    matches.get_one::<String>(name).map(String::as_str)
+}
+
+pub(super) fn out_of_range(matches: &ArgMatches, option: &str, why: String) -> CliError {
+    CliError::Option { option: option.to_owned(), value: typed(matches, option).unwrap_or_default(), why }
+}
