@@ -84,8 +84,10 @@ fn the_first_flexions_of_7_8_and_all_counts_are_those_of_the_reference() {
     let points = printed::grid(&P);
     assert_eq!(points.len(), 10_260);
     for row in list(&reference, "table_7_8") {
-        let here: Vec<_> =
-            points.iter().filter(|point| f64::from(point.step_frequency) == number(row, "sf")).collect();
+        let here: Vec<_> = points
+            .iter()
+            .filter(|point| Some(u64::from(point.step_frequency)) == row["sf"].as_u64())
+            .collect();
         let alpha = here[0].alpha.to_degrees();
         assert!((alpha - number(row, "alpha_deg")).abs() < 0.005 + 1e-9);
         let exact = |point: &&&printed::GridPoint| {
