@@ -187,11 +187,11 @@ fn closed_form_against_samples(samples: u32, thin: usize) -> usize {
 
 #[test]
 fn the_closed_form_is_what_samples_find() {
-    assert_eq!(closed_form_against_samples(9001, 17), 0);
+    assert_eq!(closed_form_against_samples(9001, 5), 0);
 }
 
 #[test]
-#[ignore = "the same at all 10 260 points, a minute unoptimised"]
+#[ignore = "the same at all 10 260 points: some seconds"]
 fn the_closed_form_is_what_samples_find_everywhere() {
     assert_eq!(closed_form_against_samples(9001, 1), 0);
 }
