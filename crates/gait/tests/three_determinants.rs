@@ -84,8 +84,10 @@ fn the_first_flexions_of_7_8_and_all_counts_are_those_of_the_reference() {
     let points = printed::grid(&P);
     assert_eq!(points.len(), 10_260);
     for row in list(&reference, "table_7_8") {
-        let here: Vec<_> =
-            points.iter().filter(|point| f64::from(point.step_frequency) == number(row, "sf")).collect();
+        let here: Vec<_> = points
+            .iter()
+            .filter(|point| Some(u64::from(point.step_frequency)) == row["sf"].as_u64())
+            .collect();
         let alpha = here[0].alpha.to_degrees();
         assert!((alpha - number(row, "alpha_deg")).abs() < 0.005 + 1e-9);
         let exact = |point: &&&printed::GridPoint| {
@@ -185,11 +187,11 @@ fn closed_form_against_samples(samples: u32, thin: usize) -> usize {
 
 #[test]
 fn the_closed_form_is_what_samples_find() {
-    assert_eq!(closed_form_against_samples(9001, 17), 0);
+    assert_eq!(closed_form_against_samples(9001, 5), 0);
 }
 
 #[test]
-#[ignore = "the same at all 10 260 points, a minute unoptimised"]
+#[ignore = "the same at all 10 260 points: some seconds"]
 fn the_closed_form_is_what_samples_find_everywhere() {
     assert_eq!(closed_form_against_samples(9001, 1), 0);
 }

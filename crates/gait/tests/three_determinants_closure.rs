@@ -100,8 +100,7 @@ fn feet_are_on_the_ground_and_a_step_apart() {
 /// The value of a formula of the tables, in rad.
 fn value(formula: &str, angles: &ThreeAngles, nine: &[f64; 9]) -> f64 {
     let symbol = |name: &str| match name {
-        "" => 0.0,
-        "0" => 0.0,
+        "" | "0" => 0.0,
         "90°" => 90.0_f64.to_radians(),
         "α" => angles.alpha,
         "β" => angles.beta,

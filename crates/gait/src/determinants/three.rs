@@ -12,9 +12,9 @@
 //! let angles = parameters.solve(&p)?;
 //! let arms = three::ArmCoefficients::default();
 //! let phases = three::phases(&angles, &arms, Cycle::Intermediate);
-//! assert!((angles.alpha.to_degrees() - 25.33).abs() < 0.01);
+//! assert!((angles.alpha.to_degrees() - 25.32).abs() < 0.01);
 //! assert_eq!(phases.len(), 2);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), solaris_gait::determinants::Infeasible>(())
 //! ```
 //!
 //! The thesis solves quadratic inequalities and picks a solution by a table of signs. Here the angle of the *thigh* is the free

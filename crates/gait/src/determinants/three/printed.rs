@@ -97,8 +97,7 @@ fn roots(q: f64, l2: f64, l3: f64) -> [f64; 2] {
     let root = (squares - q * q).sqrt();
     // Rounding alone can lead past 1.
     let angle = |sine: f64| if sine.is_nan() { sine } else { sine.clamp(-1.0, 1.0).asin() };
-    let (a, b) = (angle((q * l3 - l2 * root) / squares), angle((q * l3 + l2 * root) / squares));
-    if b < a { [b, a] } else { [a, b] }
+    [angle((q * l3 - l2 * root) / squares), angle((q * l3 + l2 * root) / squares)]
 }
 
 fn choose([a, b]: [f64; 2], [c, d]: [f64; 2]) -> Choice {
