@@ -59,9 +59,14 @@ impl ArmCoefficients {
     pub fn automatic(angles: &FiveAngles) -> Option<Self> {
         let q = &angles.parameters;
         let k1 = middle(angles);
-        let k2 = bounded(k1, [(angles.alpha, angles.xi), (angles.beta, q.thigh_lift_off), (angles.beta, angles.omega)]);
-        let k3 =
-            bounded(k2, [(angles.xi, q.thigh_swing), (q.thigh_lift_off, angles.mu), (angles.omega, angles.psi)]);
+        let k2 = bounded(
+            k1,
+            [(angles.alpha, angles.xi), (angles.beta, q.thigh_lift_off), (angles.beta, angles.omega)],
+        );
+        let k3 = bounded(
+            k2,
+            [(angles.xi, q.thigh_swing), (q.thigh_lift_off, angles.mu), (angles.omega, angles.psi)],
+        );
         let found = Self { k: [k1, k2, k3, 1.0] };
         let within = found.k.iter().all(|k| (0.0..=1.0).contains(k));
         (within && arm_remarks(angles, &found).iter().all(super::super::Condition::holds)).then_some(found)
@@ -72,7 +77,8 @@ impl ArmCoefficients {
     pub fn nearest(angles: &FiveAngles) -> Self {
         Self::automatic(angles).unwrap_or_else(|| {
             let k1 = middle(angles).clamp(0.0, 1.0);
-            let k2 = bounded(k1, [(angles.alpha, angles.xi), (angles.beta, angles.omega), (1.0, 0.0)]).clamp(0.0, 1.0);
+            let k2 = bounded(k1, [(angles.alpha, angles.xi), (angles.beta, angles.omega), (1.0, 0.0)])
+                .clamp(0.0, 1.0);
             Self { k: [k1, k2, k2 / 3.0, 1.0] }
         })
     }

@@ -14,11 +14,14 @@ const FREQUENCIES: (f64, f64) = (30.0, 181.75);
 
 /// Pelvic tilt (°) over step length by height: people's at usual steps, and none at shorter ones, where a tilt would have the
 /// foot land behind the hip.
-const TILT: [[f64; 2]; 7] = [[0.18, 0.0], [0.24, 2.2], [0.30, 3.0], [0.38, 3.5], [0.44, 4.0], [0.48, 4.5], [0.52, 5.0]];
+const TILT: [[f64; 2]; 7] =
+    [[0.18, 0.0], [0.24, 2.2], [0.30, 3.0], [0.38, 3.5], [0.44, 4.0], [0.48, 4.5], [0.52, 5.0]];
 /// Pelvic rotation (°).
-const ROTATION: [[f64; 2]; 6] = [[0.18, 2.0], [0.32, 3.0], [0.38, 4.0], [0.44, 5.0], [0.48, 6.0], [0.52, 8.0]];
+const ROTATION: [[f64; 2]; 6] =
+    [[0.18, 2.0], [0.32, 3.0], [0.38, 4.0], [0.44, 5.0], [0.48, 6.0], [0.52, 8.0]];
 /// ξ − α (°): what the standing thigh rises by as the foot comes flat, the room of (iii).
-const RISE: [[f64; 2]; 7] = [[0.18, 0.6], [0.32, 0.9], [0.38, 4.3], [0.44, 8.1], [0.48, 10.7], [0.52, 13.3], [0.6, 19.0]];
+const RISE: [[f64; 2]; 7] =
+    [[0.18, 0.6], [0.32, 0.9], [0.38, 4.3], [0.44, 8.1], [0.48, 10.7], [0.52, 13.3], [0.6, 19.0]];
 /// p by height.
 const LANDING: [[f64; 2]; 3] = [[0.18, 0.004], [0.32, 0.0057], [0.52, 0.0157]];
 /// Room of (i), α − χ (°), and the greatest part of α that it takes.
@@ -48,6 +51,11 @@ impl FiveParameters {
     /// 3. (iii) by construction: ξ = α + 0.6° to 19°. That puts the hip, and φ and ω are those of the two bones, thigh and
     ///    ankle-to-tip, from there to the tip that stays; the knee that flexes forward is (v).
     /// 4. d = 15 mm for 1.75 m; ψ = 6.3°, μ by it, and κ by (8.11), as in [`FiveParameters::with_trunk_rise`].
+    ///
+    /// People of 1.2 to 2.0 m, with real feet and with the thesis's, close at all of these step lengths. From 60 to 130
+    /// steps/min, at step lengths of 0.0037 and 0.004·H·sf give or take 12 %, there are left at least 0.36° of (i), 3.7° of
+    /// (ii′), 0.63° of (iii) and 44° of (v), the least where steps are shortest. Below 0.30 of the height (0.28 with the
+    /// thesis's feet) φ is not positive and arms cannot keep their conditions.
     ///
     /// # Errors
     ///

@@ -141,7 +141,8 @@ pub(super) fn build(p: &Proportions, q: &FiveParameters) -> (Option<FiveAngles>,
         holds
     };
     // χ: (8.14), both hips level.
-    let cos_chi = (hip_over_ball(p, q.heel_strike_angle) - p.shank - p.ankle_height - q.landing_height) / p.thigh;
+    let cos_chi =
+        (hip_over_ball(p, q.heel_strike_angle) - p.shank - p.ankle_height - q.landing_height) / p.thigh;
     let chi = domain(cosine("χ (8.14)", "|cos χ| < 1: the leg that lands reaches its height", cos_chi))
         .then(|| cos_chi.acos());
     // β and α: (8.4) and (8.5).
@@ -163,17 +164,21 @@ pub(super) fn build(p: &Proportions, q: &FiveParameters) -> (Option<FiveAngles>,
     let mut psi_mu = None;
     if let (Some(omega), Some(xi)) = (omega, xi) {
         let inside = [
-            domain(angles("ω", "ω > 0°", 0.0, omega)),
-            domain(angles("ω", "ω < 90°", omega, FRAC_PI_2)),
-            domain(angles("ξ", "ξ > 0°", 0.0, xi)),
-            domain(angles("ξ", "ξ < 90°", xi, FRAC_PI_2)),
+            domain(angles("lift-off", "ω > 0°", 0.0, omega)),
+            domain(angles("lift-off", "ω < 90°", omega, FRAC_PI_2)),
+            domain(angles("lift-off", "ξ > 0°", 0.0, xi)),
+            domain(angles("lift-off", "ξ < 90°", xi, FRAC_PI_2)),
         ];
         if inside == [true; 4] {
             let m = hip_over_swing(p, q, omega - q.thigh_swing - q.thigh_lift_off) - p.ankle_height;
             let cos_psi = (m * m + p.shank * p.shank - p.thigh * p.thigh) / (2.0 * m * p.shank);
             let text = "|cos ψ| < 1: the standing leg is as high as the swinging one needs it";
-            if domain(Condition { name: "ψ (8.11)", text: "the standing hip is over the ankle", sides: [0.0, m], symbol: " m" })
-                & domain(cosine("ψ (8.11)", text, cos_psi))
+            if domain(Condition {
+                name: "ψ (8.11)",
+                text: "the standing hip is over the ankle",
+                sides: [0.0, m],
+                symbol: " m",
+            }) & domain(cosine("ψ (8.11)", text, cos_psi))
             {
                 let psi = cos_psi.acos();
                 psi_mu = Some((psi, (p.shank * psi.sin()).atan2(m - p.shank * psi.cos())));
@@ -185,8 +190,8 @@ pub(super) fn build(p: &Proportions, q: &FiveParameters) -> (Option<FiveAngles>,
     }
     if let (Some(alpha), Some(beta)) = (alpha, beta) {
         domain(angles("(ii′)", "β > θ", q.heel_strike_angle, beta));
-        domain(angles("α", "α < 90°", alpha, FRAC_PI_2));
-        domain(angles("β", "β < 90°", beta, FRAC_PI_2));
+        domain(angles("heel strike", "α < 90°", alpha, FRAC_PI_2));
+        domain(angles("heel strike", "β < 90°", beta, FRAC_PI_2));
     }
     if let (Some(xi), Some(alpha)) = (xi, alpha) {
         domain(angles("(iii)", "ξ > α", alpha, xi));

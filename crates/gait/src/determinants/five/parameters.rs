@@ -35,7 +35,13 @@ pub struct FiveParameters {
 /// [`parameters_of`].
 pub const PARAMETERS: &[KeyParameter; 8] = &[
     parameter("step-length", "S", "heel print to heel print", " m", (0.0, 2.0)),
-    parameter("heel-strike-angle", "θ", "pitch of the rear leg before the other heel strikes", "°", (0.0, 60.0)),
+    parameter(
+        "heel-strike-angle",
+        "θ",
+        "pitch of the rear leg before the other heel strikes",
+        "°",
+        (0.0, 60.0),
+    ),
     parameter("tilt", "δ", "greatest pelvic tilt", "°", (0.0, 20.0)),
     parameter("thigh-lift-off", "φ", "backward pitch of the thigh that lifts off", "°", (-30.0, 80.0)),
     parameter("thigh-swing", "κ", "forward pitch of the thigh that swings past", "°", (0.0, 80.0)),
@@ -117,19 +123,22 @@ impl FiveParameters {
 
 fn out_of(parameter: &KeyParameter, value: f64) -> GaitError {
     let (lower, upper) = parameter.range;
-    GaitError::Range { parameter: parameter.name, value, unit: parameter.unit, lower, upper, why: String::new() }
+    GaitError::Range {
+        parameter: parameter.name,
+        value,
+        unit: parameter.unit,
+        lower,
+        upper,
+        why: String::new(),
+    }
 }
 
 /// # Errors
 ///
 /// A length that is no number, or negative; bones, forefoot and height have to be positive.
 pub(super) fn check_proportions(p: &Proportions) -> Result<(), GaitError> {
-    let positive = [
-        ("thigh", p.thigh),
-        ("shank", p.shank),
-        ("ankle to ball", p.ball_ahead),
-        ("height", p.height),
-    ];
+    let positive =
+        [("thigh", p.thigh), ("shank", p.shank), ("ankle to ball", p.ball_ahead), ("height", p.height)];
     let others = [
         ("ankle height", p.ankle_height),
         ("ankle to heel", p.heel_behind),
@@ -150,7 +159,7 @@ pub(super) fn check_proportions(p: &Proportions) -> Result<(), GaitError> {
             unit: " m",
             lower: 0.0,
             upper: f64::INFINITY,
-            why: " and a number; bones, foot and height are longer than that".to_owned(),
+            why: "; proportions are finite, and bones, foot and height longer than nothing".to_owned(),
         }),
     }
 }

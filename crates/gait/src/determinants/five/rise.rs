@@ -61,13 +61,15 @@ impl FiveParameters {
     }
 }
 
-fn with_rise(p: &Proportions, q: &FiveParameters, trunk: &TrunkAmplitudes) -> Result<FiveParameters, Vec<Condition>> {
+fn with_rise(
+    p: &Proportions,
+    q: &FiveParameters,
+    trunk: &TrunkAmplitudes,
+) -> Result<FiveParameters, Vec<Condition>> {
     // ω and what fails before it do not depend on κ.
     let (_, list) = super::closed::build(p, q);
-    let before: Vec<Condition> = list
-        .into_iter()
-        .filter(|condition| !condition.holds() && !condition.name.starts_with('ψ'))
-        .collect();
+    let before: Vec<Condition> =
+        list.into_iter().filter(|condition| !condition.holds() && !condition.name.starts_with('ψ')).collect();
     let (Some((alpha, _)), Some(omega)) = (strike_angles(p, q), super::closed::lift_off_pitch(p, q)) else {
         return Err(before);
     };

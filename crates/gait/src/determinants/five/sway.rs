@@ -21,7 +21,13 @@ use std::f64::consts::PI;
 /// # Errors
 ///
 /// What is no positive number.
-pub fn sway_amplitude(step_time: f64, width: f64, gain: f64, height: f64, gravity: f64) -> Result<f64, GaitError> {
+pub fn sway_amplitude(
+    step_time: f64,
+    width: f64,
+    gain: f64,
+    height: f64,
+    gravity: f64,
+) -> Result<f64, GaitError> {
     let positive = (f64::MIN_POSITIVE, f64::MAX);
     check_range("step time", step_time, " s", positive, "")?;
     check_range("width", width, " m", (0.0, f64::MAX), "")?;

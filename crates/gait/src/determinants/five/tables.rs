@@ -46,7 +46,17 @@ fn of(
 }
 
 const JOINTS: [&str; 12] = [
-    "phase", "root", "tilt", "rotation", "st. hip", "st. knee", "st. ankle", "st. toes", "sw. hip", "sw. knee", "sw. ankle",
+    "phase",
+    "root",
+    "tilt",
+    "rotation",
+    "st. hip",
+    "st. knee",
+    "st. ankle",
+    "st. toes",
+    "sw. hip",
+    "sw. knee",
+    "sw. ankle",
     "sw. toes",
 ];
 
