@@ -1,5 +1,7 @@
 //! What five determinants choose by themselves: parameters, arms, trunk, sway; and their tables.
 
+#![allow(clippy::float_cmp, reason = "what is copied or exchanged stays the same")]
+
 use solaris_gait::GaitError;
 use solaris_gait::determinants::five::{
     AUTOMATIC_STEP, ArmCoefficients, Family, FiveParameters, PelvicSway, Timing, TrunkAmplitudes, Upper,
@@ -128,7 +130,9 @@ fn arms_keep_their_conditions_or_have_none() {
                 Family::Advancing => assert!(!holds[0]),
                 // (vi) fails by a little between the sets.
                 Family::Stiff => {
-                    assert!(holds[0] && (holds[1] || ![80.0, 95.0, 110.0, 120.0, 130.0].contains(&frequency)))
+                    assert!(
+                        holds[0] && (holds[1] || ![80.0, 95.0, 110.0, 120.0, 130.0].contains(&frequency))
+                    );
                 }
             }
         }
@@ -197,7 +201,7 @@ fn a_rise_decides_kappa_for_real_feet_too_or_is_refused() {
                     found += 1;
                 }
                 Err(GaitError::Infeasible { why, .. }) => {
-                    assert!(!why.fails.is_empty() && why.nearest.len() == 7)
+                    assert!(!why.fails.is_empty() && why.nearest.len() == 7);
                 }
                 Err(other) => panic!("{other}"),
             }

@@ -93,7 +93,7 @@ impl GaitTable {
         let mut text = format!("**Table {}**: {}\n\n", self.number, self.title);
         let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
         text += &line(&self.columns);
-        text += &format!("|{}\n", "---|".repeat(self.columns.len()));
+        let _ = writeln!(text, "|{}", "---|".repeat(self.columns.len()));
         for row in &self.rows {
             text += &line(&row.iter().map(Cell::text).collect::<Vec<_>>());
         }
