@@ -72,6 +72,35 @@ fn all_step_lengths_that_are_said_to_close_do() {
     }
 }
 
+/// A person's proportions, each a tenth longer or shorter: all 256 combinations of eight lengths.
+#[test]
+fn unusual_people_walk_by_themselves_too() {
+    let person = people()[22];
+    for bits in 0_u32..256 {
+        let off = |k: u32| if bits >> k & 1 == 0 { 0.9 } else { 1.1 };
+        let p = Proportions {
+            thigh: off(0) * person.thigh,
+            shank: off(1) * person.shank,
+            ankle_height: off(2) * person.ankle_height,
+            ball_below: off(2) * person.ball_below,
+            ball_height: off(2) * person.ball_height,
+            heel_behind: off(3) * person.heel_behind,
+            ball_ahead: off(4) * person.ball_ahead,
+            toe: off(5) * person.toe,
+            hips: off(6) * person.hips,
+            height: off(7) * person.height,
+        };
+        // By the leg's length, for a height that does not go with it.
+        for part in [0.44, 0.6, 0.8, 1.0] {
+            let step = part * (p.leg() + p.ankle_height);
+            if (AUTOMATIC_STEP.0 * p.height..=AUTOMATIC_STEP.1 * p.height).contains(&step) {
+                let q = FiveParameters::automatic(&p, 110.0, step);
+                assert!(q.is_ok(), "{part} {bits:b} {q:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_automatic_choice_is_near_the_recommended_family() {
     let p = Proportions::drillis_contini(1.75);

@@ -22,6 +22,8 @@ impl FiveParameters {
     /// ```
     ///
     /// T is the neck over the pelvis. Where the heel is the lowest point (ε < 0), −hz takes F's place.
+    /// T adds the bends with the signs of table 8.7, as the reference numbers do. The text has ν positive at one side and γ at
+    /// the other, which would make the hip 2 to 7 mm higher at 80 to 130 steps/min.
     ///
     /// # Source
     ///
