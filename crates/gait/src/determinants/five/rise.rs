@@ -31,6 +31,10 @@ impl FiveParameters {
     /// by 0.7° to 3.7°, up or down depending on φ and κ: a larger tilt lowers the hip and the landing leg's angle raises it.
     /// The same Vd decides κ instead, and as well.
     ///
+    /// With the thesis's feet and automatic parameters it serves bodies up to 1.75 m. Real feet have their hips higher at heel
+    /// strike, on heel and ball, and the same rise is mostly more than a straight leg has: at 1.75 m only long steps, of 0.52
+    /// of the height, close.
+    ///
     /// # Errors
     ///
     /// A value out of its range, and parameters that have no postures with any κ.
