@@ -123,6 +123,9 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
     })
 }
 
+/// Times this near are one (s).
+pub(crate) const SAME_TIME: f64 = 1e-9;
+
 impl Peak {
     fn max(self, other: Self) -> Self {
         if other.value > self.value { other } else { self }
@@ -154,8 +157,9 @@ fn double_supports(motion: &Motion, contacts: &[(f64, usize)]) -> Vec<f64> {
     let spans = contacts.windows(2).map(|pair| (pair[0].0, 2.0 * (pair[1].0 - pair[0].0)));
     spans
         .filter_map(|(contact, stride)| {
-            let lift = lifts.get(lifts.partition_point(|lift| *lift <= contact))?;
-            Some(100.0 * (lift - contact) / stride)
+            // A foot may lift at the very moment at which the other one lands.
+            let lift = lifts.get(lifts.partition_point(|lift| *lift < contact - SAME_TIME))?;
+            Some(100.0 * (lift - contact).max(0.0) / stride)
         })
         .collect()
 }

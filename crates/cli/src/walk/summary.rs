@@ -86,6 +86,11 @@ fn lines(rows: &[Row]) -> String {
     rows.iter().map(line).collect()
 }
 
+/// A number that means nothing beyond a bound.
+fn capped(value: f64, decimals: usize, most: f64) -> String {
+    if value > most { format!("over {most}") } else { fixed(value, decimals) }
+}
+
 fn at(extreme: &Extreme) -> String {
     format!("at {:.2} s", extreme.at_s)
 }
@@ -118,11 +123,16 @@ fn walk_rows(report: &Report) -> Vec<Row> {
             "%BW",
             "brake / push",
         ),
-        row("friction needed", pair(&whole.friction, &whole.foot_friction, 2), "", "both feet / one foot"),
+        row(
+            "friction needed",
+            format!("{} / {}", capped(whole.friction.value, 2, 10.0), capped(whole.foot_friction.value, 2, 10.0)),
+            "",
+            "both feet / one foot",
+        ),
         row("greatest slide", millimetres(&whole.slide_m, 3), "mm", "of a planted point"),
         row("greatest sink", millimetres(&whole.sink_m, 3), "mm", "of a sole's point"),
         row("toe clearance", millimetres(&whole.toe_clearance_m, 1), "mm", "least in mid-swing"),
-        row("CoP outside the foot", millimetres(&whole.cop_outside_m, 1), "mm", "at most"),
+        row("CoP outside the foot", capped(1e3 * whole.cop_outside_m.value, 1, 1e3), "mm", "at most"),
         row("least knee flexion", fixed(whole.least_knee_deg.value, 1), "°", at(&whole.least_knee_deg)),
     ]);
     rows.extend(

@@ -93,6 +93,8 @@ impl fmt::Display for Infeasible {
     }
 }
 
+impl std::error::Error for Infeasible {}
+
 /// Places at which a parameter is tried on its way to its ends.
 const PLACES: usize = 240;
 

@@ -1,5 +1,6 @@
 //! One steady stride, from left contact to left contact, in the numbers that gait laboratories report.
 
+use super::SAME_TIME;
 use super::series::Series;
 use solaris_model::{EventKind, Motion};
 
@@ -58,7 +59,7 @@ impl SteadyStride {
         let window = Window { series, span };
         let lift = |name: &str| {
             let lift = motion.events.iter().find(
-                |event| matches!(&event.kind, EventKind::LiftOff { link } if link == name && event.time > start),
+                |event| matches!(&event.kind, EventKind::LiftOff { link } if link == name && event.time >= start - SAME_TIME),
             );
             lift.map_or(f64::NAN, |event| (event.time - start) / stride)
         };

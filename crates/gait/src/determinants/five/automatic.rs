@@ -52,6 +52,11 @@ impl FiveParameters {
     ///    ankle-to-tip, from there to the tip that stays; the knee that flexes forward is (v).
     /// 4. d = 15 mm for 1.75 m; ψ = 6.3°, μ by it, and κ by (8.11), as in [`FiveParameters::with_trunk_rise`].
     ///
+    /// People of 1.2 to 2.0 m, with real feet and with the thesis's, close at all of these step lengths. From 60 to 130
+    /// steps/min, at step lengths of 0.0037 and 0.004·H·sf give or take 12 %, there are left at least 0.36° of (i), 3.7° of
+    /// (ii′), 0.63° of (iii) and 44° of (v), the least where steps are shortest. Below 0.30 of the height (0.28 with the
+    /// thesis's feet) φ is not positive and arms cannot keep their conditions.
+    ///
     /// # Errors
     ///
     /// A value out of range: step frequencies of 30 to 181.75 steps/min, step lengths of 0.18 to 0.6 of the height. The step

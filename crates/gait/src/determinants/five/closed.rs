@@ -132,80 +132,97 @@ pub(super) fn hip_over_swing(p: &Proportions, q: &FiveParameters, epsilon: f64) 
     p.thigh * q.thigh_swing.cos() + (p.shank + p.ankle_height) * cos + lowest + q.clearance
 }
 
+/// Conditions as they are met.
+#[derive(Default)]
+struct List(Vec<Condition>);
+
+impl List {
+    /// Whether it holds.
+    fn meet(&mut self, condition: Condition) -> bool {
+        let holds = condition.holds();
+        self.0.push(condition);
+        holds
+    }
+
+    /// Whether an angle is above 0° and below 90°.
+    fn acute(&mut self, name: &'static str, [above, below]: [&'static str; 2], angle: f64) -> bool {
+        self.meet(angles(name, above, 0.0, angle)) & self.meet(angles(name, below, angle, FRAC_PI_2))
+    }
+
+    /// χ: (8.14), both hips level.
+    fn landing(&mut self, p: &Proportions, q: &FiveParameters) -> Option<f64> {
+        let sole = p.shank + p.ankle_height + q.landing_height;
+        let cos = (hip_over_ball(p, q.heel_strike_angle) - sole) / p.thigh;
+        let text = "|cos χ| < 1: the leg that lands reaches its height";
+        self.meet(cosine("χ (8.14)", text, cos)).then(|| cos.acos())
+    }
+
+    /// α and β: (8.4) and (8.5).
+    fn strike(&mut self, p: &Proportions, q: &FiveParameters) -> Option<(f64, f64)> {
+        let (cos, _) = heel_strike(p, q).cosine();
+        self.meet(cosine("β (8.4, 8.5)", "|cos| < 1: both straight legs reach the ground", cos));
+        strike_angles(p, q)
+    }
+
+    /// ω and ξ: (8.8) and the tip that stays.
+    fn leave(&mut self, p: &Proportions, q: &FiveParameters) -> Option<(f64, f64)> {
+        let (cos, _) = lift_off(p, q).cosine();
+        self.meet(cosine("ω (8.8)", "|cos| < 1: the foot that leaves reaches its tip", cos));
+        lift_off_pitch(p, q).map(|omega| {
+            let [x, z] = lift_off(p, q).point(omega);
+            (omega, x.atan2(z))
+        })
+    }
+
+    /// ψ and μ, the standing knee of phase 3: (8.11), as an equation.
+    fn pass(&mut self, p: &Proportions, q: &FiveParameters, epsilon: f64) -> Option<(f64, f64)> {
+        let m = hip_over_swing(p, q, epsilon) - p.ankle_height;
+        let cos = (m * m + p.shank * p.shank - p.thigh * p.thigh) / (2.0 * m * p.shank);
+        let text = "|cos ψ| < 1: the standing leg is as high as the swinging one needs it";
+        let above =
+            Condition {
+                name: "ψ (8.11)", text: "the hip is above the ankle", sides: [0.0, m], symbol: " m"
+            };
+        (self.meet(above) & self.meet(cosine("ψ (8.11)", text, cos))).then(|| {
+            let psi = cos.acos();
+            (psi, (p.shank * psi.sin()).atan2(m - p.shank * psi.cos()))
+        })
+    }
+}
+
 /// The angles, as far as they exist, and all conditions that have numbers.
 pub(super) fn build(p: &Proportions, q: &FiveParameters) -> (Option<FiveAngles>, Vec<Condition>) {
-    let mut list = Vec::with_capacity(12);
-    let mut domain = |condition: Condition| {
-        let holds = condition.holds();
-        list.push(condition);
-        holds
-    };
-    // χ: (8.14), both hips level.
-    let cos_chi =
-        (hip_over_ball(p, q.heel_strike_angle) - p.shank - p.ankle_height - q.landing_height) / p.thigh;
-    let chi = domain(cosine("χ (8.14)", "|cos χ| < 1: the leg that lands reaches its height", cos_chi))
-        .then(|| cos_chi.acos());
-    // β and α: (8.4) and (8.5).
-    let strike = heel_strike(p, q);
-    let (cos_beta, _) = strike.cosine();
-    let beta = domain(cosine("β (8.4, 8.5)", "|cos| < 1: both straight legs reach the ground", cos_beta))
-        .then(|| strike.angle(cos_beta));
-    let alpha = beta.map(|beta| pitch_on_heel(p, strike.point(beta)));
-    // ω and ξ: (8.8) and the tip that stays.
-    let leave = lift_off(p, q);
-    let (cos_omega, _) = leave.cosine();
-    let lifts = domain(cosine("ω (8.8)", "|cos| < 1: the foot that leaves reaches its tip", cos_omega));
-    let omega = lifts.then(|| leave.angle(cos_omega));
-    let xi = omega.map(|omega| {
-        let [x, z] = leave.point(omega);
-        x.atan2(z)
-    });
-    // The stance knee of phase 3: (8.11), as an equation.
-    let mut psi_mu = None;
-    if let (Some(omega), Some(xi)) = (omega, xi) {
-        let inside = [
-            domain(angles("ω", "ω > 0°", 0.0, omega)),
-            domain(angles("ω", "ω < 90°", omega, FRAC_PI_2)),
-            domain(angles("ξ", "ξ > 0°", 0.0, xi)),
-            domain(angles("ξ", "ξ < 90°", xi, FRAC_PI_2)),
-        ];
-        if inside == [true; 4] {
-            let m = hip_over_swing(p, q, omega - q.thigh_swing - q.thigh_lift_off) - p.ankle_height;
-            let cos_psi = (m * m + p.shank * p.shank - p.thigh * p.thigh) / (2.0 * m * p.shank);
-            let text = "|cos ψ| < 1: the standing leg is as high as the swinging one needs it";
-            if domain(Condition {
-                name: "ψ (8.11)",
-                text: "the standing hip is over the ankle",
-                sides: [0.0, m],
-                symbol: " m",
-            }) & domain(cosine("ψ (8.11)", text, cos_psi))
-            {
-                let psi = cos_psi.acos();
-                psi_mu = Some((psi, (p.shank * psi.sin()).atan2(m - p.shank * psi.cos())));
-            }
+    let mut list = List::default();
+    let chi = list.landing(p, q);
+    let strike = list.strike(p, q);
+    let leave = list.leave(p, q);
+    let mut pass = None;
+    if let Some((omega, xi)) = leave
+        && list.acute("lift-off", ["ω > 0°", "ω < 90°"], omega)
+            & list.acute("lift-off", ["ξ > 0°", "ξ < 90°"], xi)
+    {
+        let epsilon = omega - q.thigh_swing - q.thigh_lift_off;
+        pass = list.pass(p, q, epsilon).map(|(psi, mu)| (epsilon, psi, mu));
+    }
+    if let Some((alpha, beta)) = strike {
+        if let Some(chi) = chi {
+            list.meet(angles("(i)", "α > χ", chi, alpha));
+        }
+        list.meet(angles("(ii′)", "β > θ", q.heel_strike_angle, beta));
+        list.meet(angles("heel strike", "α < 90°", alpha, FRAC_PI_2));
+        list.meet(angles("heel strike", "β < 90°", beta, FRAC_PI_2));
+        if let Some((_, xi)) = leave {
+            list.meet(angles("(iii)", "ξ > α", alpha, xi));
         }
     }
-    if let (Some(chi), Some(alpha)) = (chi, alpha) {
-        domain(angles("(i)", "α > χ", chi, alpha));
-    }
-    if let (Some(alpha), Some(beta)) = (alpha, beta) {
-        domain(angles("(ii′)", "β > θ", q.heel_strike_angle, beta));
-        domain(angles("α", "α < 90°", alpha, FRAC_PI_2));
-        domain(angles("β", "β < 90°", beta, FRAC_PI_2));
-    }
-    if let (Some(xi), Some(alpha)) = (xi, alpha) {
-        domain(angles("(iii)", "ξ > α", alpha, xi));
-    }
-    if let Some(omega) = omega {
-        domain(angles("(v)", "ω > φ", q.thigh_lift_off, omega));
+    if let Some((omega, _)) = leave {
+        list.meet(angles("(v)", "ω > φ", q.thigh_lift_off, omega));
     }
     let all = (|| {
-        let (omega, (psi, mu)) = (omega?, psi_mu?);
-        let epsilon = omega - q.thigh_swing - q.thigh_lift_off;
-        let (alpha, beta, chi, xi) = (alpha?, beta?, chi?, xi?);
-        Some(FiveAngles { parameters: *q, alpha, beta, chi, omega, xi, epsilon, psi, mu })
+        let ((alpha, beta), (omega, xi), (epsilon, psi, mu)) = (strike?, leave?, pass?);
+        Some(FiveAngles { parameters: *q, alpha, beta, chi: chi?, omega, xi, epsilon, psi, mu })
     })();
-    (all, list)
+    (all, list.0)
 }
 
 /// The angles of a set of parameters, or the conditions that fail, the first first.

@@ -23,7 +23,8 @@ pub(super) fn cosine(name: &'static str, text: &'static str, cosine: f64) -> Con
 /// | name | condition | source |
 /// |---|---|---|
 /// | `χ (8.14)`, `β (8.4, 8.5)`, `ω (8.8)`, `ψ (8.11)` | the cosine exists | domains |
-/// | `ω`, `ξ` | between 0° and 90° | domains |
+/// | `lift-off` | ω and ξ between 0° and 90° | domains |
+/// | `heel strike` | α and β below 90° | domains |
 /// | `(i)` | α > χ: the leg stretches forward before it lands | §8.5 |
 /// | `(ii′)` | β > θ: the heel goes on rising | §8.5 has the contrary, which (i) excludes |
 /// | `(iii)` | ξ > α: the knee begins to flex | §8.5 |

@@ -159,7 +159,7 @@ pub(super) fn check_proportions(p: &Proportions) -> Result<(), GaitError> {
             unit: " m",
             lower: 0.0,
             upper: f64::INFINITY,
-            why: " and a number; bones, foot and height are longer than that".to_owned(),
+            why: "; proportions are finite, and bones, foot and height longer than nothing".to_owned(),
         }),
     }
 }

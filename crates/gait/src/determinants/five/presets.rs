@@ -13,7 +13,8 @@ pub enum Family {
     /// The swinging thigh goes forward until it lands: (vi) holds, (iv) does not. The knee flexes by 60° to 70°, but toes scuff
     /// between phases 3 and 4 where nothing lifts them (V).
     Advancing,
-    /// All six conditions of the thesis, the second one reversed, hold: the swinging knee flexes by 1° to 10° only (A).
+    /// All six conditions of the thesis, the second one reversed, hold at the five sets, (vi) not quite between them: the
+    /// swinging knee flexes by 1° to 10° only (A).
     Stiff,
 }
 
@@ -64,9 +65,9 @@ impl FiveParameters {
     /// A family's parameters at a step frequency (80 to 130 steps/min), for a body of some height.
     ///
     /// The sets were found for the proportions of [`super::super::Proportions::drillis_contini`], ankles on the ground, at
-    /// 80, 95, 110, 120 and 130 steps/min, where they close; between, each parameter is interpolated in a straight line.
-    /// Angles are those of any height, lengths go with it. Other proportions may not close with them; see
-    /// [`FiveParameters::automatic`].
+    /// 80, 95, 110, 120 and 130 steps/min; between, each parameter is interpolated in a straight line, and all of them close.
+    /// Angles are those of any height, lengths go with it. Other proportions need not close with them: a person's with real
+    /// feet do from 125 steps/min only, and never as [`Family::Advancing`]. There is [`FiveParameters::automatic`] for these.
     ///
     /// # Errors
     ///

@@ -95,16 +95,14 @@ pub(super) fn psi() -> GaitTable {
          K gives.",
     ]);
     let (body, sets) = presets();
-    let mut misses: Vec<f64> = sets.iter().filter_map(|angles| miss(&body, angles)).collect();
-    misses.sort_by(f64::total_cmp);
-    let median = misses.get(misses.len() / 2).copied().unwrap_or_default();
+    let misses: Vec<f64> = sets.iter().filter_map(|angles| miss(&body, angles)).collect();
+    let greatest = misses.iter().copied().fold(0.0, f64::max);
     table.notes.push(format!(
-        "Both bounds exist for {} of the {} presets; with the middle between them the foot misses its clearance by {:.0} mm in \
-         the median and up to {:.0} mm.",
+        "K has the swinging thigh upright, often out of the standing leg's reach: both bounds exist for {} of the {} presets. With the middle between them the foot \
+         misses its clearance by up to {:.1} mm.",
         misses.len(),
         sets.len(),
-        1000.0 * median,
-        1000.0 * misses.last().copied().unwrap_or_default(),
+        1000.0 * greatest,
     ));
     table
 }
@@ -112,7 +110,7 @@ pub(super) fn psi() -> GaitTable {
 /// By how much the clearance is missed with ψ in the middle of its bounds.
 fn miss(p: &Proportions, angles: &FiveAngles) -> Option<f64> {
     let q = &angles.parameters;
-    let swing = p.forefoot() * angles.epsilon.sin() + p.shank * angles.epsilon.cos() + q.clearance;
+    let swing = p.forefoot() * angles.epsilon.sin().max(0.0) + p.shank * angles.epsilon.cos() + q.clearance;
     let (sin, cos) = q.heel_strike_angle.sin_cos();
     let m = p.leg() * cos + p.ball_ahead * sin - p.shank - q.landing_height + swing;
     let k = p.thigh + swing;
