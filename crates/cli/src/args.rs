@@ -1,6 +1,7 @@
 //! The commands and their options.
 
 mod figure;
+mod gait;
 mod given;
 mod ground;
 mod inverse;
@@ -43,6 +44,7 @@ pub(crate) fn command() -> Command {
         .arg_required_else_help(true)
         .subcommands([walk::command(), run::command(), inverse::command(), ground::command()])
         .subcommands(figure::commands())
+        .subcommand(gait::command())
         .subcommand(profile::command())
         .subcommand(report::command())
 }

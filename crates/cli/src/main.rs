@@ -8,6 +8,7 @@ mod convert;
 mod error;
 mod figure;
 mod findings;
+mod gait;
 mod given;
 mod ground;
 mod input;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         Some(("check", matches)) => check::run(matches),
         Some(("figure", matches)) => figure::run(matches),
         Some(("convert", matches)) => convert::run(matches),
+        Some(("gait", matches)) => gait::run(matches),
         Some(("profile", matches)) => profile::run(matches),
         Some(("report", matches)) => report::run(matches),
         // clap asks for a subcommand.

@@ -18,6 +18,7 @@ mod parts;
 mod posture;
 mod prescribed;
 mod stance;
+mod stick;
 mod stride;
 mod stride_loop;
 mod style;
@@ -37,6 +38,7 @@ pub use measure::{
     measure,
 };
 pub use parameter::{PARAMETERS, Parameter, Unit};
+pub use stick::stick_figures;
 pub use stride::{Resolution, StridePlan};
 pub use stride_loop::{StrideLoop, Walking, on_the_spot};
 pub use style::{Style, WALK_RATIO};

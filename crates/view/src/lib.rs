@@ -59,6 +59,15 @@ impl TableRow {
     }
 }
 
+/// A page that shows one picture (an SVG's text).
+pub fn picture_page(title: &str, svg: &str) -> String {
+    let title = html::escape(title);
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{title}</title>\
+         <style>body{{margin:16px;background:#fff}}svg{{max-width:100%;height:auto}}</style></head>\n<body>\n{svg}</body>\n</html>\n"
+    )
+}
+
 /// The page that shows `motion` of `figure`: a whole HTML file as text.
 ///
 /// The same figure, motion and options give the same text, byte for byte. A walk of 9 s takes about 1.04 MB, of which

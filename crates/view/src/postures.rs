@@ -62,7 +62,7 @@ const MARGIN: f64 = 14.0;
 /// Height of a line of text (px).
 const LINE: f64 = 17.0;
 /// Least width of a panel (px).
-const NARROWEST: f64 = 128.0;
+const NARROWEST: f64 = 172.0;
 
 /// Stick figures side by side on one ground and in one scale, their angles below, then the inequalities with bars, as an SVG.
 ///
@@ -74,7 +74,8 @@ pub fn postures(sticks: &[Stick], rooms: &[Room], title: &str) -> String {
     let spans: Vec<(f64, f64)> = sticks.iter().map(span).collect();
     let widths: Vec<f64> =
         spans.iter().map(|(a, b)| ((b - a) * scale + 2.0 * MARGIN).max(NARROWEST)).collect();
-    let width = (widths.iter().sum::<f64>() + 2.0 * MARGIN).max(560.0);
+    let columns = Columns::of(rooms);
+    let width = (widths.iter().sum::<f64>() + 2.0 * MARGIN).max(560.0).max(columns.end);
     let angles = sticks.iter().map(|stick| stick.angles.len()).max().unwrap_or(0) as f64;
     let floor = FIGURE.1 + FIGURE.0;
     let bars = floor + 26.0 + LINE * angles + 16.0;
@@ -115,7 +116,7 @@ pub fn postures(sticks: &[Stick], rooms: &[Room], title: &str) -> String {
         left += panel;
     }
     if !rooms.is_empty() {
-        self::rooms(&mut svg, rooms, bars, width);
+        list(&mut svg, rooms, bars, &columns);
     }
     svg.push_str("</svg>\n");
     svg
@@ -165,13 +166,31 @@ fn draw(svg: &mut String, line: &StickLine, at: &dyn Fn(&[f64; 2]) -> [f64; 2]) 
     }
 }
 
+/// Where the columns of the inequalities are (px).
+struct Columns {
+    sides: f64,
+    bar: f64,
+    end: f64,
+}
+
+/// Greatest length of a bar, and the space for the room behind it (px).
+const BAR: (f64, f64) = (200.0, 80.0);
+
+impl Columns {
+    fn of(rooms: &[Room]) -> Self {
+        let most = |text: fn(&Room) -> &String| {
+            rooms.iter().map(|room| text(room).chars().count()).max().unwrap_or(0) as f64
+        };
+        let sides = 28.0 + 6.0 * most(|room| &room.text);
+        let bar = sides + 7.0 * most(|room| &room.sides) + 8.0;
+        let end = if rooms.is_empty() { 0.0 } else { bar + BAR.0 + BAR.1 };
+        Self { sides, bar, end }
+    }
+}
+
 /// The inequalities, one a row, with bars for their room.
-fn rooms(svg: &mut String, rooms: &[Room], top: f64, width: f64) {
-    let longest = rooms.iter().map(|room| room.text.chars().count()).max().unwrap_or(0) as f64;
-    let sides = rooms.iter().map(|room| room.sides.chars().count()).max().unwrap_or(0) as f64;
-    let numbers = 24.0 + 6.8 * longest;
-    let bar = numbers + 7.0 * sides + 14.0;
-    let most = (width - bar - 70.0).clamp(40.0, 240.0);
+fn list(svg: &mut String, rooms: &[Room], top: f64, columns: &Columns) {
+    let (numbers, bar, most) = (columns.sides, columns.bar, BAR.0);
     let _ = writeln!(
         svg,
         "<text x=\"16\" y=\"{top:.1}\" font-weight=\"bold\">Room that the inequalities leave</text>"

@@ -125,7 +125,11 @@ fn walk_rows(report: &Report) -> Vec<Row> {
         ),
         row(
             "friction needed",
-            format!("{} / {}", capped(whole.friction.value, 2, 10.0), capped(whole.foot_friction.value, 2, 10.0)),
+            format!(
+                "{} / {}",
+                capped(whole.friction.value, 2, 10.0),
+                capped(whole.foot_friction.value, 2, 10.0)
+            ),
             "",
             "both feet / one foot",
         ),

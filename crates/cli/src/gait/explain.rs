@@ -1,0 +1,179 @@
+//! `solaris gait explain`: key postures, and how much room they have.
+
+use super::map::{FORMATS, Format, sides, value};
+use super::postures::Asked;
+use crate::error::CliError;
+use crate::output::Outputs;
+use crate::print::print;
+use clap::ArgMatches;
+use serde::Serialize;
+use solaris::gait::determinants::{Condition, KeyPosture, KeySolution, Proportions};
+use solaris::gait::stick_figures;
+use solaris::view::{Room, Stick, StickLine, StickPart, picture_page, postures};
+use std::path::PathBuf;
+
+pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+    let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
+    let outputs = Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?;
+    let asked = Asked::of(matches)?;
+    let refuse = |error| CliError::of_gait(error, matches);
+    let speed = asked.choice.step_length * asked.choice.step_frequency / 60.0;
+    let values = &asked.choice.values;
+    let solution = asked.determinants.solve(&asked.proportions, values, speed).map_err(refuse)?;
+    let conditions = asked.determinants.conditions(&asked.proportions, values).map_err(refuse)?;
+    let title = format!("Key postures of {}", asked.title().to_lowercase());
+    let svg = || postures(&sticks(&asked.proportions, &solution), &rooms(&conditions), &title);
+    outputs.write(|format, writer| {
+        let text = match format {
+            Format::Svg => svg(),
+            Format::Html => picture_page(&title, &svg()),
+        };
+        writer.write_all(text.as_bytes()).map_err(CliError::other)
+    })?;
+    if matches.get_flag("json") {
+        let said = Said::of(&asked, &solution, &conditions);
+        return print(|out| {
+            serde_json::to_writer_pretty(&mut *out, &said).map_err(std::io::Error::from)?;
+            writeln!(out)
+        });
+    }
+    print(|out| {
+        writeln!(out, "{title}\n\nParameters\n")?;
+        for (parameter, number) in asked.parameters.iter().zip(values) {
+            writeln!(out, "  {}", value(parameter, *number))?;
+        }
+        writeln!(out, "\nAngles\n")?;
+        for (symbol, what, angle) in &solution.angles {
+            writeln!(out, "  {symbol:<3} {:>7.2}°  {what}", angle.to_degrees())?;
+        }
+        writeln!(out, "\nRoom that the inequalities leave\n")?;
+        let texts: Vec<String> = conditions.iter().map(|c| format!("{} {}", c.name, c.text)).collect();
+        let width = texts.iter().map(|text| text.chars().count()).max().unwrap_or(0);
+        for (condition, text) in conditions.iter().zip(&texts) {
+            let (sides, room) = sides(condition);
+            writeln!(out, "  {text:<width$}  {sides:<21} {room:>9}")?;
+        }
+        for remark in solution.remarks.iter().filter(|remark| !remark.holds()) {
+            writeln!(out, "\nnote: the thesis asks for {remark}; nothing breaks without")?;
+        }
+        let is_written = outputs.paths().next().is_some();
+        writeln!(
+            out,
+            "{}",
+            if is_written { "" } else { "\nnothing is written; add -o postures.svg to see them" }
+        )?;
+        outputs.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
+    })
+}
+
+/// The postures as they are drawn.
+fn sticks(p: &Proportions, solution: &KeySolution) -> Vec<Stick> {
+    let part = |index: usize| {
+        [
+            StickPart::SwingArm,
+            StickPart::Swing,
+            StickPart::Trunk,
+            StickPart::Head,
+            StickPart::Stance,
+            StickPart::StanceArm,
+        ][index]
+    };
+    let stick = |(posture, lines): (KeyPosture, Vec<Vec<[f64; 2]>>)| Stick {
+        name: posture.name.to_owned(),
+        lines: lines.into_iter().enumerate().map(|(i, points)| StickLine { part: part(i), points }).collect(),
+        angles: angles(&posture),
+    };
+    stick_figures(p, solution).into_iter().map(stick).collect()
+}
+
+/// What a posture's parts are at.
+fn angles(posture: &KeyPosture) -> Vec<(String, String)> {
+    let degrees = |angle: f64| format!("{:.1}°", angle.to_degrees() + 0.0).replace("-0.0°", "0.0°");
+    let [stance, swing] = posture.legs;
+    let named = [
+        ("stance thigh", stance.thigh),
+        ("stance shank", stance.shank),
+        ("stance foot", stance.foot),
+        ("swing thigh", swing.thigh),
+        ("swing shank", swing.shank),
+        ("swing foot", swing.foot),
+        ("pelvic tilt", posture.pelvis.tilt),
+        ("rotation", posture.pelvis.rotation),
+    ];
+    named.into_iter().map(|(name, angle)| (name.to_owned(), degrees(angle))).collect()
+}
+
+/// Rooms as bars: angles against 30°, lengths against a fifth, cosines against 1.
+fn rooms(conditions: &[Condition]) -> Vec<Room> {
+    let room = |condition: &Condition| {
+        let (sides, room) = sides(condition);
+        let whole = match condition.symbol {
+            "°" => 30.0,
+            "" => 1.0,
+            _ => 0.2 * condition.sides[0].abs().max(condition.sides[1].abs()),
+        };
+        let text = format!("{} {}", condition.name, condition.text);
+        Room { text, sides, room, share: condition.room() / whole }
+    };
+    conditions.iter().map(room).collect()
+}
+
+/// Postures for other programs.
+#[derive(Serialize)]
+struct Said {
+    determinants: usize,
+    step_frequency_per_min: f64,
+    step_length: f64,
+    parameters: Vec<Parameter>,
+    angles_deg: Vec<(&'static str, f64, &'static str)>,
+    conditions: Vec<Inequality>,
+    remarks: Vec<Inequality>,
+}
+
+#[derive(Serialize)]
+struct Parameter {
+    name: &'static str,
+    symbol: &'static str,
+    value: f64,
+    unit: &'static str,
+}
+
+#[derive(Serialize)]
+struct Inequality {
+    name: &'static str,
+    text: &'static str,
+    sides: [f64; 2],
+    unit: &'static str,
+    room: f64,
+}
+
+impl Said {
+    fn of(asked: &Asked, solution: &KeySolution, conditions: &[Condition]) -> Self {
+        let inequality = |c: &Condition| Inequality {
+            name: c.name,
+            text: c.text,
+            sides: c.sides,
+            unit: c.symbol.trim(),
+            room: c.room(),
+        };
+        let parameters = asked.parameters.iter().zip(&asked.choice.values).map(|(p, value)| Parameter {
+            name: p.name,
+            symbol: p.symbol,
+            value: *value,
+            unit: p.unit.trim(),
+        });
+        Self {
+            determinants: asked.determinants.count(),
+            step_frequency_per_min: asked.choice.step_frequency,
+            step_length: asked.choice.step_length,
+            parameters: parameters.collect(),
+            angles_deg: solution
+                .angles
+                .iter()
+                .map(|(s, what, angle)| (*s, angle.to_degrees(), *what))
+                .collect(),
+            conditions: conditions.iter().map(inequality).collect(),
+            remarks: solution.remarks.iter().map(inequality).collect(),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! `solaris gait map`: where postures exist.
+
+use super::postures::Asked;
+use crate::error::CliError;
+use crate::output::{Formats, Outputs};
+use crate::print::print;
+use clap::ArgMatches;
+use serde::Serialize;
+use solaris::gait::determinants::{Condition, KeyParameter};
+use solaris::gait::{FeasibleMap, MapCondition};
+use solaris::view::{Regions, picture_page, regions};
+use std::path::PathBuf;
+
+/// What a file of a map holds.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Format {
+    Svg,
+    Html,
+}
+
+pub(super) const FORMATS: Formats<Format> = &[("svg", Format::Svg), ("html", Format::Html)];
+
+/// Places a side.
+const PLACES: f64 = 160.0;
+
+pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+    let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
+    let outputs = Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?;
+    let asked = Asked::of(matches)?;
+    let axis = |name: &str| {
+        let wanted = matches.get_one::<String>(name).map_or("", String::as_str);
+        let index = asked.parameters.iter().position(|parameter| parameter.name == wanted);
+        index.ok_or_else(|| CliError::Option {
+            option: name.to_owned(),
+            value: wanted.to_owned(),
+            why: format!(
+                "{} determinants have no such parameter; they have {}",
+                asked.determinants.count(),
+                asked.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>().join(", ")
+            ),
+        })
+    };
+    let axes = [axis("x")?, axis("y")?];
+    if axes[0] == axes[1] {
+        return Err(CliError::Usage("--x and --y name the same parameter; a map needs two".to_owned()));
+    }
+    let span = |option: &str, axis: usize| {
+        matches.get_one::<(f64, f64)>(option).copied().unwrap_or(asked.parameters[axis].range)
+    };
+    let spans = [span("x-span", axes[0]), span("y-span", axes[1])];
+    let places = matches.get_one::<f64>("places").copied().unwrap_or(PLACES) as usize;
+    let conditions =
+        |values: &[f64]| asked.determinants.conditions(&asked.proportions, values).unwrap_or_default();
+    let map = FeasibleMap::new(&asked.parameters, &asked.choice.values, axes, spans, [places; 2], conditions);
+    let map = map.map_err(|error| CliError::of_gait(error, matches))?;
+    let mark = axes.map(|axis| asked.choice.values[axis]);
+    let title = asked.title();
+    let svg = || regions(&picture(&map, mark), &title);
+    outputs.write(|format, writer| {
+        let text = match format {
+            Format::Svg => svg(),
+            Format::Html => picture_page(&title, &svg()),
+        };
+        writer.write_all(text.as_bytes()).map_err(CliError::other)
+    })?;
+    if matches.get_flag("json") {
+        return print(|out| {
+            serde_json::to_writer_pretty(&mut *out, &Said::of(&map)).map_err(std::io::Error::from)?;
+            writeln!(out)
+        });
+    }
+    let marked = asked.determinants.conditions(&asked.proportions, &asked.choice.values);
+    let marked = marked.map_err(|error| CliError::of_gait(error, matches))?;
+    print(|out| {
+        writeln!(out, "{title}: {} over {}\n", map.axes[1].name, map.axes[0].name)?;
+        writeln!(out, "  {:5.1} % of the map hold all inequalities", 100.0 * map.feasible())?;
+        for (index, condition) in map.conditions.iter().enumerate() {
+            let places = map.fails.iter().filter(|fails| **fails == Some(index)).count();
+            let share = 100.0 * places as f64 / map.fails.len() as f64;
+            writeln!(out, "  {share:5.1} % fail {}", inequality(*condition))?;
+        }
+        writeln!(out, "\nThe other parameters:\n")?;
+        let others = (0..asked.parameters.len()).filter(|index| !axes.contains(index));
+        for index in others {
+            writeln!(out, "  {}", value(&asked.parameters[index], asked.choice.values[index]))?;
+        }
+        writeln!(out, "\nThe point that is marked:\n")?;
+        for axis in axes {
+            writeln!(out, "  {}", value(&asked.parameters[axis], asked.choice.values[axis]))?;
+        }
+        for failing in marked.iter().filter(|condition| !condition.holds()) {
+            writeln!(out, "  fails {failing}")?;
+        }
+        let is_written = outputs.paths().next().is_some();
+        writeln!(out, "{}", if is_written { "" } else { "\nnothing is written; add -o map.svg to see it" })?;
+        outputs.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
+    })
+}
+
+/// A parameter and its value.
+pub(super) fn value(parameter: &KeyParameter, value: f64) -> String {
+    let decimals = if parameter.unit == "°" { 2 } else { 4 };
+    format!("{:<20} {:<2} {value:>9.decimals$}{}", parameter.name, parameter.symbol, parameter.unit)
+}
+
+fn inequality(condition: MapCondition) -> String {
+    format!("{} {}", condition.name, condition.text)
+}
+
+fn picture(map: &FeasibleMap, mark: [f64; 2]) -> Regions<'_> {
+    let label = |axis: &KeyParameter| format!("{} {} ({})", axis.name, axis.symbol, axis.unit.trim());
+    let inside = (0..2).all(|axis| (map.spans[axis].0..=map.spans[axis].1).contains(&mark[axis]));
+    Regions {
+        axes: [label(&map.axes[0]), label(&map.axes[1])],
+        spans: map.spans,
+        places: map.places,
+        conditions: map.conditions.iter().map(|condition| inequality(*condition)).collect(),
+        fails: &map.fails,
+        edges: map.edges.iter().map(|edge| (edge.ends, edge.condition)).collect(),
+        mark: inside.then_some(mark),
+    }
+}
+
+/// A map for other programs.
+#[derive(Serialize)]
+struct Said {
+    x: Axis,
+    y: Axis,
+    conditions: Vec<String>,
+    /// Rows from below: which condition fails, or none.
+    fails: Vec<Option<usize>>,
+    boundary: Vec<Piece>,
+}
+
+#[derive(Serialize)]
+struct Axis {
+    parameter: &'static str,
+    unit: &'static str,
+    from: f64,
+    to: f64,
+    places: usize,
+}
+
+#[derive(Serialize)]
+struct Piece {
+    ends: [[f64; 2]; 2],
+    condition: usize,
+}
+
+impl Said {
+    fn of(map: &FeasibleMap) -> Self {
+        let axis = |i: usize| Axis {
+            parameter: map.axes[i].name,
+            unit: map.axes[i].unit.trim(),
+            from: map.spans[i].0,
+            to: map.spans[i].1,
+            places: map.places[i],
+        };
+        Self {
+            x: axis(0),
+            y: axis(1),
+            conditions: map.conditions.iter().map(|condition| inequality(*condition)).collect(),
+            fails: map.fails.clone(),
+            boundary: map.edges.iter().map(|e| Piece { ends: e.ends, condition: e.condition }).collect(),
+        }
+    }
+}
+
+/// How an inequality and its room are written.
+pub(super) fn sides(condition: &Condition) -> (String, String) {
+    let decimals = if condition.symbol == "°" { 2 } else { 4 };
+    let [lesser, greater] = condition.sides;
+    let unit = condition.symbol;
+    let sign = if condition.holds() { "<" } else { "≥" };
+    (
+        format!("{lesser:.decimals$}{unit} {sign} {greater:.decimals$}{unit}"),
+        format!("{:.decimals$}{unit}", condition.room()),
+    )
+}

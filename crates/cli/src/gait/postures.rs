@@ -1,0 +1,77 @@
+//! Whose postures are asked for, and with which parameters.
+
+use crate::args::{HEIGHT, key_options};
+use crate::error::{CliError, typed};
+use clap::ArgMatches;
+use solaris::gait::determinants::{Determinants, KeyParameter, Proportions};
+use solaris::gait::{KeyChoice, ThesisRequest};
+use solaris::model::human;
+
+/// Mass of the person whose lengths are asked: it changes none (kg/m²).
+const BODY_MASS_INDEX: f64 = 23.8;
+
+/// What the options come to.
+pub(super) struct Asked {
+    pub(super) determinants: Determinants,
+    pub(super) proportions: Proportions,
+    pub(super) parameters: Vec<KeyParameter>,
+    pub(super) choice: KeyChoice,
+}
+
+impl Asked {
+    /// `but` are names of parameters that need no value of their own.
+    pub(super) fn of(matches: &ArgMatches) -> Result<Self, CliError> {
+        let word = |name: &str| matches.get_one::<String>(name).map(String::as_str);
+        let number = |name: &str| matches.get_one::<f64>(name).copied();
+        let determinants =
+            if word("determinants") == Some("3") { Determinants::Three } else { Determinants::Five };
+        let height = number("height");
+        let proportions = match word("body") {
+            Some("fit") if height.is_some() => {
+                let why = "the fitted proportions are in units of the leg and have no height; leave --height or --body fit out";
+                return Err(option(matches, "height", why));
+            }
+            Some("fit") => Proportions::FIT,
+            Some("thesis") => Proportions::drillis_contini(height.unwrap_or(HEIGHT)),
+            _ => {
+                let height = height.unwrap_or(HEIGHT);
+                let person = human(height, BODY_MASS_INDEX * height * height);
+                let person = person.map_err(|error| CliError::of_human(error, matches))?;
+                Proportions::of(&person).map_err(|error| CliError::of_gait(error, matches))?
+            }
+        };
+        let parameters = determinants.parameters(&proportions);
+        let own = |name: &&str| parameters.iter().any(|parameter| parameter.name == *name);
+        let given = || key_options().into_iter().filter(|name| typed(matches, name).is_some());
+        if let Some(name) = given().find(|name| !own(name)) {
+            let why = format!("{} determinants have no such parameter", determinants.count());
+            return Err(option(matches, name, &why));
+        }
+        let others = given().filter(|name| *name != "step-length");
+        let request = ThesisRequest {
+            determinants,
+            step_frequency: number("step-frequency"),
+            step_length: number("step-length"),
+            speed: number("speed"),
+            parameters: others.filter_map(|name| Some((name, number(name)?))).collect(),
+            ..ThesisRequest::default()
+        };
+        let choice =
+            KeyChoice::of(&proportions, &request).map_err(|error| CliError::of_gait(error, matches))?;
+        Ok(Self { determinants, proportions, parameters, choice })
+    }
+
+    /// In a few words.
+    pub(super) fn title(&self) -> String {
+        let frequency = (self.choice.step_frequency * 100.0).round() / 100.0;
+        format!(
+            "{} determinants at {frequency} steps/min",
+            if self.determinants == Determinants::Three { "Three" } else { "Five" }
+        )
+    }
+}
+
+fn option(matches: &ArgMatches, option: &str, why: &str) -> CliError {
+    let value = typed(matches, option).unwrap_or_default();
+    CliError::Option { option: option.to_owned(), value, why: why.to_owned() }
+}
