@@ -84,7 +84,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 }
 
 /// Who walks: the figure of a file that has all that a walk needs, or a human.
-fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
+pub(crate) fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
     if let Some(path) = matches.get_one::<PathBuf>("figure") {
         let figure = input::body(path)?.figure;
         let lacks = lacks(&figure);
@@ -95,6 +95,11 @@ fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
             Err(CliError::input(path, &format!("figure '{}' cannot walk:{list}", figure.name())))
         };
     }
+    person(matches)
+}
+
+/// A human of the height and mass that are asked for, or of the usual ones.
+pub(crate) fn person(matches: &ArgMatches) -> Result<Figure, CliError> {
     let height = number(matches, "height").unwrap_or(HEIGHT);
     let mass = number(matches, "mass").unwrap_or(BODY_MASS_INDEX * height * height);
     human(height, mass).map_err(|error| CliError::of_human(error, matches))
@@ -117,7 +122,8 @@ fn check_size(duration: f64, rate: f64) -> Result<(), CliError> {
     Err(CliError::TooLong { duration, rate, frames, most: MOST_FRAMES })
 }
 
-fn request(matches: &ArgMatches) -> Result<WalkRequest, CliError> {
+/// What is asked of the walk.
+pub(crate) fn request(matches: &ArgMatches) -> Result<WalkRequest, CliError> {
     let steps = matches.get_one::<i64>("steps").copied().unwrap_or(DEFAULT_STEPS);
     let extent = if let Some(distance) = number(matches, "distance") {
         Extent::Distance(distance)

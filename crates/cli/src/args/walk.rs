@@ -27,14 +27,7 @@ pub(super) fn command() -> Command {
         .arg(path("figure").help(wrap(
             "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]",
         )).conflicts_with_all(["height", "mass"]))
-        .arg(number("height", "M", &format!("Standing height, 0.8 to 2.3 m [default: {HEIGHT}]")))
-        .arg(number(
-            "mass",
-            "KG",
-            &format!(
-                "Body mass in kg, 8 to 80 times the squared height [default: {BODY_MASS_INDEX}·height²]"
-            ),
-        ))
+        .args(person())
         .next_help_heading("The walk")
         .arg(number(
             "step-frequency",
@@ -103,6 +96,20 @@ pub(super) fn command() -> Command {
         let help = format!("{symbol}{}, {lower} to {upper}{unit} [default: people's]", parameter.help);
         command.arg(number(parameter.name, value, &help))
     })
+}
+
+/// The options of a person's size.
+pub(super) fn person() -> [Arg; 2] {
+    [
+        number("height", "M", &format!("Standing height, 0.8 to 2.3 m [default: {HEIGHT}]")),
+        number(
+            "mass",
+            "KG",
+            &format!(
+                "Body mass in kg, 8 to 80 times the squared height [default: {BODY_MASS_INDEX}·height²]"
+            ),
+        ),
+    ]
 }
 
 /// Where to write what.
