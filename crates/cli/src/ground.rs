@@ -13,7 +13,7 @@ pub(crate) use files::{Content, outputs, write_motion};
 use files::{Written, outputs_or_picture};
 pub(crate) use predicted::{Predicted, needs_times, refused, standing};
 pub(crate) use report::GroundReport;
-pub(crate) use soles::{From as SolesFrom, known as known_soles};
+pub(crate) use soles::{From as SolesFrom, find as find_soles, known as known_soles};
 
 use crate::convert::{TABLE, TableFormat};
 use crate::error::CliError;

@@ -39,7 +39,15 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         Some(path) => (input::body(path)?, path.clone()),
         None => (Body::own(person(matches)?), PathBuf::from("the human")),
     };
-    let given = Given::of(matches, body, &of, &from, &progress)?;
+    let is_guess = !matches.contains_id("figure");
+    let given = Given::of(matches, body, &of, &from, &progress).map_err(|error| match error {
+        CliError::Input { path, why } if is_guess && path.is_file() => {
+            let why =
+                format!("{why}; without --figure it is taken for the motion of a human of `solaris walk`");
+            CliError::Input { path, why }
+        }
+        other => other,
+    })?;
     needs_times(&given)?;
     progress.stage("finding the steps");
     let evidence = Evidence::find(matches, &given)?;

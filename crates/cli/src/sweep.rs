@@ -33,7 +33,14 @@ struct Summary {
     seconds: f64,
     rows_per_second_and_thread: f64,
     /// The first refusals, with the line of the table that each is about.
-    refusals: Vec<(u64, String)>,
+    refusals: Vec<Refused>,
+}
+
+/// A row that is no walk.
+#[derive(Serialize)]
+struct Refused {
+    line: u64,
+    why: String,
 }
 
 /// Refusals that a person reads.
@@ -75,7 +82,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
                     Done::Refused(why) => {
                         summary.refused += 1;
                         if summary.refusals.len() < SHOWN {
-                            summary.refusals.push((row.line, why.clone()));
+                            summary.refusals.push(Refused { line: row.line, why: why.clone() });
                         }
                     }
                 }
@@ -101,7 +108,7 @@ impl Summary {
     fn write(&self, out: &mut dyn std::io::Write) -> std::io::Result<()> {
         let Self { rows, walks, refused, threads, seconds, .. } = self;
         row(out, "rows", &format!("{rows}: {walks} walked, {refused} refused"))?;
-        for (i, (line, why)) in self.refusals.iter().enumerate() {
+        for (i, Refused { line, why }) in self.refusals.iter().enumerate() {
             row(out, if i == 0 { "refused" } else { "" }, &format!("line {line}: {why}"))?;
         }
         if *refused > self.refusals.len() {

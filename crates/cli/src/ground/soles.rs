@@ -28,7 +28,7 @@ impl From {
 }
 
 /// The soles and who says so.
-pub(super) fn find(matches: &ArgMatches, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
+pub(crate) fn find(matches: &ArgMatches, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
     known(matches, given)?.ok_or_else(|| CliError::input(&given.of, &missing(&given.body.figure)))
 }
 

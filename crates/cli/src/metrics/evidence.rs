@@ -3,7 +3,7 @@
 use crate::args::AskedLevel;
 use crate::error::CliError;
 use crate::given::Given;
-use crate::ground::{SolesFrom, known_soles, refused, standing};
+use crate::ground::{SolesFrom, find_soles, known_soles, refused, standing};
 use clap::ArgMatches;
 use solaris::gait::metrics::{self, stances_of_contacts};
 use solaris::io::record::{force_prefixes, forces};
@@ -23,9 +23,10 @@ pub(super) struct Evidence {
 
 impl Evidence {
     pub(super) fn find(matches: &ArgMatches, given: &Given) -> Result<Self, CliError> {
-        let Some((soles, from)) = known_soles(matches, given)? else {
-            return Ok(Self::of_no_feet());
-        };
+        // Who asks for forces or stances of feet that nobody knows is told what to do.
+        let needs_feet = matches.get_flag("ground") || matches.contains_id("stances");
+        let found = if needs_feet { Some(find_soles(matches, given)?) } else { known_soles(matches, given)? };
+        let Some((soles, from)) = found else { return Ok(Self::of_no_feet()) };
         let speed = matches.get_one("stance-speed").copied().unwrap_or(StanceOptions::default().speed);
         let (mut stances, stance, belt_from) = standing(matches, given, &soles, &from, speed)?;
         let level_from = match (matches.get_one("level"), &from) {

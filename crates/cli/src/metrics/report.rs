@@ -103,7 +103,7 @@ impl Report {
                 (None, Some(at)) => format!("at {} s", short(*at)),
                 (None, None) => String::new(),
             };
-            let value = value.map_or_else(|| "–".to_owned(), short);
+            let value = value.map_or_else(|| "–".to_owned(), |value| short(value + 0.0));
             let line = format!("  {name:<34}{value:>10} {unit:<10} {note}");
             writeln!(out, "{}", line.trim_end())?;
         }

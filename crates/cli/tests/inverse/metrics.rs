@@ -65,8 +65,12 @@ fn files_hold_what_is_printed() {
 fn what_is_asked_in_vain_is_refused() {
     let folder = subject();
     for (line, why) in [
-        ("metrics walk.mot --figure subject.osim --stances contacts", "no forces on its soles (calcn_r.fx"),
-        ("metrics walk.mot --figure subject.osim --stance-height 0", "--stance-height 0"),
+        (
+            "metrics walk.mot --figure subject.osim --soles soles.ron --stances contacts",
+            "no forces on its soles (right.fx",
+        ),
+        ("metrics walk.mot --figure subject.osim --ground", "has no soles"),
+        ("metrics walk.mot --figure subject.osim --soles soles.ron --stance-height 0", "--stance-height 0"),
         ("metrics walk.mot", "walk.mot"),
         ("metrics none.csv", "there is no such file"),
         ("metrics walk.mot --figure subject.osim -o soles.ron", ".json or .csv"),
