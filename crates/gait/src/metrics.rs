@@ -98,9 +98,9 @@ impl Metric {
 }
 
 /// A foot stands while the ground presses on it with more than this share of the figure's weight.
-const PRESSED: f64 = 0.01;
+const PRESSED: f64 = 1e-3;
 
-/// Stances by forces that are known: a foot stands while the ground presses on it with more than a hundredth of the figure's
+/// Stances by forces that are known: a foot stands while the ground presses on it with more than a thousandth of the figure's
 /// weight. `contacts` are by sole, with a sample at each `time` (s); height and velocity of the ground are those of `ground`.
 pub fn stances_of_contacts(
     figure: &Figure,
