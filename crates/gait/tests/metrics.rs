@@ -108,7 +108,6 @@ fn assert_agrees(walked: &Walked, all: &[Metric]) {
         ("pushing_percent_bw", steady.pushing, 0.1),
     ] {
         let found = of(all, key);
-        println!("{key}: {found} beside {wanted}");
         assert!((found - wanted).abs() <= within, "{key}: {found} is not {wanted}");
     }
 }

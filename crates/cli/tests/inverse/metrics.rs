@@ -91,7 +91,6 @@ fn a_measured_walk_has_metrics() {
     let [model, motion] = [&model, &motion].map(|path| path.to_str().expect("UTF-8"));
     let args = ["metrics", motion, "--figure", model, "--filter", "6Hz", "--ground", "--json"];
     let report = json(&succeeded(&solaris_with(folder.path(), &args)));
-    println!("{report:#}");
     // On a treadmill, at a speed that is found.
     assert!((1.0..2.0).contains(&value(&report, "speed_m_s")), "{}", report["metrics"]);
     assert!((80.0..130.0).contains(&value(&report, "step_frequency_per_min")));

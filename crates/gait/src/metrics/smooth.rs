@@ -61,12 +61,12 @@ fn integral(time: &[f64], jerks: &[Vector3<f64>]) -> f64 {
 /// LDLJ = −ln (T³/v_peak² ∫ |x‴|² dt)
 /// ```
 ///
-/// `squares` is the integral (m²/s⁵), `duration` T (s), `fastest` v_peak (m/s).
+/// `squares` is the integral (m²/s⁵), `duration` T (s), `fastest` the greatest speed (m/s).
 ///
 /// # Source
 ///
-/// Balasubramanian, Melendez-Calderon, Roby-Brami, Burdet (2015), On the analysis of movement smoothness, J NeuroEng
-/// Rehabil 12:112, the measure from velocity.
+/// Balasubramanian, Melendez-Calderon, Roby-Brami, Burdet (2015), On the analysis of movement smoothness, J. `NeuroEng`
+/// Rehabil. 12:112, the measure from velocity.
 fn log_dimensionless_jerk(squares: f64, duration: f64, fastest: f64) -> Result<f64, NoValue> {
     let dimensionless = duration.powi(3) / fastest.powi(2) * squares;
     if fastest > AT_REST && dimensionless > 0.0 { Ok(-dimensionless.ln()) } else { Err(NoValue::AtRest) }

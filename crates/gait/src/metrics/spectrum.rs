@@ -24,8 +24,8 @@ const EVEN: f64 = 0.01;
 ///
 /// # Source
 ///
-/// Balasubramanian, Melendez-Calderon, Roby-Brami, Burdet (2015), On the analysis of movement smoothness, J NeuroEng
-/// Rehabil 12:112, with the constants that are proposed there.
+/// Balasubramanian, Melendez-Calderon, Roby-Brami, Burdet (2015), On the analysis of movement smoothness, J. `NeuroEng`
+/// Rehabil. 12:112, with the constants that are proposed there.
 pub(super) fn spectral_arc_length(time: &[f64], speed: &[f64]) -> Result<f64, NoValue> {
     let samples = speed.len();
     if samples < 3 || time.len() != samples {

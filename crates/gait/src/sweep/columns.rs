@@ -33,9 +33,9 @@ fn joint(walked: &Walked, name: &str, of: fn(&JointPeaks) -> f64) -> Option<f64>
 }
 
 /// Mean over the double supports between steps; a walk of one step has one.
-fn double_support(walked: &Walked) -> Option<f64> {
+fn double_support(walked: &Walked) -> f64 {
     let each = &walked.measures.double_supports;
-    Some(each.iter().sum::<f64>() / each.len() as f64)
+    each.iter().sum::<f64>() / each.len() as f64
 }
 
 /// The columns of a sweep, in order. Headings differ from the names of walk options, so that both stand in one table.
@@ -47,7 +47,7 @@ pub const COLUMNS: &[Column] = &[
     column("step_frequency_per_min", "steps a minute of the steady part", |w| Some(w.pace.0)),
     column("step_length_m", "of the steady part", |w| Some(w.pace.1)),
     column("speed_m_s", "of the steady part", |w| Some(w.pace.0 * w.pace.1 / 60.0)),
-    column("double_support_percent", "mean of the double supports, % of the stride", double_support),
+    column("double_support_percent", "mean of the double supports, % of the stride", |w| Some(double_support(w))),
     column("stance_percent", "of a steady stride", |w| steady(w, |s| s.stance)),
     column("vertical_first_percent_bw", "first peak of the vertical force in a steady stride", |w| steady(w, |s| s.first_peak)),
     column("vertical_valley_percent_bw", "valley between the peaks", |w| steady(w, |s| s.valley)),
