@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn headings_are_checked() {
         for (text, why) in
-            [("", "no header"), ("a,a\n", "'a'"), ("a;b\n", "semicolons"), ("a,,b\n", "column 2")]
+            [("", "the table is empty"), ("a,a\n", "'a'"), ("a;b\n", "semicolons"), ("a,,b\n", "column 2")]
         {
             let said = read_rows(text).expect_err(text).to_string();
             assert!(said.contains(why), "{text:?}: {said}");
