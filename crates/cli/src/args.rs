@@ -5,14 +5,18 @@ mod gait;
 mod given;
 mod ground;
 mod inverse;
+mod metrics;
 mod profile;
 mod report;
 mod run;
+mod sweep;
 mod walk;
 
 pub(crate) use given::{BASES, Gravity};
 pub(crate) use ground::{AskedBelt, AskedPlate};
+pub(crate) use metrics::AskedLevel;
 pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
+pub(crate) use sweep::{columns, walk_options};
 pub(crate) use walk::{check, key_options};
 
 use clap::builder::{Str, ValueParser};
@@ -42,7 +46,14 @@ pub(crate) fn command() -> Command {
         )
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .subcommands([walk::command(), run::command(), inverse::command(), ground::command()])
+        .subcommands([
+            walk::command(),
+            sweep::command(),
+            run::command(),
+            inverse::command(),
+            ground::command(),
+        ])
+        .subcommand(metrics::command())
         .subcommands(figure::commands())
         .subcommand(gait::command())
         .subcommand(profile::command())

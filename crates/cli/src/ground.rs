@@ -11,8 +11,9 @@ mod summary;
 pub(crate) use files::{Content, outputs, write_motion};
 
 use files::{Written, outputs_or_picture};
-pub(crate) use predicted::Predicted;
+pub(crate) use predicted::{Predicted, needs_times, refused, standing};
 pub(crate) use report::GroundReport;
+pub(crate) use soles::{From as SolesFrom, find as find_soles, known as known_soles};
 
 use crate::convert::{TABLE, TableFormat};
 use crate::error::CliError;

@@ -81,6 +81,19 @@ pub(crate) struct Body {
     pub(crate) gravity_is_given: bool,
 }
 
+impl Body {
+    /// A figure that nobody had to read.
+    pub(crate) fn own(figure: Figure) -> Self {
+        Self {
+            figure,
+            language: Language::Ron,
+            findings: Vec::new(),
+            gravity: GRAVITY,
+            gravity_is_given: false,
+        }
+    }
+}
+
 /// Reads a figure.
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
     let text = self::text(path)?;

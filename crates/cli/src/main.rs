@@ -14,12 +14,14 @@ mod ground;
 mod input;
 mod inverse;
 mod limbs;
+mod metrics;
 mod output;
 mod print;
 mod profile;
 mod progress;
 mod report;
 mod run;
+mod sweep;
 mod underline;
 mod walk;
 mod words;
@@ -30,9 +32,11 @@ fn main() -> ExitCode {
     let matches = args::command().get_matches();
     let result = match matches.subcommand() {
         Some(("walk", matches)) => walk::run(matches),
+        Some(("sweep", matches)) => sweep::run(matches),
         Some(("run", matches)) => run::run(matches),
         Some(("inverse", matches)) => inverse::run(matches),
         Some(("ground", matches)) => ground::run(matches),
+        Some(("metrics", matches)) => metrics::run(matches),
         Some(("check", matches)) => check::run(matches),
         Some(("figure", matches)) => figure::run(matches),
         Some(("convert", matches)) => convert::run(matches),

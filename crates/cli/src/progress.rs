@@ -45,6 +45,20 @@ const MANY_ROWS: usize = 20_000;
 pub(crate) struct Rows(ProgressBar);
 
 impl Rows {
+    /// A bar over so many rows that take their time.
+    pub(crate) fn shown(count: usize) -> Self {
+        let bar = ProgressBar::new(count as u64);
+        if let Ok(style) = ProgressStyle::with_template("{spinner} [{bar:30}] {pos} of {len}, {eta} left") {
+            bar.set_style(style);
+        }
+        Self(bar)
+    }
+
+    /// So many more are done.
+    pub(crate) fn add(&self, done: usize) {
+        self.0.inc(done as u64);
+    }
+
     /// So many are done.
     pub(crate) fn at(&self, done: usize) {
         self.0.set_position(done as u64);

@@ -16,7 +16,8 @@ use crate::progress::Progress;
 use clap::ArgMatches;
 use planned::Planned;
 use report::Report;
-use request::{Request, looped, number, out_of_range};
+pub(crate) use request::request;
+use request::{looped, number, out_of_range};
 use solaris::gait::{lacks, measure};
 use solaris::model::{Figure, Motion, human};
 use solaris::view::{PageOptions, page};
@@ -53,7 +54,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         return Err(out_of_range(matches, "rate", format!("it must be {} to {} frames/s", RATE.1, RATE.2)));
     }
     let figure = figure(matches)?;
-    let request = Request::of(matches)?;
+    let request = request(matches)?;
 
     let progress = Progress::new(4);
     let planned = Planned::of(&figure, &request, looped(matches), rate, &progress, matches)?;
@@ -74,7 +75,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 }
 
 /// Who walks: the figure of a file that has all that a walk needs, or a human.
-fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
+pub(crate) fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
     if let Some(path) = matches.get_one::<PathBuf>("figure") {
         let figure = input::body(path)?.figure;
         let lacks = lacks(&figure);
@@ -85,6 +86,11 @@ fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
             Err(CliError::input(path, &format!("figure '{}' cannot walk:{list}", figure.name())))
         };
     }
+    person(matches)
+}
+
+/// A human of the height and mass that are asked for, or of the usual ones.
+pub(crate) fn person(matches: &ArgMatches) -> Result<Figure, CliError> {
     let height = number(matches, "height").unwrap_or(HEIGHT);
     let mass = number(matches, "mass").unwrap_or(BODY_MASS_INDEX * height * height);
     human(height, mass).map_err(|error| CliError::of_human(error, matches))

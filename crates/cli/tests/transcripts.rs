@@ -2,8 +2,8 @@
 //!
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
 //! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clip (`dancer.ron`, `dance.csv`), the robot `arm.urdf`, the same with faults
-//! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), and of curves the
-//! keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
+//! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), walks of a
+//! sweep (`people.csv`), and of curves the keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
 //! the robot, the same with faults (`faulty_scene.ron`), and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
 //! write one file.
 //!
@@ -38,6 +38,16 @@ Scene(
     },
     limits: {\"elbow\": Hard(restitution: 0.5)},
 )
+";
+
+/// Three walks, and two that cannot be.
+const PEOPLE: &str = "\
+height,mass,speed,steps,pelvic-tilt
+1.60,55,1.2,2,
+1.85,,1.4,1,5
+1.75,73,,8,
+2.75,,,2,
+1.75,,3,2,
 ";
 
 /// Puts the files there that the transcripts read.
@@ -81,6 +91,7 @@ fn furnish(folder: &Path) {
              ball: (0.14, -0.08), tip: (0.21, -0.08, 0), widht: 0.1),\n])\n",
         ),
         ("notes", "no folder"),
+        ("people.csv", PEOPLE),
         ("keys.csv", "time,position\n0,5\n1,7\n2,-9\n"),
         ("misspelt.ron", "// A motion.\nMinimumJrek(from: 0, to: 1, duration: 2)\n"),
         ("faulty.ron", "Tension(from: 0, to: 1, duration: 2,\n    stiffness: -3, end_velocity: 1)\n"),

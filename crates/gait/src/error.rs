@@ -1,7 +1,9 @@
 //! Why a walk cannot be.
 
 use solaris_dynamics::DynamicsError;
-use solaris_model::SolePart;
+use solaris_model::{MotionError, SolePart};
+use solaris_modes::ReactionError;
+use solaris_modes::ground::PlantedError;
 use solaris_profiles::ProfileError;
 
 /// Why a figure cannot walk as asked.
@@ -100,10 +102,26 @@ pub enum GaitError {
     MapPlaces { places: usize, least: usize, most: usize },
     #[error("the motion has no {what}; find the ground reactions first")]
     NothingToMeasure { what: &'static str },
+    #[error(
+        "{duration:.0} s at {rate} samples/s make {samples:.0} samples, more than {most}; walk fewer steps or lower the rate"
+    )]
+    TooManySamples { duration: f64, rate: f64, samples: f64, most: f64 },
+    #[error("gravity is ({}, {}, {}) m/s²; without it nothing says which way is up", .gravity[0], .gravity[1], .gravity[2])]
+    NoGravity { gravity: [f64; 3] },
+    #[error("{what} of the motion has {found} entries where {expected} are needed")]
+    OtherMotion { what: &'static str, found: usize, expected: usize },
+    #[error("the walk has no stride that repeats itself; it needs {least} steps at least")]
+    NoStride { least: usize },
     #[error("the figure has no anatomical angle '{angle}'")]
     MissingAngle { angle: String },
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
+    #[error(transparent)]
+    Planted(#[from] PlantedError),
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    #[error(transparent)]
+    Reaction(#[from] ReactionError),
     #[error("the walk does not close: {0}; this is a fault of the planner")]
     Profile(#[from] ProfileError),
 }

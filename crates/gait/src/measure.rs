@@ -3,9 +3,10 @@
 //! Nothing here knows the plan. The motion must carry its events, planted points, ground reactions and joint forces.
 
 mod bands;
-mod feet;
+pub(crate) mod feet;
 pub(crate) mod series;
-mod steady;
+pub(crate) mod steady;
+pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
 pub use steady::SteadyStride;
@@ -126,8 +127,26 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
 /// Times this near are one (s).
 pub(crate) const SAME_TIME: f64 = 1e-9;
 
+/// Greatest free moment (N m) of one foot: the moment of its contact about the vertical through its centre of pressure,
+/// either way round.
+///
+/// ```text
+/// T = n·(M − p × F)
+/// ```
+pub(crate) fn free_moment(motion: &Motion) -> Peak {
+    let up = -motion.info.gravity.normalize();
+    let mut worst = Peak { value: 0.0, time: 0.0 };
+    for track in &motion.contacts {
+        for (contact, &time) in track.samples.iter().zip(motion.time()) {
+            let value = up.dot(&(contact.moment - contact.cop.cross(&contact.force))).abs();
+            worst = worst.max(Peak { value, time });
+        }
+    }
+    worst
+}
+
 impl Peak {
-    fn max(self, other: Self) -> Self {
+    pub(crate) fn max(self, other: Self) -> Self {
         if other.value > self.value { other } else { self }
     }
 }

@@ -22,10 +22,12 @@
 //! between fields are refused, because a comma may then be a decimal point.
 
 mod read;
+mod rows;
 mod table;
 mod write;
 
 pub use read::{frame_rate, read};
+pub use rows::{Row, Rows, number_text, read_rows, write_row};
 pub use table::{read_table, write_table};
 pub use write::write;
 

@@ -1,7 +1,8 @@
 //! The ground's forces in a motion that is known, from the motion alone.
 //!
 //! The laws of motion give the whole wrench of the ground ([`balance`]). Which foot stands when is found from how the
-//! soles move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`]). How two feet share
+//! soles move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`])
+//! or measured its forces ([`stances_of_contacts`]). How two feet share
 //! the wrench is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden
 //! ([`judge`]). [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the
 //! root's path after which the ground can do what is asked of it.
@@ -32,5 +33,7 @@ pub use possible::make_consistent;
 pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};
 pub use share::{Shared, Split, share};
 pub use sole::{SOLE_BREADTH, Sole, soles};
-pub use stance::{Belt, Stance, StanceOptions, Stances, find_stances, stances_of_planted};
+pub use stance::{
+    Belt, Stance, StanceOptions, Stances, find_stances, stances_of_contacts, stances_of_planted,
+};
 pub use total::{BalanceFrame, balance};

@@ -33,14 +33,7 @@ pub(super) fn command() -> Command {
         .arg(path("figure").help(wrap(
             "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]",
         )).conflicts_with_all(["height", "mass"]))
-        .arg(number("height", "M", &format!("Standing height, 0.8 to 2.3 m [default: {HEIGHT}]")))
-        .arg(number(
-            "mass",
-            "KG",
-            &format!(
-                "Body mass in kg, 8 to 80 times the squared height [default: {BODY_MASS_INDEX}·height²]"
-            ),
-        ))
+        .args(person())
         .next_help_heading("The walk")
         .arg(number(
             "step-frequency",
@@ -185,6 +178,20 @@ fn manner() -> [Arg; 7] {
              even pace [default: thesis]",
         )),
         number("sway", "M", "Style thesis: amplitude of the pelvis' way to the sides, towards the foot that stands [default: 0]"),
+    ]
+}
+
+/// The options of a person's size.
+pub(super) fn person() -> [Arg; 2] {
+    [
+        number("height", "M", &format!("Standing height, 0.8 to 2.3 m [default: {HEIGHT}]")),
+        number(
+            "mass",
+            "KG",
+            &format!(
+                "Body mass in kg, 8 to 80 times the squared height [default: {BODY_MASS_INDEX}·height²]"
+            ),
+        ),
     ]
 }
 

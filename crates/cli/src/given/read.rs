@@ -37,7 +37,17 @@ impl Given {
         from: &Path,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let mut body = input::body(of)?;
+        Self::of(matches, input::body(of)?, of, from, progress)
+    }
+
+    /// A figure that is at hand and is called `of`, in the motion `from`.
+    pub(crate) fn of(
+        matches: &ArgMatches,
+        mut body: Body,
+        of: &Path,
+        from: &Path,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
         if let Some(base) = base(matches) {
             if base == Base::Fixed && body.figure.links()[0].joint().kind().nv() > 0 {
                 let why =

@@ -7,8 +7,8 @@ use crate::error::{CliError, typed};
 use crate::given::Given;
 use clap::ArgMatches;
 use solaris::modes::ground::{
-    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, Split, StanceOptions, find_stances,
-    ground_forces, make_consistent,
+    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, Split, StanceOptions, Stances,
+    find_stances, ground_forces, make_consistent,
 };
 
 /// The ground's forces, and what they are found from.
@@ -25,40 +25,14 @@ pub(crate) struct Predicted {
 impl Predicted {
     /// Finds them; with `--consistent` in a motion whose root is moved before.
     pub(crate) fn find(matches: &ArgMatches, given: &mut Given) -> Result<Self, CliError> {
-        if given.table.column("time").is_none() {
-            let why = "it has no column 'time', and which foot stands is found from how the feet move";
-            return Err(CliError::input(&given.from, &why));
-        }
+        needs_times(given)?;
         let consistent = moved::asked(matches)?;
         let (soles, from) = soles::find(matches, given)?;
-        let default = StanceOptions::default();
-        let number = |option: &str, default| matches.get_one::<f64>(option).copied().unwrap_or(default);
-        let mut stance = StanceOptions {
-            height: number("stance-height", default.height),
-            speed: number("stance-speed", default.speed),
-            shortest: number("stance-shortest", default.shortest),
-            belt: Belt::Auto,
-        };
-        let refuse = |error| refused(&error, matches, given, &from);
-        let (figure, gravity, states) = (&given.body.figure, given.body.gravity, &given.states);
-        let belt_from = match matches.get_one("belt").unwrap_or(&AskedBelt::Auto) {
-            AskedBelt::Auto => "as the feet on it move",
-            AskedBelt::Still => {
-                stance.belt = Belt::Still;
-                "as asked"
-            }
-            AskedBelt::Speed(speed) => {
-                let found = find_stances(figure, gravity, states, &soles, &stance).map_err(refuse)?.belt;
-                let along = found.try_normalize(0.0).ok_or_else(|| no_belt(matches))?;
-                stance.belt = Belt::Speed(along * *speed);
-                "as fast as asked, along the feet on it"
-            }
-        };
+        let (stances, stance, belt_from) = standing(matches, given, &soles, &from, 0.0)?;
         let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
-        let stances = find_stances(figure, gravity, states, &soles, &stance).map_err(refuse)?;
         let mut moved = None;
         if let Some(options) = consistent {
-            let states = &mut given.states;
+            let (gravity, states) = (given.body.gravity, &mut given.states);
             let found = make_consistent(&given.body.figure, gravity, states, &soles, &stances, &options);
             let found = found.map_err(|error| {
                 moved::refused(&error, given, &from).unwrap_or_else(|| refused(&error, matches, given, &from))
@@ -66,10 +40,64 @@ impl Predicted {
             moved = Some(Moved::new(&found, &options, &given.states.time));
         }
         let options = GroundOptions { split: split.unwrap_or_default(), stance, stances: Some(stances) };
-        let forces = ground_forces(&given.body.figure, gravity, &given.states, &soles, &options)
+        let forces = ground_forces(&given.body.figure, given.body.gravity, &given.states, &soles, &options)
             .map_err(|error| refused(&error, matches, given, &from))?;
         Ok(Self { soles, from, belt_from, moved, forces })
     }
+}
+
+/// Refuses a motion without times.
+pub(crate) fn needs_times(given: &Given) -> Result<(), CliError> {
+    if given.table.column("time").is_none() {
+        let why = "it has no column 'time', and which foot stands is found from how the feet move";
+        return Err(CliError::input(&given.from, &why));
+    }
+    Ok(())
+}
+
+/// When which of the soles stands, as the options ask, what counts as standing, and how the ground's own motion is known.
+/// Where nobody says how the ground moves, a belt that is slower than `least` (m/s) is none.
+pub(crate) fn standing(
+    matches: &ArgMatches,
+    given: &Given,
+    soles: &[Sole],
+    from: &From,
+    least: f64,
+) -> Result<(Stances, StanceOptions, &'static str), CliError> {
+    let default = StanceOptions::default();
+    let number = |option: &str, default| matches.get_one::<f64>(option).copied().unwrap_or(default);
+    let mut stance = StanceOptions {
+        height: number("stance-height", default.height),
+        speed: number("stance-speed", default.speed),
+        shortest: number("stance-shortest", default.shortest),
+        belt: Belt::Auto,
+    };
+    let find = |stance: &StanceOptions| {
+        find_stances(&given.body.figure, given.body.gravity, &given.states, soles, stance)
+            .map_err(|error| refused(&error, matches, given, from))
+    };
+    let belt_from = match matches.get_one("belt") {
+        Some(AskedBelt::Auto) => "as the feet on it move",
+        None if least <= 0.0 => "as the feet on it move",
+        None => {
+            let found = find(&stance)?;
+            if found.belt.norm() >= least {
+                return Ok((found, stance, "as the feet on it move"));
+            }
+            stance.belt = Belt::Still;
+            "since no foot on it is too fast to stand"
+        }
+        Some(AskedBelt::Still) => {
+            stance.belt = Belt::Still;
+            "as asked"
+        }
+        Some(AskedBelt::Speed(speed)) => {
+            let along = find(&stance)?.belt.try_normalize(0.0).ok_or_else(|| no_belt(matches))?;
+            stance.belt = Belt::Speed(along * *speed);
+            "as fast as asked, along the feet on it"
+        }
+    };
+    Ok((find(&stance)?, stance, belt_from))
 }
 
 /// A belt where there is none.
@@ -83,7 +111,7 @@ fn no_belt(matches: &ArgMatches) -> CliError {
 }
 
 /// The option or the file that is at fault.
-fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, soles: &From) -> CliError {
+pub(crate) fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, soles: &From) -> CliError {
     let of_option = |option: &str, why: String| {
         let value = typed(matches, option)?;
         Some(CliError::Option { option: option.to_owned(), value, why })

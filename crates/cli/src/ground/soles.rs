@@ -11,14 +11,14 @@ use solaris::scene::read_soles;
 use std::path::PathBuf;
 
 /// Who says where they are.
-pub(super) enum From {
+pub(crate) enum From {
     File(PathBuf),
     Figure,
     Guess,
 }
 
 impl From {
-    pub(super) fn describe(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         match self {
             Self::File(path) => format!("of {}", path.display()),
             Self::Figure => "the figure's own".to_owned(),
@@ -28,22 +28,24 @@ impl From {
 }
 
 /// The soles and who says so.
-pub(super) fn find(matches: &ArgMatches, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
+pub(crate) fn find(matches: &ArgMatches, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
+    known(matches, given)?.ok_or_else(|| CliError::input(&given.of, &missing(&given.body.figure)))
+}
+
+/// The same of a figure that may have none.
+pub(crate) fn known(matches: &ArgMatches, given: &Given) -> Result<Option<(Vec<Sole>, From)>, CliError> {
     let figure = &given.body.figure;
     if let Some(path) = matches.get_one::<PathBuf>("soles") {
         let text = input::text(path)?;
         let soles = read_soles(&text, figure).map_err(|faults| input::faulty(path, &text, faults))?;
-        return Ok((soles, From::File(path.clone())));
+        return Ok(Some((soles, From::File(path.clone()))));
     }
     let own = ground::soles(figure);
     if !own.is_empty() {
-        return Ok((own, From::Figure));
+        return Ok(Some((own, From::Figure)));
     }
     let guessed = ground::guessed_soles(figure);
-    if !guessed.is_empty() {
-        return Ok((guessed, From::Guess));
-    }
-    Err(CliError::input(&given.of, &missing(figure)))
+    Ok((!guessed.is_empty()).then_some((guessed, From::Guess)))
 }
 
 /// What to do about a figure of which nobody knows the feet.

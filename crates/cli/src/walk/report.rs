@@ -1,10 +1,11 @@
 //! The numbers of a walk, as they are written to JSON.
 
-use super::planned::{Plan, Planned};
+use super::planned::{Planned, postures, style};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures, check_bands,
+    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
+    check_bands,
 };
 use solaris::modes::RootReport;
 use std::io::Write;
@@ -191,7 +192,7 @@ impl Report {
             version: env!("CARGO_PKG_VERSION"),
             person: Person { height_m: height, mass_kg: mass },
             walk: Walk {
-                style: plan.style(),
+                style: style(&plan),
                 steps: m.steps,
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
@@ -219,7 +220,7 @@ impl Report {
                 joints: m.joints.iter().map(joint).collect(),
             },
             bands: m.steady.as_ref().map_or_else(Vec::new, bands),
-            key_postures: plan.postures(),
+            key_postures: postures(&plan),
             forces,
             run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
             notes: notes(&plan, m),
@@ -280,11 +281,11 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
 }
 
 /// What is known to be wrong with such a walk, said where it shows.
-fn notes(plan: &Plan, measures: &WalkMeasures) -> Vec<String> {
+fn notes(plan: &StyledPlan, measures: &WalkMeasures) -> Vec<String> {
     let mut notes = Vec::new();
     let plan = match plan {
-        Plan::Smooth(plan) => plan,
-        Plan::Thesis(_) => {
+        StyledPlan::Smooth(plan) => plan,
+        StyledPlan::Thesis(_) => {
             notes.push(format!(
                 "the body stops at every posture: forces reach {:.0} %BW; --style smooth walks on",
                 measures.vertical.value

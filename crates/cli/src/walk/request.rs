@@ -4,14 +4,9 @@ use crate::args::{DEFAULT_STEPS, key_options};
 use crate::error::{CliError, typed};
 use clap::ArgMatches;
 use solaris::gait::determinants::{Determinants, DoubleSupport, five, three};
-use solaris::gait::{Extent, InBetween, PARAMETERS, Parameter, STEPS, ThesisRequest, WalkRequest};
-
-/// A walk in one of the two styles.
-#[derive(Debug)]
-pub(super) enum Request {
-    Smooth(WalkRequest),
-    Thesis(ThesisRequest),
-}
+use solaris::gait::{
+    Extent, InBetween, PARAMETERS, Parameter, STEPS, StyledRequest, ThesisRequest, WalkRequest,
+};
 
 /// One stride, and whether it stays on the spot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,55 +18,54 @@ pub(super) enum Looped {
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
 const LOOPED_STEPS: (usize, usize) = (42, 6);
 
-impl Request {
-    pub(super) fn of(matches: &ArgMatches) -> Result<Self, CliError> {
-        let thesis = word(matches, "style") == Some("thesis");
-        let determinants = determinants(matches);
-        let extent = extent(matches, if thesis { LOOPED_STEPS.1 } else { LOOPED_STEPS.0 })?;
-        let left_first = word(matches, "first") == Some("left");
-        refuse_others(matches, thesis, determinants)?;
-        let [step_frequency, step_length, speed] =
-            ["step-frequency", "step-length", "speed"].map(|name| number(matches, name));
-        if thesis {
-            let names = determinants_options(determinants);
-            let given = names.filter(|name| *name != "step-length");
-            let parameters = given.filter_map(|name| number(matches, name).map(|value| (name, value)));
-            let double_support = match word(matches, "double-support") {
-                Some("measured") => Some(DoubleSupport::Measured),
-                Some("travel") => None,
-                _ => Some(DoubleSupport::Thesis),
-            };
-            let linear = word(matches, "in-betweens") == Some("linear");
-            return Ok(Self::Thesis(ThesisRequest {
-                determinants,
-                step_frequency,
-                step_length,
-                speed,
-                extent,
-                parameters: parameters.collect(),
-                double_support,
-                in_between: if linear { InBetween::Linear } else { InBetween::Rest },
-                step_width: number(matches, "step-width"),
-                sway: number(matches, "sway").unwrap_or_default(),
-                left_first,
-            }));
-        }
-        let given = PARAMETERS.iter().filter_map(|p| number(matches, p.name).map(|value| (p.name, value)));
-        let mut parameters: Vec<(&'static str, f64)> = given.collect();
-        if determinants == Determinants::Three {
-            // The determinant that is missing: the pelvis does not turn.
-            parameters.push(("rotation", 0.0));
-        }
-        Ok(Self::Smooth(WalkRequest {
+/// What is asked of the walk.
+pub(crate) fn request(matches: &ArgMatches) -> Result<StyledRequest, CliError> {
+    let thesis = word(matches, "style") == Some("thesis");
+    let determinants = determinants(matches);
+    let extent = extent(matches, if thesis { LOOPED_STEPS.1 } else { LOOPED_STEPS.0 })?;
+    let left_first = word(matches, "first") == Some("left");
+    refuse_others(matches, thesis, determinants)?;
+    let [step_frequency, step_length, speed] =
+        ["step-frequency", "step-length", "speed"].map(|name| number(matches, name));
+    if thesis {
+        let names = determinants_options(determinants);
+        let given = names.filter(|name| *name != "step-length");
+        let parameters = given.filter_map(|name| number(matches, name).map(|value| (name, value)));
+        let double_support = match word(matches, "double-support") {
+            Some("measured") => Some(DoubleSupport::Measured),
+            Some("travel") => None,
+            _ => Some(DoubleSupport::Thesis),
+        };
+        let linear = word(matches, "in-betweens") == Some("linear");
+        return Ok(StyledRequest::Thesis(ThesisRequest {
+            determinants,
             step_frequency,
             step_length,
             speed,
             extent,
+            parameters: parameters.collect(),
+            double_support,
+            in_between: if linear { InBetween::Linear } else { InBetween::Rest },
+            step_width: number(matches, "step-width"),
+            sway: number(matches, "sway").unwrap_or_default(),
             left_first,
-            parameters,
-            ..WalkRequest::default()
-        }))
+        }));
     }
+    let given = PARAMETERS.iter().filter_map(|p| number(matches, p.name).map(|value| (p.name, value)));
+    let mut parameters: Vec<(&'static str, f64)> = given.collect();
+    if determinants == Determinants::Three {
+        // The determinant that is missing: the pelvis does not turn.
+        parameters.push(("rotation", 0.0));
+    }
+    Ok(StyledRequest::Smooth(WalkRequest {
+        step_frequency,
+        step_length,
+        speed,
+        extent,
+        left_first,
+        parameters,
+        ..WalkRequest::default()
+    }))
 }
 
 /// How one stride is to be repeated, if it is.
@@ -134,7 +128,7 @@ pub(super) fn number(matches: &ArgMatches, name: &str) -> Option<f64> {
 }
 
 fn word<'a>(matches: &'a ArgMatches, name: &str) -> Option<&'a str> {
-    matches.get_one::<String>(name).map(String::as_str)
+    matches.try_get_one::<String>(name).ok().flatten().map(String::as_str)
 }
 
 pub(super) fn out_of_range(matches: &ArgMatches, option: &str, why: String) -> CliError {

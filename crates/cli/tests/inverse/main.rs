@@ -8,6 +8,7 @@ mod consistent;
 mod convert;
 mod ground;
 mod manners;
+mod metrics;
 mod refusals;
 mod robots;
 mod subject;

@@ -3,6 +3,7 @@
 mod agreement;
 mod manners;
 mod places;
+mod sweep;
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};

@@ -14,7 +14,7 @@ const TOUCHING: f64 = 5e-3;
 const ROUND: f64 = 0.012;
 const HALF_WIDTH: f64 = 0.040;
 /// Middle of a swing: the part in which the toes must pass over the ground.
-const MID_SWING: (f64, f64) = (0.20, 0.60);
+pub(crate) const MID_SWING: (f64, f64) = (0.20, 0.60);
 
 /// Greatest distance of a planted point from where it was when it was planted (m).
 pub(super) fn slide(motion: &Motion, series: &Series<'_>) -> Peak {

@@ -2,7 +2,15 @@
 
 use super::SAME_TIME;
 use super::series::Series;
+use super::window::Window;
 use solaris_model::{EventKind, Motion};
+
+/// Parts of a stride in which the first peak of the vertical force, its valley (from so long after the first double support)
+/// and its second peak (until toe-off) are looked for.
+pub(crate) const FIRST_PEAK: (f64, f64) = (0.02, 0.25);
+pub(crate) const VALLEY_AFTER: f64 = 0.01;
+pub(crate) const VALLEY_TO: f64 = 0.5;
+pub(crate) const SECOND_PEAK_FROM: f64 = 0.30;
 
 /// The measures of a steady stride of the left leg. Forces in % of body weight, angles in degrees, excursions in cm,
 /// moments in N m/kg about the distal segment's axes.
@@ -56,7 +64,7 @@ impl SteadyStride {
     fn of(motion: &Motion, series: &Series<'_>, span: (f64, f64)) -> Self {
         let (start, end) = span;
         let stride = end - start;
-        let window = Window { series, span };
+        let window = Window { time: series.time, span };
         let lift = |name: &str| {
             let lift = motion.events.iter().find(
                 |event| matches!(&event.kind, EventKind::LiftOff { link } if link == name && event.time >= start - SAME_TIME),
@@ -87,9 +95,9 @@ impl SteadyStride {
             double_support: 100.0 * double_support,
             stance: 100.0 * toe_off,
             mean_vertical: window.mean(&total),
-            first_peak: window.most((0.02, 0.25), &vertical),
-            valley: -window.most((double_support + 0.01, 0.5), &|i| -vertical(i)),
-            second_peak: window.most((0.30, toe_off), &vertical),
+            first_peak: window.most(FIRST_PEAK, &vertical),
+            valley: -window.most((double_support + VALLEY_AFTER, VALLEY_TO), &|i| -vertical(i)),
+            second_peak: window.most((SECOND_PEAK_FROM, toe_off), &vertical),
             braking: -window.most((0.0, toe_off), &|i| -along(i)),
             pushing: window.most((0.0, toe_off), &along),
             knee_contact: window.at(start, &|i| knee[i]),
@@ -109,42 +117,5 @@ impl SteadyStride {
             hip_flexor: moment(0, 0, -1.0),
             hip_abductor: moment(0, 2, 1.0),
         }
-    }
-}
-
-/// Samples of one stride.
-struct Window<'a> {
-    series: &'a Series<'a>,
-    span: (f64, f64),
-}
-
-impl Window<'_> {
-    /// The greatest value at the samples in a part of the stride.
-    fn most(&self, (from, to): (f64, f64), f: &dyn Fn(usize) -> f64) -> f64 {
-        let (start, end) = self.span;
-        let inside = |i: &usize| {
-            let u = (self.series.time[*i] - start) / (end - start);
-            u >= from && u <= to
-        };
-        (0..self.series.time.len()).filter(inside).map(f).fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// The value at a time, linear between samples.
-    fn at(&self, time: f64, f: &dyn Fn(usize) -> f64) -> f64 {
-        let times = self.series.time;
-        let next = times.partition_point(|t| *t < time).clamp(1, times.len() - 1);
-        let share = (time - times[next - 1]) / (times[next] - times[next - 1]);
-        f(next - 1) + (f(next) - f(next - 1)) * share
-    }
-
-    /// The mean over the stride: trapezoids between the samples and its ends.
-    fn mean(&self, f: &dyn Fn(usize) -> f64) -> f64 {
-        let (start, end) = self.span;
-        let inside =
-            (0..self.series.time.len()).filter(|&i| self.series.time[i] > start && self.series.time[i] < end);
-        let mut points = vec![(start, self.at(start, f))];
-        points.extend(inside.map(|i| (self.series.time[i], f(i))));
-        points.push((end, self.at(end, f)));
-        points.windows(2).map(|p| (p[1].0 - p[0].0) * (p[0].1 + p[1].1) / 2.0).sum::<f64>() / (end - start)
     }
 }

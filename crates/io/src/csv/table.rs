@@ -53,19 +53,19 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
 }
 
 /// Counts lines. The reader counts a line end of Windows to the line after it.
-struct Lines<'a> {
+pub(super) struct Lines<'a> {
     text: &'a [u8],
     counted: usize,
     line: u64,
 }
 
 impl<'a> Lines<'a> {
-    fn new(text: &'a str) -> Self {
+    pub(super) fn new(text: &'a str) -> Self {
         Self { text: text.as_bytes(), counted: 0, line: 1 }
     }
 
     /// The line (from 1) of the record that the reader has found from this byte on; later records only.
-    fn of(&mut self, byte: u64) -> u64 {
+    pub(super) fn of(&mut self, byte: u64) -> u64 {
         let mut start = byte as usize;
         while matches!(self.text.get(start), Some(b'\r' | b'\n')) {
             start += 1;
@@ -83,7 +83,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-fn check_header(table: &Table) -> Result<(), IoError> {
+pub(super) fn check_header(table: &Table) -> Result<(), IoError> {
     let line = table.header_line;
     if let [only] = &table.columns[..] {
         let other = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(|(mark, _)| only.contains(*mark));

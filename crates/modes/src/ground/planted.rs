@@ -8,7 +8,7 @@ use crate::inverse::{InverseError, InverseOptions, Residual, inverse_motion};
 use solaris_model::{Figure, Motion, MotionError};
 
 /// Why the forces of a planted motion cannot be found.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlantedError {
     /// The ground's.

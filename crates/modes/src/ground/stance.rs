@@ -8,7 +8,7 @@ use crate::ground::given::Given;
 use crate::ground::{GroundError, GroundOption, Sole};
 use edges::standing;
 use nalgebra::Vector3;
-use solaris_model::{Figure, Interval};
+use solaris_model::{ContactTrack, Figure, Interval};
 use track::Tracks;
 
 /// A time during which a foot is on the ground.
@@ -176,4 +176,24 @@ pub fn stances_of_planted(soles: &[Sole], planted: &[Interval], level: f64) -> S
         }
     }
     Stances { list, belt: Vector3::zeros(), level, method: "planted points" }
+}
+
+/// Stances of a motion whose contacts are known: a foot stands while the ground presses on it with more than `least` (N).
+/// An edge lies between two frames, where a straight line through the force passes `least`. `contacts` are by sole, each
+/// with a sample a time (s); `up` is the direction against gravity, `belt` the velocity of the ground (m/s), `level` its
+/// height along up (m).
+pub fn stances_of_contacts(
+    time: &[f64],
+    contacts: &[ContactTrack],
+    up: &Vector3<f64>,
+    least: f64,
+    (belt, level): (Vector3<f64>, f64),
+) -> Stances {
+    let mut list = Vec::new();
+    for (foot, track) in contacts.iter().enumerate() {
+        let decides: Vec<f64> = track.samples.iter().map(|contact| least - contact.force.dot(up)).collect();
+        let spans = standing(time, &decides, 0.0);
+        list.extend(spans.into_iter().map(|(start, end)| Stance { foot, start, end }));
+    }
+    Stances { list, belt, level, method: "the forces on them" }
 }

@@ -1,0 +1,112 @@
+//! What is told of a motion: for people, as JSON, as a table.
+
+use super::evidence::Evidence;
+use crate::given::GivenReport;
+use crate::words::{row, short, some};
+use serde::Serialize;
+use solaris::gait::metrics::Metric;
+use solaris::io::IoError;
+use solaris::io::csv::{number_text, write_row};
+use std::io::{Result, Write};
+
+/// Everything, as it is written to JSON.
+#[derive(Serialize)]
+pub(super) struct Report {
+    version: &'static str,
+    #[serde(flatten)]
+    given: GivenReport,
+    soles: Vec<String>,
+    soles_from: String,
+    level_m: Option<f64>,
+    level_from: &'static str,
+    belt_m_s: Option<[f64; 3]>,
+    belt_from: &'static str,
+    stances_from: Option<&'static str>,
+    forces_from: &'static str,
+    metrics: Vec<Row>,
+}
+
+/// One number; `why` there is none where there is none.
+#[derive(Serialize)]
+struct Row {
+    metric: &'static str,
+    name: &'static str,
+    value: Option<f64>,
+    unit: &'static str,
+    at_s: Option<f64>,
+    why: Option<String>,
+}
+
+impl Report {
+    pub(super) fn new(given: GivenReport, evidence: &Evidence, metrics: &[Metric]) -> Self {
+        let stances = evidence.stances.as_ref();
+        let one = |metric: &Metric| Row {
+            metric: metric.key,
+            name: metric.name,
+            value: metric.value.ok(),
+            unit: metric.unit,
+            at_s: metric.at,
+            why: metric.value.err().map(|why| why.to_string()),
+        };
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            given,
+            soles: evidence.soles.iter().map(|sole| sole.name.clone()).collect(),
+            soles_from: evidence.soles_from.clone(),
+            level_m: stances.map(|stances| stances.level),
+            level_from: evidence.level_from,
+            belt_m_s: stances.map(|stances| stances.belt.into()),
+            belt_from: evidence.belt_from,
+            stances_from: stances.map(|stances| stances.method),
+            forces_from: evidence.forces_from,
+            metrics: metrics.iter().map(one).collect(),
+        }
+    }
+
+    pub(super) fn write_json(&self, mut out: &mut dyn Write) -> Result<()> {
+        serde_json::to_writer_pretty(&mut out, self).map_err(std::io::Error::from)?;
+        writeln!(out)
+    }
+
+    /// A metric a row.
+    pub(super) fn write_csv(&self, out: &mut impl Write) -> std::result::Result<(), IoError> {
+        write_row(["metric", "value", "unit", "at_s", "why"], out)?;
+        let text = |number: Option<f64>| number.map_or_else(String::new, number_text);
+        self.metrics.iter().try_for_each(|row| {
+            let why = row.why.clone().unwrap_or_default();
+            write_row([row.metric, &text(row.value), row.unit, &text(row.at_s), &why], out)
+        })
+    }
+
+    /// For people.
+    pub(super) fn write(&self, out: &mut dyn Write) -> Result<()> {
+        self.given.write(out)?;
+        self.given.write_doubts(out)?;
+        let soles = if self.soles.is_empty() { String::new() } else { format!("{}, ", some(&self.soles)) };
+        row(out, "soles", &format!("{soles}{}", self.soles_from))?;
+        if let (Some(level), Some(belt), Some(stances)) = (self.level_m, self.belt_m_s, self.stances_from) {
+            row(
+                out,
+                "ground",
+                &format!("{} m up, {}", short((level * 1e4).round() / 1e4 + 0.0), self.level_from),
+            )?;
+            let speed = belt.iter().fold(0.0_f64, |speed, v| speed.hypot(*v));
+            let belt = if speed == 0.0 { "still".to_owned() } else { format!("{} m/s", short(speed)) };
+            row(out, "belt", &format!("{belt}, {}", self.belt_from))?;
+            row(out, "stances", &format!("by {stances}"))?;
+        }
+        row(out, "forces", self.forces_from)?;
+        writeln!(out)?;
+        for Row { name, value, unit, at_s, why, .. } in &self.metrics {
+            let note = match (why, at_s) {
+                (Some(why), _) => why.clone(),
+                (None, Some(at)) => format!("at {} s", short(*at)),
+                (None, None) => String::new(),
+            };
+            let value = value.map_or_else(|| "–".to_owned(), |value| short(value + 0.0));
+            let line = format!("  {name:<34}{value:>10} {unit:<10} {note}");
+            writeln!(out, "{}", line.trim_end())?;
+        }
+        Ok(())
+    }
+}

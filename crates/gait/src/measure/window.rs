@@ -1,0 +1,39 @@
+//! One stride among the samples of a motion.
+
+/// Samples of one stride.
+pub(crate) struct Window<'a> {
+    /// Times of all samples (s).
+    pub(crate) time: &'a [f64],
+    /// From when to when the stride lasts (s).
+    pub(crate) span: (f64, f64),
+}
+
+impl Window<'_> {
+    /// The greatest value at the samples in a part of the stride; −∞ where there are none.
+    pub(crate) fn most(&self, (from, to): (f64, f64), f: &dyn Fn(usize) -> f64) -> f64 {
+        let (start, end) = self.span;
+        let inside = |i: &usize| {
+            let u = (self.time[*i] - start) / (end - start);
+            u >= from && u <= to
+        };
+        (0..self.time.len()).filter(inside).map(f).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The value at a time, linear between samples.
+    pub(crate) fn at(&self, time: f64, f: &dyn Fn(usize) -> f64) -> f64 {
+        let times = self.time;
+        let next = times.partition_point(|t| *t < time).clamp(1, times.len() - 1);
+        let share = (time - times[next - 1]) / (times[next] - times[next - 1]);
+        f(next - 1) + (f(next) - f(next - 1)) * share
+    }
+
+    /// The mean over the stride: trapezoids between the samples and its ends.
+    pub(crate) fn mean(&self, f: &dyn Fn(usize) -> f64) -> f64 {
+        let (start, end) = self.span;
+        let inside = (0..self.time.len()).filter(|&i| self.time[i] > start && self.time[i] < end);
+        let mut points = vec![(start, self.at(start, f))];
+        points.extend(inside.map(|i| (self.time[i], f(i))));
+        points.push((end, self.at(end, f)));
+        points.windows(2).map(|p| (p[1].0 - p[0].0) * (p[0].1 + p[1].1) / 2.0).sum::<f64>() / (end - start)
+    }
+}

@@ -1,0 +1,153 @@
+//! Numbers of any motion of any figure with feet: how its feet treat the ground, how it steps, how smooth it is.
+//!
+//! Unlike [`measure`](crate::measure()) nothing here knows whose motion it is: neither the walker's links nor its angles are
+//! asked for, and forces may be missing. What has no meaning for a motion says why ([`NoValue`]).
+//!
+//! Numbers of a stride are those of one: from a touch-down of the first foot that makes strides to its next, the one nearest
+//! to the middle of all touch-downs. Directions are that of gravity, and the way that the centre of mass goes in that
+//! stride, as seen from the ground.
+
+mod feet;
+mod forces;
+mod smooth;
+mod spectrum;
+mod stride;
+mod tracks;
+
+use crate::error::GaitError;
+use nalgebra::Vector3;
+use solaris_model::{ContactTrack, Figure};
+use solaris_modes::Completed;
+use solaris_modes::ground::{self, Sole, Stances};
+use stride::Steps;
+use tracks::Tracks;
+
+/// What is known of a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<'a> {
+    /// Who moves.
+    pub figure: &'a Figure,
+    /// Gravity (m/s², world axes).
+    pub gravity: Vector3<f64>,
+    /// The motion.
+    pub states: &'a Completed,
+    /// The feet; empty where the figure has none.
+    pub soles: &'a [Sole],
+    /// When which foot stands, on a ground at which height and of which velocity; `None` where that is not known.
+    pub stances: Option<&'a Stances>,
+    /// What the ground does to each foot, one track a sole; `None` where that is not known.
+    pub contacts: Option<&'a [ContactTrack]>,
+}
+
+/// A number of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Metric {
+    /// Its name for programs, with its unit.
+    pub key: &'static str,
+    /// Its name for people.
+    pub name: &'static str,
+    /// Its unit; empty for a mere number.
+    pub unit: &'static str,
+    /// How much, or why it has no meaning for this motion.
+    pub value: Result<f64, NoValue>,
+    /// When it is reached (s), where it is reached at one time.
+    pub at: Option<f64>,
+}
+
+/// Why a motion has no such number.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "each message says what it means")]
+pub enum NoValue {
+    #[error("the figure has no feet")]
+    NoFeet,
+    #[error("no foot ever stands")]
+    NoStance,
+    #[error("no foot swings between two stances")]
+    NoSwing,
+    #[error("no foot touches down twice")]
+    NoStride,
+    #[error("only two feet make steps, and there are {feet}")]
+    NotTwoFeet { feet: usize },
+    #[error("the figure goes nowhere, so nothing is ahead")]
+    NoHeading,
+    #[error("no forces of the ground are given")]
+    NoForces,
+    #[error("the centre of mass does not move")]
+    AtRest,
+    #[error("there are too few samples")]
+    TooFewSamples,
+    #[error("there are more than {most} samples")]
+    TooManySamples { most: usize },
+    #[error("the samples are not equally far apart")]
+    UnevenSamples,
+}
+
+impl Metric {
+    fn new(
+        (key, name, unit): (&'static str, &'static str, &'static str),
+        value: Result<f64, NoValue>,
+        at: Option<f64>,
+    ) -> Self {
+        // No NaN leaves: a window without samples has neither a most nor a least.
+        let value =
+            value.and_then(|value| if value.is_finite() { Ok(value) } else { Err(NoValue::TooFewSamples) });
+        let at = at.filter(|_| value.is_ok());
+        Self { key, name, unit, value, at }
+    }
+}
+
+/// A foot stands while the ground presses on it with more than this share of the figure's weight.
+const PRESSED: f64 = 1e-3;
+
+/// Stances by forces that are known: a foot stands while the ground presses on it with more than a thousandth of the figure's
+/// weight. `contacts` are by sole, with a sample at each `time` (s); height and velocity of the ground are those of `ground`.
+pub fn stances_of_contacts(
+    figure: &Figure,
+    gravity: Vector3<f64>,
+    time: &[f64],
+    contacts: &[ContactTrack],
+    ground: &Stances,
+) -> Stances {
+    let strength = gravity.norm();
+    let up = if strength > 0.0 { -gravity / strength } else { Vector3::zeros() };
+    let least = PRESSED * figure.mass() * strength;
+    ground::stances_of_contacts(time, contacts, &up, least, (ground.belt, ground.level))
+}
+
+/// All numbers of a motion, in an order that does not depend on it.
+///
+/// # Errors
+///
+/// No gravity, a motion that is not the figure's, tracks or stances that do not fit it, and the first state that the kernel
+/// refuses.
+///
+/// # Examples
+///
+/// Nobody who stands still makes steps, and says so:
+///
+/// ```
+/// use solaris_gait::metrics::{Given, NoValue, metrics};
+/// use solaris_model::{Vector3, human};
+/// use solaris_modes::Completed;
+///
+/// let ann = human(1.65, 58.0)?;
+/// let (nq, nv) = (ann.layout().nq(), ann.layout().nv());
+/// let states = Completed { time: vec![0.0, 0.1], q: vec![0.0; 2 * nq], v: vec![0.0; 2 * nv], a: vec![0.0; 2 * nv], ..Completed::default() };
+/// let gravity = Vector3::new(0.0, -9.80665, 0.0);
+/// let all = metrics(&Given { figure: &ann, gravity, states: &states, soles: &[], stances: None, contacts: None })?;
+/// let of = |key: &str| all.iter().find(|metric| metric.key == key).map(|metric| metric.value);
+/// assert_eq!(of("bob_cm"), Some(Ok(0.0)));
+/// assert_eq!(of("step_length_m"), Some(Err(NoValue::NoFeet)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn metrics(given: &Given<'_>) -> Result<Vec<Metric>, GaitError> {
+    let tracks = Tracks::of(given)?;
+    let steps = Steps::of(given, &tracks);
+    let mut all = feet::metrics(given, &tracks);
+    all.extend(steps.metrics(given));
+    all.extend(steps.centre(given, &tracks));
+    all.extend(forces::metrics(given, &tracks, &steps));
+    all.extend(smooth::metrics(given, &tracks, &steps));
+    Ok(all)
+}

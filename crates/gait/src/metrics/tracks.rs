@@ -1,0 +1,91 @@
+//! The centre of mass and the points of the soles over the samples.
+
+use super::Given;
+use crate::error::GaitError;
+use nalgebra::Vector3;
+use solaris_dynamics::{Tree, Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
+
+/// A number or a place for each sample, in world axes.
+pub(super) struct Tracks<'a> {
+    pub(super) time: &'a [f64],
+    /// The direction against gravity.
+    pub(super) up: Vector3<f64>,
+    /// Body weight (N).
+    pub(super) weight: f64,
+    /// Height of the ground along up (m), and its velocity (m/s).
+    pub(super) level: f64,
+    pub(super) belt: Vector3<f64>,
+    /// Place, velocity and acceleration of the centre of mass (m, m/s, m/s²).
+    pub(super) com: Vec<Vector3<f64>>,
+    pub(super) velocity: Vec<Vector3<f64>>,
+    pub(super) acceleration: Vec<Vector3<f64>>,
+    /// Heel, ball and tip (m), by foot, then by sample.
+    pub(super) points: Vec<Vec<[Vector3<f64>; 3]>>,
+}
+
+impl<'a> Tracks<'a> {
+    pub(super) fn of(given: &Given<'a>) -> Result<Self, GaitError> {
+        let Given { figure, gravity, states, soles, .. } = *given;
+        let strength = gravity.norm();
+        if !(strength.is_finite() && strength > 1e-9) {
+            return Err(GaitError::NoGravity { gravity: gravity.into() });
+        }
+        let tree = Tree::<f64>::new(figure, gravity)?;
+        let (nq, nv, rows) = (tree.nq(), tree.nv(), states.time.len());
+        let fits = |what, found, expected| {
+            if found == expected { Ok(()) } else { Err(GaitError::OtherMotion { what, found, expected }) }
+        };
+        fits("the positions", states.q.len(), rows * nq)?;
+        fits("the velocities", states.v.len(), rows * nv)?;
+        fits("the accelerations", states.a.len(), rows * nv)?;
+        fits("the times", rows, rows.max(1))?;
+        if let Some(contacts) = given.contacts {
+            fits("the forces", contacts.len(), soles.len())?;
+            contacts.iter().try_for_each(|track| fits("a foot's force", track.samples.len(), rows))?;
+        }
+        let mut tracks = Self {
+            time: &states.time,
+            up: -gravity / strength,
+            weight: figure.mass() * strength,
+            level: given.stances.map_or(0.0, |stances| stances.level),
+            belt: given.stances.map_or_else(Vector3::zeros, |stances| stances.belt),
+            com: Vec::with_capacity(rows),
+            velocity: Vec::with_capacity(rows),
+            acceleration: Vec::with_capacity(rows),
+            points: vec![Vec::with_capacity(rows); soles.len()],
+        };
+        let (mut workspace, mass) = (Workspace::new(&tree), figure.mass());
+        for row in 0..rows {
+            let q = &states.q[row * nq..][..nq];
+            let [v, a] = [&states.v, &states.a].map(|column| &column[row * nv..][..nv]);
+            tracks.com.push(center_of_mass(&tree, &mut workspace, q)?);
+            tracks.velocity.push(centroidal_momentum(&tree, &mut workspace, q, v)?.linear / mass);
+            tracks.acceleration.push(centroidal_momentum_rate(&tree, &mut workspace, q, v, a)?.force / mass);
+            for (points, sole) in tracks.points.iter_mut().zip(soles) {
+                points.push(sole.points(&workspace));
+            }
+        }
+        Ok(tracks)
+    }
+
+    /// Height of a point above the ground (m).
+    pub(super) fn height(&self, point: &Vector3<f64>) -> f64 {
+        point.dot(&self.up) - self.level
+    }
+
+    /// The level part of a vector.
+    pub(super) fn level(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        vector - self.up * vector.dot(&self.up)
+    }
+
+    /// From when to when the motion lasts (s).
+    pub(super) fn span(&self) -> (f64, f64) {
+        (self.time.first().copied().unwrap_or_default(), self.time.last().copied().unwrap_or_default())
+    }
+
+    /// The samples from one time to another, ends included.
+    pub(super) fn samples(&self, (from, to): (f64, f64)) -> std::ops::Range<usize> {
+        let first = self.time.partition_point(|t| *t < from);
+        first..self.time.partition_point(|t| *t <= to).max(first)
+    }
+}

@@ -1,0 +1,125 @@
+//! A walk in either style, with its forces.
+
+use crate::error::GaitError;
+use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
+use crate::walk::{FEET, WalkPlan};
+use crate::walker::{WalkRequest, walk};
+use solaris_model::{Figure, Motion, Trajectory as _};
+use solaris_modes::ground::{GroundReport, Split, reactions_of_planted};
+use solaris_modes::{ReactionReport, Residual, SupportLaw, ground_reactions};
+
+/// A request in one of the two styles.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StyledRequest {
+    /// Forces first, as people walk.
+    Smooth(WalkRequest),
+    /// Through key postures.
+    Thesis(ThesisRequest),
+}
+
+/// A plan in one of the two styles.
+pub enum StyledPlan {
+    /// Forces first.
+    Smooth(Box<WalkPlan>),
+    /// Through key postures.
+    Thesis(Box<ThesisWalk>),
+}
+
+/// What is known of the forces of a sampled walk, besides the forces in it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WalkForces {
+    /// The plan prescribes them.
+    Prescribed(ReactionReport),
+    /// They are what the motion needs, and what is left at its root.
+    Needed(Box<GroundReport>, Residual),
+}
+
+impl StyledPlan {
+    /// Plans a walk.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`walk`] and [`thesis_walk`].
+    pub fn of(figure: &Figure, request: &StyledRequest) -> Result<Self, GaitError> {
+        Ok(match request {
+            StyledRequest::Smooth(request) => Self::Smooth(Box::new(walk(figure, request)?)),
+            StyledRequest::Thesis(request) => Self::Thesis(Box::new(thesis_walk(figure, request)?)),
+        })
+    }
+
+    /// Steps a minute of the steady part.
+    pub fn step_frequency(&self) -> f64 {
+        match self {
+            Self::Smooth(plan) => plan.style().step_frequency,
+            Self::Thesis(plan) => plan.step_frequency,
+        }
+    }
+
+    /// Length of a step of the steady part (m).
+    pub fn step_length(&self) -> f64 {
+        match self {
+            Self::Smooth(plan) => plan.style().step_length,
+            Self::Thesis(plan) => plan.step_length,
+        }
+    }
+
+    /// The standing height that the laws scale with (m).
+    pub fn stature(&self) -> f64 {
+        match self {
+            Self::Smooth(plan) => plan.stature(),
+            Self::Thesis(plan) => plan.proportions.height,
+        }
+    }
+
+    /// How long it lasts (s).
+    pub fn duration(&self) -> f64 {
+        match self {
+            Self::Smooth(plan) => plan.duration(),
+            Self::Thesis(plan) => plan.walk.duration(),
+        }
+    }
+
+    /// The walk sampled `rate` times a second, with the ground's and the joints' forces.
+    ///
+    /// # Errors
+    ///
+    /// A rate that is none, another figure than the plan's, and what the kernel refuses.
+    pub fn loaded(&self, figure: &Figure, rate: f64) -> Result<(Motion, WalkForces), GaitError> {
+        match self {
+            Self::Smooth(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
+            Self::Thesis(plan) => needed(figure, plan.walk.motion(figure, rate)?),
+        }
+    }
+
+    /// One stride of it that repeats itself, sampled at the rate next to `rate` that has a whole number of frames, with forces.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::loaded`], and [`GaitError::NoStride`] for a walk that is too short: 42 steps or six.
+    pub fn loaded_stride(&self, figure: &Figure, rate: f64) -> Result<(Motion, WalkForces), GaitError> {
+        match self {
+            Self::Smooth(plan) => {
+                let stride = plan.stride_loop().ok_or(GaitError::NoStride { least: 42 })?;
+                prescribed(figure, stride.balanced_motion(figure, rate)?, &stride)
+            }
+            Self::Thesis(plan) => {
+                let stride = plan.walk.stride_loop().ok_or(GaitError::NoStride { least: 6 })?;
+                needed(figure, stride.motion(figure, rate)?)
+            }
+        }
+    }
+}
+
+fn prescribed(
+    figure: &Figure,
+    mut motion: Motion,
+    law: &impl SupportLaw,
+) -> Result<(Motion, WalkForces), GaitError> {
+    let report = ground_reactions(figure, &mut motion, FEET, law)?;
+    Ok((motion, WalkForces::Prescribed(report)))
+}
+
+fn needed(figure: &Figure, mut motion: Motion) -> Result<(Motion, WalkForces), GaitError> {
+    let (report, residual) = reactions_of_planted(figure, &mut motion, Split::default())?;
+    Ok((motion, WalkForces::Needed(Box::new(report), residual)))
+}

@@ -1,0 +1,212 @@
+//! Metrics of any motion: a walk of ours against its own measures, a foot that slides, a motion that sinks.
+
+use solaris_gait::metrics::{Given, Metric, NoValue, metrics, stances_of_contacts};
+use solaris_gait::{Extent, FEET, SteadyStride, WalkMeasures, WalkRequest, measure, walk};
+use solaris_model::{ContactTrack, Figure, Motion, Vector3, human};
+use solaris_modes::ground::{Belt, Sole, StanceOptions, Stances, find_stances, soles};
+use solaris_modes::{Completed, ground_reactions};
+
+const RATE: f64 = 120.0;
+
+fn gravity() -> Vector3<f64> {
+    Vector3::new(0.0, -9.806_65, 0.0)
+}
+
+/// A motion as a table has it: no events, no planted points.
+fn states(motion: &Motion) -> Completed {
+    let all = |of: &dyn Fn(usize) -> Vec<f64>| (0..motion.len()).flat_map(of).collect();
+    Completed {
+        time: motion.time().to_vec(),
+        q: all(&|i| motion.q(i).to_vec()),
+        v: all(&|i| motion.v(i).to_vec()),
+        a: all(&|i| motion.a(i).to_vec()),
+        ..Completed::default()
+    }
+}
+
+struct Walked {
+    figure: Figure,
+    soles: Vec<Sole>,
+    states: Completed,
+    contacts: Vec<ContactTrack>,
+    measures: WalkMeasures,
+}
+
+impl Walked {
+    fn of(step_frequency: f64, steps: usize) -> Self {
+        let figure = human(1.75, 73.0).expect("a person");
+        let request = WalkRequest {
+            step_frequency: Some(step_frequency),
+            extent: Extent::Steps(steps),
+            ..WalkRequest::default()
+        };
+        let plan = walk(&figure, &request).expect("a walk");
+        let mut motion = plan.motion(&figure, RATE).expect("frames");
+        ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
+        let measures = measure(&figure, &motion).expect("measures");
+        let soles = soles(&figure);
+        let track = |sole: &Sole| motion.contact(&sole.name).expect("a track").clone();
+        let contacts = soles.iter().map(track).collect();
+        Self { states: states(&motion), figure, soles, contacts, measures }
+    }
+
+    fn found(&self, belt: Belt) -> Stances {
+        let options = StanceOptions { belt, ..StanceOptions::default() };
+        let found = find_stances(&self.figure, gravity(), &self.states, &self.soles, &options);
+        Stances { level: 0.0, ..found.expect("stances") }
+    }
+
+    /// By the contacts.
+    fn stances(&self) -> Stances {
+        let found = self.found(Belt::Still);
+        stances_of_contacts(&self.figure, gravity(), &self.states.time, &self.contacts, &found)
+    }
+
+    fn metrics(&self, stances: &Stances) -> Vec<Metric> {
+        let given = Given {
+            figure: &self.figure,
+            gravity: gravity(),
+            states: &self.states,
+            soles: &self.soles,
+            stances: Some(stances),
+            contacts: Some(&self.contacts),
+        };
+        metrics(&given).expect("metrics")
+    }
+}
+
+fn of(all: &[Metric], key: &str) -> f64 {
+    let metric = all.iter().find(|metric| metric.key == key).expect(key);
+    metric.value.unwrap_or_else(|why| panic!("{key}: {why}"))
+}
+
+fn why(all: &[Metric], key: &str) -> Option<NoValue> {
+    all.iter().find(|metric| metric.key == key).expect(key).value.err()
+}
+
+/// Largest differences from the walk's own measures: edges of stances are known to a frame here, events exactly there.
+fn assert_agrees(walked: &Walked, all: &[Metric]) {
+    let own = &walked.measures;
+    let steady: &SteadyStride = own.steady.as_ref().expect("eight steps have one");
+    let frame = 100.0 / RATE / (steady.span.1 - steady.span.0);
+    for (key, wanted, within) in [
+        ("slide_greatest_mm", 1e3 * own.slide.value, 0.1),
+        ("sink_mm", 1e3 * own.sink.value, 1e-9),
+        ("clearance_mm", 1e3 * own.clearance.value, 1.0),
+        ("touch_downs", own.steps as f64 + 1.0, 0.0),
+        ("double_support_percent", steady.double_support, 2.0 * frame),
+        ("stance_percent", steady.stance, 2.0 * frame),
+        ("step_length_m", steady.step_length, 5e-3),
+        ("step_frequency_per_min", steady.cadence, 1.0),
+        ("speed_m_s", steady.speed, 5e-3),
+        ("bob_cm", steady.com_vertical, 0.02),
+        ("sway_cm", steady.com_lateral, 0.05),
+        ("vertical_first_percent_bw", steady.first_peak, 0.01),
+        ("vertical_valley_percent_bw", steady.valley, 0.01),
+        ("vertical_second_percent_bw", steady.second_peak, 0.01),
+        ("braking_percent_bw", steady.braking, 0.1),
+        ("pushing_percent_bw", steady.pushing, 0.1),
+    ] {
+        let found = of(all, key);
+        assert!((found - wanted).abs() <= within, "{key}: {found} is not {wanted}");
+    }
+}
+
+#[test]
+fn a_walk_of_ours_has_the_numbers_of_its_own_report() {
+    for (step_frequency, steps) in [(80.0, 10), (110.0, 10), (115.0, 13)] {
+        let walked = Walked::of(step_frequency, steps);
+        assert_agrees(&walked, &walked.metrics(&walked.stances()));
+    }
+}
+
+/// A person who stands and is moved as a whole.
+fn moved(velocity: Vector3<f64>, lower: f64) -> Walked {
+    let mut walked = Walked::of(110.0, 8);
+    let (nq, nv) = (walked.figure.layout().nq(), walked.figure.layout().nv());
+    let first = walked.states.q[..nq].to_vec();
+    for row in 0..walked.states.time.len() {
+        let time = walked.states.time[row] - walked.states.time[0];
+        let q = &mut walked.states.q[row * nq..][..nq];
+        q.copy_from_slice(&first);
+        for k in 0..3 {
+            q[k] += velocity[k] * time;
+        }
+        q[1] -= lower;
+        let v = &mut walked.states.v[row * nv..][..nv];
+        v.fill(0.0);
+        v[..3].copy_from_slice(velocity.as_slice());
+    }
+    walked.states.a.fill(0.0);
+    walked
+}
+
+#[test]
+fn feet_that_slide_are_told_how_far() {
+    let walked = moved(Vector3::new(0.06, 0.0, 0.08), 0.0);
+    let all = walked.metrics(&walked.found(Belt::Still));
+    let duration = walked.states.time[walked.states.time.len() - 1];
+    assert!((of(&all, "slide_speed_mm_s") - 100.0).abs() < 1e-9);
+    assert!((of(&all, "slide_greatest_mm") - 100.0 * duration).abs() < 1e-8);
+    assert!((of(&all, "slide_mean_mm") - 100.0 * duration).abs() < 1e-8);
+    assert_eq!(why(&all, "step_length_m"), Some(NoValue::NoStride));
+    assert_eq!(why(&all, "clearance_mm"), Some(NoValue::NoSwing));
+    assert!(of(&all, "bob_cm").abs() < 1e-12);
+    // On a belt that goes with them they do not.
+    let belt = Belt::Speed(Vector3::new(0.06, 0.0, 0.08));
+    let all = walked.metrics(&walked.found(belt));
+    assert!(of(&all, "slide_greatest_mm") < 1e-8);
+    assert_eq!(why(&all, "spectral_arc_length"), Some(NoValue::AtRest));
+}
+
+#[test]
+fn a_walk_that_slides_as_a_whole_slides_by_that() {
+    // Against the ground that moves by 0.1 m/s the other way: exactly the walk's own slide more.
+    let mut walked = Walked::of(110.0, 10);
+    let nq = walked.figure.layout().nq();
+    let stances = walked.stances();
+    let own = of(&walked.metrics(&stances), "slide_speed_mm_s");
+    for row in 0..walked.states.time.len() {
+        walked.states.q[row * nq] += 0.1 * walked.states.time[row];
+    }
+    let found = of(&walked.metrics(&stances), "slide_speed_mm_s");
+    assert!((found - 100.0).abs() <= own, "{found} mm/s, {own} of its own");
+}
+
+#[test]
+fn what_is_lowered_sinks() {
+    let walked = moved(Vector3::zeros(), 0.0);
+    let own = of(&walked.metrics(&walked.found(Belt::Still)), "sink_mm");
+    let walked = moved(Vector3::zeros(), 5e-3);
+    let found = of(&walked.metrics(&walked.found(Belt::Still)), "sink_mm");
+    assert!((found - own - 5.0).abs() < 1e-9 && own.abs() < 0.01, "{found} mm, {own} mm before");
+}
+
+#[test]
+fn what_cannot_be_told_says_why() {
+    let walked = Walked::of(110.0, 8);
+    let given = Given {
+        figure: &walked.figure,
+        gravity: gravity(),
+        states: &walked.states,
+        soles: &[],
+        stances: None,
+        contacts: None,
+    };
+    let all = metrics(&given).expect("metrics");
+    for key in ["slide_greatest_mm", "sink_mm", "clearance_mm", "touch_downs", "vertical_first_percent_bw"] {
+        assert_eq!(why(&all, key), Some(NoValue::NoFeet), "{key}");
+    }
+    assert!(of(&all, "bob_cm") > 1.0 && of(&all, "spectral_arc_length") < -1.0);
+    let stances = walked.stances();
+    let three: Vec<Sole> = walked.soles.iter().chain(&walked.soles[..1]).cloned().collect();
+    let given = Given { soles: &three, stances: Some(&stances), ..given };
+    let all = metrics(&given).expect("metrics");
+    assert_eq!(why(&all, "step_length_m"), Some(NoValue::NotTwoFeet { feet: 3 }));
+    assert_eq!(why(&all, "braking_percent_bw"), Some(NoValue::NoForces));
+    let weightless = Given { gravity: Vector3::zeros(), ..given };
+    assert!(metrics(&weightless).expect_err("no up").to_string().contains("which way is up"));
+    let cut = Completed { q: walked.states.q[1..].to_vec(), ..walked.states.clone() };
+    let said = metrics(&Given { states: &cut, ..given }).expect_err("cut").to_string();
+    assert!(said.contains("the positions"), "{said}");
+}
