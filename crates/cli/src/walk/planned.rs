@@ -16,6 +16,8 @@ pub(super) struct Planned {
     pub(super) plan: StyledPlan,
     pub(super) motion: Motion,
     pub(super) forces: Forces,
+    /// Whether it is one stride that repeats itself.
+    pub(super) repeats: bool,
     /// How long planning took, and all with the forces.
     pub(super) planned: Duration,
     pub(super) solved: Duration,
@@ -74,7 +76,7 @@ impl Planned {
         if looped == Some(Looped::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
-        Ok(Self { plan, motion, forces, planned, solved: start.elapsed() })
+        Ok(Self { plan, motion, forces, repeats: looped.is_some(), planned, solved: start.elapsed() })
     }
 }
 

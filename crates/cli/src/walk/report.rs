@@ -49,6 +49,8 @@ pub(crate) struct KeyPostures {
 #[derive(Debug, Serialize)]
 pub(crate) struct Walk {
     pub(crate) style: &'static str,
+    /// Whether it is one stride that repeats itself.
+    pub(crate) repeats: bool,
     pub(crate) steps: usize,
     pub(crate) step_frequency_per_min: f64,
     pub(crate) step_length_m: f64,
@@ -177,7 +179,7 @@ pub(crate) struct RunTime {
 
 impl Report {
     pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
-        let Planned { plan, motion, forces, planned, solved } = planned;
+        let Planned { plan, motion, forces, repeats, planned, solved } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let m = measures;
@@ -193,6 +195,7 @@ impl Report {
             person: Person { height_m: height, mass_kg: mass },
             walk: Walk {
                 style: style(&plan),
+                repeats,
                 steps: m.steps,
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,

@@ -26,6 +26,11 @@ pub(super) fn title(report: &Report) -> String {
     let (person, walk) = (&report.person, &report.walk);
     let plural = if walk.steps == 1 { "" } else { "s" };
     let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
+    if walk.repeats {
+        return format!(
+            "A stride that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
+        );
+    }
     format!("A person of {height} m and {mass} kg walks {} step{plural} at {pace} steps/min", walk.steps)
 }
 
