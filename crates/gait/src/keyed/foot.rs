@@ -59,54 +59,94 @@ fn lift(lack: f64, w: f64) -> f64 {
     }
 }
 
-/// The leg over its foot: `hip` and the foot's line (m), as a left leg's; pitches between the two postures.
-pub(super) fn raised(
-    leg: &LegGeometry,
-    p: &Proportions,
-    plane: &FootPlane,
-    (hip, line): (Vector3<f64>, f64),
-    angles: &LegAngles,
-    (free, clock): (&Free, f64),
-) -> LegPose {
-    let LegAngles { foot, toes, .. } = *angles;
-    let from_ankle = |[z, y]: [f64; 2]| Vector3::new(hip.x - line, hip.y - y, hip.z - z);
-    match free {
-        Free::Pinned { point, at } => {
-            let ankle = |foot: f64| {
-                let joints = LegAngles { foot, ..*angles }.joints(p, [0.0, 0.0]);
-                let from = if *point == Root::Tip { joints.tip } else { joints.ball };
-                [at[0] + joints.ankle[0] - from[0], at[1] + joints.ankle[1] - from[1]]
-            };
-            let to_hip = from_ankle(ankle(foot));
-            let longest = leg.almost_straight_squared();
-            if to_hip.norm_squared() <= longest {
-                return plane.pose(leg, &to_hip, foot, toes);
+/// A leg as the planar model has it, and how far its hip is to the side of its foot.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SideLeg {
+    /// 0 left, 1 right.
+    pub(super) side: usize,
+    pub(super) angles: LegAngles,
+    /// Hip and ankle in the model's plane: forward, up (m).
+    pub(super) hip: [f64; 2],
+    pub(super) ankle: [f64; 2],
+    /// Where the hip is across (m).
+    pub(super) across: f64,
+    /// The hip against the line of the foot, outward (m).
+    pub(super) off: f64,
+}
+
+impl SideLeg {
+    /// Height of the hip above the ankle where the leg's plane leans to the side by η: v·cos η of v.
+    fn upright(&self) -> f64 {
+        let below = self.hip[1] - self.ankle[1];
+        (below * below - self.off * self.off).max(0.0).sqrt()
+    }
+
+    /// How much lower the hip is for that.
+    pub(super) fn drop(&self) -> f64 {
+        self.hip[1] - self.ankle[1] - self.upright()
+    }
+
+    /// The pose, with the hip lower by `drop` (m); for the leg that is not the root's, what its foot does and the place in the
+    /// phase. Each leg is posed as a left one: the right one in the mirror.
+    pub(super) fn pose(
+        &self,
+        leg: &LegGeometry,
+        p: &Proportions,
+        plane: &FootPlane,
+        drop: f64,
+        free: Option<(&Free, f64)>,
+    ) -> LegPose {
+        let LegAngles { foot, toes, .. } = self.angles;
+        let hip = [self.hip[0], self.hip[1] - drop];
+        let from_ankle = |[z, y]: [f64; 2]| Vector3::new(self.off, hip[1] - y, hip[0] - z);
+        let (mut ankle, mut is_planned) = (self.ankle, (drop - self.drop()).abs() < 1e-15);
+        match free {
+            None => {}
+            Some((Free::Pinned { point, at }, _)) => return self.pinned(leg, p, plane, hip, (*point, *at)),
+            Some((Free::Swings(height), clock)) => {
+                let (wanted, passage) = height.wanted(clock);
+                let lifted = lift(wanted - leg.lowest(ankle[1], foot, toes), passage);
+                ankle[1] += lifted;
+                is_planned = is_planned && lifted <= 0.0;
             }
-            // Too far: the heel rises until the straight leg reaches.
-            let joints = angles.joints(p, [0.0, 0.0]);
-            let ball = if *point == Root::Tip {
-                [at[0] + joints.ball[0] - joints.tip[0], at[1] + joints.ball[1] - joints.tip[1]]
-            } else {
-                *at
-            };
-            let hip_over_ball = [hip.x - line, hip.y - ball[1], hip.z - ball[0]];
-            let foot = leg.pitch_about_ball(hip_over_ball, leg.knee_for(longest));
-            plane.pose(leg, &from_ankle(ankle(foot)), foot, toes)
         }
-        Free::Swings(height) => {
-            // In the leg's plane, which leans to the foot's line.
-            let joints = angles.joints(p, [0.0, 0.0]);
-            let (below, off) = (-joints.ankle[1], hip.x - line);
-            let upright = (below * below - off * off).max(0.0).sqrt();
-            let ankle = [hip.z + joints.ankle[0], hip.y - upright];
-            let (wanted, passage) = height.wanted(clock);
-            let lifted = lift(wanted - leg.lowest(ankle[1], foot, toes), passage);
-            if lifted > 0.0 {
-                plane.pose(leg, &from_ankle([ankle[0], ankle[1] + lifted]), foot, toes)
-            } else {
-                LegPose { side: off.atan2(upright), ..angles.pose(leg.thigh_lean, leg.shank_lean) }
-            }
+        if is_planned {
+            let side = self.off.atan2(self.upright());
+            LegPose { side, ..self.angles.pose(leg.thigh_lean, leg.shank_lean) }
+        } else {
+            plane.pose(leg, &from_ankle(ankle), foot, toes)
         }
+    }
+
+    /// The pose over a foot of which a point is pinned. Where the leg is too short for it the heel rises until the straight leg
+    /// reaches.
+    fn pinned(
+        &self,
+        leg: &LegGeometry,
+        p: &Proportions,
+        plane: &FootPlane,
+        hip: [f64; 2],
+        (point, at): (Root, [f64; 2]),
+    ) -> LegPose {
+        let toes = self.angles.toes;
+        let placed = |foot: f64| LegAngles { foot, ..self.angles }.joints(p, [0.0, 0.0]);
+        let to_hip = |foot: f64| {
+            let joints = placed(foot);
+            let from = if point == Root::Tip { joints.tip } else { joints.ball };
+            let ankle = [at[0] + joints.ankle[0] - from[0], at[1] + joints.ankle[1] - from[1]];
+            Vector3::new(self.off, hip[1] - ankle[1], hip[0] - ankle[0])
+        };
+        let foot = self.angles.foot;
+        let longest = leg.almost_straight_squared();
+        if to_hip(foot).norm_squared() <= longest {
+            return plane.pose(leg, &to_hip(foot), foot, toes);
+        }
+        let joints = placed(foot);
+        let from = if point == Root::Tip { joints.tip } else { joints.ball };
+        let ball = [at[0] + joints.ball[0] - from[0], at[1] + joints.ball[1] - from[1]];
+        let foot =
+            leg.pitch_about_ball([self.off, hip[1] - ball[1], hip[0] - ball[0]], leg.knee_for(longest));
+        plane.pose(leg, &to_hip(foot), foot, toes)
     }
 }
 

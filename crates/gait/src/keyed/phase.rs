@@ -1,10 +1,10 @@
 //! One phase: postures between two key postures, built up from the root.
 
-use super::foot::{Free, Lift, raised};
+use super::foot::{Free, Lift, SideLeg};
 use super::script::{InBetween, KeyedOptions};
 use crate::body::Body;
 use crate::determinants::{ArmAngles, KeyPosture, LegAngles, PhaseRoot, Proportions, Root, TrunkAngles};
-use crate::foot::{FootPlane, mirror};
+use crate::foot::FootPlane;
 use crate::laws;
 use crate::leg::LegPose;
 use crate::posture::Posture;
@@ -128,29 +128,28 @@ impl Phase {
         let to_hip = |side: usize| rotation * Vector3::new(sideways(side) * 0.5 * p.hips, 0.0, 0.0);
         let line = |side: usize| sideways(side) * 0.5 * options.step_width.unwrap_or(p.hips);
 
-        let root_side = self.side(root);
-        let angles = leg_between(&self.from.legs[root], &self.to.legs[root], s);
-        let [z, y] = angles.hip_over(p, self.root.point, self.at);
-        let ankle_y = angles.joints(p, [z, y]).ankle[1];
-        let off = sway + to_hip(root_side).x - line(root_side);
-        // The leg's plane leans sideways by η: its height is v·cos η.
-        let upright = ((y - ankle_y).powi(2) - off * off).max(0.0).sqrt();
-        let hip = Vector3::new(sway + to_hip(root_side).x, ankle_y + upright, z);
-        let middle = hip - to_hip(root_side);
-
+        // What swings is eased whatever the root's leg does.
+        let swings = if matches!(self.free, Free::Swings(_)) { eased } else { s };
+        let planned = [(root, s), (other, swings)]
+            .map(|(leg, s)| (leg, leg_between(&self.from.legs[leg], &self.to.legs[leg], s)));
+        let [z, y] = planned[0].1.hip_over(p, self.root.point, self.at);
+        let root_hip = to_hip(self.side(root));
+        let sides = planned.map(|(leg, angles)| {
+            let side = self.side(leg);
+            let hip = to_hip(side);
+            let planar = [z + hip.z - root_hip.z, y + hip.y - root_hip.y];
+            let ankle = angles.joints(p, planar).ankle;
+            let off = sway + hip.x - line(side);
+            SideLeg { side, angles, hip: planar, across: sway + hip.x, ankle, off: sideways(side) * off }
+        });
+        // Both legs reach: the one that leans farther to the side says how low the hips are.
+        let drop = sides[0].drop().max(sides[1].drop());
         let mut legs = [LegPose::default(); 2];
-        let pose = angles.pose(body.leg.thigh_lean, body.leg.shank_lean);
-        legs[root_side] = LegPose { side: (sideways(root_side) * off).atan2(upright), ..pose };
-        let side = self.side(other);
-        let free_hip = middle + to_hip(side);
-        let free_angles = match self.free {
-            Free::Pinned { .. } => leg_between(&self.from.legs[other], &self.to.legs[other], s),
-            Free::Swings(_) => leg_between(&self.from.legs[other], &self.to.legs[other], eased),
-        };
-        // Each leg is posed as a left one: the right one in the mirror.
-        let seen = if side == 0 { free_hip } else { mirror(&free_hip) };
-        let seen_line = line(side).abs();
-        legs[side] = raised(&body.leg, p, plane, (seen, seen_line), &free_angles, (&self.free, clock));
+        for (index, leg) in sides.iter().enumerate() {
+            let free = if index == 0 { None } else { Some((&self.free, clock)) };
+            legs[leg.side] = leg.pose(&body.leg, p, plane, drop, free);
+        }
+        let middle = Vector3::new(sides[0].across, sides[0].hip[1] - drop, sides[0].hip[0]) - root_hip;
 
         Posture {
             pelvis: middle - rotation * middle_of_hips,
