@@ -137,7 +137,7 @@ impl SideLeg {
             Vector3::new(self.off, hip[1] - ankle[1], hip[0] - ankle[0])
         };
         let foot = self.angles.foot;
-        let longest = leg.almost_straight_squared();
+        let longest = (leg.thigh + leg.shank).powi(2);
         if to_hip(foot).norm_squared() <= longest {
             return plane.pose(leg, &to_hip(foot), foot, toes);
         }
