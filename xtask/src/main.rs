@@ -22,11 +22,11 @@ cargo xtask CHORE
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
                                     times the kernel as other engines are timed; needs `cargo run --release -p xtask`
-  report [moments | profiles | simulation]
+  report [moments | profiles | simulation | people]
                                     measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md,
                                     moments beside OpenSim's into docs/bodies.md, curves as printed beside the library's into
                                     docs/profiles-accuracy.md and its picture, and simulations of which the answer is known into
-                                    docs/trust.md and its pictures; or one of the last three alone
+                                    docs/trust.md and its pictures, walks beside people into docs/people.md; or one of these four alone
   subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
   help                              this list
 ";
@@ -46,6 +46,7 @@ fn main() -> ExitCode {
         }
         ["report"] => report::run(),
         ["report", "moments"] => report::moments(),
+        ["report", "people"] => report::people(),
         ["report", "profiles"] => report::profiles(),
         ["report", "simulation"] => report::simulation(),
         ["report", "simulation", "adaptive"] => report::adaptive(),

@@ -9,6 +9,7 @@ mod cases;
 mod currency;
 mod moments;
 mod page;
+mod people;
 mod plot;
 mod profiles;
 mod samples;
@@ -21,6 +22,7 @@ use accuracy::Accuracy;
 use cases::{Case, HARD, ORDINARY};
 use page::{LONG, Measured};
 use samples::{Random, chain};
+use solaris_gait::determinants::Determinants;
 use speed::Speed;
 use std::fs;
 
@@ -30,6 +32,7 @@ pub(crate) fn run() -> Result<(), String> {
         return in_release(&["report"]);
     }
     moments()?;
+    people()?;
     profiles::run()?;
     simulation::run()?;
     let measured = measure(|case| {
@@ -68,6 +71,24 @@ pub(crate) fn moments() -> Result<(), String> {
         .map_err(|error| format!("docs/bodies.md: {error}"))?;
     write("docs/bodies.md", &text)?;
     write("docs/moments.svg", &moments::draw(&curves))
+}
+
+/// Writes how walks compare with people, in a release build of its own if this is none.
+pub(crate) fn people() -> Result<(), String> {
+    const PAGE: &str = "docs/people.md";
+    if cfg!(debug_assertions) {
+        return in_release(&["report", "people"]);
+    }
+    let mut text = read(PAGE)?;
+    let tables = [
+        ("five", people::facts(Determinants::Five)?),
+        ("three", people::facts(Determinants::Three)?),
+        ("bodies", people::counts()?.markdown()),
+    ];
+    for (name, table) in tables {
+        text = table::replace(&text, name, &table).map_err(|error| format!("{PAGE}: {error}"))?;
+    }
+    write(PAGE, &text)
 }
 
 /// Measures the thesis's curves and writes their page, in a release build of its own if this is none.

@@ -2,6 +2,7 @@
 
 mod explain;
 mod map;
+mod people;
 mod postures;
 mod table;
 
@@ -13,6 +14,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         Some(("table", matches)) => table::run(matches),
         Some(("map", matches)) => map::run(matches),
         Some(("explain", matches)) => explain::run(matches),
+        Some(("people", matches)) => people::run(matches),
         // clap asks for a subcommand.
         _ => Ok(()),
     }

@@ -16,6 +16,7 @@ pub mod metrics;
 mod momentum;
 mod parameter;
 mod parts;
+pub mod people;
 mod posture;
 mod prescribed;
 mod stance;

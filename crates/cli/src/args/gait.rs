@@ -31,6 +31,12 @@ const EXPLAIN_EXAMPLES: &str = "Examples:
   solaris gait explain --heel-strike-angle 32
       what fails, and the nearest value of each parameter at which all would hold (it exits with 1)";
 
+const PEOPLE_EXAMPLES: &str = "Examples:
+  solaris gait people
+      a person of 1.75 m
+  solaris gait people --height 1.5 --determinants 3 --format csv
+      a smaller one without pelvic rotation, for a spreadsheet";
+
 pub(super) fn command() -> Command {
     let table = Command::new("table")
         .about("Tables 7.1 to 7.8 and 8.1 to 8.7 of the thesis, computed anew beside what is printed")
@@ -42,14 +48,7 @@ pub(super) fn command() -> Command {
                 .hide_possible_values(true)
                 .help("7.1 to 7.8, 8.1 to 8.7 [default: all]"),
         )
-        .arg(
-            Arg::new("format")
-                .long("format")
-                .value_name("FORMAT")
-                .value_parser(PossibleValuesParser::new(["text", "csv", "markdown"]))
-                .hide_possible_values(true)
-                .help("text, csv or markdown [default: text]"),
-        );
+        .arg(format_option());
     let map = Command::new("map")
         .about("Where postures exist, over two parameters, and which inequality forbids them elsewhere")
         .after_help(MAP_EXAMPLES)
@@ -83,12 +82,36 @@ pub(super) fn command() -> Command {
         .arg(json("Print parameters, angles and inequalities as JSON"))
         .args(body())
         .args(parameters());
+    let people = Command::new("people")
+        .about("Every fact that is known of people's walking, beside smooth walks at 80 to 130 steps/min")
+        .after_help(PEOPLE_EXAMPLES)
+        .arg(
+            Arg::new("determinants")
+                .long("determinants")
+                .value_name("N")
+                .value_parser(["3", "5"])
+                .hide_possible_values(true)
+                .help("Determinants of gait, 3 or 5 [default: 5]"),
+        )
+        .arg(number("height", "M", &format!("Standing height in m [default: {HEIGHT}]")))
+        .arg(number("mass", "KG", "Body mass in kg [default: 23.8·height²]"))
+        .arg(format_option());
     Command::new("gait")
-        .about("The thesis's walking models: tables, feasible regions, postures")
+        .about("The thesis's walking models: tables, feasible regions, postures; walks beside people")
         .after_help(EXAMPLES)
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .subcommands([table, map, explain])
+        .subcommands([table, map, explain, people])
+}
+
+/// How a table is written.
+fn format_option() -> Arg {
+    Arg::new("format")
+        .long("format")
+        .value_name("FORMAT")
+        .value_parser(PossibleValuesParser::new(["text", "csv", "markdown"]))
+        .hide_possible_values(true)
+        .help("text, csv or markdown [default: text]")
 }
 
 fn axis(name: &'static str, where_: &str) -> Arg {

@@ -50,7 +50,7 @@ impl Cell {
 /// A table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GaitTable {
-    /// Its number in the thesis: `7.7`.
+    /// Its number in the thesis: `7.7`; empty where it is none of the thesis's.
     pub number: &'static str,
     /// What it shows.
     pub title: &'static str,
@@ -70,9 +70,18 @@ impl GaitTable {
         (agree, cells().filter(|cell| cell.agreement != Agreement::Unprinted).count())
     }
 
+    fn heading(&self, mark: &str) -> String {
+        let Self { number, title, .. } = self;
+        if number.is_empty() {
+            format!("{mark}{title}{mark}")
+        } else {
+            format!("{mark}Table {number}{mark}: {title}")
+        }
+    }
+
     /// As text, columns aligned.
     pub fn text(&self) -> String {
-        let mut text = format!("Table {}: {}\n\n", self.number, self.title);
+        let mut text = format!("{}\n\n", self.heading(""));
         let texts: Vec<Vec<String>> =
             self.rows.iter().map(|row| row.iter().map(Cell::text).collect()).collect();
         let width = |column: usize| {
@@ -90,7 +99,7 @@ impl GaitTable {
 
     /// As Markdown.
     pub fn markdown(&self) -> String {
-        let mut text = format!("**Table {}**: {}\n\n", self.number, self.title);
+        let mut text = format!("{}\n\n", self.heading("**"));
         let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
         text += &line(&self.columns);
         let _ = writeln!(text, "|{}", "---|".repeat(self.columns.len()));

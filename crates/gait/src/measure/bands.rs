@@ -14,6 +14,13 @@ pub struct Band {
     value: fn(&SteadyStride) -> f64,
 }
 
+impl Band {
+    /// A stride's value.
+    pub fn value(&self, stride: &SteadyStride) -> f64 {
+        (self.value)(stride)
+    }
+}
+
 /// A band and where a stride lies.
 #[derive(Clone, Copy, Debug)]
 pub struct BandCheck {
@@ -28,7 +35,7 @@ pub struct BandCheck {
 /// Holds a stride against a list of bands.
 pub fn check_bands(bands: &'static [Band], stride: &SteadyStride) -> Vec<BandCheck> {
     let check = |band: &'static Band| {
-        let value = (band.value)(stride);
+        let value = band.value(stride);
         BandCheck { band, value, inside: (band.range.0..=band.range.1).contains(&value) }
     };
     bands.iter().map(check).collect()

@@ -1,0 +1,128 @@
+//! How a walk compares with people: every fact that is known of their walking, and the walker's own value.
+
+mod facts;
+
+pub use facts::{FACTS, Fact, Person};
+
+use crate::determinants::{Cell, Determinants, GaitTable};
+use crate::error::GaitError;
+use crate::measure::{SteadyStride, measure};
+use crate::styled::{StyledPlan, StyledRequest};
+use crate::walker::{Extent, WalkRequest};
+use solaris_model::Figure;
+
+/// Steps of a walk that has a steady stride in its middle.
+const STEPS: usize = 12;
+/// Samples a second.
+const RATE: f64 = 120.0;
+
+/// A walker's steady stride at a step frequency, or why there is none.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// Steps a minute.
+    pub step_frequency: f64,
+    /// The stride, or the refusal.
+    pub stride: Result<SteadyStride, GaitError>,
+    person: Person,
+}
+
+impl Compared {
+    /// The smooth walk of a figure at a step frequency.
+    pub fn of(figure: &Figure, determinants: Determinants, step_frequency: f64) -> Self {
+        let parameters = match determinants {
+            Determinants::Three => vec![("rotation", 0.0)],
+            Determinants::Five => Vec::new(),
+        };
+        let request = WalkRequest {
+            step_frequency: Some(step_frequency),
+            extent: Extent::Steps(STEPS),
+            parameters,
+            ..WalkRequest::default()
+        };
+        let stride = || {
+            let plan = StyledPlan::of(figure, &StyledRequest::Smooth(request))?;
+            let (motion, _) = plan.loaded(figure, RATE)?;
+            measure(figure, &motion)?.steady.ok_or(GaitError::NothingToMeasure { what: "steady stride" })
+        };
+        let person = Person { height: figure.stature().unwrap_or(f64::NAN), step_frequency };
+        Self { step_frequency, stride: stride(), person }
+    }
+
+    /// A fact's value here, and whether it lies inside of people's band.
+    pub fn holds(&self, fact: &Fact) -> Option<(f64, bool)> {
+        let stride = self.stride.as_ref().ok()?;
+        let value = fact.value(stride, &self.person);
+        let (lower, upper) = fact.band(stride, &self.person);
+        // A law that both follow is met as well as a sampled motion is measured.
+        let slack = 1e-4 * lower.abs().max(upper.abs());
+        Some((value, (lower - slack..=upper + slack).contains(&value)))
+    }
+
+    /// How many facts lie inside, and of how many.
+    pub fn inside(&self) -> Option<(usize, usize)> {
+        self.stride.as_ref().ok()?;
+        let held = FACTS.iter().filter(|fact| self.holds(fact).is_some_and(|(_, inside)| inside)).count();
+        Some((held, FACTS.len()))
+    }
+}
+
+/// The table of all facts for a figure's smooth walks at step frequencies (steps/min).
+pub fn table(figure: &Figure, determinants: Determinants, step_frequencies: &[f64]) -> GaitTable {
+    let compared: Vec<Compared> =
+        step_frequencies.iter().map(|frequency| Compared::of(figure, determinants, *frequency)).collect();
+    let mut columns =
+        vec!["fact".to_owned(), "unit".to_owned(), "people".to_owned(), "measured trial".to_owned()];
+    columns.extend(step_frequencies.iter().map(|frequency| format!("{frequency} /min")));
+    let mut rows: Vec<Vec<Cell>> = FACTS.iter().map(|fact| row(fact, &compared)).collect();
+    let mut counts = vec![Cell::plain("inside"), Cell::plain(""), Cell::plain(""), Cell::plain("")];
+    counts.extend(compared.iter().map(|compared| {
+        Cell::plain(compared.inside().map_or_else(String::new, |(held, of)| format!("{held} of {of}")))
+    }));
+    rows.push(counts);
+    let mut notes = vec![
+        "✓ inside of people's band, ✗ outside. A dash: such a walk is refused.".to_owned(),
+        "*: a textbook's range that nobody has looked up.".to_owned(),
+        "Measured trial: one person on a treadmill, 97.8 steps/min, 1.135 m/s.".to_owned(),
+    ];
+    for compared in &compared {
+        if let Err(error) = &compared.stride {
+            notes.push(format!("{} steps/min is refused: {error}", compared.step_frequency));
+        }
+    }
+    let title = match determinants {
+        Determinants::Three => "smooth walks of three determinants beside people",
+        Determinants::Five => "smooth walks of five determinants beside people",
+    };
+    GaitTable { number: "", title, columns, rows, notes }
+}
+
+fn row(fact: &Fact, compared: &[Compared]) -> Vec<Cell> {
+    let number = |value: f64| format!("{value:.0$}", fact.decimals);
+    let star = if fact.looked_up { "" } else { "*" };
+    let bands: Vec<(f64, f64)> =
+        compared.iter().filter_map(|c| Some(fact.band(c.stride.as_ref().ok()?, &c.person))).collect();
+    let same = bands.windows(2).all(|pair| pair[0] == pair[1]);
+    let people = match bands.first() {
+        Some((lower, upper)) if same => format!("{} to {}{star}", number(*lower), number(*upper)),
+        _ => fact.law.to_owned(),
+    };
+    let trial = fact.trial.map_or_else(String::new, number);
+    let cells = compared.iter().map(|c| match (c.holds(fact), &c.stride) {
+        (Some((value, inside)), Ok(stride)) => {
+            let (lower, upper) = fact.band(stride, &c.person);
+            // As many decimals as show on which side it lies.
+            let shows = |decimals: &usize| {
+                let shown: f64 = format!("{value:.decimals$}").parse().unwrap_or(f64::NAN);
+                inside || !(lower..=upper).contains(&shown)
+            };
+            let decimals = (fact.decimals..fact.decimals + 4).find(shows).unwrap_or(fact.decimals + 4);
+            format!("{value:.decimals$} {}", if inside { "✓" } else { "✗" })
+        }
+        _ => "–".to_owned(),
+    });
+    [fact.name.to_owned(), fact.unit.to_owned(), people, trial]
+        .into_iter()
+        .chain(cells)
+        .map(Cell::plain)
+        .collect()
+}
