@@ -11,8 +11,8 @@ use crate::styled::{StyledPlan, StyledRequest};
 use crate::walker::{Extent, WalkRequest};
 use solaris_model::Figure;
 
-/// Steps of a walk that has a steady stride in its middle.
-const STEPS: usize = 12;
+/// Steps of a walk in whose middle neither its beginning nor its end is felt.
+const STEPS: usize = 24;
 /// Samples a second.
 const RATE: f64 = 120.0;
 
