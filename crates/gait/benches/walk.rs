@@ -1,10 +1,13 @@
 //! Time to plan a walk, by its number of steps, and to find its forces: `cargo bench -p solaris-gait`.
 //!
-//! Planning grows in proportion to the number of steps; compare times of one run only.
+//! Planning a smooth walk grows in proportion to the number of steps up to 42, and hardly from there on, for the steady stride is
+//! planned once; compare times of one run only.
 
 use divan::{Bencher, black_box};
+use solaris_gait::determinants::Determinants;
 use solaris_gait::{
-    Extent, FEET, Resolution, StridePlan, Style, WALK_RATIO, WalkPlan, WalkRequest, measure, walk,
+    Extent, FEET, Resolution, StridePlan, Style, ThesisRequest, WALK_RATIO, WalkPlan, WalkRequest, measure,
+    thesis_walk, walk,
 };
 use solaris_model::{Figure, human};
 use solaris_modes::ground_reactions;
@@ -32,10 +35,22 @@ fn plan_stride(bencher: Bencher<'_, '_>) {
 }
 
 /// A whole walk with its stride and checks, 100 nodes a stride.
-#[divan::bench(args = [1, 10, 20, 40, 80])]
+#[divan::bench(args = [1, 10, 40, 100, 400, 1600])]
 fn plan_walk(bencher: Bencher<'_, '_>, steps: usize) {
     let figure = person();
     bencher.bench(|| plan_of(black_box(&figure), steps));
+}
+
+/// A walk in the thesis's style, five determinants.
+#[divan::bench(args = [1, 10, 100, 1000])]
+fn plan_thesis_walk(bencher: Bencher<'_, '_>, steps: usize) {
+    let figure = person();
+    let request = ThesisRequest {
+        determinants: Determinants::Five,
+        extent: Extent::Steps(steps),
+        ..ThesisRequest::default()
+    };
+    bencher.bench(|| thesis_walk(black_box(&figure), &request));
 }
 
 /// The frames of ten steps at 120 a second: positions, derivatives, momentum.
