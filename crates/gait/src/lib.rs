@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod beside;
 mod body;
 pub mod determinants;
 mod error;
@@ -32,6 +33,7 @@ mod upper;
 mod walk;
 mod walker;
 
+pub use beside::Beside;
 pub use error::GaitError;
 pub use keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 pub use lacks::lacks;

@@ -1,12 +1,12 @@
 //! A planned walk with its forces, whatever its style.
 
-use super::report::{Forces, KeyPostures, Pull, roots};
-use super::request::Looped;
+use super::report::{BesideKeyPostures, BesidePosture, Forces, KeyPostures, Pull, roots};
+use super::request::{Looped, determinants};
 use crate::error::CliError;
 use crate::progress::Progress;
 use clap::ArgMatches;
-use solaris::gait::determinants::{Condition, KeyParameter};
-use solaris::gait::{FEET, StyledPlan, StyledRequest, WalkForces, on_the_spot};
+use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
+use solaris::gait::{Beside, FEET, StyledPlan, StyledRequest, WalkForces, on_the_spot};
 use solaris::model::{Figure, Motion};
 use solaris::modes::reactions_from_feet;
 use std::time::{Duration, Instant};
@@ -18,6 +18,7 @@ pub(super) struct Planned {
     pub(super) forces: Forces,
     /// Whether it is one stride that repeats itself.
     pub(super) repeats: bool,
+    pub(super) beside: Option<BesideKeyPostures>,
     /// How long planning took, and all with the forces.
     pub(super) planned: Duration,
     pub(super) solved: Duration,
@@ -76,8 +77,20 @@ impl Planned {
         if looped == Some(Looped::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
-        Ok(Self { plan, motion, forces, repeats: looped.is_some(), planned, solved: start.elapsed() })
+        let beside = beside(&plan, determinants(matches));
+        Ok(Self { plan, motion, forces, repeats: looped.is_some(), beside, planned, solved: start.elapsed() })
     }
+}
+
+/// A smooth walk beside the key postures of the same step, where such a step has any.
+fn beside(plan: &StyledPlan, determinants: Determinants) -> Option<BesideKeyPostures> {
+    let StyledPlan::Smooth(plan) = plan else { return None };
+    let posture = |beside: Beside| {
+        let [a, b, c, d, e, f] = beside.deviations().map(f64::to_degrees);
+        BesidePosture { posture: beside.name, at_s: beside.time, stance_deg: [a, b, c], swing_deg: [d, e, f] }
+    };
+    let postures = plan.beside(determinants).ok()?.into_iter().map(posture).collect();
+    Some(BesideKeyPostures { determinants: determinants.count(), postures })
 }
 
 /// What is told of the forces.

@@ -20,6 +20,9 @@ pub(crate) struct Report {
     /// Of a walk in the thesis's style.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) key_postures: Option<KeyPostures>,
+    /// Of a smooth walk: what it has at the instants of the key postures of the same step.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) beside_key_postures: Option<BesideKeyPostures>,
     pub(crate) steady_stride: Option<Stride>,
     pub(crate) whole_walk: Whole,
     pub(crate) bands: Vec<BandList>,
@@ -44,6 +47,23 @@ pub(crate) struct KeyPostures {
     pub(crate) angles_deg: Vec<(&'static str, &'static str, f64)>,
     /// What the thesis asks for besides, and these do not have.
     pub(crate) remarks: Vec<String>,
+}
+
+/// A smooth walk less the key postures of the same step.
+#[derive(Debug, Serialize)]
+pub(crate) struct BesideKeyPostures {
+    pub(crate) determinants: usize,
+    pub(crate) postures: Vec<BesidePosture>,
+}
+
+/// A smooth walk less a key posture (degrees).
+#[derive(Debug, Serialize)]
+pub(crate) struct BesidePosture {
+    pub(crate) posture: &'static str,
+    pub(crate) at_s: f64,
+    /// Thigh, shank, foot; backward and toe down are positive.
+    pub(crate) stance_deg: [f64; 3],
+    pub(crate) swing_deg: [f64; 3],
 }
 
 #[derive(Debug, Serialize)]
@@ -179,7 +199,7 @@ pub(crate) struct RunTime {
 
 impl Report {
     pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
-        let Planned { plan, motion, forces, repeats, planned, solved } = planned;
+        let Planned { plan, motion, forces, repeats, beside, planned, solved } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let m = measures;
@@ -224,6 +244,7 @@ impl Report {
             },
             bands: m.steady.as_ref().map_or_else(Vec::new, bands),
             key_postures: postures(&plan),
+            beside_key_postures: beside,
             forces,
             run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
             notes: notes(&plan, m),

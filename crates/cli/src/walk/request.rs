@@ -73,6 +73,7 @@ pub(super) fn looped(matches: &ArgMatches) -> Option<Looped> {
     word(matches, "loop").map(|how| if how == "in-place" { Looped::InPlace } else { Looped::Moving })
 }
 
+/// How many determinants are asked for.
 pub(super) fn determinants(matches: &ArgMatches) -> Determinants {
     if word(matches, "determinants") == Some("3") { Determinants::Three } else { Determinants::Five }
 }

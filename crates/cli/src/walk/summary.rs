@@ -1,7 +1,7 @@
 //! The table that a walk prints, and the one on its page.
 
 use super::numbers::{beside, fixed, short, wrapped};
-use super::report::{BandList, Check, Extreme, KeyPostures, Report};
+use super::report::{BandList, BesideKeyPostures, BesidePosture, Check, Extreme, KeyPostures, Report};
 use solaris::view::TableRow;
 use std::fmt::Write;
 use std::path::Path;
@@ -38,6 +38,7 @@ pub(super) fn title(report: &Report) -> String {
 pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
     let mut all = walk_rows(report);
     all.extend(report.key_postures.iter().flat_map(posture_rows));
+    all.extend(report.beside_key_postures.iter().flat_map(beside_rows));
     all.extend(steady_rows(report));
     all.extend(report.bands.iter().map(|list| {
         let [inside, outside] = names(list).map(|names| names.join(", "));
@@ -55,6 +56,14 @@ pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>
     if let Some(postures) = &report.key_postures {
         let _ = writeln!(text, "\nIts key postures, of {} determinants\n", postures.determinants);
         text.push_str(&lines(&posture_rows(postures)));
+    }
+    if let Some(beside) = &report.beside_key_postures {
+        let _ = writeln!(
+            text,
+            "\nBeside the key postures of {} determinants at the same step: the walk less the posture\n",
+            beside.determinants
+        );
+        text.push_str(&lines(&beside_rows(beside)));
     }
     if let Some(stride) = &report.steady_stride {
         let (from, to) = stride.span_s;
@@ -172,6 +181,19 @@ fn posture_rows(postures: &KeyPostures) -> Vec<Row> {
     let angles = angles.map(|(symbol, what, value)| row(what, fixed(*value, 2), "°", *symbol));
     let remarks = postures.remarks.iter().map(|remark| row("remark", "", "", remark));
     parameters.chain(angles).chain(remarks).collect()
+}
+
+/// A smooth walk less the key postures.
+fn beside_rows(beside: &BesideKeyPostures) -> Vec<Row> {
+    let three = |angles: &[f64; 3]| angles.map(|angle| fixed(angle, 0)).join(" / ");
+    let leg = |posture: &BesidePosture, angles: &[f64; 3], leg: &str| {
+        let note = format!("thigh / shank / foot of the {leg} leg, at {:.2} s", posture.at_s);
+        row(posture.posture, three(angles), "°", note)
+    };
+    let both = |posture: &BesidePosture| {
+        [leg(posture, &posture.stance_deg, "standing"), leg(posture, &posture.swing_deg, "other")]
+    };
+    beside.postures.iter().flat_map(both).collect()
 }
 
 fn double_support_row(supports: &[f64]) -> Option<Row> {

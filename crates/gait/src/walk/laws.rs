@@ -48,9 +48,9 @@ pub(crate) struct Amplitudes {
 }
 
 /// The laws of a walk.
-pub(super) struct WalkLaws {
-    pub(super) style: Style,
-    pub(super) steps: usize,
+pub(crate) struct WalkLaws {
+    pub(crate) style: Style,
+    pub(crate) steps: usize,
     /// Rest before and after these clocks.
     pub(super) begin: f64,
     pub(super) end: f64,

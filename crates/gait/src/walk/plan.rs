@@ -26,9 +26,9 @@ use solaris_profiles::UniformSpline;
 /// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1. Of a walk of more than 42 steps
 /// the middle stride is planned once and repeated; *nodes* are those that were planned.
 pub struct WalkPlan {
-    pub(super) body: Body,
+    pub(crate) body: Body,
     /// Of the walk that was planned, and of the whole one.
-    pub(super) laws: WalkLaws,
+    pub(crate) laws: WalkLaws,
     pub(super) whole: WalkLaws,
     pub(super) repeat: Repeat,
     /// Whether all is mirrored, so that the left foot goes first.
@@ -213,7 +213,7 @@ impl WalkPlan {
     }
 
     /// Hips (in each foot's world: the right one mirrored) and poses of both legs at a clock of the walk that was planned.
-    pub(super) fn hips_and_legs(&self, u: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
+    pub(crate) fn hips_and_legs(&self, u: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
         let rotation = laws::rotation(self.laws.angles(u).0[0]);
         let pelvis = Vector3::from(self.pelvis.position(u));
         let hips = [0, 1].map(|side| {
