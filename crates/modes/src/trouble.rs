@@ -156,6 +156,11 @@ pub struct Trouble {
     pub advice: String,
 }
 
+/// A magnitude, where there is one.
+fn with(value: f64, unit: &str) -> String {
+    if value > 0.0 { format!(" with {value:.1e} {unit}") } else { String::new() }
+}
+
 fn shown(time: f64) -> String {
     let text = format!("{time:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -223,23 +228,29 @@ pub enum Cause {
         /// How many.
         count: usize,
     },
-    /// What stands on the ground is moved along it.
-    #[error(
-        "{link} cannot stay where it stands: what has a motion of its own moves it, by {missing:.1e} m/s² or m/s at least"
-    )]
+    /// What stands on the ground cannot stay.
+    #[error("{link} cannot stay where it stands: {why}, by {missing:.1e} m/s² or m/s at least")]
     Planted {
         /// The link.
         link: String,
+        /// Why: "what has a motion of its own ('hip.rx') moves it".
+        why: String,
         /// What it asks for and cannot have (m/s², or m/s in an impact; rad for m where it turns).
         missing: f64,
     },
     /// There is no way to stand.
     #[error(
-        "no part of {links} can stay on the ground or leave it: holding it pulls, letting it go makes it sink"
+        "{links} can neither stay on the ground nor leave it: holding it pulls{}, letting it go makes it sink{}",
+        with(*.pull, "N or N s"),
+        with(*.sink, "m/s² or m/s")
     )]
     Footing {
-        /// The links.
+        /// The links that were held and let go in turn.
         links: String,
+        /// What held them at most (N, or N s in an impact).
+        pull: f64,
+        /// How they sank at most (m/s², or m/s in an impact).
+        sink: f64,
     },
     /// A curve that does not begin where its degree of freedom is.
     #[error(

@@ -37,6 +37,17 @@ pub(super) const SLACK: f64 = 2.0 * PULL;
 /// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
 const DENIED: f64 = 1e-3;
 
+/// Names of degrees of freedom in a message.
+const MOST_NAMES: usize = 4;
+
+/// What keeps a link from staying where it stands, the likeliest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Obstacle {
+    Moves,
+    Rests,
+    Still,
+}
+
 /// What stands on the ground.
 #[derive(Default)]
 pub(crate) struct Footing {
@@ -60,9 +71,16 @@ struct Scene {
     closed: Vec<bool>,
 }
 
-/// Sets of touches that were tried, so that none is tried again.
+/// What was tried, so that nothing is tried again.
 #[derive(Default)]
-struct Tried(HashSet<Vec<usize>>);
+struct Tried {
+    /// Sets of touches.
+    sets: HashSet<Vec<usize>>,
+    /// The greatest force that would pull (N, or N s in an impact).
+    pull: f64,
+    /// The greatest rate at which something would sink (m/s², or m/s in an impact).
+    sink: f64,
+}
 
 impl Pass<'_> {
     /// Finds what stands on the ground from now on; what comes down loses its velocity, and what the ground would have to pull
@@ -82,7 +100,7 @@ impl Pass<'_> {
             held.extend(left);
             if given_way.is_some() {
                 // What stood until now is no way to stand any more, however near it is to one.
-                tried.0.insert(all_of(&before));
+                tried.sets.insert(all_of(&before));
             }
         }
         let mut scene = self.scene(surface, events)?;
@@ -148,10 +166,10 @@ impl Pass<'_> {
         })
     }
 
-    /// Lets the part of a touch slide; if it does so already, or there is none, there is no way to stand on what is `held`.
+    /// Lets the part of a touch slide; if it does so already, or there is none, there is no way to stand, after what was `tried`.
     fn let_slide(
         &mut self,
-        held: &[usize],
+        tried: &Tried,
         touch: Option<usize>,
         (surface, scene): (&Surface, &Scene),
     ) -> Result<(), RunError> {
@@ -160,19 +178,27 @@ impl Pass<'_> {
             self.footing.sliding.push(part);
             return Ok(());
         }
-        self.no_footing(held, surface)
+        self.no_footing(tried, touch, (surface, scene))
     }
 
-    /// There is no way to stand on what is `held`, or beside it.
-    fn no_footing<T>(&self, held: &[usize], surface: &Surface) -> Result<T, RunError> {
-        let mut links: Vec<&str> = Vec::new();
-        for touch in held {
-            let name = self.simulation.figure.links()[surface.touches[*touch].link].name();
-            if !links.contains(&name) {
-                links.push(name);
-            }
+    /// There is no way to stand, after what was `tried`, with a `last` touch that can neither be held nor be let go.
+    fn no_footing<T>(
+        &self,
+        tried: &Tried,
+        last: Option<usize>,
+        (surface, scene): (&Surface, &Scene),
+    ) -> Result<T, RunError> {
+        let mut touches = tried.contested();
+        touches.extend(last);
+        if touches.is_empty() {
+            touches.extend((0..scene.closed.len()).filter(|touch| scene.closed[*touch]));
         }
-        let cause = Cause::Footing { links: links.join(", ") };
+        let mut links: Vec<usize> = touches.iter().map(|touch| surface.touches[*touch].link).collect();
+        links.sort_unstable();
+        links.dedup();
+        let figure = &self.simulation.figure;
+        let links: Vec<&str> = links.into_iter().map(|link| figure.links()[link].name()).collect();
+        let cause = Cause::Footing { links: links.join(", "), pull: tried.pull, sink: tried.sink };
         let advice =
             "take a ground of springs (contact: Spring()), where everything slides a little".to_owned();
         Err(Trouble { time: self.t, dof: None, cause, advice }.into())
@@ -192,15 +218,15 @@ impl Pass<'_> {
         parts.into_iter().filter_map(of).collect()
     }
 
-    /// The lever that is farthest beyond giving way, with what the ground does as the body found it last: the touches that are let
-    /// go. None where all hold. Forces below `least` are none.
+    /// The lever that is farthest beyond giving way, with what the ground does as the body found it last: its force (N, or N s in
+    /// an impact) and the touches that are let go. None where all hold. Forces below `least` are none.
     fn worst_pull(
         &self,
         surface: &Surface,
         scene: &Scene,
         holds: &[Foothold],
         least: f64,
-    ) -> Option<Vec<usize>> {
+    ) -> Option<(f64, Vec<usize>)> {
         let at = |touch: usize| scene.touches[touch].point;
         let wrenches: Vec<_> = self.body.footing().collect();
         let greatest = wrenches.iter().map(|wrench| wrench.force.norm()).fold(least, f64::max);
@@ -214,7 +240,8 @@ impl Pass<'_> {
             }
         }
         worst.1.map(|(hold, lever)| {
-            hold.touches.iter().copied().filter(|touch| !lever.left.contains(touch)).collect()
+            let released = hold.touches.iter().copied().filter(|touch| !lever.left.contains(touch));
+            (-worst.0, released.collect())
         })
     }
 
@@ -253,11 +280,69 @@ impl Pass<'_> {
         if missing <= DENIED * scale {
             return Ok(());
         }
-        let link = holds.get(hold).map_or(0, |hold| surface.touches[hold.touches[0]].link);
+        let link_of = |hold: &Foothold| surface.touches[hold.touches[0]].link;
+        let link = holds.get(hold).map_or(0, link_of);
+        let (why, first) = match self.obstacles(link, holds.iter().map(link_of)) {
+            Some((Obstacle::Moves, names)) => {
+                (format!("what has a motion of its own ({names}) moves it"), "let dynamics move that")
+            }
+            Some((Obstacle::Rests, names)) => (
+                format!("what is at its limit ({names}) leaves it no way"),
+                "make that limit a soft one (limits: Spring(stiffness: 500))",
+            ),
+            Some((Obstacle::Still, names)) => {
+                (format!("what stands still ({names}) leaves it no way"), "let dynamics move that")
+            }
+            None => (
+                "the figure cannot keep still all that stands at once".to_owned(),
+                "every joint of what stands is free already; bend what is stretched, give light links more mass",
+            ),
+        };
         let link = self.simulation.figure.links()[link].name().to_owned();
-        let advice = "let dynamics move the joints between it and the root, or take a ground of springs (contact: Spring())";
-        let (cause, advice) = (Cause::Planted { link, missing }, advice.to_owned());
-        Err(Trouble { time: self.t, dof: None, cause, advice }.into())
+        let advice = format!("{first}, or take a ground of springs (contact: Spring())");
+        Err(Trouble { time: self.t, dof: None, cause: Cause::Planted { link, why, missing }, advice }.into())
+    }
+
+    /// What keeps links that stand from going where they have to, between them and the root, by the names of degrees of freedom,
+    /// first those of `link`: what has a motion of its own, else what rests at a limit, else what stands still.
+    fn obstacles(&self, link: usize, others: impl Iterator<Item = usize>) -> Option<(Obstacle, String)> {
+        let figure = &self.simulation.figure;
+        let roles = self.roles();
+        let part = |link: usize| {
+            let still = |link: &usize| {
+                let at = figure.layout().joints()[*link];
+                roles[at.v..at.v + at.nv].iter().all(|role| *role == Role::Still)
+            };
+            let carrier = |link: &usize| figure.links()[*link].parent().filter(|_| still(link));
+            // What stands still within the part that stands is no obstacle.
+            std::iter::successors(Some(link), carrier).last().unwrap_or(link)
+        };
+        let mut found: Vec<(Obstacle, usize)> = Vec::new();
+        for start in std::iter::once(link).chain(others) {
+            for link in std::iter::successors(Some(part(start)), |link| figure.links()[*link].parent()) {
+                let at = figure.layout().joints()[link];
+                for dof in at.v..at.v + at.nv {
+                    let obstacle = match roles[dof] {
+                        Role::Dynamic => continue,
+                        Role::Prescribed if self.driven[dof].held.is_some() => Obstacle::Rests,
+                        Role::Prescribed => Obstacle::Moves,
+                        Role::Still => Obstacle::Still,
+                    };
+                    if !found.contains(&(obstacle, dof)) {
+                        found.push((obstacle, dof));
+                    }
+                }
+            }
+        }
+        let worst = found.iter().map(|(obstacle, _)| *obstacle).min()?;
+        let names = found.iter().filter(|(obstacle, _)| *obstacle == worst);
+        let mut names: Vec<String> =
+            names.map(|(_, dof)| format!("'{}'", self.simulation.name(*dof))).collect();
+        if names.len() > MOST_NAMES {
+            names.truncate(MOST_NAMES);
+            names.push("…".to_owned());
+        }
+        Some((worst, names.join(", ")))
     }
 }
 
@@ -287,10 +372,35 @@ impl Tried {
     ) -> Result<(), RunError> {
         held.sort_unstable();
         held.dedup();
-        if self.0.insert(held.clone()) {
+        if self.sets.insert(held.clone()) {
             return Ok(());
         }
-        self.0.clear();
-        pass.let_slide(held, last, (surface, scene))
+        pass.let_slide(self, last, (surface, scene))?;
+        *self = Self::default();
+        Ok(())
+    }
+
+    /// The touches that were held in some sets and not in others.
+    fn contested(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.sets.iter().flatten().copied().collect();
+        all.sort_unstable();
+        all.dedup();
+        all.retain(|touch| !self.sets.iter().all(|set| set.contains(touch)));
+        all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where all was let go in the end, a fall said "no part of  can stay on the ground".
+    #[test]
+    fn what_is_held_and_let_go_in_turn_is_named_though_nothing_is_held_last() {
+        let mut tried = Tried::default();
+        tried.sets.extend([vec![2, 4, 7], vec![2, 7], vec![2]]);
+        assert_eq!(tried.contested(), [4, 7]);
+        tried.sets.insert(Vec::new());
+        assert_eq!(tried.contested(), [2, 4, 7]);
     }
 }

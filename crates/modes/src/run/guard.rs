@@ -18,13 +18,13 @@ const MOST_SWEEPS: usize = 30;
 /// The least part of a step that advice after trouble may come down to.
 const BELIEVED: f64 = 1e-2;
 
-/// Looks at a frame: `share` is the part of the energy that has come from nowhere.
+/// Looks at a frame of a run by `stepping`: `share` is the part of the energy that has come from nowhere.
 pub(crate) fn look(
     simulation: &Simulation,
     guard: &Guard,
     phase: &Phase,
-    time: f64,
-    q: &[f64],
+    stepping: Stepping,
+    (time, q): (f64, &[f64]),
     share: f64,
 ) -> Result<(), Box<Trouble>> {
     let figure = &simulation.figure;
@@ -44,7 +44,15 @@ pub(crate) fn look(
     }
     // A share that is NaN is trouble too.
     if share.partial_cmp(&guard.energy).is_none_or(std::cmp::Ordering::is_gt) {
-        let advice = "take a shorter step, or a tolerance instead of a step".to_owned();
+        let advice = match stepping {
+            Stepping::Fixed { step, .. } => format!(
+                "take a shorter step, such as a tenth, {:.1e} s, or a tolerance instead of a step (tolerance: 1e-6)",
+                0.1 * step
+            ),
+            Stepping::Adaptive { tolerance } | Stepping::Stiff { tolerance } => {
+                format!("take a smaller tolerance, such as a tenth, {:.1e}", 0.1 * tolerance)
+            }
+        };
         return Err(Box::new(Trouble { time, dof: None, cause: Cause::Energy { share }, advice }));
     }
     Ok(())
@@ -61,7 +69,7 @@ pub(crate) fn look_before(
 ) -> Result<(), RunError> {
     let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
     phase.unpack(time, y, &mut q, &mut v);
-    look(simulation, guard, phase, time, &q, 0.0)?;
+    look(simulation, guard, phase, stepping, (time, &q), 0.0)?;
     let (condition, dof) = phase.condition(time, y).map_err(|error| of_dynamics(time, error))?;
     if condition.partial_cmp(&guard.condition).is_none_or(std::cmp::Ordering::is_gt) {
         let dof = simulation.name(dof).to_owned();

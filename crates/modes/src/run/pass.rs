@@ -190,7 +190,7 @@ impl<'a> Pass<'a> {
             watch.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
-                trouble = guard::look(simulation, &settings.guard, phase, time, q, share).err();
+                trouble = guard::look(simulation, &settings.guard, phase, stepping, (time, q), share).err();
             }
             // Any error ends the stretch; the trouble says which it is.
             if trouble.is_some() || watch.is_cancelled() { Err(RateError::Stopped) } else { Ok(()) }
@@ -226,7 +226,7 @@ impl<'a> Pass<'a> {
         if dynamic {
             let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(*t, error.into()))?;
             let share = passed.ledger.check(energy, y[work], y[heat]);
-            if let Err(trouble) = guard::look(simulation, &settings.guard, phase, *t, q, share) {
+            if let Err(trouble) = guard::look(simulation, &settings.guard, phase, stepping, (*t, q), share) {
                 return Err(guard::explain(simulation, phase, stepping, &y, *trouble));
             }
             passed.ledger.end(energy, y[work], y[heat]);

@@ -3,7 +3,7 @@
 use crate::{G, at, fixed, floor, point, simulation};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use solaris_model::{EventKind, Vector3};
-use solaris_modes::Settings;
+use solaris_modes::{Cause, RunError, Settings};
 
 /// The speed with which a mass that meets the ground at `u` leaves it, without gravity. From `m·v·v′ = −k·x·(1 + b·v)`,
 ///
@@ -114,4 +114,20 @@ fn what_is_said_of_a_fall_on_springs_is_no_less_than_what_is_true() {
         let (off, said) = (off.fold(0.0, f64::max), run.report.error.expect("an estimate").position);
         assert!(off <= said && said <= 1e-6, "{stiffness}: said {said:e}, is {off:e}");
     }
+}
+
+/// It said "take a shorter step", and nobody knew which.
+#[test]
+fn energy_from_a_touch_that_steps_pass_over_is_answered_with_a_step() {
+    let plane = floor(0.0, 1e7, 10.0, 1e-2);
+    let mut simulation = simulation(&point(), G, plane, vec![at(Vector3::zeros(), 0.0)]);
+    simulation.start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
+    let error = simulation.run(&fixed(0.5, 100.0, 1e-3)).expect_err("its energy does not balance");
+    let RunError::Trouble(trouble) = &error else { panic!("{error}") };
+    assert!(matches!(&trouble.cause, Cause::Energy { .. }), "{error}");
+    let said =
+        "a shorter step, such as a tenth, 1.0e-4 s, or a tolerance instead of a step (tolerance: 1e-6)";
+    assert!(trouble.advice.contains(said), "{error}");
+    // As it says.
+    assert!(simulation.run(&fixed(0.5, 100.0, 1e-4)).is_ok());
 }

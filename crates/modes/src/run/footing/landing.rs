@@ -55,7 +55,8 @@ impl Pass<'_> {
                 tried = Tried::default();
                 continue;
             }
-            if let Some(released) = self.worst_pull(surface, scene, &holds, 0.0) {
+            if let Some((pull, released)) = self.worst_pull(surface, scene, &holds, 0.0) {
+                tried.pull = tried.pull.max(pull);
                 held.retain(|touch| !released.contains(touch));
                 continue;
             }
@@ -68,6 +69,7 @@ impl Pass<'_> {
                 .filter(|&i| rates[i] > REST.max(ROUNDING * speed))
                 .max_by(|i, j| rates[*i].total_cmp(&rates[*j]));
             let Some(sinks) = sinks else { break holds };
+            tried.sink = tried.sink.max(rates[sinks]);
             held.push(sinks);
             last = Some(sinks);
         };

@@ -34,7 +34,8 @@ impl Pass<'_> {
             let failed = |error| RunError::from(guard::of_dynamics(self.t, error));
             self.body.hybrid(&self.q, &self.v, &prescribed, &mut a, &mut tau).map_err(failed)?;
             self.passed.counts.evaluations += 1;
-            if let Some(released) = self.worst_pull(surface, scene, &holds, weight) {
+            if let Some((pull, released)) = self.worst_pull(surface, scene, &holds, weight) {
+                tried.pull = tried.pull.max(pull);
                 held.retain(|touch| !released.contains(touch));
                 continue;
             }
@@ -60,7 +61,8 @@ impl Pass<'_> {
                     next = Some((rise, touch));
                 }
             }
-            let Some((_, touch)) = next else { return Ok(held) };
+            let Some((rise, touch)) = next else { return Ok(held) };
+            tried.sink = tried.sink.max(-rise);
             held.push(touch);
             last = Some(touch);
             let slides = scene.parts[touch].is_some_and(|part| self.footing.sliding.contains(&part));
@@ -68,13 +70,13 @@ impl Pass<'_> {
                 // It has a velocity that it must not keep, unless to stop it the ground would have to pull.
                 held = self.land(surface, scene, held)?;
                 *scene = self.scene(surface, &[])?;
-                (tried, last) = (Tried::default(), None);
                 if !held.contains(&touch) {
-                    self.let_slide(&held, Some(touch), (surface, scene))?;
+                    self.let_slide(&tried, Some(touch), (surface, scene))?;
                     held.push(touch);
                 }
+                (tried, last) = (Tried::default(), None);
             }
         }
-        self.no_footing(&held, surface)
+        self.no_footing(&tried, last, (surface, scene))
     }
 }
