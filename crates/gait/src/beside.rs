@@ -61,7 +61,7 @@ impl WalkPlan {
         };
         let double = style.double_support;
         let passing = || crossing((u + double, u + 0.5), |u| leg.ankle_ahead_of_hip(&legs(u)[0]));
-        let stretch = || crossing((u + 0.36, u + 0.5), |u| pitches(&legs(u)[1]).shank);
+        let stretch = || crossing((u + 0.28, u + 0.5), |u| pitches(&legs(u)[1]).shank);
         let [_, intermediate, _] = &solution.cycles;
         let all = intermediate.iter().map(|phase| {
             let at = match (determinants, phase.number) {

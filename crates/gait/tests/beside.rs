@@ -21,7 +21,8 @@ fn postures_are_compared_at_the_instants_that_they_are_of() {
     // Hip over ankle; shank upright before it lands.
     let leg = solaris_gait::LegGeometry::of(&figure).expect("legs");
     let over = leg.thigh * passing.walk[0].thigh.sin() + leg.shank * passing.walk[0].shank.sin();
-    assert!(over.abs() < 1e-6 && stretch.walk[1].shank.abs() < 1e-6);
+    assert!(over.abs() < 1e-6, "{over}");
+    assert!(stretch.walk[1].shank.abs() < 1e-6, "{stretch:?}");
     // The foot that strikes is toe up by the style's angle, and flat as it carries.
     assert!((strike.walk[0].foot + plan.style().heel_strike_angle).abs() < 2e-3);
     assert!(lift_off.walk[0].foot.abs() < 1e-6 && passing.walk[0].foot.abs() < 1e-6);
