@@ -92,46 +92,44 @@ pub(super) fn command() -> Command {
         ))
         .args(manner())
         .next_help_heading("Its style (people's: what people do at this frequency and step length)");
-    let command = PARAMETERS.iter().fold(command, |command, parameter| {
-        let (unit, value) = match parameter.unit {
-            Unit::Degrees => ("°", "DEGREES"),
-            Unit::Metres => (" m", "M"),
-        };
-        let symbol =
-            if parameter.symbol.is_empty() { String::new() } else { format!("{}: ", parameter.symbol) };
-        let (lower, upper) = parameter.range;
-        let thesis = key_parameters().find(|key| key.name == parameter.name);
-        let thesis = thesis.map_or_else(String::new, |key| {
-            let (lower, upper) = key.range;
-            format!("; style thesis: {}, {lower} to {upper}{}", key.help, key.unit)
-        });
-        let help = format!(
-            "{symbol}{}, {lower} to {upper}{unit}{thesis} [default: {}]",
-            parameter.help,
-            if thesis.is_empty() { "people's" } else { "people's, or chosen" }
-        );
-        command.arg(number(parameter.name, value, &help))
-    });
-    let of_thesis = |command: Command, parameters: &'static [KeyParameter]| {
-        let own = |parameter: &&KeyParameter| {
-            parameter.name != "step-length" && Parameter::named(parameter.name).is_none()
-        };
-        parameters.iter().filter(own).fold(command, |command, parameter| {
-            let value = if parameter.unit == "°" { "DEGREES" } else { "M" };
-            let (lower, upper) = parameter.range;
-            let (symbol, unit) = (parameter.symbol, parameter.unit);
-            let help = format!(
-                "{symbol}: {}, {lower} to {upper}{unit} [default: chosen inside its bounds]",
-                parameter.help
-            );
-            command.arg(number(parameter.name, value, &help))
-        })
-    };
+    let command = command.args(PARAMETERS.iter().map(of_style));
     let command = command.next_help_heading("Key postures of five determinants (--style thesis)");
-    let command = of_thesis(command, five::PARAMETERS);
+    let command = command.args(of_postures(five::PARAMETERS));
     let command =
         command.next_help_heading("Key postures of three determinants (--style thesis --determinants 3)");
-    of_thesis(command, three::PARAMETERS)
+    command.args(of_postures(three::PARAMETERS))
+}
+
+/// A parameter of the smooth style; of the thesis's too, where that has one of the same name.
+fn of_style(parameter: &Parameter) -> Arg {
+    let (unit, value) = match parameter.unit {
+        Unit::Degrees => ("°", "DEGREES"),
+        Unit::Metres => (" m", "M"),
+    };
+    let symbol = if parameter.symbol.is_empty() { String::new() } else { format!("{}: ", parameter.symbol) };
+    let (lower, upper) = parameter.range;
+    let thesis = key_parameters().find(|key| key.name == parameter.name);
+    let thesis = thesis.map_or_else(String::new, |key| {
+        let (lower, upper) = key.range;
+        format!("; style thesis: {}, {lower} to {upper}{}", key.help, key.unit)
+    });
+    let default = if thesis.is_empty() { "people's" } else { "people's, or chosen" };
+    let help = format!("{symbol}{}, {lower} to {upper}{unit}{thesis} [default: {default}]", parameter.help);
+    number(parameter.name, value, &help)
+}
+
+/// Parameters of key postures that no other option has.
+fn of_postures(parameters: &'static [KeyParameter]) -> impl Iterator<Item = Arg> {
+    let own = |parameter: &&KeyParameter| {
+        parameter.name != "step-length" && Parameter::named(parameter.name).is_none()
+    };
+    parameters.iter().filter(own).map(|parameter| {
+        let value = if parameter.unit == "°" { "DEGREES" } else { "M" };
+        let (lower, upper) = parameter.range;
+        let (symbol, unit, what) = (parameter.symbol, parameter.unit, parameter.help);
+        let help = format!("{symbol}: {what}, {lower} to {upper}{unit} [default: chosen inside its bounds]");
+        number(parameter.name, value, &help)
+    })
 }
 
 /// All parameters of key postures, those of five determinants first.

@@ -20,8 +20,8 @@ pub(super) struct Planned {
     pub(super) repeats: bool,
     pub(super) beside: Option<BesideKeyPostures>,
     /// How long planning took, and all with the forces.
-    pub(super) planned: Duration,
-    pub(super) solved: Duration,
+    pub(super) planning: Duration,
+    pub(super) solving: Duration,
 }
 
 /// The name of a plan's style.
@@ -61,7 +61,7 @@ impl Planned {
         progress.stage("planning the walk");
         let refuse = |error| CliError::of_gait(error, matches);
         let plan = StyledPlan::of(figure, request).map_err(refuse)?;
-        let planned = start.elapsed();
+        let planning = start.elapsed();
         super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
         progress.stage("finding the forces");
         let found = match looped {
@@ -78,7 +78,15 @@ impl Planned {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
         let beside = beside(&plan, determinants(matches));
-        Ok(Self { plan, motion, forces, repeats: looped.is_some(), beside, planned, solved: start.elapsed() })
+        Ok(Self {
+            plan,
+            motion,
+            forces,
+            repeats: looped.is_some(),
+            beside,
+            planning,
+            solving: start.elapsed(),
+        })
     }
 }
 

@@ -199,7 +199,7 @@ pub(crate) struct RunTime {
 
 impl Report {
     pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
-        let Planned { plan, motion, forces, repeats, beside, planned, solved } = planned;
+        let Planned { plan, motion, forces, repeats, beside, planning, solving } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let m = measures;
@@ -246,7 +246,7 @@ impl Report {
             key_postures: postures(&plan),
             beside_key_postures: beside,
             forces,
-            run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
+            run_time: RunTime { planning_s: planning.as_secs_f64(), with_forces_s: solving.as_secs_f64() },
             notes: notes(&plan, m),
         }
     }

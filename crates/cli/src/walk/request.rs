@@ -113,7 +113,8 @@ fn refuse_others(matches: &ArgMatches, thesis: bool, determinants: Determinants)
     };
     let all = PARAMETERS.iter().map(|parameter| parameter.name).chain(key_options());
     let count = determinants.count();
-    for name in all.filter(|name| typed(matches, name).is_some() && !has(name)) {
+    let mut given = all.filter(|name| typed(matches, name).is_some());
+    if let Some(name) = given.find(|name| !has(name)) {
         let why = format!("the style '{style}' of {count} determinants has no such parameter");
         return Err(out_of_range(matches, name, why));
     }
