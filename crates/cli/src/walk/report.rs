@@ -4,7 +4,7 @@ use super::planned::{Planned, postures, style};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
+    Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
     check_bands,
 };
 use solaris::modes::RootReport;
@@ -288,11 +288,13 @@ fn notes(plan: &StyledPlan, measures: &WalkMeasures) -> Vec<String> {
     let mut notes = Vec::new();
     let plan = match plan {
         StyledPlan::Smooth(plan) => plan,
-        StyledPlan::Thesis(_) => {
-            notes.push(format!(
-                "the body stops at every posture: forces reach {:.0} %BW; --style smooth walks on",
-                measures.vertical.value
-            ));
+        StyledPlan::Thesis(plan) => {
+            let what = match plan.in_between {
+                InBetween::Rest => "the body stops at every posture",
+                InBetween::Linear => "the body's velocity jumps at every posture",
+            };
+            let reach = measures.vertical.value;
+            notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
             return notes;
         }
     };
