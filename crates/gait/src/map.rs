@@ -195,9 +195,9 @@ impl FeasibleMap {
             let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
             let fails = first_failing(middle);
             if fails.is_none() == holds_at_a {
-                a = middle
+                a = middle;
             } else {
-                b = middle
+                b = middle;
             }
             failing = fails.or(failing);
         }

@@ -184,7 +184,16 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     };
     let walk = KeyedWalk::new(figure, &script, options)?;
     let ThesisRequest { determinants, in_between, .. } = request;
-    Ok(ThesisWalk { walk, postures, proportions, determinants, in_between, step_frequency, step_length, steps })
+    Ok(ThesisWalk {
+        walk,
+        postures,
+        proportions,
+        determinants,
+        in_between,
+        step_frequency,
+        step_length,
+        steps,
+    })
 }
 
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.

@@ -90,8 +90,14 @@ pub(super) fn command() -> Command {
                  depends on it [default: pelvis]",
             ),
         ))
-        .args(manner())
-        .next_help_heading("Its style (people's: what people do at this frequency and step length)");
+        .args(manner());
+    with_parameters(command)
+}
+
+/// The parameters of the styles, those of the default one first.
+fn with_parameters(command: Command) -> Command {
+    let command =
+        command.next_help_heading("Its style (people's: what people do at this frequency and step length)");
     let command = PARAMETERS.iter().fold(command, |command, parameter| {
         let (unit, value) = match parameter.unit {
             Unit::Degrees => ("°", "DEGREES"),

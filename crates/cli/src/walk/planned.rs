@@ -19,7 +19,7 @@ pub(super) struct Planned {
     /// Whether it is one stride that repeats itself.
     pub(super) repeats: bool,
     /// How long planning took, and all with the forces.
-    pub(super) planned: Duration,
+    pub(super) planning: Duration,
     pub(super) solved: Duration,
 }
 
@@ -60,7 +60,7 @@ impl Planned {
         progress.stage("planning the walk");
         let refuse = |error| CliError::of_gait(error, matches);
         let plan = StyledPlan::of(figure, request).map_err(refuse)?;
-        let planned = start.elapsed();
+        let planning = start.elapsed();
         super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
         progress.stage("finding the forces");
         let found = match looped {
@@ -76,7 +76,7 @@ impl Planned {
         if looped == Some(Looped::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
-        Ok(Self { plan, motion, forces, repeats: looped.is_some(), planned, solved: start.elapsed() })
+        Ok(Self { plan, motion, forces, repeats: looped.is_some(), planning, solved: start.elapsed() })
     }
 }
 

@@ -4,8 +4,8 @@ use super::planned::{Planned, postures, style};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
-    check_bands,
+    Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO,
+    WalkMeasures, check_bands,
 };
 use solaris::modes::RootReport;
 use std::io::Write;
@@ -179,7 +179,7 @@ pub(crate) struct RunTime {
 
 impl Report {
     pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
-        let Planned { plan, motion, forces, repeats, planned, solved } = planned;
+        let Planned { plan, motion, forces, repeats, planning, solved } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let m = measures;
@@ -196,7 +196,8 @@ impl Report {
             walk: Walk {
                 style: style(&plan),
                 repeats,
-                steps: m.steps,
+                // Of a stride only one touch-down is within, the other is its begin.
+                steps: if repeats { 2 } else { m.steps },
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
                 step_length_over_peoples: step_length / (WALK_RATIO * height * step_frequency),
@@ -225,8 +226,8 @@ impl Report {
             bands: m.steady.as_ref().map_or_else(Vec::new, bands),
             key_postures: postures(&plan),
             forces,
-            run_time: RunTime { planning_s: planned.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
-            notes: notes(&plan, m),
+            run_time: RunTime { planning_s: planning.as_secs_f64(), with_forces_s: solved.as_secs_f64() },
+            notes: notes(&plan, m, repeats),
         }
     }
 
@@ -284,7 +285,7 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
 }
 
 /// What is known to be wrong with such a walk, said where it shows.
-fn notes(plan: &StyledPlan, measures: &WalkMeasures) -> Vec<String> {
+fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<String> {
     let mut notes = Vec::new();
     let plan = match plan {
         StyledPlan::Smooth(plan) => plan,
@@ -333,7 +334,7 @@ fn notes(plan: &StyledPlan, measures: &WalkMeasures) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if measures.steady.is_none() {
+    if measures.steady.is_none() && !repeats {
         notes.push(
             "too few steps for a steady stride, so there is nothing to hold against people's bands"
                 .to_owned(),

@@ -110,9 +110,9 @@ fn refuse_others(matches: &ArgMatches, thesis: bool, determinants: Determinants)
                 && !(determinants == Determinants::Three && name == "rotation")
         }
     };
-    let all = PARAMETERS.iter().map(|parameter| parameter.name).chain(key_options());
+    let mut all = PARAMETERS.iter().map(|parameter| parameter.name).chain(key_options());
     let count = determinants.count();
-    for name in all.filter(|name| typed(matches, name).is_some() && !has(name)) {
+    if let Some(name) = all.find(|name| typed(matches, name).is_some() && !has(name)) {
         let why = format!("the style '{style}' of {count} determinants has no such parameter");
         return Err(out_of_range(matches, name, why));
     }

@@ -65,8 +65,7 @@ fn a_bad_row_is_a_row_with_its_reason() {
 #[test]
 fn a_row_has_the_numbers_of_the_walk_itself() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("people.csv"), "height,speed,steps,tilt\n1.62,1.1,9,5\n")
-        .expect("written");
+    fs::write(folder.path().join("people.csv"), "height,speed,steps,tilt\n1.62,1.1,9,5\n").expect("written");
     succeeded(&solaris(folder.path(), &["sweep", "people.csv", "-o", "metrics.csv"]));
     let table = read_rows(&read(&folder.path().join("metrics.csv"))).expect("a table");
     let words = "walk --height 1.62 --speed 1.1 --steps 9 --tilt 5 --json";

@@ -33,7 +33,7 @@ impl Repeat {
 
     /// The clock of a contact from which on a stride repeats itself, where there is one.
     pub(super) fn middle(&self) -> Option<f64> {
-        (self.planned + 1 >= LONGEST).then(|| (self.planned / 4) as f64)
+        (self.planned + 1 >= LONGEST).then_some((self.planned / 4) as f64)
     }
 
     /// The clock of the planned walk for one of the whole walk, and how much farther along the body is (m).
