@@ -42,7 +42,7 @@ Scene(
 
 /// Three walks, and two that cannot be.
 const PEOPLE: &str = "\
-height,mass,speed,steps,pelvic-tilt
+height,mass,speed,steps,tilt
 1.60,55,1.2,2,
 1.85,,1.4,1,5
 1.75,73,,8,

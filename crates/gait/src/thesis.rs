@@ -79,6 +79,8 @@ pub struct ThesisWalk {
     pub proportions: Proportions,
     /// How many determinants.
     pub determinants: Determinants,
+    /// What lies between the postures.
+    pub in_between: InBetween,
     /// Steps a minute.
     pub step_frequency: f64,
     /// Length of a step (m).
@@ -181,8 +183,17 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
         left_first: request.left_first,
     };
     let walk = KeyedWalk::new(figure, &script, options)?;
-    let determinants = request.determinants;
-    Ok(ThesisWalk { walk, postures, proportions, determinants, step_frequency, step_length, steps })
+    let ThesisRequest { determinants, in_between, .. } = request;
+    Ok(ThesisWalk {
+        walk,
+        postures,
+        proportions,
+        determinants,
+        in_between,
+        step_frequency,
+        step_length,
+        steps,
+    })
 }
 
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.

@@ -1,13 +1,17 @@
 //! One walk as a row of numbers.
 
 use solaris_gait::sweep::{COLUMNS, Walked, metrics_of};
-use solaris_gait::{Extent, FEET, GaitError, WalkRequest, measure, walk};
+use solaris_gait::{Extent, FEET, GaitError, StyledRequest, WalkRequest, measure, walk};
 use solaris_model::human;
 use solaris_modes::ground_reactions;
 use std::collections::BTreeSet;
 
 fn steps(steps: usize) -> WalkRequest {
     WalkRequest { extent: Extent::Steps(steps), ..WalkRequest::default() }
+}
+
+fn smooth(request: WalkRequest) -> StyledRequest {
+    StyledRequest::Smooth(request)
 }
 
 fn value(row: &[Option<f64>], heading: &str) -> Option<f64> {
@@ -21,7 +25,7 @@ fn a_row_has_the_numbers_of_the_walk() {
     let mut motion = plan.motion(&ann, 120.0).expect("frames");
     ground_reactions(&ann, &mut motion, FEET, &plan).expect("forces");
     let measures = measure(&ann, &motion).expect("measures");
-    let row = metrics_of(&ann, &steps(8), 120.0).expect("a row");
+    let row = metrics_of(&ann, &smooth(steps(8)), 120.0).expect("a row");
     let bits = |value: Option<f64>| value.map(f64::to_bits);
     for (heading, wanted) in [
         ("walked_steps", 8.0),
@@ -34,7 +38,7 @@ fn a_row_has_the_numbers_of_the_walk() {
     ] {
         assert_eq!(bits(value(&row, heading)), bits(Some(wanted)), "{heading}");
     }
-    let sum = |of: fn(&Walked) -> f64| of(&Walked::of(&ann, &steps(8), 120.0).expect("walked"));
+    let sum = |of: fn(&Walked) -> f64| of(&Walked::of(&ann, &smooth(steps(8)), 120.0).expect("walked"));
     // docs/walking.md has 15 N m in a steady stride and 30 at the end for a larger person.
     let free = sum(|walked| walked.free_moment.value);
     assert!((10.0..40.0).contains(&free), "{free} N m");
@@ -44,7 +48,7 @@ fn a_row_has_the_numbers_of_the_walk() {
 fn short_walks_have_no_steady_stride() {
     let ann = human(1.65, 58.0).expect("a person");
     for count in [1, 2, 3, 8] {
-        let row = metrics_of(&ann, &steps(count), 60.0).expect("a row");
+        let row = metrics_of(&ann, &smooth(steps(count)), 60.0).expect("a row");
         let empty: Vec<&str> = COLUMNS
             .iter()
             .zip(&row)
@@ -68,10 +72,10 @@ fn what_cannot_be_done_says_why() {
     let ann = human(1.65, 58.0).expect("a person");
     let fast = WalkRequest { speed: Some(2.9), ..steps(3) };
     assert!(matches!(
-        metrics_of(&ann, &fast, 60.0),
+        metrics_of(&ann, &smooth(fast), 60.0),
         Err(GaitError::Range { .. } | GaitError::StepLength { .. })
     ));
-    assert!(matches!(metrics_of(&ann, &steps(3), 0.0), Err(GaitError::Reaction(_))));
-    let said = metrics_of(&ann, &steps(300), 1000.0).expect_err("too long").to_string();
+    assert!(matches!(metrics_of(&ann, &smooth(steps(3)), 0.0), Err(GaitError::Reaction(_))));
+    let said = metrics_of(&ann, &smooth(steps(300)), 1000.0).expect_err("too long").to_string();
     assert!(said.contains("more than 150000"), "{said}");
 }

@@ -19,7 +19,6 @@ pub(super) struct Asked {
 }
 
 impl Asked {
-    /// `but` are names of parameters that need no value of their own.
     pub(super) fn of(matches: &ArgMatches) -> Result<Self, CliError> {
         let word = |name: &str| matches.get_one::<String>(name).map(String::as_str);
         let number = |name: &str| matches.get_one::<f64>(name).copied();

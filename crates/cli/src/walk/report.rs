@@ -4,8 +4,8 @@ use super::planned::{Planned, postures, style};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, FRICTION, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
-    check_bands,
+    Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO,
+    WalkMeasures, check_bands,
 };
 use solaris::modes::RootReport;
 use std::io::Write;
@@ -216,7 +216,8 @@ impl Report {
             walk: Walk {
                 style: style(&plan),
                 repeats,
-                steps: m.steps,
+                // Of a stride only one touch-down is within, the other is its begin.
+                steps: if repeats { 2 } else { m.steps },
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
                 step_length_over_peoples: step_length / (WALK_RATIO * height * step_frequency),
@@ -247,7 +248,7 @@ impl Report {
             beside_key_postures: beside,
             forces,
             run_time: RunTime { planning_s: planning.as_secs_f64(), with_forces_s: solving.as_secs_f64() },
-            notes: notes(&plan, m),
+            notes: notes(&plan, m, repeats),
         }
     }
 
@@ -305,15 +306,17 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
 }
 
 /// What is known to be wrong with such a walk, said where it shows.
-fn notes(plan: &StyledPlan, measures: &WalkMeasures) -> Vec<String> {
+fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<String> {
     let mut notes = Vec::new();
     let plan = match plan {
         StyledPlan::Smooth(plan) => plan,
-        StyledPlan::Thesis(_) => {
-            notes.push(format!(
-                "the body stops at every posture: forces reach {:.0} %BW; --style smooth walks on",
-                measures.vertical.value
-            ));
+        StyledPlan::Thesis(plan) => {
+            let what = match plan.in_between {
+                InBetween::Rest => "the body stops at every posture",
+                InBetween::Linear => "the body's velocity jumps at every posture",
+            };
+            let reach = measures.vertical.value;
+            notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
             return notes;
         }
     };
@@ -352,7 +355,7 @@ fn notes(plan: &StyledPlan, measures: &WalkMeasures) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if measures.steady.is_none() {
+    if measures.steady.is_none() && !repeats {
         notes.push(
             "too few steps for a steady stride, so there is nothing to hold against people's bands"
                 .to_owned(),

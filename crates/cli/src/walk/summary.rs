@@ -94,7 +94,9 @@ pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>
 
 fn lines(rows: &[Row]) -> String {
     let line = |Row { label, value, unit, note }: &Row| {
-        let line = format!("  {label:<28}{value:>13} {unit:<9} {note}");
+        // A long label leaves less to its value.
+        let room = 41 - label.chars().count().min(40);
+        let line = format!("  {label}{value:>room$} {unit:<9} {note}");
         line.trim_end().to_owned() + "\n"
     };
     rows.iter().map(line).collect()

@@ -86,8 +86,33 @@ fn every_example_of_the_help_runs() {
     for example in examples {
         succeeded(&solaris(folder.path(), &example.split(' ').collect::<Vec<_>>()));
     }
-    let written = ["child.csv", "child.html", "stiff.bvh", "stiff.json", "walk.html"];
+    let written =
+        ["child.csv", "child.html", "loop.bvh", "stiff.bvh", "stiff.json", "thesis.html", "walk.html"];
     assert_eq!(names(folder.path()), written);
+}
+
+#[test]
+fn every_example_of_gaits_help_runs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut run = 0;
+    for command in ["table", "map", "explain"] {
+        let [all, own] = [&["gait", "--help"] as &[&str], &["gait", command, "--help"]]
+            .map(|args| succeeded(&solaris(folder.path(), args)));
+        let example = format!("  solaris gait {command}");
+        let lines = all.lines().chain(own.lines()).filter(|line| line.starts_with(&example));
+        for line in lines.map(|line| line.trim_start_matches("  solaris ")) {
+            let output = solaris(folder.path(), &line.split(' ').collect::<Vec<_>>());
+            // One of them shows a refusal.
+            if line.ends_with("--heel-strike-angle 32") {
+                refused(&output);
+            } else {
+                succeeded(&output);
+            }
+            run += 1;
+        }
+    }
+    assert_eq!(run, 9);
+    assert_eq!(names(folder.path()), ["map.html", "map.svg", "postures.svg"]);
 }
 
 #[test]

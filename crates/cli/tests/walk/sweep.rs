@@ -65,11 +65,10 @@ fn a_bad_row_is_a_row_with_its_reason() {
 #[test]
 fn a_row_has_the_numbers_of_the_walk_itself() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("people.csv"), "height,speed,steps,pelvic-tilt\n1.62,1.1,9,5\n")
-        .expect("written");
+    fs::write(folder.path().join("people.csv"), "height,speed,steps,tilt\n1.62,1.1,9,5\n").expect("written");
     succeeded(&solaris(folder.path(), &["sweep", "people.csv", "-o", "metrics.csv"]));
     let table = read_rows(&read(&folder.path().join("metrics.csv"))).expect("a table");
-    let words = "walk --height 1.62 --speed 1.1 --steps 9 --pelvic-tilt 5 --json";
+    let words = "walk --height 1.62 --speed 1.1 --steps 9 --tilt 5 --json";
     let printed = succeeded(&solaris(folder.path(), &words.split(' ').collect::<Vec<_>>()));
     let value: Value = serde_json::from_str(&printed).expect("JSON");
     for (heading, pointer, factor) in [

@@ -60,7 +60,7 @@ pub(super) fn foot_rise(p: &Proportions) -> f64 {
 /// g(φ) = (L₂ + ball below) cos φ + L₃ sin φ = R cos(φ − γ)
 /// ```
 ///
-/// The same holds for θ₁ and θ₃ of the starting cycle: (7.1) to (7.3) and (7.5), E1 corrected.
+/// The same holds for θ₁ and θ₃ of the starting cycle: (7.1) to (7.3) and (7.5), corrected (G1 of `docs/sources.md`).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LiftingLeg {
     /// L₁.
