@@ -77,7 +77,8 @@ impl Planned {
         if looped == Some(Looped::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
-        let beside = beside(&plan, determinants(matches));
+        // One stride has its own clock.
+        let beside = if looped.is_none() { beside(&plan, determinants(matches)) } else { None };
         Ok(Self {
             plan,
             motion,
