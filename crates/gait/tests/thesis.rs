@@ -1,39 +1,16 @@
 //! Walks in the thesis's style: every posture met, what is planted stays, nothing sinks, and the laws that hold for any walk.
 
+mod stage;
+
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
-use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_gait::determinants::{Determinants, DoubleSupport};
 use solaris_gait::{
     Extent, FEET, GaitError, InBetween, StyledPlan, StyledRequest, ThesisRequest, ThesisWalk, thesis_walk,
 };
 use solaris_model::{EventKind, Figure, SolePart, Trajectory, human};
 use solaris_modes::reactions_from_feet;
-
-/// A figure posed by a walk.
-struct Stage<'a> {
-    walk: &'a dyn Trajectory,
-    tree: Tree<f64>,
-    workspace: Workspace<f64>,
-    q: Vec<f64>,
-}
-
-impl<'a> Stage<'a> {
-    fn new(figure: &Figure, walk: &'a dyn Trajectory) -> Self {
-        let tree = Tree::<f64>::new(figure, Vector3::zeros()).expect("a tree");
-        Self { walk, workspace: Workspace::new(&tree), tree, q: vec![0.0; figure.layout().nq()] }
-    }
-
-    fn pose(&mut self, t: f64) {
-        self.walk.configuration(t, &mut self.q);
-        forward_kinematics(&self.tree, &mut self.workspace, &self.q).expect("a configuration");
-    }
-
-    /// World position of a link's point.
-    fn at(&self, link: usize, point: &Vector3<f64>) -> Vector3<f64> {
-        self.workspace.pose(link).transform(point)
-    }
-}
+use stage::Stage;
 
 fn walked(figure: &Figure, determinants: Determinants, step_frequency: f64, steps: usize) -> ThesisWalk {
     let request = ThesisRequest {
@@ -136,11 +113,11 @@ fn every_posture_is_met() {
                 let side = ["left", "right"][if leg == 0 { stance } else { 1 - stance }];
                 let place = |part: &str| {
                     let link = figure.link_index(&format!("{side}_{part}")).expect("a segment");
-                    (link, stage.workspace.pose(link).translation)
+                    (link, stage.pose_of(link).translation)
                 };
                 let [thigh, shank, foot, toes] = ["thigh", "shank", "foot", "toes"].map(place);
                 let toe = |link: usize| {
-                    let forward = stage.workspace.pose(link).rotation * Vector3::z();
+                    let forward = stage.pose_of(link).rotation * Vector3::z();
                     (-forward.y).atan2(forward.z)
                 };
                 // The pelvis' tilt and turn narrow the hips, and legs that lean to the side by 0.1° reach 1e-7 m less: straight
