@@ -69,6 +69,12 @@ impl KeyedWalk {
         &self.prints
     }
 
+    /// How far the toe of the foot behind would slide forward (m) between two postures that both have it on the ground, if it did
+    /// not count as lifted; of the last step that has such a pair.
+    pub fn toe_slide(&self) -> Option<f64> {
+        self.phases.iter().rev().find_map(|phase| phase.slid)
+    }
+
     /// Duration of a step (s).
     pub fn step_time(&self) -> f64 {
         self.step_time

@@ -9,7 +9,7 @@ use crate::walker::{DEFAULT_STEP_FREQUENCY, Extent, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
 /// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75.
-pub const THESIS_STEP_FREQUENCY: (f64, f64) = (20.0, 180.0);
+pub const THESIS_STEP_FREQUENCY: (f64, f64) = (30.0, 180.0);
 
 /// What is asked of a walk in the thesis's style: key postures of three or five determinants, and profiles between them.
 ///

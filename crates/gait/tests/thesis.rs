@@ -275,3 +275,16 @@ fn what_cannot_be_walked_is_refused_with_what_could_be() {
         assert!(error.contains(says), "{error}");
     }
 }
+
+/// The printed postures of three determinants slide the toe that they have on the ground, as the table's choice does by 179 mm.
+#[test]
+fn three_determinants_say_how_far_a_toe_would_slide() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let slide =
+        |determinants, step_frequency| walked(&figure, determinants, step_frequency, 3).walk.toe_slide();
+    assert_eq!(slide(Determinants::Five, 105.0), None);
+    let at_105 = slide(Determinants::Three, 105.0).expect("a slide");
+    assert!((0.1..0.4).contains(&at_105), "{at_105}");
+    let at_70 = slide(Determinants::Three, 70.0).expect("a slide");
+    assert!(at_70 < at_105, "{at_70} {at_105}");
+}

@@ -56,6 +56,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         for remark in solution.remarks.iter().filter(|remark| !remark.holds()) {
             writeln!(out, "\nnote: the thesis asks for {remark}; nothing breaks without")?;
         }
+        write!(out, "{}", asked.note())?;
         let is_written = outputs.paths().next().is_some();
         writeln!(
             out,

@@ -55,7 +55,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let map = map.map_err(|error| CliError::of_gait(error, matches))?;
     let mark = axes.map(|axis| asked.choice.values[axis]);
     let title = asked.title();
-    let svg = || regions(&picture(&map, mark), &title);
+    let svg = || regions(&picture(&map, mark, asked.unit), &title);
     outputs.write(|format, writer| {
         let text = match format {
             Format::Svg => svg(),
@@ -91,6 +91,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         for failing in marked.iter().filter(|condition| !condition.holds()) {
             writeln!(out, "  fails {failing}")?;
         }
+        write!(out, "{}", asked.note())?;
         let is_written = outputs.paths().next().is_some();
         writeln!(out, "{}", if is_written { "" } else { "\nnothing is written; add -o map.svg to see it" })?;
         outputs.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
@@ -107,8 +108,11 @@ fn inequality(condition: MapCondition) -> String {
     format!("{} {}", condition.name, condition.text)
 }
 
-fn picture(map: &FeasibleMap, mark: [f64; 2]) -> Regions<'_> {
-    let label = |axis: &KeyParameter| format!("{} {} ({})", axis.name, axis.symbol, axis.unit.trim());
+fn picture<'a>(map: &'a FeasibleMap, mark: [f64; 2], length: &str) -> Regions<'a> {
+    let label = |axis: &KeyParameter| {
+        let unit = if axis.unit == " m" { length } else { axis.unit };
+        format!("{} {} ({unit})", axis.name, axis.symbol)
+    };
     let inside = (0..2).all(|axis| (map.spans[axis].0..=map.spans[axis].1).contains(&mark[axis]));
     Regions {
         axes: [label(&map.axes[0]), label(&map.axes[1])],

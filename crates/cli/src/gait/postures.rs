@@ -16,6 +16,8 @@ pub(super) struct Asked {
     pub(super) proportions: Proportions,
     pub(super) parameters: Vec<KeyParameter>,
     pub(super) choice: KeyChoice,
+    /// What a length is in.
+    pub(super) unit: &'static str,
 }
 
 impl Asked {
@@ -57,7 +59,17 @@ impl Asked {
         };
         let choice =
             KeyChoice::of(&proportions, &request).map_err(|error| CliError::of_gait(error, matches))?;
-        Ok(Self { determinants, proportions, parameters, choice })
+        let unit = if word("body") == Some("fit") { "leg lengths" } else { "m" };
+        Ok(Self { determinants, proportions, parameters, choice, unit })
+    }
+
+    /// What is to be said of lengths that are not in metres.
+    pub(super) fn note(&self) -> String {
+        if self.unit == "m" {
+            String::new()
+        } else {
+            format!("\nnote: what is written in m is in {}: L₁ + L₂ is 1\n", self.unit)
+        }
     }
 
     /// In a few words.

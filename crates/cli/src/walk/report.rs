@@ -317,6 +317,12 @@ fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<Strin
             };
             let reach = measures.vertical.value;
             notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
+            if let Some(slide) = plan.walk.toe_slide() {
+                notes.push(format!(
+                    "both postures have the toe of the foot behind on the ground, {:.0} mm apart: it counts as lifted between",
+                    1e3 * slide.abs()
+                ));
+            }
             return notes;
         }
     };

@@ -29,6 +29,8 @@ pub(super) struct Phase {
     pub(super) to: KeyPosture,
     /// What the other foot does.
     pub(super) free: Free,
+    /// How far its toe would slide (m) if it stayed on the ground, as both postures have it, and did not lift.
+    pub(super) slid: Option<f64>,
 }
 
 impl Phase {
@@ -58,6 +60,7 @@ impl Phase {
             from,
             to,
             free: Free::Swings(Lift::default()),
+            slid: None,
         };
         let [a, b] = [from, to].map(|posture| phase.other_foot(p, &posture));
         let same = |a: [f64; 2], b: [f64; 2], height: f64| {
@@ -69,6 +72,10 @@ impl Phase {
             Free::Pinned { point: Root::Ball, at: [b.ball[0], p.ball_height] }
         } else {
             let lowest = |joints: &crate::determinants::Joints| joints.heel[1].min(joints.tip[1]).max(0.0);
+            let on_ground = [a, b].iter().all(|joints| (joints.ball[1] - p.ball_height).abs() < SAME_PLACE);
+            // A foot that ends on its ball is about to leave; one that ends flat has been in the air.
+            let leaves = to.legs[phase.legs()[1]].foot > 0.0;
+            phase.slid = (on_ground && leaves).then_some(b.ball[0] - a.ball[0]);
             Free::Swings(Lift::new(lowest(&a), lowest(&b), options.clearance))
         };
         phase
