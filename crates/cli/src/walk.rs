@@ -5,6 +5,7 @@ mod planned;
 mod report;
 mod request;
 mod summary;
+mod told;
 
 use crate::args::{BODY_MASS_INDEX, HEIGHT, RATE, check};
 use crate::error::CliError;

@@ -6,10 +6,12 @@
 
 mod contact;
 mod foot;
+mod options;
 mod phase;
 mod script;
 
-pub use script::{InBetween, KeyScript, KeyedOptions, ScriptCycle};
+pub use options::{InBetween, KeyedOptions};
+pub use script::{KeyScript, ScriptCycle};
 
 use crate::body::Body;
 use crate::determinants::Proportions;

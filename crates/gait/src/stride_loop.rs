@@ -1,7 +1,5 @@
 //! One stride of a walk, exactly as long as it is, to be repeated for ever: what games ask for.
 
-use crate::keyed::KeyedWalk;
-use crate::walk::WalkPlan;
 use nalgebra::Vector3;
 use solaris_model::{Event, Figure, Interval, Motion, MotionError, MotionInfo, Trajectory};
 use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
@@ -12,26 +10,6 @@ pub trait Walking: Trajectory {
     fn events(&self) -> Vec<Event>;
     /// When which point of the soles is planted.
     fn planted(&self, figure: &Figure) -> Vec<Interval>;
-}
-
-impl Walking for WalkPlan {
-    fn events(&self) -> Vec<Event> {
-        Self::events(self)
-    }
-
-    fn planted(&self, figure: &Figure) -> Vec<Interval> {
-        Self::planted(self, figure)
-    }
-}
-
-impl Walking for KeyedWalk {
-    fn events(&self) -> Vec<Event> {
-        Self::events(self)
-    }
-
-    fn planted(&self, figure: &Figure) -> Vec<Interval> {
-        Self::planted(self, figure)
-    }
 }
 
 /// The stride of a walk from a time on, as a curve that repeats itself a stride farther along z.
@@ -126,7 +104,7 @@ impl<W: Walking + SupportLaw> SupportLaw for StrideLoop<'_, W> {
     }
 }
 
-impl StrideLoop<'_, WalkPlan> {
+impl<W: Walking + SupportLaw> StrideLoop<'_, W> {
     /// The same as [`Self::motion`], with accelerations that carry the centre of mass exactly.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! A planned walk with its forces, whatever its style.
 
-use super::report::{BesideKeyPostures, BesidePosture, Forces, KeyPostures, Pull, roots};
 use super::request::{Looped, determinants};
+use super::told::{BesideKeyPostures, BesidePosture, Forces, KeyPostures, Pull, roots};
 use crate::error::CliError;
 use crate::progress::Progress;
 use clap::ArgMatches;

@@ -1,13 +1,13 @@
 //! The numbers of a walk, as they are written to JSON.
 
 use super::planned::{Planned, postures, style};
+use super::told::{BesideKeyPostures, Extreme, Forces, KeyPostures};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
     Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO,
     WalkMeasures, check_bands,
 };
-use solaris::modes::RootReport;
 use std::io::Write;
 
 /// Everything that a walk came to.
@@ -35,35 +35,6 @@ pub(crate) struct Report {
 pub(crate) struct Person {
     pub(crate) height_m: f64,
     pub(crate) mass_kg: f64,
-}
-
-/// What the key postures of the thesis's style are.
-#[derive(Debug, Serialize)]
-pub(crate) struct KeyPostures {
-    pub(crate) determinants: usize,
-    /// Name, symbol, value, unit.
-    pub(crate) parameters: Vec<(&'static str, &'static str, f64, &'static str)>,
-    /// Symbol, what it is, degrees.
-    pub(crate) angles_deg: Vec<(&'static str, &'static str, f64)>,
-    /// What the thesis asks for besides, and these do not have.
-    pub(crate) remarks: Vec<String>,
-}
-
-/// A smooth walk less the key postures of the same step.
-#[derive(Debug, Serialize)]
-pub(crate) struct BesideKeyPostures {
-    pub(crate) determinants: usize,
-    pub(crate) postures: Vec<BesidePosture>,
-}
-
-/// A smooth walk less a key posture (degrees).
-#[derive(Debug, Serialize)]
-pub(crate) struct BesidePosture {
-    pub(crate) posture: &'static str,
-    pub(crate) at_s: f64,
-    /// Thigh, shank, foot; backward and toe down are positive.
-    pub(crate) stance_deg: [f64; 3],
-    pub(crate) swing_deg: [f64; 3],
 }
 
 #[derive(Debug, Serialize)]
@@ -95,12 +66,6 @@ pub(crate) struct Stride {
     pub(crate) stance_percent: f64,
     /// Step length over cadence; people's is 0.0065 (cited).
     pub(crate) walk_ratio_m_min: f64,
-}
-
-#[derive(Debug, Serialize)]
-pub(crate) struct Extreme {
-    pub(crate) value: f64,
-    pub(crate) at_s: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -148,47 +113,6 @@ pub(crate) struct Check {
     pub(crate) lower: f64,
     pub(crate) upper: f64,
     pub(crate) inside: bool,
-}
-
-#[derive(Debug, Serialize)]
-pub(crate) struct Forces {
-    pub(crate) double_support_split: &'static str,
-    pub(crate) root_residual_n: f64,
-    pub(crate) root_residual_n_m: f64,
-    /// How far the total force that the motion implies is from the one that was prescribed.
-    pub(crate) from_prescribed_n: Option<Extreme>,
-    pub(crate) cop_from_prescribed_m: Option<Extreme>,
-    /// Where the ground would have to pull.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) pulls: Option<Pull>,
-    /// Where they were computed from the foot that stands.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) roots: Option<Roots>,
-}
-
-/// The ground would have to pull at a foot.
-#[derive(Debug, Serialize)]
-pub(crate) struct Pull {
-    pub(crate) least_percent_bw: f64,
-    pub(crate) at_s: f64,
-    /// Share of that foot's stance in which it would.
-    pub(crate) share_of_stance: f64,
-}
-
-impl From<(f64, f64)> for Extreme {
-    fn from((value, at_s): (f64, f64)) -> Self {
-        Self { value, at_s }
-    }
-}
-
-/// What computing from the foot that stands came to.
-#[derive(Debug, Serialize)]
-pub(crate) struct Roots {
-    /// Link and time of each root.
-    pub(crate) links: Vec<(String, f64)>,
-    /// Greatest difference of a reaction, and of a joint's force, from those that the pelvis as the root gives.
-    pub(crate) force_differs_n: f64,
-    pub(crate) torque_differs_n_m: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -256,14 +180,6 @@ impl Report {
     pub(crate) fn write(&self, mut writer: impl Write) -> std::io::Result<()> {
         serde_json::to_writer_pretty(&mut writer, self).map_err(std::io::Error::from)?;
         writer.write_all(b"\n")
-    }
-}
-
-pub(super) fn roots(report: &RootReport) -> Roots {
-    Roots {
-        links: report.roots.iter().map(|(time, link)| (link.clone(), *time)).collect(),
-        force_differs_n: report.reaction.0,
-        torque_differs_n_m: report.torque,
     }
 }
 

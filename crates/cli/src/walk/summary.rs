@@ -1,7 +1,8 @@
 //! The table that a walk prints, and the one on its page.
 
 use super::numbers::{beside, fixed, short, wrapped};
-use super::report::{BandList, BesideKeyPostures, BesidePosture, Check, Extreme, KeyPostures, Report};
+use super::report::{BandList, Check, Report};
+use super::told::{BesideKeyPostures, BesidePosture, Extreme, KeyPostures};
 use solaris::view::TableRow;
 use std::fmt::Write;
 use std::path::Path;

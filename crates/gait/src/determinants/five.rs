@@ -24,15 +24,16 @@ mod cycles;
 mod parameters;
 mod presets;
 mod rise;
+mod sides;
 mod sway;
 mod tables;
 mod times;
 mod trunk;
 
-pub use arms::ArmCoefficients;
+pub use arms::{ArmCoefficients, arm_remarks};
 pub use automatic::AUTOMATIC_STEP;
 pub use closed::{FiveAngles, close, solve};
-pub use conditions::{arm_remarks, conditions, remarks};
+pub use conditions::{conditions, remarks};
 pub use cycles::{Upper, phases, posture_before};
 pub use parameters::{FiveParameters, PARAMETERS, parameters_of};
 pub use presets::Family;

@@ -3,6 +3,7 @@
 use super::KeyedWalk;
 use super::foot::Free;
 use crate::determinants::Root;
+use crate::stride_loop::Walking;
 use crate::walk::FEET;
 use solaris_model::{
     Event, EventKind, Figure, Interval, Motion, MotionError, MotionInfo, SolePart, Trajectory as _,
@@ -98,5 +99,15 @@ impl KeyedWalk {
         }
         planted.sort_by(|a, b| a.start.total_cmp(&b.start));
         planted
+    }
+}
+
+impl Walking for KeyedWalk {
+    fn events(&self) -> Vec<Event> {
+        Self::events(self)
+    }
+
+    fn planted(&self, figure: &Figure) -> Vec<Interval> {
+        Self::planted(self, figure)
     }
 }

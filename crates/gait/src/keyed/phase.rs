@@ -1,7 +1,7 @@
 //! One phase: postures between two key postures, built up from the root.
 
 use super::foot::{Free, Lift, SideLeg};
-use super::script::{InBetween, KeyedOptions};
+use super::options::{InBetween, KeyedOptions};
 use crate::body::Body;
 use crate::determinants::{ArmAngles, KeyPosture, LegAngles, PhaseRoot, Proportions, Root, TrunkAngles};
 use crate::foot::FootPlane;

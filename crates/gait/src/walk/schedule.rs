@@ -3,6 +3,7 @@
 use super::laws::Kind;
 use super::plan::WalkPlan;
 use crate::prescribed::G;
+use crate::stride_loop::Walking;
 use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory as _};
 use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 
@@ -106,5 +107,15 @@ impl SupportLaw for WalkPlan {
     fn support(&self, t: f64) -> Support {
         let u = self.clock_at(t);
         Support { feet: self.support(u), pivot: self.laws.style.pivot, force: Some(self.force(u)) }
+    }
+}
+
+impl Walking for WalkPlan {
+    fn events(&self) -> Vec<Event> {
+        Self::events(self)
+    }
+
+    fn planted(&self, figure: &Figure) -> Vec<Interval> {
+        Self::planted(self, figure)
     }
 }

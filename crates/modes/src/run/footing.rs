@@ -3,6 +3,7 @@
 mod denied;
 mod landing;
 mod standing;
+pub(crate) mod state;
 
 use super::driven::Meaning;
 use super::guard;
@@ -34,19 +35,6 @@ const PULL: f64 = 1e-6;
 
 /// The part of the weight below zero at which a lever gives way on the way, so that none that is taken as holding has done so already.
 pub(super) const SLACK: f64 = 2.0 * PULL;
-
-/// What stands on the ground.
-#[derive(Default)]
-pub(crate) struct Footing {
-    pub(crate) holds: Vec<Foothold>,
-    /// For each of them the link that it counts as on: of a rigid part, the one nearest to the root that touches.
-    pub(crate) links: Vec<usize>,
-    /// What is not held but could come down: touches, each with how far below the ground (m) it is seen.
-    pub(crate) open: Vec<(usize, f64)>,
-    /// Rigid parts, by their first links, that slide: held they would be pulled, and let go they would sink.
-    sliding: Vec<usize>,
-    begun: bool,
-}
 
 /// Touches in an instant.
 struct Scene {

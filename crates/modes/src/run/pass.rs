@@ -1,7 +1,7 @@
 //! One pass through a simulation, by one method.
 
 use super::driven::{Driven, Meaning, Mode};
-use super::footing::Footing;
+use super::footing::state::Footing;
 use super::guard;
 use super::ledger::Ledger;
 use super::record::{Record, near};

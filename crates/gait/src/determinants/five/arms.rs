@@ -1,8 +1,9 @@
 //! Coordination of the arms with the legs.
 
+use super::super::condition::Condition;
 use super::super::posture::ArmAngles;
 use super::closed::FiveAngles;
-use super::conditions::arm_remarks;
+use super::sides::angles;
 
 /// Parts of the legs' angles that the arms take over, one for each phase (k₁…k₄, from 0 to 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,4 +110,22 @@ fn bounded(k: f64, pairs: [(f64, f64); 3]) -> f64 {
     // An angle that is not positive asks nothing of it.
     let bounds = pairs.map(|(from, of)| if of > 0.0 { from / of } else { f64::INFINITY });
     (PART * k * bounds.iter().copied().fold(f64::INFINITY, f64::min)).min(PART)
+}
+
+/// The nine conditions of the arms (§8.7), in numbers. The thesis asks for k's between 0 and 1 besides.
+///
+/// The first of phase 2 is printed α₁₁ − α₄ > 0; the arm that it is about comes from α₁.
+pub fn arm_remarks(angles_: &FiveAngles, k: &ArmCoefficients) -> Vec<Condition> {
+    let [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12] = k.targets(angles_);
+    vec![
+        angles("phase 1, 1", "α₁₂ > α₁", a1, a12),
+        angles("phase 1, 2", "α₂ > α₁₀", a10, a2),
+        angles("phase 1, 3", "α₃ > α₁₁", a11, a3),
+        angles("phase 2, 1", "α₁ > α₄", a4, a1),
+        angles("phase 2, 2", "α₂ > α₅", a5, a2),
+        angles("phase 2, 3", "α₃ > α₆", a6, a3),
+        angles("phase 3, 1", "α₄ > α₇", a7, a4),
+        angles("phase 3, 2", "α₅ > α₈", a8, a5),
+        angles("phase 3, 3", "α₆ > α₉", a9, a6),
+    ]
 }

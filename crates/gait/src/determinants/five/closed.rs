@@ -2,8 +2,8 @@
 
 use super::super::condition::{Condition, Infeasible};
 use super::super::proportions::Proportions;
-use super::conditions::{angles, cosine};
 use super::parameters::{FiveParameters, parameters_of};
+use super::sides::{angles, cosine};
 use crate::error::GaitError;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

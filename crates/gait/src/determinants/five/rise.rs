@@ -3,8 +3,8 @@
 use super::super::condition::{Condition, Infeasible};
 use super::super::proportions::Proportions;
 use super::closed::{close, hip_over_swing, infeasible, strike_angles};
-use super::conditions::cosine;
 use super::parameters::{FiveParameters, check_range, parameters_of};
+use super::sides::cosine;
 use super::trunk::{PARTS, TrunkAmplitudes};
 use crate::error::GaitError;
 

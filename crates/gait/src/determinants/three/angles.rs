@@ -1,8 +1,8 @@
 //! From the parameters to the angles of the postures, and what has to hold.
 
 use super::chain::{LiftingLeg, alpha, lift_off_height, xi};
-use super::parameters::ThreeParameters;
-use crate::determinants::{Condition, Proportions};
+use super::parameters::{ThreeParameters, parameters_for};
+use crate::determinants::{Condition, Infeasible, Proportions};
 use std::f64::consts::FRAC_PI_2;
 
 /// The angles of the key postures (rad); the pitches of chapter 7 without their signs.
@@ -28,6 +28,34 @@ pub struct ThreeAngles {
     pub phi: f64,
 }
 
+impl ThreeParameters {
+    /// All that has to hold, in the order in which it is asked.
+    ///
+    /// The thesis's four constraints are named `(i)` to `(iv)`. Before them stands what the equations themselves need, named
+    /// after them, and what an angle of 0° or more is, where it is not.
+    pub fn conditions(&self, p: &Proportions) -> Vec<Condition> {
+        conditions(self, p).1
+    }
+
+    /// The angles of all postures.
+    ///
+    /// # Errors
+    ///
+    /// Parameters that break a condition (what is not finite does), with the nearest feasible value of each.
+    pub fn solve(&self, p: &Proportions) -> Result<ThreeAngles, Infeasible> {
+        let (angles, all) = conditions(self, p);
+        let fails: Vec<Condition> = all.into_iter().filter(|condition| !condition.holds()).collect();
+        if fails.is_empty() {
+            return Ok(angles);
+        }
+        let feasible = |values: &[f64]| {
+            let trial = values.try_into().map(Self::from_values);
+            trial.is_ok_and(|trial| conditions(&trial, p).1.iter().all(Condition::holds))
+        };
+        Err(Infeasible::new(fails, &parameters_for(p), &self.values(), feasible))
+    }
+}
+
 /// The angles, and all conditions; where these fail the angles may be NaN.
 ///
 /// ```text
@@ -39,7 +67,7 @@ pub struct ThreeAngles {
 ///
 /// (7.1) to (7.6) and the constraints of §7.4.5, with L₁ cos θ₁ where (7.2) has L₃ cos θ₁, θ₁ where (ii) has θ, and φ against the
 /// vertical. Feet have a height here, see [`LiftingLeg`].
-pub(super) fn conditions(parameters: &ThreeParameters, p: &Proportions) -> (ThreeAngles, Vec<Condition>) {
+fn conditions(parameters: &ThreeParameters, p: &Proportions) -> (ThreeAngles, Vec<Condition>) {
     let ThreeParameters { step_length, tilt, flexion: chi, start_lift_off: theta3, lift_off: phi } =
         *parameters;
     let leg = LiftingLeg::of(p);

@@ -19,8 +19,24 @@ fn within([low, high]: [f64; 2]) -> f64 {
     low + PART * (high - low)
 }
 
+impl ThreeParameters {
+    /// A choice for a step length (in the unit of the proportions), in closed form and without jumps:
+    ///
+    /// - the tilt δ is 5°, or as much less or more as a feasible flexion needs, 1° (or a quarter of the range) from the ends of
+    ///   [`tilt_range()`](super::tilt_range());
+    /// - the flexion χ is in the middle of [`chi_range()`](super::chi_range());
+    /// - θ₁ and ω are in the middle of [`lift_off_ranges()`](super::lift_off_ranges()), and θ₃ and φ follow.
+    ///
+    /// # Errors
+    ///
+    /// A step length at which no parameters are feasible, with the nearest one at which some are.
+    pub fn automatic(p: &Proportions, step_length: f64) -> Result<Self, Infeasible> {
+        choose(p, step_length).ok_or_else(|| refusal(p, step_length))
+    }
+}
+
 /// See [`ThreeParameters::automatic()`].
-pub(super) fn choose(p: &Proportions, step_length: f64) -> Option<ThreeParameters> {
+fn choose(p: &Proportions, step_length: f64) -> Option<ThreeParameters> {
     let [least, most] = tilt_range(p, step_length)?;
     let clear = CLEAR.to_radians().min(0.25 * (most - least));
     let tilt = TILT.to_radians().clamp(least + clear, most - clear);
@@ -40,7 +56,7 @@ pub(super) fn choose(p: &Proportions, step_length: f64) -> Option<ThreeParameter
 }
 
 /// Why no parameters are feasible at this step length.
-pub(super) fn refusal(p: &Proportions, step_length: f64) -> Infeasible {
+fn refusal(p: &Proportions, step_length: f64) -> Infeasible {
     let leg = LiftingLeg::of(p);
     let alpha = alpha(p, step_length);
     let mut all = Vec::new();

@@ -1,8 +1,6 @@
 //! The five numbers that decide the postures, and whether they can be.
 
-use super::angles::ThreeAngles;
-use super::automatic;
-use crate::determinants::{Condition, Infeasible, KeyParameter, Proportions};
+use crate::determinants::{KeyParameter, Proportions};
 
 /// What three determinants are told (rad, and the unit of the proportions).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,46 +78,6 @@ impl ThreeParameters {
             start_lift_off: start_lift_off.to_radians(),
             lift_off: lift_off.to_radians(),
         }
-    }
-
-    /// A choice for a step length (in the unit of the proportions), in closed form and without jumps:
-    ///
-    /// - the tilt δ is 5°, or as much less or more as a feasible flexion needs, 1° (or a quarter of the range) from the ends of
-    ///   [`tilt_range()`](super::tilt_range());
-    /// - the flexion χ is in the middle of [`chi_range()`](super::chi_range());
-    /// - θ₁ and ω are in the middle of [`lift_off_ranges()`](super::lift_off_ranges()), and θ₃ and φ follow.
-    ///
-    /// # Errors
-    ///
-    /// A step length at which no parameters are feasible, with the nearest one at which some are.
-    pub fn automatic(p: &Proportions, step_length: f64) -> Result<Self, Infeasible> {
-        automatic::choose(p, step_length).ok_or_else(|| automatic::refusal(p, step_length))
-    }
-
-    /// All that has to hold, in the order in which it is asked.
-    ///
-    /// The thesis's four constraints are named `(i)` to `(iv)`. Before them stands what the equations themselves need, named
-    /// after them, and what an angle of 0° or more is, where it is not.
-    pub fn conditions(&self, p: &Proportions) -> Vec<Condition> {
-        super::angles::conditions(self, p).1
-    }
-
-    /// The angles of all postures.
-    ///
-    /// # Errors
-    ///
-    /// Parameters that break a condition (what is not finite does), with the nearest feasible value of each.
-    pub fn solve(&self, p: &Proportions) -> Result<ThreeAngles, Infeasible> {
-        let (angles, conditions) = super::angles::conditions(self, p);
-        let fails: Vec<Condition> = conditions.into_iter().filter(|condition| !condition.holds()).collect();
-        if fails.is_empty() {
-            return Ok(angles);
-        }
-        let feasible = |values: &[f64]| {
-            let trial = values.try_into().map(Self::from_values);
-            trial.is_ok_and(|trial| super::angles::conditions(&trial, p).1.iter().all(Condition::holds))
-        };
-        Err(Infeasible::new(fails, &parameters_for(p), &self.values(), feasible))
     }
 }
 

@@ -1,0 +1,16 @@
+//! What a run keeps of what stands on the ground.
+
+use crate::contact::Foothold;
+
+/// What stands on the ground.
+#[derive(Default)]
+pub(crate) struct Footing {
+    pub(crate) holds: Vec<Foothold>,
+    /// For each of them the link that it counts as on: of a rigid part, the one nearest to the root that touches.
+    pub(crate) links: Vec<usize>,
+    /// What is not held but could come down: touches, each with how far below the ground (m) it is seen.
+    pub(crate) open: Vec<(usize, f64)>,
+    /// Rigid parts, by their first links, that slide: held they would be pulled, and let go they would sink.
+    pub(super) sliding: Vec<usize>,
+    pub(super) begun: bool,
+}
