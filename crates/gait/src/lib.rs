@@ -15,6 +15,7 @@ mod map;
 mod measure;
 pub mod metrics;
 mod momentum;
+mod pace;
 mod parameter;
 mod parts;
 pub mod people;
@@ -43,6 +44,7 @@ pub use measure::{
     Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,
     measure,
 };
+pub use pace::DEFAULT_STEP_FREQUENCY;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stick::stick_figures;
 pub use stride::{Resolution, StridePlan};
@@ -51,6 +53,4 @@ pub use style::{Style, WALK_RATIO};
 pub use styled::{StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
 pub use walk::{FEET, WalkPlan};
-pub use walker::{
-    DEFAULT_STEP_FREQUENCY, Extent, FRICTION, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, WalkRequest, walk,
-};
+pub use walker::{Extent, FRICTION, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, WalkRequest, walk};

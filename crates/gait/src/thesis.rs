@@ -5,7 +5,8 @@ use crate::determinants::{Determinants, DoubleSupport, KeySolution, Proportions,
 use crate::error::GaitError;
 use crate::keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 use crate::lacks;
-use crate::walker::{DEFAULT_STEP_FREQUENCY, Extent, SHORTEST_DISTANCE, STEPS};
+use crate::pace;
+use crate::walker::{Extent, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
 /// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75.
@@ -109,7 +110,7 @@ impl KeyChoice {
     ///
     /// Numbers out of range, parameters that there are not, steps that nothing fits.
     pub fn of(p: &Proportions, request: &ThesisRequest) -> Result<Self, GaitError> {
-        let (step_frequency, step_length) = pace(request, p.height)?;
+        let (step_frequency, step_length) = settled(request, p.height)?;
         let determinants = request.determinants;
         let parameters = determinants.parameters(p);
         let mut given = vec![None; parameters.len()];
@@ -157,7 +158,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     let steps = match request.extent {
         Extent::Steps(steps) => steps,
         Extent::Distance(distance) => {
-            let (frequency, longest) = pace(&request, body.height)?;
+            let (frequency, longest) = settled(&request, body.height)?;
             range("distance", distance, " m", (SHORTEST_DISTANCE, STEPS.1 as f64 * longest))?;
             let steps = ((distance / longest - 1e-9).ceil() as usize).max(1);
             (request.step_frequency, request.speed) = (Some(frequency), None);
@@ -197,7 +198,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
 }
 
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.
-fn pace(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
+fn settled(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
     // A length that was given as a parameter is one all the same.
     let parameter =
         request.parameters.iter().find(|(name, _)| *name == "step-length").map(|(_, value)| *value);
@@ -209,22 +210,7 @@ fn pace(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
     {
         range(name, value, unit, (1e-3 * height, 3.0 * height))?;
     }
-    let ratio = THESIS_WALK_RATIO * height;
-    let (frequency, length) = match (frequency, length, speed) {
-        (Some(step_frequency), Some(step_length), Some(speed)) => {
-            return Err(GaitError::Overdetermined { step_frequency, step_length, speed });
-        }
-        (Some(frequency), Some(length), None) => (frequency, length),
-        (Some(frequency), None, Some(speed)) => (frequency, 60.0 * speed / frequency),
-        (None, Some(length), Some(speed)) => (60.0 * speed / length, length),
-        (Some(frequency), None, None) => (frequency, ratio * frequency),
-        (None, Some(length), None) => (length / ratio, length),
-        (None, None, Some(speed)) => {
-            let frequency = (60.0 * speed / ratio).sqrt();
-            (frequency, ratio * frequency)
-        }
-        (None, None, None) => (DEFAULT_STEP_FREQUENCY, ratio * DEFAULT_STEP_FREQUENCY),
-    };
+    let (frequency, length) = pace::settle(frequency, length, speed, THESIS_WALK_RATIO * height)?;
     range("step frequency", frequency, " steps/min", THESIS_STEP_FREQUENCY)?;
     Ok((frequency, length))
 }

@@ -3,6 +3,7 @@
 use crate::body::Body;
 use crate::error::GaitError;
 use crate::lacks;
+use crate::pace;
 use crate::parameter::Parameter;
 use crate::prescribed::friction;
 use crate::stride::{Resolution, StridePlan};
@@ -16,8 +17,6 @@ pub const STEP_FREQUENCY: (f64, f64) = (60.0, 118.0);
 pub const STEPS: (usize, usize) = (1, 10_000);
 /// Shortest distance (m).
 pub const SHORTEST_DISTANCE: f64 = 0.1;
-/// The step frequency when nothing else is asked (steps/min).
-pub const DEFAULT_STEP_FREQUENCY: f64 = 110.0;
 /// Part of people's step length by which it may be longer or shorter.
 const STEP_LENGTH_MARGIN: f64 = 0.12;
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
@@ -260,23 +259,7 @@ fn settle(request: &WalkRequest, height: f64) -> Result<(f64, f64), GaitError> {
             range(name, value, unit, limits, String::new)?;
         }
     }
-    let ratio = WALK_RATIO * height;
-    Ok(match (request.step_frequency, request.step_length, request.speed) {
-        (Some(step_frequency), Some(step_length), Some(speed)) => {
-            return Err(GaitError::Overdetermined { step_frequency, step_length, speed });
-        }
-        (Some(frequency), Some(length), None) => (frequency, length),
-        (Some(frequency), None, Some(speed)) => (frequency, 60.0 * speed / frequency),
-        (None, Some(length), Some(speed)) => (60.0 * speed / length, length),
-        (Some(frequency), None, None) => (frequency, ratio * frequency),
-        (None, Some(length), None) => (length / ratio, length),
-        // S = r·sf and v = S·sf/60.
-        (None, None, Some(speed)) => {
-            let frequency = (60.0 * speed / ratio).sqrt();
-            (frequency, ratio * frequency)
-        }
-        (None, None, None) => (DEFAULT_STEP_FREQUENCY, ratio * DEFAULT_STEP_FREQUENCY),
-    })
+    pace::settle(request.step_frequency, request.step_length, request.speed, WALK_RATIO * height)
 }
 
 /// A number for people: four decimals at most.
