@@ -51,6 +51,31 @@ pub enum GaitError {
         at: String,
         why: String,
     },
+    #[error("stage {number} of the journey: {why}")]
+    InStage { number: usize, why: Box<GaitError> },
+    #[error("a journey without a walk; give it one, if only of a single step")]
+    NoWalk,
+    #[error(
+        "foot-yaw {to:.1}°: the feet stand {from:.1}° outward after the walk before, and standing feet do not turn; give all \
+         walks the same"
+    )]
+    FeetWouldTurn { from: f64, to: f64 },
+    #[error("part {number} of the walk: {why}")]
+    InPart { number: usize, why: Box<GaitError> },
+    #[error(
+        "part {part} of the walk, step {step}, at {time:.2} s: {what}; change the pace or turn by less at once, or take more steps \
+         for it"
+    )]
+    Sudden { part: usize, step: usize, time: f64, what: String },
+    #[error(
+        "a walk of {distance} m is followed by more steps; say how many steps it has, for a distance is met by the whole walk"
+    )]
+    DistanceThenMore { distance: f64 },
+    #[error(
+        "the walk turns by {turned:.1}° in all; it may turn by {limit}°, for at a quarter turn the root's three angles are \
+         singular"
+    )]
+    TurnInAll { turned: f64, limit: f64 },
     #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]
     NoPath,
     #[error("{passes} passes for a walk: at least 8 are needed, the last four of which only settle")]

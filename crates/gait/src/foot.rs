@@ -96,3 +96,13 @@ pub(crate) fn mirror_rotation(r: &Matrix3<f64>) -> Matrix3<f64> {
         -r[(2, 0)], r[(2, 1)], r[(2, 2)],
     )
 }
+
+/// A vector turned to the left about the vertical.
+#[inline]
+pub(crate) fn turned(angle: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    if angle == 0.0 {
+        return *v;
+    }
+    let (sin, cos) = angle.sin_cos();
+    Vector3::new(cos * v.x + sin * v.z, v.y, cos * v.z - sin * v.x)
+}

@@ -128,6 +128,12 @@ pub(crate) fn about_x(angle: f64) -> Matrix3<f64> {
     Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c)
 }
 
+/// Rotation about y.
+pub(crate) fn about_y(angle: f64) -> Matrix3<f64> {
+    let (s, c) = angle.sin_cos();
+    Matrix3::new(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c)
+}
+
 /// Rotation about z.
 pub(crate) fn about_z(angle: f64) -> Matrix3<f64> {
     let (s, c) = angle.sin_cos();

@@ -4,7 +4,7 @@
 //! it give the angular momentum about the centre of mass, `L_c = L_o − M c × ċ`.
 
 use crate::body::{Body, Segment};
-use crate::foot::{FootPlane, mirror};
+use crate::foot::{FootPlane, mirror, turned};
 use crate::grid::Grid;
 use crate::leg::LegPose;
 use crate::legs::{LEG_SHAPE, LegMotion};
@@ -20,7 +20,10 @@ struct Hips([(Vector3<f64>, Vector3<f64>); 2]);
 #[derive(Clone, Debug)]
 pub(crate) struct MomentumKernel {
     grid: Grid,
+    /// The left foot's plane against the way the foot points.
     plane: FootPlane,
+    /// Which way each foot points, and its rate, at every node; none where all feet point along z.
+    headings: Vec<[(f64, f64); 2]>,
     legs: [LegMotion; 2],
     mass: f64,
     hips: Vec<Hips>,
@@ -34,9 +37,18 @@ pub(crate) struct Momentum {
 }
 
 impl MomentumKernel {
-    pub(crate) fn new(body: &Body, grid: &Grid, upper: &UpperBody, plane: FootPlane) -> Self {
+    /// `heading` is which way a side's foot points at a node.
+    pub(crate) fn new(
+        body: &Body,
+        grid: &Grid,
+        upper: &UpperBody,
+        plane: FootPlane,
+        heading: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let headings: Vec<[f64; 2]> = (0..grid.count).map(|i| [0, 1].map(|side| heading(i, side))).collect();
         let hip = |node: usize, side: usize| {
             let hip = upper.pelvis(node) * body.legs[side][0].offset;
+            let hip = turned(-headings[node][side], &hip);
             plane.split_vector(&if side == 0 { hip } else { mirror(&hip) })
         };
         let hips = (0..grid.count)
@@ -44,7 +56,13 @@ impl MomentumKernel {
             .collect();
         let legs = [LegMotion::new(&body.legs[0]), LegMotion::new(&body.legs[1].map(Segment::mirrored))];
         let shapes = vec![[[0.0; LEG_SHAPE]; 2]; grid.count];
-        Self { grid: *grid, plane, legs, mass: body.mass, hips, shapes }
+        let headings = if headings.iter().flatten().all(|&heading| heading == 0.0) {
+            Vec::new()
+        } else {
+            let rate = |i: usize, side: usize| grid.first(i, |j| headings[j][side]);
+            (0..grid.count).map(|i| [0, 1].map(|side| (headings[i][side], rate(i, side)))).collect()
+        };
+        Self { grid: *grid, plane, headings, legs, mass: body.mass, hips, shapes }
     }
 
     /// Of the whole body, for the legs' poses at every node (left, right).
@@ -60,7 +78,7 @@ impl MomentumKernel {
                 let rate = self.grid.first_of(i, |j| &self.shapes[j][side]);
                 let (hip, hip_rate) = &self.hips[i].0[side];
                 let leg = self.legs[side].parts(&self.shapes[i][side], &rate, hip, hip_rate);
-                parts.join(&self.to_world(&leg, side));
+                parts.join(&self.to_world(&leg, side, i));
             }
             let com = parts.first / self.mass;
             angular.push(parts.angular - com.cross(&parts.rate));
@@ -69,14 +87,30 @@ impl MomentumKernel {
         Momentum { com: coms, angular }
     }
 
-    /// From a foot's plane to the world; the mirror turns an axial vector the other way.
-    fn to_world(&self, parts: &Parts, side: usize) -> Parts {
+    /// From a foot's plane to the world; the mirror turns an axial vector the other way. A plane that turns at the rate ψ̇ adds
+    /// `ψ̇ e × Σ m r` and `ψ̇ Σ (I e + m r × (e × r))` with the vertical e.
+    fn to_world(&self, parts: &Parts, side: usize, node: usize) -> Parts {
         let world = |v: &Vector3<f64>| self.plane.left * v.x + Vector3::y() * v.y + self.plane.forward * v.z;
-        let [first, rate, angular] = [&parts.first, &parts.rate, &parts.angular].map(world);
-        if side == 0 {
-            Parts { first, rate, angular }
-        } else {
-            Parts { first: mirror(&first), rate: mirror(&rate), angular: -mirror(&angular) }
+        let mut seen = Parts {
+            first: world(&parts.first),
+            rate: world(&parts.rate),
+            angular: world(&parts.angular),
+            turning: world(&parts.turning),
+        };
+        if side == 1 {
+            let Parts { first, rate, angular, turning } = seen;
+            // In the mirror a turn goes the other way, and so does its momentum: it is the same for the same turn.
+            let turning = mirror(&turning);
+            seen = Parts { first: mirror(&first), rate: mirror(&rate), angular: -mirror(&angular), turning };
+        }
+        let Some(&(heading, rate)) = self.headings.get(node).map(|sides| &sides[side]) else { return seen };
+        seen.rate += Vector3::y().cross(&seen.first) * rate;
+        seen.angular += seen.turning * rate;
+        Parts {
+            first: turned(heading, &seen.first),
+            rate: turned(heading, &seen.rate),
+            angular: turned(heading, &seen.angular),
+            turning: turned(heading, &seen.turning),
         }
     }
 }

@@ -12,6 +12,8 @@ pub(crate) struct Parts {
     pub(crate) rate: Vector3<f64>,
     /// `Σ (I ω + m r × ṙ)`
     pub(crate) angular: Vector3<f64>,
+    /// The same for a turn at 1 rad/s about the second axis: `Σ (I e + m r × (e × r))`
+    pub(crate) turning: Vector3<f64>,
 }
 
 impl Parts {
@@ -26,6 +28,9 @@ impl Parts {
     ) {
         let spin: Vector3<f64> =
             (0..3).map(|i| rotation.column(i).cross(&rotation_rate.column(i))).sum::<Vector3<f64>>() * 0.5;
+        let about = segment.inertia * rotation.row(1).transpose();
+        self.turning += rotation * about
+            + Vector3::new(-com.x * com.y, com.x * com.x + com.z * com.z, -com.z * com.y) * segment.mass;
         self.first += com * segment.mass;
         self.rate += com_rate * segment.mass;
         self.angular +=
@@ -36,5 +41,6 @@ impl Parts {
         self.first += other.first;
         self.rate += other.rate;
         self.angular += other.angular;
+        self.turning += other.turning;
     }
 }

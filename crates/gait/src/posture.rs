@@ -12,6 +12,9 @@ pub(crate) struct Posture {
     pub(crate) trunk: [Euler; 5],
     pub(crate) arms: [[f64; 2]; 2],
     pub(crate) legs: [LegPose; 2],
+    /// Which way the body faces, and each foot against it (rad, to the left).
+    pub(crate) heading: f64,
+    pub(crate) feet: [f64; 2],
 }
 
 impl Posture {
@@ -23,6 +26,8 @@ impl Posture {
             trunk: self.trunk.map(|[z, y, x]| [-z, -y, x]),
             arms: [right_arm, left_arm],
             legs: [right_leg, left_leg],
+            heading: -self.heading,
+            feet: [-self.feet[1], -self.feet[0]],
         }
     }
 
@@ -31,8 +36,13 @@ impl Posture {
         let root = self.pelvis - body.middle[0].offset;
         q[body.root..body.root + 3].copy_from_slice(root.as_slice());
         let mut set = |segment: &Segment, angles: Euler| q[segment.q..segment.q + 3].copy_from_slice(&angles);
-        set(&body.middle[0], self.trunk[0]);
         let rotations = self.trunk.map(laws::rotation);
+        let facing = if self.heading == 0.0 {
+            self.trunk[0]
+        } else {
+            laws::euler(&(laws::about_y(self.heading) * rotations[0]))
+        };
+        set(&body.middle[0], facing);
         for i in 1..5 {
             set(&body.middle[i], laws::euler(&(rotations[i - 1].transpose() * rotations[i])));
         }
@@ -51,6 +61,8 @@ impl Posture {
             } else {
                 (mirror_rotation(&thigh), [-ankle[0], -ankle[1], ankle[2]])
             };
+            let turn = self.feet[side];
+            let thigh = if turn == 0.0 { thigh } else { laws::about_y(turn) * thigh };
             set(&leg[0], laws::euler(&(rotations[0].transpose() * thigh)));
             set(&leg[1], [0.0, 0.0, pose.knee]);
             set(&leg[2], ankle);

@@ -1,6 +1,5 @@
 //! The forces that a plan prescribes.
 
-use crate::style::Style;
 use nalgebra::Vector3;
 use solaris_model::Contact;
 use solaris_modes::{FootSupport, TotalWrench, split_at_pivot};
@@ -40,9 +39,9 @@ impl PrescribedNode {
         TotalWrench { force, moment: centre.cross(&force) + Vector3::y() * twist }
     }
 
-    /// Each foot's part of it.
-    pub(crate) fn feet(&self, style: &Style) -> [Contact; 2] {
-        split_at_pivot(&self.total(), &self.com, &Vector3::y(), style.pivot, &self.feet).unwrap_or_default()
+    /// Each foot's part of it: forces that point at `pivot` times the height of the centre of mass.
+    pub(crate) fn feet(&self, pivot: f64) -> [Contact; 2] {
+        split_at_pivot(&self.total(), &self.com, &Vector3::y(), pivot, &self.feet).unwrap_or_default()
     }
 }
 

@@ -88,9 +88,12 @@ impl StridePlan {
         let s2 = 2.0 * style.step_length;
         let leg = body.leg;
         let laws = Laws::new(&body, style, n)?;
-        let angles = |i: usize| angles(style, clock(i));
-        let upper = UpperBody::new(&body, &grid, angles);
-        let mut kernel = MomentumKernel::new(&body, &grid, &upper, FootPlane::new(style.foot_yaw));
+        let upper = UpperBody::new(&body, &grid, |i| {
+            let (trunk, arms) = angles(style, clock(i));
+            (trunk, arms, 0.0)
+        });
+        let plane = FootPlane::new(style.foot_yaw);
+        let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0);
         let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();
         let toe_off = style.toe_off();
         let swinging = (0..n).filter(|&i| clock(i) > toe_off);
@@ -171,7 +174,11 @@ impl StridePlan {
     pub fn configuration(&self, u: f64, q: &mut [f64]) {
         let (pelvis, legs) = self.place(u);
         let (trunk, arms) = angles(&self.style, u);
-        Posture { pelvis, trunk, arms, legs }.write(&self.body, &self.stance.plane, q);
+        Posture { pelvis, trunk, arms, legs, heading: 0.0, feet: [0.0; 2] }.write(
+            &self.body,
+            &self.stance.plane,
+            q,
+        );
     }
 
     /// World pitch of foot and toes (rad, toe down), left and right, at the clock `u`.
@@ -216,7 +223,7 @@ impl StridePlan {
 
     /// Prescribed wrenches of left and right foot at a node.
     pub fn forces(&self, node: usize) -> [Contact; 2] {
-        self.nodes[node].feet(&self.style)
+        self.nodes[node].feet(self.style.pivot)
     }
 }
 

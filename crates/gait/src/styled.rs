@@ -1,9 +1,11 @@
 //! A walk in either style, with its forces.
 
 use crate::error::GaitError;
+use crate::journey::{Journey, Stage};
+use crate::request::WalkRequest;
 use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
 use crate::walk::{FEET, WalkPlan};
-use crate::walker::{WalkRequest, walk};
+use crate::walker::walk;
 use solaris_model::{Figure, Motion, Trajectory as _};
 use solaris_modes::ground::{GroundReport, Split, reactions_of_planted};
 use solaris_modes::{ReactionReport, Residual, SupportLaw, ground_reactions};
@@ -13,6 +15,8 @@ use solaris_modes::{ReactionReport, Residual, SupportLaw, ground_reactions};
 pub enum StyledRequest {
     /// Forces first, as people walk.
     Smooth(WalkRequest),
+    /// The same, with standing still in between.
+    Journey(Vec<Stage>),
     /// Through key postures.
     Thesis(ThesisRequest),
 }
@@ -21,6 +25,8 @@ pub enum StyledRequest {
 pub enum StyledPlan {
     /// Forces first.
     Smooth(Box<WalkPlan>),
+    /// The same, with standing still in between.
+    Journey(Box<Journey>),
     /// Through key postures.
     Thesis(Box<ThesisWalk>),
 }
@@ -43,22 +49,34 @@ impl StyledPlan {
     pub fn of(figure: &Figure, request: &StyledRequest) -> Result<Self, GaitError> {
         Ok(match request {
             StyledRequest::Smooth(request) => Self::Smooth(Box::new(walk(figure, request)?)),
+            StyledRequest::Journey(stages) => Self::Journey(Box::new(Journey::new(figure, stages)?)),
             StyledRequest::Thesis(request) => Self::Thesis(Box::new(thesis_walk(figure, request)?)),
         })
     }
 
-    /// Steps a minute of the steady part.
+    /// The first walk that is smooth.
+    pub fn smooth(&self) -> Option<&WalkPlan> {
+        match self {
+            Self::Smooth(plan) => Some(plan),
+            Self::Journey(journey) => Some(journey.first()),
+            Self::Thesis(_) => None,
+        }
+    }
+
+    /// Steps a minute of the steady part, of the first walk of a journey.
     pub fn step_frequency(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.style().step_frequency,
+            Self::Journey(journey) => journey.first().style().step_frequency,
             Self::Thesis(plan) => plan.step_frequency,
         }
     }
 
-    /// Length of a step of the steady part (m).
+    /// Length of a step of the steady part, of the first walk of a journey (m).
     pub fn step_length(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.style().step_length,
+            Self::Journey(journey) => journey.first().style().step_length,
             Self::Thesis(plan) => plan.step_length,
         }
     }
@@ -67,6 +85,7 @@ impl StyledPlan {
     pub fn stature(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.stature(),
+            Self::Journey(journey) => journey.first().stature(),
             Self::Thesis(plan) => plan.proportions.height,
         }
     }
@@ -75,6 +94,7 @@ impl StyledPlan {
     pub fn duration(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.duration(),
+            Self::Journey(journey) => journey.duration(),
             Self::Thesis(plan) => plan.walk.duration(),
         }
     }
@@ -87,6 +107,7 @@ impl StyledPlan {
     pub fn loaded(&self, figure: &Figure, rate: f64) -> Result<(Motion, WalkForces), GaitError> {
         match self {
             Self::Smooth(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
+            Self::Journey(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
             Self::Thesis(plan) => needed(figure, plan.walk.motion(figure, rate)?),
         }
     }
@@ -102,6 +123,7 @@ impl StyledPlan {
                 let stride = plan.stride_loop().ok_or(GaitError::NoStride { least: 42 })?;
                 prescribed(figure, stride.balanced_motion(figure, rate)?, &stride)
             }
+            Self::Journey(_) => Err(GaitError::NoStride { least: 42 }),
             Self::Thesis(plan) => {
                 let stride = plan.walk.stride_loop().ok_or(GaitError::NoStride { least: 6 })?;
                 needed(figure, stride.motion(figure, rate)?)

@@ -6,7 +6,7 @@ use crate::error::GaitError;
 use crate::keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 use crate::lacks;
 use crate::pace;
-use crate::walker::{Extent, SHORTEST_DISTANCE, STEPS};
+use crate::request::{Extent, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
 /// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75.

@@ -14,17 +14,22 @@ pub(crate) struct UpperBody {
 }
 
 impl UpperBody {
-    /// Over the nodes of a grid, from the angles of trunk and arms at each of them.
+    /// Over the nodes of a grid, from the angles of trunk and arms at each of them and which way the body faces.
     pub(crate) fn new(
         body: &Body,
         grid: &Grid,
-        angles: impl Fn(usize) -> ([laws::Euler; 5], [[f64; 2]; 2]),
+        angles: impl Fn(usize) -> ([laws::Euler; 5], [[f64; 2]; 2], f64),
     ) -> Self {
         let segments: Vec<&Segment> = body.middle.iter().chain(body.arms.iter().flatten()).collect();
         let postures: Vec<_> = (0..grid.count)
             .map(|i| {
-                let (trunk, arms) = angles(i);
-                posture(body, &trunk, &arms)
+                let (trunk, arms, heading) = angles(i);
+                let ahead = posture(body, &trunk, &arms);
+                if heading == 0.0 {
+                    return ahead;
+                }
+                let turn = laws::about_y(heading);
+                ahead.map(|(rotation, com)| (turn * rotation, turn * com))
             })
             .collect();
         let parts = (0..grid.count)
@@ -53,7 +58,7 @@ impl UpperBody {
     }
 }
 
-/// World rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin.
+/// Rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin, facing along z.
 fn posture(
     body: &Body,
     trunk: &[laws::Euler; 5],

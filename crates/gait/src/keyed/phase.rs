@@ -163,6 +163,8 @@ impl Phase {
             trunk: trunk(&rotation, &trunk_between(&self.from.trunk, &self.to.trunk, eased), left_stands),
             arms: self.arms(eased),
             legs,
+            heading: 0.0,
+            feet: [0.0; 2],
         }
     }
 

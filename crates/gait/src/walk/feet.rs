@@ -1,7 +1,9 @@
 //! The feet of a walk: every print of one foot, and the swings between them.
 
-use super::laws::{Episode, Kind, WalkLaws};
+use super::course::{Episode, Kind};
+use super::laws::WalkLaws;
 use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START, PITCH_FIRST, PITCH_LAST};
+use super::passes::Timeline;
 use crate::leg::{LegGeometry, LegPose};
 use crate::stance::{Landing, LegJet, Push, Stance};
 use crate::swing::{Aim, Swing};
@@ -10,20 +12,19 @@ use solaris_profiles::{Boundary, ProfileError, UniformSpline};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// One foot over a walk. The right foot's world is mirrored.
+/// One foot over a walk. Each print is a left foot's, see [`super::course::Print::local`].
 pub(super) struct Foot {
-    pub(super) side: usize,
+    side: usize,
     pub(super) stances: Vec<Stance>,
     swings: Vec<Swing>,
 }
 
-/// The hip over a walk, in the foot's (mirrored) world.
+/// The hip over a walk.
 pub(super) struct Hip<'a> {
+    /// Over the time in strides of the fastest pace.
     pub(super) spline: &'a UniformSpline<3>,
     pub(super) nodes: &'a [[f64; 3]],
-    /// First node's clock and nodes a stride.
-    pub(super) first: f64,
-    pub(super) rate: f64,
+    pub(super) timeline: &'a Timeline,
 }
 
 impl Foot {
@@ -33,73 +34,74 @@ impl Foot {
         leg: &LegGeometry,
         side: usize,
         hip: &Hip<'_>,
-        steady_thigh: f64,
         need: &mut [f64],
     ) -> Result<Self, ProfileError> {
-        let count = laws.episode_count(side);
+        let (course, tempo) = (&laws.course, &laws.gaits.tempo);
+        let count = course.episode_count(side);
         let mut stances = Vec::with_capacity(count);
         let mut contacts: Vec<LegJet> = Vec::with_capacity(count);
+        // The hip as the print sees it, on the print's clock.
+        let seen = |episode: Episode| {
+            move |v: f64| {
+                let at = Vector3::from(hip.spline.position(tempo.time(v + episode.contact)));
+                episode.local(&at)
+            }
+        };
         for j in 0..count {
-            let episode = laws.episode(side, j);
-            let at = |v: f64| {
-                Vector3::from(hip.spline.position(v + episode.contact))
-                    - Vector3::new(0.0, 0.0, episode.print)
-            };
-            let (stance, contact) = stance(laws, leg, side, &episode, at)?;
-            note_need(laws, leg, &episode, &stance, at, need);
+            let episode = course.episode(side, j);
+            let (stance, contact) = stance(laws, leg, side, &episode, seen(episode))?;
+            note_need(laws, leg, &episode, &stance, seen(episode), need);
             contacts.push(contact);
             stances.push(stance);
         }
         let mut swings = Vec::with_capacity(count - 1);
         for j in 0..count - 1 {
-            let (from, to) = (laws.episode(side, j), laws.episode(side, j + 1));
-            let at = |v: f64| {
-                Vector3::from(hip.spline.position(v + from.contact)) - Vector3::new(0.0, 0.0, from.print)
-            };
-            let style = &laws.style;
+            let (from, to) = (course.episode(side, j), course.episode(side, j + 1));
+            let style = laws.gaits.swing(&from, &to);
             let end = &contacts[j + 1];
             let aim = if to.kind == Kind::Close {
                 Aim { thigh: style.thigh_swing * 0.85, late_knee: 0.0, beside: true }
             } else {
-                let thigh = style.thigh_swing + 0.8 * (end.thigh.position - steady_thigh);
+                let steady = laws.gaits.of_contact(to.index).contact_thigh;
+                let thigh = style.thigh_swing + 0.8 * (end.thigh.position - steady);
                 let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
                 Aim { thigh, late_knee, beside: false }
             };
-            let mut swing = Swing::new(style, &stances[j].toe_off_jet(at), end, &aim)?;
-            let node = |u: f64| (u - hip.first) * hip.rate;
-            let (first, last) =
-                (node(from.contact + style.toe_off()).floor() + 1.0, (node(to.contact) - 1e-6).floor());
-            let heights: Vec<(f64, f64)> = (first as usize..=last as usize)
-                .map(|i| (hip.first + i as f64 / hip.rate - from.contact, hip.nodes[i][1]))
-                .collect();
+            let mut swing = Swing::new(&style, &stances[j].toe_off_jet(seen(from)), end, &aim)?;
+            let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);
+            let heights: Vec<(f64, f64)> =
+                heights.map(|(node, u)| (u - from.contact, hip.nodes[node][1])).collect();
             swing.clear_ground(leg, style.clearance, &heights);
             swings.push(swing);
         }
         Ok(Self { side, stances, swings })
     }
 
-    /// The leg at the clock `u`, for a hip in the foot's world.
+    /// The leg at the clock `u`, for a hip of the world.
     pub(super) fn pose(&self, laws: &WalkLaws, leg: &LegGeometry, u: f64, hip: &Vector3<f64>) -> LegPose {
-        let j = laws.episode_at(self.side, u);
-        let episode = laws.episode(self.side, j);
-        let v = u - episode.contact;
-        if v > laws.style.toe_off() && j < self.swings.len() {
-            self.swings[j].pose(leg, v)
-        } else {
-            self.stances[j].pose(v, &(hip - Vector3::new(0.0, 0.0, episode.print)))
+        match self.at(laws, u) {
+            (j, episode, v) if self.swings_at(laws, j, &episode, v) => self.swings[j].pose(leg, v),
+            (j, episode, v) => self.stances[j].pose(v, &episode.local(hip)),
         }
     }
 
     /// By how much the leg is too short for the foot on the ground at the clock `u`; 0 in swing.
     pub(super) fn short(&self, laws: &WalkLaws, u: f64, hip: &Vector3<f64>) -> f64 {
-        let j = laws.episode_at(self.side, u);
-        let episode = laws.episode(self.side, j);
-        let v = u - episode.contact;
-        if v > laws.style.toe_off() && j < self.swings.len() {
-            0.0
-        } else {
-            self.stances[j].short(v, &(hip - Vector3::new(0.0, 0.0, episode.print)))
+        match self.at(laws, u) {
+            (j, episode, v) if self.swings_at(laws, j, &episode, v) => 0.0,
+            (j, episode, v) => self.stances[j].short(v, &episode.local(hip)),
         }
+    }
+
+    /// The print that it stands on or has left, and the clock since its contact.
+    fn at(&self, laws: &WalkLaws, u: f64) -> (usize, Episode, f64) {
+        let j = laws.course.episode_at(self.side, u);
+        let episode = laws.course.episode(self.side, j);
+        (j, episode, u - episode.contact)
+    }
+
+    fn swings_at(&self, laws: &WalkLaws, j: usize, episode: &Episode, v: f64) -> bool {
+        v > laws.toe_off(episode) && j < self.swings.len()
     }
 }
 
@@ -110,7 +112,7 @@ fn stance(
     episode: &Episode,
     hip: impl Fn(f64) -> Vector3<f64>,
 ) -> Result<(Stance, LegJet), ProfileError> {
-    let style = &laws.style;
+    let style = &laws.gaits.stance(episode).style;
     let mut push = Push::of(style);
     let landing = match episode.kind {
         Kind::First | Kind::Close => Landing::Flat,
@@ -156,7 +158,7 @@ fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
         Episode { index: 1, .. } => PITCH_FIRST,
         _ => 1.0,
     };
-    laws.style.heel_strike_angle * factor
+    laws.style(episode.index).heel_strike_angle * factor
 }
 
 /// How far the body is above what the leg reaches with the wanted knee, by the correction that can lower it. Signed: a
@@ -182,7 +184,7 @@ fn note_need(
     if matches!(episode.kind, Kind::Step | Kind::Last) {
         note(0.0, stance.ankle_on_heel(-contact_pitch(laws, episode)), KNEE_CONTACT);
     }
-    let (flat, ankle) = (laws.style.foot_flat, stance.flat_ankle());
+    let (flat, ankle) = (laws.style(episode.index).foot_flat, stance.flat_ankle());
     match episode.kind {
         Kind::Step => spread(flat, stance.heel_off(), 12).for_each(|v| note(v, ankle, KNEE_FLAT)),
         Kind::Last => spread(flat, 0.42, 14).for_each(|v| note(v, ankle, KNEE_FLAT)),

@@ -3,40 +3,63 @@
 use super::feet::{Foot, Hip};
 use super::laws::{Amplitudes, WalkLaws};
 use super::numbers::{CORRECTION, REST};
-use super::solve::{Coordinate, factor, rest_to_rest};
+use super::solve::{Way, factor, rest_to_rest};
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::foot::{FootPlane, mirror};
+use crate::foot::turned;
 use crate::grid::{Ends, Grid, SECOND};
 use crate::leg::LegPose;
 use crate::momentum::MomentumKernel;
 use crate::prescribed::{G, PrescribedNode};
-use crate::stride::StridePlan;
 use crate::upper::UpperBody;
 use nalgebra::Vector3;
 use solaris_profiles::UniformSpline;
 
-/// The nodes of a walk.
+/// The nodes of a walk: equally spaced in time.
 pub(super) struct Timeline {
     pub(super) grid: Grid,
-    /// Nodes a stride, and the first node's number.
+    /// Nodes a stride of the fastest pace, and the first node's number.
     pub(super) rate: usize,
     first: isize,
     pub(super) moving: (usize, usize),
+    /// Clocks of the nodes, and of three more on either side.
+    clocks: Vec<f64>,
 }
 
 impl Timeline {
-    pub(super) fn new(laws: &WalkLaws, rate: usize, stride_time: f64) -> Self {
-        let n = rate as f64;
-        let first = ((laws.begin - REST) * n).floor() as isize;
-        let last = ((laws.end + REST) * n).ceil() as isize;
-        let grid = Grid { count: (last - first + 1) as usize, step: stride_time / n, ends: Ends::Resting };
-        let node = |u: f64| ((u * n).round() as isize - first) as usize;
-        Self { grid, rate, first, moving: (node(laws.begin), node(laws.end)) }
+    pub(super) fn new(laws: &WalkLaws, rate: usize) -> Self {
+        let (n, tempo) = (rate as f64, &laws.gaits.tempo);
+        let (begin, end) = (tempo.time(laws.course.begin), tempo.time(laws.course.end));
+        let first = ((begin - REST) * n).floor() as isize;
+        let last = ((end + REST) * n).ceil() as isize;
+        let step = laws.gaits.stride_time / n;
+        let grid = Grid { count: (last - first + 1) as usize, step, ends: Ends::Resting };
+        let node = |time: f64| ((time * n).round() as isize - first) as usize;
+        let clocks = (first - 3..=last + 3).map(|i| tempo.clock(i as f64 / n)).collect();
+        Self { grid, rate, first, moving: (node(begin), node(end)), clocks }
+    }
+
+    /// Time of the first node, in strides of the fastest pace.
+    pub(super) fn start(&self) -> f64 {
+        self.first as f64 / self.rate as f64
     }
 
     pub(super) fn clock(&self, node: usize) -> f64 {
-        (self.first + node as isize) as f64 / self.rate as f64
+        self.clocks[node + 3]
+    }
+
+    /// The nodes between two clocks, with their clocks.
+    pub(super) fn between(&self, from: f64, to: f64) -> impl Iterator<Item = (usize, f64)> {
+        let inner = &self.clocks[3..3 + self.grid.count];
+        let first = inner.partition_point(|&u| u <= from);
+        let end = inner.partition_point(|&u| u <= to - 1e-6 / self.rate as f64);
+        (first..end).map(|node| (node, self.clock(node)))
+    }
+
+    /// Second derivative in time of a function of the clock at a node.
+    fn second(&self, node: usize, f: impl Fn(f64) -> f64) -> f64 {
+        let unit = 1.0 / (180.0 * self.grid.step.powi(2));
+        (0..7).map(|k| SECOND[k] * unit * f(self.clocks[node + k])).sum()
     }
 }
 
@@ -52,16 +75,15 @@ pub(super) struct Passes {
     body: Body,
     laws: WalkLaws,
     timeline: Timeline,
-    steady_thigh: f64,
     upper: UpperBody,
     kernel: MomentumKernel,
-    /// Left and right hip against the pelvis, the right one mirrored.
+    /// Left and right hip against the pelvis.
     hips: [Vec<Vector3<f64>>; 2],
     /// Height without corrections and its second derivative, and the weights of the corrections, by node.
     height: Vec<(f64, f64)>,
     weights: Vec<Vec<CorrectionWeight>>,
     shapes: [Vec<f64>; 4],
-    centre: [Vec<f64>; 2],
+    centre: Vec<Vector3<f64>>,
     momentum_rate: Vec<Vector3<f64>>,
     /// Centre of mass against the pelvis' origin.
     offset: Vec<Vector3<f64>>,
@@ -69,57 +91,59 @@ pub(super) struct Passes {
 }
 
 impl Passes {
-    pub(super) fn new(body: Body, laws: WalkLaws, stride: &StridePlan, timeline: Timeline) -> Self {
+    pub(super) fn new(body: Body, laws: WalkLaws, timeline: Timeline) -> Self {
         let count = timeline.grid.count;
-        let clocks: Vec<f64> = (0..count).map(|i| timeline.clock(i)).collect();
-        let upper = UpperBody::new(&body, &timeline.grid, |i| laws.angles(clocks[i]));
-        let hips = [0, 1].map(|side| {
-            let offset = body.legs[side][0].offset;
-            let hip = |i: usize| upper.pelvis(i) * offset;
-            (0..count).map(|i| if side == 0 { hip(i) } else { mirror(&hip(i)) }).collect()
+        let clocks = &timeline.clocks[3..3 + count];
+        let upper = UpperBody::new(&body, &timeline.grid, |i| {
+            let (trunk, arms) = laws.angles(clocks[i]);
+            (trunk, arms, laws.course.heading(clocks[i]))
         });
-        let spacing = 1.0 / timeline.rate as f64;
-        let unit = 1.0 / (180.0 * timeline.grid.step.powi(2));
-        let second = |u: f64, f: &dyn Fn(f64) -> f64| -> f64 {
-            (0..7).map(|k| SECOND[k] * unit * f(u + spacing * (k as f64 - 3.0))).sum()
-        };
-        let height = clocks.iter().map(|&u| (laws.height(u), second(u, &|u| laws.height(u)))).collect();
-        let weights = clocks
-            .iter()
-            .map(|&u| {
-                laws.corrections_near(u, 3.0 * spacing)
+        let hips =
+            [0, 1].map(|side| (0..count).map(|i| upper.pelvis(i) * body.legs[side][0].offset).collect());
+        let height =
+            (0..count).map(|i| (laws.height(clocks[i]), timeline.second(i, |u| laws.height(u)))).collect();
+        let reach = 3.0 / timeline.rate as f64;
+        let weights = (0..count)
+            .map(|i| {
+                laws.corrections_near(clocks[i], reach)
                     .map(|contact| CorrectionWeight {
                         contact,
-                        weight: laws.correction(u, contact),
-                        acceleration: second(u, &|u| laws.correction(u, contact)),
+                        weight: laws.correction(clocks[i], contact),
+                        acceleration: timeline.second(i, |u| laws.correction(u, contact)),
                     })
                     .collect()
             })
             .collect();
         let shift = |shape: usize| clocks.iter().map(|&u| laws.shifts(u)[shape]).collect();
-        let pressed: Vec<Vector3<f64>> = clocks
+        let centre = clocks
             .iter()
             .map(|&u| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum())
             .collect();
-        // First guess: the stride's own momentum and offset, faded in and out.
-        let steady = |i: usize| (timeline.first + i as isize).rem_euclid(timeline.rate as isize) as usize;
-        let at_rest = laws.standing.com - laws.standing.pelvis;
-        let momentum_rate =
-            (0..count).map(|i| stride.momentum_rate(steady(i)) * laws.swinging(clocks[i]).powi(2)).collect();
-        let offset = (0..count)
-            .map(|i| at_rest.lerp(&stride.com_offset[steady(i)], laws.walking(clocks[i])))
-            .collect();
+        // First guess: the strides' own momentum and offset, faded in and out.
+        let guess = |u: f64| {
+            let (pace, other) = laws.gaits.at(u);
+            let (mut rate, mut offset) = pace.steady(u);
+            if let Some((next, part)) = other {
+                let (rate_after, offset_after) = next.steady(u);
+                (rate, offset) = (rate.lerp(&rate_after, part), offset.lerp(&offset_after, part));
+            }
+            let at_rest = pace.standing.com - pace.standing.pelvis;
+            let heading = laws.course.heading(u);
+            let offset = at_rest.lerp(&offset, laws.walking(u));
+            (turned(heading, &(rate * laws.swinging(u).powi(2))), turned(heading, &offset))
+        };
+        let (momentum_rate, offset) = clocks.iter().map(|&u| guess(u)).unzip();
+        let heading = |i: usize, side: usize| laws.foot_heading(side, clocks[i]);
         Self {
-            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, FootPlane::new(laws.style.foot_yaw)),
-            steady_thigh: stride.contact.thigh.position,
+            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, laws.plane, heading),
             hips,
             height,
             weights,
             shapes: [shift(0), shift(1), shift(2), shift(3)],
-            centre: [pressed.iter().map(|p| p.x).collect(), pressed.iter().map(|p| p.z).collect()],
+            centre,
             momentum_rate,
             offset,
-            corrections: vec![0.0; laws.steps + 1],
+            corrections: vec![0.0; laws.course.steps + 1],
             upper,
             body,
             laws,
@@ -152,17 +176,15 @@ impl Passes {
         let (com, vertical) = self.centre_of_mass();
         let pelvis: Vec<Vector3<f64>> =
             com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
-        let mut need = vec![-9.0_f64; self.laws.steps + 1];
+        let mut need = vec![-9.0_f64; self.laws.course.steps + 1];
         let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
-            let place = |i: usize| if side == 0 { pelvis[i] } else { mirror(&pelvis[i]) };
-            (0..count).map(|i| (place(i) + self.hips[side][i]).into()).collect()
+            (0..count).map(|i| (pelvis[i] + self.hips[side][i]).into()).collect()
         });
         let mut foot = |side: usize| -> Result<Foot, GaitError> {
-            let first = self.timeline.clock(0);
-            let rate = self.timeline.rate as f64;
-            let spline = UniformSpline::resting(first, 1.0 / rate, &nodes[side])?;
-            let hip = Hip { spline: &spline, nodes: &nodes[side], first, rate };
-            Ok(Foot::new(&self.laws, &leg, side, &hip, self.steady_thigh, &mut need)?)
+            let spacing = 1.0 / self.timeline.rate as f64;
+            let spline = UniformSpline::resting(self.timeline.start(), spacing, &nodes[side])?;
+            let hip = Hip { spline: &spline, nodes: &nodes[side], timeline: &self.timeline };
+            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut need)?)
         };
         let feet = [foot(0)?, foot(1)?];
         let poses: Vec<[LegPose; 2]> = (0..count)
@@ -213,26 +235,24 @@ impl Passes {
         let unit = 1.0 / (180.0 * self.timeline.grid.step.powi(2));
         let moving = self.timeline.moving;
         let factored = factor(&stiffness, moving, unit);
-        let own = |f: fn(&Vector3<f64>) -> f64| -> Vec<f64> {
-            self.momentum_rate.iter().zip(&heights).map(|(h, y)| f(h) / (mass * y)).collect()
+        let own: Vec<Vector3<f64>> = self
+            .momentum_rate
+            .iter()
+            .zip(&heights)
+            .map(|(h, y)| Vector3::new(h.z, 0.0, -h.x) / (mass * y))
+            .collect();
+        let [start, end] = [0, self.laws.course.steps].map(|k| self.laws.gaits.of_contact(k).standing.com);
+        let last = self.laws.course.last();
+        let way = Way {
+            centre: &self.centre,
+            own: &own,
+            shapes: [0, 1, 2, 3].map(|i| &self.shapes[i][..]),
+            axes: self.laws.shift_axes(),
+            rest: [start, last.place + turned(last.heading, &end)],
         };
-        let (start, finish) = (self.laws.standing.com.z, self.laws.prints()[self.laws.steps]);
-        let sagittal = Coordinate {
-            centre: &self.centre[1],
-            own: &own(|h| -h.x),
-            shapes: [&self.shapes[0], &self.shapes[1]],
-            rest: (start, finish + start),
-        };
-        let lateral = Coordinate {
-            centre: &self.centre[0],
-            own: &own(|h| h.z),
-            shapes: [&self.shapes[2], &self.shapes[3]],
-            rest: (0.0, 0.0),
-        };
-        let (z, along) = rest_to_rest(&factored, &stiffness, moving, unit, &sagittal);
-        let (x, across) = rest_to_rest(&factored, &stiffness, moving, unit, &lateral);
-        self.laws.amplitudes = Amplitudes { sagittal: along, lateral: across };
-        let com = (0..count).map(|i| Vector3::new(x[i], heights[i], z[i])).collect();
+        let (mut com, [a1, a2, c1, c2]) = rest_to_rest(&factored, &stiffness, moving, unit, &way);
+        self.laws.amplitudes = Amplitudes { sagittal: [a1, a2], lateral: [c1, c2] };
+        com.iter_mut().zip(&heights).for_each(|(com, &height)| com.y = height);
         (com, vertical)
     }
 }

@@ -1,47 +1,71 @@
 //! A whole walk, from standing to standing, as one solve from rest to rest.
 
+use super::course::{Course, Print, Step};
 use super::feet::Foot;
 use super::laws::WalkLaws;
 use super::numbers::REST;
 use super::passes::{Passes, Solved, Timeline};
-use super::repeat::Repeat;
-use super::standing::Standing;
+use super::repeat::{self, Repeat};
+use super::steps;
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::foot::{FootPlane, mirror};
-use crate::grid::Grid;
+use crate::foot::{mirror, turned};
 use crate::laws;
 use crate::leg::LegPose;
 use crate::posture::Posture;
 use crate::prescribed::PrescribedNode;
 use crate::stride::{Resolution, StridePlan};
 use crate::stride_loop::StrideLoop;
+use crate::style::Style;
 use nalgebra::Vector3;
 use solaris_model::{Contact, Trajectory};
 use solaris_modes::FootSupport;
 use solaris_profiles::UniformSpline;
 
+/// Steps of a walk, each in the style of one of some strides of one figure.
+pub(crate) struct Steps<'a> {
+    pub(crate) strides: &'a [StridePlan],
+    /// The stride in whose manner both feet stand at first.
+    pub(crate) standing: usize,
+    /// The stride that the walk is called after.
+    pub(crate) steady: usize,
+    pub(crate) whole: &'a [Step],
+    /// A shorter walk of which the middle stride is repeated.
+    pub(crate) planned: Option<&'a [Step]>,
+}
+
+impl Steps<'_> {
+    /// How many steps of a long walk are planned.
+    pub(crate) fn repeated(steps: usize) -> Option<usize> {
+        Some(repeat::planned(steps)).filter(|&planned| planned < steps)
+    }
+}
+
 /// A planned walk: its posture, and what the ground is to do, at any time.
 ///
 /// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1. Of a walk of more than 42 steps
-/// the middle stride is planned once and repeated; *nodes* are those that were planned.
+/// of one pace the middle stride is planned once and repeated; *nodes* are those that were planned. The *clock* counts strides:
+/// a step lasts half a stride, whatever its pace.
 pub struct WalkPlan {
     pub(crate) body: Body,
-    /// Of the walk that was planned, and of the whole one.
+    /// Of the walk that was planned.
     pub(crate) laws: WalkLaws,
-    pub(super) whole: WalkLaws,
+    /// Of the whole walk, and how far along each of its prints lies (m).
+    pub(super) whole: Course,
+    prints: Vec<f64>,
+    /// The style that the walk is called after.
+    steady: Style,
     pub(super) repeat: Repeat,
     /// Whether all is mirrored, so that the left foot goes first.
     pub(super) left_first: bool,
+    /// Where and which way it begins.
+    from: Print,
     pub(super) feet: [Foot; 2],
+    /// Over the time in strides of the fastest pace, as the force is.
     pelvis: UniformSpline<3>,
-    grid: Grid,
-    /// Clock of the first node.
-    first: f64,
-    /// Nodes between which the body moves.
-    moving: (usize, usize),
+    pub(super) timeline: Timeline,
     nodes: Vec<PrescribedNode>,
-    /// Prescribed total force over the clock.
+    /// Prescribed total force.
     force: UniformSpline<3>,
     corrections: Vec<f64>,
 }
@@ -53,27 +77,48 @@ impl WalkPlan {
     ///
     /// A walk that does not close.
     pub fn new(stride: &StridePlan, steps: usize, resolution: Resolution) -> Result<Self, GaitError> {
-        let (body, style) = (stride.body.clone(), stride.style);
-        let standing = Standing::new(&body, &style);
-        let repeat = Repeat::new(steps, resolution.nodes, style.step_length);
-        let of = |steps: usize| WalkLaws::new(&body, &style, steps, stride.mean_height(), standing);
-        let (laws, whole) = (of(repeat.planned)?, of(steps)?);
-        let timeline = Timeline::new(&laws, resolution.nodes, style.stride_time);
+        let of = |steps: usize| steps::even(steps, stride.style.step_length);
+        let (whole, planned) = (of(steps), Steps::repeated(steps).map(of));
+        let strides = std::slice::from_ref(stride);
+        let steps = Steps { strides, standing: 0, steady: 0, whole: &whole, planned: planned.as_deref() };
+        Self::of_steps(&steps, resolution)
+    }
+
+    /// Plans steps of several paces, right foot first, the other foot closing beside.
+    ///
+    /// # Errors
+    ///
+    /// A walk that does not close.
+    pub(crate) fn of_steps(steps: &Steps<'_>, resolution: Resolution) -> Result<Self, GaitError> {
+        let Steps { strides, standing, steady, whole, planned } = *steps;
+        let planned = planned.unwrap_or(whole);
+        let steady = strides[steady].style;
+        let repeat = Repeat::new(whole.len(), planned.len(), resolution.nodes, steady.step_length);
+        let body = strides[standing].body.clone();
+        let laws = WalkLaws::new(&body, strides, standing, planned)?;
+        let timeline = Timeline::new(&laws, resolution.nodes);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
-            Passes::new(body, laws, stride, timeline).run(resolution.walk_passes)?;
-        let (first, spacing) = (timeline.clock(0), 1.0 / timeline.rate as f64);
+            Passes::new(body, laws, timeline).run(resolution.walk_passes)?;
+        let (first, spacing) = (timeline.start(), 1.0 / timeline.rate as f64);
         let spline = |values: Vec<[f64; 3]>| UniformSpline::resting(first, spacing, &values);
+        let mut prints = vec![0.0];
+        prints.extend(whole.iter().scan(0.0, |way, step| {
+            *way += step.length;
+            Some(*way)
+        }));
+        prints.push(prints[whole.len()]);
         Ok(Self {
             pelvis: spline(pelvis.iter().map(|&p| p.into()).collect())?,
             force: spline(nodes.iter().map(|node| node.total().force.into()).collect())?,
-            grid: timeline.grid,
-            first,
-            moving: timeline.moving,
+            timeline,
             body,
             laws,
-            whole,
+            whole: Course::new(whole),
+            steady,
+            prints,
             repeat,
             left_first: false,
+            from: Print::default(),
             feet,
             nodes,
             corrections,
@@ -86,6 +131,13 @@ impl WalkPlan {
         Self { left_first: !self.left_first, ..self }
     }
 
+    /// The same walk from another place on, turned to the left of where it pointed (m, rad).
+    #[must_use]
+    pub fn moved(self, place: Vector3<f64>, turn: f64) -> Self {
+        let Print { place: from, heading } = self.from;
+        Self { from: Print { place: place + turned(turn, &from), heading: heading + turn }, ..self }
+    }
+
     /// Of a pair, the left foot's first.
     fn sided<T>(&self, [a, b]: [T; 2]) -> [T; 2] {
         if self.left_first { [b, a] } else { [a, b] }
@@ -93,17 +145,27 @@ impl WalkPlan {
 
     /// A vector as the walk has it.
     fn seen(&self, v: Vector3<f64>) -> Vector3<f64> {
-        if self.left_first { mirror(&v) } else { v }
+        turned(self.from.heading, &if self.left_first { mirror(&v) } else { v })
     }
 
-    /// The style of the steady part.
-    pub fn style(&self) -> &crate::Style {
-        &self.laws.style
+    /// An axial vector, which the mirror turns the other way.
+    fn seen_axial(&self, v: Vector3<f64>) -> Vector3<f64> {
+        turned(self.from.heading, &if self.left_first { -mirror(&v) } else { v })
+    }
+
+    /// A point as the walk has it.
+    fn seen_point(&self, p: Vector3<f64>) -> Vector3<f64> {
+        self.from.place + self.seen(p)
+    }
+
+    /// The style of the steady part; where the pace changes, of the middle of the first part.
+    pub fn style(&self) -> &Style {
+        &self.steady
     }
 
     /// Whether the style's numbers are held at the ends of what they were fitted to, see [`crate::Style::is_extrapolated`].
     pub fn is_extrapolated(&self) -> bool {
-        self.laws.style.is_extrapolated(&self.body.leg)
+        (1..=self.laws.course.steps).any(|k| self.laws.style(k).is_extrapolated(&self.body.leg))
     }
 
     /// The standing height that the laws scale with (m): the figure's own, or what its legs suggest.
@@ -116,9 +178,16 @@ impl WalkPlan {
         self.whole.steps
     }
 
-    /// Heel prints along z (m): both feet standing, each step, and the closing foot.
+    /// How far along the way heels are set down (m): both feet standing, each step, and the closing foot.
     pub fn prints(&self) -> &[f64] {
-        self.whole.prints()
+        &self.prints
+    }
+
+    /// Where the walk ends and which way it points there, to the left of z (m, rad).
+    pub fn destination(&self) -> (Vector3<f64>, f64) {
+        let last = self.whole.last();
+        let turn = if self.left_first { -last.heading } else { last.heading };
+        (self.seen_point(last.place), self.from.heading + turn)
     }
 
     /// Amplitudes of the shifts of load: fore and aft at start and end (m), sideways at start and end (step widths).
@@ -133,34 +202,34 @@ impl WalkPlan {
 
     /// Number of nodes, and the first and last between which the body moves.
     pub fn nodes(&self) -> (usize, (usize, usize)) {
-        (self.nodes.len(), self.moving)
+        (self.nodes.len(), self.timeline.moving)
     }
 
     /// Clock of a node in the walk that was planned: 0 where left heel contact would have been before the first step.
     pub fn clock(&self, node: usize) -> f64 {
-        self.first + node as f64 * self.grid.step / self.laws.style.stride_time
+        self.timeline.clock(node)
     }
 
     /// Time (s) of a clock.
     pub fn time(&self, clock: f64) -> f64 {
-        (clock - self.laws.begin + REST) * self.laws.style.stride_time
+        let gaits = &self.laws.gaits;
+        (gaits.tempo.time(clock) - gaits.tempo.time(self.whole.begin) + REST) * gaits.stride_time
     }
 
     /// Clock at a time (s).
     pub fn clock_at(&self, time: f64) -> f64 {
-        time / self.laws.style.stride_time + self.laws.begin - REST
+        let gaits = &self.laws.gaits;
+        gaits.tempo.clock(time / gaits.stride_time + gaits.tempo.time(self.whole.begin) - REST)
     }
 
     /// Centre of mass at a node (m).
     pub fn com(&self, node: usize) -> Vector3<f64> {
-        self.seen(self.nodes[node].com)
+        self.seen_point(self.nodes[node].com)
     }
 
     /// Rate of the angular momentum about the centre of mass at a node (N m).
     pub fn momentum_rate(&self, node: usize) -> Vector3<f64> {
-        // It turns the other way in the mirror, but for what is about the axis across.
-        let rate = self.nodes[node].momentum_rate;
-        if self.left_first { -mirror(&rate) } else { rate }
+        self.seen_axial(self.nodes[node].momentum_rate)
     }
 
     /// Share and centre of pressure of both feet at a clock.
@@ -168,24 +237,25 @@ impl WalkPlan {
         let (u, advance) = self.repeat.fold(clock);
         let mut feet = self.laws.support(u);
         for foot in &mut feet {
-            foot.cop = self.seen(foot.cop + Vector3::z() * advance);
+            foot.cop = self.seen_point(foot.cop + Vector3::z() * advance);
         }
         self.sided(feet)
     }
 
     /// Prescribed wrenches of both feet at a node.
     pub fn forces(&self, node: usize) -> [Contact; 2] {
-        let feet = self.nodes[node].feet(&self.laws.style).map(|foot| Contact {
-            force: self.seen(foot.force),
-            moment: if self.left_first { -mirror(&foot.moment) } else { foot.moment },
-            cop: self.seen(foot.cop),
+        let pivot = self.laws.pivot(self.clock(node));
+        let feet = self.nodes[node].feet(pivot).map(|foot| {
+            let force = self.seen(foot.force);
+            let moment = self.seen_axial(foot.moment) + self.from.place.cross(&force);
+            Contact { force, moment, cop: self.seen_point(foot.cop) }
         });
         self.sided(feet)
     }
 
     /// Prescribed total force at a clock (N).
     pub fn force(&self, clock: f64) -> Vector3<f64> {
-        self.seen(Vector3::from(self.force.position(self.repeat.fold(clock).0)))
+        self.seen(Vector3::from(self.force.position(self.planned_time(self.repeat.fold(clock).0))))
     }
 
     /// Pitches of foot and toes (rad, toe down), left and right, at a clock.
@@ -200,37 +270,49 @@ impl WalkPlan {
 
     /// Writes the figure's coordinates at a clock to `q` (length `nq`).
     pub fn configuration_at(&self, clock: f64, q: &mut [f64]) {
-        self.posture(clock).write(&self.body, &FootPlane::new(self.laws.style.foot_yaw), q);
+        self.posture(clock).write(&self.body, &self.laws.plane, q);
     }
 
     fn posture(&self, clock: f64) -> Posture {
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
         let (trunk, arms) = self.laws.angles(u);
-        let pelvis = Vector3::from(self.pelvis.position(u));
+        let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
         let legs = self.hips_and_legs(u).1;
-        let posture = Posture { pelvis: pelvis + Vector3::z() * advance, trunk, arms, legs };
-        if self.left_first { posture.mirrored() } else { posture }
+        let heading = self.laws.course.heading(u);
+        let feet = [0, 1].map(|side| self.laws.foot_heading(side, u) - heading);
+        let pelvis = pelvis + Vector3::z() * advance;
+        let ahead = Posture { pelvis, trunk, arms, legs, heading, feet };
+        let seen = if self.left_first { ahead.mirrored() } else { ahead };
+        let pelvis = self.from.place + turned(self.from.heading, &seen.pelvis);
+        Posture { pelvis, heading: self.from.heading + seen.heading, ..seen }
     }
 
-    /// Hips (in each foot's world: the right one mirrored) and poses of both legs at a clock of the walk that was planned.
+    /// Hips and poses of both legs at a clock of the walk that was planned.
     pub(crate) fn hips_and_legs(&self, u: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
-        let rotation = laws::rotation(self.laws.angles(u).0[0]);
-        let pelvis = Vector3::from(self.pelvis.position(u));
-        let hips = [0, 1].map(|side| {
-            let hip = pelvis + rotation * self.body.legs[side][0].offset;
-            if side == 0 { hip } else { mirror(&hip) }
-        });
+        let (rotation, heading) = (laws::rotation(self.laws.angles(u).0[0]), self.laws.course.heading(u));
+        let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
+        let hips = [0, 1].map(|side| pelvis + turned(heading, &(rotation * self.body.legs[side][0].offset)));
         (hips, [0, 1].map(|side| self.feet[side].pose(&self.laws, &self.body.leg, u, &hips[side])))
+    }
+
+    /// Time of a clock in strides of the fastest pace.
+    fn planned_time(&self, u: f64) -> f64 {
+        self.laws.gaits.tempo.time(u)
     }
 
     /// The middle stride, to be repeated; none of a walk of fewer than 42 steps, in which it still feels beginning or end.
     pub fn stride_loop(&self) -> Option<StrideLoop<'_, Self>> {
-        let (body, style) = (&self.body, &self.laws.style);
+        let (body, style) = (&self.body, self.style());
         // A left contact, or a right one where all is mirrored.
         let contact = self.repeat.middle()?;
         let nq = body.nq;
         let span = (self.time(contact), style.stride_time);
         Some(StrideLoop::new(self, nq, body.root + 2, span, 2.0 * style.step_length))
+    }
+
+    /// The style in which it ends.
+    pub(crate) fn last_style(&self) -> &Style {
+        self.laws.style(self.laws.course.steps)
     }
 
     /// The clock, or one at rest before or after the walk.
@@ -250,6 +332,6 @@ impl Trajectory for WalkPlan {
 
     /// The distance of the nodes (s).
     fn resolution(&self) -> f64 {
-        self.grid.step
+        self.timeline.grid.step
     }
 }

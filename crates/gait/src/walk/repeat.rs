@@ -20,15 +20,18 @@ pub(super) struct Repeat {
     advance: f64,
 }
 
+/// How many of so many steps are planned.
+pub(super) fn planned(steps: usize) -> usize {
+    steps - 2 * steps.saturating_sub(LONGEST).div_ceil(2)
+}
+
 impl Repeat {
-    /// For `steps` steps, `rate` nodes a stride.
-    pub(super) fn new(steps: usize, rate: usize, step_length: f64) -> Self {
-        let strides = steps.saturating_sub(LONGEST).div_ceil(2);
-        let planned = steps - 2 * strides;
+    /// Of `steps` steps with the steps that are planned of them, `rate` nodes a stride.
+    pub(super) fn new(steps: usize, planned: usize, rate: usize, step_length: f64) -> Self {
         // A quarter of a stride after a contact, far from everything sudden, and at a node.
         let middle = (planned / 4) as f64 + 0.3;
         let cut = (middle * rate as f64).round() / rate as f64;
-        Self { planned, strides, cut, advance: 2.0 * step_length }
+        Self { planned, strides: (steps - planned) / 2, cut, advance: 2.0 * step_length }
     }
 
     /// The clock of a contact from which on a stride repeats itself, where there is one.
@@ -49,15 +52,16 @@ mod tests {
 
     #[test]
     fn a_long_walk_is_folded_into_a_shorter_one() {
-        let short = Repeat::new(42, 100, 0.7);
+        let of = |steps: usize| Repeat::new(steps, planned(steps), 100, 0.7);
+        let short = of(42);
         assert_eq!((short.planned, short.fold(30.0)), (42, (30.0, 0.0)));
-        let long = Repeat::new(100, 100, 0.7);
+        let long = of(100);
         assert_eq!(long.planned, 42);
         assert_eq!(long.fold(3.0), (3.0, 0.0));
         let (u, advance) = long.fold(25.5);
         assert!((u - 10.5).abs() < 1e-12 && (advance - 15.0 * 1.4).abs() < 1e-12);
         let (u, advance) = long.fold(51.0);
         assert!((u - 22.0).abs() < 1e-12 && (advance - 29.0 * 1.4).abs() < 1e-12);
-        assert_eq!(Repeat::new(101, 100, 0.7).planned, 41);
+        assert_eq!(of(101).planned, 41);
     }
 }

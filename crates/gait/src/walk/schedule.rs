@@ -1,10 +1,11 @@
 //! When feet touch down and lift off, and which points are planted.
 
-use super::laws::Kind;
+use super::course::{Episode, Kind};
 use super::plan::WalkPlan;
 use crate::prescribed::G;
 use crate::stride_loop::Walking;
-use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory as _};
+use crate::style::Style;
+use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory};
 use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 
 /// Names of the feet's links, left and right.
@@ -24,22 +25,24 @@ impl WalkPlan {
     ///
     /// A rate that is none, and another figure than the plan's.
     pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
-        let info = MotionInfo { fingerprint: self.body.fingerprint, ..MotionInfo::on_earth(figure, rate) };
-        let mut motion = Motion::sample(figure, self, info)?;
-        balance_momentum(figure, self, &mut motion)?;
-        motion.events = self.events();
-        motion.planted = self.planted(figure);
-        // The last frame lies at or after the end, and the feet still stand.
-        let (end, last) = (self.duration(), motion.time()[motion.len() - 1]);
-        for planted in motion.planted.iter_mut().filter(|planted| planted.end >= end) {
-            planted.end = last;
-        }
-        Ok(motion)
+        sampled(figure, self, self.body.fingerprint, rate)
     }
 
     /// The side that a foot of the plan is on.
     fn seen_side(&self, side: usize) -> usize {
         if self.left_first { 1 - side } else { side }
+    }
+
+    /// The number among its foot's prints that a print of the whole walk has in the one that was planned.
+    fn planned_print(&self, episode: &Episode) -> usize {
+        // A little after the contact, where rounding does not decide which print it is.
+        self.laws.course.episode_at(episode.side, self.repeat.fold(episode.contact + 0.01).0)
+    }
+
+    /// The style in which a foot stands on a print of the whole walk and lifts from it.
+    fn law(&self, episode: &Episode) -> &Style {
+        let planned = self.laws.course.episode(episode.side, self.planned_print(episode));
+        &self.laws.gaits.stance(&planned).style
     }
 
     /// Touch-downs and lift-offs in the order of time.
@@ -55,7 +58,7 @@ impl WalkPlan {
                     events.push(Event { time: self.time(episode.contact), kind });
                 }
                 if matches!(episode.kind, Kind::First | Kind::Step) {
-                    let time = self.time(episode.contact + self.laws.style.toe_off());
+                    let time = self.time(episode.contact + self.law(&episode).toe_off());
                     events.push(Event { time, kind: EventKind::LiftOff { link } });
                 }
             }
@@ -72,24 +75,20 @@ impl WalkPlan {
         for side in [0, 1] {
             for j in 0..self.whole.episode_count(side) {
                 let episode = self.whole.episode(side, j);
-                // A little after the contact, where rounding does not decide which print it is.
-                let planned = self.laws.episode_at(side, self.repeat.fold(episode.contact + 0.01).0);
-                let stance = &self.feet[side].stances[planned];
+                let stance = &self.feet[side].stances[self.planned_print(&episode)];
+                let style = self.law(&episode);
                 let clock = |v: f64| self.time(episode.contact + v).clamp(0.0, end);
                 let pushes = matches!(episode.kind, Kind::First | Kind::Step);
                 let landed = if matches!(episode.kind, Kind::First) { -1.0 } else { 0.0 };
-                let flat = if matches!(episode.kind, Kind::Step | Kind::Last) {
-                    self.laws.style.foot_flat
-                } else {
-                    landed
-                };
+                let flat =
+                    if matches!(episode.kind, Kind::Step | Kind::Last) { style.foot_flat } else { landed };
                 let last = |v: f64| if pushes { clock(v) } else { end };
                 let (foot, toes) = (FEET[self.seen_side(side)], TOES[self.seen_side(side)]);
                 let spans = [
                     (foot, SolePart::Heel, clock(landed), last(stance.heel_off())),
                     (foot, SolePart::Ball, clock(flat), last(stance.heel_off())),
                     (toes, SolePart::Ball, clock(flat), last(stance.tip_roll_at())),
-                    (toes, SolePart::ToeTip, clock(flat), last(self.laws.style.toe_off())),
+                    (toes, SolePart::ToeTip, clock(flat), last(style.toe_off())),
                 ];
                 for (link, part, start, end) in spans {
                     let Some(index) = figure.link_index(link) else { continue };
@@ -103,10 +102,31 @@ impl WalkPlan {
     }
 }
 
+/// A walk of the figure with this fingerprint sampled `rate` times a second, with its events and planted points.
+pub(crate) fn sampled(
+    figure: &Figure,
+    walk: &(impl Walking + SupportLaw),
+    fingerprint: u64,
+    rate: f64,
+) -> Result<Motion, ReactionError> {
+    let info = MotionInfo { fingerprint, ..MotionInfo::on_earth(figure, rate) };
+    let mut motion = Motion::sample(figure, walk, info)?;
+    balance_momentum(figure, walk, &mut motion)?;
+    motion.events = walk.events();
+    motion.planted = walk.planted(figure);
+    // The last frame lies at or after the end, and the feet still stand.
+    let (end, last) = (walk.duration(), motion.time()[motion.len() - 1]);
+    for planted in motion.planted.iter_mut().filter(|planted| planted.end >= end) {
+        planted.end = last;
+    }
+    Ok(motion)
+}
+
 impl SupportLaw for WalkPlan {
     fn support(&self, t: f64) -> Support {
         let u = self.clock_at(t);
-        Support { feet: self.support(u), pivot: self.laws.style.pivot, force: Some(self.force(u)) }
+        let pivot = self.laws.pivot(self.repeat.fold(u).0);
+        Support { feet: self.support(u), pivot, force: Some(self.force(u)) }
     }
 }
 

@@ -25,11 +25,11 @@ impl Standing {
         let ahead = leg.heel_behind + STANDING_AHEAD * body.scale();
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
         let (trunk, arms) = (laws::trunk(style, 0.0, 0.0), [laws::arm(style, 0.0, 0.0); 2]);
-        let upper = UpperBody::new(body, &grid, |_| (trunk, arms));
+        let upper = UpperBody::new(body, &grid, |_| (trunk, arms, 0.0));
         let hip_offset = laws::rotation(trunk[0]) * leg.hip;
         let stance = Stance::new(leg, style, Landing::Flat, Push::of(style));
         let ankle = stance.flat_ankle();
-        let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane);
+        let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane, |_, _| 0.0);
         let mut pelvis = Vector3::new(0.0, 0.95 * leg.length(), ahead);
         let mut com = pelvis;
         for _ in 0..25 {

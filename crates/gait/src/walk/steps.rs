@@ -1,39 +1,35 @@
 //! Step lengths of a walk of n steps, and the number of steps to a distance.
 
+use super::course::Step;
 use super::numbers::STEP_FACTORS;
 
-/// Lengths of `n` steps (m): `S` in the middle; the first is shorter, and two shorter ones brake at the end.
-pub(crate) fn lengths(n: usize, step_length: f64) -> Vec<f64> {
-    let (first, before, last) = STEP_FACTORS;
-    let mut factors = vec![1.0; n];
-    if n > 1 {
-        factors[0] = first;
-    }
-    if let Some(factor) = factors.last_mut() {
-        *factor = last;
-    }
-    if n > 1 {
-        factors[n - 2] = before.min(factors[n - 2]);
-    }
-    factors.iter().map(|factor| factor * step_length).collect()
+/// `n` steps of one pace, ahead.
+pub(super) fn even(n: usize, step_length: f64) -> Vec<Step> {
+    factors(n).map(|factor| Step { pace: 0, length: factor * step_length, turn: 0.0 }).collect()
 }
 
-/// Sum of the factors of `n` steps.
-fn total(n: usize) -> f64 {
+/// Lengths of `n` steps over S: the first is shorter, and two shorter ones brake at the end.
+pub(crate) fn factors(n: usize) -> impl Iterator<Item = f64> {
     let (first, before, last) = STEP_FACTORS;
-    match n {
+    (0..n).map(move |i| match n - i {
         1 => last,
-        2 => first.min(before) + last,
-        _ => first + (n - 3) as f64 + before + last,
-    }
+        2 if i == 0 => first.min(before),
+        2 => before,
+        _ if i == 0 => first,
+        _ => 1.0,
+    })
 }
 
-/// Number of steps for a distance, and their length S, so that the distance is met exactly: as few steps as need no
-/// length above 1.02 of the default one.
-pub(crate) fn for_distance(distance: f64, default: f64) -> (usize, f64) {
-    // Solved for n > 2, then corrected: the factors of the ends are constants.
-    let guess = (distance / (1.02 * default) - total(3)).ceil() + 3.0;
-    let mut n = if guess > 3.0 { guess as usize } else { 1 };
+/// Number of steps for a distance, and the length S of the pace, so that the distance is met exactly: as few steps as need no
+/// length above 1.02 of the default one. `lengths` are those of n steps over S, without the factors of the ends.
+pub(crate) fn for_distance<L: Iterator<Item = f64>>(
+    distance: f64,
+    default: f64,
+    lengths: impl Fn(usize) -> L,
+) -> (usize, f64) {
+    let total = |n: usize| factors(n).zip(lengths(n)).map(|(factor, length)| factor * length).sum::<f64>();
+    // No fewer than if every step were whole.
+    let mut n = ((distance / (1.02 * default)) as usize).max(1);
     while distance > 1.02 * default * total(n) {
         n += 1;
     }
@@ -47,11 +43,12 @@ mod tests {
     #[test]
     fn a_distance_is_met_exactly_by_the_fewest_steps() {
         for distance in [0.1, 0.5, 0.9, 1.1, 2.0, 5.0, 123.4] {
-            let (n, step) = for_distance(distance, 0.7);
-            let sum: f64 = lengths(n, step).iter().sum();
+            let (n, step) = for_distance(distance, 0.7, |n| std::iter::repeat_n(1.0, n));
+            let sum: f64 = even(n, step).iter().map(|step| step.length).sum();
             assert!((sum - distance).abs() < 1e-12 * distance.max(1.0));
             assert!(step <= 1.02 * 0.7 + 1e-12);
-            assert!(n == 1 || distance > 1.02 * 0.7 * total(n - 1), "{distance} m in {n} steps");
+            let fewer: f64 = factors(n - 1).sum();
+            assert!(n == 1 || distance > 1.02 * 0.7 * fewer, "{distance} m in {n} steps");
         }
     }
 }
