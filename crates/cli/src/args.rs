@@ -17,7 +17,7 @@ pub(crate) use ground::{AskedBelt, AskedPlate};
 pub(crate) use metrics::AskedLevel;
 pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
 pub(crate) use sweep::{columns, walk_options};
-pub(crate) use walk::{check, key_options};
+pub(crate) use walk::{Then, check, key_options};
 
 use clap::builder::{Str, ValueParser};
 use clap::{Arg, ArgAction, Command};

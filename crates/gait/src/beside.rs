@@ -41,13 +41,13 @@ impl WalkPlan {
     ///
     /// A step that the postures do not fit.
     pub fn beside(&self, determinants: Determinants) -> Result<Vec<Beside>, GaitError> {
-        let (style, leg) = (self.style(), &self.body.leg);
+        // A step from the middle of what was planned, by the foot that lands; left is 0.
+        let contact = self.laws.course.steps.div_ceil(2);
+        let (style, leg) = (self.laws.style(contact), &self.body.leg);
         let p = Proportions::of_leg(leg, self.body.height);
         let values = determinants.automatic(&p, style.step_frequency, style.step_length)?;
         let speed = style.step_length * style.step_frequency / 60.0;
         let solution: KeySolution = determinants.solve(&p, &values, speed)?;
-        // A step from the middle of what was planned, by the foot that lands; left is 0.
-        let contact = self.laws.course.steps.div_ceil(2);
         let (stance, u) = (contact % 2, 0.5 * contact as f64);
         let legs = |u: f64| -> [LegPose; 2] {
             let both = self.hips_and_legs(u).1;

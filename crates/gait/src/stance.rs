@@ -58,6 +58,15 @@ pub(crate) struct LegJet {
     pub(crate) toes: Boundary,
 }
 
+impl LegJet {
+    /// The angles.
+    pub(crate) fn pose(&self) -> LegPose {
+        let [side, thigh, knee, pitch, toes] =
+            [self.side, self.thigh, self.knee, self.pitch, self.toes].map(|jet| jet.position);
+        LegPose { side, thigh, knee, pitch, toes }
+    }
+}
+
 /// The left foot on the ground; its print's heel stands at z = 0 (the right foot's world is mirrored).
 #[derive(Clone, Debug)]
 pub(crate) struct Stance {

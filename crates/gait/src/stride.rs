@@ -120,7 +120,12 @@ impl StridePlan {
             stance.set_contact(knee, hip)?;
             stance.set_push(hip)?;
             let contact = stance.contact_jet(Some(knee), hip);
-            let aim = Aim { thigh: style.thigh_swing, late_knee: style.knee_late_swing, beside: false };
+            let aim = Aim {
+                thigh: style.thigh_swing,
+                late_knee: style.knee_late_swing,
+                beside: false,
+                sideways: [0.0; 2],
+            };
             let mut swing = Swing::new(style, &stance.toe_off_jet(hip), &contact, &aim)?;
             let heights: Vec<(f64, f64)> =
                 swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();

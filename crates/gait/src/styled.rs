@@ -63,6 +63,15 @@ impl StyledPlan {
         }
     }
 
+    /// Which way it points at its end, to the left of z (rad).
+    pub fn heading(&self) -> f64 {
+        match self {
+            Self::Smooth(plan) => plan.destination().1,
+            Self::Journey(journey) => journey.destination().1,
+            Self::Thesis(_) => 0.0,
+        }
+    }
+
     /// Steps a minute of the steady part, of the first walk of a journey.
     pub fn step_frequency(&self) -> f64 {
         match self {

@@ -3,7 +3,7 @@
 use crate::leg::{LegGeometry, LegPose};
 use crate::stance::LegJet;
 use crate::style::Style;
-use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError};
+use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, step};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -15,6 +15,11 @@ const ANKLE_AT: f64 = 0.83;
 const LATE_KNEE_AT: f64 = 0.945;
 const TOES_STRAIGHT_AT: f64 = 0.80;
 
+/// The part of a swing, from either end, in which a leg of a turning body comes to lean as if it went straight on, and how
+/// much farther it leans then: the thighs pass each other before mid-swing. (More would need more friction than soles have.)
+const STRAIGHTENED: f64 = 0.3;
+const OUTWARD: f64 = 1.3;
+
 /// What a swing aims at, besides its two ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Aim {
@@ -24,6 +29,20 @@ pub(crate) struct Aim {
     pub(crate) late_knee: f64,
     /// Whether the foot closes beside the other one, where the walk ends.
     pub(crate) beside: bool,
+    /// By how much the leg leans sideways at its two ends only because the body faces elsewhere than the foot, see [`sideways`].
+    pub(crate) sideways: [f64; 2],
+}
+
+/// By how much a leg leans more to the side in its foot's plane than in that of the body, which is turned by `turn` to the left of
+/// it. Between two such ends the leg would swing through the other one.
+///
+/// ```text
+/// η − atan2(D·s cos ρ − D·f sin ρ, D_y)      D = hip − ankle,  ρ = turn
+/// ```
+pub(crate) fn sideways(leg: &LegGeometry, pose: &LegPose, turn: f64) -> f64 {
+    let (drop, behind) = (leg.ankle_below_hip(pose), -leg.ankle_ahead_of_hip(pose));
+    let ((sin, cos), (turn_sin, turn_cos)) = (pose.side.sin_cos(), turn.sin_cos());
+    pose.side - (drop * sin * turn_cos - behind * turn_sin).atan2(drop * cos)
 }
 
 /// A rise of the ankle that keeps the foot clear of the ground: C², over part of the swing.
@@ -50,6 +69,8 @@ pub(crate) struct Swing {
     knee: Piecewise,
     dorsiflexion: Piecewise,
     toes: Piecewise,
+    /// See [`Aim`].
+    sideways: [f64; 2],
     /// Pitch and its rate at contact.
     landing: (f64, f64),
     bumps: Vec<Bump>,
@@ -95,6 +116,7 @@ impl Swing {
             knee,
             dorsiflexion: spline(&[toe_off, ANKLE_AT, landed_from], &[ankle], after, before)?,
             toes: spline(&[toe_off, TOES_STRAIGHT_AT], &[], extension, Boundary::rest(0.0))?,
+            sideways: aim.sideways,
             landing,
             bumps: Vec::new(),
         })
@@ -126,7 +148,13 @@ impl Swing {
             contact + rate * LANDING / 3.0 * (t * t * t - 1.0)
         };
         let extension = if v < TOES_STRAIGHT_AT { self.toes.at(v).position } else { 0.0 };
-        LegPose { side: self.side.at(v).position, thigh, knee, pitch, toes: pitch - extension }
+        // In mid-swing the leg leans as if the body faced where the foot does.
+        let x = self.phase(v).clamp(0.0, 1.0);
+        let [before, after] = self.sideways;
+        let part = step::quintic(x.min(1.0 - x) / STRAIGHTENED).position;
+        let straightened = OUTWARD * (before + (after - before) * x) * part;
+        let side = self.side.at(v).position - straightened;
+        LegPose { side, thigh, knee, pitch, toes: pitch - extension }
     }
 
     /// Raises the ankle where the foot would come too near to the ground: at most four times, about the worst sample.

@@ -6,8 +6,8 @@ use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command};
 use solaris::gait::determinants::{KeyParameter, THESIS_WALK_RATIO, five, three};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, PARAMETERS, Parameter, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
-    THESIS_STEP_FREQUENCY, Unit, WALK_RATIO,
+    DEFAULT_STEP_FREQUENCY, Leg, PARAMETERS, Parameter, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
+    THESIS_STEP_FREQUENCY, TURN, TURN_IN_ALL, Unit, WALK_RATIO,
 };
 
 const WALK_EXAMPLES: &str = "Examples:
@@ -19,6 +19,8 @@ const WALK_EXAMPLES: &str = "Examples:
       motion capture for an animation tool, and the numbers of the walk as JSON
   solaris walk --style thesis --determinants 3 --step-frequency 95 -o thesis.html
       through the key postures of three determinants, from rest to rest
+  solaris walk --steps 4 --then steps=3,turn=20 --then stand=1 --then steps=3,step-frequency=90 -o corner.html
+      round a corner to the left, a stop, and on more slowly
   solaris walk --loop in-place -o loop.bvh
       one stride that repeats, for a game";
 
@@ -47,7 +49,7 @@ pub(super) fn command() -> Command {
             "step-length",
             "M",
             &format!(
-                "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (6 % \
+                "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (2 % \
                  at {fastest} steps/min) [default: people's, {WALK_RATIO}·height·frequency]"
             ),
         ))
@@ -91,6 +93,8 @@ pub(super) fn command() -> Command {
             ),
         ))
         .args(manner())
+        .next_help_heading("Changes on the way (style smooth)")
+        .args(changes())
         .next_help_heading("Its style (people's: what people do at this frequency and step length)");
     let command = command.args(PARAMETERS.iter().map(of_style));
     let command = command.next_help_heading("Key postures of five determinants (--style thesis)");
@@ -167,7 +171,7 @@ fn manner() -> [Arg; 7] {
         choice("first", "SIDE", &["left", "right"]).help("Which foot makes the first step [default: right]"),
         choice("loop", "HOW", &["in-place", "moving"]).help(wrap(
             "One stride that repeats instead of a walk: on the spot, or going on; the rate is fitted to it [default: a walk]",
-        )).conflicts_with("extent"),
+        )).conflicts_with_all(["extent", "turn", "then"]),
         choice("in-betweens", "HOW", &["rest", "linear"]).help(wrap(
             "Style thesis: from posture to posture by minimum jerk, at rest in each, or at an even pace [default: rest]",
         )),
@@ -177,6 +181,75 @@ fn manner() -> [Arg; 7] {
         )),
         number("sway", "M", "Style thesis: amplitude of the pelvis' way to the sides, towards the foot that stands [default: 0]"),
     ]
+}
+
+/// What changes on the way.
+fn changes() -> [Arg; 2] {
+    let (turn, in_all) = (TURN.to_degrees().round(), TURN_IN_ALL.to_degrees().round());
+    [
+        number(
+            "turn",
+            "DEGREES",
+            &format!(
+                "By how much each step turns to the left, -{turn} to {turn}°, {in_all}° in all [default: 0]"
+            ),
+        ),
+        Arg::new("then")
+            .long("then")
+            .value_name("WHAT")
+            .action(ArgAction::Append)
+            .value_parser(ValueParser::new(parse_then))
+            .help(wrap(
+                "What comes next; several are allowed. steps=4,step-frequency=95,step-length=0.6,speed=1,turn=15: steps of another \
+                 pace or direction (what is left out stays, but for turn); a short step-length is a half step. stand=2: stop and \
+                 stand for 2 s; what follows starts anew, and may be distance=3 instead of steps [default: nothing]",
+            )),
+    ]
+}
+
+/// What comes next in a walk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Then {
+    /// Stop, and stand so long (s).
+    Stand(f64),
+    /// Some steps.
+    Steps(Leg),
+    /// As many steps as reach so far (m), from standing.
+    Distance(f64, Leg),
+}
+
+/// `stand=2`, or `steps=4,step-frequency=95,turn=15`.
+fn parse_then(text: &str) -> Result<Then, String> {
+    const KEYS: [&str; 7] = ["steps", "distance", "stand", "step-frequency", "step-length", "speed", "turn"];
+    let mut values = [None; KEYS.len()];
+    for item in text.split([',', ' ']).filter(|item| !item.is_empty()) {
+        let example = "such as steps=4,step-frequency=95 or stand=2";
+        let (key, value) = item.split_once('=').ok_or(format!("'{item}' must be KEY=NUMBER, {example}"))?;
+        let index = KEYS.iter().position(|known| *known == key);
+        let index = index.ok_or(format!("there is no '{key}'; there are {}", KEYS.join(", ")))?;
+        let value: f64 = value.parse().map_err(|_| format!("{key} '{value}': it must be a number"))?;
+        if values[index].replace(value).is_some() {
+            return Err(format!("{key} is given twice"));
+        }
+    }
+    let [steps, distance, stand, step_frequency, step_length, speed, turn] = values;
+    if let Some(stand) = stand {
+        let alone = values.iter().flatten().count() == 1;
+        return if alone { Ok(Then::Stand(stand)) } else { Err("stand goes alone".to_owned()) };
+    }
+    let turn = turn.unwrap_or_default().to_radians();
+    let leg = Leg { steps: 0, step_frequency, step_length, speed, turn };
+    match (steps, distance) {
+        (Some(steps), None) if steps.fract() == 0.0 && steps >= 0.0 && steps <= STEPS.1 as f64 => {
+            Ok(Then::Steps(Leg { steps: steps as usize, ..leg }))
+        }
+        (Some(steps), None) => {
+            Err(format!("steps {steps}: it must be a whole number, {} to {}", STEPS.0, STEPS.1))
+        }
+        (None, Some(distance)) => Ok(Then::Distance(distance, leg)),
+        (None, None) => Err("it needs steps, a distance or stand".to_owned()),
+        (Some(_), Some(_)) => Err("steps and distance: any one of them; drop the other".to_owned()),
+    }
 }
 
 /// The options of a person's size.

@@ -27,7 +27,7 @@ pub(super) struct Planned {
 /// The name of a plan's style.
 pub(super) fn style(plan: &StyledPlan) -> &'static str {
     match plan {
-        StyledPlan::Smooth(_) => "smooth",
+        StyledPlan::Smooth(_) | StyledPlan::Journey(_) => "smooth",
         StyledPlan::Thesis(_) => "thesis",
     }
 }
@@ -93,7 +93,7 @@ impl Planned {
 
 /// A smooth walk beside the key postures of the same step, where such a step has any.
 fn beside(plan: &StyledPlan, determinants: Determinants) -> Option<BesideKeyPostures> {
-    let StyledPlan::Smooth(plan) = plan else { return None };
+    let plan = plan.smooth()?;
     let posture = |beside: Beside| {
         let [a, b, c, d, e, f] = beside.deviations().map(f64::to_degrees);
         BesidePosture { posture: beside.name, at_s: beside.time, stance_deg: [a, b, c], swing_deg: [d, e, f] }

@@ -224,24 +224,30 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
 /// What is known to be wrong with such a walk, said where it shows.
 fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<String> {
     let mut notes = Vec::new();
-    let plan = match plan {
-        StyledPlan::Smooth(plan) => plan,
-        StyledPlan::Thesis(plan) => {
-            let what = match plan.in_between {
-                InBetween::Rest => "the body stops at every posture",
-                InBetween::Linear => "the body's velocity jumps at every posture",
-            };
-            let reach = measures.vertical.value;
-            notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
-            if let Some(slide) = plan.walk.toe_slide() {
-                notes.push(format!(
-                    "both postures have the toe of the foot behind on the ground, {:.0} mm apart: it counts as lifted between",
-                    1e3 * slide.abs()
-                ));
-            }
-            return notes;
+    if let StyledPlan::Thesis(plan) = plan {
+        let what = match plan.in_between {
+            InBetween::Rest => "the body stops at every posture",
+            InBetween::Linear => "the body's velocity jumps at every posture",
+        };
+        let reach = measures.vertical.value;
+        notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
+        if let Some(slide) = plan.walk.toe_slide() {
+            notes.push(format!(
+                "both postures have the toe of the foot behind on the ground, {:.0} mm apart: it counts as lifted between",
+                1e3 * slide.abs()
+            ));
         }
-    };
+    }
+    let heading = plan.heading();
+    let Some(plan) = plan.smooth() else { return notes };
+    let turned = heading.to_degrees();
+    if turned.abs() > 1e-9 {
+        notes.push(format!(
+            "it turns by {:.1}° to the {} in all; the distance, braking and pushing are those along its first direction",
+            turned.abs(),
+            if turned > 0.0 { "left" } else { "right" }
+        ));
+    }
     let step_frequency = plan.style().step_frequency;
     if measures.least_knee.value < 0.0 {
         notes.push(format!(
@@ -279,7 +285,7 @@ fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<Strin
     }
     if measures.steady.is_none() && !repeats {
         notes.push(
-            "too few steps for a steady stride, so there is nothing to hold against people's bands"
+            "no steady stride in the middle (eight steps straight on at one pace have one), so there is nothing to hold against people's bands"
                 .to_owned(),
         );
     }

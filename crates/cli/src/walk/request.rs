@@ -1,11 +1,11 @@
 //! What is asked of a walk, out of the options.
 
-use crate::args::{DEFAULT_STEPS, key_options};
+use crate::args::{DEFAULT_STEPS, Then, key_options};
 use crate::error::{CliError, typed};
 use clap::ArgMatches;
 use solaris::gait::determinants::{Determinants, DoubleSupport, five, three};
 use solaris::gait::{
-    Extent, InBetween, PARAMETERS, Parameter, STEPS, StyledRequest, ThesisRequest, WalkRequest,
+    Extent, InBetween, Leg, PARAMETERS, Parameter, STEPS, Stage, StyledRequest, ThesisRequest, WalkRequest,
 };
 
 /// One stride, and whether it stays on the spot.
@@ -57,15 +57,60 @@ pub(crate) fn request(matches: &ArgMatches) -> Result<StyledRequest, CliError> {
         // The determinant that is missing: the pelvis does not turn.
         parameters.push(("rotation", 0.0));
     }
-    Ok(StyledRequest::Smooth(WalkRequest {
+    let turn = number(matches, "turn").unwrap_or_default().to_radians();
+    let first = WalkRequest {
         step_frequency,
         step_length,
         speed,
         extent,
+        turn,
         left_first,
         parameters,
         ..WalkRequest::default()
-    }))
+    };
+    let then = matches.try_get_many::<Then>("then").ok().flatten().unwrap_or_default();
+    smooth(first, then.copied())
+}
+
+/// A walk and what comes next: one walk, or several with standing still in between.
+fn smooth(first: WalkRequest, then: impl Iterator<Item = Then>) -> Result<StyledRequest, CliError> {
+    let WalkRequest { step_frequency, step_length, speed, .. } = first;
+    // What is left out stays as it was.
+    let mut pace = Leg { step_frequency, step_length, speed, ..Leg::default() };
+    let anew = |extent: Extent, turn: f64, pace: &Leg| {
+        let Leg { step_frequency, step_length, speed, .. } = *pace;
+        Some(WalkRequest { step_frequency, step_length, speed, extent, turn, ..first.clone() })
+    };
+    let (mut stages, mut walk) = (Vec::new(), Some(first.clone()));
+    for next in then {
+        if let Then::Steps(leg) | Then::Distance(_, leg) = next
+            && leg.step_frequency.or(leg.step_length).or(leg.speed).is_some()
+        {
+            pace = leg;
+        }
+        match (next, &mut walk) {
+            (Then::Stand(time), _) => {
+                stages.extend(walk.take().map(Stage::Walk));
+                stages.push(Stage::Stand(time));
+            }
+            (Then::Steps(leg), Some(walk)) => walk.then.push(leg),
+            (Then::Steps(leg), None) => walk = anew(Extent::Steps(leg.steps), leg.turn, &pace),
+            (Then::Distance(distance, leg), None) => {
+                walk = anew(Extent::Distance(distance), leg.turn, &pace);
+            }
+            (Then::Distance(distance, _), Some(_)) => {
+                return Err(CliError::Usage(format!(
+                    "--then distance={distance}: a distance is met from standing to standing; say --then stand=1 before it, or count \
+                     steps"
+                )));
+            }
+        }
+    }
+    stages.extend(walk.map(Stage::Walk));
+    Ok(match stages.pop() {
+        Some(Stage::Walk(walk)) if stages.is_empty() => StyledRequest::Smooth(walk),
+        last => StyledRequest::Journey(stages.into_iter().chain(last).collect()),
+    })
 }
 
 /// How one stride is to be repeated, if it is.
@@ -118,10 +163,14 @@ fn refuse_others(matches: &ArgMatches, thesis: bool, determinants: Determinants)
         let why = format!("the style '{style}' of {count} determinants has no such parameter");
         return Err(out_of_range(matches, name, why));
     }
-    let of_thesis = ["in-betweens", "double-support", "sway"];
-    match of_thesis.into_iter().find(|name| typed(matches, name).is_some()) {
-        Some(name) if !thesis => Err(out_of_range(matches, name, "only --style thesis has this".to_owned())),
-        _ => Ok(()),
+    let (others, other) = if thesis {
+        (&["turn", "then"][..], "smooth")
+    } else {
+        (&["in-betweens", "double-support", "sway"][..], "thesis")
+    };
+    match others.iter().find(|name| typed(matches, name).is_some()) {
+        Some(name) => Err(out_of_range(matches, name, format!("only --style {other} has this"))),
+        None => Ok(()),
     }
 }
 

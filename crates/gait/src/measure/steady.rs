@@ -12,6 +12,9 @@ pub(crate) const VALLEY_AFTER: f64 = 0.01;
 pub(crate) const VALLEY_TO: f64 = 0.5;
 pub(crate) const SECOND_PEAK_FROM: f64 = 0.30;
 
+/// Part of a stride's duration and way by which its halves may differ, and by which it may go sideways.
+const UNEVEN: f64 = 0.02;
+
 /// The measures of a steady stride of the left leg. Forces in % of body weight, angles in degrees, excursions in cm,
 /// moments in N m/kg about the distal segment's axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,10 +54,20 @@ pub struct SteadyStride {
 }
 
 impl SteadyStride {
-    /// The stride from the middle-most left contact that has three steps before it and two after it; eight steps have one.
+    /// The stride from the middle-most left contact that has three steps before it and two after it, of those that go straight on
+    /// along z at an even pace; eight steps have one.
     pub(super) fn find(motion: &Motion, series: &Series<'_>, contacts: &[(f64, usize)]) -> Option<Self> {
         // Contacts 1 … n and the closing one: three steps on either side belong to starting and braking.
-        let strides = (3..contacts.len().saturating_sub(5)).filter(|&i| contacts[i].1 == 0);
+        let even = |i: usize| {
+            let [start, middle, end] = [0, 1, 2].map(|k| contacts[i + k].0);
+            let window = Window { time: series.time, span: (start, end) };
+            let advance = |axis: usize| {
+                window.at(end, &|k| series.com[k][axis]) - window.at(start, &|k| series.com[k][axis])
+            };
+            let halves = ((end - middle) - (middle - start)).abs() / (end - start);
+            halves < UNEVEN && advance(0).abs() < UNEVEN * advance(2)
+        };
+        let strides = (3..contacts.len().saturating_sub(5)).filter(|&i| contacts[i].1 == 0 && even(i));
         let middle = contacts.len() as f64 / 2.0 - 1.5;
         let begin =
             strides.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;

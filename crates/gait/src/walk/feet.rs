@@ -6,7 +6,7 @@ use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START, PITCH_FIRST, PITCH_LAS
 use super::passes::Timeline;
 use crate::leg::{LegGeometry, LegPose};
 use crate::stance::{Landing, LegJet, Push, Stance};
-use crate::swing::{Aim, Swing};
+use crate::swing::{Aim, Swing, sideways};
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, ProfileError, UniformSpline};
 
@@ -59,15 +59,21 @@ impl Foot {
             let (from, to) = (course.episode(side, j), course.episode(side, j + 1));
             let style = laws.gaits.swing(&from, &to);
             let end = &contacts[j + 1];
+            let start = stances[j].toe_off_jet(seen(from));
+            let leans = |episode: &Episode, v: f64, jet: &LegJet| {
+                let turn = course.heading(episode.contact + v) - episode.print.heading;
+                sideways(leg, &jet.pose(), if side == 0 { turn } else { -turn })
+            };
+            let sideways = [leans(&from, style.toe_off(), &start), leans(&to, 0.0, end)];
             let aim = if to.kind == Kind::Close {
-                Aim { thigh: style.thigh_swing * 0.85, late_knee: 0.0, beside: true }
+                Aim { thigh: style.thigh_swing * 0.85, late_knee: 0.0, beside: true, sideways }
             } else {
                 let steady = laws.gaits.of_contact(to.index).contact_thigh;
                 let thigh = style.thigh_swing + 0.8 * (end.thigh.position - steady);
                 let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
-                Aim { thigh, late_knee, beside: false }
+                Aim { thigh, late_knee, beside: false, sideways }
             };
-            let mut swing = Swing::new(&style, &stances[j].toe_off_jet(seen(from)), end, &aim)?;
+            let mut swing = Swing::new(&style, &start, end, &aim)?;
             let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);
             let heights: Vec<(f64, f64)> =
                 heights.map(|(node, u)| (u - from.contact, hip.nodes[node][1])).collect();
