@@ -78,7 +78,7 @@ fn the_laws_hold_through_every_change() {
             1e3 * walk.cop_outside.value,
             walk.least_knee.value.to_degrees()
         );
-        assert!(prescribed < 0.15, "{name}");
+        assert!(prescribed < 0.05, "{name}");
         assert!(walk.friction.value < FRICTION.0 && walk.foot_friction.value < FRICTION.1, "{name}");
         assert!(walk.slide.value < 1e-9 && walk.sink.value < 1e-4, "{name}");
         assert!(walk.cop_outside.value < 1e-3 && walk.clearance.value > 0.005, "{name}");
