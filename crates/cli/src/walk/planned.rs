@@ -18,6 +18,8 @@ pub(super) struct Planned {
     pub(super) forces: Forces,
     /// Whether it is one stride that repeats itself.
     pub(super) repeats: bool,
+    /// Whether pace or direction change on the way.
+    pub(super) changes: bool,
     pub(super) beside: Option<BesideKeyPostures>,
     /// How long planning took, and all with the forces.
     pub(super) planning: Duration,
@@ -84,6 +86,11 @@ impl Planned {
             motion,
             forces,
             repeats: looped.is_some(),
+            changes: match request {
+                StyledRequest::Smooth(walk) => !walk.then.is_empty(),
+                StyledRequest::Journey(_) => true,
+                StyledRequest::Thesis(_) => false,
+            },
             beside,
             planning,
             solving: start.elapsed(),

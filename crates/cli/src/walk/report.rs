@@ -42,6 +42,9 @@ pub(crate) struct Walk {
     pub(crate) style: &'static str,
     /// Whether it is one stride that repeats itself.
     pub(crate) repeats: bool,
+    /// Whether pace or direction change on the way, or the body stands in between: frequency, length and speed are those at first.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(crate) changes: bool,
     pub(crate) steps: usize,
     pub(crate) step_frequency_per_min: f64,
     pub(crate) step_length_m: f64,
@@ -123,7 +126,7 @@ pub(crate) struct RunTime {
 
 impl Report {
     pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
-        let Planned { plan, motion, forces, repeats, beside, planning, solving } = planned;
+        let Planned { plan, motion, forces, repeats, changes, beside, planning, solving } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let m = measures;
@@ -140,6 +143,7 @@ impl Report {
             walk: Walk {
                 style: style(&plan),
                 repeats,
+                changes,
                 // Of a stride only one touch-down is within, the other is its begin.
                 steps: if repeats { 2 } else { m.steps },
                 step_frequency_per_min: step_frequency,

@@ -32,7 +32,11 @@ pub(super) fn title(report: &Report) -> String {
             "A stride that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
         );
     }
-    format!("A person of {height} m and {mass} kg walks {} step{plural} at {pace} steps/min", walk.steps)
+    let first = if walk.changes { ", at first" } else { "" };
+    format!(
+        "A person of {height} m and {mass} kg walks {} step{plural}{first} at {pace} steps/min",
+        walk.steps
+    )
 }
 
 /// The rows for the page.
