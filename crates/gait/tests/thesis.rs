@@ -288,3 +288,22 @@ fn three_determinants_say_how_far_a_toe_would_slide() {
     let at_70 = slide(Determinants::Three, 70.0).expect("a slide");
     assert!(at_70 < at_105, "{at_70} {at_105}");
 }
+
+/// Where the slide changes its sign it is less than a tenth of a millimetre: still too much for a point that is planted.
+#[test]
+fn a_toe_that_would_slide_by_a_hair_is_lifted() {
+    for (height, mass) in [(1.75, 73.0), (1.2, 25.0), (2.0, 95.0)] {
+        let figure = human(height, mass).expect("a person");
+        let plan = |step_frequency| walked(&figure, Determinants::Three, step_frequency, 3);
+        let would_slide = |step_frequency| plan(step_frequency).walk.toe_slide();
+        let (mut backward, mut forward) = (50.0, 70.0);
+        for _ in 0..12 {
+            let middle = 0.5 * (backward + forward);
+            if would_slide(middle).expect("a slide") > 0.0 { forward = middle } else { backward = middle }
+        }
+        let hair = would_slide(forward).expect("a slide");
+        assert!((1e-6..1e-4).contains(&hair), "{hair}");
+        let slide = slide(&figure, &plan(forward));
+        assert!(slide < 1e-8, "{height}: slides {slide:e} m");
+    }
+}
