@@ -24,6 +24,7 @@ impl<'a> Stage<'a> {
     }
 
     /// World position of a link's point.
+    #[allow(dead_code, reason = "not every test asks for it")]
     pub(crate) fn at(&self, link: usize, point: &Vector3<f64>) -> Vector3<f64> {
         self.workspace.pose(link).transform(point)
     }
