@@ -6,10 +6,12 @@ use crate::error::GaitError;
 use crate::keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 use crate::lacks;
 use crate::pace;
+use crate::prescribed::G;
 use crate::walker::{Extent, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
-/// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75.
+/// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75. The speed may be
+/// √(g·leg) at most, which three determinants with the thesis's step length come to at 161 steps/min for 1.75 m.
 pub const THESIS_STEP_FREQUENCY: (f64, f64) = (30.0, 180.0);
 
 /// What is asked of a walk in the thesis's style: key postures of three or five determinants, and profiles between them.
@@ -170,6 +172,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     let choice = KeyChoice::of(&proportions, &request)?;
     let KeyChoice { step_frequency, step_length, ref values } = choice;
     let speed = step_length * step_frequency / 60.0;
+    check_speed(speed, body.leg.length())?;
     let postures = request.determinants.solve(&proportions, values, speed)?;
     let parts = postures.parts(&proportions, request.double_support, step_frequency);
     let mut parts = parts.into_iter();
@@ -194,6 +197,30 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
         step_frequency,
         step_length,
         steps,
+    })
+}
+
+/// Refuses speeds at which nobody walks: a body that passes over a straight leg of length l falls round it with v²/l, and where
+/// gravity is less than that it flies.
+///
+/// ```text
+/// v² ≤ g·l        (Froude number v²/(g·l) of at most 1)
+/// ```
+fn check_speed(speed: f64, leg: f64) -> Result<(), GaitError> {
+    let most = (G * leg).sqrt();
+    if speed <= most {
+        return Ok(());
+    }
+    let why =
+        "; faster, a body that passes over a straight leg leaves the ground: take shorter or fewer steps";
+    let (lower, upper) = (0.0, (100.0 * most).floor() / 100.0);
+    Err(GaitError::Range {
+        parameter: "speed",
+        value: speed,
+        unit: " m/s",
+        lower,
+        upper,
+        why: why.to_owned(),
     })
 }
 
