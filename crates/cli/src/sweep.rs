@@ -137,13 +137,16 @@ fn read(path: &Path) -> Result<Rows, CliError> {
     let table = read_rows(&text).map_err(|error| refuse(&error))?;
     let known = columns(&walk_options());
     let unknown: Vec<&String> = table.columns.iter().filter(|name| !known.contains(name)).collect();
-    if let Some(first) = unknown.first() {
-        let names: Vec<String> = unknown.iter().map(|name| format!("'{name}'")).collect();
-        let near = nearest(first, known.iter().map(String::as_str));
-        let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
+    if !unknown.is_empty() {
+        let named = |name: &&String| {
+            let near = nearest(name, known.iter().map(String::as_str));
+            let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
+            format!("'{name}'{hint}")
+        };
+        let names: Vec<String> = unknown.iter().map(named).collect();
         let column = if unknown.len() == 1 { "column" } else { "columns" };
         let why = format!(
-            "line 1: {column} {}{hint}: no option of a walk; there are {}",
+            "line 1: {column} {}: no option of a walk; there are {}",
             some(&names),
             known.join(", ")
         );
