@@ -145,11 +145,8 @@ fn read(path: &Path) -> Result<Rows, CliError> {
         };
         let names: Vec<String> = unknown.iter().map(named).collect();
         let column = if unknown.len() == 1 { "column" } else { "columns" };
-        let why = format!(
-            "line 1: {column} {}: no option of a walk; there are {}",
-            some(&names),
-            known.join(", ")
-        );
+        let why =
+            format!("line 1: {column} {}: no option of a walk; there are {}", some(&names), known.join(", "));
         return Err(refuse(&why));
     }
     Ok(table)
