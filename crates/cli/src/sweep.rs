@@ -6,7 +6,7 @@ use crate::args::{RATE, columns, walk_options};
 use crate::error::{CliError, typed};
 use crate::input;
 use crate::output::{Formats, Outputs};
-use crate::print::print;
+use crate::print::{print, write_json};
 use crate::progress::Rows as Bar;
 use crate::words::{row, short, some};
 use clap::ArgMatches;
@@ -96,8 +96,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     summary.rows_per_second_and_thread = summary.rows as f64 / summary.seconds / summary.threads as f64;
     print(|out| {
         if matches.get_flag("json") {
-            serde_json::to_writer_pretty(&mut *out, &summary).map_err(std::io::Error::from)?;
-            return writeln!(out);
+            return write_json(out, &summary);
         }
         summary.write(out)?;
         outputs.paths().try_for_each(|path| writeln!(out, "\nwrote {}", path.display()))
