@@ -10,6 +10,9 @@ use crate::prescribed::G;
 use crate::walker::{Extent, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
+/// The parameter that is the step length, too.
+const STEP_LENGTH: &str = "step-length";
+
 /// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75. The speed may be
 /// √(g·leg) at most, which three determinants with the thesis's step length come to at 161 steps/min for 1.75 m.
 pub const THESIS_STEP_FREQUENCY: (f64, f64) = (30.0, 180.0);
@@ -40,7 +43,7 @@ pub struct ThesisRequest {
     /// How far.
     pub extent: Extent,
     /// Parameters of the key postures by name, in their units ([`Determinants::parameters`]); what is left out is chosen inside
-    /// its bounds.
+    /// its bounds. A step length among them counts, but for a distance.
     pub parameters: Vec<(&'static str, f64)>,
     /// How long both feet are on the ground; without a law, of five determinants the phases last as long as the pelvis goes.
     pub double_support: Option<DoubleSupport>,
@@ -135,13 +138,14 @@ impl KeyChoice {
             }
             given[index] = Some(*value);
         }
+        // The first of all parameters.
+        given[0].get_or_insert(step_length);
         let values = if let Some(values) = given.iter().copied().collect::<Option<Vec<f64>>>() {
             values
         } else {
             let automatic = determinants.automatic(p, step_frequency, step_length)?;
             given.into_iter().zip(automatic).map(|(given, automatic)| given.unwrap_or(automatic)).collect()
         };
-        let step_length = values[0];
         Ok(Self { step_frequency, step_length, values })
     }
 }
@@ -164,6 +168,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
             range("distance", distance, " m", (SHORTEST_DISTANCE, STEPS.1 as f64 * longest))?;
             let steps = ((distance / longest - 1e-9).ceil() as usize).max(1);
             (request.step_frequency, request.speed) = (Some(frequency), None);
+            request.parameters.retain(|(name, _)| *name != STEP_LENGTH);
             request.step_length = Some(distance / steps as f64);
             steps
         }
@@ -227,10 +232,9 @@ fn check_speed(speed: f64, leg: f64) -> Result<(), GaitError> {
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.
 fn settled(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
     // A length that was given as a parameter is one all the same.
-    let parameter =
-        request.parameters.iter().find(|(name, _)| *name == "step-length").map(|(_, value)| *value);
+    let parameter = request.parameters.iter().find(|(name, _)| *name == STEP_LENGTH).map(|(_, value)| *value);
     let (frequency, length, speed) =
-        (request.step_frequency, request.step_length.or(parameter), request.speed);
+        (request.step_frequency, parameter.or(request.step_length), request.speed);
     for (name, value, unit) in [("step length", length, " m"), ("speed", speed, " m/s")]
         .into_iter()
         .filter_map(|(n, v, u)| Some((n, v?, u)))

@@ -28,6 +28,14 @@ fn what_cannot_be_walked_is_refused_with_what_could_be() {
         (ThesisRequest { extent: Extent::Distance(f64::NAN), ..ThesisRequest::default() }, "distance"),
         (ThesisRequest { sway: f64::NAN, ..ThesisRequest::default() }, "sway"),
         (ThesisRequest { step_width: Some(-1.0), ..ThesisRequest::default() }, "step width"),
+        (
+            ThesisRequest { sway: 0.5, ..ThesisRequest::default() },
+            "sway 0.5 m: it must be 0 to 0.215 m; farther",
+        ),
+        (
+            ThesisRequest { step_width: Some(3.0), ..ThesisRequest::default() },
+            "step width 3 m: it must be 0 to",
+        ),
     ] {
         let error = refused(request).to_string();
         assert!(error.contains(says), "{error}");

@@ -79,6 +79,11 @@ impl Phase {
         phase
     }
 
+    /// Whether both postures have both feet on the ground, though a toe that would slide lifts.
+    pub(super) fn is_double_support(&self) -> bool {
+        matches!(self.free, Free::Pinned { .. }) || self.slid.is_some()
+    }
+
     /// Which of a posture's legs is the root's, and which the other.
     fn legs(&self) -> [usize; 2] {
         let root = usize::from(self.root.swing);
