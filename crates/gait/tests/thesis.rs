@@ -8,7 +8,7 @@ use solaris_gait::determinants::{Determinants, DoubleSupport};
 use solaris_gait::{
     Extent, FEET, InBetween, StyledPlan, StyledRequest, ThesisRequest, ThesisWalk, thesis_walk,
 };
-use solaris_model::{EventKind, Figure, SolePart, Trajectory, human};
+use solaris_model::{EventKind, Figure, Trajectory, human};
 use solaris_modes::reactions_from_feet;
 use stage::Stage;
 
@@ -29,14 +29,8 @@ fn lowest(figure: &Figure, walk: &dyn Trajectory) -> (f64, f64) {
     let frames = (walk.duration() * 300.0) as usize;
     for t in (0..frames).map(|frame| frame as f64 / 300.0) {
         stage.pose(t);
-        for name in ["left_foot", "right_foot", "left_toes", "right_toes"] {
-            let link = figure.link_index(name).expect("a foot");
-            for part in [SolePart::Heel, SolePart::Ball, SolePart::ToeTip] {
-                let Some(point) = figure.links()[link].sole_point(part) else { continue };
-                let y = stage.at(link, point).y;
-                lowest = if y < lowest.0 { (y, t) } else { lowest };
-            }
-        }
+        let y = stage.lowest(figure);
+        lowest = if y < lowest.0 { (y, t) } else { lowest };
     }
     lowest
 }
