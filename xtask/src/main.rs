@@ -19,7 +19,7 @@ cargo xtask CHORE
 
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
-  gaits                             walks a million random requests in the thesis's style, or says why not
+  gaits                             walks a million random requests in the thesis's style, or says why not: about ten minutes
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]

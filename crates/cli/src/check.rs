@@ -5,7 +5,7 @@ mod scene;
 use crate::error::CliError;
 use crate::findings::{heading, list};
 use crate::input::{self, Body};
-use crate::print::print;
+use crate::print::{print, write_json};
 use crate::words::rounded;
 use clap::ArgMatches;
 use serde::Serialize;
@@ -37,8 +37,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let facts = Facts::of(&figure, language.name(), gravity.into(), gravity_is_given, &findings);
     print(|out| {
         if matches.get_flag("json") {
-            serde_json::to_writer_pretty(&mut *out, &facts).map_err(std::io::Error::from)?;
-            return writeln!(out);
+            return write_json(out, &facts);
         }
         facts.write(out)?;
         writeln!(out, "\n{}", chains.trim_end())?;

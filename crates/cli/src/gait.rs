@@ -3,6 +3,7 @@
 mod explain;
 mod map;
 mod people;
+mod picture;
 mod postures;
 mod table;
 

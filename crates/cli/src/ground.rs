@@ -19,7 +19,7 @@ use crate::convert::{TABLE, TableFormat};
 use crate::error::CliError;
 use crate::given::{Given, GivenReport};
 use crate::input::extension;
-use crate::print::print;
+use crate::print::{print, write_json};
 use crate::progress::Progress;
 use against::Plates;
 use clap::ArgMatches;
@@ -88,8 +88,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     }
     print(|out| {
         if matches.get_flag("json") {
-            serde_json::to_writer_pretty(&mut *out, &report).map_err(std::io::Error::from)?;
-            return writeln!(out);
+            return write_json(out, &report);
         }
         report.given.write(out)?;
         report.given.write_doubts(out)?;

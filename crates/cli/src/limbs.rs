@@ -3,7 +3,7 @@
 use crate::error::CliError;
 use serde::Serialize;
 use solaris::model::{Figure, Motion};
-use solaris::modes::{Nearness, nearness};
+use solaris::modes::{Near, Nearness, nearness};
 
 /// Distances in m, negative for the depth of an overlap.
 #[derive(Debug, Serialize)]
@@ -15,46 +15,45 @@ pub(crate) struct Limbs {
     pub(crate) pairs: usize,
     /// Pairs that were not, for they overlap with every joint at zero.
     pub(crate) left_out: Vec<[String; 2]>,
-    /// The least of every frame.
-    pub(crate) frames: Frames,
+    /// Which pair was the nearest, one after the other.
+    pub(crate) spells: Vec<Spell>,
 }
 
-/// A number for each frame.
+/// Frames on end in which the same pair is the nearest.
 #[derive(Debug, Serialize)]
-pub(crate) struct Frames {
-    pub(crate) distance_m: Vec<f64>,
-    /// Which of `nearest`.
-    pub(crate) pair: Vec<usize>,
-    /// The pairs that are the nearest in some frame, in the order in which they become it.
-    pub(crate) nearest: Vec<[String; 2]>,
+pub(crate) struct Spell {
+    pub(crate) links: [String; 2],
+    pub(crate) from_s: f64,
+    pub(crate) to_s: f64,
+    /// The least distance in that time.
+    pub(crate) distance_m: f64,
+    pub(crate) at_s: f64,
 }
 
 impl Limbs {
     /// None where a figure has nothing to measure.
     pub(crate) fn of(figure: &Figure, motion: &Motion) -> Result<Option<Self>, CliError> {
         let found = nearness(figure, motion).map_err(CliError::other)?;
-        Ok(found.map(|found| Self::new(figure, found)))
+        Ok(found.map(|found| Self::new(figure, motion.time(), found)))
     }
 
-    fn new(figure: &Figure, found: Nearness) -> Self {
+    fn new(figure: &Figure, time: &[f64], found: Nearness) -> Self {
         let names = |pair: &[usize; 2]| pair.map(|link| figure.links()[link].name().to_owned());
-        let mut places = vec![None; found.pairs.len()];
-        let mut nearest = Vec::new();
-        let place = |near: &solaris::modes::Near| {
-            *places[near.pair].get_or_insert_with(|| {
-                nearest.push(names(&found.pairs[near.pair]));
-                nearest.len() - 1
-            })
+        let frames: Vec<(f64, Near)> = time.iter().copied().zip(found.frames).collect();
+        let spell = |frames: &[(f64, Near)]| {
+            let (from_s, first) = frames[0];
+            let nearest = |a: (f64, Near), b: &(f64, Near)| if b.1.distance < a.1.distance { *b } else { a };
+            let (at_s, Near { distance, .. }) = frames.iter().fold(frames[0], nearest);
+            let to_s = frames[frames.len() - 1].0;
+            Spell { links: names(&found.pairs[first.pair]), from_s, to_s, distance_m: distance, at_s }
         };
-        let pair = found.frames.iter().map(place).collect();
-        let distance_m = found.frames.iter().map(|near| near.distance).collect();
         Self {
             distance_m: found.nearest.distance,
             at_s: found.nearest.time,
             links: found.nearest.links,
             pairs: found.pairs.len(),
             left_out: found.left_out.iter().map(names).collect(),
-            frames: Frames { distance_m, pair, nearest },
+            spells: frames.chunk_by(|a, b| a.1.pair == b.1.pair).map(spell).collect(),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::args::{RATE, columns, walk_options};
 use crate::error::{CliError, typed};
 use crate::input;
 use crate::output::{Formats, Outputs};
-use crate::print::print;
+use crate::print::{print, write_json};
 use crate::progress::Rows as Bar;
 use crate::words::{row, short, some};
 use clap::ArgMatches;
@@ -96,8 +96,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     summary.rows_per_second_and_thread = summary.rows as f64 / summary.seconds / summary.threads as f64;
     print(|out| {
         if matches.get_flag("json") {
-            serde_json::to_writer_pretty(&mut *out, &summary).map_err(std::io::Error::from)?;
-            return writeln!(out);
+            return write_json(out, &summary);
         }
         summary.write(out)?;
         outputs.paths().try_for_each(|path| writeln!(out, "\nwrote {}", path.display()))
@@ -137,16 +136,16 @@ fn read(path: &Path) -> Result<Rows, CliError> {
     let table = read_rows(&text).map_err(|error| refuse(&error))?;
     let known = columns(&walk_options());
     let unknown: Vec<&String> = table.columns.iter().filter(|name| !known.contains(name)).collect();
-    if let Some(first) = unknown.first() {
-        let names: Vec<String> = unknown.iter().map(|name| format!("'{name}'")).collect();
-        let near = nearest(first, known.iter().map(String::as_str));
-        let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
+    if !unknown.is_empty() {
+        let named = |name: &&String| {
+            let near = nearest(name, known.iter().map(String::as_str));
+            let hint = near.map_or_else(String::new, |near| format!(" (did you mean '{near}'?)"));
+            format!("'{name}'{hint}")
+        };
+        let names: Vec<String> = unknown.iter().map(named).collect();
         let column = if unknown.len() == 1 { "column" } else { "columns" };
-        let why = format!(
-            "line 1: {column} {}{hint}: no option of a walk; there are {}",
-            some(&names),
-            known.join(", ")
-        );
+        let why =
+            format!("line 1: {column} {}: no option of a walk; there are {}", some(&names), known.join(", "));
         return Err(refuse(&why));
     }
     Ok(table)

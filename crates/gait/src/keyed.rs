@@ -49,12 +49,13 @@ impl KeyedWalk {
     ///
     /// # Errors
     ///
-    /// A figure that cannot walk, see [`crate::lacks()`]; a script without cycles; numbers that are none.
+    /// A figure that cannot walk, see [`crate::lacks()`]; a script without cycles; numbers that are none; feet so far to the side
+    /// that no leg reaches them.
     pub fn new(figure: &Figure, script: &KeyScript, options: KeyedOptions) -> Result<Self, GaitError> {
         crate::lacks::check(figure)?;
         let body = Body::of(figure)?;
         let proportions = Proportions::of_leg(&body.leg, body.height);
-        script.check(&options)?;
+        script.check(&options, proportions.leg())?;
         let rest = REST * script.step_time;
         let (phases, prints) = script::laid_out(&proportions, script, &options, rest);
         let sway = Sway::new(&options, script, &phases);

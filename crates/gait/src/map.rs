@@ -123,7 +123,8 @@ impl FeasibleMap {
     }
 
     fn index(&mut self, condition: MapCondition) -> usize {
-        let known = self.conditions.iter().position(|known| known.name == condition.name);
+        // A name may be that of several inequalities.
+        let known = self.conditions.iter().position(|known| *known == condition);
         known.unwrap_or_else(|| {
             self.conditions.push(condition);
             self.conditions.len() - 1
@@ -266,6 +267,21 @@ mod tests {
             assert!(near || map.contains(point) == Some(holds), "{point:?}");
         }
         assert_eq!(map.contains([5.0, 0.0]), None);
+    }
+
+    #[test]
+    fn inequalities_of_one_name_are_told_apart() {
+        let same = |values: &[f64]| {
+            let condition = |text, sides| Condition { name: "domain", text, sides, symbol: "" };
+            vec![condition("x < 1", [values[0], 1.0]), condition("y < 1", [values[1], 1.0])]
+        };
+        let spans = [(0.0, 2.0), (0.0, 2.0)];
+        let map = FeasibleMap::new(&PARAMETERS, &[0.0; 2], [0, 1], spans, [10; 2], same).expect("a map");
+        let mut texts: Vec<&str> = map.conditions.iter().map(|condition| condition.text).collect();
+        texts.sort_unstable();
+        assert_eq!(texts, ["x < 1", "y < 1"]);
+        let text = |column: usize, row: usize| map.fails[row * 10 + column].map(|i| map.conditions[i].text);
+        assert_eq!((text(0, 0), text(9, 0), text(0, 9)), (None, Some("x < 1"), Some("y < 1")));
     }
 
     #[test]

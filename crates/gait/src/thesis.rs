@@ -6,10 +6,15 @@ use crate::error::GaitError;
 use crate::keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 use crate::lacks;
 use crate::pace;
+use crate::prescribed::G;
 use crate::request::{Extent, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
-/// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75.
+/// The parameter that is the step length, too.
+const STEP_LENGTH: &str = "step-length";
+
+/// Step frequencies of walks in the thesis's style (steps/min): its double support ends at 181.75. The speed may be
+/// √(g·leg) at most, which three determinants with the thesis's step length come to at 161 steps/min for 1.75 m.
 pub const THESIS_STEP_FREQUENCY: (f64, f64) = (30.0, 180.0);
 
 /// What is asked of a walk in the thesis's style: key postures of three or five determinants, and profiles between them.
@@ -38,7 +43,7 @@ pub struct ThesisRequest {
     /// How far.
     pub extent: Extent,
     /// Parameters of the key postures by name, in their units ([`Determinants::parameters`]); what is left out is chosen inside
-    /// its bounds.
+    /// its bounds. A step length among them counts, but for a distance.
     pub parameters: Vec<(&'static str, f64)>,
     /// How long both feet are on the ground; without a law, of five determinants the phases last as long as the pelvis goes.
     pub double_support: Option<DoubleSupport>,
@@ -133,13 +138,14 @@ impl KeyChoice {
             }
             given[index] = Some(*value);
         }
+        // The first of all parameters.
+        given[0].get_or_insert(step_length);
         let values = if let Some(values) = given.iter().copied().collect::<Option<Vec<f64>>>() {
             values
         } else {
             let automatic = determinants.automatic(p, step_frequency, step_length)?;
             given.into_iter().zip(automatic).map(|(given, automatic)| given.unwrap_or(automatic)).collect()
         };
-        let step_length = values[0];
         Ok(Self { step_frequency, step_length, values })
     }
 }
@@ -162,6 +168,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
             range("distance", distance, " m", (SHORTEST_DISTANCE, STEPS.1 as f64 * longest))?;
             let steps = ((distance / longest - 1e-9).ceil() as usize).max(1);
             (request.step_frequency, request.speed) = (Some(frequency), None);
+            request.parameters.retain(|(name, _)| *name != STEP_LENGTH);
             request.step_length = Some(distance / steps as f64);
             steps
         }
@@ -170,6 +177,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     let choice = KeyChoice::of(&proportions, &request)?;
     let KeyChoice { step_frequency, step_length, ref values } = choice;
     let speed = step_length * step_frequency / 60.0;
+    check_speed(speed, body.leg.length())?;
     let postures = request.determinants.solve(&proportions, values, speed)?;
     let parts = postures.parts(&proportions, request.double_support, step_frequency);
     let mut parts = parts.into_iter();
@@ -197,13 +205,36 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     })
 }
 
+/// Refuses speeds at which nobody walks: a body that passes over a straight leg of length l falls round it with v²/l, and where
+/// gravity is less than that it flies.
+///
+/// ```text
+/// v² ≤ g·l        (Froude number v²/(g·l) of at most 1)
+/// ```
+fn check_speed(speed: f64, leg: f64) -> Result<(), GaitError> {
+    let most = (G * leg).sqrt();
+    if speed <= most {
+        return Ok(());
+    }
+    let why =
+        "; faster, a body that passes over a straight leg leaves the ground: take shorter or fewer steps";
+    let (lower, upper) = (0.0, (100.0 * most).floor() / 100.0);
+    Err(GaitError::Range {
+        parameter: "speed",
+        value: speed,
+        unit: " m/s",
+        lower,
+        upper,
+        why: why.to_owned(),
+    })
+}
+
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.
 fn settled(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
     // A length that was given as a parameter is one all the same.
-    let parameter =
-        request.parameters.iter().find(|(name, _)| *name == "step-length").map(|(_, value)| *value);
+    let parameter = request.parameters.iter().find(|(name, _)| *name == STEP_LENGTH).map(|(_, value)| *value);
     let (frequency, length, speed) =
-        (request.step_frequency, request.step_length.or(parameter), request.speed);
+        (request.step_frequency, parameter.or(request.step_length), request.speed);
     for (name, value, unit) in [("step length", length, " m"), ("speed", speed, " m/s")]
         .into_iter()
         .filter_map(|(n, v, u)| Some((n, v?, u)))

@@ -3,7 +3,7 @@
 use solaris_gait::metrics::{Given, Metric, NoValue, metrics, stances_of_contacts};
 use solaris_gait::{Extent, FEET, SteadyStride, WalkMeasures, WalkRequest, measure, walk};
 use solaris_model::{ContactTrack, Figure, Motion, Vector3, human};
-use solaris_modes::ground::{Belt, Sole, StanceOptions, Stances, find_stances, soles};
+use solaris_modes::ground::{Belt, Sole, Stance, StanceOptions, Stances, find_stances, soles};
 use solaris_modes::{Completed, ground_reactions};
 
 const RATE: f64 = 120.0;
@@ -209,4 +209,34 @@ fn what_cannot_be_told_says_why() {
     let cut = Completed { q: walked.states.q[1..].to_vec(), ..walked.states.clone() };
     let said = metrics(&Given { states: &cut, ..given }).expect_err("cut").to_string();
     assert!(said.contains("the positions"), "{said}");
+}
+
+#[test]
+fn stances_that_are_not_known_or_not_within_the_motion_are_none() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+    let states = Completed {
+        time: vec![0.0],
+        q: vec![0.0; nq],
+        v: vec![0.0; nv],
+        a: vec![0.0; nv],
+        ..Completed::default()
+    };
+    let soles = soles(&figure);
+    let later = |start: f64| Stance { foot: 0, start, end: start + 0.5 };
+    let list = vec![later(1.0), later(2.0)];
+    let later = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "" };
+    for (stances, why) in [(None, NoValue::NoStance), (Some(&later), NoValue::NoStride)] {
+        let given = Given {
+            figure: &figure,
+            gravity: gravity(),
+            states: &states,
+            soles: &soles,
+            stances,
+            contacts: None,
+        };
+        let all = metrics(&given).expect("metrics");
+        let stance = all.iter().find(|metric| metric.key == "stance_percent").expect("a metric");
+        assert_eq!(stance.value, Err(why));
+    }
 }

@@ -1,11 +1,12 @@
 //! Walks in the thesis's style with random parameters: what is feasible obeys all laws, what is not answers.
+#![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 mod stage;
 
 use nalgebra::Vector3;
 use solaris_gait::determinants::{Determinants, Proportions};
 use solaris_gait::{Extent, GaitError, InBetween, ThesisRequest, thesis_walk};
-use solaris_model::{Figure, SolePart, Trajectory as _, human};
+use solaris_model::{Figure, Trajectory as _, human};
 use stage::Stage;
 
 /// Random numbers that are the same everywhere.
@@ -100,14 +101,8 @@ fn obeys(figure: &Figure, walk: &solaris_gait::KeyedWalk, random: &mut Random, r
         }
         let t = random.within(0.0, walk.duration());
         stage.pose(t);
-        for name in ["left_foot", "right_foot", "left_toes", "right_toes"] {
-            let link = figure.link_index(name).expect("a foot");
-            for part in [SolePart::Heel, SolePart::Ball, SolePart::ToeTip] {
-                let Some(point) = figure.links()[link].sole_point(part) else { continue };
-                let y = stage.at(link, point).y;
-                assert!(y > -1e-7, "sinks by {y:e} m at {t} s: {request:?}");
-            }
-        }
+        let y = stage.lowest(figure);
+        assert!(y > -1e-7, "sinks by {y:e} m at {t} s: {request:?}");
     }
 }
 
@@ -122,5 +117,6 @@ fn what_can_be_walked_obeys_and_what_cannot_answers() {
 #[ignore = "minutes"]
 fn a_million_requests_are_walked_or_answered() {
     let (walked, refused) = tried(1_000_000, 2);
+    println!("{walked} walked, {refused} refused");
     assert!(walked > 100_000 && refused > 100_000, "{walked} walked, {refused} refused");
 }

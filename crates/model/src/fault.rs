@@ -198,8 +198,8 @@ impl std::error::Error for FigureError {}
 
 /// The name in `names` that is nearest to `wanted`, if any is near: what a message about an unknown name can suggest.
 pub fn nearest<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
-    // So far is near. Lengths differ by no more than the names do, and nobody mistypes a name of many lines.
-    let near = 2.max(wanted.len() / 3);
+    // So far is near: of four letters two would be half of the name. Lengths differ by no more than the names do, and nobody mistypes a name of many lines.
+    let near = if wanted.len() < 5 { 1 } else { 2.max(wanted.len() / 3) };
     let is_close = |name: &&str| name.len().abs_diff(wanted.len()) <= 4 * near;
     names
         .filter(|name| wanted.len() <= LONGEST_NAME && is_close(name))
@@ -225,4 +225,19 @@ fn edit_distance(a: &str, b: &str) -> usize {
         }
     }
     row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn what_is_near_depends_on_how_long_a_name_is() {
+        let names = ["tilt", "height", "left_thigh"];
+        let near = |wanted: &str| nearest(wanted, names.into_iter());
+        assert_eq!(near("hieght").as_deref(), Some("height"));
+        assert_eq!(near("lft_thihg").as_deref(), Some("left_thigh"));
+        assert_eq!(near("tit").as_deref(), Some("tilt"));
+        assert_eq!((near("time"), near("thigh")), (None, None));
+    }
 }

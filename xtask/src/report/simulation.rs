@@ -26,7 +26,7 @@ pub(super) fn run() -> Result<(), String> {
     eprintln!("report: simulations");
     let mut text = read(PAGE)?;
     text = table::replace(&text, "when", &page::circumstances())?;
-    write(PAGE, &filled(text, tables::all()?)?)?;
+    write(PAGE, &filled(text, all()?)?)?;
     eprintln!("report: building and running with the methods that choose their steps");
     let chore = ["run", "--quiet", "--release", "--package", "xtask", "--features", "stiff", "--"];
     workspace::run(cargo().args(chore).args(["report", "simulation", "adaptive"]))
@@ -35,7 +35,7 @@ pub(super) fn run() -> Result<(), String> {
 /// The part that needs the feature.
 #[cfg(feature = "stiff")]
 pub(super) fn adaptive() -> Result<(), String> {
-    write(PAGE, &filled(read(PAGE)?, tables::adaptive::all()?)?)?;
+    write(PAGE, &filled(read(PAGE)?, all_adaptive()?)?)?;
     pictures::draw()
 }
 
@@ -43,6 +43,17 @@ pub(super) fn adaptive() -> Result<(), String> {
 #[cfg(not(feature = "stiff"))]
 pub(super) fn adaptive() -> Result<(), String> {
     Err("this needs the feature 'stiff'; `cargo xtask report simulation` builds it".to_owned())
+}
+
+/// Tables that need no more than the fixed rules.
+fn all() -> Result<Vec<(&'static str, Table)>, String> {
+    Ok(tables::all()?.into_iter().chain(ground::tables::all()?).collect())
+}
+
+/// Tables of the methods that choose their steps.
+#[cfg(feature = "stiff")]
+fn all_adaptive() -> Result<Vec<(&'static str, Table)>, String> {
+    Ok(tables::adaptive::all()?.into_iter().chain(ground::tables::adaptive()?).collect())
 }
 
 /// The page with these tables.
@@ -72,12 +83,12 @@ mod tests {
     #[cfg(not(feature = "stiff"))]
     #[test]
     fn the_page_says_what_is_measured() {
-        assert_current(tables::all().expect("every case runs"));
+        assert_current(all().expect("every case runs"));
     }
 
     #[cfg(feature = "stiff")]
     #[test]
     fn the_page_says_what_methods_that_choose_their_steps_come_to() {
-        assert_current(tables::adaptive::all().expect("every case runs"));
+        assert_current(all_adaptive().expect("every case runs"));
     }
 }

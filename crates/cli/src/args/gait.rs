@@ -61,40 +61,22 @@ pub(super) fn command() -> Command {
             "N",
             "Places a side at which is looked, 2 to 2000; boundaries are exact whatever it is [default: 160]",
         ))
-        .arg(
-            path("output")
-                .short('o')
-                .action(ArgAction::Append)
-                .help("Write the map: .svg picture, .html page; several -o are allowed [default: none]"),
-        )
+        .arg(picture("map"))
         .arg(json("Print the places and the boundary as JSON"))
         .args(body())
         .args(parameters());
     let explain = Command::new("explain")
         .about("The key postures with their angles, and how much room each inequality leaves")
         .after_help(EXPLAIN_EXAMPLES)
-        .arg(
-            path("output")
-                .short('o')
-                .action(ArgAction::Append)
-                .help("Write the postures: .svg picture, .html page; several -o are allowed [default: none]"),
-        )
+        .arg(picture("postures"))
         .arg(json("Print parameters, angles and inequalities as JSON"))
         .args(body())
         .args(parameters());
     let people = Command::new("people")
         .about("Every fact that is known of people's walking, beside smooth walks at 80 to 130 steps/min")
         .after_help(PEOPLE_EXAMPLES)
-        .arg(
-            Arg::new("determinants")
-                .long("determinants")
-                .value_name("N")
-                .value_parser(["3", "5"])
-                .hide_possible_values(true)
-                .help("Determinants of gait, 3 or 5 [default: 5]"),
-        )
-        .arg(number("height", "M", &format!("Standing height in m [default: {HEIGHT}]")))
-        .arg(number("mass", "KG", "Body mass in kg [default: 23.8·height²]"))
+        .arg(determinants())
+        .args(super::walk::person())
         .arg(format_option());
     Command::new("gait")
         .about("The thesis's walking models: tables, feasible regions, postures; walks beside people")
@@ -102,6 +84,21 @@ pub(super) fn command() -> Command {
         .subcommand_required(true)
         .arg_required_else_help(true)
         .subcommands([table, map, explain, people])
+}
+
+fn determinants() -> Arg {
+    Arg::new("determinants")
+        .long("determinants")
+        .value_name("N")
+        .value_parser(["3", "5"])
+        .hide_possible_values(true)
+        .help("Determinants of gait, 3 or 5 [default: 5]")
+}
+
+/// The files of a picture.
+fn picture(what: &str) -> Arg {
+    let help = format!("Write the {what}: .svg picture, .html page; several -o are allowed [default: none]");
+    path("output").short('o').action(ArgAction::Append).help(help)
 }
 
 /// How a table is written.
@@ -145,12 +142,7 @@ fn parse_span(text: &str) -> Result<(f64, f64), String> {
 /// Whose postures, and how fast.
 fn body() -> [Arg; 6] {
     [
-        Arg::new("determinants")
-            .long("determinants")
-            .value_name("N")
-            .value_parser(["3", "5"])
-            .hide_possible_values(true)
-            .help("Determinants of gait, 3 or 5 [default: 5]"),
+        determinants(),
         Arg::new("body")
             .long("body")
             .value_name("WHOSE")

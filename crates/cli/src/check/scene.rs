@@ -3,7 +3,7 @@
 use crate::error::CliError;
 use crate::findings::list;
 use crate::input::{self, extension};
-use crate::print::print;
+use crate::print::{print, write_json};
 use crate::run::{Loaded, load, refuse};
 use crate::words::{rounded, some};
 use clap::ArgMatches;
@@ -34,8 +34,7 @@ pub(super) fn run(path: &Path, matches: &ArgMatches) -> Result<(), CliError> {
     };
     print(|out| {
         if matches.get_flag("json") {
-            serde_json::to_writer_pretty(&mut *out, &facts).map_err(std::io::Error::from)?;
-            return writeln!(out);
+            return write_json(out, &facts);
         }
         facts.write(out)?;
         if let Some(chains) = chains {

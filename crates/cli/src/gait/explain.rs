@@ -1,20 +1,17 @@
 //! `solaris gait explain`: key postures, and how much room they have.
 
-use super::map::{FORMATS, Format, sides, value};
-use super::postures::Asked;
+use super::picture::Picture;
+use super::postures::{Asked, value};
 use crate::error::CliError;
-use crate::output::Outputs;
-use crate::print::print;
+use crate::print::{print, write_json};
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::gait::determinants::{Condition, KeyPosture, KeySolution, Proportions};
 use solaris::gait::stick_figures;
-use solaris::view::{Room, Stick, StickLine, StickPart, picture_page, postures};
-use std::path::PathBuf;
+use solaris::view::{Room, Stick, StickLine, StickPart, postures};
 
 pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?;
+    let picture = Picture::asked(matches)?;
     let asked = Asked::of(matches)?;
     let refuse = |error| CliError::of_gait(error, matches);
     let speed = asked.choice.step_length * asked.choice.step_frequency / 60.0;
@@ -23,19 +20,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let conditions = asked.determinants.conditions(&asked.proportions, values).map_err(refuse)?;
     let title = format!("Key postures of {}", asked.title().to_lowercase());
     let svg = || postures(&sticks(&asked.proportions, &solution), &rooms(&conditions), &title);
-    outputs.write(|format, writer| {
-        let text = match format {
-            Format::Svg => svg(),
-            Format::Html => picture_page(&title, &svg()),
-        };
-        writer.write_all(text.as_bytes()).map_err(CliError::other)
-    })?;
+    picture.write(&title, svg)?;
     if matches.get_flag("json") {
         let said = Said::of(&asked, &solution, &conditions);
-        return print(|out| {
-            serde_json::to_writer_pretty(&mut *out, &said).map_err(std::io::Error::from)?;
-            writeln!(out)
-        });
+        return print(|out| write_json(out, &said));
     }
     print(|out| {
         writeln!(out, "{title}\n\nParameters\n")?;
@@ -57,13 +45,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
             writeln!(out, "\nnote: the thesis asks for {remark}; nothing breaks without")?;
         }
         write!(out, "{}", asked.note())?;
-        let is_written = outputs.paths().next().is_some();
-        writeln!(
-            out,
-            "{}",
-            if is_written { "" } else { "\nnothing is written; add -o postures.svg to see them" }
-        )?;
-        outputs.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
+        picture.tell(out, "-o postures.svg to see them")
     })
 }
 
@@ -102,6 +84,18 @@ fn angles(posture: &KeyPosture) -> Vec<(String, String)> {
         ("rotation", posture.pelvis.rotation),
     ];
     named.into_iter().map(|(name, angle)| (name.to_owned(), degrees(angle))).collect()
+}
+
+/// How an inequality and its room are written.
+fn sides(condition: &Condition) -> (String, String) {
+    let decimals = if condition.symbol == "°" { 2 } else { 4 };
+    let [lesser, greater] = condition.sides;
+    let unit = condition.symbol;
+    let sign = if condition.holds() { "<" } else { "≥" };
+    (
+        format!("{lesser:.decimals$}{unit} {sign} {greater:.decimals$}{unit}"),
+        format!("{:.decimals$}{unit}", condition.room()),
+    )
 }
 
 /// Rooms as bars: angles against 30°, lengths against a fifth, cosines against 1.

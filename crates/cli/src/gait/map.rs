@@ -1,31 +1,20 @@
 //! `solaris gait map`: where postures exist.
 
-use super::postures::Asked;
+use super::picture::Picture;
+use super::postures::{Asked, value};
 use crate::error::CliError;
-use crate::output::{Formats, Outputs};
-use crate::print::print;
+use crate::print::{print, write_json};
 use clap::ArgMatches;
 use serde::Serialize;
-use solaris::gait::determinants::{Condition, KeyParameter};
+use solaris::gait::determinants::KeyParameter;
 use solaris::gait::{FeasibleMap, MapCondition};
-use solaris::view::{Regions, picture_page, regions};
-use std::path::PathBuf;
-
-/// What a file of a map holds.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Format {
-    Svg,
-    Html,
-}
-
-pub(super) const FORMATS: Formats<Format> = &[("svg", Format::Svg), ("html", Format::Html)];
+use solaris::view::{Regions, regions};
 
 /// Places a side.
 const PLACES: f64 = 160.0;
 
 pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?;
+    let files = Picture::asked(matches)?;
     let asked = Asked::of(matches)?;
     let axis = |name: &str| {
         let wanted = matches.get_one::<String>(name).map_or("", String::as_str);
@@ -55,19 +44,9 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let map = map.map_err(|error| CliError::of_gait(error, matches))?;
     let mark = axes.map(|axis| asked.choice.values[axis]);
     let title = asked.title();
-    let svg = || regions(&picture(&map, mark, asked.unit), &title);
-    outputs.write(|format, writer| {
-        let text = match format {
-            Format::Svg => svg(),
-            Format::Html => picture_page(&title, &svg()),
-        };
-        writer.write_all(text.as_bytes()).map_err(CliError::other)
-    })?;
+    files.write(&title, || regions(&picture(&map, mark, asked.unit), &title))?;
     if matches.get_flag("json") {
-        return print(|out| {
-            serde_json::to_writer_pretty(&mut *out, &Said::of(&map)).map_err(std::io::Error::from)?;
-            writeln!(out)
-        });
+        return print(|out| write_json(out, &Said::of(&map)));
     }
     let marked = asked.determinants.conditions(&asked.proportions, &asked.choice.values);
     let marked = marked.map_err(|error| CliError::of_gait(error, matches))?;
@@ -92,16 +71,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
             writeln!(out, "  fails {failing}")?;
         }
         write!(out, "{}", asked.note())?;
-        let is_written = outputs.paths().next().is_some();
-        writeln!(out, "{}", if is_written { "" } else { "\nnothing is written; add -o map.svg to see it" })?;
-        outputs.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
+        files.tell(out, "-o map.svg to see it")
     })
-}
-
-/// A parameter and its value.
-pub(super) fn value(parameter: &KeyParameter, value: f64) -> String {
-    let decimals = if parameter.unit == "°" { 2 } else { 4 };
-    format!("{:<20} {:<2} {value:>9.decimals$}{}", parameter.name, parameter.symbol, parameter.unit)
 }
 
 fn inequality(condition: MapCondition) -> String {
@@ -168,16 +139,4 @@ impl Said {
             boundary: map.edges.iter().map(|e| Piece { ends: e.ends, condition: e.condition }).collect(),
         }
     }
-}
-
-/// How an inequality and its room are written.
-pub(super) fn sides(condition: &Condition) -> (String, String) {
-    let decimals = if condition.symbol == "°" { 2 } else { 4 };
-    let [lesser, greater] = condition.sides;
-    let unit = condition.symbol;
-    let sign = if condition.holds() { "<" } else { "≥" };
-    (
-        format!("{lesser:.decimals$}{unit} {sign} {greater:.decimals$}{unit}"),
-        format!("{:.decimals$}{unit}", condition.room()),
-    )
 }

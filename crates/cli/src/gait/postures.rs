@@ -86,3 +86,9 @@ fn option(matches: &ArgMatches, option: &str, why: &str) -> CliError {
     let value = typed(matches, option).unwrap_or_default();
     CliError::Option { option: option.to_owned(), value, why: why.to_owned() }
 }
+
+/// A parameter and its value.
+pub(super) fn value(parameter: &KeyParameter, value: f64) -> String {
+    let decimals = if parameter.unit == "°" { 2 } else { 4 };
+    format!("{:<20} {:<2} {value:>9.decimals$}{}", parameter.name, parameter.symbol, parameter.unit)
+}

@@ -2,6 +2,7 @@
 
 use crate::given::{Given, GivenReport, slides};
 use crate::ground::GroundReport;
+use crate::print::write_json;
 use serde::Serialize;
 use solaris::modes::{DofLoad, InverseReport};
 use std::io::{Result, Write};
@@ -89,7 +90,6 @@ impl Report {
     }
 
     pub(super) fn write_json(&self, out: &mut dyn Write) -> Result<()> {
-        serde_json::to_writer_pretty(&mut *out, self).map_err(std::io::Error::from)?;
-        writeln!(out)
+        write_json(out, self)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::evidence::Evidence;
 use crate::given::GivenReport;
+use crate::print::write_json;
 use crate::words::{row, short, some};
 use serde::Serialize;
 use solaris::gait::metrics::Metric;
@@ -63,9 +64,8 @@ impl Report {
         }
     }
 
-    pub(super) fn write_json(&self, mut out: &mut dyn Write) -> Result<()> {
-        serde_json::to_writer_pretty(&mut out, self).map_err(std::io::Error::from)?;
-        writeln!(out)
+    pub(super) fn write_json(&self, out: &mut dyn Write) -> Result<()> {
+        write_json(out, self)
     }
 
     /// A metric a row.

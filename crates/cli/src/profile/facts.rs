@@ -4,7 +4,7 @@ use super::feasible::Feasible;
 use super::request::Request;
 use super::summary::name;
 use super::table::{NAMES, Times, rows};
-use serde::Serialize;
+use crate::print::write_json;
 use serde_json::{Map, Value, json};
 use solaris::profiles::{Answers, Curve, Peak, ProfileCurve, Range, Turn};
 use solaris::view::profile::Labels;
@@ -14,7 +14,7 @@ use std::ops::Bound;
 /// Prints feasible values alone.
 pub(super) fn write_feasible(out: &mut dyn Write, all: &[Feasible], as_json: bool) -> std::io::Result<()> {
     if as_json {
-        return write(out, &json!({ "feasible": feasible(all) }));
+        return write_json(out, &json!({ "feasible": feasible(all) }));
     }
     all.iter().try_for_each(|one| writeln!(out, "{}: {}", one.parameter.symbol, one.short()))
 }
@@ -31,11 +31,6 @@ fn feasible(all: &[Feasible]) -> Value {
         json!({ "parameter": one.parameter.name, "symbol": one.parameter.symbol, "ranges": ranges })
     };
     all.iter().map(one).collect()
-}
-
-fn write(out: &mut dyn Write, value: &impl Serialize) -> std::io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, value).map_err(std::io::Error::from)?;
-    writeln!(out)
 }
 
 /// A curve, what it answers, and its table. Numbers that are not finite are null.
@@ -89,6 +84,6 @@ impl Facts {
     }
 
     pub(super) fn write(&self, out: &mut dyn Write) -> std::io::Result<()> {
-        write(out, &self.0)
+        write_json(out, &self.0)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::args::{amplitude, example, option};
 use crate::error::CliError;
-use crate::print::print;
+use crate::print::{print, write_json};
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::profiles::{Kind, Profile};
@@ -63,8 +63,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     print(|out| {
         if matches.get_flag("json") {
             let kinds: Vec<Said> = Profile::KINDS.iter().map(Said::of).collect();
-            serde_json::to_writer_pretty(&mut *out, &kinds).map_err(std::io::Error::from)?;
-            return writeln!(out);
+            return write_json(out, &kinds);
         }
         text(out)
     })

@@ -1,5 +1,6 @@
 //! All numbers of a report, for other programs.
 
+use crate::print::write_json;
 use serde_json::{Value, json};
 use solaris::modes::Settings;
 use solaris::modes::study::{Row, Study, method_name, setting};
@@ -37,8 +38,7 @@ pub(super) fn write(out: &mut dyn Write, study: &Study, settings: &Settings) -> 
         "choices": choices.iter().map(choice).collect::<Vec<_>>(),
         "rows": study.rows.iter().map(row).collect::<Vec<_>>(),
     });
-    serde_json::to_writer_pretty(&mut *out, &value)?;
-    writeln!(out)
+    write_json(out, &value)
 }
 
 fn row(row: &Row) -> Value {

@@ -4,6 +4,7 @@ use super::contact::Contact;
 use super::energy::Energies;
 use super::outcomes::{Hit, Told};
 use crate::limbs::Limbs;
+use crate::print::write_json;
 use serde::Serialize;
 use solaris::dynamics::scalar::Operations;
 use solaris::modes::{PhaseReport, ReactionReport, RunReport};
@@ -130,9 +131,8 @@ impl Report {
         }
     }
 
-    pub(super) fn write(&self, mut writer: &mut dyn Write) -> std::io::Result<()> {
-        serde_json::to_writer_pretty(&mut writer, self).map_err(std::io::Error::from)?;
-        writeln!(writer)
+    pub(super) fn write(&self, writer: &mut dyn Write) -> std::io::Result<()> {
+        write_json(writer, self)
     }
 }
 

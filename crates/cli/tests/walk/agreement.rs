@@ -4,6 +4,7 @@ use crate::{names, read, solaris, succeeded};
 use serde_json::Value;
 use solaris::io::csv;
 use solaris::model::{Figure, Motion, MotionInfo, human};
+use solaris::modes::{Near, nearness};
 use std::collections::HashMap;
 use tempfile::TempDir;
 
@@ -110,6 +111,33 @@ fn the_report_holds_what_the_table_holds() {
     let far = motion.q(motion.len() - 1)[z] - motion.q(0)[z];
     assert!((number("/walk/distance_m") - far).abs() < 0.01, "{far} m");
     assert!((walk.figure.mass() - 80.0).abs() < 1e-9);
+}
+
+#[test]
+fn the_report_tells_which_limbs_were_nearest_at_any_time() {
+    let walk = Walk::written();
+    let report = walk.report();
+    let limbs = &report["whole_walk"]["nearest_limbs"];
+    let spells = limbs["spells"].as_array().expect("spells");
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let found = nearness(&walk.figure, &walk.motion).expect("measured").expect("shapes");
+    let (mut frame, mut least) = (0, f64::INFINITY);
+    for spell in spells {
+        let pair = found.pairs[found.frames[frame].pair].map(|link| walk.figure.links()[link].name());
+        assert_eq!(spell["links"], serde_json::json!(pair));
+        assert!((number(&spell["from_s"]) - walk.motion.time()[frame]).abs() < 1e-9);
+        let same = |near: &&Near| near.pair == found.frames[frame].pair;
+        let spell_frames = found.frames[frame..].iter().take_while(same);
+        let distances: Vec<f64> = spell_frames.map(|near| near.distance).collect();
+        frame += distances.len();
+        assert!((number(&spell["to_s"]) - walk.motion.time()[frame - 1]).abs() < 1e-9);
+        let nearest = distances.into_iter().fold(f64::INFINITY, f64::min);
+        assert!((number(&spell["distance_m"]) - nearest).abs() < 1e-9);
+        least = least.min(nearest);
+    }
+    assert_eq!(frame, walk.motion.len());
+    assert!((number(&limbs["distance_m"]) - least).abs() < 1e-9);
+    assert!(spells.len() > 1 && 10 * spells.len() < walk.motion.len(), "{} spells", spells.len());
 }
 
 #[test]

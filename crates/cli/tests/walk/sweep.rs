@@ -93,6 +93,8 @@ fn a_table_that_cannot_be_swept_leaves_nothing() {
             "hight,mass\n1.7,70\n",
             "'hight' (did you mean 'height'?): no option of a walk; there are figure, height, mass,",
         ),
+        // Each with what it may have meant; a word of four letters is not near to one that shares two.
+        ("time,hight\n1,2\n", "columns 'time', 'hight' (did you mean 'height'?): no option of a walk"),
         ("height,output\n1.7,x.html\n", "'output'"),
         ("", "it is empty"),
         ("height,height\n1,2\n", "height"),

@@ -65,7 +65,7 @@ impl Determinants {
     /// The parameters; lengths' ranges are those of a body.
     pub fn parameters(self, p: &Proportions) -> Vec<KeyParameter> {
         match self {
-            Self::Three => three::PARAMETERS.to_vec(),
+            Self::Three => three::parameters_of(p),
             Self::Five => five::parameters_of(p).to_vec(),
         }
     }

@@ -63,6 +63,31 @@ pub struct GaitTable {
 }
 
 impl GaitTable {
+    /// Of texts: `corrected|printed`, or one text where both are the same; `corrected|` where nothing is printed. The first
+    /// `head` columns name the row.
+    pub(super) fn corrected(
+        (number, title): (&'static str, &'static str),
+        columns: &[&str],
+        head: usize,
+        rows: &[&[&str]],
+        notes: &[&str],
+    ) -> Self {
+        let cell = |(i, text): (usize, &&str)| match text.split_once('|') {
+            _ if i < head => Cell::plain(*text),
+            Some((corrected, "")) => Cell::plain(corrected),
+            Some((corrected, printed)) => Cell::beside(corrected, printed, false),
+            None => Cell::beside(*text, *text, true),
+        };
+        let owned = |texts: &[&str]| texts.iter().map(|&text| text.to_owned()).collect();
+        Self {
+            number,
+            title,
+            columns: owned(columns),
+            rows: rows.iter().map(|row| row.iter().enumerate().map(cell).collect()).collect(),
+            notes: owned(notes),
+        }
+    }
+
     /// How many cells agree with the printed ones, and how many are printed.
     pub fn agreement(&self) -> (usize, usize) {
         let cells = || self.rows.iter().flatten();

@@ -35,7 +35,7 @@ mod times;
 pub use angles::ThreeAngles;
 pub use arms::{ArmCoefficients, ArmRefusal};
 pub use bounds::{LiftOffRanges, chi_range, lift_off_ranges, tilt_range};
-pub use parameters::{PARAMETERS, ThreeParameters};
+pub use parameters::{PARAMETERS, ThreeParameters, parameters_of};
 pub use phases::{phases, start};
 pub use tables::{TABLES, table};
 pub use times::{Division, parts_of_step};

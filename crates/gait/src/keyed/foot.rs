@@ -21,25 +21,32 @@ pub(super) struct Lift {
     from: f64,
     to: f64,
     between: f64,
+    /// Width of the passage from no lift to lift (m), in the middle of the phase.
+    passage: f64,
 }
 
+/// How near two places of a foot have to be to count as one, over the height: more than rounding, less than any slide that a
+/// planted point may show.
+pub(super) const SAME_PLACE: f64 = 1e-9;
 /// Part of a phase in which a swinging foot comes to its height.
 const RISE: f64 = 0.3;
-/// Width of the passage from no lift to lift (m), in the middle of a phase.
-const PASSAGE: f64 = 0.01;
+/// Width of the passage from no lift to lift, over the height: 1 cm at 1.75 m.
+const PASSAGE: f64 = 0.01 / 1.75;
 
 impl Lift {
     /// A foot that comes down from the air goes straight down; any other is at least `clearance` high between its ends.
-    pub(super) fn new(from: f64, to: f64, clearance: f64) -> Self {
-        let comes_down = from > 1e-6 && to < 1e-6;
-        Self { from, to, between: if comes_down { 0.0 } else { clearance.max(from).max(to) } }
+    pub(super) fn new(p: &Proportions, from: f64, to: f64, clearance: f64) -> Self {
+        let on_ground = SAME_PLACE * p.height;
+        let comes_down = from > on_ground && to < on_ground;
+        let between = if comes_down { 0.0 } else { clearance.max(from).max(to) };
+        Self { from, to, between, passage: PASSAGE * p.height }
     }
 
     /// The height that is wanted, and the width of the passage, at a place in the phase.
     fn wanted(&self, clock: f64) -> (f64, f64) {
         let rising = self.from + (self.between - self.from) * (clock / RISE).min(1.0);
         let falling = self.to + (self.between - self.to) * ((1.0 - clock) / RISE).min(1.0);
-        (rising.min(falling), PASSAGE * (4.0 * clock * (1.0 - clock)).powi(2))
+        (rising.min(falling), self.passage * (4.0 * clock * (1.0 - clock)).powi(2))
     }
 }
 

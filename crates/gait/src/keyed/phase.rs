@@ -1,6 +1,6 @@
 //! One phase: postures between two key postures, built up from the root.
 
-use super::foot::{Free, Lift, SideLeg};
+use super::foot::{Free, Lift, SAME_PLACE, SideLeg};
 use super::options::{InBetween, KeyedOptions};
 use crate::body::Body;
 use crate::determinants::{ArmAngles, KeyPosture, LegAngles, PhaseRoot, Proportions, Root, TrunkAngles};
@@ -10,9 +10,6 @@ use crate::leg::LegPose;
 use crate::posture::Posture;
 use nalgebra::{Matrix3, Vector3};
 use solaris_profiles::step;
-
-/// How near two places of a foot have to be for it to be pinned there (m).
-const SAME_PLACE: f64 = 1e-4;
 
 /// One phase of a walk.
 #[derive(Clone, Copy, Debug)]
@@ -63,8 +60,9 @@ impl Phase {
             slid: None,
         };
         let [a, b] = [from, to].map(|posture| phase.other_foot(p, &posture));
+        let near = SAME_PLACE * p.height;
         let same = |a: [f64; 2], b: [f64; 2], height: f64| {
-            [a, b].iter().all(|x| (x[1] - height).abs() < SAME_PLACE) && (a[0] - b[0]).abs() < SAME_PLACE
+            [a, b].iter().all(|x| (x[1] - height).abs() < near) && (a[0] - b[0]).abs() < near
         };
         phase.free = if same(a.tip, b.tip, 0.0) {
             Free::Pinned { point: Root::Tip, at: [b.tip[0], 0.0] }
@@ -72,13 +70,18 @@ impl Phase {
             Free::Pinned { point: Root::Ball, at: [b.ball[0], p.ball_height] }
         } else {
             let lowest = |joints: &crate::determinants::Joints| joints.heel[1].min(joints.tip[1]).max(0.0);
-            let on_ground = [a, b].iter().all(|joints| (joints.ball[1] - p.ball_height).abs() < SAME_PLACE);
+            let on_ground = [a, b].iter().all(|joints| (joints.ball[1] - p.ball_height).abs() < near);
             // A foot that ends on its ball is about to leave; one that ends flat has been in the air.
             let leaves = to.legs[phase.legs()[1]].foot > 0.0;
             phase.slid = (on_ground && leaves).then_some(b.ball[0] - a.ball[0]);
-            Free::Swings(Lift::new(lowest(&a), lowest(&b), options.clearance))
+            Free::Swings(Lift::new(p, lowest(&a), lowest(&b), options.clearance))
         };
         phase
+    }
+
+    /// Whether both postures have both feet on the ground, though a toe that would slide lifts.
+    pub(super) fn is_double_support(&self) -> bool {
+        matches!(self.free, Free::Pinned { .. }) || self.slid.is_some()
     }
 
     /// Which of a posture's legs is the root's, and which the other.

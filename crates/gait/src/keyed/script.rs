@@ -30,7 +30,7 @@ pub struct KeyScript {
 }
 
 impl KeyScript {
-    pub(super) fn check(&self, options: &KeyedOptions) -> Result<(), GaitError> {
+    pub(super) fn check(&self, options: &KeyedOptions, leg: f64) -> Result<(), GaitError> {
         let fits = |cycle: &ScriptCycle| cycle.phases.len() == cycle.parts.len() && !cycle.phases.is_empty();
         if self.steps == 0 || !self.cycles.iter().all(fits) {
             return Err(GaitError::EmptyScript);
@@ -43,8 +43,18 @@ impl KeyScript {
         ];
         let bad = parts.chain(rest).find(|(_, value)| !(value.is_finite() && *value > 0.0));
         let swings = [("sway", options.sway), ("clearance", options.clearance)];
-        match bad.or(swings.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0))) {
-            Some((name, value)) => Err(GaitError::ScriptNumber { name, value }),
+        let bad = bad.or(swings.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)));
+        if let Some((name, value)) = bad {
+            return Err(GaitError::ScriptNumber { name, value });
+        }
+        let wide =
+            [("sway", options.sway, 0.25 * leg), ("step width", options.step_width.unwrap_or(0.0), leg)];
+        match wide.into_iter().find(|(_, value, upper)| value > upper) {
+            Some((parameter, value, upper)) => {
+                let (lower, why) = (0.0, "; farther to the side no leg reaches its foot".to_owned());
+                let upper = (1e3 * upper).floor() / 1e3;
+                Err(GaitError::Range { parameter, value, unit: " m", lower, upper, why })
+            }
             None => Ok(()),
         }
     }
@@ -100,9 +110,9 @@ pub(super) struct Sway {
 impl Sway {
     pub(super) fn new(options: &KeyedOptions, script: &KeyScript, phases: &[Phase]) -> Self {
         let (first, last) = (&phases[0], &phases[phases.len() - 1]);
-        // Between two single supports: the middle of the second phase of the first cycle after the starting one.
-        let starting = script.cycles[0].phases.len();
-        let double = phases.get(starting + 1).unwrap_or(last);
+        // The first after the starting cycle.
+        let later = &phases[script.cycles[0].phases.len()..];
+        let double = later.iter().find(|phase| phase.is_double_support()).unwrap_or(last);
         let left_stands = double.stance == 0;
         Self {
             amplitude: if left_stands { options.sway } else { -options.sway },

@@ -44,14 +44,15 @@ pub(super) struct Steps {
 
 impl Steps {
     pub(super) fn of(given: &Given<'_>, tracks: &Tracks<'_>) -> Self {
-        let Some(stances) = given.stances.filter(|_| !given.soles.is_empty()) else {
+        if given.soles.is_empty() {
             return Self { touch_downs: 0, stride: Err(NoValue::NoFeet) };
-        };
-        if stances.list.is_empty() {
-            return Self { touch_downs: 0, stride: Err(NoValue::NoStance) };
         }
-        let begin = tracks.span().0;
-        let mut landings: Vec<&Stance> = stances.list.iter().filter(|stance| stance.start > begin).collect();
+        let Some(stances) = given.stances.filter(|stances| !stances.list.is_empty()) else {
+            return Self { touch_downs: 0, stride: Err(NoValue::NoStance) };
+        };
+        let (begin, end) = tracks.span();
+        let within = |stance: &&Stance| stance.start > begin && stance.start <= end;
+        let mut landings: Vec<&Stance> = stances.list.iter().filter(within).collect();
         landings.sort_by(|a, b| a.start.total_cmp(&b.start));
         let stride = middle(&landings).map(|(from, to)| stride(given, tracks, stances, from, to));
         Self { touch_downs: landings.len(), stride: stride.ok_or(NoValue::NoStride) }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, forward_kinematics};
-use solaris_model::{Figure, Trajectory};
+use solaris_model::{Figure, SolePart, Trajectory};
 
 /// A figure posed by a walk.
 pub(crate) struct Stage<'a> {
@@ -26,6 +26,20 @@ impl<'a> Stage<'a> {
     /// World position of a link's point.
     pub(crate) fn at(&self, link: usize, point: &Vector3<f64>) -> Vector3<f64> {
         self.workspace.pose(link).transform(point)
+    }
+
+    /// Height of the lowest point of both soles.
+    #[allow(dead_code, reason = "not every test asks for it")]
+    pub(crate) fn lowest(&self, figure: &Figure) -> f64 {
+        let mut lowest = f64::INFINITY;
+        for name in ["left_foot", "right_foot", "left_toes", "right_toes"] {
+            let link = figure.link_index(name).expect("a foot");
+            for part in [SolePart::Heel, SolePart::Ball, SolePart::ToeTip] {
+                let Some(point) = figure.links()[link].sole_point(part) else { continue };
+                lowest = lowest.min(self.at(link, point).y);
+            }
+        }
+        lowest
     }
 
     /// A link's pose.

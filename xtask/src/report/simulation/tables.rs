@@ -3,7 +3,7 @@
 use super::between::{self, KINDS, RATES};
 use super::extremes::{self, Spring};
 use super::figures::{Case, closed, conserved, governor, studied};
-use super::{ground, widths};
+use super::widths;
 use crate::report::table::{Cell, Table, number};
 use solaris_modes::study::{Accuracy, Row, method_name, setting};
 use solaris_modes::{Method, Rule, Settings};
@@ -222,7 +222,7 @@ pub(super) fn in_betweens() -> Table {
 
 /// Tables that need no more than the fixed rules.
 pub(super) fn all() -> Result<Vec<(&'static str, Table)>, String> {
-    let mut all = vec![
+    Ok(vec![
         ("closed forms", closed_forms()?),
         ("estimates", estimates()?),
         ("kept", kept()?),
@@ -231,9 +231,7 @@ pub(super) fn all() -> Result<Vec<(&'static str, Table)>, String> {
         ("stiffness", stiffness()?),
         ("precisions", precisions()?),
         ("in-betweens", in_betweens()),
-    ];
-    all.extend(ground::tables::all()?);
-    Ok(all)
+    ])
 }
 
 /// Tables of the methods that choose their steps.
@@ -253,12 +251,10 @@ pub(super) mod adaptive {
         let methods = [adaptive(1e-6), adaptive(1e-9), stiff(1e-6), stiff(1e-9)];
         let header = vec!["adaptive, 1e-6", "adaptive, 1e-9", "stiff, 1e-6", "stiff, 1e-9"];
         let governor = [stiff(1e-4), stiff(1e-6), stiff(1e-8), stiff(1e-10), adaptive(1e-4), adaptive(1e-8)];
-        let mut all = vec![
+        Ok(vec![
             ("adaptive", by_method("worst position (rad or m)", &closed()?, &methods, header)?),
             ("governor, adaptive", governor_by(&governor)?),
             ("equations", crate::report::simulation::systems::table()?),
-        ];
-        all.extend(crate::report::simulation::ground::tables::adaptive()?);
-        Ok(all)
+        ])
     }
 }

@@ -3,7 +3,7 @@
 mod picks;
 mod upper;
 
-use super::super::table::{Cell, GaitTable};
+use super::super::table::GaitTable;
 
 /// A table of chapter 8 by its number, `8.1` to `8.7`.
 ///
@@ -19,29 +19,6 @@ pub fn table(number: &str) -> Option<GaitTable> {
         "8.6" => Some(upper::arms()),
         "8.7" => Some(upper::trunk()),
         _ => None,
-    }
-}
-
-/// Rows of cells `corrected`, or `corrected|printed` where the two differ. `head` columns name the row.
-fn of(
-    number: &'static str,
-    title: &'static str,
-    columns: &[&str],
-    head: usize,
-    rows: &[&[&str]],
-    notes: &[&str],
-) -> GaitTable {
-    let cell = |(i, text): (usize, &&str)| match text.split_once('|') {
-        _ if i < head => Cell::plain(*text),
-        Some((corrected, printed)) => Cell::beside(corrected, printed, false),
-        None => Cell::beside(*text, *text, true),
-    };
-    GaitTable {
-        number,
-        title,
-        columns: columns.iter().map(|&column| column.to_owned()).collect(),
-        rows: rows.iter().map(|row| row.iter().enumerate().map(cell).collect()).collect(),
-        notes: notes.iter().map(|&note| note.to_owned()).collect(),
     }
 }
 
@@ -69,7 +46,7 @@ const SLAP: &str = "−α of the stance ankle in phase 2 is a turn of the whole 
 
 #[rustfmt::skip]
 fn intermediate() -> GaitTable {
-    of("8.1", "rotations of joints in the intermediate cycle", &JOINTS, 2, &[
+    GaitTable::corrected(("8.1", "rotations of joints in the intermediate cycle"), &JOINTS, 2, &[
         &["1", "swing ball", "δ", "−2τ/5|2τ/5", "α−χ", "χ", "0", "0", "β−θ|0", "0", "0", "θ−β"],
         &["2", "stance heel", "−3δ/5", "−3τ/5|3τ/5", "α−ξ|0", "ξ", "−α", "0", "β−φ", "φ−ω", "0", "−β"],
         &["3", "stance sole", "−2δ/5", "−3τ/5", "ξ−μ|0", "μ−ξ+ψ", "−ψ", "0", "κ+φ", "0", "0", "0"],
@@ -79,7 +56,7 @@ fn intermediate() -> GaitTable {
 
 #[rustfmt::skip]
 fn starting() -> GaitTable {
-    of("8.2", "rotations of joints in the starting cycle", &JOINTS, 2, &[
+    GaitTable::corrected(("8.2", "rotations of joints in the starting cycle"), &JOINTS, 2, &[
         &["3", "stance sole", "0|−2δ/5", "−3τ/5", "−μ|0", "ψ+μ", "−ψ", "0", "κ", "φ−ω", "0", "0"],
         &["4", "stance ball", "0", "−2τ/5", "μ+θ|0", "−μ−ψ", "ψ", "−θ", "χ−κ", "ω−χ−φ", "0", "0"],
     ], &[HIPS, "The pelvis is level at rest and in phase 3; the printed tilt would stay for ever."])
@@ -87,7 +64,7 @@ fn starting() -> GaitTable {
 
 #[rustfmt::skip]
 fn finishing() -> GaitTable {
-    of("8.3", "rotations of joints in the finishing cycle", &JOINTS, 2, &[
+    GaitTable::corrected(("8.3", "rotations of joints in the finishing cycle"), &JOINTS, 2, &[
         &["1", "swing ball", "δ", "−2τ/5|2τ/5", "α−χ", "χ", "0", "0", "β−θ|0", "0", "0", "θ−β"],
         &["2", "stance heel", "−3δ/5", "−3τ/5|3τ/5", "α−ξ|0", "ξ", "−α", "0", "β−φ", "φ−ω", "0", "−β"],
         &["3", "stance sole", "−2δ/5", "0|−τ", "ξ|0", "−ξ", "0", "0", "φ", "ω−φ", "0", "0"],

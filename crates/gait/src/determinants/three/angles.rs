@@ -1,7 +1,7 @@
 //! From the parameters to the angles of the postures, and what has to hold.
 
 use super::chain::{LiftingLeg, alpha, lift_off_height, xi};
-use super::parameters::{ThreeParameters, parameters_for};
+use super::parameters::{ThreeParameters, parameters_of};
 use crate::determinants::{Condition, Infeasible, Proportions};
 use std::f64::consts::FRAC_PI_2;
 
@@ -52,7 +52,7 @@ impl ThreeParameters {
             let trial = values.try_into().map(Self::from_values);
             trial.is_ok_and(|trial| conditions(&trial, p).1.iter().all(Condition::holds))
         };
-        Err(Infeasible::new(fails, &parameters_for(p), &self.values(), feasible))
+        Err(Infeasible::new(fails, &parameters_of(p), &self.values(), feasible))
     }
 }
 

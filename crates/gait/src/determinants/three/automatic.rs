@@ -3,7 +3,7 @@
 use super::angles::{lengths, metres};
 use super::bounds::{chi_range, lift_off_ranges, tilt_range};
 use super::chain::{LiftingLeg, alpha, foot_rise, largest_flexion, stance_height};
-use super::parameters::{ThreeParameters, parameters_for};
+use super::parameters::{ThreeParameters, parameters_of};
 use crate::determinants::{Condition, Infeasible, Proportions};
 
 /// The tilt that is chosen where it can be (°): people's pelvis drops by about as much.
@@ -74,6 +74,6 @@ fn refusal(p: &Proportions, step_length: f64) -> Infeasible {
         all.push(metres("(iii), (iv)", "D < L₁ cos α + g(α) for some δ, χ < α", deepest, leg.highest(alpha)));
     }
     let fails = all.into_iter().filter(|condition| !condition.holds()).collect();
-    let parameters = parameters_for(p);
+    let parameters = parameters_of(p);
     Infeasible::new(fails, &parameters[..1], &[step_length], |values| choose(p, values[0]).is_some())
 }

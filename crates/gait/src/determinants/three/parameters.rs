@@ -82,7 +82,7 @@ impl ThreeParameters {
 }
 
 /// [`PARAMETERS`] with the step lengths that these legs could take at most.
-pub(super) fn parameters_for(p: &Proportions) -> Vec<KeyParameter> {
+pub fn parameters_of(p: &Proportions) -> Vec<KeyParameter> {
     let mut parameters = PARAMETERS.to_vec();
     parameters[0].range.1 = 2.0 * p.leg();
     parameters

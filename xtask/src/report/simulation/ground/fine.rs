@@ -1,8 +1,13 @@
 //! Equations of a few lines, integrated apart from the library, as the answer for scenes without a closed form.
 
-use super::resting::{DAMPING, LEG, REST};
 use crate::report::simulation::figures::G;
 use crate::report::simulation::solutions::Solution;
+
+/// Of the ground (s/m): what comes down does not come back faster than 0.1 m/s.
+pub(super) const DAMPING: f64 = 10.0;
+/// The leg's stiffness (N/m) and damping (N s/m), and its length without a force (m).
+pub(super) const LEG: [f64; 2] = [500.0, 30.0];
+pub(super) const REST: f64 = 0.4;
 
 /// Steps (s) that leave no error worth the name at 1e7 N/m under 0.2 kg.
 const STEP: f64 = 5e-6;

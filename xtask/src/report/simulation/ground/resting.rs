@@ -1,6 +1,6 @@
 //! What comes to rest: grounds from soft to hard, and feet from light to heavy.
 
-use super::fine::Drop;
+use super::fine::{DAMPING, Drop, LEG, REST};
 use super::{MOST, RATE, Scene, answers, over, springs, touches};
 use crate::report::simulation::figures::{Faulty, G, built};
 use crate::report::simulation::solutions::Solution;
@@ -9,12 +9,6 @@ use solaris_model::{Joint, LinkSpec, Vector3};
 use solaris_modes::{
     Anchor, ContactLaw, GroundPlane, Method, PointSpring, Run, RunError, Settings, Simulation,
 };
-
-/// Of the ground (s/m): what comes down does not come back faster than 0.1 m/s.
-pub(super) const DAMPING: f64 = 10.0;
-/// The leg's stiffness (N/m), damping (N s/m) and length without a force (m).
-pub(super) const LEG: [f64; 2] = [500.0, 30.0];
-pub(super) const REST: f64 = 0.4;
 
 /// From which mass and pogo fall (m), and how long they are watched (s).
 const HEIGHT: f64 = 0.01;

@@ -5,7 +5,6 @@ use super::super::super::table::{Cell, GaitTable};
 use super::super::closed::{FiveAngles, close};
 use super::super::parameters::FiveParameters;
 use super::super::presets::Family;
-use super::of;
 
 /// The presets at the step frequencies that they were found at, with their postures.
 fn presets() -> (Proportions, Vec<FiveAngles>) {
@@ -37,7 +36,7 @@ fn bounds(p: &Proportions, angles: &FiveAngles) -> [f64; 4] {
 
 #[rustfmt::skip]
 pub(super) fn beta() -> GaitTable {
-    let mut table = of("8.4", "how β is chosen, and ω", &["β₁", "β₂", "β₃", "β₄", "condition", "solution"], 0, &[
+    let mut table = GaitTable::corrected(("8.4", "how β is chosen, and ω"), &["β₁", "β₂", "β₃", "β₄", "condition", "solution"], 0, &[
         &["+", "+", "+", "+", "β₃ ≤ β₁", "β₃/2"],
         &["+", "+", "+", "+", "β₁ < β₃ < β₂", "β₁/2"],
         &["+", "+", "+", "+", "β₃ = β₂", "β₂"],
@@ -84,7 +83,7 @@ pub(super) fn beta() -> GaitTable {
 
 #[rustfmt::skip]
 pub(super) fn psi() -> GaitTable {
-    let mut table = of("8.5", "how ψ is chosen", &["ψ least", "ψ greatest", "solution"], 0, &[
+    let mut table = GaitTable::corrected(("8.5", "how ψ is chosen"), &["ψ least", "ψ greatest", "solution"], 0, &[
         &["+", "+", "ψ least + (ψ greatest − ψ least)/2"],
         &["−", "+", "(ψ greatest)/2"],
         &["+", "−", "none"],

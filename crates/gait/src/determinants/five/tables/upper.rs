@@ -1,11 +1,10 @@
 //! Arms and trunk.
 
 use super::super::super::table::GaitTable;
-use super::of;
 
 #[rustfmt::skip]
 pub(super) fn arms() -> GaitTable {
-    of("8.6", "rotations of the arms", &["cycle", "phase", "arm", "shoulder", "elbow"], 3, &[
+    GaitTable::corrected(("8.6", "rotations of the arms"), &["cycle", "phase", "arm", "shoulder", "elbow"], 3, &[
         &["intermediate", "1", "stance", "α₁₂−α₁", "0"],
         &["intermediate", "1", "swing", "α₂−α₁₀", "α₃−α₁₁"],
         &["intermediate", "2", "stance", "α₁−α₄|α₁₁−α₄", "0"],
@@ -33,7 +32,7 @@ pub(super) fn arms() -> GaitTable {
 
 #[rustfmt::skip]
 pub(super) fn trunk() -> GaitTable {
-    of("8.7", "movements of the trunk", &["cycle", "phase", "pelvis-trunk", "torso-lower body", "sagittal"], 2, &[
+    GaitTable::corrected(("8.7", "movements of the trunk"), &["cycle", "phase", "pelvis-trunk", "torso-lower body", "sagittal"], 2, &[
         &["intermediate", "1", "−2ν/5|4ν/5", "6γ/5", "+ζ"],
         &["intermediate", "2", "−6ν/5", "2γ/5", "−ζ"],
         &["intermediate", "3", "0", "2γ/5|4γ/5", "−ζ"],

@@ -1,6 +1,6 @@
 //! Tables 7.1 to 7.3 and 7.6: the rotations of each phase, as formulas.
 
-use crate::determinants::{Cell, GaitTable};
+use crate::determinants::GaitTable;
 
 const LEGS: [&str; 8] = [
     "Phase",
@@ -17,41 +17,11 @@ const HIP: &str = "The stance hip's column is not printed. Without it the pelvis
 const ANKLE: &str = "Swing ankle, phase 2: the foot is to land flat, so it turns by α against the shank; with 0 it is left toe-up \
                      by α, and each pair of swing and stance loses α.";
 
-/// `corrected|printed`, or one text for both; `corrected|` where nothing is printed.
-fn cell(text: &str) -> Cell {
-    match text.split_once('|') {
-        Some((corrected, "")) => Cell::plain(corrected),
-        Some((corrected, printed)) => Cell::beside(corrected, printed, false),
-        None => Cell::beside(text, text, true),
-    }
-}
-
-fn formulas(
-    number: &'static str,
-    title: &'static str,
-    columns: &[&str],
-    rows: &[&[&str]],
-    notes: &[&str],
-) -> GaitTable {
-    let row = |texts: &&[&str]| {
-        let mut cells = vec![Cell::plain(texts[0])];
-        cells.extend(texts[1..].iter().map(|text| cell(text)));
-        cells
-    };
-    GaitTable {
-        number,
-        title,
-        columns: columns.iter().map(ToString::to_string).collect(),
-        rows: rows.iter().map(row).collect(),
-        notes: notes.iter().map(ToString::to_string).collect(),
-    }
-}
-
 pub(super) fn starting() -> GaitTable {
-    formulas(
-        "7.1",
-        "rotations in the starting cycle",
+    GaitTable::corrected(
+        ("7.1", "rotations in the starting cycle"),
         &LEGS,
+        1,
         &[
             &["1", "δ", "χ", "−χ − ξ", "ξ|", "−θ₁", "θ₁ + θ₃", "0|"],
             &["2", "−δ", "α − χ", "χ + ξ", "−α − ξ|", "−90° + β + θ₁", "−θ₁ − θ₃", "α|"],
@@ -64,10 +34,10 @@ pub(super) fn starting() -> GaitTable {
 }
 
 pub(super) fn intermediate() -> GaitTable {
-    formulas(
-        "7.2",
-        "rotations in the intermediate cycle",
+    GaitTable::corrected(
+        ("7.2", "rotations in the intermediate cycle"),
         &LEGS,
+        1,
         &[
             &["1", "δ", "90° − β + χ", "−χ − ξ", "ξ − α|", "ω − α", "φ − ω", "α"],
             &["2", "−δ", "α − χ", "χ + ξ", "−α − ξ|", "−90° + β − ω", "−φ + ω", "α|0"],
@@ -77,10 +47,10 @@ pub(super) fn intermediate() -> GaitTable {
 }
 
 pub(super) fn finishing() -> GaitTable {
-    formulas(
-        "7.3",
-        "rotations in the finishing cycle",
+    GaitTable::corrected(
+        ("7.3", "rotations in the finishing cycle"),
         &LEGS,
+        1,
         &[
             &["1", "δ", "90° − β + χ|90° − β", "−χ − ξ|0", "ξ − α|", "ω − α", "φ − ω", "α"],
             &["2", "−δ", "−χ|0", "χ + ξ|0", "−ξ|", "−ω", "−φ + ω", "0"],
@@ -94,10 +64,10 @@ pub(super) fn finishing() -> GaitTable {
 }
 
 pub(super) fn arms() -> GaitTable {
-    formulas(
-        "7.6",
-        "rotations of the arms",
+    GaitTable::corrected(
+        ("7.6", "rotations of the arms"),
         &["Cycle", "Phase", "Arm", "Shoulder", "Elbow"],
+        1,
         &[
             &["starting", "1|", "stance|", "−α₁", "−α₂"],
             &["starting", "1|", "swing|", "α₃|−α₃", "0"],
