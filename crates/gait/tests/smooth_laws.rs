@@ -20,7 +20,8 @@ fn planned(figure: &Figure, step_frequency: f64, steps: usize) -> WalkPlan {
 #[test]
 fn feet_touch_a_step_time_apart() {
     let figure = figure();
-    for step_frequency in [60.0, 73.7, 95.0, 110.0, 118.0] {
+    // Faster walks begin and end more slowly: `changes.rs`.
+    for step_frequency in [60.0, 73.7, 95.0, 108.3, 110.0] {
         let plan = planned(&figure, step_frequency, 30);
         let events = plan.events();
         let (mut touches, mut lifts) = (Vec::new(), Vec::new());
