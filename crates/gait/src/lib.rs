@@ -42,14 +42,14 @@ pub use leg::LegGeometry;
 pub use map::{Edge, FeasibleMap, MapCondition};
 pub use measure::{
     Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,
-    measure,
+    free_moment, measure, measure_stride,
 };
 pub use pace::DEFAULT_STEP_FREQUENCY;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use stick::stick_figures;
 pub use stride::{Resolution, StridePlan};
 pub use stride_loop::{StrideLoop, Walking, on_the_spot};
-pub use style::{Style, WALK_RATIO};
+pub use style::{Style, StyleTable, WALK_RATIO};
 pub use styled::{StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
 pub use walk::{FEET, WalkPlan};
