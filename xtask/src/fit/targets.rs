@@ -9,12 +9,12 @@ const HEIGHT: f64 = 1.75;
 const NORMAL: [(f64, f64); 12] = [
     (70.0, 0.3),
     (75.0, 0.5),
-    (80.0, 2.5),
+    (80.0, 6.0),
     (85.0, 1.5),
     (90.0, 2.0),
     (95.0, 1.0),
     (102.0, 0.7),
-    (110.0, 1.2),
+    (110.0, 2.0),
     (115.0, 1.0),
     (118.0, 1.5),
     (122.0, 0.8),
@@ -101,7 +101,7 @@ impl Stride {
         let limit = |limits: [f64; 3]| self.limit(limits);
         let mut all: Vec<f64> = RECIPE_BANDS.iter().map(|band| self.outside(band, &found)).collect();
         let others = [
-            found.pitch.abs() / 0.3,
+            found.pitch.abs() / 0.5,
             above(found.free_moment, limit([9.5, 11.3, 16.0]), 0.8),
             above(12.6e-3, found.clearance, 1e-3),
             above(found.detour, limit([3.0, 0.5, 0.5]), 1.0),
@@ -143,7 +143,7 @@ impl Stride {
         }
     }
 
-    /// What the style's own numbers must keep: trunk and arms as people move them, and a centre of pressure that goes forward.
+    /// What the style's own numbers must keep: trunk and arms as people move them, toes up at contact, and a centre of pressure that goes forward.
     fn bounds(&self, style: &Style) -> Vec<f64> {
         let bend = style.thorax_bend_sin.hypot(style.thorax_bend_cos);
         let upper = [
@@ -152,6 +152,7 @@ impl Stride {
             (bend, 6.2),
             (style.thorax_lean, 3.0),
             (-style.thorax_lean, 3.0),
+            (-style.heel_strike_angle, -self.limit([13.0, 15.5, 18.0])),
         ];
         let width = style.step_width * HEIGHT / self.case.height;
         let widths = [above(0.1, width, 4e-3), above(width, 0.13, 4e-3)];
