@@ -3,6 +3,7 @@
 
 mod ci;
 mod falls;
+mod fit;
 mod gaits;
 mod golden;
 mod layers;
@@ -19,6 +20,8 @@ cargo xtask CHORE
 
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
+  fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
+                                    or measures the numbers that ship; --recipe: begins with the recipe's
   gaits                             walks a million random requests in the thesis's style, or says why not: about ten minutes
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
@@ -39,6 +42,7 @@ fn main() -> ExitCode {
     let done = match args[..] {
         ["ci"] => ci::run(),
         ["falls"] => falls::run(),
+        ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),
         ["gaits"] => gaits::run(),
         ["golden", ref options @ ..] => {
             golden::Options::parse(options).and_then(|options| golden::run(&options))

@@ -48,7 +48,7 @@ pub use leg::LegGeometry;
 pub use map::{Edge, FeasibleMap, MapCondition};
 pub use measure::{
     Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,
-    measure,
+    free_moment, measure, measure_stride,
 };
 pub use pace::DEFAULT_STEP_FREQUENCY;
 pub use parameter::{PARAMETERS, Parameter, Unit};
@@ -56,7 +56,7 @@ pub use request::{Extent, Leg, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, T
 pub use stick::stick_figures;
 pub use stride::{Resolution, StridePlan};
 pub use stride_loop::{StrideLoop, Walking, on_the_spot};
-pub use style::{Style, WALK_RATIO};
+pub use style::{Style, StyleTable, WALK_RATIO};
 pub use styled::{StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
 pub use walk::{FEET, WalkPlan};

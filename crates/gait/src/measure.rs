@@ -124,6 +124,17 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
     })
 }
 
+/// Measures a motion that is one steady stride, from left contact to left contact.
+///
+/// # Errors
+///
+/// A motion without ground reactions or joint forces.
+pub fn measure_stride(figure: &Figure, motion: &Motion) -> Result<SteadyStride, GaitError> {
+    let series = Series::new(figure, motion)?;
+    let time = motion.time();
+    Ok(SteadyStride::of(motion, &series, (time[0], time[time.len() - 1])))
+}
+
 /// Times this near are one (s).
 pub(crate) const SAME_TIME: f64 = 1e-9;
 
@@ -133,7 +144,7 @@ pub(crate) const SAME_TIME: f64 = 1e-9;
 /// ```text
 /// T = n·(M − p × F)
 /// ```
-pub(crate) fn free_moment(motion: &Motion) -> Peak {
+pub fn free_moment(motion: &Motion) -> Peak {
     let up = -motion.info.gravity.normalize();
     let mut worst = Peak { value: 0.0, time: 0.0 };
     for track in &motion.contacts {

@@ -36,8 +36,9 @@ macro_rules! style_numbers {
         }
 
         impl Style {
-            fn tabulated(s: f64, r: f64, common: Common) -> Self {
-                let q = |c: [f64; 4]| c[0] + c[1] * s + c[2] * s * s + c[3] * r;
+            fn tabulated(table: &StyleTable, basis: &[f64; 4], common: Common) -> Self {
+                let q = |c: [f64; 4]| c.iter().zip(basis).map(|(c, b)| c * b).sum::<f64>();
+                let [$($name,)*] = table.rows;
                 Self {
                     step_frequency: common.step_frequency,
                     step_length: common.step_length,
@@ -46,7 +47,7 @@ macro_rules! style_numbers {
                     foot_yaw: 5.0 * DEGREE,
                     clearance: common.clearance,
                     anterior_tilt: 4.0 * DEGREE,
-                    $($name: q([$c0, $c1, $c2, $c3]) * $unit,)*
+                    $($name: q($name) * $unit,)*
                 }
             }
 
@@ -55,7 +56,47 @@ macro_rules! style_numbers {
                 [$((stringify!($name), self.$name),)*].into_iter()
             }
         }
+
+        impl StyleTable {
+            /// Name and unit of each row: `DEGREE` or 1.0.
+            pub const NUMBERS: [(&'static str, &'static str); NUMBERS] =
+                [$((stringify!($name), stringify!($unit)),)*];
+        }
+
+        impl Default for StyleTable {
+            /// What ships.
+            fn default() -> Self {
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*] }
+            }
+        }
+
+        const NUMBERS: usize = [$(stringify!($name),)*].len();
     };
+}
+
+/// The coefficients that styles are made of: each number is the sum of its row's over [`StyleTable::basis`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct StyleTable {
+    /// A row for each of [`StyleTable::NUMBERS`].
+    pub rows: [[f64; 4]; NUMBERS],
+}
+
+impl StyleTable {
+    /// What the coefficients are multiplied by for a leg, a height (m), a step frequency (1/min) and a step length (m):
+    ///
+    /// ```text
+    /// 1, s, s², r      s = (S/leg − .7586)/.138 in [−1.6, 1.1]      r = S/(.0037·H·sf) − 1 in ±.15
+    /// ```
+    pub fn basis(leg: &LegGeometry, height: f64, step_frequency: f64, step_length: f64) -> [f64; 4] {
+        let s = stretch(leg, step_length).clamp(-1.6, 1.1);
+        let r = (step_length / (WALK_RATIO * height * step_frequency) - 1.0).clamp(-0.15, 0.15);
+        [1.0, s, s * s, r]
+    }
+}
+
+/// S/leg against the middle of the fitted speeds, in their spread.
+fn stretch(leg: &LegGeometry, step_length: f64) -> f64 {
+    (step_length / leg.length() - SIGMA.0) / SIGMA.1
 }
 
 struct Common {
@@ -65,8 +106,7 @@ struct Common {
     clearance: f64,
 }
 
-// q = c0 + c1·s + c2·s² + c3·r with s = (S/leg − .7586)/.138 in [−1.6, 1.1] and r = S/(.0037·H·sf) − 1 in ±.15: one
-// offline least-squares fit over all speeds at once (docs/walking.md).
+// One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
     heel_strike_angle: DEGREE, [18.09, 2.71, 0.72, 0.03];
@@ -155,18 +195,27 @@ impl Style {
     ///
     /// No check of ranges: see [`crate::walk`].
     pub fn of(leg: &LegGeometry, height: f64, step_frequency: f64, step_length: f64) -> Self {
-        let sigma = step_length / leg.length();
-        let s = (sigma - SIGMA.0) / SIGMA.1;
-        let r = (step_length / (WALK_RATIO * height * step_frequency) - 1.0).clamp(-0.15, 0.15);
+        Self::from_table(&StyleTable::default(), leg, height, step_frequency, step_length)
+    }
+
+    /// The same, made of other coefficients than those that ship.
+    pub fn from_table(
+        table: &StyleTable,
+        leg: &LegGeometry,
+        height: f64,
+        step_frequency: f64,
+        step_length: f64,
+    ) -> Self {
+        let basis = StyleTable::basis(leg, height, step_frequency, step_length);
         let common = Common {
             step_frequency,
             step_length,
             double_support: (29.4 - 0.149 * step_frequency) / 100.0,
             clearance: 0.012 * height / crate::body::REFERENCE_HEIGHT,
         };
-        let mut style = Self::tabulated(s.clamp(-1.6, 1.1), r, common);
-        if s < -1.6 {
-            style.height1 *= (sigma / (SIGMA.0 - 1.6 * SIGMA.1)).powi(2);
+        let mut style = Self::tabulated(table, &basis, common);
+        if stretch(leg, step_length) < -1.6 {
+            style.height1 *= (step_length / leg.length() / (SIGMA.0 - 1.6 * SIGMA.1)).powi(2);
         }
         style.step_width *= height / 1.75;
         style

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Differences, golden, golden_figure, number, vector};
+use common::{Differences, golden, golden_figure, number, recipe_table, vector};
 use serde_json::Value;
 use solaris_gait::{LegGeometry, Resolution, StridePlan, Style, WALK_RATIO};
 use solaris_model::Figure;
@@ -61,9 +61,10 @@ fn check(resolution: Resolution, limits: [f64; 4]) {
     let golden = golden();
     let figure = golden_figure(&golden);
     let leg = LegGeometry::of(&figure).expect("legs");
+    let table = recipe_table(&golden);
     for step_frequency in [80.0, 95.0, 110.0, 125.0] {
         let step_length = WALK_RATIO * 1.75 * step_frequency;
-        let style = Style::of(&leg, 1.75, step_frequency, step_length);
+        let style = Style::from_table(&table, &leg, 1.75, step_frequency, step_length);
         let plan = StridePlan::new(&figure, &style, resolution).expect("a stride");
         let mut differences = Differences::default();
         compare(&figure, &golden["strides"][format!("{step_frequency}")], &plan, &mut differences);
@@ -90,6 +91,7 @@ fn with_the_resolution_that_ships() {
 fn the_style_is_the_golden_one() {
     let golden = golden();
     let leg = LegGeometry::of(&golden_figure(&golden)).expect("legs");
+    let table = recipe_table(&golden);
     let names = [
         ("theta", "heel_strike_angle"),
         ("a1", "height1"),
@@ -107,7 +109,7 @@ fn the_style_is_the_golden_one() {
     ];
     for step_frequency in ["80", "95", "110", "125"] {
         let sf: f64 = step_frequency.parse().expect("a number");
-        let style = Style::of(&leg, 1.75, sf, WALK_RATIO * 1.75 * sf);
+        let style = Style::from_table(&table, &leg, 1.75, sf, WALK_RATIO * 1.75 * sf);
         let debug = format!("{style:?}");
         for (theirs, ours) in names {
             let wanted = number(&golden["strides"][step_frequency]["parameters"][theirs]);

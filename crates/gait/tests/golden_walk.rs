@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Differences, golden, golden_figure, number, vector};
+use common::{Differences, golden, golden_figure, number, recipe_table, vector};
 use serde_json::Value;
 use solaris_gait::{LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkPlan};
 use solaris_model::{Figure, Vector3};
@@ -86,7 +86,7 @@ fn check(resolution: Resolution, limits: [f64; 4]) {
     let golden = golden();
     let figure = golden_figure(&golden);
     let leg = LegGeometry::of(&figure).expect("legs");
-    let style = Style::of(&leg, 1.75, 110.0, WALK_RATIO * 1.75 * 110.0);
+    let style = Style::from_table(&recipe_table(&golden), &leg, 1.75, 110.0, WALK_RATIO * 1.75 * 110.0);
     // The golden walks start from the golden stride of 200 nodes and 10 passes.
     let stride = StridePlan::new(&figure, &style, resolution).expect("a stride");
     for steps in [1, 2, 4] {

@@ -74,7 +74,7 @@ impl SteadyStride {
         Some(Self::of(motion, series, (contacts[begin].0, contacts[begin + 2].0)))
     }
 
-    fn of(motion: &Motion, series: &Series<'_>, span: (f64, f64)) -> Self {
+    pub(super) fn of(motion: &Motion, series: &Series<'_>, span: (f64, f64)) -> Self {
         let (start, end) = span;
         let stride = end - start;
         let window = Window { time: series.time, span };

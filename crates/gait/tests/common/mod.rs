@@ -1,6 +1,7 @@
 //! The figure of `fixtures/reference/smooth/golden.json`, and readers of its numbers.
 
 use serde_json::Value;
+use solaris_gait::StyleTable;
 use solaris_model::{Figure, Vector3};
 
 /// The golden numbers.
@@ -15,6 +16,21 @@ pub(crate) fn number(value: &Value) -> f64 {
 
 pub(crate) fn vector(value: &Value) -> Vector3<f64> {
     Vector3::new(number(&value[0]), number(&value[1]), number(&value[2]))
+}
+
+/// The coefficients of the recipe that the golden numbers were planned with: its names of our rows, in our order.
+pub(crate) fn recipe_table(golden: &Value) -> StyleTable {
+    #[rustfmt::skip]
+    const NAMES: [&str; StyleTable::NUMBERS.len()] = [
+        "theta", "a1", "u1", "a2", "b2", "a3", "b3", "delta", "obu", "uff", "kc", "kc1", "kc2", "kp", "kto", "kto1", "kto2",
+        "toe", "kpk", "upk", "aw", "dwp", "cf", "cho", "c40", "c50", "uho", "lean", "kw2", "tb", "tbc", "ttr", "arm", "se",
+        "w", "utk", "tau", "vpp", "armlag", "ttu",
+    ];
+    let mut table = StyleTable::default();
+    for (row, name) in table.rows.iter_mut().zip(NAMES) {
+        *row = std::array::from_fn(|k| number(&golden["style_table"][name][k]));
+    }
+    table
 }
 
 /// `thigh_l` is `left_thigh` here.
