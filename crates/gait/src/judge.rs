@@ -2,8 +2,9 @@
 
 use crate::error::GaitError;
 use crate::measure::measure;
+use crate::pace::tidy;
 use crate::prescribed::friction;
-use crate::route::{Route, tidy};
+use crate::route::Route;
 use crate::walk::{FEET, WalkPlan};
 use solaris_model::Figure;
 use solaris_modes::ground_reactions;

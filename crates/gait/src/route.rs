@@ -2,17 +2,13 @@
 
 use crate::body::Body;
 use crate::error::GaitError;
-use crate::pace;
+use crate::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
 use crate::parameter::Parameter;
-use crate::request::{Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkRequest};
+use crate::request::{Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
 use crate::stride::{Resolution, StridePlan};
-use crate::style::{Style, WALK_RATIO};
+use crate::style::Style;
 use crate::walk::{Step, Steps, WalkPlan, steps};
 
-/// Part of people's step length by which it may be longer or shorter.
-const STEP_LENGTH_MARGIN: f64 = 0.12;
-/// Shortest step of a later part of a walk, as a part of people's.
-const SHORTEST_STEP: f64 = 0.3;
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
 /// What a step may gain over the one before: up to the frequency of the ends, and above it (steps/min).
@@ -21,13 +17,6 @@ const GAIN: (f64, f64) = (20.0, 5.0);
 const LENGTHENING: f64 = 1.12;
 /// What a step above the frequency of the ends may lose to the one after, towards the end (steps/min).
 const LOSS: f64 = 10.0;
-
-/// Step frequency (1/min) and step length (m).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pace {
-    pub(crate) step_frequency: f64,
-    pub(crate) step_length: f64,
-}
 
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
@@ -223,89 +212,4 @@ fn eased(mut steps: Vec<Pace>) -> Vec<Pace> {
         limit(pace, ENDS + LOSS * before_last as f64);
     }
     steps
-}
-
-/// What is given of a pace.
-struct Given {
-    step_frequency: Option<f64>,
-    step_length: Option<f64>,
-    speed: Option<f64>,
-}
-
-impl Given {
-    fn nothing(&self) -> bool {
-        self.step_frequency.is_none() && self.step_length.is_none() && self.speed.is_none()
-    }
-
-    /// Step frequency and step length, in range; steps may be as short as `shortest` of people's.
-    fn settle(&self, height: f64, shortest: f64) -> Result<Pace, GaitError> {
-        let given = [
-            ("step frequency", self.step_frequency, " steps/min", STEP_FREQUENCY),
-            ("step length", self.step_length, " m", (0.01, 2.0)),
-            ("speed", self.speed, " m/s", (0.01, 3.0)),
-        ];
-        for (name, value, unit, limits) in given {
-            if let Some(value) = value {
-                range(name, value, unit, limits, String::new)?;
-            }
-        }
-        let ratio = WALK_RATIO * height;
-        let (step_frequency, step_length) =
-            pace::settle(self.step_frequency, self.step_length, self.speed, ratio)?;
-        range("step frequency", step_frequency, " steps/min", STEP_FREQUENCY, || {
-            "; slower and faster gaits are not this walk: the forces leave people's range".to_owned()
-        })?;
-        let default = ratio * step_frequency;
-        let (lower, upper) = (default * shortest, default * (1.0 + longest_over_default(step_frequency)));
-        if (lower * (1.0 - 1e-9)..=upper * (1.0 + 1e-9)).contains(&step_length) {
-            return Ok(Pace { step_frequency, step_length });
-        }
-        let at = format!("at {} steps/min", tidy(step_frequency));
-        let why = format!(
-            " (people of {height} m take {default:.3} m; shorter or longer, forces and knees leave people's range)"
-        );
-        // The parameter that was given is the one to name.
-        Err(match (self.step_length, self.speed) {
-            (None, Some(value)) => {
-                let (lower, upper) = (lower * step_frequency / 60.0, upper * step_frequency / 60.0);
-                GaitError::StepLength { parameter: "speed", value, unit: " m/s", lower, upper, at, why }
-            }
-            _ => GaitError::StepLength {
-                parameter: "step length",
-                value: step_length,
-                unit: " m",
-                lower,
-                upper,
-                at,
-                why,
-            },
-        })
-    }
-}
-
-/// How much longer than people's a step may be: 12 %, falling to 2 % from 115 to 130 steps/min, where ten longer steps would
-/// need friction that no sole has.
-fn longest_over_default(step_frequency: f64) -> f64 {
-    let (from, to) = (115.0, STEP_FREQUENCY.1);
-    let past = ((step_frequency - from) / (to - from)).clamp(0.0, 1.0);
-    STEP_LENGTH_MARGIN + (0.02 - STEP_LENGTH_MARGIN) * past
-}
-
-/// A number for people: four decimals at most.
-pub(crate) fn tidy(number: f64) -> f64 {
-    (number * 1e4).round() / 1e4
-}
-
-fn range(
-    parameter: &'static str,
-    value: f64,
-    unit: &'static str,
-    (lower, upper): (f64, f64),
-    why: impl Fn() -> String,
-) -> Result<(), GaitError> {
-    if (lower..=upper).contains(&value) {
-        Ok(())
-    } else {
-        Err(GaitError::Range { parameter, value, unit, lower, upper, why: why() })
-    }
 }

@@ -15,9 +15,10 @@ mod solve;
 mod standing;
 pub(crate) mod steps;
 mod tempo;
+mod timeline;
 
 pub(crate) use course::Step;
-pub(crate) use plan::Steps;
 pub use plan::WalkPlan;
 pub use schedule::FEET;
 pub(crate) use schedule::sampled;
+pub(crate) use steps::Steps;

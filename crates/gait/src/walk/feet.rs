@@ -3,7 +3,7 @@
 use super::course::{Episode, Kind};
 use super::laws::WalkLaws;
 use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START, PITCH_FIRST, PITCH_LAST};
-use super::passes::Timeline;
+use super::timeline::Timeline;
 use crate::leg::{LegGeometry, LegPose};
 use crate::stance::{Landing, LegJet, Push, Stance};
 use crate::swing::{Aim, Swing, sideways};

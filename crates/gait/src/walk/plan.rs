@@ -1,12 +1,13 @@
 //! A whole walk, from standing to standing, as one solve from rest to rest.
 
-use super::course::{Course, Print, Step};
+use super::course::{Course, Print};
 use super::feet::Foot;
 use super::laws::WalkLaws;
 use super::numbers::REST;
-use super::passes::{Passes, Solved, Timeline};
-use super::repeat::{self, Repeat};
-use super::steps;
+use super::passes::{Passes, Solved};
+use super::repeat::Repeat;
+use super::steps::{self, Steps};
+use super::timeline::Timeline;
 use crate::body::Body;
 use crate::error::GaitError;
 use crate::foot::{mirror, turned};
@@ -21,25 +22,6 @@ use nalgebra::Vector3;
 use solaris_model::{Contact, Trajectory};
 use solaris_modes::FootSupport;
 use solaris_profiles::UniformSpline;
-
-/// Steps of a walk, each in the style of one of some strides of one figure.
-pub(crate) struct Steps<'a> {
-    pub(crate) strides: &'a [StridePlan],
-    /// The stride in whose manner both feet stand at first.
-    pub(crate) standing: usize,
-    /// The stride that the walk is called after.
-    pub(crate) steady: usize,
-    pub(crate) whole: &'a [Step],
-    /// A shorter walk of which the middle stride is repeated.
-    pub(crate) planned: Option<&'a [Step]>,
-}
-
-impl Steps<'_> {
-    /// How many steps of a long walk are planned.
-    pub(crate) fn repeated(steps: usize) -> Option<usize> {
-        Some(repeat::planned(steps)).filter(|&planned| planned < steps)
-    }
-}
 
 /// A planned walk: its posture, and what the ground is to do, at any time.
 ///

@@ -1,7 +1,28 @@
-//! Step lengths of a walk of n steps, and the number of steps to a distance.
+//! The steps of a walk, their lengths, and the number of steps to a distance.
 
 use super::course::Step;
 use super::numbers::STEP_FACTORS;
+use super::repeat;
+use crate::stride::StridePlan;
+
+/// Steps of a walk, each in the style of one of some strides of one figure.
+pub(crate) struct Steps<'a> {
+    pub(crate) strides: &'a [StridePlan],
+    /// The stride in whose manner both feet stand at first.
+    pub(crate) standing: usize,
+    /// The stride that the walk is called after.
+    pub(crate) steady: usize,
+    pub(crate) whole: &'a [Step],
+    /// A shorter walk of which the middle stride is repeated.
+    pub(crate) planned: Option<&'a [Step]>,
+}
+
+impl Steps<'_> {
+    /// How many steps of a long walk are planned.
+    pub(crate) fn repeated(steps: usize) -> Option<usize> {
+        Some(repeat::planned(steps)).filter(|&planned| planned < steps)
+    }
+}
 
 /// `n` steps of one pace, ahead.
 pub(super) fn even(n: usize, step_length: f64) -> Vec<Step> {
