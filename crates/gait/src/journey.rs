@@ -65,8 +65,7 @@ impl Journey {
                 }
                 Stage::Walk(request) => {
                     let before = walks.last().map(|(_, walk)| walk);
-                    let mut plan =
-                        walk_from(figure, &body, before.map(WalkPlan::last_style), request).map_err(of)?;
+                    let mut plan = walk_from(figure, &body, before, request).map_err(of)?;
                     if let Some(before) = before {
                         let (place, heading) = before.destination();
                         plan = plan.moved(place, heading);

@@ -25,8 +25,8 @@ pub(crate) struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// Whether the plan holds. One that changes on the way is held against its own inverse dynamics too: what steps of one pace
-    /// are known to keep, a sudden change may not.
+    /// Whether the plan holds. One whose parts differ is held against its own inverse dynamics too: what steps of one pace are
+    /// known to keep, a sudden change may not.
     pub(crate) fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         self.check_forces(plan)?;
         self.check_legs(plan)?;
@@ -41,7 +41,8 @@ impl Judge<'_> {
             let feet = plan.forces(node);
             let force = feet[0].force + feet[1].force;
             if force.y.is_nan() || force.y <= 0.0 {
-                return Err(self.not_walkable("the ground would have to pull at the feet".to_owned()));
+                let what = "the ground would have to pull at the feet".to_owned();
+                return Err(self.refusal(plan, plan.clock(node), what));
             }
             let worse = |worst: &mut (f64, usize), friction: f64| {
                 if friction.is_nan() || friction > worst.0 {
@@ -69,7 +70,7 @@ impl Judge<'_> {
                 return Err(if self.route.is_even() {
                     error
                 } else {
-                    self.sudden(plan, plan.clock(node), what)
+                    self.refusal(plan, plan.clock(node), what)
                 });
             }
         }
@@ -79,18 +80,23 @@ impl Judge<'_> {
     /// The legs reach their feet, the knees bend the right way, the feet stay above the ground.
     fn check_legs(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let legs = plan.legs();
-        let fails = |bad: bool, what: String| if bad { Err(self.not_walkable(what)) } else { Ok(()) };
-        let (knee, lowest, short) = (legs.least_knee, legs.lowest, legs.short);
+        let fails = |bad: bool, clock: f64, what: String| {
+            if bad { Err(self.refusal(plan, clock, what)) } else { Ok(()) }
+        };
+        let ((knee, bent), (lowest, sunk), (short, reaching)) = (legs.least_knee, legs.lowest, legs.short);
         fails(
             knee.is_nan() || knee < -HYPEREXTENSION,
+            bent,
             format!("a knee would be hyperextended by {:.1}°", -knee.to_degrees()),
         )?;
         fails(
             lowest.is_nan() || lowest < -1e-3,
+            sunk,
             format!("a foot would sink {:.1} mm into the ground", -lowest * 1e3),
         )?;
         fails(
             short.is_nan() || short > 1e-4,
+            reaching,
             format!("a leg is {:.1} mm too short to reach its foot on the ground", short * 1e3),
         )
     }
@@ -104,16 +110,16 @@ impl Judge<'_> {
             return Ok(());
         }
         let what = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
-        Err(self.sudden(plan, plan.clock_at(outside.time), what))
+        Err(self.refusal(plan, plan.clock_at(outside.time), what))
     }
 
-    fn not_walkable(&self, what: String) -> GaitError {
-        let pace = self.route.pace();
-        let (step_length, step_frequency) = (pace.step_length, tidy(pace.step_frequency));
-        GaitError::NotWalkable { step_length, step_frequency, what }
-    }
-
-    fn sudden(&self, plan: &WalkPlan, clock: f64, what: String) -> GaitError {
+    /// Why the plan does not hold: of a walk that changes on the way, where.
+    fn refusal(&self, plan: &WalkPlan, clock: f64, what: String) -> GaitError {
+        if self.route.is_even() {
+            let pace = self.route.pace();
+            let (step_length, step_frequency) = (pace.step_length, tidy(pace.step_frequency));
+            return GaitError::NotWalkable { step_length, step_frequency, what };
+        }
         let step = ((2.0 * clock).floor().max(0.0) as usize + 1).min(plan.steps());
         GaitError::Sudden { part: self.route.part_of(step), step, time: plan.time(clock), what }
     }

@@ -52,7 +52,9 @@ pub use measure::{
 };
 pub use pace::DEFAULT_STEP_FREQUENCY;
 pub use parameter::{PARAMETERS, Parameter, Unit};
-pub use request::{Extent, Leg, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkRequest};
+pub use request::{
+    CHANGING_STEPS, Extent, Leg, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkRequest,
+};
 pub use stick::stick_figures;
 pub use stride::{Resolution, StridePlan};
 pub use stride_loop::{StrideLoop, Walking, on_the_spot};

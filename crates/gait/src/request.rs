@@ -10,8 +10,11 @@ pub const STEPS: (usize, usize) = (1, 10_000);
 pub const SHORTEST_DISTANCE: f64 = 0.1;
 /// The most by which a step may turn (rad).
 pub const TURN: f64 = 30.0 * std::f64::consts::PI / 180.0;
-/// The most by which a walk may turn in all (rad): at a quarter turn the root's angles are singular.
-pub const TURN_IN_ALL: f64 = 80.0 * std::f64::consts::PI / 180.0;
+/// The most by which a walk may turn in all (rad): where the pelvis faces across, the root's angles are singular, and the pelvis
+/// turns by up to 12° of its own.
+pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
+/// Steps of a walk that changes on the way: it is planned whole.
+pub const CHANGING_STEPS: usize = 1000;
 
 /// How far to walk.
 #[derive(Clone, Copy, Debug, PartialEq)]

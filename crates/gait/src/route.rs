@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::error::GaitError;
 use crate::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
 use crate::parameter::Parameter;
-use crate::request::{Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
+use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
 use crate::stride::{Resolution, StridePlan};
 use crate::style::Style;
 use crate::walk::{Step, Steps, WalkPlan, steps};
@@ -33,7 +33,8 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    pub(crate) fn of(request: &WalkRequest, height: f64) -> Result<Self, GaitError> {
+    /// For a person of this height (m) that faces `heading` to the left of z (rad).
+    pub(crate) fn of(request: &WalkRequest, height: f64, heading: f64) -> Result<Self, GaitError> {
         let given = Given {
             step_frequency: request.step_frequency,
             step_length: request.step_length,
@@ -60,7 +61,7 @@ impl Route {
             return Err(GaitError::DistanceThenMore { distance });
         }
         let mut parts = Vec::new();
-        let mut turned = 0.0;
+        let mut turned = heading;
         for (number, leg) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
             let turn = leg.map_or(request.turn, |leg| leg.turn);
             let checked = || -> Result<Part, GaitError> {
@@ -93,9 +94,13 @@ impl Route {
             }
             parts.push(part);
         }
-        let all: usize = parts.iter().map(|part| part.steps).sum();
-        range("steps", all as f64, "", (STEPS.0 as f64, STEPS.1 as f64), || " in all".to_owned())?;
-        Ok(Self { parts })
+        let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
+        let route = Self { parts };
+        let most = if route.is_even() { STEPS.1 } else { CHANGING_STEPS };
+        range("steps in all", all as f64, "", (STEPS.0 as f64, most as f64), || {
+            " where pace or direction change on the way".to_owned()
+        })?;
+        Ok(route)
     }
 
     /// The pace of the first part.

@@ -6,7 +6,6 @@ use crate::judge::Judge;
 use crate::lacks;
 use crate::request::WalkRequest;
 use crate::route::Route;
-use crate::style::Style;
 use crate::walk::WalkPlan;
 use solaris_model::Figure;
 
@@ -22,14 +21,16 @@ pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitErro
     walk_from(figure, &Body::of(figure)?, None, request)
 }
 
-/// Plans a walk of feet that stand in the manner of a style.
+/// Plans a walk after another one: from its last style and heading.
 pub(crate) fn walk_from(
     figure: &Figure,
     body: &Body,
-    standing: Option<&Style>,
+    before: Option<&WalkPlan>,
     request: &WalkRequest,
 ) -> Result<WalkPlan, GaitError> {
-    let route = Route::of(request, body.height)?;
+    let standing = before.map(WalkPlan::last_style);
+    let heading = before.map_or(0.0, |before| before.destination().1);
+    let route = Route::of(request, body.height, heading)?;
     let plan = |route: &Route| {
         let plan = route.plan(body, standing, &request.parameters, request.left_first, request.resolution)?;
         Judge { figure, route }.check(&plan)?;

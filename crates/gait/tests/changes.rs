@@ -2,7 +2,7 @@
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 use solaris_gait::{Extent, FEET, FRICTION, GaitError, Leg, WalkPlan, WalkRequest, measure, walk};
-use solaris_model::{EventKind, Figure, Trajectory, human};
+use solaris_model::{EventKind, Figure, Trajectory, Vector3, human};
 use solaris_modes::ground_reactions;
 
 fn leg(steps: usize) -> Leg {
@@ -192,6 +192,29 @@ fn nothing_jumps_where_the_pace_changes() {
 }
 
 #[test]
+fn only_what_repeats_itself_has_a_loop() {
+    let figure = ann();
+    let stride =
+        |request: &WalkRequest| walk(&figure, request).expect("it can be walked").stride_loop().is_some();
+    assert!(stride(&request(100.0, 42, &[])) && stride(&request(125.0, 60, &[])));
+    assert!(stride(&request(100.0, 42, &[paced(3, 90.0)])));
+    assert!(!stride(&request(80.0, 20, &[paced(22, 100.0)])));
+    assert!(!stride(&request(100.0, 22, &[turning(20, 2.0)])));
+    let turned =
+        walk(&figure, &request(100.0, 42, &[])).expect("it can be walked").moved(Vector3::zeros(), 1.0);
+    assert!(turned.stride_loop().is_none());
+}
+
+#[test]
+fn a_time_that_is_none_gives_no_posture() {
+    let figure = ann();
+    let plan = walk(&figure, &request(80.0, 3, &[paced(3, 100.0)])).expect("it can be walked");
+    let mut q = vec![0.0; figure.layout().nq()];
+    plan.configuration(f64::NAN, &mut q);
+    assert!(q[0].is_nan() && plan.clock_at(f64::NAN).is_nan());
+}
+
+#[test]
 fn what_cannot_be_walked_is_refused_with_its_part() {
     let figure = ann();
     let refused = |request: &WalkRequest| walk(&figure, request).err().expect("a refusal").to_string();
@@ -207,6 +230,7 @@ fn what_cannot_be_walked_is_refused_with_its_part() {
         refused(&WalkRequest { turn: f64::INFINITY, ..request(100.0, 3, &[]) }),
         refused(&request(100.0, 9_000, &[leg(2_000)])),
         refused(&distance),
+        refused(&request(100.0, 600, &[leg(401), paced(2, 90.0)])),
         refused(&request(110.0, 5, &[Leg { turn: 0.5, ..paced(2, 90.0) }, paced(5, 110.0)])),
     ];
     insta::assert_snapshot!(answers.join("\n"));

@@ -33,7 +33,7 @@ fn request(random: &mut Random, height: f64) -> WalkRequest {
         let short = if random.often(0.3) { random.within(0.5, 1.0) } else { 1.0 };
         let steps = random.within(1.0, 5.0) as usize;
         let turn = if random.often(0.5) { random.within(-30.0, 30.0).to_radians() } else { 0.0 };
-        let turn = if (turned + turn * steps as f64).abs() > 1.39 { 0.0 } else { turn };
+        let turn = if (turned + turn * steps as f64).abs() > 1.30 { 0.0 } else { turn };
         turned += turn * steps as f64;
         let step_length = Some(short * WALK_RATIO * height * step_frequency);
         then.push(Leg { steps, step_frequency: Some(step_frequency), step_length, turn, ..Leg::default() });

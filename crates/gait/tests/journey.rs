@@ -103,6 +103,10 @@ fn what_is_no_journey_is_refused_with_its_stage() {
         refused(&[Stage::Stand(-1.0), Stage::Walk(walk(90.0, 2))]),
         refused(&[Stage::Walk(walk(90.0, 2)), Stage::Walk(walk(20.0, 2))]),
         refused(&[Stage::Walk(walk(90.0, 2)), Stage::Walk(splayed)]),
+        refused(&[
+            Stage::Walk(WalkRequest { turn: 0.35, ..walk(100.0, 3) }),
+            Stage::Walk(WalkRequest { turn: 0.2, left_first: true, ..walk(100.0, 3) }),
+        ]),
     ];
     insta::assert_snapshot!(answers.join("\n"));
 }

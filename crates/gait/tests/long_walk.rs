@@ -52,6 +52,27 @@ fn the_seams_of_a_long_walk_do_not_show() {
 }
 
 #[test]
+fn a_long_fast_walk_slows_down_at_its_end_only() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let times = |steps: usize| -> Vec<f64> {
+        let events = plan(&figure, 130.0, steps).events();
+        let touch = events.iter().filter(|event| matches!(event.kind, EventKind::TouchDown { .. }));
+        touch.map(|event| event.time).collect()
+    };
+    let (short, long) = (times(42), times(100));
+    assert_eq!((short.len(), long.len()), (43, 101));
+    // The first and the last steps are as those of the short walk, and what lies between has its pace.
+    let step = 60.0 / 130.0;
+    for k in 0..42 {
+        let (a, b) = (short[k + 1] - short[k], long[k + 1] - long[k]);
+        assert!(k > 35 || (a - b).abs() < 1e-12, "{k}: {a} {b}");
+        let (a, b) = (short[42 - k] - short[41 - k], long[100 - k] - long[99 - k]);
+        assert!(k > 35 || (a - b).abs() < 1e-12, "{k} from the end: {a} {b}");
+    }
+    assert!((long[90] - long[10] - 80.0 * step).abs() < 1e-11);
+}
+
+#[test]
 fn a_long_walk_ends_where_and_when_its_steps_say() {
     let figure = human(1.75, 73.0).expect("a person");
     let long = plan(&figure, 110.0, 1000);

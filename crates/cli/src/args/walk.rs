@@ -201,7 +201,8 @@ fn changes() -> [Arg; 2] {
             .value_parser(ValueParser::new(parse_then))
             .help(wrap(
                 "What comes next; several are allowed. steps=4,step-frequency=95,step-length=0.6,speed=1,turn=15: steps of another \
-                 pace or direction (what is left out stays, but for turn); a short step-length is a half step. stand=2: stop and \
+                 pace or direction (with neither frequency, length nor speed the pace stays; else what is left out is people's); a short \
+                 step-length is a half step. stand=2: stop and \
                  stand for 2 s; what follows starts anew, and may be distance=3 instead of steps [default: nothing]",
             )),
     ]

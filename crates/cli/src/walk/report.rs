@@ -6,7 +6,7 @@ use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
     Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO,
-    WalkMeasures, check_bands,
+    WalkMeasures, WalkPlan, check_bands,
 };
 use std::io::Write;
 
@@ -129,6 +129,7 @@ impl Report {
         let Planned { plan, motion, forces, repeats, changes, beside, planning, solving } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
+        let stands = matches!(plan, StyledPlan::Journey(_));
         let m = measures;
         let joint = |joint: &solaris::gait::JointPeaks| JointPeaks {
             joint: joint.joint,
@@ -144,8 +145,13 @@ impl Report {
                 style: style(&plan),
                 repeats,
                 changes,
-                // Of a stride only one touch-down is within, the other is its begin.
-                steps: if repeats { 2 } else { m.steps },
+                steps: match &plan {
+                    // Of a stride only one touch-down is within, the other is its begin.
+                    _ if repeats => 2,
+                    // Each walk of a journey closes.
+                    StyledPlan::Journey(journey) => journey.walks().map(WalkPlan::steps).sum(),
+                    _ => m.steps,
+                },
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
                 step_length_over_peoples: step_length / (WALK_RATIO * height * step_frequency),
@@ -154,7 +160,8 @@ impl Report {
                 duration_s: m.duration,
                 frames: motion.len(),
                 rate_per_s: motion.info.rate,
-                double_supports_percent: m.double_supports.clone(),
+                // Not where feet stand between two walks.
+                double_supports_percent: if stands { Vec::new() } else { m.double_supports.clone() },
             },
             steady_stride: m.steady.as_ref().map(stride),
             whole_walk: Whole {
@@ -270,6 +277,13 @@ fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<Strin
                 peak.value, peak.time
             ));
         }
+    }
+    if measures.cop_outside.value > 1e-3 {
+        notes.push(format!(
+            "the ground would have to press {:.0} mm beside a foot at {:.2} s",
+            1e3 * measures.cop_outside.value,
+            measures.cop_outside.time
+        ));
     }
     if step_frequency > 115.0 {
         notes.push(

@@ -59,13 +59,18 @@ impl SteadyStride {
     pub(super) fn find(motion: &Motion, series: &Series<'_>, contacts: &[(f64, usize)]) -> Option<Self> {
         // Contacts 1 … n and the closing one: three steps on either side belong to starting and braking.
         let even = |i: usize| {
+            // Two steps before it, one after it.
+            let times: Vec<f64> =
+                contacts[i - 2..=i + 3].windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+            let alike = times.iter().all(|time| (time - times[2]).abs() < UNEVEN * times[2]);
             let [start, middle, end] = [0, 1, 2].map(|k| contacts[i + k].0);
             let window = Window { time: series.time, span: (start, end) };
-            let advance = |axis: usize| {
-                window.at(end, &|k| series.com[k][axis]) - window.at(start, &|k| series.com[k][axis])
+            let advance = |from: f64, to: f64, axis: usize| {
+                window.at(to, &|k| series.com[k][axis]) - window.at(from, &|k| series.com[k][axis])
             };
-            let halves = ((end - middle) - (middle - start)).abs() / (end - start);
-            halves < UNEVEN && advance(0).abs() < UNEVEN * advance(2)
+            let whole = advance(start, end, 2);
+            let halves = advance(middle, end, 2) - advance(start, middle, 2);
+            alike && halves.abs() < UNEVEN * whole && advance(start, end, 0).abs() < UNEVEN * whole
         };
         let strides = (3..contacts.len().saturating_sub(5)).filter(|&i| contacts[i].1 == 0 && even(i));
         let middle = contacts.len() as f64 / 2.0 - 1.5;

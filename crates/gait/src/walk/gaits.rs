@@ -72,10 +72,6 @@ impl Gaits {
         of_contact.extend(steps.iter().map(|step| step.pace));
         of_contact.push(of_contact[steps.len()]);
         let stride_time = paces.iter().map(|pace| pace.style.stride_time).fold(f64::INFINITY, f64::min);
-        let ratios = of_contact[..=steps.len()]
-            .iter()
-            .map(|&pace| paces[pace].style.stride_time / stride_time)
-            .collect();
         let stances = (0..=of_contact.len())
             .map(|next| {
                 let style_of = |contact: usize| &paces[of_contact[contact.min(of_contact.len() - 1)]].style;
@@ -84,7 +80,13 @@ impl Gaits {
                 Ok(StanceLaw { style, cop: laws::cop(&style)? })
             })
             .collect::<Result<_, GaitError>>()?;
-        Ok(Self { paces, of_contact, stances, tempo: Tempo::new(ratios), stride_time })
+        let tempo = tempo(&paces, stride_time, standing, steps);
+        Ok(Self { paces, of_contact, stances, tempo, stride_time })
+    }
+
+    /// The tempo of other steps of the same paces.
+    pub(super) fn tempo_of(&self, standing: usize, steps: &[Step]) -> Tempo {
+        tempo(&self.paces, self.stride_time, standing, steps)
     }
 
     /// The pace of contact `k`.
@@ -120,4 +122,9 @@ impl Gaits {
         let value = of(pace);
         other.map_or(value, |(next, part)| value + (of(next) - value) * part)
     }
+}
+
+fn tempo(paces: &[Gait], stride_time: f64, standing: usize, steps: &[Step]) -> Tempo {
+    let contacts = std::iter::once(standing).chain(steps.iter().map(|step| step.pace));
+    Tempo::new(contacts.map(|pace| paces[pace].style.stride_time / stride_time).collect())
 }

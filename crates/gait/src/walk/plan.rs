@@ -7,6 +7,7 @@ use super::numbers::REST;
 use super::passes::{Passes, Solved};
 use super::repeat::Repeat;
 use super::steps::{self, Steps};
+use super::tempo::Tempo;
 use super::timeline::Timeline;
 use crate::body::Body;
 use crate::error::GaitError;
@@ -32,12 +33,15 @@ pub struct WalkPlan {
     pub(crate) body: Body,
     /// Of the walk that was planned.
     pub(crate) laws: WalkLaws,
-    /// Of the whole walk, and how far along each of its prints lies (m).
+    /// Of the whole walk: its course, its time, and how far along each of its prints lies (m).
     pub(super) whole: Course,
+    tempo: Tempo,
     prints: Vec<f64>,
     /// The style that the walk is called after.
     steady: Style,
     pub(super) repeat: Repeat,
+    /// The clock from which on a stride repeats itself, where there is one.
+    loops: Option<f64>,
     /// Whether all is mirrored, so that the left foot goes first.
     pub(super) left_first: bool,
     /// Where and which way it begins.
@@ -94,8 +98,10 @@ impl WalkPlan {
             force: spline(nodes.iter().map(|node| node.total().force.into()).collect())?,
             timeline,
             body,
+            tempo: laws.gaits.tempo_of(standing, whole),
             laws,
             whole: Course::new(whole),
+            loops: steps.loop_at(repeat.middle()),
             steady,
             prints,
             repeat,
@@ -195,13 +201,13 @@ impl WalkPlan {
     /// Time (s) of a clock.
     pub fn time(&self, clock: f64) -> f64 {
         let gaits = &self.laws.gaits;
-        (gaits.tempo.time(clock) - gaits.tempo.time(self.whole.begin) + REST) * gaits.stride_time
+        (self.tempo.time(clock) - self.tempo.time(self.whole.begin) + REST) * gaits.stride_time
     }
 
     /// Clock at a time (s).
     pub fn clock_at(&self, time: f64) -> f64 {
         let gaits = &self.laws.gaits;
-        gaits.tempo.clock(time / gaits.stride_time + gaits.tempo.time(self.whole.begin) - REST)
+        self.tempo.clock(time / gaits.stride_time + self.tempo.time(self.whole.begin) - REST)
     }
 
     /// Centre of mass at a node (m).
@@ -286,7 +292,7 @@ impl WalkPlan {
     pub fn stride_loop(&self) -> Option<StrideLoop<'_, Self>> {
         let (body, style) = (&self.body, self.style());
         // A left contact, or a right one where all is mirrored.
-        let contact = self.repeat.middle()?;
+        let contact = self.loops.filter(|_| self.from.heading == 0.0)?;
         let nq = body.nq;
         let span = (self.time(contact), style.stride_time);
         Some(StrideLoop::new(self, nq, body.root + 2, span, 2.0 * style.step_length))

@@ -18,6 +18,17 @@ pub(crate) struct Steps<'a> {
 }
 
 impl Steps<'_> {
+    /// `clock`, where all goes straight on and the stride from there on, and six steps on either side, are of one pace.
+    pub(super) fn loop_at(&self, clock: Option<f64>) -> Option<f64> {
+        let planned = self.planned.unwrap_or(self.whole);
+        clock.filter(|clock| {
+            let contact = (2.0 * clock) as usize;
+            let around = &planned[contact.saturating_sub(6)..(contact + 8).min(planned.len())];
+            planned.iter().all(|step| step.turn == 0.0)
+                && around.windows(2).all(|pair| pair[0].pace == pair[1].pace)
+        })
+    }
+
     /// How many steps of a long walk are planned.
     pub(crate) fn repeated(steps: usize) -> Option<usize> {
         Some(repeat::planned(steps)).filter(|&planned| planned < steps)

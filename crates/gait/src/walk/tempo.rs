@@ -61,7 +61,7 @@ impl Tempo {
         if time >= self.contacts[last] {
             return 0.5 * last as f64 + (time - self.contacts[last]) / self.ratios[last];
         }
-        let k = self.contacts.partition_point(|&contact| contact <= time) - 1;
+        let k = self.contacts.partition_point(|&contact| contact <= time).saturating_sub(1);
         let wanted = time - self.contacts[k];
         // Newton's method: time rises everywhere, and bends one way only.
         let mut x = (wanted / (self.contacts[k + 1] - self.contacts[k])).clamp(0.0, 1.0);
