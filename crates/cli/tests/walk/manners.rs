@@ -86,8 +86,16 @@ fn every_example_of_the_help_runs() {
     for example in examples {
         succeeded(&solaris(folder.path(), &example.split(' ').collect::<Vec<_>>()));
     }
-    let written =
-        ["child.csv", "child.html", "loop.bvh", "stiff.bvh", "stiff.json", "thesis.html", "walk.html"];
+    let written = [
+        "child.csv",
+        "child.html",
+        "corner.html",
+        "loop.bvh",
+        "stiff.bvh",
+        "stiff.json",
+        "thesis.html",
+        "walk.html",
+    ];
     assert_eq!(names(folder.path()), written);
 }
 
