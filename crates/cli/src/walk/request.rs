@@ -69,12 +69,12 @@ pub(crate) fn request(matches: &ArgMatches) -> Result<StyledRequest, CliError> {
         ..WalkRequest::default()
     };
     let then = matches.try_get_many::<Then>("then").ok().flatten().unwrap_or_default();
-    smooth(first, then.copied())
+    smooth(&first, then.copied())
 }
 
 /// A walk and what comes next: one walk, or several with standing still in between.
-fn smooth(first: WalkRequest, then: impl Iterator<Item = Then>) -> Result<StyledRequest, CliError> {
-    let WalkRequest { step_frequency, step_length, speed, .. } = first;
+fn smooth(first: &WalkRequest, then: impl Iterator<Item = Then>) -> Result<StyledRequest, CliError> {
+    let WalkRequest { step_frequency, step_length, speed, .. } = *first;
     // What is left out stays as it was.
     let mut pace = Leg { step_frequency, step_length, speed, ..Leg::default() };
     let anew = |extent: Extent, turn: f64, pace: &Leg| {

@@ -151,6 +151,13 @@ impl WalkPlan {
         &self.steady
     }
 
+    /// The style of a step, which count from 1; 0 is that of the standing feet.
+    pub fn style_of_step(&self, step: usize) -> &Style {
+        // A little after the contact, where rounding does not decide which step it is.
+        let (u, _) = self.repeat.fold(0.5 * step as f64 + 0.01);
+        self.laws.style((2.0 * u) as usize)
+    }
+
     /// Whether the style's numbers are held at the ends of what they were fitted to, see [`crate::Style::is_extrapolated`].
     pub fn is_extrapolated(&self) -> bool {
         (1..=self.laws.course.steps).any(|k| self.laws.style(k).is_extrapolated(&self.body.leg))

@@ -27,6 +27,7 @@ pub(super) struct Tempo {
 
 impl Tempo {
     /// For the stride times of contacts 0 … n over the shortest of them.
+    #[expect(clippy::float_cmp, reason = "a stride time over itself is 1")]
     pub(super) fn new(ratios: Vec<f64>) -> Self {
         if ratios.iter().all(|&ratio| ratio == 1.0) {
             return Self { ratios: Vec::new(), contacts: Vec::new() };

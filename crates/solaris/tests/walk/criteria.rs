@@ -190,17 +190,20 @@ fn ends(figure: &Figure, plan: &WalkPlan, motion: &Motion, frames: &[Vec<Moving>
     }
 }
 
-/// Feet stand on the plan's prints, and these are a first, middle and two braking steps long.
+/// Feet stand on the plan's prints, and these are a first, middle and two braking steps long. A fast walk begins and ends at 110
+/// steps/min, gains 5 a step and loses 10, with steps that are shorter by as much.
 fn prints(figure: &Figure, plan: &WalkPlan, motion: &Motion, frames: &[Vec<Moving>], worst: &mut Worst) {
     let (prints, n) = (plan.prints(), plan.steps());
-    let (length, width) = (plan.style().step_length, plan.style().step_width);
+    let fastest = (1..=n).map(|k| plan.style_of_step(k).step_frequency).fold(0.0, f64::max);
+    let ratio = plan.style().step_length / plan.style().step_frequency;
     let mut z = 0.0;
     worst.note(PRINT_PLAN, (prints.len() as f64 - (n as f64 + 2.0)).abs(), 0.0, String::new);
     for (k, print) in prints.iter().enumerate().take(n + 1).skip(1) {
         let first = if k == 1 { 0.88 } else { 1.0 };
         let brake = if k + 1 == n { 0.80 } else { 1.0 };
         let factor = if k == n { 0.67 } else { f64::min(first, brake) };
-        z += factor * length;
+        let (before, after) = ((k - 1) as f64, (n - k) as f64);
+        z += factor * ratio * fastest.min(110.0 + 5.0 * before).min(110.0 + 10.0 * after);
         worst.note(PRINT_PLAN, (print - z).abs(), 1e-9, || format!("step {k}"));
     }
     worst.note(PRINT_PLAN, (prints[n + 1] - z).abs(), 1e-9, || "closing step".to_owned());
@@ -209,14 +212,15 @@ fn prints(figure: &Figure, plan: &WalkPlan, motion: &Motion, frames: &[Vec<Movin
         let point = figure.links()[link].sole_point(SolePart::Heel).expect("a heel");
         let heels = motion.planted.iter().filter(|i| i.link == link && i.point == *point);
         // The left foot stands on print 0 and takes the even steps, the right one 0 and the odd ones.
-        let mut expected = vec![0.0];
-        expected.extend((1..=n + 1).filter(|k| k % 2 == side).map(|k| prints[k]));
-        let x = if side == 0 { width / 2.0 } else { -width / 2.0 };
+        let mut expected = vec![0];
+        expected.extend((1..=n + 1).filter(|k| k % 2 == side));
         let heels: Vec<_> = heels.collect();
         worst.note(PRINTS, if heels.len() == expected.len() { 0.0 } else { f64::INFINITY }, 1e-4, || {
             format!("{} prints of {foot}, {} expected", heels.len(), expected.len())
         });
-        for (interval, z) in heels.iter().zip(expected) {
+        for (interval, k) in heels.iter().zip(expected) {
+            let half = 0.5 * plan.style_of_step(k.min(n)).step_width;
+            let (x, z) = (if side == 0 { half } else { -half }, prints[k]);
             let on = |time: f64| interval.start <= time && time <= interval.end;
             let samples = (0..motion.len()).filter(|i| on(motion.time()[*i]));
             for i in samples {

@@ -16,10 +16,11 @@ fn longer(frequency: f64, factor: f64) -> WalkRequest {
 
 /// The greatest factor that is allowed.
 fn most(frequency: f64) -> f64 {
-    if frequency > 115.0 { 1.06 } else { 1.12 }
+    // 12 % up to 115 steps/min, from there to 2 % at 130.
+    1.12 - 0.10 * ((frequency - 115.0) / 15.0).max(0.0)
 }
 
-const FREQUENCIES: [f64; 7] = [60.0, 70.0, 80.0, 95.0, 110.0, 115.0, 118.0];
+const FREQUENCIES: [f64; 8] = [60.0, 70.0, 80.0, 95.0, 110.0, 115.0, 120.0, 130.0];
 
 #[test]
 fn shorter_and_longer_steps_obey_the_laws() {
