@@ -20,6 +20,7 @@ mod momentum;
 mod pace;
 mod parameter;
 mod parts;
+mod passing;
 pub mod people;
 mod posture;
 mod prescribed;

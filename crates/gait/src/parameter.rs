@@ -87,6 +87,14 @@ pub const PARAMETERS: &[Parameter] = &[
         place: |s| &mut s.anterior_tilt,
     },
     Parameter {
+        name: "flexion",
+        symbol: "χ",
+        help: "pitch of the standing shank when the hip is above its ankle, at least; the body is lowered to it",
+        unit: Unit::Degrees,
+        range: (0.0, 12.0),
+        place: |s| &mut s.flexion,
+    },
+    Parameter {
         name: "clearance",
         symbol: "d",
         help: "least height of the swinging foot over the ground in mid-swing",

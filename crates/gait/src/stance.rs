@@ -120,6 +120,15 @@ impl Stance {
         self.push.tip_roll_at
     }
 
+    /// The knee at contact for a foot that lands on its heel with this pitch: what the leg needs, but hardly straighter than the
+    /// style's. The more it is bent, the less it goes on bending.
+    pub(crate) fn landing_knee(&self, style: &Style, pitch: f64, hip: &Vector3<f64>) -> Boundary {
+        let distance = (hip - self.ankle_on_heel(pitch)).norm_squared();
+        let flexion = self.leg.knee_for(distance).max(style.knee_contact - 2.0 * DEGREE);
+        let factor = (1.0 - (flexion - style.knee_contact) / (15.0 * DEGREE)).clamp(-1.0, 1.0);
+        Boundary::new(flexion, style.knee_contact_rate * factor, style.knee_contact_acc * factor)
+    }
+
     /// Gives the knee its law from contact (the jet `contact`) to the flat foot.
     pub(crate) fn set_contact(
         &mut self,

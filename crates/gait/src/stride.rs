@@ -8,6 +8,7 @@ use crate::lacks;
 use crate::laws;
 use crate::leg::LegPose;
 use crate::momentum::MomentumKernel;
+use crate::passing::above_flexion;
 use crate::posture::Posture;
 use crate::prescribed::{G, PrescribedNode};
 use crate::stance::{Landing, LegJet, Push, Stance};
@@ -116,13 +117,17 @@ impl StridePlan {
                 com.y += rise;
             }
             let hip = |u: f64| hip_at(u, rise);
-            let knee = Boundary::new(style.knee_contact, style.knee_contact_rate, style.knee_contact_acc);
+            let knee = if style.flexion > 0.0 {
+                stance.landing_knee(style, -style.heel_strike_angle, &hip(0.0))
+            } else {
+                Boundary::new(style.knee_contact, style.knee_contact_rate, style.knee_contact_acc)
+            };
             stance.set_contact(knee, hip)?;
             stance.set_push(hip)?;
             let contact = stance.contact_jet(Some(knee), hip);
             let aim = Aim {
                 thigh: style.thigh_swing,
-                late_knee: style.knee_late_swing,
+                late_knee: style.knee_late_swing + knee.position - style.knee_contact,
                 beside: false,
                 sideways: [0.0; 2],
             };
@@ -250,9 +255,14 @@ fn spare_height(
     };
     let contact = spare(0.0, stance.ankle_on_heel(-style.heel_strike_angle), style.knee_contact);
     let (from, to) = (style.foot_flat, style.heel_off);
+    let flexed = if style.flexion > 0.0 {
+        -above_flexion(leg, stance, style.flexion, (from, to), &hip).1
+    } else {
+        f64::INFINITY
+    };
     (0..30)
         .map(|i| spare(from + (to - from) * f64::from(i) / 29.0, stance.flat_ankle(), LEAST_KNEE))
-        .fold(contact, f64::min)
+        .fold(contact.min(flexed), f64::min)
 }
 
 /// The laws at the nodes of a stride.

@@ -32,6 +32,8 @@ macro_rules! style_numbers {
             pub clearance: f64,
             /// Mean tilt of the pelvis, forward.
             pub anterior_tilt: f64,
+            /// Least pitch of the standing shank when the hip is above its ankle (χ): the body is lowered to it.
+            pub flexion: f64,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -47,6 +49,7 @@ macro_rules! style_numbers {
                     foot_yaw: 5.0 * DEGREE,
                     clearance: common.clearance,
                     anterior_tilt: 4.0 * DEGREE,
+                    flexion: 0.0,
                     $($name: q($name) * $unit,)*
                 }
             }
@@ -231,6 +234,7 @@ impl Style {
             ("foot_yaw", self.foot_yaw),
             ("clearance", self.clearance),
             ("anterior_tilt", self.anterior_tilt),
+            ("flexion", self.flexion),
         ];
         match common.into_iter().chain(self.numbers()).find(|(_, value)| !value.is_finite()) {
             Some((name, value)) => Err(GaitError::StyleNotFinite { name, value }),

@@ -5,6 +5,7 @@ use super::laws::WalkLaws;
 use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START, PITCH_FIRST, PITCH_LAST};
 use super::timeline::Timeline;
 use crate::leg::{LegGeometry, LegPose};
+use crate::passing::above_flexion;
 use crate::stance::{Landing, LegJet, Push, Stance};
 use crate::swing::{Aim, Swing, sideways};
 use nalgebra::Vector3;
@@ -143,10 +144,7 @@ fn stance(
     let mut stance = Stance::new(leg, style, landing, push);
     let mut knee = None;
     if landing == Landing::Heel {
-        let distance = (hip(0.0) - stance.ankle_on_heel(-contact_pitch(laws, episode))).norm_squared();
-        let flexion = leg.knee_for(distance).max(style.knee_contact - 2.0 * DEGREE);
-        let factor = (1.0 - (flexion - style.knee_contact) / (15.0 * DEGREE)).clamp(-1.0, 1.0);
-        let jet = Boundary::new(flexion, style.knee_contact_rate * factor, style.knee_contact_acc * factor);
+        let jet = stance.landing_knee(style, -contact_pitch(laws, episode), &hip(0.0));
         stance.set_contact(jet, &hip)?;
         knee = Some(jet);
     }
@@ -196,5 +194,11 @@ fn note_need(
         Kind::Last => spread(flat, 0.42, 14).for_each(|v| note(v, ankle, KNEE_FLAT)),
         Kind::First => spread(-0.6, 0.06, 12).for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
+    }
+    let flexion = laws.style(episode.index).flexion;
+    if flexion > 0.0 && episode.kind == Kind::Step {
+        let (passing, above) = above_flexion(leg, stance, flexion, (flat, stance.heel_off()), hip);
+        let weight = laws.correction(episode.contact + passing, episode.index).max(0.5);
+        need[episode.index] = need[episode.index].max(above / weight);
     }
 }
