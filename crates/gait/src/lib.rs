@@ -54,7 +54,8 @@ pub use measure::{
 pub use pace::DEFAULT_STEP_FREQUENCY;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use request::{
-    CHANGING_STEPS, Extent, Leg, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkRequest,
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkPart,
+    WalkRequest,
 };
 pub use stick::stick_figures;
 pub use stride::{Resolution, StridePlan};

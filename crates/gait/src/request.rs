@@ -31,7 +31,7 @@ pub enum Extent {
 /// loses 10 towards the end. A step that is slower for it is shorter by as much.
 ///
 /// ```
-/// use solaris_gait::{Extent, Leg, WalkRequest, walk};
+/// use solaris_gait::{Extent, WalkPart, WalkRequest, walk};
 ///
 /// let ann = solaris_model::human(1.65, 58.0)?;
 /// let request = WalkRequest { step_frequency: Some(100.0), extent: Extent::Distance(5.0), ..WalkRequest::default() };
@@ -39,8 +39,8 @@ pub enum Extent {
 /// assert!((plan.prints().last().unwrap() - 5.0).abs() < 1e-12);
 ///
 /// // Four steps, two slower ones round a corner, and on as before.
-/// let corner = Leg { steps: 2, step_frequency: Some(90.0), turn: 0.5, ..Leg::default() };
-/// let on = Leg { steps: 4, step_frequency: Some(100.0), ..Leg::default() };
+/// let corner = WalkPart { steps: 2, step_frequency: Some(90.0), turn: 0.5, ..WalkPart::default() };
+/// let on = WalkPart { steps: 4, step_frequency: Some(100.0), ..WalkPart::default() };
 /// let request = WalkRequest { extent: Extent::Steps(4), then: vec![corner, on], ..request };
 /// let (_, heading) = walk(&ann, &request)?.destination();
 /// assert!((heading - 1.0).abs() < 1e-12);
@@ -60,7 +60,7 @@ pub struct WalkRequest {
     /// By how much each step turns to the left (rad).
     pub turn: f64,
     /// What is walked next, without standing in between.
-    pub then: Vec<Leg>,
+    pub then: Vec<WalkPart>,
     /// Whether the left foot makes the first step; else the right one.
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
@@ -88,7 +88,7 @@ impl Default for WalkRequest {
 /// Some more steps of a walk. Of step frequency, step length and speed any two decide the third; where none is given, the pace is
 /// that of the steps before. A pace changes within its first step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Leg {
+pub struct WalkPart {
     /// How many.
     pub steps: usize,
     /// Steps a minute.

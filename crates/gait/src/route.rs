@@ -62,17 +62,17 @@ impl Route {
         }
         let mut parts = Vec::new();
         let mut turned = heading;
-        for (number, leg) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
-            let turn = leg.map_or(request.turn, |leg| leg.turn);
+        for (number, next) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
+            let turn = next.map_or(request.turn, |next| next.turn);
             let checked = || -> Result<Part, GaitError> {
                 let (mut steps, mut pace) = (steps, pace);
-                if let Some(leg) = leg {
+                if let Some(next) = next {
                     let given = Given {
-                        step_frequency: leg.step_frequency,
-                        step_length: leg.step_length,
-                        speed: leg.speed,
+                        step_frequency: next.step_frequency,
+                        step_length: next.step_length,
+                        speed: next.speed,
                     };
-                    steps = leg.steps;
+                    steps = next.steps;
                     pace = if given.nothing() { pace } else { given.settle(height, SHORTEST_STEP)? };
                 }
                 let (lower, upper) = (STEPS.0 as f64, STEPS.1 as f64);

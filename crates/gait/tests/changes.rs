@@ -1,23 +1,23 @@
 //! Walks that change on the way: pace, step length, direction.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
-use solaris_gait::{Extent, FEET, FRICTION, GaitError, Leg, WalkPlan, WalkRequest, measure, walk};
+use solaris_gait::{Extent, FEET, FRICTION, GaitError, WalkPart, WalkPlan, WalkRequest, measure, walk};
 use solaris_model::{EventKind, Figure, Trajectory, Vector3, human};
 use solaris_modes::ground_reactions;
 
-fn leg(steps: usize) -> Leg {
-    Leg { steps, ..Leg::default() }
+fn more(steps: usize) -> WalkPart {
+    WalkPart { steps, ..WalkPart::default() }
 }
 
-fn paced(steps: usize, step_frequency: f64) -> Leg {
-    Leg { step_frequency: Some(step_frequency), ..leg(steps) }
+fn paced(steps: usize, step_frequency: f64) -> WalkPart {
+    WalkPart { step_frequency: Some(step_frequency), ..more(steps) }
 }
 
-fn turning(steps: usize, degrees: f64) -> Leg {
-    Leg { turn: degrees.to_radians(), ..leg(steps) }
+fn turning(steps: usize, degrees: f64) -> WalkPart {
+    WalkPart { turn: degrees.to_radians(), ..more(steps) }
 }
 
-fn request(step_frequency: f64, steps: usize, then: &[Leg]) -> WalkRequest {
+fn request(step_frequency: f64, steps: usize, then: &[WalkPart]) -> WalkRequest {
     WalkRequest {
         step_frequency: Some(step_frequency),
         extent: Extent::Steps(steps),
@@ -39,20 +39,20 @@ fn contacts(plan: &WalkPlan) -> Vec<f64> {
 #[test]
 fn the_laws_hold_through_every_change() {
     let figure = ann();
-    let half = Leg { step_frequency: Some(95.0), step_length: Some(0.31), ..leg(1) };
+    let half = WalkPart { step_frequency: Some(95.0), step_length: Some(0.31), ..more(1) };
     let walks = [
         ("faster", request(80.0, 5, &[paced(6, 110.0)])),
         ("slower", request(115.0, 5, &[paced(6, 80.0)])),
         ("much faster at once", request(60.0, 4, &[paced(6, 115.0)])),
         ("another pace every step", request(90.0, 2, &[paced(1, 100.0), paced(1, 95.0), paced(3, 105.0)])),
         ("a half step", request(95.0, 4, &[half, paced(4, 95.0)])),
-        ("to the left", request(110.0, 4, &[turning(4, 15.0), leg(3)])),
-        ("sharply to the right", request(95.0, 4, &[turning(2, -30.0), leg(3)])),
+        ("to the left", request(110.0, 4, &[turning(4, 15.0), more(3)])),
+        ("sharply to the right", request(95.0, 4, &[turning(2, -30.0), more(3)])),
         ("from the first step to the last", WalkRequest { turn: 0.2, ..request(100.0, 6, &[]) }),
         ("left and right", request(100.0, 2, &[turning(3, 20.0), turning(4, -20.0)])),
         (
             "slower round a corner",
-            request(110.0, 5, &[Leg { turn: 0.35, ..paced(3, 95.0) }, paced(5, 110.0)]),
+            request(110.0, 5, &[WalkPart { turn: 0.35, ..paced(3, 95.0) }, paced(5, 110.0)]),
         ),
         (
             "left foot first",
@@ -118,7 +118,7 @@ fn steps_last_as_long_as_their_pace_says() {
 fn a_change_is_not_felt_long_before_nor_long_after() {
     let figure = ann();
     let even = walk(&figure, &request(100.0, 24, &[])).expect("it can be walked");
-    let corner = walk(&figure, &request(100.0, 12, &[turning(2, 20.0), leg(10)])).expect("it can be walked");
+    let corner = walk(&figure, &request(100.0, 12, &[turning(2, 20.0), more(10)])).expect("it can be walked");
     let nq = figure.layout().nq();
     let (mut a, mut b) = (vec![0.0; nq], vec![0.0; nq]);
     for k in 0..100 {
@@ -165,7 +165,7 @@ fn turning_left_first_is_the_mirror_image() {
 #[test]
 fn nothing_jumps_where_the_pace_changes() {
     let figure = ann();
-    let plan = walk(&figure, &request(80.0, 4, &[Leg { turn: 0.3, ..paced(2, 110.0) }, paced(4, 90.0)]))
+    let plan = walk(&figure, &request(80.0, 4, &[WalkPart { turn: 0.3, ..paced(2, 110.0) }, paced(4, 90.0)]))
         .expect("it can be walked");
     let nq = figure.layout().nq();
     let at = |t: f64| {
@@ -218,20 +218,20 @@ fn a_time_that_is_none_gives_no_posture() {
 fn what_cannot_be_walked_is_refused_with_its_part() {
     let figure = ann();
     let refused = |request: &WalkRequest| walk(&figure, request).err().expect("a refusal").to_string();
-    let mut distance = request(100.0, 1, &[leg(3)]);
+    let mut distance = request(100.0, 1, &[more(3)]);
     distance.extent = Extent::Distance(4.0);
     let answers = [
         refused(&request(100.0, 3, &[paced(3, 200.0)])),
-        refused(&request(100.0, 3, &[leg(3), Leg { step_length: Some(1.2), ..paced(2, 100.0) }])),
-        refused(&request(100.0, 3, &[leg(0)])),
+        refused(&request(100.0, 3, &[more(3), WalkPart { step_length: Some(1.2), ..paced(2, 100.0) }])),
+        refused(&request(100.0, 3, &[more(0)])),
         refused(&request(100.0, 3, &[turning(2, 40.0)])),
         refused(&request(100.0, 3, &[turning(2, f64::NAN)])),
         refused(&request(100.0, 3, &[turning(5, 20.0)])),
         refused(&WalkRequest { turn: f64::INFINITY, ..request(100.0, 3, &[]) }),
-        refused(&request(100.0, 9_000, &[leg(2_000)])),
+        refused(&request(100.0, 9_000, &[more(2_000)])),
         refused(&distance),
-        refused(&request(100.0, 600, &[leg(401), paced(2, 90.0)])),
-        refused(&request(110.0, 5, &[Leg { turn: 0.5, ..paced(2, 90.0) }, paced(5, 110.0)])),
+        refused(&request(100.0, 600, &[more(401), paced(2, 90.0)])),
+        refused(&request(110.0, 5, &[WalkPart { turn: 0.5, ..paced(2, 90.0) }, paced(5, 110.0)])),
     ];
     insta::assert_snapshot!(answers.join("\n"));
     let error = walk(&figure, &request(100.0, 3, &[paced(3, 10.0)])).err().expect("a refusal");

@@ -1,7 +1,7 @@
 //! Random walks that change on the way: what is not refused obeys the laws.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
-use solaris_gait::{Extent, FEET, FRICTION, GaitError, Leg, WALK_RATIO, WalkRequest, measure, walk};
+use solaris_gait::{Extent, FEET, FRICTION, GaitError, WALK_RATIO, WalkPart, WalkRequest, measure, walk};
 use solaris_model::human;
 use solaris_modes::ground_reactions;
 
@@ -36,7 +36,13 @@ fn request(random: &mut Random, height: f64) -> WalkRequest {
         let turn = if (turned + turn * steps as f64).abs() > 1.30 { 0.0 } else { turn };
         turned += turn * steps as f64;
         let step_length = Some(short * WALK_RATIO * height * step_frequency);
-        then.push(Leg { steps, step_frequency: Some(step_frequency), step_length, turn, ..Leg::default() });
+        then.push(WalkPart {
+            steps,
+            step_frequency: Some(step_frequency),
+            step_length,
+            turn,
+            ..WalkPart::default()
+        });
     }
     WalkRequest {
         step_frequency: Some(first),

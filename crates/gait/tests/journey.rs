@@ -1,6 +1,6 @@
 //! Walks with standing still in between.
 
-use solaris_gait::{Extent, FEET, Journey, Leg, Stage, WalkRequest, measure};
+use solaris_gait::{Extent, FEET, Journey, Stage, WalkPart, WalkRequest, measure};
 use solaris_model::{EventKind, Figure, Trajectory, human};
 use solaris_modes::ground_reactions;
 
@@ -18,7 +18,8 @@ fn walk(step_frequency: f64, steps: usize) -> WalkRequest {
 
 /// Stands, walks round a corner, stands, takes a half step with the left foot, stops for an instant, and goes on faster.
 fn stages() -> [Stage; 6] {
-    let corner = WalkRequest { then: vec![Leg { steps: 3, turn: 0.3, ..Leg::default() }], ..walk(90.0, 3) };
+    let corner =
+        WalkRequest { then: vec![WalkPart { steps: 3, turn: 0.3, ..WalkPart::default() }], ..walk(90.0, 3) };
     let half = WalkRequest { extent: Extent::Distance(0.3), left_first: true, ..walk(80.0, 1) };
     let on = WalkRequest { turn: -0.1, ..walk(110.0, 5) };
     [

@@ -6,8 +6,8 @@ use clap::builder::{PossibleValuesParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command};
 use solaris::gait::determinants::{KeyParameter, THESIS_WALK_RATIO, five, three};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, Leg, PARAMETERS, Parameter, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
-    THESIS_STEP_FREQUENCY, TURN, TURN_IN_ALL, Unit, WALK_RATIO,
+    DEFAULT_STEP_FREQUENCY, PARAMETERS, Parameter, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
+    THESIS_STEP_FREQUENCY, TURN, TURN_IN_ALL, Unit, WALK_RATIO, WalkPart,
 };
 
 const WALK_EXAMPLES: &str = "Examples:
@@ -214,9 +214,9 @@ pub(crate) enum Then {
     /// Stop, and stand so long (s).
     Stand(f64),
     /// Some steps.
-    Steps(Leg),
+    Steps(WalkPart),
     /// As many steps as reach so far (m), from standing.
-    Distance(f64, Leg),
+    Distance(f64, WalkPart),
 }
 
 /// `stand=2`, or `steps=4,step-frequency=95,turn=15`.
@@ -239,15 +239,15 @@ fn parse_then(text: &str) -> Result<Then, String> {
         return if alone { Ok(Then::Stand(stand)) } else { Err("stand goes alone".to_owned()) };
     }
     let turn = turn.unwrap_or_default().to_radians();
-    let leg = Leg { steps: 0, step_frequency, step_length, speed, turn };
+    let part = WalkPart { steps: 0, step_frequency, step_length, speed, turn };
     match (steps, distance) {
         (Some(steps), None) if steps.fract() == 0.0 && steps >= 0.0 && steps <= STEPS.1 as f64 => {
-            Ok(Then::Steps(Leg { steps: steps as usize, ..leg }))
+            Ok(Then::Steps(WalkPart { steps: steps as usize, ..part }))
         }
         (Some(steps), None) => {
             Err(format!("steps {steps}: it must be a whole number, {} to {}", STEPS.0, STEPS.1))
         }
-        (None, Some(distance)) => Ok(Then::Distance(distance, leg)),
+        (None, Some(distance)) => Ok(Then::Distance(distance, part)),
         (None, None) => Err("it needs steps, a distance or stand".to_owned()),
         (Some(_), Some(_)) => Err("steps and distance: any one of them; drop the other".to_owned()),
     }

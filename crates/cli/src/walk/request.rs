@@ -5,7 +5,8 @@ use crate::error::{CliError, typed};
 use clap::ArgMatches;
 use solaris::gait::determinants::{Determinants, DoubleSupport, five, three};
 use solaris::gait::{
-    Extent, InBetween, Leg, PARAMETERS, Parameter, STEPS, Stage, StyledRequest, ThesisRequest, WalkRequest,
+    Extent, InBetween, PARAMETERS, Parameter, STEPS, Stage, StyledRequest, ThesisRequest, WalkPart,
+    WalkRequest,
 };
 
 /// One stride, and whether it stays on the spot.
@@ -76,27 +77,27 @@ pub(crate) fn request(matches: &ArgMatches) -> Result<StyledRequest, CliError> {
 fn smooth(first: &WalkRequest, then: impl Iterator<Item = Then>) -> Result<StyledRequest, CliError> {
     let WalkRequest { step_frequency, step_length, speed, .. } = *first;
     // What is left out stays as it was.
-    let mut pace = Leg { step_frequency, step_length, speed, ..Leg::default() };
-    let anew = |extent: Extent, turn: f64, pace: &Leg| {
-        let Leg { step_frequency, step_length, speed, .. } = *pace;
+    let mut pace = WalkPart { step_frequency, step_length, speed, ..WalkPart::default() };
+    let anew = |extent: Extent, turn: f64, pace: &WalkPart| {
+        let WalkPart { step_frequency, step_length, speed, .. } = *pace;
         Some(WalkRequest { step_frequency, step_length, speed, extent, turn, ..first.clone() })
     };
     let (mut stages, mut walk) = (Vec::new(), Some(first.clone()));
     for next in then {
-        if let Then::Steps(leg) | Then::Distance(_, leg) = next
-            && leg.step_frequency.or(leg.step_length).or(leg.speed).is_some()
+        if let Then::Steps(part) | Then::Distance(_, part) = next
+            && part.step_frequency.or(part.step_length).or(part.speed).is_some()
         {
-            pace = leg;
+            pace = part;
         }
         match (next, &mut walk) {
             (Then::Stand(time), _) => {
                 stages.extend(walk.take().map(Stage::Walk));
                 stages.push(Stage::Stand(time));
             }
-            (Then::Steps(leg), Some(walk)) => walk.then.push(leg),
-            (Then::Steps(leg), None) => walk = anew(Extent::Steps(leg.steps), leg.turn, &pace),
-            (Then::Distance(distance, leg), None) => {
-                walk = anew(Extent::Distance(distance), leg.turn, &pace);
+            (Then::Steps(part), Some(walk)) => walk.then.push(part),
+            (Then::Steps(part), None) => walk = anew(Extent::Steps(part.steps), part.turn, &pace),
+            (Then::Distance(distance, part), None) => {
+                walk = anew(Extent::Distance(distance), part.turn, &pace);
             }
             (Then::Distance(distance, _), Some(_)) => {
                 return Err(CliError::Usage(format!(
