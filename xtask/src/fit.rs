@@ -16,7 +16,7 @@ use std::fs;
 const RECIPE: &str = "fixtures/reference/smooth/golden.json";
 
 /// Steps of the fit.
-const ITERATIONS: usize = 25;
+const ITERATIONS: usize = 40;
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq, Eq)]

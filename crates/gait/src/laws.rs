@@ -70,33 +70,50 @@ pub(crate) fn cop(style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
 /// Rotations about z, y, x (rad), in this order.
 pub(crate) type Euler = [f64; 3];
 
-/// World orientations of pelvis, abdomen, thorax, neck and head; `envelope` scales what swings.
-pub(crate) fn trunk(style: &Style, u: f64, envelope: f64) -> [Euler; 5] {
+/// How much of each swings: 0 at rest, 1 in a steady stride.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Swings {
+    pub(crate) pelvis: f64,
+    pub(crate) thorax: f64,
+    pub(crate) arms: f64,
+}
+
+impl Swings {
+    pub(crate) const ALL: Self = Self { pelvis: 1.0, thorax: 1.0, arms: 1.0 };
+    pub(crate) const NONE: Self = Self { pelvis: 0.0, thorax: 0.0, arms: 0.0 };
+}
+
+/// World orientations of pelvis, abdomen, thorax, neck and head.
+pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
     let sin = |x: f64| (TAU * x).sin();
     let cos = |x: f64| (TAU * x).cos();
     let tilt_swing = 1.4 * DEGREE;
     let pelvis = [
-        envelope
+        swings.pelvis
             * style.pelvic_obliquity
             * (sin(u - style.obliquity_phase) + 0.3 * sin(3.0 * (u - style.obliquity_phase))),
-        -envelope * style.pelvic_rotation * cos(u),
-        style.anterior_tilt + envelope * tilt_swing * cos(2.0 * (u - 0.02)),
+        -swings.pelvis * style.pelvic_rotation * cos(u),
+        style.anterior_tilt + swings.pelvis * tilt_swing * cos(2.0 * (u - 0.02)),
     ];
     let thorax = [
-        -envelope * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u)),
-        envelope * style.thorax_yaw * cos(u - style.thorax_yaw_phase),
+        -swings.thorax * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u)),
+        swings.thorax * style.thorax_yaw * cos(u - style.thorax_yaw_phase),
         style.thorax_lean,
     ];
     let abdomen = std::array::from_fn(|i| 0.5 * (pelvis[i] + thorax[i]));
     [pelvis, abdomen, thorax, thorax.map(|x| 0.5 * x), [0.0; 3]]
 }
 
-/// Rotations about x of the left shoulder and elbow; the right arm's are those half a stride later.
-pub(crate) fn arm(style: &Style, u: f64, envelope: f64) -> [f64; 2] {
+/// Rotations about x of shoulders and elbows, left and right: the right arm's are the left one's half a stride later.
+pub(crate) fn arms(style: &Style, u: f64, swings: Swings) -> [[f64; 2]; 2] {
+    [arm(style, u, swings.arms), arm(style, u + 0.5, swings.arms)]
+}
+
+fn arm(style: &Style, u: f64, swing: f64) -> [f64; 2] {
     let cos = |x: f64| (TAU * (x - 0.5 - style.arm_lag)).cos();
     [
-        -(-3.0 * DEGREE + envelope * style.arm_swing * cos(u)),
-        -(22.0 * DEGREE + envelope * 9.0 * DEGREE * cos(u - 0.05)),
+        -(-3.0 * DEGREE + swing * style.arm_swing * cos(u)),
+        -(22.0 * DEGREE + swing * 9.0 * DEGREE * cos(u - 0.05)),
     ]
 }
 

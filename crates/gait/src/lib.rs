@@ -63,5 +63,5 @@ pub use stride_loop::{StrideLoop, Walking, on_the_spot};
 pub use style::{Style, StyleTable, WALK_RATIO};
 pub use styled::{StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
-pub use walk::{FEET, WalkPlan};
+pub use walk::{FEET, WalkNumbers, WalkPlan};
 pub use walker::walk;

@@ -7,7 +7,7 @@ use crate::parameter::Parameter;
 use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
 use crate::stride::{Resolution, StridePlan};
 use crate::style::Style;
-use crate::walk::{Step, Steps, WalkPlan, steps};
+use crate::walk::{Step, Steps, WalkNumbers, WalkPlan, steps};
 
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
@@ -176,7 +176,14 @@ impl Route {
             }
             None => first,
         };
-        let steps = Steps { strides: &strides, standing, steady, whole: &whole, planned: planned.as_deref() };
+        let steps = Steps {
+            strides: &strides,
+            standing,
+            steady,
+            numbers: WalkNumbers::default(),
+            whole: &whole,
+            planned: planned.as_deref(),
+        };
         WalkPlan::of_steps(&steps, resolution)
     }
 }

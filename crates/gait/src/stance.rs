@@ -12,6 +12,9 @@ use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quinti
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
+/// A knee that lands so much more bent than the style's does not go on bending.
+pub(crate) const LANDING_RANGE: f64 = 24.0 * DEGREE;
+
 /// What a foot does at the begin of its stance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Landing {
@@ -121,11 +124,11 @@ impl Stance {
     }
 
     /// The knee at contact for a foot that lands on its heel with this pitch: what the leg needs, but hardly straighter than the
-    /// style's. The more it is bent, the less it goes on bending.
-    pub(crate) fn landing_knee(&self, style: &Style, pitch: f64, hip: &Vector3<f64>) -> Boundary {
+    /// style's. The more it is bent, the less it goes on bending: not at all from `range` (rad) more than the style's on.
+    pub(crate) fn landing_knee(&self, style: &Style, pitch: f64, range: f64, hip: &Vector3<f64>) -> Boundary {
         let distance = (hip - self.ankle_on_heel(pitch)).norm_squared();
         let flexion = self.leg.knee_for(distance).max(style.knee_contact - 2.0 * DEGREE);
-        let factor = (1.0 - (flexion - style.knee_contact) / (15.0 * DEGREE)).clamp(-1.0, 1.0);
+        let factor = (1.0 - (flexion - style.knee_contact) / range).clamp(-1.0, 1.0);
         Boundary::new(flexion, style.knee_contact_rate * factor, style.knee_contact_acc * factor)
     }
 

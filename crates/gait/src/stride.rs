@@ -5,13 +5,13 @@ use crate::error::GaitError;
 use crate::foot::{FootPlane, mirror};
 use crate::grid::{Ends, Grid, SECOND};
 use crate::lacks;
-use crate::laws;
+use crate::laws::{self, Swings};
 use crate::leg::LegPose;
 use crate::momentum::MomentumKernel;
 use crate::passing::above_flexion;
 use crate::posture::Posture;
 use crate::prescribed::{G, PrescribedNode};
-use crate::stance::{Landing, LegJet, Push, Stance};
+use crate::stance::{LANDING_RANGE, Landing, LegJet, Push, Stance};
 use crate::style::Style;
 use crate::swing::{Aim, Swing};
 use crate::upper::UpperBody;
@@ -118,7 +118,7 @@ impl StridePlan {
             }
             let hip = |u: f64| hip_at(u, rise);
             let knee = if style.flexion > 0.0 {
-                stance.landing_knee(style, -style.heel_strike_angle, &hip(0.0))
+                stance.landing_knee(style, -style.heel_strike_angle, LANDING_RANGE, &hip(0.0))
             } else {
                 Boundary::new(style.knee_contact, style.knee_contact_rate, style.knee_contact_acc)
             };
@@ -239,7 +239,7 @@ impl StridePlan {
 
 /// Angles of trunk and both arms at the clock `u`.
 fn angles(style: &Style, u: f64) -> ([laws::Euler; 5], [[f64; 2]; 2]) {
-    (laws::trunk(style, u, 1.0), [laws::arm(style, u, 1.0), laws::arm(style, u + 0.5, 1.0)])
+    (laws::trunk(style, u, Swings::ALL), laws::arms(style, u, Swings::ALL))
 }
 
 /// How far the body must rise until the first leg, at contact or on a flat foot, is as straight as it may be.

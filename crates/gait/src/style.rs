@@ -112,85 +112,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [18.09, 2.71, 0.72, 0.03];
+    heel_strike_angle: DEGREE, [17.52, 3.48, 0.19, 0.80];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01645, 0.00215, -0.00027, 0.00442];
+    height1: 1.0, [0.01701, 0.00152, 0.00021, -0.00047];
     /// Its phase.
-    height1_phase: 1.0, [0.0097, -0.0061, 0.0121, 0.0277];
+    height1_phase: 1.0, [0.0121, -0.0064, 0.0128, 0.0524];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00120, 0.00044, 0.00039, 0.00012];
+    height2_cos: 1.0, [-0.00123, 0.00086, 0.00008, -0.00037];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00072, -0.00134, 0.00041, -0.00094];
+    height2_sin: 1.0, [0.00072, -0.00105, 0.00003, -0.00117];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00015, -0.00018, -0.00002, -0.00001];
+    height3_cos: 1.0, [-0.00014, -0.00011, -0.00011, 0.00001];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [0.00019, 0.00027, -0.00003, -0.00015];
+    height3_sin: 1.0, [0.00011, 0.00033, -0.00008, -0.00017];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [4.29, 0.28, -0.09, 3.28];
+    pelvic_obliquity: DEGREE, [3.94, 0.35, -0.03, 0.60];
     /// Its phase.
-    obliquity_phase: 1.0, [0.0283, 0.0136, -0.0082, 0.0017];
+    obliquity_phase: 1.0, [0.0325, 0.0155, -0.0036, 0.0169];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0844, -0.0123, -0.0033, 0.0098];
+    foot_flat: 1.0, [0.0824, -0.0132, 0.0017, 0.0230];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [6.84, 1.16, 0.96, 0.94];
+    knee_contact: DEGREE, [7.15, 1.07, 0.87, 0.83];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [122.1, 42.6, 16.0, -27.6];
+    knee_contact_rate: DEGREE, [120.2, 46.4, 8.0, -2.4];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [1906.0, 3611.0, 1363.0, 1829.0];
+    knee_contact_acc: DEGREE, [2168.0, 3685.0, 984.0, 2800.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [11.75, -4.37, -1.57, -0.09];
+    knee_push: DEGREE, [12.00, -3.69, -1.88, 0.85];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [40.25, -3.67, 1.03, -8.43];
+    knee_toe_off: DEGREE, [41.32, -4.45, 1.22, -10.99];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [359.0, 43.0, 21.2, -61.0];
+    knee_toe_off_rate: DEGREE, [361.1, 36.5, 20.1, -104.3];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-690.0, 102.0, 321.0, 752.0];
+    knee_toe_off_acc: DEGREE, [-714.0, 480.4, 98.6, 964.1];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [35.16, -0.95, -0.43, 22.36];
+    toe_roll: DEGREE, [34.54, -0.66, 0.10, 37.36];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [64.33, -2.91, -2.28, 0.83];
+    knee_peak: DEGREE, [64.70, -3.55, -2.23, 8.84];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7504, -0.0003, 0.0036, 0.0014];
+    knee_peak_at: 1.0, [0.7539, -0.0007, 0.0012, -0.1076];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [28.68, 0.13, 0.94, 2.56];
+    thigh_swing: DEGREE, [28.81, -0.07, 1.09, -5.05];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [5.98, -1.62, -0.46, 1.06];
+    ankle_swing: DEGREE, [6.04, 0.88, -1.87, 2.83];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [1.1224, 0.1785, -0.0235, -0.0630];
+    cop_forward: 1.0, [1.0754, 0.2171, -0.0461, 0.3200];
     /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7480, 0.0050, -0.0028, -0.0119];
+    cop_heel_off: 1.0, [0.7353, 0.0251, -0.0018, 0.3050];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.7963, 0.0052, -0.0037, -0.0013];
+    cop_40: 1.0, [0.7883, 0.0160, -0.0103, 0.1032];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.8002, 0.0289, 0.0174, -0.0025];
+    cop_50: 1.0, [0.7961, 0.0356, 0.0182, 0.1245];
     /// When the heel rises.
-    heel_off: 1.0, [0.3032, 0.0062, -0.0046, 0.0057];
+    heel_off: 1.0, [0.3246, 0.0089, -0.0050, 0.0074];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-0.39, -0.79, 0.09, 0.82];
+    thorax_lean: DEGREE, [-0.25, -1.48, -0.14, 0.67];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [4.42, 0.68, 0.82, 0.22];
+    knee_late_swing: DEGREE, [4.38, 0.68, 0.95, 1.96];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [5.41, 0.11, 0.07, -0.25];
+    thorax_bend_sin: DEGREE, [5.32, 0.11, 0.24, -1.34];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-2.51, -0.41, 0.77, -0.59];
+    thorax_bend_cos: DEGREE, [-2.71, -1.52, 1.12, -0.98];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [5.76, 0.07, 0.13, -0.56];
+    thorax_yaw: DEGREE, [7.03, 0.27, 0.18, -0.70];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [21.82, 7.46, -1.27, -4.22];
+    arm_swing: DEGREE, [23.71, 7.47, -1.92, -31.83];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.7378, -0.0625, 0.0435, 0.0124];
+    share_exponent: 1.0, [0.7346, -0.0531, 0.0286, -0.2375];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.1120, 0.0050, 0.0, 0.0];
+    step_width: 1.0, [0.1121, 0.0038, -0.0030, -0.0954];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.4320, -0.0655, -0.0166, 0.2679];
+    tip_roll: 1.0, [0.4245, -0.0845, -0.0029, 0.4789];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [5.82, 1.38, -0.26, 0.30];
+    pelvic_rotation: DEGREE, [5.90, 1.44, -0.24, -0.95];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4297, 0.0023, -0.0872, -0.0243];
+    pivot: 1.0, [1.4340, 0.0020, -0.0437, 1.9444];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0155, 0.0032, 0.0, 0.0018];
+    arm_lag: 1.0, [-0.0149, 0.0413, -0.0140, 0.0010];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [0.0072, 0.0615, 0.0221, -0.0130];
+    thorax_yaw_phase: 1.0, [-0.0239, 0.0678, 0.0325, -0.0230];
 }
 
 impl Style {

@@ -18,6 +18,7 @@ mod tempo;
 mod timeline;
 
 pub(crate) use course::Step;
+pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;
 pub use schedule::FEET;
 pub(crate) use schedule::sampled;

@@ -5,7 +5,7 @@ mod common;
 
 use common::{Differences, golden, golden_figure, number, recipe_table, vector};
 use serde_json::Value;
-use solaris_gait::{LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkPlan};
+use solaris_gait::{LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkNumbers, WalkPlan};
 use solaris_model::{Figure, Vector3};
 
 fn compare(figure: &Figure, golden: &Value, plan: &WalkPlan, differences: &mut Differences) {
@@ -90,7 +90,7 @@ fn check(resolution: Resolution, limits: [f64; 4]) {
     // The golden walks start from the golden stride of 200 nodes and 10 passes.
     let stride = StridePlan::new(&figure, &style, resolution).expect("a stride");
     for steps in [1, 2, 4] {
-        let plan = WalkPlan::new(&stride, steps, resolution).expect("a walk");
+        let plan = WalkPlan::with_numbers(&stride, steps, WalkNumbers::recipe(), resolution).expect("a walk");
         let golden = &golden["walks"][format!("110_n{steps}")];
         let mut differences = Differences::default();
         compare(&figure, golden, &plan, &mut differences);

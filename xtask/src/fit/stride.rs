@@ -13,6 +13,10 @@ use solaris_modes::{Support, SupportLaw, balance_momentum, ground_reactions};
 /// Late swing, in which the toes pass over the ground (u).
 const LATE_SWING: (f64, f64) = (0.70, 0.93);
 
+/// Parts of a stride in which the vertical force has its first peak, and in which it is lower (u).
+const FIRST_PEAK: (f64, f64) = (0.05, 0.21);
+const MID_STANCE: (f64, f64) = (0.25, 0.36);
+
 /// Who walks how.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
@@ -101,6 +105,8 @@ pub(crate) struct Found {
     /// Local maxima of the vertical force in one stance, and how far it goes up and down besides two peaks and a valley (%BW).
     pub(crate) humps: usize,
     pub(crate) detour: f64,
+    /// How far the force in mid-stance comes up to its first peak, which is below zero where there are a peak and a valley (%BW).
+    pub(crate) flank: f64,
     /// Least knee flexion (°).
     pub(crate) knee: f64,
     /// Friction of both feet, and of one that bears more than 5 % of the weight.
@@ -150,6 +156,7 @@ impl Found {
             lowest: least(&mut heights.iter().copied()),
             humps,
             detour,
+            flank: flank(&vertical),
             knee: least(&mut (0..n).map(|i| angle("left_knee.flexion", i))),
             friction: (most(&mut (0..n).map(|i| ratio(total(i)))), most(&mut (0..n).map(foot_ratio))),
             notch: most(&mut (0..n).map(notch)),
@@ -207,6 +214,15 @@ fn humps(vertical: &[f64]) -> (usize, f64) {
     let way: f64 = vertical.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
     let shortest = 2.0 * (vertical[first] + vertical[second] - valley) - vertical[0] - vertical[n - 1];
     (maxima.count(), way - shortest)
+}
+
+/// The greatest force in mid-stance against the first peak, of which a maximum at the end of its part would be none.
+fn flank(vertical: &[f64]) -> f64 {
+    let most = |(from, to): (f64, f64)| {
+        let index = |u: f64| (u * vertical.len() as f64) as usize;
+        vertical[index(from)..=index(to)].iter().fold(f64::NEG_INFINITY, |most, f| most.max(*f))
+    };
+    most(MID_STANCE) - most(FIRST_PEAK)
 }
 
 /// Height of the lowest point of the left foot's sole at every sample (m).

@@ -12,15 +12,17 @@ const NORMAL: [(f64, f64); 12] = [
     (80.0, 6.0),
     (85.0, 1.5),
     (90.0, 2.0),
-    (95.0, 1.0),
-    (102.0, 0.7),
-    (110.0, 2.0),
-    (115.0, 1.0),
+    (95.0, 5.0),
+    (102.0, 1.0),
+    (110.0, 8.0),
+    (115.0, 2.0),
     (118.0, 1.5),
     (122.0, 0.8),
     (127.0, 0.4),
 ];
 const STRETCHED: [(f64, f64); 4] = [(76.0, 0.4), (90.0, 0.5), (105.0, 0.5), (116.0, 0.4)];
+/// The longest of the fast steps that are taken, with its stretch and weight.
+const FASTEST: (f64, f64, f64) = (122.0, 1.08, 0.5);
 /// Walks of so many steps at a step frequency, with what their friction, that of one foot, and their least knee (°) should keep.
 const WALKS: [(f64, usize, [f64; 3]); 3] =
     [(80.0, 4, [0.18, 0.21, 2.0]), (117.0, 4, [0.36, 0.41, 2.5]), (124.0, 4, [0.43, 0.48, 2.0])];
@@ -41,11 +43,11 @@ pub(crate) struct Stride {
 
 /// All strides and walks of the fit.
 pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Target>, String> {
-    let normal = NORMAL.map(|(frequency, weight)| (frequency, 1.0, weight));
+    let normal = NORMAL.map(|(frequency, weight)| (frequency, 1.0, weight)).into_iter();
     let stretched = STRETCHED
         .iter()
         .flat_map(|(frequency, weight)| [0.9, 1.1].map(|stretch| (*frequency, stretch, *weight)));
-    let cases: Vec<(f64, f64, f64)> = normal.into_iter().chain(stretched).collect();
+    let cases: Vec<(f64, f64, f64)> = normal.chain(stretched).chain([FASTEST]).collect();
     let strides = cases.iter().map(|&(frequency, stretch, weight)| {
         let case = Case::new(HEIGHT, frequency, stretch)?;
         let recipe = Found::of(&case, recipe)?;
@@ -105,6 +107,7 @@ impl Stride {
             above(found.free_moment, limit([9.5, 11.3, 16.0]), 0.8),
             above(12.6e-3, found.clearance, 1e-3),
             above(found.detour, limit([3.0, 0.5, 0.5]), 1.0),
+            above(found.flank, limit([-4.0, -8.0, -12.0]), 1.5),
             above(3.5, found.knee, 0.7),
             above(found.friction.0, limit([0.13, 0.20, 0.27]), 0.01),
             above(found.friction.1, limit([0.19, 0.25, 0.36]), 0.01),
@@ -166,7 +169,8 @@ impl Stride {
 /// People who walk slowly rise less than the band says, and press less.
 fn weight(band: &Band, frequency: f64) -> f64 {
     match band.name {
-        "CoM rise" if frequency < 100.0 => 0.3,
+        "CoM rise" if frequency < 90.0 => 0.3,
+        "CoM rise" => 3.0,
         "first vertical peak" if frequency < 82.0 => 0.6,
         _ => 0.8,
     }

@@ -2,7 +2,7 @@
 
 use super::course::{Episode, Kind};
 use super::laws::WalkLaws;
-use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START, PITCH_FIRST, PITCH_LAST};
+use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START};
 use super::timeline::Timeline;
 use crate::leg::{LegGeometry, LegPose};
 use crate::passing::above_flexion;
@@ -67,7 +67,12 @@ impl Foot {
             };
             let sideways = [leans(&from, style.toe_off(), &start), leans(&to, 0.0, end)];
             let aim = if to.kind == Kind::Close {
-                Aim { thigh: style.thigh_swing * 0.85, late_knee: 0.0, beside: true, sideways }
+                Aim {
+                    thigh: style.thigh_swing * laws.numbers.closing_thigh,
+                    late_knee: 0.0,
+                    beside: true,
+                    sideways,
+                }
             } else {
                 let steady = laws.gaits.of_contact(to.index).contact_thigh;
                 let thigh = style.thigh_swing + 0.8 * (end.thigh.position - steady);
@@ -144,7 +149,8 @@ fn stance(
     let mut stance = Stance::new(leg, style, landing, push);
     let mut knee = None;
     if landing == Landing::Heel {
-        let jet = stance.landing_knee(style, -contact_pitch(laws, episode), &hip(0.0));
+        let jet =
+            stance.landing_knee(style, -contact_pitch(laws, episode), laws.numbers.landing_range, &hip(0.0));
         stance.set_contact(jet, &hip)?;
         knee = Some(jet);
     }
@@ -158,8 +164,8 @@ fn stance(
 /// The foot's pitch at contact, toe up.
 fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
     let factor = match episode {
-        Episode { kind: Kind::Last, .. } => PITCH_LAST,
-        Episode { index: 1, .. } => PITCH_FIRST,
+        Episode { kind: Kind::Last, .. } => laws.numbers.pitch_last,
+        Episode { index: 1, .. } => laws.numbers.pitch_first,
         _ => 1.0,
     };
     laws.style(episode.index).heel_strike_angle * factor

@@ -2,11 +2,11 @@
 
 use super::course::{Course, Episode, Kind, Step};
 use super::gaits::Gaits;
-use super::numbers::{CORRECTION_AT, HEIGHT_IN, HEIGHT_OUT, SETTLE, SWING_IN, SWING_OUT};
+use super::numbers::{SETTLE, WalkNumbers};
 use crate::body::Body;
 use crate::error::GaitError;
 use crate::foot::{FootPlane, turned};
-use crate::laws::{self, Euler};
+use crate::laws::{self, Euler, Swings};
 use crate::stride::StridePlan;
 use crate::style::Style;
 use nalgebra::Vector3;
@@ -26,6 +26,7 @@ pub(crate) struct Amplitudes {
 pub(crate) struct WalkLaws {
     pub(crate) course: Course,
     pub(super) gaits: Gaits,
+    pub(super) numbers: WalkNumbers,
     pub(super) amplitudes: Amplitudes,
     /// The plane of the left foot on its print.
     pub(super) plane: FootPlane,
@@ -40,10 +41,12 @@ impl WalkLaws {
         strides: &[StridePlan],
         standing: usize,
         steps: &[Step],
+        numbers: WalkNumbers,
     ) -> Result<Self, GaitError> {
         Ok(Self {
             course: Course::new(steps),
             gaits: Gaits::new(strides, standing, steps)?,
+            numbers,
             amplitudes: Amplitudes::default(),
             plane: FootPlane::new(strides[standing].style.foot_yaw),
             leg_length: body.leg.length(),
@@ -58,21 +61,29 @@ impl WalkLaws {
 
     /// 0 while standing, 1 while walking.
     pub(super) fn walking(&self, u: f64) -> f64 {
-        fade(u, self.course.finish(u), HEIGHT_IN, HEIGHT_OUT)
+        fade(u, self.course.finish(u), self.numbers.height_in, self.numbers.height_out)
     }
 
-    /// The envelope of what swings.
-    pub(super) fn swinging(&self, u: f64) -> f64 {
-        fade(u, self.course.finish(u), SWING_IN, SWING_OUT)
+    /// The envelope of something that swings until a fade on the finish clock.
+    fn swinging(&self, u: f64, out: (f64, f64)) -> f64 {
+        fade(u, self.course.finish(u), self.numbers.swing_in, out)
+    }
+
+    /// The envelope of the height's harmonics.
+    pub(super) fn bobbing(&self, u: f64) -> f64 {
+        self.swinging(u, self.numbers.harmonics_out)
+    }
+
+    fn swings(&self, u: f64) -> Swings {
+        let WalkNumbers { pelvis_out, thorax_out, arms_out, .. } = self.numbers;
+        let [pelvis, thorax, arms] = [pelvis_out, thorax_out, arms_out].map(|out| self.swinging(u, out));
+        Swings { pelvis, thorax, arms }
     }
 
     /// Angles of trunk and both arms, against the way the body faces.
     pub(super) fn angles(&self, u: f64) -> ([Euler; 5], [[f64; 2]; 2]) {
-        let envelope = self.swinging(u);
-        let of = |style: &Style| {
-            let arms = [laws::arm(style, u, envelope), laws::arm(style, u + 0.5, envelope)];
-            (laws::trunk(style, u, envelope), arms)
-        };
+        let swings = self.swings(u);
+        let of = |style: &Style| (laws::trunk(style, u, swings), laws::arms(style, u, swings));
         let (pace, other) = self.gaits.at(u);
         let (mut trunk, mut arms) = of(&pace.style);
         if let Some((next, part)) = other {
@@ -86,12 +97,12 @@ impl WalkLaws {
 
     /// Height of the centre of mass without corrections (m).
     pub(super) fn height(&self, u: f64) -> f64 {
-        let (walking, swinging) = (self.walking(u), self.swinging(u));
+        let (walking, bobbing) = (self.walking(u), self.bobbing(u));
         self.gaits.number(u, |pace| {
             let standing = pace.standing.com.y;
             standing
                 + (pace.mean_height - standing) * walking
-                + swinging * laws::height(&pace.style, self.leg_length, u).0
+                + bobbing * laws::height(&pace.style, self.leg_length, u).0
         })
     }
 
@@ -102,17 +113,18 @@ impl WalkLaws {
 
     /// How much the correction of contact `k` lowers the body: a partition of unity.
     pub(super) fn correction(&self, u: f64, k: usize) -> f64 {
-        if k == 0 && u < CORRECTION_AT {
+        let at = self.numbers.correction_at;
+        if k == 0 && u < at {
             return step::quintic((u - self.course.begin) / 0.4).position;
         }
-        let x = 2.0 * (u - 0.5 * k as f64 - CORRECTION_AT);
+        let x = 2.0 * (u - 0.5 * k as f64 - at);
         if x < 0.0 { step::quintic(x + 1.0).position } else { 1.0 - step::quintic(x).position }
     }
 
     /// The corrections that are not zero anywhere in `u ± reach`.
     pub(super) fn corrections_near(&self, u: f64, reach: f64) -> std::ops::RangeInclusive<usize> {
         let steps = self.course.steps;
-        let number = |u: f64| (2.0 * (u - CORRECTION_AT)).floor().clamp(-1.0, steps as f64);
+        let number = |u: f64| (2.0 * (u - self.numbers.correction_at)).floor().clamp(-1.0, steps as f64);
         let (from, to) = (number(u - reach).max(0.0), number(u + reach) + 1.0);
         from as usize..=(to as usize).min(steps)
     }

@@ -82,7 +82,7 @@ impl Passes {
             let at_rest = pace.standing.com - pace.standing.pelvis;
             let heading = laws.course.heading(u);
             let offset = at_rest.lerp(&offset, laws.walking(u));
-            (turned(heading, &(rate * laws.swinging(u).powi(2))), turned(heading, &offset))
+            (turned(heading, &(rate * laws.bobbing(u).powi(2))), turned(heading, &offset))
         };
         let (momentum_rate, offset) = clocks.iter().map(|&u| guess(u)).unzip();
         let heading = |i: usize, side: usize| laws.foot_heading(side, clocks[i]);

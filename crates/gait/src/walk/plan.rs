@@ -3,7 +3,7 @@
 use super::course::{Course, Print};
 use super::feet::Foot;
 use super::laws::WalkLaws;
-use super::numbers::REST;
+use super::numbers::{REST, WalkNumbers};
 use super::passes::{Passes, Solved};
 use super::repeat::Repeat;
 use super::steps::{self, Steps};
@@ -63,10 +63,25 @@ impl WalkPlan {
     ///
     /// A walk that does not close.
     pub fn new(stride: &StridePlan, steps: usize, resolution: Resolution) -> Result<Self, GaitError> {
+        Self::with_numbers(stride, steps, WalkNumbers::default(), resolution)
+    }
+
+    /// The same, begun and ended by other numbers than those that ship.
+    ///
+    /// # Errors
+    ///
+    /// A walk that does not close.
+    pub fn with_numbers(
+        stride: &StridePlan,
+        steps: usize,
+        numbers: WalkNumbers,
+        resolution: Resolution,
+    ) -> Result<Self, GaitError> {
         let of = |steps: usize| steps::even(steps, stride.style.step_length);
         let (whole, planned) = (of(steps), Steps::repeated(steps).map(of));
         let strides = std::slice::from_ref(stride);
-        let steps = Steps { strides, standing: 0, steady: 0, whole: &whole, planned: planned.as_deref() };
+        let steps =
+            Steps { strides, standing: 0, steady: 0, numbers, whole: &whole, planned: planned.as_deref() };
         Self::of_steps(&steps, resolution)
     }
 
@@ -76,12 +91,12 @@ impl WalkPlan {
     ///
     /// A walk that does not close.
     pub(crate) fn of_steps(steps: &Steps<'_>, resolution: Resolution) -> Result<Self, GaitError> {
-        let Steps { strides, standing, steady, whole, planned } = *steps;
+        let Steps { strides, standing, steady, numbers, whole, planned } = *steps;
         let planned = planned.unwrap_or(whole);
         let steady = strides[steady].style;
         let repeat = Repeat::new(whole.len(), planned.len(), resolution.nodes, steady.step_length);
         let body = strides[standing].body.clone();
-        let laws = WalkLaws::new(&body, strides, standing, planned)?;
+        let laws = WalkLaws::new(&body, strides, standing, planned, numbers)?;
         let timeline = Timeline::new(&laws, resolution.nodes);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
             Passes::new(body, laws, timeline).run(resolution.walk_passes)?;

@@ -3,7 +3,7 @@
 use super::numbers::{KNEE_STANDING, STANDING_AHEAD};
 use crate::body::Body;
 use crate::grid::{Ends, Grid};
-use crate::laws;
+use crate::laws::{self, Swings};
 use crate::momentum::MomentumKernel;
 use crate::stance::{Landing, Push, Stance};
 use crate::style::Style;
@@ -24,7 +24,7 @@ impl Standing {
         let leg = &body.leg;
         let ahead = leg.heel_behind + STANDING_AHEAD * body.scale();
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
-        let (trunk, arms) = (laws::trunk(style, 0.0, 0.0), [laws::arm(style, 0.0, 0.0); 2]);
+        let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));
         let upper = UpperBody::new(body, &grid, |_| (trunk, arms, 0.0));
         let hip_offset = laws::rotation(trunk[0]) * leg.hip;
         let stance = Stance::new(leg, style, Landing::Flat, Push::of(style));

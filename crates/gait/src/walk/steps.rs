@@ -1,7 +1,7 @@
 //! The steps of a walk, their lengths, and the number of steps to a distance.
 
 use super::course::Step;
-use super::numbers::STEP_FACTORS;
+use super::numbers::{STEP_FACTORS, WalkNumbers};
 use super::repeat;
 use crate::stride::StridePlan;
 
@@ -13,6 +13,7 @@ pub(crate) struct Steps<'a> {
     /// The stride that the walk is called after.
     pub(crate) steady: usize,
     pub(crate) whole: &'a [Step],
+    pub(crate) numbers: WalkNumbers,
     /// A shorter walk of which the middle stride is repeated.
     pub(crate) planned: Option<&'a [Step]>,
 }
