@@ -1,5 +1,6 @@
 //! `solaris walk`: a person walks.
 
+mod notes;
 mod numbers;
 mod planned;
 mod report;
@@ -19,7 +20,7 @@ use planned::Planned;
 use report::Report;
 pub(crate) use request::request;
 use request::{looped, number, out_of_range};
-use solaris::gait::{lacks, measure};
+use solaris::gait::{lacks, lone_forces, measure};
 use solaris::model::{Figure, Motion, human};
 use solaris::view::{PageOptions, page};
 use std::io::Write;
@@ -61,9 +62,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let planned = Planned::of(&figure, &request, looped(matches), rate, &progress, matches)?;
     progress.stage("measuring");
     let measures = measure(&figure, &planned.motion).map_err(CliError::other)?;
+    let lone = lone_forces(&planned.motion).map_err(CliError::other)?;
     let limbs = Limbs::of(&figure, &planned.motion)?;
     let motion = planned.motion.clone();
-    let report = Report::new(figure.mass(), planned, &measures, limbs);
+    let report = Report::new(figure.mass(), planned, &measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| write(format, writer, &figure, &motion, &report))?;
     drop(progress);

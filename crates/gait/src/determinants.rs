@@ -19,5 +19,6 @@ pub use cycle::{Cycle, KeyPhase, PhaseRoot};
 pub use model::{Determinants, KeySolution, TABLES, table};
 pub use posture::{ArmAngles, Joints, KeyPosture, LegAngles, Pelvis, Root, TrunkAngles};
 pub use proportions::Proportions;
+pub(crate) use proportions::USUAL_HEIGHT;
 pub use table::{Agreement, Cell, GaitTable};
 pub use timing::{DoubleSupport, THESIS_WALK_RATIO, highest_step_frequency, thesis_step_length};

@@ -123,6 +123,10 @@ pub enum GaitError {
         "{parameter} from {lower} to {upper} is no span of a map; it needs two numbers, the lesser first"
     )]
     MapSpan { parameter: &'static str, lower: f64, upper: f64 },
+    #[error("axis {axis} of a map is parameter {index}; {}", indices(*.parameters))]
+    MapAxis { axis: &'static str, index: usize, parameters: usize },
+    #[error("{found} values for the {expected} parameters of a map")]
+    MapValues { found: usize, expected: usize },
     #[error("a map of {places} places a side; it must be {least} to {most}")]
     MapPlaces { places: usize, least: usize, most: usize },
     #[error("the motion has no {what}; find the ground reactions first")]
@@ -153,6 +157,14 @@ pub enum GaitError {
 
 fn listed(lacks: &[GaitError]) -> String {
     lacks.iter().map(|lack| format!("\n  - {lack}")).collect::<Vec<_>>().concat()
+}
+
+/// What an index of so many parameters must be.
+fn indices(parameters: usize) -> String {
+    match parameters.checked_sub(1) {
+        Some(last) => format!("it must be 0 to {last}"),
+        None => "there are no parameters".to_owned(),
+    }
 }
 
 fn quoted(names: &[String]) -> String {

@@ -48,8 +48,8 @@ pub use lacks::lacks;
 pub use leg::LegGeometry;
 pub use map::{Edge, FeasibleMap, MapCondition};
 pub use measure::{
-    Band, BandCheck, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures, check_bands,
-    free_moment, measure, measure_stride,
+    Band, BandCheck, JointPeaks, LoneForce, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures,
+    check_bands, free_moment, lone_forces, measure, measure_stride,
 };
 pub use pace::DEFAULT_STEP_FREQUENCY;
 pub use parameter::{PARAMETERS, Parameter, Unit};

@@ -47,7 +47,8 @@ impl FeasibleMap {
     ///
     /// # Errors
     ///
-    /// Numbers of places outside 2 to 2000, spans that are none.
+    /// Axes that are no index of a parameter, another number of values than there are parameters, numbers of places outside 2 to
+    /// 2000, spans that are none.
     pub fn new(
         parameters: &[KeyParameter],
         values: &[f64],
@@ -56,6 +57,15 @@ impl FeasibleMap {
         places: [usize; 2],
         conditions: impl Fn(&[f64]) -> Vec<Condition>,
     ) -> Result<Self, GaitError> {
+        let (found, expected) = (values.len(), parameters.len());
+        if found != expected {
+            return Err(GaitError::MapValues { found, expected });
+        }
+        if let Some((axis, index)) =
+            [("across", across), ("up", up)].into_iter().find(|(_, i)| *i >= expected)
+        {
+            return Err(GaitError::MapAxis { axis, index, parameters: expected });
+        }
         for (axis, (lower, upper)) in [across, up].into_iter().zip(spans) {
             if !(lower.is_finite() && upper.is_finite() && lower < upper) {
                 return Err(GaitError::MapSpan { parameter: parameters[axis].name, lower, upper });
@@ -282,6 +292,17 @@ mod tests {
         assert_eq!(texts, ["x < 1", "y < 1"]);
         let text = |column: usize, row: usize| map.fails[row * 10 + column].map(|i| map.conditions[i].text);
         assert_eq!((text(0, 0), text(9, 0), text(0, 9)), (None, Some("x < 1"), Some("y < 1")));
+    }
+
+    #[test]
+    fn axes_and_values_that_are_none_are_refused() {
+        let refused = |values: &[f64], axes| {
+            let map = FeasibleMap::new(&PARAMETERS, values, axes, [(0.0, 1.0); 2], [9; 2], conditions);
+            map.expect_err("there is no such axis").to_string()
+        };
+        assert_eq!(refused(&[0.0; 2], [2, 0]), "axis across of a map is parameter 2; it must be 0 to 1");
+        assert_eq!(refused(&[0.0; 2], [0, 3]), "axis up of a map is parameter 3; it must be 0 to 1");
+        assert_eq!(refused(&[0.0], [0, 1]), "1 values for the 2 parameters of a map");
     }
 
     #[test]

@@ -4,11 +4,13 @@
 
 mod bands;
 pub(crate) mod feet;
+mod lone;
 pub(crate) mod series;
 pub(crate) mod steady;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
+pub use lone::{LoneForce, lone_forces};
 pub use steady::SteadyStride;
 
 use crate::error::GaitError;

@@ -1,7 +1,9 @@
 //! The checked request for a walk in the thesis's style.
 
 use crate::body::Body;
-use crate::determinants::{Determinants, DoubleSupport, KeySolution, Proportions, THESIS_WALK_RATIO};
+use crate::determinants::{
+    Determinants, DoubleSupport, KeySolution, Proportions, THESIS_WALK_RATIO, USUAL_HEIGHT,
+};
 use crate::error::GaitError;
 use crate::keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
 use crate::lacks;
@@ -115,7 +117,7 @@ impl KeyChoice {
     ///
     /// Numbers out of range, parameters that there are not, steps that nothing fits.
     pub fn of(p: &Proportions, request: &ThesisRequest) -> Result<Self, GaitError> {
-        let (step_frequency, step_length) = settled(request, p.height)?;
+        let (step_frequency, step_length) = settled(request, p)?;
         let determinants = request.determinants;
         let parameters = determinants.parameters(p);
         let mut given = vec![None; parameters.len()];
@@ -164,7 +166,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     let steps = match request.extent {
         Extent::Steps(steps) => steps,
         Extent::Distance(distance) => {
-            let (frequency, longest) = settled(&request, body.height)?;
+            let (frequency, longest) = settled(&request, &proportions)?;
             range("distance", distance, " m", (SHORTEST_DISTANCE, STEPS.1 as f64 * longest))?;
             let steps = ((distance / longest - 1e-9).ceil() as usize).max(1);
             (request.step_frequency, request.speed) = (Some(frequency), None);
@@ -230,20 +232,32 @@ fn check_speed(speed: f64, leg: f64) -> Result<(), GaitError> {
 }
 
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.
-fn settled(request: &ThesisRequest, height: f64) -> Result<(f64, f64), GaitError> {
+fn settled(request: &ThesisRequest, p: &Proportions) -> Result<(f64, f64), GaitError> {
     // A length that was given as a parameter is one all the same.
     let parameter = request.parameters.iter().find(|(name, _)| *name == STEP_LENGTH).map(|(_, value)| *value);
     let (frequency, length, speed) =
         (request.step_frequency, parameter.or(request.step_length), request.speed);
-    for (name, value, unit) in [("step length", length, " m"), ("speed", speed, " m/s")]
-        .into_iter()
-        .filter_map(|(n, v, u)| Some((n, v?, u)))
-    {
-        range(name, value, unit, (1e-3 * height, 3.0 * height))?;
+    if let Some(length) = length {
+        range("step length", length, " m", (1e-3 * p.height, 3.0 * p.height))?;
     }
-    let (frequency, length) = pace::settle(frequency, length, speed, THESIS_WALK_RATIO * height)?;
+    if let Some(value) = speed {
+        let (lower, upper) = speeds(p);
+        if !(lower..=upper).contains(&value) {
+            let (lower, upper) = (pace::tidy(lower), pace::tidy(upper));
+            let (parameter, unit, why) = ("speed", " m/s", String::new());
+            return Err(GaitError::Range { parameter, value, unit, lower, upper, why });
+        }
+    }
+    let (frequency, length) = pace::settle(frequency, length, speed, THESIS_WALK_RATIO * p.height)?;
     range("step frequency", frequency, " steps/min", THESIS_STEP_FREQUENCY)?;
     Ok((frequency, length))
+}
+
+/// Speeds that are looked at, in the proportions' unit a second: 0.00175 to 5.25 m/s at 1.75 m, and at other heights those of the
+/// same Froude number v²/(g·H), 1.8e-7 to 1.6. What can be walked is less ([`check_speed`]), but needs a leg and metres.
+fn speeds(p: &Proportions) -> (f64, f64) {
+    let scale = (p.height * p.unit / USUAL_HEIGHT).sqrt() / p.unit;
+    (1e-3 * USUAL_HEIGHT * scale, 3.0 * USUAL_HEIGHT * scale)
 }
 
 fn range(

@@ -31,6 +31,7 @@ fn body(set: &Value) -> Proportions {
         toe: number(body, "L4"),
         hips: number(body, "L"),
         height: number(body, "H"),
+        unit: 1.0,
         ..Proportions::FIT
     }
 }

@@ -89,6 +89,7 @@ fn unusual_people_walk_by_themselves_too() {
             toe: off(5) * person.toe,
             hips: off(6) * person.hips,
             height: off(7) * person.height,
+            unit: person.unit,
         };
         // By the leg's length, for a height that does not go with it.
         for part in [0.44, 0.6, 0.8, 1.0] {

@@ -213,6 +213,7 @@ fn person_like(random: &mut Lcg, height: f64) -> Proportions {
         toe: 0.0402,
         hips: 0.0976,
         height: 1.0,
+        unit: 1.0,
     };
     let mut off = |length: f64| length * random.between((0.9, 1.1)) * height;
     let (ankle_height, ball_below) = (off(p.ankle_height), off(p.ball_below).min(0.04 * height));
@@ -227,6 +228,7 @@ fn person_like(random: &mut Lcg, height: f64) -> Proportions {
         toe: off(p.toe),
         hips: off(p.hips),
         height,
+        unit: 1.0,
     }
 }
 

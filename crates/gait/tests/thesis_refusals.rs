@@ -1,7 +1,7 @@
 //! What cannot be walked in the thesis's style, and what is said of it.
 
-use solaris_gait::determinants::Determinants;
-use solaris_gait::{Extent, GaitError, LegGeometry, ThesisRequest, thesis_walk};
+use solaris_gait::determinants::{Determinants, Proportions};
+use solaris_gait::{Extent, GaitError, KeyChoice, LegGeometry, ThesisRequest, thesis_walk};
 use solaris_model::human;
 
 #[test]
@@ -65,4 +65,42 @@ fn nobody_walks_faster_than_a_straight_leg_carries() {
         };
         assert!(value > upper && (value * value / (9.806_65 * leg) - 1.0).abs() < 1e-3);
     }
+}
+
+/// A speed is looked at or not by its Froude number, whoever walks and whatever lengths are in.
+#[test]
+fn speeds_of_one_froude_number_are_answered_alike() {
+    // 0.00175 to 5.25 m/s at 1.75 m.
+    let limits = [1.75e-3, 5.25].map(|speed| speed / (9.806_65_f64 * 1.75).sqrt());
+    let refused = |p: &Proportions, part: f64| {
+        let speed = part * (9.806_65 * p.height * p.unit).sqrt() / p.unit;
+        let request = ThesisRequest { speed: Some(speed), ..ThesisRequest::default() };
+        matches!(KeyChoice::of(p, &request), Err(GaitError::Range { parameter: "speed", .. }))
+    };
+    let people = [1.2, 1.75, 2.0].map(Proportions::drillis_contini);
+    for p in people.iter().chain([&Proportions::FIT]) {
+        let [lower, upper] = limits;
+        for (part, outside) in [
+            (0.999 * lower, true),
+            (1.001 * lower, false),
+            (0.3, false),
+            (0.999 * upper, false),
+            (1.001 * upper, true),
+            (f64::NAN, true),
+        ] {
+            assert_eq!(
+                refused(p, part),
+                outside,
+                "{part} √(g·H) at a height of {} times {} m",
+                p.height,
+                p.unit
+            );
+        }
+    }
+    // The range is said in few digits.
+    let at = |speed| {
+        let request = ThesisRequest { speed: Some(speed), ..ThesisRequest::default() };
+        KeyChoice::of(&Proportions::drillis_contini(1.2), &request).expect_err("too fast").to_string()
+    };
+    assert_eq!(at(5.0), "speed 5 m/s: it must be 0.0014 to 4.3474 m/s");
 }

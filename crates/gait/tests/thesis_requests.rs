@@ -1,6 +1,7 @@
 //! What is asked of a walk in the thesis's style is what it does.
 
-use solaris_gait::determinants::{Determinants, Proportions};
+use solaris_gait::determinants::five::TrunkAmplitudes;
+use solaris_gait::determinants::{Determinants, KeyPhase, Proportions};
 use solaris_gait::{Extent, FEET, ThesisRequest, thesis_walk};
 use solaris_model::{EventKind, Trajectory as _, human};
 
@@ -76,4 +77,27 @@ fn ranges_of_lengths_are_those_of_a_body() {
         assert!((longest(Determinants::Three) - 2.0 * p.leg()).abs() < 1e-12);
         assert!((longest(Determinants::Five) - 2.0 * height / 1.75).abs() < 1e-12);
     }
+}
+
+/// The trunk's fits are to speeds in m/s: what lengths are in does not change the postures.
+#[test]
+fn the_trunk_follows_a_speed_in_any_unit() {
+    let fit = Proportions::FIT;
+    let metres = Proportions { unit: 1.0, ..fit.scaled(fit.unit) };
+    assert!((metres.height - 1.75).abs() < 1e-12);
+    let solved = |p: &Proportions| {
+        let step = 0.004 * p.height * 110.0;
+        let values = Determinants::Five.automatic(p, 110.0, step).expect("parameters");
+        Determinants::Five.solve(p, &values, step * 110.0 / 60.0).expect("postures")
+    };
+    let [mine, theirs] = [solved(&fit), solved(&metres)];
+    let trunks = |cycle: &[KeyPhase]| -> Vec<_> { cycle.iter().map(|phase| phase.end.trunk).collect() };
+    for (a, b) in trunks(&mine.cycles[1]).iter().zip(trunks(&theirs.cycles[1])) {
+        assert!((a.pelvis_bend - b.pelvis_bend).abs() < 1e-12, "{a:?} {b:?}");
+    }
+    // ν at 1.41 m/s, at the end of phase 3.
+    let bend = trunks(&mine.cycles[1])[2].pelvis_bend;
+    assert!(
+        (bend - TrunkAmplitudes::at_speed(1.75 * 0.004 * 110.0 * 110.0 / 60.0).pelvis_bend).abs() < 1e-12
+    );
 }

@@ -10,6 +10,7 @@ mod limits;
 mod names;
 mod settings;
 mod springs;
+mod stages;
 mod start;
 mod velocities;
 mod walk;

@@ -150,7 +150,8 @@ fn body() -> [Arg; 6] {
             .hide_possible_values(true)
             .help(wrap(
                 "human: a person's own segments and feet; thesis: the ankle on the ground, lengths by Drillis and Contini; fit: the \
-                 proportions that give back tables 7.7 and 7.8, in units of the leg [default: human]",
+                 proportions that give back tables 7.7 and 7.8, in units of the leg, of which --step-length and --speed are then too \
+                 [default: human]",
             )),
         number("height", "M", &format!("Standing height in m [default: {HEIGHT}]")),
         number("step-frequency", "STEPS/MIN", "Steps a minute [default: 110, or what speed and step length say]"),

@@ -14,9 +14,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let picture = Picture::asked(matches)?;
     let asked = Asked::of(matches)?;
     let refuse = |error| CliError::of_gait(error, matches);
-    let speed = asked.choice.step_length * asked.choice.step_frequency / 60.0;
     let values = &asked.choice.values;
-    let solution = asked.determinants.solve(&asked.proportions, values, speed).map_err(refuse)?;
+    let solution = asked.determinants.solve(&asked.proportions, values, asked.speed()).map_err(refuse)?;
     let conditions = asked.determinants.conditions(&asked.proportions, values).map_err(refuse)?;
     let title = format!("Key postures of {}", asked.title().to_lowercase());
     let svg = || postures(&sticks(&asked.proportions, &solution), &rooms(&conditions), &title);
@@ -30,6 +29,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         for (parameter, number) in asked.parameters.iter().zip(values) {
             writeln!(out, "  {}", value(parameter, *number))?;
         }
+        writeln!(out, "\nSpeed\n\n  {}", asked.pace())?;
         writeln!(out, "\nAngles\n")?;
         for (symbol, what, angle) in &solution.angles {
             writeln!(out, "  {symbol:<3} {:>7.2}°  {what}", angle.to_degrees())?;
@@ -118,7 +118,12 @@ fn rooms(conditions: &[Condition]) -> Vec<Room> {
 struct Said {
     determinants: usize,
     step_frequency_per_min: f64,
+    /// What lengths are in.
+    length_unit: &'static str,
     step_length: f64,
+    /// In the unit of length a second.
+    speed: f64,
+    speed_m_s: f64,
     parameters: Vec<Parameter>,
     angles_deg: Vec<(&'static str, f64, &'static str)>,
     conditions: Vec<Inequality>,
@@ -144,23 +149,27 @@ struct Inequality {
 
 impl Said {
     fn of(asked: &Asked, solution: &KeySolution, conditions: &[Condition]) -> Self {
+        let unit = |unit: &'static str| if unit == " m" { asked.unit } else { unit.trim() };
         let inequality = |c: &Condition| Inequality {
             name: c.name,
             text: c.text,
             sides: c.sides,
-            unit: c.symbol.trim(),
+            unit: unit(c.symbol),
             room: c.room(),
         };
         let parameters = asked.parameters.iter().zip(&asked.choice.values).map(|(p, value)| Parameter {
             name: p.name,
             symbol: p.symbol,
             value: *value,
-            unit: p.unit.trim(),
+            unit: unit(p.unit),
         });
         Self {
             determinants: asked.determinants.count(),
             step_frequency_per_min: asked.choice.step_frequency,
+            length_unit: asked.unit,
             step_length: asked.choice.step_length,
+            speed: asked.speed(),
+            speed_m_s: asked.metres_per_second(),
             parameters: parameters.collect(),
             angles_deg: solution
                 .angles

@@ -72,6 +72,28 @@ impl Asked {
         }
     }
 
+    /// Speed of the walk, in the unit of length a second.
+    pub(super) fn speed(&self) -> f64 {
+        self.choice.step_length * self.choice.step_frequency / 60.0
+    }
+
+    /// The same in m/s: of lengths without a size, for a person of usual height.
+    pub(super) fn metres_per_second(&self) -> f64 {
+        self.speed() * self.proportions.unit
+    }
+
+    /// The speed as it is written, with its unit.
+    pub(super) fn pace(&self) -> String {
+        let metric = self.metres_per_second();
+        if self.unit == "m" {
+            return format!("{metric:.4} m/s");
+        }
+        let height = self.proportions.height * self.proportions.unit;
+        let trunk = if self.determinants == Determinants::Five { ", by which the trunk moves" } else { "" };
+        let speed = self.speed();
+        format!("{speed:.4} {} a second: {metric:.4} m/s for a person of {height:.2} m{trunk}", self.unit)
+    }
+
     /// In a few words.
     pub(super) fn title(&self) -> String {
         let frequency = (self.choice.step_frequency * 100.0).round() / 100.0;

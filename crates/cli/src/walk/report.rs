@@ -1,12 +1,13 @@
 //! The numbers of a walk, as they are written to JSON.
 
+use super::notes::notes;
 use super::planned::{Planned, postures, style};
 use super::told::{BesideKeyPostures, Extreme, Forces, KeyPostures};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, FRICTION, InBetween, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO,
-    WalkMeasures, WalkPlan, check_bands,
+    Band, LoneForce, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
+    WalkPlan, check_bands,
 };
 use std::io::Write;
 
@@ -125,7 +126,13 @@ pub(crate) struct RunTime {
 }
 
 impl Report {
-    pub(crate) fn new(mass: f64, planned: Planned, measures: &WalkMeasures, limbs: Option<Limbs>) -> Self {
+    pub(crate) fn new(
+        mass: f64,
+        planned: Planned,
+        measures: &WalkMeasures,
+        lone: &[LoneForce],
+        limbs: Option<Limbs>,
+    ) -> Self {
         let Planned { plan, motion, forces, repeats, changes, beside, planning, solving } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
@@ -183,7 +190,7 @@ impl Report {
             beside_key_postures: beside,
             forces,
             run_time: RunTime { planning_s: planning.as_secs_f64(), with_forces_s: solving.as_secs_f64() },
-            notes: notes(&plan, m, repeats),
+            notes: notes(&plan, m, lone, mass * motion.info.gravity.norm(), repeats),
         }
     }
 
@@ -230,82 +237,4 @@ fn bands(stride: &SteadyStride) -> Vec<BandList> {
         list("recipe", "the bands that the walk was fitted to", RECIPE_BANDS),
         list("textbook", "textbook range, not cited", TEXTBOOK_BANDS),
     ]
-}
-
-/// What is known to be wrong with such a walk, said where it shows.
-fn notes(plan: &StyledPlan, measures: &WalkMeasures, repeats: bool) -> Vec<String> {
-    let mut notes = Vec::new();
-    if let StyledPlan::Thesis(plan) = plan {
-        let what = match plan.in_between {
-            InBetween::Rest => "the body stops at every posture",
-            InBetween::Linear => "the body's velocity jumps at every posture",
-        };
-        let reach = measures.vertical.value;
-        notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
-        if let Some(slide) = plan.walk.toe_slide() {
-            notes.push(format!(
-                "both postures have the toe of the foot behind on the ground, {:.0} mm apart: it counts as lifted between",
-                1e3 * slide.abs()
-            ));
-        }
-    }
-    let heading = plan.heading();
-    let Some(plan) = plan.smooth() else { return notes };
-    let turned = heading.to_degrees();
-    if turned.abs() > 1e-9 {
-        notes.push(format!(
-            "it turns by {:.1}° to the {} in all; the distance, braking and pushing are those along its first direction",
-            turned.abs(),
-            if turned > 0.0 { "left" } else { "right" }
-        ));
-    }
-    let step_frequency = plan.style().step_frequency;
-    if measures.least_knee.value < 0.0 {
-        notes.push(format!(
-            "a knee is hyperextended by {:.1}° at {:.2} s",
-            -measures.least_knee.value.to_degrees(),
-            measures.least_knee.time
-        ));
-    }
-    for (whose, peak, limit) in
-        [("both feet", measures.friction, FRICTION.0), ("one foot", measures.foot_friction, FRICTION.1)]
-    {
-        if peak.value > limit {
-            notes.push(format!(
-                "as written, the motion needs a friction of {:.2} under {whose} at {:.2} s, and soles hold {limit}: a leg \
-                 passes straight there; shorten the step",
-                peak.value, peak.time
-            ));
-        }
-    }
-    if measures.cop_outside.value > 1e-3 {
-        notes.push(format!(
-            "the ground would have to press {:.0} mm beside a foot at {:.2} s",
-            1e3 * measures.cop_outside.value,
-            measures.cop_outside.time
-        ));
-    }
-    if step_frequency > 115.0 {
-        notes.push(
-            "above 115 steps/min hip range, hip moments, push and ankle moment exceed people's".to_owned(),
-        );
-    }
-    if step_frequency < 90.0 {
-        notes.push(
-            "below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned(),
-        );
-    }
-    if plan.is_extrapolated() {
-        notes.push(
-            "steps are shorter than any that the style was fitted to: its numbers are held, and the knee lands too bent"
-                .to_owned(),
-        );
-    }
-    if measures.steady.is_none() && !repeats {
-        notes.push(
-            "no steady stride in the middle (eight steps straight on at one pace have one), so there is nothing to hold against people's bands"
-                .to_owned(),
-        );
-    }
-    notes
 }

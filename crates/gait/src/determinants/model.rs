@@ -103,7 +103,8 @@ impl Determinants {
         })
     }
 
-    /// The postures of values, at a speed (length a second) that arms and trunk follow.
+    /// The postures of values, at a speed in the proportions' unit a second; the trunk of five determinants follows it, as the
+    /// thesis's fits say for metres.
     ///
     /// # Errors
     ///
@@ -127,7 +128,7 @@ impl Determinants {
             Self::Five => {
                 let parameters = five::FiveParameters::from_values(self.sized(values)?);
                 let angles = five::solve(p, &parameters)?;
-                let upper = five::Upper::automatic(&angles, speed);
+                let upper = five::Upper::automatic(&angles, speed * p.unit);
                 Ok(KeySolution {
                     values: values.to_vec(),
                     angles: five_angles(&angles),

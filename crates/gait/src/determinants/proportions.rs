@@ -31,11 +31,17 @@ pub struct Proportions {
     pub hips: f64,
     /// Standing height (H).
     pub height: f64,
+    /// How long the unit of all these is (m): 1 where they are in metres. Closed forms do without, speeds of people do not.
+    pub unit: f64,
 }
+
+/// Standing height (m) of the person whom what has no size of its own is taken for.
+pub(crate) const USUAL_HEIGHT: f64 = 1.75;
 
 impl Proportions {
     /// The proportions that give back the thesis's tables 7.7 and 7.8: 70 of 72 cells of the first and 12 of 15 statements of
-    /// the second. The thesis does not print its own. In units of L₁ + L₂; there are no toes.
+    /// the second. The thesis does not print its own. In units of L₁ + L₂, which are those of a person of 1.75 m where
+    /// metres are asked for; there are no toes.
     pub const FIT: Self = Self {
         thigh: 0.5022,
         shank: 0.4978,
@@ -47,6 +53,7 @@ impl Proportions {
         toe: 0.0,
         hips: 0.3881,
         height: 2.16085,
+        unit: USUAL_HEIGHT / 2.16085,
     };
 
     /// The thesis's foot (ankle on the ground) with the ratios of Drillis and Contini for a standing height (m): thigh
@@ -59,6 +66,7 @@ impl Proportions {
             toe: 0.035 * height,
             hips: 0.191 * height,
             height,
+            unit: 1.0,
             ..Self::FIT
         }
     }
@@ -86,10 +94,11 @@ impl Proportions {
             toe: leg.toe,
             hips: 2.0 * leg.hip.x,
             height,
+            unit: 1.0,
         }
     }
 
-    /// Every length times a factor.
+    /// Another size: every length times a factor, in the same unit.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         Self {
@@ -103,6 +112,7 @@ impl Proportions {
             toe: self.toe * factor,
             hips: self.hips * factor,
             height: self.height * factor,
+            unit: self.unit,
         }
     }
 

@@ -199,6 +199,18 @@ fn of_walks() {
         "walk: Walk(arm_swing: deg(500))",
         "walk: Walk(steps: 3), gravity: (0, 0, -9.81)",
         "walk: Walk(step_frequency: 110, step_length: 0.7, speed: 1.3)",
+        "walk: Walk(steps: 4, turn: deg(31))",
+        "walk: Walk(steps: 4, then: Part(steps: 2))",
+        "walk: Walk(steps: 4, then: [Part(turn: deg(5)), Part(steps: 2.5), Prt(steps: 2), Part(steps: 2, distance: 3)])",
+        "walk: Walk(steps: 4, then: [Part(steps: 2), Part(steps: 2, turn: deg(31))])",
+        "walk: Walk(steps: 4, then: [Part(steps: 4, step_frequency: 60, turn: deg(-28))])",
+        "walk: Walk(distance: 3, then: [Part(steps: 2)])",
+        "walk: Stand(time: 2)",
+        "walk: []",
+        "walk: [Stand(time: 2), Stand()]",
+        "walk: [Walk(steps: 2), Stand(time: -1)]",
+        "walk: [Walk(steps: 2), Stand(time: 1), Walk(steps: 2, speed: 2.5)]",
+        "walk: [Walk(steps: 9, turn: deg(6)), Walk(steps: 9, turn: deg(6))]",
     ] {
         let scene =
             format!("Scene(version: 1, figures: {{\"ann\": Human(height: 1.75, mass: 73)}},\n{case})");

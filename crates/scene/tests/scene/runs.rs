@@ -2,6 +2,9 @@
 
 use crate::fixtures::fixture;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use solaris_gait::{Extent, FEET, Journey, Stage, WalkPart, WalkRequest};
+use solaris_model::Trajectory as _;
+use solaris_modes::ground_reactions;
 use solaris_scene::Simulated;
 
 fn simulated(name: &str) -> Simulated {
@@ -116,6 +119,53 @@ fn a_loose_arm_swings_and_the_ground_feels_it() {
     let reactions = simulated.reactions.expect("feet");
     assert!(reactions.root_residual.0 < 1e-8, "{reactions:?}");
     assert!(motion.contact("left_foot").is_some() && !motion.planted.is_empty());
+}
+
+#[test]
+fn a_walk_with_a_turn_and_a_stand_is_the_librarys() {
+    let text = r#"Scene(version: 1, figures: {"ann": Human(height: 1.75, mass: 73)}, tolerance: 1e-4, walk: [
+        Walk(steps: 4, turn: deg(5), arm_swing: deg(20), then: [Part(steps: 2, step_frequency: 95, turn: deg(-10))]),
+        Stand(time: 1.5),
+        Walk(distance: 2, step_frequency: 100),
+    ])"#;
+    let scene = solaris_scene::read(text, &mut solaris_scene::NoFiles).expect("a scene");
+    let part =
+        WalkPart { steps: 2, step_frequency: Some(95.0), turn: -10_f64.to_radians(), ..WalkPart::default() };
+    let first = WalkRequest {
+        extent: Extent::Steps(4),
+        turn: 5_f64.to_radians(),
+        parameters: vec![("arm-swing", 20.0)],
+        then: vec![part],
+        ..WalkRequest::default()
+    };
+    let second =
+        WalkRequest { extent: Extent::Distance(2.0), step_frequency: Some(100.0), ..WalkRequest::default() };
+    let stages = [Stage::Walk(first), Stage::Stand(1.5), Stage::Walk(second)];
+    let plan = Journey::new(scene.figure(), &stages).expect("a journey");
+    assert!((scene.settings().duration - plan.duration()).abs() < 1e-12);
+    assert!(plan.destination().0.x.abs() < 1.0 && plan.destination().1.abs() < 1e-12);
+
+    let simulated = scene.simulate(&mut ()).expect("a motion");
+    let motion = &simulated.motion;
+    let mut planned = plan.motion(scene.figure(), motion.info.rate).expect("sampled");
+    // A plan has its last frame at its end or after it, a run before it.
+    assert!(planned.len() - motion.len() <= 1 && motion.events.len() == planned.events.len());
+    for sample in 0..motion.len() {
+        for (a, b) in motion.q(sample).iter().zip(planned.q(sample)) {
+            assert!((a - b).abs() < 1e-6, "at {} s: {a} {b}", motion.time()[sample]);
+        }
+    }
+    // The ground's forces too, of a weight of 716 N; at kinks of the joints' curves a run between samples smooths a little, in a
+    // walk straight on as well.
+    ground_reactions(scene.figure(), &mut planned, FEET, &plan).expect("forces");
+    for foot in FEET {
+        let [mine, theirs] = [motion, &planned].map(|motion| &motion.contact(foot).expect("a foot").samples);
+        let off: Vec<f64> = mine.iter().zip(theirs).map(|(a, b)| (a.force - b.force).norm()).collect();
+        let (mean, most) =
+            (off.iter().sum::<f64>() / off.len() as f64, off.iter().copied().fold(0.0, f64::max));
+        assert!(mean < 1.0 && most < 20.0, "{foot}: off by {mean} N in the mean, {most} N at most");
+    }
+    assert!(simulated.reactions.expect("feet").root_residual.0 < 1e-8);
 }
 
 #[test]

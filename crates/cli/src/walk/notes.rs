@@ -1,0 +1,108 @@
+//! What is known to be wrong with a walk, said where it shows.
+
+use solaris::gait::{FRICTION, InBetween, LoneForce, Peak, StyledPlan, WalkMeasures};
+
+/// What is known to be wrong with a walk of a body of some weight (N).
+pub(super) fn notes(
+    plan: &StyledPlan,
+    measures: &WalkMeasures,
+    lone: &[LoneForce],
+    weight: f64,
+    repeats: bool,
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    if let StyledPlan::Thesis(plan) = plan {
+        let what = match plan.in_between {
+            InBetween::Rest => "the body stops at every posture",
+            InBetween::Linear => "the body's velocity jumps at every posture",
+        };
+        let reach = measures.vertical.value;
+        notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
+        notes.extend(artefacts(lone, weight));
+        if let Some(slide) = plan.walk.toe_slide() {
+            notes.push(format!(
+                "both postures have the toe of the foot behind on the ground, {:.0} mm apart: it counts as lifted between",
+                1e3 * slide.abs()
+            ));
+        }
+    }
+    let heading = plan.heading();
+    let Some(plan) = plan.smooth() else { return notes };
+    let turned = heading.to_degrees();
+    if turned.abs() > 1e-9 {
+        notes.push(format!(
+            "it turns by {:.1}° to the {} in all; the distance, braking and pushing are those along its first direction",
+            turned.abs(),
+            if turned > 0.0 { "left" } else { "right" }
+        ));
+    }
+    let step_frequency = plan.style().step_frequency;
+    if measures.least_knee.value < 0.0 {
+        notes.push(format!(
+            "a knee is hyperextended by {:.1}° at {:.2} s",
+            -measures.least_knee.value.to_degrees(),
+            measures.least_knee.time
+        ));
+    }
+    for (whose, peak, limit) in
+        [("both feet", measures.friction, FRICTION.0), ("one foot", measures.foot_friction, FRICTION.1)]
+    {
+        if peak.value > limit {
+            notes.push(format!(
+                "as written, the motion needs a friction of {:.2} under {whose} at {:.2} s, and soles hold {limit}: a leg \
+                 passes straight there; shorten the step",
+                peak.value, peak.time
+            ));
+        }
+    }
+    if measures.cop_outside.value > 1e-3 {
+        notes.push(format!(
+            "the ground would have to press {:.0} mm beside a foot at {:.2} s",
+            1e3 * measures.cop_outside.value,
+            measures.cop_outside.time
+        ));
+    }
+    if step_frequency > 115.0 {
+        notes.push(
+            "above 115 steps/min hip range, hip moments, push and ankle moment exceed people's".to_owned(),
+        );
+    }
+    if step_frequency < 90.0 {
+        notes.push(
+            "below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned(),
+        );
+    }
+    if plan.is_extrapolated() {
+        notes.push(
+            "steps are shorter than any that the style was fitted to: its numbers are held, and the knee lands too bent"
+                .to_owned(),
+        );
+    }
+    if measures.steady.is_none() && !repeats {
+        notes.push(
+            "no steady stride in the middle (eight steps straight on at one pace have one), so there is nothing to hold against people's bands"
+                .to_owned(),
+        );
+    }
+    notes
+}
+
+/// Greatest forces that only one sample has. A smooth walk has none; where a body goes from posture to posture, its acceleration
+/// jumps as one phase gives way to the next.
+fn artefacts(lone: &[LoneForce], weight: f64) -> Option<String> {
+    // Rounded here, for what is nearly nothing is not less than it.
+    let percent = |force: f64| (100.0 * force / weight).round() + 0.0;
+    let told = lone.iter().map(|force| {
+        let Peak { value, time } = force.peak;
+        format!(
+            "{:.0} %BW ({value:.0} N) {} at {time:.2} s, {:.0} %BW beside it",
+            percent(value),
+            force.direction,
+            percent(force.beside)
+        )
+    });
+    let told: Vec<String> = told.collect();
+    let what = if told.len() > 1 { "single samples, artefacts" } else { "a single sample, an artefact" };
+    (!told.is_empty())
+        .then(|| format!("{what} of the change of posture, no forces to reckon with: {}", told.join("; ")))
+}
