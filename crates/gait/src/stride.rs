@@ -134,7 +134,7 @@ impl StridePlan {
             let mut swing = Swing::new(style, &stance.toe_off_jet(hip), &contact, &aim)?;
             let heights: Vec<(f64, f64)> =
                 swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
-            swing.clear_ground(&leg, style.clearance, &heights);
+            swing.clear_ground(&leg, style.clearance, 0.0, &heights);
             let poses: Vec<LegPose> = (0..n)
                 .map(|i| match clock(i) {
                     u if u <= toe_off => stance.pose(u, &hip(u)),

@@ -112,85 +112,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [17.52, 3.48, 0.19, 0.80];
+    heel_strike_angle: DEGREE, [17.42, 3.32, 0.23, 0.55];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01701, 0.00152, 0.00021, -0.00047];
+    height1: 1.0, [0.01687, 0.00139, 0.00032, 0.00029];
     /// Its phase.
-    height1_phase: 1.0, [0.0121, -0.0064, 0.0128, 0.0524];
+    height1_phase: 1.0, [0.0121, -0.0059, 0.0129, 0.0406];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00123, 0.00086, 0.00008, -0.00037];
+    height2_cos: 1.0, [-0.00118, 0.00093, 0.00004, -0.00024];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00072, -0.00105, 0.00003, -0.00117];
+    height2_sin: 1.0, [0.00079, -0.00097, -0.00001, -0.00075];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00014, -0.00011, -0.00011, 0.00001];
+    height3_cos: 1.0, [-0.00012, -0.00015, -0.00011, -0.00003];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [0.00011, 0.00033, -0.00008, -0.00017];
+    height3_sin: 1.0, [0.00014, 0.00037, -0.00010, -0.00025];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [3.94, 0.35, -0.03, 0.60];
+    pelvic_obliquity: DEGREE, [3.90, 0.39, 0.02, 0.56];
     /// Its phase.
-    obliquity_phase: 1.0, [0.0325, 0.0155, -0.0036, 0.0169];
+    obliquity_phase: 1.0, [0.0346, 0.0178, -0.0005, 0.0255];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0824, -0.0132, 0.0017, 0.0230];
+    foot_flat: 1.0, [0.0796, -0.0116, -0.0005, 0.0114];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [7.15, 1.07, 0.87, 0.83];
+    knee_contact: DEGREE, [7.38, 0.91, 1.02, -3.24];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [120.2, 46.4, 8.0, -2.4];
+    knee_contact_rate: DEGREE, [120.5, 39.5, 13.0, -4.9];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [2168.0, 3685.0, 984.0, 2800.0];
+    knee_contact_acc: DEGREE, [2215.0, 3049.0, 1997.0, 2120.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [12.00, -3.69, -1.88, 0.85];
+    knee_push: DEGREE, [11.90, -3.54, -0.39, 6.65];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [41.32, -4.45, 1.22, -10.99];
+    knee_toe_off: DEGREE, [41.50, -4.82, 1.23, -19.37];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [361.1, 36.5, 20.1, -104.3];
+    knee_toe_off_rate: DEGREE, [363.1, 20.1, 26.2, -174.8];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-714.0, 480.4, 98.6, 964.1];
+    knee_toe_off_acc: DEGREE, [-656.4, 672.9, 80.0, 784.4];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [34.54, -0.66, 0.10, 37.36];
+    toe_roll: DEGREE, [34.78, -0.96, -0.14, 36.22];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [64.70, -3.55, -2.23, 8.84];
+    knee_peak: DEGREE, [65.17, -4.87, -1.53, -0.55];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7539, -0.0007, 0.0012, -0.1076];
+    knee_peak_at: 1.0, [0.7503, -0.0027, -0.0026, 0.0436];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [28.81, -0.07, 1.09, -5.05];
+    thigh_swing: DEGREE, [28.80, -0.61, 1.24, -1.67];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [6.04, 0.88, -1.87, 2.83];
+    ankle_swing: DEGREE, [6.17, -0.31, -0.41, 1.66];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [1.0754, 0.2171, -0.0461, 0.3200];
+    cop_forward: 1.0, [1.0609, 0.2194, -0.0662, 0.6133];
     /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7353, 0.0251, -0.0018, 0.3050];
+    cop_heel_off: 1.0, [0.7494, 0.0063, -0.0016, 0.0387];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.7883, 0.0160, -0.0103, 0.1032];
+    cop_40: 1.0, [0.7914, 0.0187, -0.0087, 0.0759];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.7961, 0.0356, 0.0182, 0.1245];
+    cop_50: 1.0, [0.7964, 0.0360, 0.0230, 0.0912];
     /// When the heel rises.
-    heel_off: 1.0, [0.3246, 0.0089, -0.0050, 0.0074];
+    heel_off: 1.0, [0.3248, 0.0146, -0.0038, 0.0421];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-0.25, -1.48, -0.14, 0.67];
+    thorax_lean: DEGREE, [-0.36, -1.55, 0.08, 0.69];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [4.38, 0.68, 0.95, 1.96];
+    knee_late_swing: DEGREE, [4.48, 0.21, 1.76, 1.09];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [5.32, 0.11, 0.24, -1.34];
+    thorax_bend_sin: DEGREE, [5.31, -0.03, 0.17, -0.79];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-2.71, -1.52, 1.12, -0.98];
+    thorax_bend_cos: DEGREE, [-2.65, -1.71, 0.88, -0.58];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [7.03, 0.27, 0.18, -0.70];
+    thorax_yaw: DEGREE, [7.06, 0.15, 0.08, -0.44];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [23.71, 7.47, -1.92, -31.83];
+    arm_swing: DEGREE, [23.80, 7.65, -2.74, -31.84];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.7346, -0.0531, 0.0286, -0.2375];
+    share_exponent: 1.0, [0.7408, -0.0568, 0.0354, -0.2458];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.1121, 0.0038, -0.0030, -0.0954];
+    step_width: 1.0, [0.1117, -0.0016, -0.0056, -0.0858];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.4245, -0.0845, -0.0029, 0.4789];
+    tip_roll: 1.0, [0.4268, -0.1015, 0.0126, 0.2992];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [5.90, 1.44, -0.24, -0.95];
+    pelvic_rotation: DEGREE, [5.82, 1.43, -0.18, -0.59];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4340, 0.0020, -0.0437, 1.9444];
+    pivot: 1.0, [1.4592, -0.0340, -0.0140, 1.8694];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0149, 0.0413, -0.0140, 0.0010];
+    arm_lag: 1.0, [-0.0213, 0.0353, -0.0045, 0.0037];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [-0.0239, 0.0678, 0.0325, -0.0230];
+    thorax_yaw_phase: 1.0, [-0.0076, 0.0293, 0.0768, -0.0143];
 }
 
 impl Style {
@@ -218,7 +218,17 @@ impl Style {
         };
         let mut style = Self::tabulated(table, &basis, common);
         if stretch(leg, step_length) < -1.6 {
-            style.height1 *= (step_length / leg.length() / (SIGMA.0 - 1.6 * SIGMA.1)).powi(2);
+            // Steps shorter than any that were fitted: the body rises as they are long squared.
+            let shorter = step_length / leg.length() / (SIGMA.0 - 1.6 * SIGMA.1);
+            for height in [
+                &mut style.height1,
+                &mut style.height2_cos,
+                &mut style.height2_sin,
+                &mut style.height3_cos,
+                &mut style.height3_sin,
+            ] {
+                *height *= shorter * shorter;
+            }
         }
         style.step_width *= height / 1.75;
         style

@@ -60,9 +60,6 @@ impl Bump {
     }
 }
 
-/// Part of the clearance that is kept late in swing, so that the foot does not sink between the samples that are looked at.
-const BETWEEN_SAMPLES: f64 = 0.025;
-
 /// A swing on the foot's own clock, from toe-off to 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Swing {
@@ -164,7 +161,16 @@ impl Swing {
     ///
     /// `samples` are clocks and the hip's heights there. Lifting ends at 0.88 of the swing: later, it would bend the
     /// nearly straight leg just before contact (2–4 % of body weight in the vertical force).
-    pub(crate) fn clear_ground(&mut self, leg: &LegGeometry, clearance: f64, samples: &[(f64, f64)]) {
+    ///
+    /// `late` is the part of the clearance that is kept until shortly before contact, so that the foot does not sink between
+    /// samples.
+    pub(crate) fn clear_ground(
+        &mut self,
+        leg: &LegGeometry,
+        clearance: f64,
+        late: f64,
+        samples: &[(f64, f64)],
+    ) {
         struct At {
             x: f64,
             wanted: f64,
@@ -180,11 +186,11 @@ impl Swing {
                 let (x, pose) = (self.phase(v), self.unlifted(v));
                 let drop = leg.ankle_below_hip(&pose);
                 let passing = ((x - 0.05) / 0.14).min((0.80 - x) / 0.2).clamp(0.0, 1.0);
-                let late = if x > 0.5 { BETWEEN_SAMPLES * ((1.0 - x) / 0.1).clamp(0.0, 1.0) } else { 0.0 };
+                let late = if x > 0.5 { late * ((1.0 - x) / 0.03).clamp(0.0, 1.0) } else { 0.0 };
                 let wanted = clearance * passing.max(late);
                 At { x, wanted, hip, drop, cos_side: pose.side.cos(), pitch: pose.pitch, toes: pose.toes }
             })
-            .filter(|at| at.x > 0.03 && at.x < 0.99)
+            .filter(|at| at.x > 0.03 && (at.x < 0.97 || at.wanted > 0.0))
             .collect();
         for _ in 0..4 {
             let missing = |at: &At| at.wanted - leg.lowest(at.hip - at.drop * at.cos_side, at.pitch, at.toes);

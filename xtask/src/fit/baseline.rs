@@ -56,7 +56,7 @@ fn stride_line(found: &stride::Found) -> String {
         .map(|check| format!("{} {:.2}", check.band.name, check.value))
         .collect();
     format!(
-        "{:5} {:5} {:6.1} {:5.1} {:6.1} {:5} {:6.1} {:5.1} {:.3}/{:.3} {:6.2}  {}",
+        "{:5} {:5} {:6.1} {:5.1} {:6.1} {:5} {:6.1} {:5.1} {:.3}/{:.3} {:6.2} {:6.3}  {}",
         found.bands,
         found.facts,
         found.free_moment,
@@ -68,6 +68,7 @@ fn stride_line(found: &stride::Found) -> String {
         found.friction.0,
         found.friction.1,
         found.notch,
+        found.early,
         outside.join(", "),
     )
 }

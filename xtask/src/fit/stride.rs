@@ -97,6 +97,8 @@ pub(crate) struct Found {
     pub(crate) facts: usize,
     /// By how much the foot lands with less pitch than the style's (°): whole walks land with the style's.
     pub(crate) pitch: f64,
+    /// By how much the sole meets the ground before the knee's law expects it, which stops the foot at once (u).
+    pub(crate) early: f64,
     /// Greatest free moment of a foot (N m).
     pub(crate) free_moment: f64,
     /// Least height of a sole's point late in swing, and of any point at all (m).
@@ -151,6 +153,7 @@ impl Found {
             bands: check_bands(RECIPE_BANDS, &steady).iter().filter(|check| check.inside).count(),
             facts: facts(case, &steady),
             pitch: (walk.0.style().heel_strike_angle + walk.0.foot_pitches(0.0)[0].0).to_degrees(),
+            early: early(&walk.0),
             free_moment: free_moment(&motion).value,
             clearance: least(&mut (0..n).filter(late).map(|i| heights[i])),
             lowest: least(&mut heights.iter().copied()),
@@ -198,6 +201,19 @@ fn measured(case: &Case, walk: &Endless) -> Result<(SteadyStride, Motion), Box<d
         .collect();
     ground_reactions(figure, &mut motion, FEET, walk)?;
     Ok((measure_stride(figure, &motion)?, motion))
+}
+
+/// How long before the foot's time to be flat it is so. Where it comes to rest as its law has it, it is a little before.
+fn early(stride: &StridePlan) -> f64 {
+    const FLAT: f64 = -2e-5;
+    const COUNT: u32 = 400;
+    let flat = stride.style().foot_flat;
+    let clock = |i: u32| flat * f64::from(i) / f64::from(COUNT);
+    let pitch = |i: u32| stride.foot_pitches(clock(i))[0].0;
+    (1..=COUNT).find(|&i| pitch(i) > FLAT).map_or(0.0, |i| {
+        let (before, after) = (pitch(i - 1), pitch(i));
+        flat - clock(i - 1) - (FLAT - before) / (after - before) * (clock(i) - clock(i - 1))
+    })
 }
 
 /// Local maxima of a stance's vertical force, and the sum of all that it goes up and down besides from nothing to its first peak,

@@ -104,6 +104,7 @@ impl Stride {
         let mut all: Vec<f64> = RECIPE_BANDS.iter().map(|band| self.outside(band, &found)).collect();
         let others = [
             found.pitch.abs() / 0.5,
+            above(found.early, 6e-3, 2e-3),
             above(found.free_moment, limit([9.5, 11.3, 16.0]), 0.8),
             above(12.6e-3, found.clearance, 1e-3),
             above(found.detour, limit([3.0, 0.5, 0.5]), 1.0),
@@ -162,7 +163,9 @@ impl Stride {
         let cop = [0.56 * style.cop_forward, style.cop_heel_off, style.cop_40, style.cop_50, 0.94];
         let angles = upper.map(|(value, most)| above(value.to_degrees(), most, 0.5));
         let order = cop.windows(2).map(|pair| above(0.004, pair[1] - pair[0], 0.004));
-        angles.into_iter().chain(widths).chain(order).collect()
+        // Where the heel has risen, the foot is pressed on its ball.
+        let ball = above(0.735, style.cop_heel_off, 4e-3);
+        angles.into_iter().chain(widths).chain(order).chain([ball]).collect()
     }
 }
 

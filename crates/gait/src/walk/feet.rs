@@ -83,7 +83,7 @@ impl Foot {
             let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);
             let heights: Vec<(f64, f64)> =
                 heights.map(|(node, u)| (u - from.contact, hip.nodes[node][1])).collect();
-            swing.clear_ground(leg, style.clearance, &heights);
+            swing.clear_ground(leg, style.clearance, laws.numbers.late_clearance, &heights);
             swings.push(swing);
         }
         Ok(Self { side, stances, swings })
@@ -197,7 +197,13 @@ fn note_need(
     let (flat, ankle) = (laws.style(episode.index).foot_flat, stance.flat_ankle());
     match episode.kind {
         Kind::Step => spread(flat, stance.heel_off(), 12).for_each(|v| note(v, ankle, KNEE_FLAT)),
-        Kind::Last => spread(flat, 0.42, 14).for_each(|v| note(v, ankle, KNEE_FLAT)),
+        Kind::Last => {
+            spread(flat, 0.42, 14).for_each(|v| note(v, ankle, KNEE_FLAT));
+            let knee = laws.numbers.knee_closing;
+            if knee > 0.0 {
+                spread(0.44, 0.80, 10).for_each(|v| note(v, ankle, knee));
+            }
+        }
         Kind::First => spread(-0.6, 0.06, 12).for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
     }

@@ -53,6 +53,10 @@ pub struct WalkNumbers {
     pub pitch_last: f64,
     /// A knee that lands so much more bent than the style's does not go on bending (rad); twice as much stretches as fast.
     pub landing_range: f64,
+    /// Knee flexion of the last stance for which height is kept while the other foot closes (rad); none for 0.
+    pub knee_closing: f64,
+    /// Part of the clearance that a foot keeps late in swing.
+    pub late_clearance: f64,
 }
 
 impl WalkNumbers {
@@ -72,6 +76,8 @@ impl WalkNumbers {
             pitch_first: 0.40,
             pitch_last: 0.51,
             landing_range: 15.0 * DEGREE,
+            knee_closing: 0.0,
+            late_clearance: 0.0,
         }
     }
 }
@@ -86,6 +92,8 @@ impl Default for WalkNumbers {
             correction_at: 0.26,
             closing_thigh: 0.78,
             landing_range: LANDING_RANGE,
+            knee_closing: 1.5 * DEGREE,
+            late_clearance: 0.025,
             ..Self::recipe()
         }
     }
