@@ -67,9 +67,9 @@ pub(super) fn notes(
             "above 115 steps/min hip range, hip moments, push and ankle moment exceed people's".to_owned(),
         );
     }
-    if step_frequency < 90.0 {
+    if step_frequency < 82.0 {
         notes.push(
-            "below about 90 steps/min the vertical force has a third small hump in mid-stance".to_owned(),
+            "up to about 80 steps/min the vertical force dips a little before its second peak".to_owned(),
         );
     }
     if plan.is_extrapolated() {
