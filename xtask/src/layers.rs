@@ -15,6 +15,7 @@ pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-view", 5),
     ("solaris-gait", 4),
     ("solaris-modes", 3),
+    ("solaris-analysis", 3),
     ("solaris-dynamics", 2),
     ("solaris-model", 1),
     ("solaris-profiles", 1),

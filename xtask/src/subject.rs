@@ -6,10 +6,10 @@
 
 use crate::workspace;
 use nalgebra::{Matrix3, Vector3};
+use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, WalkRequest, walk};
 use solaris_io::{Table, sto};
 use solaris_model::{Contact, Figure, Fused, Link, human};
-use solaris_modes::ground_reactions;
 use std::fmt::Write as _;
 use std::fs;
 

@@ -14,8 +14,8 @@ use crate::progress::Progress;
 use clap::ArgMatches;
 use forces::External;
 use report::{Asked, Report};
+use solaris::analysis::{InverseOptions, inverse_motion};
 use solaris::io::{csv, sto};
-use solaris::modes::{InverseOptions, inverse_motion};
 use std::path::PathBuf;
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {

@@ -2,8 +2,8 @@
 
 use crate::error::CliError;
 use serde::Serialize;
+use solaris::analysis::{Near, Nearness, nearness};
 use solaris::model::{Figure, Motion};
-use solaris::modes::{Near, Nearness, nearness};
 
 /// Distances in m, negative for the depth of an overlap.
 #[derive(Debug, Serialize)]

@@ -74,6 +74,11 @@ pub struct Wrench<T> {
 }
 
 impl<T: Real> Wrench<T> {
+    /// Nothing acts.
+    pub fn zero() -> Self {
+        Self { force: Vector3::zeros(), moment: Vector3::zeros() }
+    }
+
     /// A `force` (N) through a `point` of the world (m), with a free `moment` (N m); both in world axes.
     pub fn at(point: &Vector3<T>, force: Vector3<T>, moment: Vector3<T>) -> Self {
         Self { force, moment: moment + point.cross(&force) }
@@ -94,6 +99,22 @@ impl<T: Real> Wrench<T> {
     /// `pose` and about that frame's origin: the inverse of [`Wrench::seen_from`].
     pub fn from_frame(&self, pose: &Pose<T>) -> Self {
         Self::at(&pose.translation, pose.rotation * self.force, pose.rotation * self.moment)
+    }
+}
+
+impl Wrench<f64> {
+    /// The centre of pressure: the point of a ground of this `height` (m, along `up`, of length 1) about which the moment
+    /// is normal to it,
+    ///
+    /// ```text
+    /// P = (n × M + h F) / (F·n)
+    /// ```
+    ///
+    /// with the moment `M` about the world's origin. `None` where nothing presses on the ground.
+    #[doc(alias = "cop")]
+    pub fn centre_of_pressure(&self, up: &Vector3<f64>, height: f64) -> Option<Vector3<f64>> {
+        let normal = self.force.dot(up);
+        (normal > 0.0).then(|| (up.cross(&self.moment) + self.force * height) / normal)
     }
 }
 

@@ -4,13 +4,13 @@
 //! planned once; compare times of one run only.
 
 use divan::{Bencher, black_box};
+use solaris_analysis::ground_reactions;
 use solaris_gait::determinants::Determinants;
 use solaris_gait::{
     Extent, FEET, Resolution, StridePlan, Style, ThesisRequest, WALK_RATIO, WalkPlan, WalkRequest, measure,
     thesis_walk, walk,
 };
 use solaris_model::{Figure, human};
-use solaris_modes::ground_reactions;
 
 fn main() {
     divan::main();

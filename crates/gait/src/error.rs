@@ -1,9 +1,9 @@
 //! Why a walk cannot be.
 
+use solaris_analysis::ReactionError;
+use solaris_analysis::ground::PlantedError;
 use solaris_dynamics::DynamicsError;
 use solaris_model::{MotionError, SolePart};
-use solaris_modes::ReactionError;
-use solaris_modes::ground::PlantedError;
 use solaris_profiles::ProfileError;
 
 /// Why a figure cannot walk as asked.

@@ -8,8 +8,8 @@ use crate::stride_loop::Walking;
 use crate::walk::{WalkPlan, sampled};
 use crate::walker::walk_from;
 use nalgebra::Vector3;
+use solaris_analysis::{ReactionError, Support, SupportLaw};
 use solaris_model::{Event, Figure, Interval, Motion, Trajectory};
-use solaris_modes::{ReactionError, Support, SupportLaw};
 
 /// The longest that one may stand between walks (s).
 pub const LONGEST_STAND: f64 = 3600.0;

@@ -6,8 +6,8 @@ use crate::pace::tidy;
 use crate::prescribed::friction;
 use crate::route::Route;
 use crate::walk::{FEET, WalkPlan};
+use solaris_analysis::ground_reactions;
 use solaris_model::Figure;
-use solaris_modes::ground_reactions;
 
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
 pub const FRICTION: (f64, f64) = (0.5, 0.6);

@@ -16,9 +16,9 @@ mod tracks;
 
 use crate::error::GaitError;
 use nalgebra::Vector3;
+use solaris_analysis::Completed;
+use solaris_analysis::ground::{self, Sole, Stances};
 use solaris_model::{ContactTrack, Figure};
-use solaris_modes::Completed;
-use solaris_modes::ground::{self, Sole, Stances};
 use stride::Steps;
 use tracks::Tracks;
 
@@ -129,7 +129,7 @@ pub fn stances_of_contacts(
 /// ```
 /// use solaris_gait::metrics::{Given, NoValue, metrics};
 /// use solaris_model::{Vector3, human};
-/// use solaris_modes::Completed;
+/// use solaris_analysis::Completed;
 ///
 /// let ann = human(1.65, 58.0)?;
 /// let (nq, nv) = (ann.layout().nq(), ann.layout().nv());

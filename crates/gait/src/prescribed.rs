@@ -1,8 +1,9 @@
 //! The forces that a plan prescribes.
 
 use nalgebra::Vector3;
+use solaris_analysis::{FootSupport, split_at_pivot};
+use solaris_dynamics::Wrench;
 use solaris_model::Contact;
-use solaris_modes::{FootSupport, TotalWrench, split_at_pivot};
 
 /// Acceleration of gravity (m/s²).
 pub(crate) const G: f64 = 9.80665;
@@ -27,7 +28,7 @@ impl PrescribedNode {
     /// ```text
     /// F_z = ((z − P_z) F_y − Ḣ_x)/y      F_x = ((x − P_x) F_y + Ḣ_z)/y      T_y = Ḣ_y − [(P − c) × F]_y
     /// ```
-    pub(crate) fn total(&self) -> TotalWrench {
+    pub(crate) fn total(&self) -> Wrench<f64> {
         let centre = self.feet[0].cop * self.feet[0].share + self.feet[1].cop * self.feet[1].share;
         let (c, h, y) = (self.com, self.momentum_rate, self.com.y);
         let force = Vector3::new(
@@ -36,7 +37,7 @@ impl PrescribedNode {
             ((c.z - centre.z) * self.vertical - h.x) / y,
         );
         let twist = h.y - (centre - c).cross(&force).y;
-        TotalWrench { force, moment: centre.cross(&force) + Vector3::y() * twist }
+        Wrench { force, moment: centre.cross(&force) + Vector3::y() * twist }
     }
 
     /// Each foot's part of it: forces that point at `pivot` times the height of the centre of mass.

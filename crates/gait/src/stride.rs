@@ -16,8 +16,8 @@ use crate::style::Style;
 use crate::swing::{Aim, Swing};
 use crate::upper::UpperBody;
 use nalgebra::{DMatrix, Vector3};
+use solaris_analysis::FootSupport;
 use solaris_model::{Contact, Figure};
-use solaris_modes::FootSupport;
 use solaris_profiles::{Boundary, UniformSpline};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;

@@ -1,8 +1,8 @@
 //! One stride of a walk, exactly as long as it is, to be repeated for ever: what games ask for.
 
 use nalgebra::Vector3;
+use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
 use solaris_model::{Event, Figure, Interval, Motion, MotionError, MotionInfo, Trajectory};
-use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 
 /// A walk that says when its feet touch and stand.
 pub trait Walking: Trajectory {

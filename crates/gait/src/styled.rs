@@ -6,9 +6,9 @@ use crate::request::WalkRequest;
 use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
 use crate::walk::{FEET, WalkPlan};
 use crate::walker::walk;
+use solaris_analysis::ground::{GroundReport, Split, reactions_of_planted};
+use solaris_analysis::{ReactionReport, Residual, SupportLaw, ground_reactions};
 use solaris_model::{Figure, Motion, Trajectory as _};
-use solaris_modes::ground::{GroundReport, Split, reactions_of_planted};
-use solaris_modes::{ReactionReport, Residual, SupportLaw, ground_reactions};
 
 /// A request in one of the two styles.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! Walks that change on the way: pace, step length, direction.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
+use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, FRICTION, GaitError, WalkPart, WalkPlan, WalkRequest, measure, walk};
 use solaris_model::{EventKind, Figure, Trajectory, Vector3, human};
-use solaris_modes::ground_reactions;
 
 fn more(steps: usize) -> WalkPart {
     WalkPart { steps, ..WalkPart::default() }

@@ -1,9 +1,9 @@
 //! Random walks that change on the way: what is not refused obeys the laws.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
+use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, FRICTION, GaitError, WALK_RATIO, WalkPart, WalkRequest, measure, walk};
 use solaris_model::human;
-use solaris_modes::ground_reactions;
 
 /// Equally distributed numbers from 0 to 1, the same in every run.
 struct Random(u64);

@@ -1,9 +1,9 @@
 //! The stance leg's flexion as an input of a smooth walk, as it is one of three determinants.
 
+use solaris_analysis::ground_reactions;
 use solaris_gait::determinants::Determinants;
 use solaris_gait::{FEET, WalkPlan, WalkRequest, measure, walk};
 use solaris_model::{Figure, human};
-use solaris_modes::ground_reactions;
 
 fn planned(figure: &Figure, step_frequency: f64, parameters: &[(&'static str, f64)]) -> WalkPlan {
     let parameters = parameters.to_vec();

@@ -1,11 +1,11 @@
 //! Ground forces found from planned walks alone, beside the plan's own.
 
-use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
-use solaris_model::{Figure, Motion, human};
-use solaris_modes::ground::{
+use solaris_analysis::ground::{
     GroundForces, GroundOptions, Split, Stances, ground_forces, soles, stances_of_planted,
 };
-use solaris_modes::{Completed, InverseOptions, ground_reactions, inverse_motion};
+use solaris_analysis::{Completed, InverseOptions, ground_reactions, inverse_motion};
+use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
+use solaris_model::{Figure, Motion, human};
 
 struct Walked {
     figure: Figure,

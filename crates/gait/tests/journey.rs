@@ -1,8 +1,8 @@
 //! Walks with standing still in between.
 
+use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, Journey, Stage, WalkPart, WalkRequest, measure};
 use solaris_model::{EventKind, Figure, Trajectory, human};
-use solaris_modes::ground_reactions;
 
 fn ann() -> Figure {
     human(1.75, 73.0).expect("a person")

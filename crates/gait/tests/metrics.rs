@@ -1,10 +1,10 @@
 //! Metrics of any motion: a walk of ours against its own measures, a foot that slides, a motion that sinks.
 
+use solaris_analysis::ground::{Belt, Sole, Stance, StanceOptions, Stances, find_stances, soles};
+use solaris_analysis::{Completed, ground_reactions};
 use solaris_gait::metrics::{Given, Metric, NoValue, metrics, stances_of_contacts};
 use solaris_gait::{Extent, FEET, SteadyStride, WalkMeasures, WalkRequest, measure, walk};
 use solaris_model::{ContactTrack, Figure, Motion, Vector3, human};
-use solaris_modes::ground::{Belt, Sole, Stance, StanceOptions, Stances, find_stances, soles};
-use solaris_modes::{Completed, ground_reactions};
 
 const RATE: f64 = 120.0;
 

@@ -1,8 +1,8 @@
 //! A walk that begins with the left foot is the mirror image of one that begins with the right.
 
+use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, WalkRequest, measure, walk};
 use solaris_model::{EventKind, human};
-use solaris_modes::ground_reactions;
 
 #[test]
 fn left_first_is_the_mirror_image_with_its_forces() {

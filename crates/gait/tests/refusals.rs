@@ -1,10 +1,10 @@
 //! What no walk can be made of is refused by name.
 
+use solaris_analysis::{ReactionError, ground_reactions};
 use solaris_gait::{
     Extent, FEET, GaitError, LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkRequest, walk,
 };
 use solaris_model::{FigureBuilder, Inertia, Joint, LinkSpec, human};
-use solaris_modes::{ReactionError, ground_reactions};
 
 fn refused(request: &WalkRequest) -> String {
     walk(&human(1.75, 73.0).expect("a person"), request).err().expect("a refusal").to_string()

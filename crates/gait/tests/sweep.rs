@@ -1,9 +1,9 @@
 //! One walk as a row of numbers.
 
+use solaris_analysis::ground_reactions;
 use solaris_gait::sweep::{COLUMNS, Walked, metrics_of};
 use solaris_gait::{Extent, FEET, GaitError, StyledRequest, WalkRequest, measure, walk};
 use solaris_model::human;
-use solaris_modes::ground_reactions;
 use std::collections::BTreeSet;
 
 fn steps(steps: usize) -> WalkRequest {

@@ -4,12 +4,12 @@ mod stage;
 
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
+use solaris_analysis::reactions_from_feet;
 use solaris_gait::determinants::{Determinants, DoubleSupport};
 use solaris_gait::{
     Extent, FEET, InBetween, StyledPlan, StyledRequest, ThesisRequest, ThesisWalk, thesis_walk,
 };
 use solaris_model::{EventKind, Figure, Trajectory, human};
-use solaris_modes::reactions_from_feet;
 use stage::Stage;
 
 fn walked(figure: &Figure, determinants: Determinants, step_frequency: f64, steps: usize) -> ThesisWalk {

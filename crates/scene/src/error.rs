@@ -1,6 +1,7 @@
 //! Why a scene has no motion.
 
-use solaris_modes::{ReactionError, RunError};
+use solaris_analysis::ReactionError;
+use solaris_modes::RunError;
 
 /// Why a scene has no motion.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

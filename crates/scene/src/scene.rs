@@ -1,9 +1,10 @@
 //! A scene: everything that a motion script says, ready to be run.
 
 use crate::error::SceneError;
+use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{FEET, Journey};
 use solaris_model::{Event, Figure, Ground, Interval, Motion};
-use solaris_modes::{ReactionReport, Run, RunReport, Settings, Simulation, Watch, ground_reactions};
+use solaris_modes::{Run, RunReport, Settings, Simulation, Watch};
 use std::fmt;
 use std::sync::Arc;
 

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub use solaris_analysis as analysis;
 pub use solaris_dynamics as dynamics;
 pub use solaris_gait as gait;
 #[cfg(feature = "io")]
@@ -14,6 +15,7 @@ pub use solaris_view as view;
 
 /// What a first program needs.
 pub mod prelude {
+    pub use solaris_analysis::ground_reactions;
     pub use solaris_dynamics::{
         ContactConstraint, Contacts, DMatrix, Derivatives, DynamicsError, Formulation, Frame,
         InverseDynamics, JacobianAxes, RootView, Tree, Workspace, Wrench, bias, center_of_mass,
@@ -25,7 +27,6 @@ pub mod prelude {
         Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, MotionInfo, Placement, RootAt, Trajectory,
         Vector3, human,
     };
-    pub use solaris_modes::ground_reactions;
 }
 
 /// The project's pages: their Rust blocks are run as tests.

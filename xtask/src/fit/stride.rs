@@ -1,6 +1,7 @@
 //! One steady stride, planned in the numbers of a table and measured as a motion.
 
 use nalgebra::Vector3;
+use solaris_analysis::{Support, SupportLaw, balance_momentum, ground_reactions};
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_gait::people::{FACTS, Fact, Person};
 use solaris_gait::{
@@ -8,7 +9,6 @@ use solaris_gait::{
     check_bands, free_moment, measure_stride,
 };
 use solaris_model::{Event, EventKind, Figure, Motion, MotionInfo, Trajectory};
-use solaris_modes::{Support, SupportLaw, balance_momentum, ground_reactions};
 
 /// Late swing, in which the toes pass over the ground (u).
 const LATE_SWING: (f64, f64) = (0.70, 0.93);

@@ -2,8 +2,8 @@
 
 use super::stride::{Case, facts};
 use nalgebra::Vector3;
+use solaris_analysis::ground_reactions;
 use solaris_gait::{FEET, RECIPE_BANDS, Resolution, StyleTable, WalkPlan, check_bands, free_moment, measure};
-use solaris_modes::ground_reactions;
 
 /// Samples a second.
 const RATE: f64 = 200.0;

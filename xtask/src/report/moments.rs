@@ -2,8 +2,8 @@
 
 use super::table::{Cell, Table, number};
 use crate::workspace;
+use solaris_analysis::{Filter, InverseOptions, complete, inverse_motion};
 use solaris_io::{Table as Numbers, opensim, record, sto};
-use solaris_modes::{Filter, InverseOptions, complete, inverse_motion};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;

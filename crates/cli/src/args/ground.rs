@@ -3,7 +3,7 @@
 use super::{given, input, json, path, wrap};
 use clap::builder::ValueParser;
 use clap::{Arg, ArgAction, Command};
-use solaris::modes::ground::{ConsistencyOptions, Split, StanceOptions};
+use solaris::analysis::ground::{ConsistencyOptions, Split, StanceOptions};
 
 const EXAMPLES: &str = "Examples:
   solaris ground walk.mot subject.osim --soles soles.ron --filter 6Hz -o grf.mot

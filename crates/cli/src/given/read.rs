@@ -5,10 +5,10 @@ use crate::error::CliError;
 use crate::input::{self, Body};
 use crate::progress::Progress;
 use clap::ArgMatches;
+use solaris::analysis::{Completed, Filter, complete};
 use solaris::io::Table;
 use solaris::io::record::{self, Recorded};
 use solaris::model::Base;
-use solaris::modes::{Completed, Filter, complete};
 use std::path::{Path, PathBuf};
 
 /// Order of the filter when none is asked for.

@@ -6,9 +6,9 @@ use crate::input;
 use crate::words::short;
 use clap::ArgMatches;
 use serde::Serialize;
+use solaris::analysis::ground::Sole;
 use solaris::io::record;
 use solaris::model::{ContactTrack, ForceRecord, Vector3, nearest};
-use solaris::modes::ground::Sole;
 use std::path::PathBuf;
 
 /// What plates measured under the soles.

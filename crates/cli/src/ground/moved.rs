@@ -6,7 +6,7 @@ use crate::given::Given;
 use crate::words::{counted, row, short};
 use clap::ArgMatches;
 use serde::Serialize;
-use solaris::modes::ground::{
+use solaris::analysis::ground::{
     Consistency, ConsistencyError, ConsistencyOptions, GroundError, Outcome, ShiftError, Violation,
 };
 use std::io::{Result, Write};

@@ -6,7 +6,7 @@ use crate::args::AskedBelt;
 use crate::error::{CliError, typed};
 use crate::given::Given;
 use clap::ArgMatches;
-use solaris::modes::ground::{
+use solaris::analysis::ground::{
     Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, Split, StanceOptions, Stances,
     find_stances, ground_forces, make_consistent,
 };

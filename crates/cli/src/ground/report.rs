@@ -7,7 +7,7 @@ use super::soles::From;
 use crate::given::{Given, GivenReport};
 use crate::words::short;
 use serde::Serialize;
-use solaris::modes::ground::{FootReport, Split, Worst};
+use solaris::analysis::ground::{FootReport, Split, Worst};
 
 /// The ground and what it does to the feet.
 #[derive(Serialize)]
@@ -84,7 +84,7 @@ impl GroundReport {
     pub(crate) fn new(ground: Predicted, given: &Given) -> Self {
         let (stances, found) = (&ground.forces.stances, &ground.forces.report);
         let name = |link: usize| given.body.figure.links()[link].name().to_owned();
-        let foot = |(i, (sole, foot)): (usize, (&solaris::modes::ground::Sole, &FootReport))| {
+        let foot = |(i, (sole, foot)): (usize, (&solaris::analysis::ground::Sole, &FootReport))| {
             let own = stances.list.iter().filter(|stance| stance.foot == i);
             Foot {
                 name: sole.name.clone(),

@@ -5,8 +5,8 @@ use crate::given::Given;
 use crate::input;
 use crate::words::some;
 use clap::ArgMatches;
+use solaris::analysis::ground::{self, Sole};
 use solaris::model::Figure;
-use solaris::modes::ground::{self, Sole};
 use solaris::scene::read_soles;
 use std::path::PathBuf;
 

@@ -4,7 +4,7 @@ use crate::given::{Given, GivenReport, slides};
 use crate::ground::GroundReport;
 use crate::print::write_json;
 use serde::Serialize;
-use solaris::modes::{DofLoad, InverseReport};
+use solaris::analysis::{DofLoad, InverseReport};
 use std::io::{Result, Write};
 
 /// What the command line said of the forces.

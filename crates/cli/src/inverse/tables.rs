@@ -1,9 +1,9 @@
 //! Joint forces as tables: our headings, and OpenSim's.
 
 use crate::given::slides;
+use solaris::analysis::{Completed, InverseReport};
 use solaris::io::Table;
 use solaris::model::Figure;
-use solaris::modes::{Completed, InverseReport};
 
 /// `DOF.tau`, as CSV has it.
 pub(super) fn torques(figure: &Figure, motion: &Completed, forces: &InverseReport) -> Table {

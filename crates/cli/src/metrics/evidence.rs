@@ -5,10 +5,10 @@ use crate::error::CliError;
 use crate::given::Given;
 use crate::ground::{SolesFrom, find_soles, known_soles, refused, standing};
 use clap::ArgMatches;
+use solaris::analysis::ground::{GroundOptions, Sole, Split, StanceOptions, Stances, ground_forces};
 use solaris::gait::metrics::{self, stances_of_contacts};
 use solaris::io::record::{force_prefixes, forces};
 use solaris::model::ContactTrack;
-use solaris::modes::ground::{GroundOptions, Sole, Split, StanceOptions, Stances, ground_forces};
 
 /// Feet, stances, forces.
 pub(super) struct Evidence {

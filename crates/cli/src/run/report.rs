@@ -6,8 +6,9 @@ use super::outcomes::{Hit, Told};
 use crate::limbs::Limbs;
 use crate::print::write_json;
 use serde::Serialize;
+use solaris::analysis::ReactionReport;
 use solaris::dynamics::scalar::Operations;
-use solaris::modes::{PhaseReport, ReactionReport, RunReport};
+use solaris::modes::{PhaseReport, RunReport};
 use solaris::scene::{Scene, Simulated};
 use std::io::Write;
 

@@ -5,10 +5,10 @@ use super::told::{BesideKeyPostures, BesidePosture, Forces, KeyPostures, Pull, r
 use crate::error::CliError;
 use crate::progress::Progress;
 use clap::ArgMatches;
+use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
 use solaris::gait::{Beside, FEET, StyledPlan, StyledRequest, WalkForces, on_the_spot};
 use solaris::model::{Figure, Motion};
-use solaris::modes::reactions_from_feet;
 use std::time::{Duration, Instant};
 
 /// A walk with its forces.

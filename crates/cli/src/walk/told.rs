@@ -1,7 +1,7 @@
 //! Parts of the numbers of a walk: its postures and its forces.
 
 use serde::Serialize;
-use solaris::modes::RootReport;
+use solaris::analysis::RootReport;
 
 /// What the key postures of the thesis's style are.
 #[derive(Debug, Serialize)]

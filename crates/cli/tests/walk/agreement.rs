@@ -2,9 +2,9 @@
 
 use crate::{names, read, solaris, succeeded};
 use serde_json::Value;
+use solaris::analysis::{Near, nearness};
 use solaris::io::csv;
 use solaris::model::{Figure, Motion, MotionInfo, human};
-use solaris::modes::{Near, nearness};
 use std::collections::HashMap;
 use tempfile::TempDir;
 

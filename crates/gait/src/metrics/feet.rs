@@ -5,7 +5,7 @@ use super::{Given, Metric, NoValue};
 use crate::measure::Peak;
 use crate::measure::feet::MID_SWING;
 use nalgebra::Vector3;
-use solaris_modes::ground::Stance;
+use solaris_analysis::ground::Stance;
 
 const SLIDE: (&str, &str, &str) = ("slide_greatest_mm", "foot slide, greatest", "mm");
 const MEAN: (&str, &str, &str) = ("slide_mean_mm", "foot slide, mean of the stances", "mm");

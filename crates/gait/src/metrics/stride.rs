@@ -4,7 +4,7 @@ use super::tracks::Tracks;
 use super::{Given, Metric, NoValue};
 use crate::measure::window::Window;
 use nalgebra::Vector3;
-use solaris_modes::ground::{Stance, Stances};
+use solaris_analysis::ground::{Stance, Stances};
 
 /// What goes less far than this in a stride (m) goes nowhere.
 const NOWHERE: f64 = 0.01;

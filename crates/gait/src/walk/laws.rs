@@ -10,7 +10,7 @@ use crate::laws::{self, Euler, Swings};
 use crate::stride::StridePlan;
 use crate::style::Style;
 use nalgebra::Vector3;
-use solaris_modes::FootSupport;
+use solaris_analysis::FootSupport;
 use solaris_profiles::step;
 
 /// Amplitudes of the shifts of load at both ends, from the solve.

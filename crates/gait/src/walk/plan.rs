@@ -20,8 +20,8 @@ use crate::stride::{Resolution, StridePlan};
 use crate::stride_loop::StrideLoop;
 use crate::style::Style;
 use nalgebra::Vector3;
+use solaris_analysis::FootSupport;
 use solaris_model::{Contact, Trajectory};
-use solaris_modes::FootSupport;
 use solaris_profiles::UniformSpline;
 
 /// A planned walk: its posture, and what the ground is to do, at any time.

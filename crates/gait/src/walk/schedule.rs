@@ -5,8 +5,8 @@ use super::plan::WalkPlan;
 use crate::prescribed::G;
 use crate::stride_loop::Walking;
 use crate::style::Style;
+use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
 use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory};
-use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 
 /// Names of the feet's links, left and right.
 pub const FEET: [&str; 2] = ["left_foot", "right_foot"];
@@ -19,7 +19,7 @@ impl WalkPlan {
     }
 
     /// The walk sampled `rate` times a second, with its events and planted points; forces are found by
-    /// [`solaris_modes::ground_reactions`], which takes the plan as its law.
+    /// [`solaris_analysis::ground_reactions`], which takes the plan as its law.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
 //! Springs, dampers and friction of the joints.
 
-use crate::passive::rotation_vector;
 use solaris_dynamics::Real;
+use solaris_dynamics::rotation_vector;
 use solaris_model::{Figure, JointKind};
 use solaris_profiles::Scalar;
 

@@ -1,8 +1,8 @@
 //! What stands on the ground as one rigid part, and what must not happen for it to stay so.
 
-use crate::hull::{axes, hull};
 use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Wrench;
+use solaris_model::{convex_hull, ground_axes};
 
 /// In what time (s) a velocity that integration has left to what stands dies out.
 pub(crate) const CALM: f64 = 0.02;
@@ -51,10 +51,10 @@ impl Foothold {
     ) -> Option<Self> {
         touches.sort_unstable();
         touches.dedup();
-        let [e, f] = axes(up);
+        let [e, f] = ground_axes(up);
         let flat: Vec<Vector2<f64>> =
             touches.iter().map(|touch| at(*touch)).map(|p| Vector2::new(p.dot(&e), p.dot(&f))).collect();
-        let corners = hull(&flat);
+        let corners = convex_hull(&flat);
         let &first = corners.first()?;
         let distance = |i: usize| (flat[i] - flat[first]).norm();
         let far = (0..flat.len()).max_by(|i, j| distance(*i).total_cmp(&distance(*j)))?;

@@ -6,7 +6,6 @@ use crate::contact::{GroundPlane, Surface};
 use crate::phase::GROUND;
 use crate::report::{GroundReport, LinkContact};
 use crate::simulation::Simulation;
-use crate::split::TotalWrench;
 use crate::trouble::RunError;
 use nalgebra::Vector3;
 use solaris_dynamics::Wrench;
@@ -28,7 +27,7 @@ struct Foot {
 
 /// One link in one frame.
 struct State {
-    wrench: TotalWrench,
+    wrench: Wrench<f64>,
     /// Of the deepest touch (m).
     depth: f64,
     /// The greatest of a touch that is pressed (m/s).
@@ -80,7 +79,7 @@ pub(super) fn add(
             foot.take(&state, time, step, &mut events);
             foot.weigh(&state, plane, time, step);
             if let Some(contact) = foot.track.samples.last_mut() {
-                let total = TotalWrench { force: contact.force, moment: contact.moment };
+                let total = Wrench { force: contact.force, moment: contact.moment };
                 contact.cop = total.centre_of_pressure(&plane.up, plane.height).unwrap_or_default();
             }
         }
@@ -107,7 +106,7 @@ pub(super) fn add(
 
 impl State {
     fn of<'a>(touches: impl Iterator<Item = &'a Pressed<f64>>, up: &Vector3<f64>) -> Self {
-        let none = Self { wrench: TotalWrench::default(), depth: f64::NEG_INFINITY, slip: 0.0, sliding: 0.0 };
+        let none = Self { wrench: Wrench::zero(), depth: f64::NEG_INFINITY, slip: 0.0, sliding: 0.0 };
         let (mut state, mut pressure) = (none, 0.0);
         for Pressed { depth, point, slip, force, .. } in touches {
             state.depth = state.depth.max(*depth);
@@ -128,9 +127,9 @@ impl State {
 
     /// The same of something that stands on the ground with this wrench, or does not.
     fn stand(&mut self, wrench: Option<&Wrench<f64>>) {
-        self.wrench = TotalWrench::default();
+        self.wrench = Wrench::zero();
         if let Some(wrench) = wrench {
-            self.wrench = TotalWrench { force: wrench.force, moment: wrench.moment };
+            self.wrench = Wrench { force: wrench.force, moment: wrench.moment };
             // What stands is on the ground, whatever rounding says.
             self.depth = self.depth.max(f64::MIN_POSITIVE);
             self.sliding = self.slip;
@@ -166,7 +165,7 @@ impl Foot {
 
     /// The next frame, `step` (s) after the one before; between the two depths are taken as linear.
     fn take(&mut self, state: &State, time: f64, step: f64, events: &mut Vec<Event>) {
-        let State { wrench: TotalWrench { force, moment }, depth, slip, sliding } = *state;
+        let State { wrench: Wrench { force, moment }, depth, slip, sliding } = *state;
         self.track.samples.push(Contact { force, moment, ..Contact::default() });
         let told = &mut self.told;
         if depth > told.depth {

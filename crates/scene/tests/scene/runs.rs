@@ -2,9 +2,9 @@
 
 use crate::fixtures::fixture;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, Journey, Stage, WalkPart, WalkRequest};
 use solaris_model::Trajectory as _;
-use solaris_modes::ground_reactions;
 use solaris_scene::Simulated;
 
 fn simulated(name: &str) -> Simulated {

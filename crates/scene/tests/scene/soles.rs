@@ -1,7 +1,7 @@
 //! Soles as text: what they come to, and what is wrong with them, in its place.
 
+use solaris_analysis::ground::soles;
 use solaris_model::{Figure, FigureBuilder, Isometry3, Joint, LinkSpec, Placement, SolePart, Vector3, human};
-use solaris_modes::ground::soles;
 use solaris_scene::read_soles;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;

@@ -1,9 +1,9 @@
 //! The root is a choice: forces computed from the foot that stands are those computed from the pelvis.
 
 use crate::cases::{person, steps, walked};
+use solaris::analysis::{ReactionError, reactions_from_feet};
 use solaris::gait::FEET;
 use solaris::model::EventKind;
-use solaris::modes::{ReactionError, reactions_from_feet};
 
 /// What rounding leaves, of the greatest force of its kind.
 const ROUNDING: f64 = 1e-9;

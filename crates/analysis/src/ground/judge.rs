@@ -1,0 +1,146 @@
+//! What is wrong with forces that were found.
+
+use crate::differentiate::Completed;
+use crate::ground::given::Given;
+use crate::ground::outline::outside;
+use crate::ground::{BalanceFrame, GroundError, Sole, Stances};
+use nalgebra::Vector3;
+use solaris_dynamics::forward_kinematics;
+use solaris_model::{Contact, Figure};
+
+/// The worst of a quantity over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// The worst value.
+    pub value: f64,
+    /// When (s).
+    pub time: f64,
+    /// Share of the foot's standing frames that are at fault.
+    pub share: f64,
+}
+
+/// What is to be said of one foot's forces.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FootReport {
+    /// The sole's name.
+    pub name: String,
+    /// Frames in which it stands.
+    pub frames: usize,
+    /// Greatest tangential over normal force, while the foot bears [`FootReport::LOADED`] of the weight; `share` of
+    /// frames above [`FootReport::FRICTION`]. `None` where it never bears so much.
+    pub friction: Option<Worst>,
+    /// How far (m) the centre of pressure is outside of the sole's outline at worst, while the foot bears so much;
+    /// `share` of frames outside. `None` where it never does, and where the sole has no breadth.
+    pub outside: Option<Worst>,
+    /// Least normal force (N); `share` of frames in which the ground would have to pull. `None` where the foot never
+    /// stands.
+    pub least: Option<Worst>,
+    /// Greatest normal force (N).
+    pub greatest: f64,
+}
+
+impl FootReport {
+    /// Share of the weight that a foot must bear for friction and centre of pressure to be judged: of nearly nothing
+    /// both mean nothing.
+    pub const LOADED: f64 = 0.05;
+
+    /// The friction ratio that is too much: dry soles on dry floors have about so much.
+    pub const FRICTION: f64 = 0.6;
+}
+
+/// Frames in which no foot stands: nothing but gravity should act there, and the whole wrench be zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Unsupported {
+    /// How many.
+    pub frames: usize,
+    /// Root of the mean square of the force (N) that is left unexplained.
+    pub force_rms: f64,
+    /// Greatest force (N).
+    pub force: f64,
+    /// When (s).
+    pub time: f64,
+}
+
+/// Judges the contacts of each foot (by sole, one a frame), and the frames in which none stands.
+///
+/// # Errors
+///
+/// No gravity, no mass, soles or stances that are none, a motion that is not the figure's, contacts or a total of other
+/// frames, and the first state that the kernel refuses.
+pub fn judge(
+    figure: &Figure,
+    gravity: Vector3<f64>,
+    states: &Completed,
+    soles: &[Sole],
+    stances: &Stances,
+    total: &[BalanceFrame],
+    contacts: &[Vec<Contact>],
+) -> Result<(Vec<FootReport>, Unsupported), GroundError> {
+    let given = Given::new(figure, gravity, states)?;
+    given.check_soles(soles)?;
+    stances.check(soles.len())?;
+    let rows = states.time.len();
+    let lengths = contacts.iter().map(Vec::len).chain([total.len()]);
+    let wrong = lengths.map(|found| (found, rows)).chain([(contacts.len(), soles.len())]);
+    if let Some((found, expected)) = wrong.into_iter().find(|(found, expected)| found != expected) {
+        let figure = figure.name().to_owned();
+        return Err(GroundError::Length { what: "the ground's force", found, rows, figure, expected });
+    }
+    let beyond = given.frames(|workspace, row| {
+        forward_kinematics(&given.tree, workspace, given.q(row))?;
+        let of = |(sole, contacts): (&Sole, &Vec<Contact>)| {
+            let outline = sole.outline(workspace, &given.up, stances.level);
+            (!outline.is_empty()).then(|| outside(&contacts[row].cop, &outline, &given.up))
+        };
+        Ok(soles.iter().zip(contacts).map(of).collect::<Vec<_>>())
+    })?;
+    let feet = soles.iter().enumerate().map(|(foot, sole)| {
+        let standing: Vec<usize> = (0..rows).filter(|row| stances.stands(foot, states.time[*row])).collect();
+        let normal = |row: usize| contacts[foot][row].force.dot(&given.up);
+        let loaded = |row: &usize| normal(*row) > FootReport::LOADED * given.weight;
+        let friction = |row: usize| {
+            let force = contacts[foot][row].force;
+            (force - given.up * normal(row)).norm() / normal(row)
+        };
+        let count = standing.len();
+        let worst = |values: &mut dyn Iterator<Item = (usize, f64)>, bad: &dyn Fn(f64) -> bool| {
+            let mut worst: Option<Worst> = None;
+            let mut at_fault = 0;
+            for (row, value) in values {
+                at_fault += usize::from(bad(value));
+                if worst.is_none_or(|worst| value > worst.value) {
+                    worst = Some(Worst { value, time: states.time[row], share: 0.0 });
+                }
+            }
+            worst.map(|worst| Worst { share: at_fault as f64 / count as f64, ..worst })
+        };
+        let bearing: Vec<usize> = standing.iter().copied().filter(loaded).collect();
+        let mut friction = bearing.iter().map(|row| (*row, friction(*row)));
+        let mut outside = bearing.iter().filter_map(|row| beyond[*row][foot].map(|value| (*row, value)));
+        let least = worst(&mut standing.iter().map(|row| (*row, -normal(*row))), &|pull| pull > 0.0);
+        FootReport {
+            name: sole.name.clone(),
+            frames: count,
+            friction: worst(&mut friction, &|ratio| ratio > FootReport::FRICTION),
+            outside: worst(&mut outside, &|distance| distance > 0.0),
+            least: least.map(|least| Worst { value: -least.value, ..least }),
+            greatest: standing.iter().map(|row| normal(*row)).fold(0.0, f64::max),
+        }
+    });
+    Ok((feet.collect(), unsupported(soles.len(), stances, total)))
+}
+
+fn unsupported(feet: usize, stances: &Stances, total: &[BalanceFrame]) -> Unsupported {
+    let mut out = Unsupported::default();
+    let mut squares = 0.0;
+    for frame in total.iter().filter(|frame| !(0..feet).any(|foot| stances.stands(foot, frame.time))) {
+        let force = frame.force.norm();
+        out.frames += 1;
+        squares += force * force;
+        if force > out.force {
+            (out.force, out.time) = (force, frame.time);
+        }
+    }
+    out.force_rms = (squares / out.frames.max(1) as f64).sqrt();
+    out
+}

@@ -1,0 +1,226 @@
+//! What every split knows: the frames, the soles in the world, the smooth shares and nominal centres of pressure.
+
+use super::load::Load;
+use crate::ground::given::Given;
+use crate::ground::{BalanceFrame, GroundError, Sole, Stance, Stances};
+use crate::split::FootSupport;
+use nalgebra::Vector3;
+use solaris_dynamics::{Wrench, forward_kinematics};
+use solaris_model::Contact;
+use solaris_profiles::step::cubic;
+
+/// What each foot gets in a frame.
+pub(super) type Parts = Vec<Wrench<f64>>;
+
+/// Less than this share is none.
+const LEAST: f64 = 1e-9;
+
+/// All that a split is made of.
+pub(super) struct Sharing<'a> {
+    pub(super) given: &'a Given<'a>,
+    pub(super) soles: &'a [Sole],
+    pub(super) stances: &'a Stances,
+    pub(super) total: &'a [BalanceFrame],
+    /// Heel, ball and tip in the world (m), by frame and foot.
+    points: Vec<Vec<[Vector3<f64>; 3]>>,
+    loads: Vec<Load>,
+    doubles: Vec<Double>,
+    /// By foot and frame, the last frame up to this one and the first one from this one on in which the foot stands
+    /// alone and presses.
+    alone: Vec<Vec<[Option<usize>; 2]>>,
+}
+
+/// A double support between two single ones: trailing foot and leading foot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Double {
+    pub(super) trailing: usize,
+    pub(super) leading: usize,
+    pub(super) start: f64,
+    pub(super) end: f64,
+}
+
+impl<'a> Sharing<'a> {
+    pub(super) fn new(
+        given: &'a Given<'a>,
+        soles: &'a [Sole],
+        stances: &'a Stances,
+        total: &'a [BalanceFrame],
+    ) -> Result<Self, GroundError> {
+        let points = given.frames(|workspace, row| {
+            forward_kinematics(&given.tree, workspace, given.q(row))?;
+            Ok(soles.iter().map(|sole| sole.points(workspace)).collect())
+        })?;
+        let loads = Load::all(&stances.list);
+        let doubles = doubles(&stances.list, &given.states.time);
+        let mut out = Self { given, soles, stances, total, points, loads, doubles, alone: Vec::new() };
+        out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
+        Ok(out)
+    }
+
+    fn stands_alone(&self, foot: usize) -> Vec<[Option<usize>; 2]> {
+        let time = &self.given.states.time;
+        let alone = |row: &usize| {
+            let here = self.stances.stands(foot, time[*row]) && self.standing(*row) == 1;
+            here && self.total[*row].cop.is_some()
+        };
+        let mut out = vec![[None; 2]; time.len()];
+        let mut last = None;
+        for row in 0..time.len() {
+            last = Some(row).filter(alone).or(last);
+            out[row][0] = last;
+        }
+        let mut next = None;
+        for row in (0..time.len()).rev() {
+            next = Some(row).filter(alone).or(next);
+            out[row][1] = next;
+        }
+        out
+    }
+
+    /// Share and nominal centre of pressure of every foot in a frame; `None` where none stands.
+    pub(super) fn supports(&self, row: usize) -> Option<Vec<FootSupport>> {
+        let t = self.given.states.time[row];
+        let mut feet = vec![FootSupport::default(); self.soles.len()];
+        let mut standing = Vec::new();
+        for (index, load) in self.loads.iter().enumerate() {
+            let foot = load.stance.foot;
+            if (load.stance.start..=load.stance.end).contains(&t) && !standing.contains(&foot) {
+                feet[foot] = FootSupport { share: load.weight(t), cop: self.nominal(index, row) };
+                standing.push(foot);
+            }
+        }
+        let sum: f64 = feet.iter().map(|foot| foot.share).sum();
+        for foot in &standing {
+            // Where all are nothing, one comes as the other leaves, in this very instant.
+            let share = &mut feet[*foot].share;
+            *share = if sum > LEAST { *share / sum } else { 1.0 / standing.len() as f64 };
+        }
+        if let (&[a, b], Some(cop)) = (&standing[..], self.total[row].cop) {
+            lean(&mut feet, [a, b], &cop);
+        }
+        (!standing.is_empty()).then_some(feet)
+    }
+
+    /// Where a foot is expected to press: from the heel, where it comes while others stand, to where it first stands
+    /// alone; from there to where it stands alone again; from where it last does to the tip, where it leaves while
+    /// others stay. In place of what is not there stands the point half-way from heel to ball.
+    fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
+        let (load, time) = (&self.loads[index], &self.given.states.time);
+        let (Stance { foot, start, end }, t) = (load.stance, time[row]);
+        let [heel, ball, tip] = self.points[row][foot].map(|point| self.on_ground(point));
+        let middle = heel.lerp(&ball, 0.5);
+        let pressed = self.alone[foot][row].map(|row| {
+            let time = time[row?];
+            let cop = self.total[row?].cop.filter(|_| (start..=end).contains(&time))?;
+            Some((time, cop + self.stances.belt * (t - time)))
+        });
+        let first = if load.comes() { heel } else { middle };
+        let last = if load.leaves() { tip } else { middle };
+        let [(from, a), (to, b)] = match pressed {
+            [Some(before), Some(after)] => [before, after],
+            [Some(before), None] => [before, (end, last)],
+            [None, Some(after)] => [(start, first), after],
+            [None, None] if t < start.midpoint(end) => [(start, first), (start.midpoint(end), middle)],
+            [None, None] => [(start.midpoint(end), middle), (end, last)],
+        };
+        a.lerp(&b, if to > from { cubic((t - from) / (to - from)).position } else { 0.0 })
+    }
+
+    /// The point of the ground below a point.
+    pub(super) fn on_ground(&self, point: Vector3<f64>) -> Vector3<f64> {
+        let up = &self.given.up;
+        point + up * (self.stances.level - point.dot(up))
+    }
+
+    /// Height of the centre of mass above the ground (m).
+    pub(super) fn height(&self, row: usize) -> f64 {
+        self.total[row].com.dot(&self.given.up) - self.stances.level
+    }
+
+    /// From the heel over the ball to the tip (m).
+    pub(super) fn length_of_sole(&self, row: usize, foot: usize) -> f64 {
+        let [heel, ball, tip] = self.points[row][foot];
+        (ball - heel).norm() + (tip - ball).norm()
+    }
+
+    /// No foot has anything.
+    pub(super) fn nothing(&self) -> Parts {
+        vec![Wrench::zero(); self.soles.len()]
+    }
+
+    /// The only foot that stands, or bears all but a billionth.
+    pub(super) fn only(feet: &[FootSupport]) -> Option<usize> {
+        feet.iter().position(|foot| foot.share >= 1.0 - LEAST)
+    }
+
+    /// The whole wrench on one foot.
+    pub(super) fn whole(&self, row: usize, foot: usize) -> Parts {
+        let mut parts = self.nothing();
+        parts[foot] = self.total[row].wrench();
+        parts
+    }
+
+    /// The wrench with its centre of pressure; zero where there is none.
+    pub(super) fn contact(&self, part: &Wrench<f64>) -> Contact {
+        let (up, level) = (&self.given.up, self.stances.level);
+        let normal = part.force.dot(up);
+        let cop = (up.cross(&part.moment) + part.force * level) / normal;
+        let cop = if cop.iter().all(|x| x.is_finite()) { cop } else { Vector3::zeros() };
+        Contact { force: part.force, moment: part.moment, cop }
+    }
+
+    /// The double supports between two single ones.
+    pub(super) fn doubles(&self) -> &[Double] {
+        &self.doubles
+    }
+
+    fn is_regular(&self, t: f64) -> bool {
+        self.doubles.iter().any(|double| (double.start..=double.end).contains(&t))
+    }
+
+    /// Feet that stand in a frame.
+    pub(super) fn standing(&self, row: usize) -> usize {
+        let t = self.given.states.time[row];
+        (0..self.soles.len()).filter(|foot| self.stances.stands(*foot, t)).count()
+    }
+
+    /// Frames in which several feet stand outside of such double supports.
+    pub(super) fn irregular(&self) -> usize {
+        let time = &self.given.states.time;
+        (0..time.len()).filter(|row| self.standing(*row) > 1 && !self.is_regular(time[*row])).count()
+    }
+}
+
+/// Shares of two feet as the centre of pressure of both tells them:
+///
+/// ```text
+/// s_b = (P − N_a)·(N_b − N_a)/|N_b − N_a|², from 0 to 1      s_a = 1 − s_b
+/// ```
+///
+/// Where a foot comes or leaves beside one that stands alone before or after, that is 0 by itself: there the nominal
+/// centre of the other is the whole centre of pressure.
+fn lean(feet: &mut [FootSupport], [a, b]: [usize; 2], cop: &Vector3<f64>) {
+    let line = feet[b].cop - feet[a].cop;
+    let along = (cop - feet[a].cop).dot(&line) / line.norm_squared();
+    if along.is_finite() {
+        feet[b].share = along.clamp(0.0, 1.0);
+        feet[a].share = 1.0 - feet[b].share;
+    }
+}
+
+/// Double supports between two single ones, neither cut off by an end of the motion.
+fn doubles(list: &[Stance], time: &[f64]) -> Vec<Double> {
+    let (Some(&first), Some(&last)) = (time.first(), time.last()) else { return Vec::new() };
+    let mut out = Vec::new();
+    for (i, a) in list.iter().enumerate() {
+        for (k, b) in list.iter().enumerate() {
+            let (start, end) = (b.start, a.end);
+            let overlap = a.foot != b.foot && a.start < start && start < end && end < b.end;
+            let among = |(n, c): (usize, &Stance)| n != i && n != k && c.start <= end && c.end >= start;
+            if overlap && start > first && end < last && !list.iter().enumerate().any(among) {
+                out.push(Double { trailing: a.foot, leading: b.foot, start, end });
+            }
+        }
+    }
+    out
+}

@@ -1,0 +1,197 @@
+//! Ground reactions of a motion that is wholly prescribed.
+//!
+//! The whole wrench of the ground is the root's residual: what inverse dynamics finds at the root is what must come from
+//! outside. In single support it belongs to the foot that stands; in double support it is shared by the pivot split.
+//! With the feet's wrenches applied, the root's forces vanish and the joints' forces are those of the motion on its feet.
+
+use crate::carrier::Carrier;
+use crate::error::ReactionError;
+use crate::split::{FootSupport, split_at_pivot};
+use nalgebra::Vector3;
+use solaris_dynamics::{Tree, Workspace, Wrench, center_of_mass, inverse_dynamics};
+use solaris_model::{AxisKind, Contact, ContactTrack, Figure, JointKind, Motion};
+
+/// What a planner knows of the feet at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Support {
+    /// Share and nominal centre of pressure of the two feet.
+    pub feet: [FootSupport; 2],
+    /// Height of the point that the feet's forces point at, over the height of the centre of mass.
+    pub pivot: f64,
+    /// The total force that was prescribed (N), if one was; the report says how far the motion's is from it.
+    pub force: Option<Vector3<f64>>,
+}
+
+/// Gives the support at any time of a motion.
+pub trait SupportLaw: Sync {
+    /// At time `t` (s).
+    fn support(&self, t: f64) -> Support;
+}
+
+/// What was found, besides the contacts and forces in the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReactionReport {
+    /// Name of the rule that shares the load in double support.
+    pub split: &'static str,
+    /// Greatest force (N) and moment (N m) that is left at the root's degrees of freedom; rounding.
+    pub root_residual: (f64, f64),
+    /// Greatest difference of the total force from the prescribed one (N), and when (s).
+    pub from_prescribed: Option<(f64, f64)>,
+    /// Greatest difference of the total centre of pressure from the nominal one (m), and when (s).
+    pub cop_from_nominal: (f64, f64),
+}
+
+/// A foot: the links that carry its wrench.
+pub(crate) struct Foot {
+    name: String,
+    pub(crate) carrier: Carrier,
+}
+
+impl Foot {
+    pub(crate) fn find(figure: &Figure, name: &str) -> Result<Self, ReactionError> {
+        let link = figure.link_index(name).ok_or_else(|| ReactionError::MissingLink {
+            figure: figure.name().to_owned(),
+            link: name.to_owned(),
+        })?;
+        if figure.links()[link].sole().is_empty() {
+            return Err(ReactionError::NoSole { link: name.to_owned() });
+        }
+        let links = figure.links().iter().enumerate();
+        let toes = links.filter(|(_, child)| child.parent() == Some(link));
+        let carrier = toes.map(|(toes, _)| toes).find_map(|toes| Carrier::of_two(figure, link, toes));
+        Ok(Self { name: name.to_owned(), carrier: carrier.unwrap_or(Carrier::of_one(link)) })
+    }
+}
+
+/// Finds the ground's wrench on two feet and the joints' forces, and writes both to the motion.
+///
+/// The contacts carry the feet's names, whichever link of the foot the wrench acts on: the toes, once the centre of
+/// pressure has passed the ball. Frames are independent of each other and solved on all cores where the feature
+/// `parallel` is on; the results do not depend on it.
+///
+/// # Errors
+///
+/// A motion of another figure, links that are no feet, and a motion that needs a ground that pulls.
+pub fn ground_reactions(
+    figure: &Figure,
+    motion: &mut Motion,
+    feet: [&str; 2],
+    law: &impl SupportLaw,
+) -> Result<ReactionReport, ReactionError> {
+    motion.check_figure(figure)?;
+    let gravity = motion.info.gravity;
+    let up = -gravity.try_normalize(1e-9).ok_or(ReactionError::NoGravity)?;
+    let tree = Tree::<f64>::new(figure, gravity)?;
+    if feet[0] == feet[1] {
+        return Err(ReactionError::OneFootTwice { link: feet[0].to_owned() });
+    }
+    let feet = [Foot::find(figure, feet[0])?, Foot::find(figure, feet[1])?];
+    let scene = Scene { tree: &tree, feet: &feet, up, motion, law };
+    let frames = scene.solve()?;
+
+    let root = figure.layout().joints()[0];
+    let mut report = ReactionReport {
+        split: "pivot",
+        root_residual: (0.0, 0.0),
+        from_prescribed: None,
+        cop_from_nominal: (0.0, 0.0),
+    };
+    let mut tau = Vec::with_capacity(motion.len() * tree.nv());
+    let mut tracks =
+        feet.map(|foot| ContactTrack { link: foot.name, samples: Vec::with_capacity(motion.len()) });
+    let slides = slides(figure.links()[0].joint().kind());
+    for (frame, &time) in frames.into_iter().zip(motion.time()) {
+        for (residual, slide) in frame.tau[root.v..root.v + root.nv].iter().zip(&slides) {
+            let greatest = if *slide { &mut report.root_residual.0 } else { &mut report.root_residual.1 };
+            *greatest = greatest.max(residual.abs());
+        }
+        if let Some(difference) = frame.from_prescribed
+            && report.from_prescribed.is_none_or(|(worst, _)| difference > worst)
+        {
+            report.from_prescribed = Some((difference, time));
+        }
+        if frame.cop_from_nominal > report.cop_from_nominal.0 {
+            report.cop_from_nominal = (frame.cop_from_nominal, time);
+        }
+        tau.extend(frame.tau);
+        for (track, contact) in tracks.iter_mut().zip(frame.contacts) {
+            track.samples.push(contact);
+        }
+    }
+    motion.set_tau(tau)?;
+    motion.contacts.retain(|track| tracks.iter().all(|new| new.link != track.link));
+    motion.contacts.extend(tracks);
+    Ok(report)
+}
+
+/// What one frame came to.
+struct Frame {
+    tau: Vec<f64>,
+    contacts: [Contact; 2],
+    from_prescribed: Option<f64>,
+    cop_from_nominal: f64,
+}
+
+/// What all frames share.
+struct Scene<'a, L> {
+    tree: &'a Tree<f64>,
+    feet: &'a [Foot; 2],
+    up: Vector3<f64>,
+    motion: &'a Motion,
+    law: &'a L,
+}
+
+impl<L: SupportLaw> Scene<'_, L> {
+    #[cfg(feature = "parallel")]
+    fn solve(&self) -> Result<Vec<Frame>, ReactionError> {
+        use rayon::prelude::*;
+        (0..self.motion.len())
+            .into_par_iter()
+            .map_init(|| Workspace::new(self.tree), |workspace, sample| self.frame(workspace, sample))
+            .collect()
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    fn solve(&self) -> Result<Vec<Frame>, ReactionError> {
+        let mut workspace = Workspace::new(self.tree);
+        (0..self.motion.len()).map(|sample| self.frame(&mut workspace, sample)).collect()
+    }
+
+    fn frame(&self, workspace: &mut Workspace<f64>, sample: usize) -> Result<Frame, ReactionError> {
+        let (q, v, a) = (self.motion.q(sample), self.motion.v(sample), self.motion.a(sample));
+        let time = self.motion.time()[sample];
+        let mut tau = vec![0.0; self.tree.nv()];
+        inverse_dynamics(self.tree, workspace, q, v, a, &[], &mut tau)?;
+        let base = workspace.base_wrench();
+        let total = Wrench { force: base.force, moment: base.moment };
+        let com = center_of_mass(self.tree, workspace, q)?;
+        let support = self.law.support(time);
+        let contacts = split_at_pivot(&total, &com, &self.up, support.pivot, &support.feet)
+            .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(&self.up) })?;
+        let nominal: Vector3<f64> = support.feet.iter().map(|foot| foot.cop * foot.share).sum();
+        let centre = total.centre_of_pressure(&self.up, nominal.dot(&self.up)).unwrap_or(nominal);
+        let wrench = |side: usize| {
+            let contact = contacts[side];
+            let link = self.feet[side].carrier.link(workspace, &contact.cop);
+            (link, Wrench { force: contact.force, moment: contact.moment })
+        };
+        let external = [wrench(0), wrench(1)];
+        inverse_dynamics(self.tree, workspace, q, v, a, &external, &mut tau)?;
+        Ok(Frame {
+            tau,
+            contacts,
+            from_prescribed: support.force.map(|force| (total.force - force).norm()),
+            cop_from_nominal: (centre - nominal).norm(),
+        })
+    }
+}
+
+/// Which degrees of freedom of a joint slide: their forces are in N, the others' in N m.
+pub(crate) fn slides(joint: &JointKind) -> Vec<bool> {
+    match joint {
+        JointKind::Free { .. } => (0..6).map(|k| k < 3).collect(),
+        _ => (0..joint.nv())
+            .map(|k| joint.axes().get(k).is_some_and(|dof| dof.axis.kind == AxisKind::Translation))
+            .collect(),
+    }
+}

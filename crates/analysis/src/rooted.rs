@@ -1,0 +1,150 @@
+//! Ground reactions with the foot that stands as the root, as the thesis computes a walk.
+
+use crate::error::ReactionError;
+use crate::reaction::Foot;
+use nalgebra::Vector3;
+use solaris_dynamics::{RootView, Tree, Workspace, Wrench, forward_kinematics, inverse_dynamics};
+use solaris_model::{Contact, Event, EventKind, Figure, Motion, RootAt};
+
+/// A foot that bears less than this share of the load gives the root to the other.
+const LEAST_SHARE: f64 = 1.0 / 3.0;
+
+/// What became of the forces when they were computed from the feet.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RootReport {
+    /// From when (s) on which link was the root.
+    pub roots: Vec<(f64, String)>,
+    /// Greatest difference of the root foot's force (N) and of its moment about the world's origin (N m) from what they were.
+    pub reaction: (f64, f64),
+    /// Greatest difference of a joint's force (N m or N) from what it was.
+    pub torque: f64,
+    /// Greatest of what was compared: force (N), moment (N m), joint force.
+    pub scale: (f64, f64, f64),
+}
+
+/// Computes the forces of a motion anew, from the foot that stands outwards: the link of that foot that carries the ground's
+/// force is the root, with the ground under it, and what the ground does to it is what inverse dynamics finds there.
+///
+/// The motion has been through [`crate::ground_reactions`]: while both feet stand, the other foot keeps the wrench that it got
+/// there. The root passes to the other foot when that bears more than two thirds of the load, and from a foot to its toes when
+/// the centre of pressure passes the ball. Joint forces, the root foot's contact and an event for each change of root are
+/// written to the motion; no choice of root changes a force by more than rounding, and the report says by how much it did.
+///
+/// # Errors
+///
+/// A motion of another figure or without forces and contacts of these feet, links that are no feet or cannot be the root.
+pub fn reactions_from_feet(
+    figure: &Figure,
+    motion: &mut Motion,
+    feet: [&str; 2],
+) -> Result<RootReport, ReactionError> {
+    motion.check_figure(figure)?;
+    let gravity = motion.info.gravity;
+    let up = -gravity.try_normalize(1e-9).ok_or(ReactionError::NoGravity)?;
+    let level = motion.info.ground.map_or(0.0, |ground| ground.height);
+    let carriers = [Foot::find(figure, feet[0])?.carrier, Foot::find(figure, feet[1])?.carrier];
+    let tracks = feet.map(|foot| motion.contacts.iter().position(|track| track.link == foot));
+    let [Some(left), Some(right)] = tracks else {
+        return Err(ReactionError::NoContacts { link: feet[usize::from(tracks[0].is_some())].to_owned() });
+    };
+    let tree = Tree::<f64>::new(figure, gravity)?;
+    let mut workspace = Workspace::new(&tree);
+    let mut views: Vec<View> = Vec::new();
+    let mut report = RootReport::default();
+    let (mut tau, mut on) = (Vec::with_capacity(motion.len() * tree.nv()), 0);
+    let mut new = [left, right].map(|track| motion.contacts[track].samples.clone());
+    for row in 0..motion.len() {
+        let contacts = [left, right].map(|track| motion.contacts[track].samples[row]);
+        let load = contacts.map(|contact| contact.force.dot(&up));
+        if load[on] < LEAST_SHARE * (load[0] + load[1]) {
+            on = 1 - on;
+        }
+        forward_kinematics(&tree, &mut workspace, motion.q(row))?;
+        let links = [0, 1].map(|side| carriers[side].link(&workspace, &contacts[side].cop));
+        if views.iter().all(|view| view.link != links[on]) {
+            views.push(View::new(figure, links[on], gravity)?);
+        }
+        // There is one now.
+        let Some(view) = views.iter_mut().find(|view| view.link == links[on]) else { continue };
+        let name = figure.links()[links[on]].name();
+        if report.roots.last().is_none_or(|(_, last)| last != name) {
+            report.roots.push((motion.time()[row], name.to_owned()));
+        }
+        let other =
+            (links[1 - on], Wrench { force: contacts[1 - on].force, moment: contacts[1 - on].moment });
+        let first = tau.len();
+        tau.resize(first + tree.nv(), 0.0);
+        let base = view.solve((motion.q(row), motion.v(row), motion.a(row)), other, &mut tau[first..])?;
+        let total = Wrench { force: base.force, moment: base.moment };
+        let cop = total.centre_of_pressure(&up, level).unwrap_or(contacts[on].cop);
+        new[on][row] = Contact { force: base.force, moment: base.moment, cop };
+        report.compare(&contacts[on], &base, motion.tau(row), &tau[first..]);
+    }
+    motion.set_tau(tau)?;
+    for (track, samples) in [left, right].into_iter().zip(new) {
+        motion.contacts[track].samples = samples;
+    }
+    // The first root is no change.
+    motion.events.extend(
+        report
+            .roots
+            .iter()
+            .skip(1)
+            .map(|(time, link)| Event { time: *time, kind: EventKind::RootChange { link: link.clone() } }),
+    );
+    motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    Ok(report)
+}
+
+impl RootReport {
+    fn compare(&mut self, was: &Contact, is: &Wrench<f64>, tau_was: Option<&[f64]>, tau_is: &[f64]) {
+        let greatest = |value: &mut f64, other: f64| *value = value.max(other);
+        greatest(&mut self.reaction.0, (is.force - was.force).norm());
+        greatest(&mut self.reaction.1, (is.moment - was.moment).norm());
+        greatest(&mut self.scale.0, was.force.norm());
+        greatest(&mut self.scale.1, was.moment.norm());
+        for (was, is) in tau_was.into_iter().flatten().zip(tau_is) {
+            greatest(&mut self.torque, (is - was).abs());
+            greatest(&mut self.scale.2, was.abs());
+        }
+    }
+}
+
+/// The figure from one of its links.
+struct View {
+    link: usize,
+    map: RootView<f64>,
+    tree: Tree<f64>,
+    workspace: Workspace<f64>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+    tau: Vec<f64>,
+}
+
+impl View {
+    fn new(figure: &Figure, link: usize, gravity: Vector3<f64>) -> Result<Self, ReactionError> {
+        let map = RootView::new(figure, link, RootAt::Joint)
+            .map_err(|source| ReactionError::Root { link: figure.links()[link].name().to_owned(), source })?;
+        let tree = Tree::new(map.figure(), gravity)?;
+        let (workspace, nq, nv) = (Workspace::new(&tree), tree.nq(), tree.nv());
+        let [v, a, tau] = [(); 3].map(|()| vec![0.0; nv]);
+        Ok(Self { link, map, tree, workspace, q: vec![0.0; nq], v, a, tau })
+    }
+
+    /// The forces of the joints (of the declared figure) in a state, with a wrench on another link; what the world does to the
+    /// root.
+    fn solve(
+        &mut self,
+        (q, v, a): (&[f64], &[f64], &[f64]),
+        (link, wrench): (usize, Wrench<f64>),
+        tau: &mut [f64],
+    ) -> Result<Wrench<f64>, ReactionError> {
+        self.map.to_view(q, v, a, &mut self.q, &mut self.v, &mut self.a)?;
+        let external = [(self.map.rerooted().links()[link].link, wrench)];
+        let Self { tree, workspace, .. } = self;
+        inverse_dynamics(tree, workspace, &self.q, &self.v, &self.a, &external, &mut self.tau)?;
+        self.map.joint_forces_from_view(&self.tau, q, tau)?;
+        Ok(self.workspace.base_wrench())
+    }
+}

@@ -1,0 +1,9 @@
+//! What is known of given motions, from outside.
+#![allow(clippy::print_stderr, reason = "what was measured")]
+
+mod consistency;
+mod ground;
+mod inverse;
+mod nearness;
+#[path = "inverse/pinned.rs"]
+mod pinned;

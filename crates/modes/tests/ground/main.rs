@@ -1,9 +1,0 @@
-//! The ground's forces of motions that are known: laws, hard cases, and measured data where it is present.
-
-mod hard;
-mod laws;
-mod measured;
-#[path = "../inverse/pinned.rs"]
-mod pinned;
-mod support;
-mod toes;
