@@ -5,7 +5,7 @@ use solaris_dynamics::Workspace;
 use solaris_model::{Figure, SolePart};
 
 /// One link, or a foot and its toes, which take over where the centre of pressure has passed the ball.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Carrier {
     link: usize,
     /// The toes' link, with the ball and the tip of its sole (m, in its frame).

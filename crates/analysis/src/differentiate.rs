@@ -1,9 +1,9 @@
-//! A record of positions to a motion with velocities and accelerations.
+//! Velocities and accelerations of recorded positions: a filter, splines, quaternions.
 
 mod turn;
 
 use crate::differentiate::turn::Turning;
-use solaris_model::{Figure, JointKind, JointLayout, Record};
+use solaris_model::{Figure, JointKind, JointLayout, Known, Motion, MotionError};
 use solaris_profiles::{Boundary, Butterworth, FilterError, NaturalSpline, ProfileError, odd_extension};
 
 /// A zero-phase Butterworth low-pass: see [`Butterworth`].
@@ -15,47 +15,29 @@ pub struct Filter {
     pub order: usize,
 }
 
-/// A motion with everything that inverse dynamics asks for.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Completed {
-    /// Times (s), or numbers of rows that have no time.
-    pub time: Vec<f64>,
-    /// Positions (m, rad; quaternions x, y, z, w), `nq` a row.
-    pub q: Vec<f64>,
-    /// Velocities (m/s, rad/s), `nv` a row.
-    pub v: Vec<f64>,
-    /// Accelerations (m/s², rad/s²), `nv` a row.
-    pub a: Vec<f64>,
-    /// How far (s) into each end of the record the filter is still filled with what was guessed beyond the end; zero
-    /// where nothing was filtered.
-    pub spoiled: f64,
-    /// Of each degree of freedom, whether its velocities or accelerations were found here; of the others all is the
-    /// record's.
-    pub differentiated: Vec<bool>,
+/// A motion of which velocities and accelerations are known, and how they were found.
+#[derive(Clone, Debug)]
+pub struct Differentiated {
+    /// The motion.
+    pub motion: Motion,
+    /// How far (s) into each end of the motion the filter is still filled with what was guessed beyond the end; zero where
+    /// nothing was filtered.
+    pub unsettled: f64,
+    /// Of each degree of freedom, whether its velocities or accelerations were found here; of the others all is as it was.
+    pub found: Vec<bool>,
 }
 
-/// Why a record cannot be completed.
+/// Why a motion cannot be differentiated.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum CompleteError {
-    /// The record is not one of this figure.
-    #[error("{what} of the record has {found} numbers; {rows} rows of figure '{figure}' have {expected}")]
-    Length {
-        /// Which column.
-        what: &'static str,
-        /// Numbers that it has.
-        found: usize,
-        /// Rows of the record.
-        rows: usize,
-        /// The figure.
-        figure: String,
-        /// Numbers that it must have.
-        expected: usize,
-    },
+pub enum DifferentiateError {
+    /// The motion is another figure's, or what comes out is none.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
     /// The filter refuses.
-    #[error("the record cannot be filtered: {0}")]
+    #[error("the motion cannot be filtered: {0}")]
     Filter(#[from] FilterError),
-    /// No curve goes through the record.
+    /// No curve goes through the samples.
     #[error("'{dof}' cannot be differentiated: {source}")]
     Curve {
         /// The degree of freedom or joint.
@@ -66,7 +48,7 @@ pub enum CompleteError {
     /// A joint that turns too far between samples.
     #[error(
         "joint '{joint}' turns by {degrees:.0}° from the sample before {time} s to that one, or filtering leaves nothing of its \
-         quaternion: its velocities cannot be told from so few samples; give them in the record, or record it faster"
+         quaternion: its velocities cannot be told from so few samples; give them with the positions, or record it faster"
     )]
     TurnsTooFar {
         /// The joint.
@@ -78,16 +60,16 @@ pub enum CompleteError {
     },
 }
 
-/// Completes `record` with the velocities and accelerations that it lacks.
+/// Finds the velocities and accelerations that `motion` lacks.
 ///
-/// What is given is used as it is, never filtered nor compared: of a degree of freedom with velocities and accelerations,
+/// What is known is used as it is, never filtered nor compared: of a degree of freedom with velocities and accelerations,
 /// everything. Of any other, the positions are filtered where `filter` asks for it, and stand filtered in the result; they
-/// are differentiated as the natural quintic spline through the samples ([`NaturalSpline`]). Where velocities are given and
+/// are differentiated as the natural quintic spline through the samples ([`NaturalSpline`]). Where velocities are known and
 /// accelerations are not, a filtered copy of the velocities is differentiated.
 ///
-/// With a filter, half the record is added on either side, turned about its end by half a turn (`x₋ₖ = 2 x₀ − xₖ`), the
-/// filter runs over all of it and the spline goes through all of it; this is what `OpenSim` does. A record whose rows
-/// need nothing may have rows at any times.
+/// With a filter, half the motion is added on either side, turned about its end by half a turn (`x₋ₖ = 2 x₀ − xₖ`), the
+/// filter runs over all of it and the spline goes through all of it; this is what `OpenSim` does. A motion that needs nothing
+/// may have samples at any times.
 ///
 /// Of ball and free joints the quaternions are given signs that follow each other, then each component is treated as
 /// above. With `s = |q|²` of the spline,
@@ -97,62 +79,69 @@ pub enum CompleteError {
 /// ```
 ///
 /// along the link's axes, exact whatever the spline's length; filtered quaternions are normalised. Velocities of such a
-/// joint count as given where all of them are.
+/// joint count as known where all of them are.
 ///
-/// Degrees of freedom that follow others ([`Figure::follow`]) are put where these lead them, last.
+/// Degrees of freedom that follow others ([`Figure::follow`]) are put where these lead them, last. Events, planted points and
+/// contacts stay; forces do not.
 ///
 /// # Errors
 ///
-/// A record of another figure, a filter or times that are none, a joint that turns by more than 120° between samples.
-pub fn complete(
+/// A motion of another figure, a filter or times that are none, a joint that turns by more than 120° between samples.
+#[doc(alias = "complete")]
+#[doc(alias = "derivative")]
+#[doc(alias = "filter")]
+pub fn differentiate(
     figure: &Figure,
-    record: &Record,
+    motion: &Motion,
     filter: Option<Filter>,
-) -> Result<Completed, CompleteError> {
-    let (nq, nv, rows) = (figure.layout().nq(), figure.layout().nv(), record.time.len());
-    let lengths = [
-        ("q", record.q.len(), rows * nq),
-        ("v", record.v.len(), rows * nv),
-        ("a", record.a.len(), rows * nv),
-    ];
-    let known = [("known_v", record.known_v.len(), nv), ("known_a", record.known_a.len(), nv)];
-    if let Some((what, found, expected)) =
-        lengths.into_iter().chain(known).find(|(_, found, length)| found != length)
-    {
-        return Err(CompleteError::Length { what, found, rows, figure: figure.name().to_owned(), expected });
-    }
-    let (time, q, v, a) = (record.time.clone(), record.q.clone(), record.v.clone(), record.a.clone());
-    let mut out = Completed { time, q, v, a, spoiled: 0.0, differentiated: vec![false; nv] };
+) -> Result<Differentiated, DifferentiateError> {
+    motion.check_figure(figure)?;
+    let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+    let [q, v, a] = motion.columns().map(<[f64]>::to_vec);
+    let (mut out, mut found, mut unsettled) = (States { q, v, a }, vec![false; nv], 0.0);
     let mut smoother = None;
     for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
         let joint = link.joint();
         for part in parts(joint.kind(), at) {
             let all = |known: &[bool]| known[part.v..part.v + part.nv].iter().all(|known| *known);
-            let known = (all(&record.known_v), all(&record.known_a));
+            let known = (all(&motion.known().v), all(&motion.known().a));
             if known == (true, true) || figure.follows(part.v) {
                 continue;
             }
             let smoother = match &mut smoother {
                 Some(smoother) => smoother,
-                none => none.insert(Smoother::new(&record.time, filter)?),
+                none => none.insert(Smoother::new(motion.time(), filter)?),
             };
-            out.differentiated[part.v..part.v + part.nv].fill(true);
+            found[part.v..part.v + part.nv].fill(true);
             let name = if part.nv == 1 { &figure.layout().v_names()[part.v] } else { joint.name() };
-            let columns = Columns { record, figure, name, smoother };
+            let columns = Columns { motion, figure, name, smoother };
             match joint.kind().quaternion() {
                 None => columns.coordinate(&part, known, &mut out)?,
                 Some(_) => columns.joint(&part, known, &mut out)?,
             }
-            out.spoiled = smoother.spoiled;
+            unsettled = smoother.unsettled;
         }
     }
     if !figure.followers().is_empty() {
-        for row in 0..rows {
+        for row in 0..motion.len() {
             let (q, v) = (&mut out.q[row * nq..][..nq], &mut out.v[row * nv..][..nv]);
             figure.follow(q, v, &mut out.a[row * nv..][..nv]);
         }
     }
-    Ok(out)
+    let columns = [out.q, out.v, out.a];
+    let mut whole =
+        Motion::recorded(figure, motion.info.clone(), motion.time().to_vec(), columns, Known::all(nv))?;
+    whole.events.clone_from(&motion.events);
+    whole.planted.clone_from(&motion.planted);
+    whole.contacts.clone_from(&motion.contacts);
+    Ok(Differentiated { motion: whole, unsettled, found })
+}
+
+/// The columns of all samples.
+struct States {
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
 }
 
 /// What is differentiated together: each axis by itself, a ball or free joint as a whole.
@@ -169,13 +158,13 @@ struct Smoother {
     /// Samples added on either side.
     pad: usize,
     time: Vec<f64>,
-    spoiled: f64,
+    unsettled: f64,
 }
 
 impl Smoother {
-    fn new(time: &[f64], filter: Option<Filter>) -> Result<Self, CompleteError> {
+    fn new(time: &[f64], filter: Option<Filter>) -> Result<Self, DifferentiateError> {
         let Some(Filter { cutoff, order }) = filter else {
-            return Ok(Self { filter: None, pad: 0, time: time.to_vec(), spoiled: 0.0 });
+            return Ok(Self { filter: None, pad: 0, time: time.to_vec(), unsettled: 0.0 });
         };
         let rate = Butterworth::rate_of(time)?;
         let filter = Butterworth::low_pass(order, cutoff, rate)?;
@@ -184,25 +173,25 @@ impl Smoother {
             return Err(FilterError::TooShort { samples, order, needed }.into());
         }
         let pad = samples / 2;
-        let spoiled = filter.settling(samples) as f64 / rate;
-        Ok(Self { filter: Some(filter), pad, time: odd_extension(time, pad), spoiled })
+        let unsettled = filter.settling(samples) as f64 / rate;
+        Ok(Self { filter: Some(filter), pad, time: odd_extension(time, pad), unsettled })
     }
 
     /// Position, velocity and acceleration of one column at its rows, filtered.
-    fn differentiate(&self, dof: &str, column: &[f64]) -> Result<Vec<Boundary>, CompleteError> {
+    fn differentiate(&self, dof: &str, column: &[f64]) -> Result<Vec<Boundary>, DifferentiateError> {
         let smooth = match &self.filter {
             None => column.to_vec(),
             Some(filter) => filter.zero_phase(&odd_extension(column, self.pad))?,
         };
         let curve = NaturalSpline::new(&self.time, &smooth)
-            .map_err(|source| CompleteError::Curve { dof: dof.to_owned(), source })?;
+            .map_err(|source| DifferentiateError::Curve { dof: dof.to_owned(), source })?;
         Ok(curve.nodes()[self.pad..self.pad + column.len()].to_vec())
     }
 }
 
 /// The columns of one joint.
 struct Columns<'a> {
-    record: &'a Record,
+    motion: &'a Motion,
     figure: &'a Figure,
     name: &'a str,
     smoother: &'a Smoother,
@@ -210,7 +199,7 @@ struct Columns<'a> {
 
 impl Columns<'_> {
     fn column(&self, from: &[f64], width: usize, index: usize) -> Vec<f64> {
-        from.iter().skip(index).step_by(width).copied().take(self.record.time.len()).collect()
+        from.iter().skip(index).step_by(width).copied().take(self.motion.len()).collect()
     }
 
     fn widths(&self) -> (usize, usize) {
@@ -218,10 +207,11 @@ impl Columns<'_> {
     }
 
     /// The accelerations of `nv` degrees of freedom from their given velocities.
-    fn accelerate(&self, part: &JointLayout, out: &mut Completed) -> Result<(), CompleteError> {
+    fn accelerate(&self, part: &JointLayout, out: &mut States) -> Result<(), DifferentiateError> {
         let (_, nv) = self.widths();
         for dof in part.v..part.v + part.nv {
-            let nodes = self.smoother.differentiate(self.name, &self.column(&self.record.v, nv, dof))?;
+            let nodes =
+                self.smoother.differentiate(self.name, &self.column(self.motion.columns()[1], nv, dof))?;
             for (row, node) in nodes.iter().enumerate() {
                 out.a[row * nv + dof] = node.velocity;
             }
@@ -234,10 +224,11 @@ impl Columns<'_> {
         &self,
         part: &JointLayout,
         (known_v, known_a): (bool, bool),
-        out: &mut Completed,
-    ) -> Result<(), CompleteError> {
+        out: &mut States,
+    ) -> Result<(), DifferentiateError> {
         let (nq, nv) = self.widths();
-        let nodes = self.smoother.differentiate(self.name, &self.column(&self.record.q, nq, part.q))?;
+        let nodes =
+            self.smoother.differentiate(self.name, &self.column(self.motion.columns()[0], nq, part.q))?;
         for (row, node) in nodes.iter().enumerate() {
             out.q[row * nq + part.q] = node.position;
             if !known_v {
@@ -255,21 +246,21 @@ impl Columns<'_> {
         &self,
         part: &JointLayout,
         (known_v, known_a): (bool, bool),
-        out: &mut Completed,
-    ) -> Result<(), CompleteError> {
+        out: &mut States,
+    ) -> Result<(), DifferentiateError> {
         let (nq, nv) = self.widths();
         let mut columns: Vec<Vec<f64>> =
-            (0..part.nq).map(|i| self.column(&self.record.q, nq, part.q + i)).collect();
+            (0..part.nq).map(|i| self.column(self.motion.columns()[0], nq, part.q + i)).collect();
         let quaternion = part.nq - 4;
-        let too_far = |(row, degrees): (usize, f64)| CompleteError::TurnsTooFar {
+        let too_far = |(row, degrees): (usize, f64)| DifferentiateError::TurnsTooFar {
             joint: self.name.to_owned(),
-            time: self.record.time[row],
+            time: self.motion.time()[row],
             degrees,
         };
         turn::align(&mut columns[quaternion..]).map_err(too_far)?;
         let nodes = columns.iter().map(|column| self.smoother.differentiate(self.name, column));
         let nodes = nodes.collect::<Result<Vec<_>, _>>()?;
-        for row in 0..self.record.time.len() {
+        for row in 0..self.motion.len() {
             let turning = Turning::new([0, 1, 2, 3].map(|i| nodes[quaternion + i][row]))
                 .ok_or_else(|| too_far((row, 180.0)))?;
             let mut state = [[0.0; 6]; 2];

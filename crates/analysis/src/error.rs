@@ -1,5 +1,6 @@
 //! Why there are no ground reactions.
 
+use crate::prepared::PrepareError;
 use solaris_dynamics::{DynamicsError, RootViewError};
 use solaris_model::MotionError;
 
@@ -63,6 +64,9 @@ pub enum ReactionError {
         /// Why.
         source: RootViewError,
     },
+    /// The motion is not ready for it.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
     /// The kernel refused.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),

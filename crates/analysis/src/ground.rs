@@ -10,7 +10,7 @@
 mod carry;
 mod consistency;
 mod error;
-mod given;
+mod fit;
 mod guess;
 mod judge;
 mod outline;

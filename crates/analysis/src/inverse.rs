@@ -1,12 +1,10 @@
 //! The joint forces of a motion that is known, with what acts on it from outside.
 
-use crate::differentiate::Completed;
-use crate::loads::{LoadError, Loads};
-use nalgebra::Vector3;
+use crate::loads::Loads;
+use crate::prepared::{PreparedMotion, StateError, each};
 use solaris_dynamics::{
-    DynamicsError, Tree, Workspace, Wrench, add_passive_forces, forward_kinematics, inverse_dynamics,
+    DynamicsError, Workspace, Wrench, add_passive_forces, forward_kinematics, inverse_dynamics,
 };
-use solaris_model::{Figure, ForceRecord};
 
 /// Frames between two reports of progress; enough to keep all cores busy.
 const CHUNK: usize = 2048;
@@ -66,26 +64,16 @@ pub struct Residual {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InverseError {
-    /// The motion is not one of this figure.
-    #[error("{what} of the motion has {found} numbers; {rows} rows of figure '{figure}' have {expected}")]
-    Length {
-        /// Which column.
-        what: &'static str,
-        /// Numbers that it has.
+    /// The loads were prepared for another motion.
+    #[error(
+        "the loads are known at {found} times, the motion has {samples} samples; prepare them at its times"
+    )]
+    Loads {
+        /// Times of the loads.
         found: usize,
-        /// Rows of the motion.
-        rows: usize,
-        /// The figure.
-        figure: String,
-        /// Numbers that it must have.
-        expected: usize,
+        /// Samples of the motion.
+        samples: usize,
     },
-    /// The forces do not fit the motion.
-    #[error(transparent)]
-    Load(#[from] LoadError),
-    /// The figure or its gravity cannot be computed with.
-    #[error(transparent)]
-    Tree(DynamicsError),
     /// A state that cannot be computed with.
     #[error("at {time} s: {source}")]
     State {
@@ -96,59 +84,59 @@ pub enum InverseError {
     },
 }
 
-/// The generalized forces that move `figure` through `motion` under `gravity` (m/s², world axes), with `loads` on its
-/// links.
+impl From<StateError> for InverseError {
+    fn from(StateError { time, source }: StateError) -> Self {
+        Self::State { time, source }
+    }
+}
+
+/// The generalized forces that move a figure through its motion, with `loads` on its links.
 ///
-/// What degrees of freedom that follow others would need is asked of their leaders ([`Figure::fold_forces`]), and theirs
-/// is zero. Frames are independent of each other and solved on all cores where the feature `parallel` is on; the results
+/// What degrees of freedom that follow others would need is asked of their leaders ([`solaris_model::Figure::fold_forces`]), and
+/// theirs is zero. Frames are independent of each other and solved on all cores where the feature `parallel` is on; the results
 /// do not depend on it.
 ///
 /// # Errors
 ///
-/// A motion that does not fit the figure, loads that do not fit the motion ([`Loads::at_times`]), and the first state
-/// that the kernel refuses.
+/// Loads of another motion, and the first state that the kernel refuses.
 ///
 /// # Examples
 ///
 /// Held level, a pendulum of 2 kg at half a metre needs 2 · 9.81 · 0.5 N m:
 ///
 /// ```
-/// use solaris_analysis::{InverseOptions, complete, inverse_motion};
-/// use solaris_model::{FigureBuilder, Joint, LinkSpec, Record, Vector3};
+/// use solaris_analysis::{InverseOptions, Loads, PreparedMotion, differentiate, inverse_motion};
+/// use solaris_model::{FigureBuilder, Joint, Known, LinkSpec, Motion, MotionInfo, Vector3};
 ///
 /// let bob = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(2.0).com(Vector3::new(0.0, -0.5, 0.0));
 /// let figure = FigureBuilder::new("pendulum").link(bob).build()?;
-/// let q = vec![-std::f64::consts::FRAC_PI_2; 2];
-/// let record = Record { time: vec![0.0, 0.1], q, v: vec![0.0; 2], a: vec![0.0; 2], known_v: vec![false], known_a: vec![false] };
-/// let motion = complete(&figure, &record, None)?;
-/// let gravity = Vector3::new(0.0, -9.81, 0.0);
-/// let report = inverse_motion(&figure, gravity, &motion, &[], InverseOptions::default())?;
+/// let (time, q) = (vec![0.0, 0.1], vec![-std::f64::consts::FRAC_PI_2; 2]);
+/// let info = MotionInfo::recorded(&figure, Vector3::new(0.0, -9.81, 0.0), &time);
+/// let recorded = Motion::recorded(&figure, info, time, [q, vec![0.0; 2], vec![0.0; 2]], Known::none(1))?;
+/// let motion = differentiate(&figure, &recorded, None)?.motion;
+/// let report = inverse_motion(&PreparedMotion::new(&figure, &motion)?, &Loads::none(), InverseOptions::default())?;
 /// assert!((report.tau[1] - -9.81).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "rnea")]
+#[doc(alias = "id")]
 pub fn inverse_motion(
-    figure: &Figure,
-    gravity: Vector3<f64>,
-    motion: &Completed,
-    loads: &[ForceRecord],
+    prepared: &PreparedMotion<'_>,
+    loads: &Loads,
     options: InverseOptions<'_>,
 ) -> Result<InverseReport, InverseError> {
-    let (nq, nv, rows) = (figure.layout().nq(), figure.layout().nv(), motion.time.len());
-    let lengths = [("q", motion.q.len(), nq), ("v", motion.v.len(), nv), ("a", motion.a.len(), nv)];
-    if let Some((what, found, width)) = lengths.into_iter().find(|(_, found, width)| *found != rows * width) {
-        let (figure, expected) = (figure.name().to_owned(), rows * width);
-        return Err(InverseError::Length { what, found, rows, figure, expected });
+    let (nv, samples, time) = (prepared.tree.nv(), prepared.motion.len(), prepared.time());
+    if let Some(found) = loads.samples().filter(|found| *found != samples) {
+        return Err(InverseError::Loads { found, samples });
     }
-    let tree = Tree::<f64>::new(figure, gravity).map_err(InverseError::Tree)?;
-    let loads = Loads::at_times(figure, loads, &motion.time)?;
-    let scene = Scene { figure, tree: &tree, motion, loads: &loads, passive: options.passive };
-    let mut report = InverseReport { tau: Vec::with_capacity(rows * nv), ..InverseReport::default() };
-    let mut wrenches = Vec::with_capacity(rows);
+    let scene = Scene { prepared, loads, passive: options.passive };
+    let mut report = InverseReport { tau: Vec::with_capacity(samples * nv), ..InverseReport::default() };
+    let mut wrenches = Vec::with_capacity(samples);
     let mut progress = options.progress;
-    for start in (0..rows).step_by(CHUNK) {
-        let end = rows.min(start + CHUNK);
-        for (frame, &time) in scene.solve(start..end).into_iter().zip(&motion.time[start..end]) {
-            let frame = frame.map_err(|source| InverseError::State { time, source })?;
+    for start in (0..samples).step_by(CHUNK) {
+        let end = samples.min(start + CHUNK);
+        let frames = each(start..end, || scene.scratch(), |scratch, row| scene.frame(scratch, row))?;
+        for frame in frames {
             report.tau.extend(frame.tau);
             wrenches.push([frame.force, frame.moment]);
         }
@@ -157,8 +145,8 @@ pub fn inverse_motion(
         }
     }
     let column = |dof: usize| report.tau.iter().skip(dof).step_by(nv.max(1)).copied();
-    report.dofs = (0..nv).map(|dof| extent(&motion.time, column(dof))).collect();
-    let [force, moment] = [0, 1].map(|part| extent(&motion.time, wrenches.iter().map(|wrench| wrench[part])));
+    report.dofs = (0..nv).map(|dof| extent(time, column(dof))).collect();
+    let [force, moment] = [0, 1].map(|part| extent(time, wrenches.iter().map(|wrench| wrench[part])));
     report.residual = Residual {
         force_rms: force.rms,
         force: force.greatest,
@@ -184,7 +172,7 @@ fn extent(time: &[f64], column: impl Iterator<Item = f64>) -> DofLoad {
     load
 }
 
-/// What one frame came to.
+/// The forces of one frame.
 struct Frame {
     tau: Vec<f64>,
     /// Magnitude of the residual force (N) and of its moment about the root link's origin (N m).
@@ -194,9 +182,7 @@ struct Frame {
 
 /// What all frames share.
 struct Scene<'a> {
-    figure: &'a Figure,
-    tree: &'a Tree<f64>,
-    motion: &'a Completed,
+    prepared: &'a PreparedMotion<'a>,
     loads: &'a Loads,
     passive: bool,
 }
@@ -209,51 +195,43 @@ struct Scratch {
 
 impl Scene<'_> {
     fn scratch(&self) -> Scratch {
-        Scratch { workspace: Workspace::new(self.tree), external: Vec::new() }
+        Scratch { workspace: Workspace::new(&self.prepared.tree), external: Vec::new() }
     }
 
-    #[cfg(feature = "parallel")]
-    fn solve(&self, rows: std::ops::Range<usize>) -> Vec<Result<Frame, DynamicsError>> {
-        use rayon::prelude::*;
-        rows.into_par_iter().map_init(|| self.scratch(), |scratch, row| self.frame(scratch, row)).collect()
+    fn frame(&self, scratch: &mut Scratch, row: usize) -> Result<Frame, StateError> {
+        self.solve(scratch, row).map_err(|source| StateError { time: self.prepared.time()[row], source })
     }
 
-    #[cfg(not(feature = "parallel"))]
-    fn solve(&self, rows: std::ops::Range<usize>) -> Vec<Result<Frame, DynamicsError>> {
-        let mut scratch = self.scratch();
-        rows.map(|row| self.frame(&mut scratch, row)).collect()
-    }
-
-    fn frame(&self, scratch: &mut Scratch, row: usize) -> Result<Frame, DynamicsError> {
+    fn solve(&self, scratch: &mut Scratch, row: usize) -> Result<Frame, DynamicsError> {
         let Scratch { workspace, external } = scratch;
-        let (nq, nv) = (self.tree.nq(), self.tree.nv());
-        let q = &self.motion.q[row * nq..][..nq];
-        let [v, a] = [&self.motion.v, &self.motion.a].map(|column| &column[row * nv..][..nv]);
-        let mut tau = vec![0.0; nv];
+        let PreparedMotion { figure, tree, .. } = self.prepared;
+        let (q, v, a) = (self.prepared.q(row), self.prepared.v(row), self.prepared.a(row));
+        let mut tau = vec![0.0; tree.nv()];
         if self.loads.move_over_links() {
-            forward_kinematics(self.tree, workspace, q)?;
+            forward_kinematics(tree, workspace, q)?;
         }
         self.loads.wrenches(workspace, row, external);
-        inverse_dynamics(self.tree, workspace, q, v, a, external, &mut tau)?;
+        inverse_dynamics(tree, workspace, q, v, a, external, &mut tau)?;
         let base = workspace.base_wrench();
         if external.is_empty() {
             // The links are placed only where something acts on them.
-            forward_kinematics(self.tree, workspace, q)?;
+            forward_kinematics(tree, workspace, q)?;
         }
         let origin = workspace.pose(0).translation;
         let moment = base.moment_about(&origin).norm();
         if self.passive {
-            add_passive_forces(self.figure, q, v, &mut tau);
+            add_passive_forces(figure, q, v, &mut tau);
         } else {
             self.take_armature_out(a, &mut tau);
         }
-        self.figure.fold_forces(q, &mut tau);
+        figure.fold_forces(q, &mut tau);
         Ok(Frame { tau, force: base.force.norm(), moment })
     }
 
     /// Armature adds `armature·a` to each force and does nothing else.
     fn take_armature_out(&self, a: &[f64], tau: &mut [f64]) {
-        for (link, at) in self.figure.links().iter().zip(self.figure.layout().joints()) {
+        let figure = self.prepared.figure;
+        for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
             for i in 0..at.nv {
                 tau[at.v + i] -= link.joint().kind().armature(i) * a[at.v + i];
             }

@@ -8,16 +8,20 @@ pub mod ground;
 mod inverse;
 mod loads;
 mod nearness;
+mod prepared;
+#[cfg(test)]
+mod random;
 mod reaction;
 mod rooted;
 mod split;
 
 pub use balance::balance_momentum;
-pub use differentiate::{CompleteError, Completed, Filter, complete};
+pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiate};
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
 pub use nearness::{Near, Nearest, Nearness, NearnessError, nearness};
+pub use prepared::{PrepareError, PreparedMotion};
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use rooted::{RootReport, reactions_from_feet};
 pub use split::{FootSupport, split_at_pivot};

@@ -1,15 +1,15 @@
-//! Measured forces at the times of a motion.
+//! What acts on a figure from outside, at the times of its motion.
 
 use crate::carrier::Carrier;
 use nalgebra::Vector3;
 use solaris_dynamics::{Workspace, Wrench};
-use solaris_model::{Contact, Figure, ForceRecord};
+use solaris_model::{Contact, Figure, MeasuredForce};
 
 /// How far (s) two times may be apart and still be the same.
 const SAME_TIME: f64 = 1e-9;
 
 /// What acts on a figure from outside, at the times of its motion.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Loads {
     tracks: Vec<Track>,
 }
@@ -108,6 +108,28 @@ fn near(nearest: Option<&str>) -> String {
 }
 
 impl Loads {
+    /// Nothing acts.
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// These and others.
+    #[must_use]
+    pub fn and(mut self, others: Self) -> Self {
+        self.tracks.extend(others.tracks);
+        self
+    }
+
+    /// `samples` on what carries them, one a time.
+    pub(crate) fn of(tracks: impl IntoIterator<Item = (Carrier, Vec<Contact>)>) -> Self {
+        Self { tracks: tracks.into_iter().map(|(carrier, samples)| Track { carrier, samples }).collect() }
+    }
+
+    /// At how many times they are known; `None` where nothing acts.
+    pub(crate) fn samples(&self) -> Option<usize> {
+        self.tracks.iter().map(|track| track.samples.len()).min()
+    }
+
     /// What `records` say at the times (s) of a motion.
     ///
     /// Where a time of a record agrees to 1e-9 s its sample is used as it is; between samples force and moment (about the
@@ -119,7 +141,7 @@ impl Loads {
     ///
     /// Links that the figure does not have, a second link of which ball and tip are not known, records that are none, and a motion
     /// that goes on where a record does not.
-    pub fn at_times(figure: &Figure, records: &[ForceRecord], time: &[f64]) -> Result<Self, LoadError> {
+    pub fn at_times(figure: &Figure, records: &[MeasuredForce], time: &[f64]) -> Result<Self, LoadError> {
         let tracks = records.iter().map(|record| {
             let carrier = carrier(figure, record)?;
             check(record)?;
@@ -148,7 +170,7 @@ impl Loads {
     }
 }
 
-fn carrier(figure: &Figure, record: &ForceRecord) -> Result<Carrier, LoadError> {
+fn carrier(figure: &Figure, record: &MeasuredForce) -> Result<Carrier, LoadError> {
     let find = |name: &String| {
         figure.link_index(name).ok_or_else(|| LoadError::UnknownLink {
             figure: figure.name().to_owned(),
@@ -172,7 +194,7 @@ fn carrier(figure: &Figure, record: &ForceRecord) -> Result<Carrier, LoadError> 
     }
 }
 
-fn check(record: &ForceRecord) -> Result<(), LoadError> {
+fn check(record: &MeasuredForce) -> Result<(), LoadError> {
     let (link, samples, times) = (record.links[0].clone(), record.samples.len(), record.time.len());
     if samples != times || times == 0 {
         return Err(LoadError::Length { link, samples, times });
@@ -195,7 +217,7 @@ fn numbers(contact: &Contact) -> impl Iterator<Item = f64> {
 }
 
 /// The record at the motion's times.
-fn sampled(record: &ForceRecord, time: &[f64]) -> Result<Vec<Contact>, LoadError> {
+fn sampled(record: &MeasuredForce, time: &[f64]) -> Result<Vec<Contact>, LoadError> {
     let (first, last) = (record.time[0], record.time[record.time.len() - 1]);
     let step = (last - first) / (record.time.len() - 1).max(1) as f64;
     let margin = step.max(SAME_TIME);
@@ -215,7 +237,7 @@ fn range(time: &[f64]) -> Option<(f64, f64)> {
 }
 
 /// One time, inside the record or by its end.
-fn at(record: &ForceRecord, t: f64) -> Contact {
+fn at(record: &MeasuredForce, t: f64) -> Contact {
     let (times, samples) = (&record.time, &record.samples);
     let after = times.partition_point(|time| *time < t - SAME_TIME);
     let Some(&next) = times.get(after) else { return samples[times.len() - 1] };

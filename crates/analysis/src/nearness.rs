@@ -222,21 +222,8 @@ impl Outlines {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use solaris_model::human;
-
-    /// A source of numbers in [0, 1): a linear congruence, its upper bits.
-    struct Random(u64);
-
-    impl Random {
-        fn next(&mut self) -> f64 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / 9_007_199_254_740_992.0
-        }
-
-        fn below(&mut self, end: usize) -> usize {
-            (self.next() * end as f64) as usize
-        }
-    }
 
     /// What is passed over is not nearer: every part against every part gives the same, to the bit, whatever pair is
     /// measured first.

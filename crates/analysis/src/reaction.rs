@@ -6,9 +6,10 @@
 
 use crate::carrier::Carrier;
 use crate::error::ReactionError;
+use crate::prepared::{PreparedMotion, each};
 use crate::split::{FootSupport, split_at_pivot};
 use nalgebra::Vector3;
-use solaris_dynamics::{Tree, Workspace, Wrench, center_of_mass, inverse_dynamics};
+use solaris_dynamics::{Workspace, Wrench, center_of_mass, inverse_dynamics};
 use solaris_model::{AxisKind, Contact, ContactTrack, Figure, JointKind, Motion};
 
 /// What a planner knows of the feet at one time.
@@ -78,16 +79,20 @@ pub fn ground_reactions(
     feet: [&str; 2],
     law: &impl SupportLaw,
 ) -> Result<ReactionReport, ReactionError> {
-    motion.check_figure(figure)?;
-    let gravity = motion.info.gravity;
-    let up = -gravity.try_normalize(1e-9).ok_or(ReactionError::NoGravity)?;
-    let tree = Tree::<f64>::new(figure, gravity)?;
+    let prepared = PreparedMotion::new(figure, motion)?;
+    if prepared.up.norm_squared() == 0.0 {
+        return Err(ReactionError::NoGravity);
+    }
     if feet[0] == feet[1] {
         return Err(ReactionError::OneFootTwice { link: feet[0].to_owned() });
     }
     let feet = [Foot::find(figure, feet[0])?, Foot::find(figure, feet[1])?];
-    let scene = Scene { tree: &tree, feet: &feet, up, motion, law };
-    let frames = scene.solve()?;
+    let scene = Scene { prepared: &prepared, feet: &feet, law };
+    let frames = each(
+        0..motion.len(),
+        || Workspace::new(&prepared.tree),
+        |workspace, row| scene.frame(workspace, row),
+    )?;
 
     let root = figure.layout().joints()[0];
     let mut report = ReactionReport {
@@ -96,7 +101,7 @@ pub fn ground_reactions(
         from_prescribed: None,
         cop_from_nominal: (0.0, 0.0),
     };
-    let mut tau = Vec::with_capacity(motion.len() * tree.nv());
+    let mut tau = Vec::with_capacity(motion.len() * figure.layout().nv());
     let mut tracks =
         feet.map(|foot| ContactTrack { link: foot.name, samples: Vec::with_capacity(motion.len()) });
     let slides = slides(figure.links()[0].joint().kind());
@@ -124,7 +129,7 @@ pub fn ground_reactions(
     Ok(report)
 }
 
-/// What one frame came to.
+/// The ground's forces in one frame, and the joints'.
 struct Frame {
     tau: Vec<f64>,
     contacts: [Contact; 2],
@@ -134,49 +139,32 @@ struct Frame {
 
 /// What all frames share.
 struct Scene<'a, L> {
-    tree: &'a Tree<f64>,
+    prepared: &'a PreparedMotion<'a>,
     feet: &'a [Foot; 2],
-    up: Vector3<f64>,
-    motion: &'a Motion,
     law: &'a L,
 }
 
 impl<L: SupportLaw> Scene<'_, L> {
-    #[cfg(feature = "parallel")]
-    fn solve(&self) -> Result<Vec<Frame>, ReactionError> {
-        use rayon::prelude::*;
-        (0..self.motion.len())
-            .into_par_iter()
-            .map_init(|| Workspace::new(self.tree), |workspace, sample| self.frame(workspace, sample))
-            .collect()
-    }
-
-    #[cfg(not(feature = "parallel"))]
-    fn solve(&self) -> Result<Vec<Frame>, ReactionError> {
-        let mut workspace = Workspace::new(self.tree);
-        (0..self.motion.len()).map(|sample| self.frame(&mut workspace, sample)).collect()
-    }
-
-    fn frame(&self, workspace: &mut Workspace<f64>, sample: usize) -> Result<Frame, ReactionError> {
-        let (q, v, a) = (self.motion.q(sample), self.motion.v(sample), self.motion.a(sample));
-        let time = self.motion.time()[sample];
-        let mut tau = vec![0.0; self.tree.nv()];
-        inverse_dynamics(self.tree, workspace, q, v, a, &[], &mut tau)?;
-        let base = workspace.base_wrench();
-        let total = Wrench { force: base.force, moment: base.moment };
-        let com = center_of_mass(self.tree, workspace, q)?;
+    fn frame(&self, workspace: &mut Workspace<f64>, row: usize) -> Result<Frame, ReactionError> {
+        let PreparedMotion { tree, up, .. } = self.prepared;
+        let (q, v, a) = (self.prepared.q(row), self.prepared.v(row), self.prepared.a(row));
+        let time = self.prepared.time()[row];
+        let mut tau = vec![0.0; tree.nv()];
+        inverse_dynamics(tree, workspace, q, v, a, &[], &mut tau)?;
+        let total = workspace.base_wrench();
+        let com = center_of_mass(tree, workspace, q)?;
         let support = self.law.support(time);
-        let contacts = split_at_pivot(&total, &com, &self.up, support.pivot, &support.feet)
-            .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(&self.up) })?;
+        let contacts = split_at_pivot(&total, &com, up, support.pivot, &support.feet)
+            .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(up) })?;
         let nominal: Vector3<f64> = support.feet.iter().map(|foot| foot.cop * foot.share).sum();
-        let centre = total.centre_of_pressure(&self.up, nominal.dot(&self.up)).unwrap_or(nominal);
+        let centre = total.centre_of_pressure(up, nominal.dot(up)).unwrap_or(nominal);
         let wrench = |side: usize| {
             let contact = contacts[side];
             let link = self.feet[side].carrier.link(workspace, &contact.cop);
             (link, Wrench { force: contact.force, moment: contact.moment })
         };
         let external = [wrench(0), wrench(1)];
-        inverse_dynamics(self.tree, workspace, q, v, a, &external, &mut tau)?;
+        inverse_dynamics(tree, workspace, q, v, a, &external, &mut tau)?;
         Ok(Frame {
             tau,
             contacts,

@@ -59,7 +59,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     progress.stage("writing");
     let table = |headings| {
         let tracks = &ground.forces.contacts;
-        force_table(headings, &given.states.time, tracks).map_err(CliError::other)
+        force_table(headings, given.motion().time(), tracks).map_err(CliError::other)
     };
     outputs.write(|content, mut writer| {
         match content {
@@ -80,7 +80,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     })?;
     drop(progress);
     let beside = plates.map(|plates| {
-        plates.beside(&given.states.time, &ground.forces.contacts, ground.forces.report.weight)
+        plates.beside(given.motion().time(), &ground.forces.contacts, ground.forces.report.weight)
     });
     let mut report = Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given) };
     if let Some((feet, whole)) = beside {
@@ -99,7 +99,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 
 /// Forces of each foot along the world's axes, and what plates measured.
 fn picture(ground: &Predicted, given: &Given, plates: Option<&Plates>) -> String {
-    let (time, tracks) = (&*given.states.time, &ground.forces.contacts);
+    let (time, tracks) = (given.motion().time(), &ground.forces.contacts);
     let mut feet: Vec<FootForces<'_>> = Vec::new();
     let [first, last] = [time.first(), time.last()].map(|time| time.copied().unwrap_or_default());
     for (sole, track) in tracks.iter().enumerate() {

@@ -14,7 +14,7 @@ use crate::progress::Progress;
 use clap::ArgMatches;
 use forces::External;
 use report::{Asked, Report};
-use solaris::analysis::{InverseOptions, inverse_motion};
+use solaris::analysis::{InverseOptions, Loads, inverse_motion};
 use solaris::io::{csv, sto};
 use std::path::PathBuf;
 
@@ -30,27 +30,31 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     progress.stage("reading");
     let mut given = Given::read(matches, &of, &from, &progress)?;
     let external = External::read(matches)?;
-    let mut loads = external.records(&given.body.figure)?;
+    let measured = external.records(&given.body.figure)?;
 
     progress.stage("finding the forces");
     let ground = matches.get_flag("ground").then(|| Predicted::find(matches, &mut given)).transpose()?;
     let figure = &given.body.figure;
-    loads.extend(ground.iter().flat_map(|ground| ground.forces.records()));
+    let mut loads = Loads::at_times(figure, &measured, given.motion().time())
+        .map_err(|error| CliError::input(&from, &error))?;
+    if let Some(ground) = &ground {
+        loads = loads.and(ground.forces.loads());
+    }
     let passive = matches.get_one::<String>("passive").is_none_or(|on| on == "on");
-    let rows = progress.rows(given.states.time.len());
+    let rows = progress.rows(given.motion().len());
     let mut count = |done: usize| rows.at(done);
     let options = InverseOptions { passive, progress: Some(&mut count) };
-    let forces = inverse_motion(figure, given.body.gravity, &given.states, &loads, options)
+    let forces = inverse_motion(&given.prepared()?, &loads, options)
         .map_err(|error| CliError::input(&from, &error))?;
 
     progress.stage("writing");
     outputs.write(|content, mut writer| {
         match content {
             Content::Forces(TableFormat::Csv) => {
-                csv::write_table(&tables::torques(figure, &given.states, &forces), &mut writer)
+                csv::write_table(&tables::torques(figure, given.motion(), &forces), &mut writer)
             }
             Content::Forces(TableFormat::Sto) => {
-                sto::write(&tables::moments(figure, &given.states, &forces), &mut writer)
+                sto::write(&tables::moments(figure, given.motion(), &forces), &mut writer)
             }
             Content::Motion(format) => return write_motion(format, writer, &given),
         }

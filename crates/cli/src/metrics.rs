@@ -52,7 +52,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     progress.stage("finding the steps");
     let evidence = Evidence::find(matches, &given)?;
     progress.stage("measuring");
-    let all = metrics(&evidence.given(&given)).map_err(|error| CliError::input(&from, &error))?;
+    let prepared = given.prepared()?;
+    let all = metrics(&evidence.input(&prepared)).map_err(|error| CliError::input(&from, &error))?;
     let report = Report::new(GivenReport::new(&given), &evidence, &all);
     outputs.write(|format, mut writer| match format {
         Format::Json => report.write_json(writer).map_err(CliError::other),

@@ -16,7 +16,7 @@ mod tracks;
 
 use crate::error::GaitError;
 use nalgebra::Vector3;
-use solaris_analysis::Completed;
+use solaris_analysis::PreparedMotion;
 use solaris_analysis::ground::{self, Sole, Stances};
 use solaris_model::{ContactTrack, Figure};
 use stride::Steps;
@@ -24,13 +24,9 @@ use tracks::Tracks;
 
 /// What is known of a motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Given<'a> {
-    /// Who moves.
-    pub figure: &'a Figure,
-    /// Gravity (m/s², world axes).
-    pub gravity: Vector3<f64>,
-    /// The motion.
-    pub states: &'a Completed,
+pub struct MetricsInput<'a> {
+    /// The motion of the figure.
+    pub motion: &'a PreparedMotion<'a>,
     /// The feet; empty where the figure has none.
     pub soles: &'a [Sole],
     /// When which foot stands, on a ground at which height and of which velocity; `None` where that is not known.
@@ -119,7 +115,7 @@ pub fn stances_of_contacts(
 ///
 /// # Errors
 ///
-/// No gravity, a motion that is not the figure's, tracks or stances that do not fit it, and the first state that the kernel
+/// No gravity, tracks or stances that do not fit it, and the first state that the kernel
 /// refuses.
 ///
 /// # Examples
@@ -127,21 +123,22 @@ pub fn stances_of_contacts(
 /// Nobody who stands still makes steps, and says so:
 ///
 /// ```
-/// use solaris_gait::metrics::{Given, NoValue, metrics};
+/// use solaris_gait::metrics::{MetricsInput, NoValue, metrics};
 /// use solaris_model::{Vector3, human};
-/// use solaris_analysis::Completed;
+/// use solaris_analysis::PreparedMotion;
 ///
 /// let ann = human(1.65, 58.0)?;
 /// let (nq, nv) = (ann.layout().nq(), ann.layout().nv());
-/// let states = Completed { time: vec![0.0, 0.1], q: vec![0.0; 2 * nq], v: vec![0.0; 2 * nv], a: vec![0.0; 2 * nv], ..Completed::default() };
-/// let gravity = Vector3::new(0.0, -9.80665, 0.0);
-/// let all = metrics(&Given { figure: &ann, gravity, states: &states, soles: &[], stances: None, contacts: None })?;
+/// let columns = [vec![0.0; 2 * nq], vec![0.0; 2 * nv], vec![0.0; 2 * nv]];
+/// let motion = Motion::new(&ann, MotionInfo::on_earth(&ann, 10.0), vec![0.0, 0.1], columns)?;
+/// let motion = PreparedMotion::new(&ann, &motion)?;
+/// let all = metrics(&MetricsInput { motion: &motion, soles: &[], stances: None, contacts: None })?;
 /// let of = |key: &str| all.iter().find(|metric| metric.key == key).map(|metric| metric.value);
 /// assert_eq!(of("bob_cm"), Some(Ok(0.0)));
 /// assert_eq!(of("step_length_m"), Some(Err(NoValue::NoFeet)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn metrics(given: &Given<'_>) -> Result<Vec<Metric>, GaitError> {
+pub fn metrics(given: &MetricsInput<'_>) -> Result<Vec<Metric>, GaitError> {
     let tracks = Tracks::of(given)?;
     let steps = Steps::of(given, &tracks);
     let mut all = feet::metrics(given, &tracks);

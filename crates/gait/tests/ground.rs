@@ -3,14 +3,13 @@
 use solaris_analysis::ground::{
     GroundForces, GroundOptions, Split, Stances, ground_forces, soles, stances_of_planted,
 };
-use solaris_analysis::{Completed, InverseOptions, ground_reactions, inverse_motion};
+use solaris_analysis::{InverseOptions, PreparedMotion, ground_reactions, inverse_motion};
 use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
 use solaris_model::{Figure, Motion, human};
 
 struct Walked {
     figure: Figure,
     motion: Motion,
-    states: Completed,
     planted: Stances,
 }
 
@@ -25,23 +24,18 @@ fn walked(step_frequency: f64, steps: usize) -> Walked {
     let plan: WalkPlan = walk(&figure, &request).expect("a walk");
     let mut motion = plan.motion(&figure, 120.0).expect("a motion");
     ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
-    let rows = |of: &dyn Fn(usize) -> Vec<f64>| (0..motion.len()).flat_map(of).collect::<Vec<_>>();
-    let states = Completed {
-        time: motion.time().to_vec(),
-        q: rows(&|i| motion.q(i).to_vec()),
-        v: rows(&|i| motion.v(i).to_vec()),
-        a: rows(&|i| motion.a(i).to_vec()),
-        ..Completed::default()
-    };
     let planted = stances_of_planted(&soles(&figure), &motion.planted, 0.0);
-    Walked { figure, motion, states, planted }
+    Walked { figure, motion, planted }
 }
 
 impl Walked {
+    fn prepared(&self) -> PreparedMotion<'_> {
+        PreparedMotion::new(&self.figure, &self.motion).expect("ready")
+    }
+
     fn ground(&self, split: Split, stances: Option<Stances>) -> GroundForces {
         let options = GroundOptions { split, stances, ..GroundOptions::default() };
-        let gravity = self.motion.info.gravity;
-        ground_forces(&self.figure, gravity, &self.states, &soles(&self.figure), &options).expect("forces")
+        ground_forces(&self.prepared(), &soles(&self.figure), &options).expect("forces")
     }
 }
 
@@ -101,9 +95,7 @@ fn what_is_found_carries_the_walk() {
     let walked = walked(110.0, 4);
     for split in Split::ALL {
         let ground = walked.ground(split, None);
-        let gravity = walked.motion.info.gravity;
-        let options = InverseOptions::default();
-        let report = inverse_motion(&walked.figure, gravity, &walked.states, &ground.records(), options);
+        let report = inverse_motion(&walked.prepared(), &ground.loads(), InverseOptions::default());
         let left = report.expect("torques").residual;
         assert!(left.force < 1e-10 && left.moment < 1e-10, "{}: {left:?}", split.name());
         assert_eq!(ground.report.unsupported.frames, 0);

@@ -1,10 +1,10 @@
 //! Metrics of any motion: a walk of ours against its own measures, a foot that slides, a motion that sinks.
 
 use solaris_analysis::ground::{Belt, Sole, Stance, StanceOptions, Stances, find_stances, soles};
-use solaris_analysis::{Completed, ground_reactions};
-use solaris_gait::metrics::{Given, Metric, NoValue, metrics, stances_of_contacts};
+use solaris_analysis::{PreparedMotion, ground_reactions};
+use solaris_gait::metrics::{Metric, MetricsInput, NoValue, metrics, stances_of_contacts};
 use solaris_gait::{Extent, FEET, SteadyStride, WalkMeasures, WalkRequest, measure, walk};
-use solaris_model::{ContactTrack, Figure, Motion, Vector3, human};
+use solaris_model::{ContactTrack, Figure, Motion, MotionInfo, Vector3, human};
 
 const RATE: f64 = 120.0;
 
@@ -12,22 +12,16 @@ fn gravity() -> Vector3<f64> {
     Vector3::new(0.0, -9.806_65, 0.0)
 }
 
-/// A motion as a table has it: no events, no planted points.
-fn states(motion: &Motion) -> Completed {
-    let all = |of: &dyn Fn(usize) -> Vec<f64>| (0..motion.len()).flat_map(of).collect();
-    Completed {
-        time: motion.time().to_vec(),
-        q: all(&|i| motion.q(i).to_vec()),
-        v: all(&|i| motion.v(i).to_vec()),
-        a: all(&|i| motion.a(i).to_vec()),
-        ..Completed::default()
-    }
+/// A motion as a table has it: no events, no planted points, no forces.
+fn states(figure: &Figure, motion: &Motion) -> Motion {
+    let columns = motion.columns().map(<[f64]>::to_vec);
+    Motion::new(figure, motion.info.clone(), motion.time().to_vec(), columns).expect("a motion")
 }
 
 struct Walked {
     figure: Figure,
     soles: Vec<Sole>,
-    states: Completed,
+    states: Motion,
     contacts: Vec<ContactTrack>,
     measures: WalkMeasures,
 }
@@ -47,26 +41,29 @@ impl Walked {
         let soles = soles(&figure);
         let track = |sole: &Sole| motion.contact(&sole.name).expect("a track").clone();
         let contacts = soles.iter().map(track).collect();
-        Self { states: states(&motion), figure, soles, contacts, measures }
+        Self { states: states(&figure, &motion), figure, soles, contacts, measures }
+    }
+
+    fn prepared(&self) -> PreparedMotion<'_> {
+        PreparedMotion::new(&self.figure, &self.states).expect("ready")
     }
 
     fn found(&self, belt: Belt) -> Stances {
         let options = StanceOptions { belt, ..StanceOptions::default() };
-        let found = find_stances(&self.figure, gravity(), &self.states, &self.soles, &options);
+        let found = find_stances(&self.prepared(), &self.soles, &options);
         Stances { level: 0.0, ..found.expect("stances") }
     }
 
     /// By the contacts.
     fn stances(&self) -> Stances {
         let found = self.found(Belt::Still);
-        stances_of_contacts(&self.figure, gravity(), &self.states.time, &self.contacts, &found)
+        stances_of_contacts(&self.figure, gravity(), self.states.time(), &self.contacts, &found)
     }
 
     fn metrics(&self, stances: &Stances) -> Vec<Metric> {
-        let given = Given {
-            figure: &self.figure,
-            gravity: gravity(),
-            states: &self.states,
+        let prepared = self.prepared();
+        let given = MetricsInput {
+            motion: &prepared,
             soles: &self.soles,
             stances: Some(stances),
             contacts: Some(&self.contacts),
@@ -123,21 +120,22 @@ fn a_walk_of_ours_has_the_numbers_of_its_own_report() {
 /// A person who stands and is moved as a whole.
 fn moved(velocity: Vector3<f64>, lower: f64) -> Walked {
     let mut walked = Walked::of(110.0, 8);
-    let (nq, nv) = (walked.figure.layout().nq(), walked.figure.layout().nv());
-    let first = walked.states.q[..nq].to_vec();
-    for row in 0..walked.states.time.len() {
-        let time = walked.states.time[row] - walked.states.time[0];
-        let q = &mut walked.states.q[row * nq..][..nq];
-        q.copy_from_slice(&first);
+    let nv = walked.figure.layout().nv();
+    let first = walked.states.q(0).to_vec();
+    let start = walked.states.time()[0];
+    let (mut q, mut v) = (Vec::new(), Vec::new());
+    for &time in walked.states.time() {
+        let place = q.len();
+        q.extend_from_slice(&first);
         for k in 0..3 {
-            q[k] += velocity[k] * time;
+            q[place + k] += velocity[k] * (time - start);
         }
-        q[1] -= lower;
-        let v = &mut walked.states.v[row * nv..][..nv];
-        v.fill(0.0);
-        v[..3].copy_from_slice(velocity.as_slice());
+        q[place + 1] -= lower;
+        v.extend_from_slice(velocity.as_slice());
+        v.resize(v.len() + nv - 3, 0.0);
     }
-    walked.states.a.fill(0.0);
+    let a = vec![0.0; v.len()];
+    walked.states.set_states(&walked.figure, [q, v, a]).expect("states");
     walked
 }
 
@@ -145,7 +143,7 @@ fn moved(velocity: Vector3<f64>, lower: f64) -> Walked {
 fn feet_that_slide_are_told_how_far() {
     let walked = moved(Vector3::new(0.06, 0.0, 0.08), 0.0);
     let all = walked.metrics(&walked.found(Belt::Still));
-    let duration = walked.states.time[walked.states.time.len() - 1];
+    let duration = walked.states.time()[walked.states.len() - 1];
     assert!((of(&all, "slide_speed_mm_s") - 100.0).abs() < 1e-9);
     assert!((of(&all, "slide_greatest_mm") - 100.0 * duration).abs() < 1e-8);
     assert!((of(&all, "slide_mean_mm") - 100.0 * duration).abs() < 1e-8);
@@ -166,9 +164,11 @@ fn a_walk_that_slides_as_a_whole_slides_by_that() {
     let nq = walked.figure.layout().nq();
     let stances = walked.stances();
     let own = of(&walked.metrics(&stances), "slide_speed_mm_s");
-    for row in 0..walked.states.time.len() {
-        walked.states.q[row * nq] += 0.1 * walked.states.time[row];
+    let [mut q, v, a] = walked.states.columns().map(<[f64]>::to_vec);
+    for (row, time) in walked.states.time().iter().enumerate() {
+        q[row * nq] += 0.1 * time;
     }
+    walked.states.set_states(&walked.figure, [q, v, a]).expect("states");
     let found = of(&walked.metrics(&stances), "slide_speed_mm_s");
     assert!((found - 100.0).abs() <= own, "{found} mm/s, {own} of its own");
 }
@@ -185,14 +185,8 @@ fn what_is_lowered_sinks() {
 #[test]
 fn what_cannot_be_told_says_why() {
     let walked = Walked::of(110.0, 8);
-    let given = Given {
-        figure: &walked.figure,
-        gravity: gravity(),
-        states: &walked.states,
-        soles: &[],
-        stances: None,
-        contacts: None,
-    };
+    let prepared = walked.prepared();
+    let given = MetricsInput { motion: &prepared, soles: &[], stances: None, contacts: None };
     let all = metrics(&given).expect("metrics");
     for key in ["slide_greatest_mm", "sink_mm", "clearance_mm", "touch_downs", "vertical_first_percent_bw"] {
         assert_eq!(why(&all, key), Some(NoValue::NoFeet), "{key}");
@@ -200,41 +194,37 @@ fn what_cannot_be_told_says_why() {
     assert!(of(&all, "bob_cm") > 1.0 && of(&all, "spectral_arc_length") < -1.0);
     let stances = walked.stances();
     let three: Vec<Sole> = walked.soles.iter().chain(&walked.soles[..1]).cloned().collect();
-    let given = Given { soles: &three, stances: Some(&stances), ..given };
+    let given = MetricsInput { soles: &three, stances: Some(&stances), ..given };
     let all = metrics(&given).expect("metrics");
     assert_eq!(why(&all, "step_length_m"), Some(NoValue::NotTwoFeet { feet: 3 }));
     assert_eq!(why(&all, "braking_percent_bw"), Some(NoValue::NoForces));
-    let weightless = Given { gravity: Vector3::zeros(), ..given };
-    assert!(metrics(&weightless).expect_err("no up").to_string().contains("which way is up"));
-    let cut = Completed { q: walked.states.q[1..].to_vec(), ..walked.states.clone() };
-    let said = metrics(&Given { states: &cut, ..given }).expect_err("cut").to_string();
-    assert!(said.contains("the positions"), "{said}");
+    let mut weightless = walked.states.clone();
+    weightless.info.gravity = Vector3::zeros();
+    let weightless = PreparedMotion::new(&walked.figure, &weightless).expect("ready");
+    let refused = metrics(&MetricsInput { motion: &weightless, ..given }).expect_err("no up");
+    assert!(refused.to_string().contains("which way is up"));
+    let cut =
+        [ContactTrack { link: "left_foot".to_owned(), samples: Vec::new() }, walked.contacts[1].clone()];
+    let said = metrics(&MetricsInput { soles: &walked.soles, contacts: Some(&cut), ..given })
+        .expect_err("cut")
+        .to_string();
+    assert!(said.contains("a foot's force"), "{said}");
 }
 
 #[test]
 fn stances_that_are_not_known_or_not_within_the_motion_are_none() {
     let figure = human(1.75, 73.0).expect("a person");
     let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
-    let states = Completed {
-        time: vec![0.0],
-        q: vec![0.0; nq],
-        v: vec![0.0; nv],
-        a: vec![0.0; nv],
-        ..Completed::default()
-    };
+    let columns = [vec![0.0; nq], vec![0.0; nv], vec![0.0; nv]];
+    let motion =
+        Motion::new(&figure, MotionInfo::on_earth(&figure, RATE), vec![0.0], columns).expect("a motion");
+    let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
     let soles = soles(&figure);
     let later = |start: f64| Stance { foot: 0, start, end: start + 0.5 };
     let list = vec![later(1.0), later(2.0)];
     let later = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "" };
     for (stances, why) in [(None, NoValue::NoStance), (Some(&later), NoValue::NoStride)] {
-        let given = Given {
-            figure: &figure,
-            gravity: gravity(),
-            states: &states,
-            soles: &soles,
-            stances,
-            contacts: None,
-        };
+        let given = MetricsInput { motion: &prepared, soles: &soles, stances, contacts: None };
         let all = metrics(&given).expect("metrics");
         let stance = all.iter().find(|metric| metric.key == "stance_percent").expect("a metric");
         assert_eq!(stance.value, Err(why));

@@ -1,4 +1,4 @@
-//! Tables to records: what was recorded of a motion, and the forces that were measured beside it.
+//! Motions from tables, and the forces that were measured beside them.
 //!
 //! Two conventions are read, whatever the file's format:
 //!
@@ -28,21 +28,21 @@ pub use forces::{force_prefixes, forces};
 use crate::error::IoError;
 use crate::record::columns::Columns;
 use crate::table::{TIME, Table};
-use solaris_model::{Figure, Motion, Record};
+use solaris_model::{Figure, Known, Motion, MotionInfo, Vector3};
 
 /// How far (rad or m) a recorded follower may be from where its leader puts it: printed digits.
 const FOLLOWS_TO: f64 = 1e-5;
 
-/// A record, and what of its table it does not use.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recorded {
+/// A motion, and what of its table it does not use.
+#[derive(Clone, Debug)]
+pub struct ReadMotion {
     /// What was recorded.
-    pub record: Record,
+    pub motion: Motion,
     /// Headings of columns that mean nothing for the figure. Columns of forces (`.tau`, contacts) are not among them.
     pub ignored: Vec<String>,
 }
 
-/// What `table` says of the motion of `figure`.
+/// What `table` says of the motion of `figure` under `gravity` (m/s², world axes).
 ///
 /// The columns may come in any order. Every coordinate needs its position. `.v` and `.a` may be there or not for each
 /// degree of freedom, of a ball or free joint whole or not at all. A table without `time` is taken where nothing has to
@@ -59,15 +59,15 @@ pub struct Recorded {
 ///
 /// ```
 /// use solaris_io::{csv, record};
-/// use solaris_model::{FigureBuilder, Joint, LinkSpec};
+/// use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
 ///
 /// let figure = FigureBuilder::new("arm").link(LinkSpec::root("arm", Joint::new("elbow").rx()).mass(1.0)).build()?;
 /// let table = csv::read_table("time,elbow.q\n0,0.5\n0.1,0.6\n")?;
-/// let recorded = record::read(&figure, &table)?;
-/// assert_eq!((recorded.record.q, recorded.record.known_v), (vec![0.5, 0.6], vec![false]));
+/// let motion = record::read(&figure, Vector3::zeros(), &table)?.motion;
+/// assert_eq!((motion.q(1), motion.known().v[0]), (&[0.6][..], false));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn read(figure: &Figure, table: &Table) -> Result<Recorded, IoError> {
+pub fn read(figure: &Figure, gravity: Vector3<f64>, table: &Table) -> Result<ReadMotion, IoError> {
     let columns = Columns::find(figure, table)?;
     if table.is_empty() {
         return Err(IoError::NoRows { line: table.header_line });
@@ -120,8 +120,9 @@ pub fn read(figure: &Figure, table: &Table) -> Result<Recorded, IoError> {
             ignored.push(format!("{dof} (it follows {leader}, and is off by up to {off:.1e})"));
         }
     }
-    let record = Record { time, q, v, a, known_v, known_a };
-    Ok(Recorded { record, ignored })
+    let info = MotionInfo::recorded(figure, gravity, &time);
+    let motion = Motion::recorded(figure, info, time, [q, v, a], Known { v: known_v, a: known_a })?;
+    Ok(ReadMotion { motion, ignored })
 }
 
 /// The times, rising.

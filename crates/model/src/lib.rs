@@ -20,9 +20,9 @@ mod layout;
 mod limits;
 mod link;
 mod lint;
+mod measured;
 mod motion;
 mod prune;
-mod record;
 mod reroot;
 mod scale;
 mod source;
@@ -48,12 +48,13 @@ pub use layout::{JointLayout, StateLayout};
 pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
 pub use lint::Extent;
+pub use measured::MeasuredForce;
 pub use motion::{
-    Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Motion, MotionError,
+    Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Known, Motion, MotionError,
     MotionInfo, Trajectory,
 };
 pub use prune::{PruneError, Pruned};
-pub use record::{ForceRecord, Record};
+
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 pub use scale::{ScaleError, Scaling};
 pub use source::{Finding, FindingKind, Place, SourceMap, TextError, TextFault};

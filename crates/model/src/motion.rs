@@ -111,6 +111,15 @@ impl MotionInfo {
         }
     }
 
+    /// What is known of a recorded motion without a ground: samples at these times (s) under `gravity` (m/s²). Its rate is the
+    /// mean one, 1/s where the times tell none.
+    pub fn recorded(figure: &Figure, gravity: Vector3<f64>, time: &[f64]) -> Self {
+        let span = time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first);
+        let rate = (time.len() as f64 - 1.0) / span;
+        let rate = if rate.is_finite() && rate > 0.0 { rate } else { 1.0 };
+        Self { fingerprint: figure.fingerprint(), gravity, ground: None, rate }
+    }
+
     pub(crate) fn check_figure(&self, figure: &Figure) -> Result<(), MotionError> {
         let (expected, found) = (self.fingerprint, figure.fingerprint());
         if expected == found {
@@ -121,9 +130,10 @@ impl MotionInfo {
     }
 }
 
-/// A sampled motion of one figure.
+/// A sampled motion of one figure: planned, simulated or recorded.
 ///
-/// Rows are samples; `q` has `nq` numbers a sample, `v`, `a` and `tau` have `nv`, in the order of the figure's
+/// Positions are always known. Velocities and accelerations are where [`Motion::known`] says so, forces and contacts where a
+/// layer has found them. Rows are samples; `q` has `nq` numbers a sample, `v`, `a` and `tau` have `nv`, in the order of the figure's
 /// [`crate::StateLayout`] and always of the figure's declared root. `tau` is empty until a layer has found it.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -142,6 +152,35 @@ pub struct Motion {
     v: Vec<f64>,
     a: Vec<f64>,
     tau: Vec<f64>,
+    known: Known,
+}
+
+/// Of which degrees of freedom velocities and accelerations are known, `nv` each.
+///
+/// A planner knows all of them, a recorded table often none: whoever differentiates the positions makes them known.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// Whether the velocities of a degree of freedom are known; they are zero where they are not.
+    pub v: Vec<bool>,
+    /// Whether its accelerations are; they are zero where they are not.
+    pub a: Vec<bool>,
+}
+
+impl Known {
+    /// Velocities and accelerations of all `nv` degrees of freedom.
+    pub fn all(nv: usize) -> Self {
+        Self { v: vec![true; nv], a: vec![true; nv] }
+    }
+
+    /// Of none of the `nv` degrees of freedom.
+    pub fn none(nv: usize) -> Self {
+        Self { v: vec![false; nv], a: vec![false; nv] }
+    }
+
+    /// Whether nothing is missing.
+    pub fn is_all(&self) -> bool {
+        self.v.iter().chain(&self.a).all(|known| *known)
+    }
 }
 
 /// Why numbers are no motion of a figure.
@@ -234,40 +273,73 @@ impl Motion {
     /// How far from 1 the length of a quaternion may be: tables are often printed with few digits.
     pub const UNIT_TOLERANCE: f64 = 1e-3;
 
-    /// A motion from its columns: `time` (s), `q` (`nq` a sample), `v` and `a` (`nv` a sample). Quaternions stay as they are.
+    /// A motion of which positions, velocities and accelerations are known, from its columns: `time` (s), `q` (`nq` a
+    /// sample), `v` and `a` (`nv` a sample). Quaternions stay as they are.
     ///
     /// # Errors
     ///
-    /// Columns of the wrong length, numbers that are not finite, and quaternions whose length is not 1 to within
-    /// [`Motion::UNIT_TOLERANCE`].
+    /// Columns of the wrong length, times that do not rise, numbers that are not finite, and quaternions whose length is not
+    /// 1 to within [`Motion::UNIT_TOLERANCE`].
     pub fn new(
         figure: &Figure,
         info: MotionInfo,
         time: Vec<f64>,
+        columns: [Vec<f64>; 3],
+    ) -> Result<Self, MotionError> {
+        if let Some(sample) = (1..time.len()).find(|&i| time[i] <= time[i - 1]) {
+            return Err(MotionError::Time { sample, time: time[sample] });
+        }
+        Self::recorded(figure, info, time, columns, Known::all(figure.layout().nv()))
+    }
+
+    /// A motion of which velocities and accelerations may be missing: as [`Motion::new`], with what is `known` of them.
+    ///
+    /// The times of samples of which everything is known need not rise: they may be states that have nothing to do with each
+    /// other.
+    ///
+    /// # Errors
+    ///
+    /// As [`Motion::new`].
+    pub fn recorded(
+        figure: &Figure,
+        info: MotionInfo,
+        time: Vec<f64>,
         [q, v, a]: [Vec<f64>; 3],
+        known: Known,
     ) -> Result<Self, MotionError> {
         let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
-        let bad = |i: &usize| !time[*i].is_finite() || (*i > 0 && time[*i] <= time[*i - 1]);
+        for (what, flags) in [("known v", &known.v), ("known a", &known.a)] {
+            if flags.len() != nv {
+                return Err(MotionError::Length { what, found: flags.len(), samples: 1, width: nv });
+            }
+        }
+        let may_jump = known.is_all();
+        let bad = |i: &usize| !time[*i].is_finite() || (*i > 0 && !may_jump && time[*i] <= time[*i - 1]);
         if let Some(sample) = (0..time.len()).find(bad) {
             return Err(MotionError::Time { sample, time: time[sample] });
         }
-        let columns = [
-            ("q", &q, nq, figure.layout().q_names()),
-            ("v", &v, nv, figure.layout().v_names()),
-            ("a", &a, nv, figure.layout().v_names()),
-        ];
-        for (what, column, width, names) in columns {
-            if column.len() != time.len() * width {
-                return Err(MotionError::Length { what, found: column.len(), samples: time.len(), width });
-            }
-            if let Some(i) = column.iter().position(|x| !x.is_finite()) {
-                let (dof, time, value) = (names[i % width].clone(), time[i / width], column[i]);
-                return Err(MotionError::NotFinite { what, dof, time, value });
-            }
-        }
-        check_quaternions(figure, &time, &q)?;
+        check_states(figure, &time, [&q, &v, &a])?;
         let (events, planted, contacts, tau) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Ok(Self { info, events, planted, contacts, nq, nv, time, q, v, a, tau })
+        Ok(Self { info, events, planted, contacts, nq, nv, time, q, v, a, tau, known })
+    }
+
+    /// Which velocities and accelerations are known.
+    pub fn known(&self) -> &Known {
+        &self.known
+    }
+
+    /// Replaces positions, velocities and accelerations of all samples, which are known then.
+    ///
+    /// # Errors
+    ///
+    /// A motion of another figure, columns of the wrong length, numbers that are not finite, quaternions that are none. The
+    /// motion is then as it was.
+    pub fn set_states(&mut self, figure: &Figure, [q, v, a]: [Vec<f64>; 3]) -> Result<(), MotionError> {
+        self.check_figure(figure)?;
+        check_states(figure, &self.time, [&q, &v, &a])?;
+        self.known = Known::all(self.nv);
+        (self.q, self.v, self.a) = (q, v, a);
+        Ok(())
     }
 
     /// Gives the motion its generalized forces, `nv` a sample.
@@ -345,6 +417,11 @@ impl Motion {
         &self.a[Self::row(sample, self.nv)]
     }
 
+    /// Positions, velocities and accelerations of all samples, one after the other: `nq`, `nv` and `nv` numbers a sample.
+    pub fn columns(&self) -> [&[f64]; 3] {
+        [&self.q, &self.v, &self.a]
+    }
+
     /// Generalized forces at a sample, length `nv`; `None` where they were not asked for.
     pub fn tau(&self, sample: usize) -> Option<&[f64]> {
         (!self.tau.is_empty()).then(|| &self.tau[Self::row(sample, self.nv)])
@@ -358,6 +435,26 @@ impl Motion {
     fn row(sample: usize, width: usize) -> Range<usize> {
         sample * width..(sample + 1) * width
     }
+}
+
+/// Refuses columns that are no states of the figure at these times.
+fn check_states(figure: &Figure, time: &[f64], [q, v, a]: [&[f64]; 3]) -> Result<(), MotionError> {
+    let layout = figure.layout();
+    let columns = [
+        ("q", q, layout.nq(), layout.q_names()),
+        ("v", v, layout.nv(), layout.v_names()),
+        ("a", a, layout.nv(), layout.v_names()),
+    ];
+    for (what, column, width, names) in columns {
+        if column.len() != time.len() * width {
+            return Err(MotionError::Length { what, found: column.len(), samples: time.len(), width });
+        }
+        if let Some(i) = column.iter().position(|x| !x.is_finite()) {
+            let (dof, time, value) = (names[i % width].clone(), time[i / width], column[i]);
+            return Err(MotionError::NotFinite { what, dof, time, value });
+        }
+    }
+    check_quaternions(figure, time, q)
 }
 
 /// Refuses quaternions that are far from unit length.

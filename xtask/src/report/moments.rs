@@ -2,7 +2,7 @@
 
 use super::table::{Cell, Table, number};
 use crate::workspace;
-use solaris_analysis::{Filter, InverseOptions, complete, inverse_motion};
+use solaris_analysis::{Filter, InverseOptions, Loads, PreparedMotion, differentiate, inverse_motion};
 use solaris_io::{Table as Numbers, opensim, record, sto};
 use std::fmt::Write;
 use std::fs;
@@ -50,8 +50,8 @@ fn curves(folder: &Path) -> Result<Vec<Curve>, String> {
     let subject =
         opensim::read(&text("gait10dof18musc_subject01.osim")?).map_err(|error| error.to_string())?;
     let figure = &subject.figure;
-    let recorded =
-        record::read(figure, &table("subject01_walk_ik_planar10.mot")?).map_err(|error| error.to_string())?;
+    let recorded = record::read(figure, subject.gravity, &table("subject01_walk_ik_planar10.mot")?)
+        .map_err(|error| error.to_string())?;
     let plates = table("subject01_walk_grf.mot")?;
     let carrier = |body: &str| {
         let has =
@@ -63,14 +63,16 @@ fn curves(folder: &Path) -> Result<Vec<Curve>, String> {
     });
     let loads = loads.into_iter().collect::<Result<Vec<_>, String>>()?;
     let filter = Filter { cutoff: 6.0, order: 3 };
-    let motion = complete(figure, &recorded.record, Some(filter)).map_err(|error| error.to_string())?;
+    let motion =
+        differentiate(figure, &recorded.motion, Some(filter)).map_err(|error| error.to_string())?.motion;
+    let loads = Loads::at_times(figure, &loads, motion.time()).map_err(|error| error.to_string())?;
+    let prepared = PreparedMotion::new(figure, &motion).map_err(|error| error.to_string())?;
     let options = InverseOptions { passive: true, progress: None };
-    let ours = inverse_motion(figure, subject.gravity, &motion, &loads, options)
-        .map_err(|error| error.to_string())?;
+    let ours = inverse_motion(&prepared, &loads, options).map_err(|error| error.to_string())?;
     let theirs = table("opensim46_id_planar10.sto")?;
     let layout = figure.layout();
     let free = (0..layout.nv()).filter(|&dof| !figure.follows(dof));
-    free.map(|dof| curve(&layout.v_names()[dof], dof, layout.nv(), &motion.time, &ours.tau, &theirs))
+    free.map(|dof| curve(&layout.v_names()[dof], dof, layout.nv(), motion.time(), &ours.tau, &theirs))
         .collect()
 }
 

@@ -1,6 +1,7 @@
 //! Why the ground's forces of a motion are not found.
 
 use super::{ConsistencyError, ShiftError};
+use crate::prepared::{PrepareError, StateError};
 use solaris_dynamics::DynamicsError;
 use std::fmt;
 
@@ -82,18 +83,14 @@ pub enum GroundError {
         /// What it must be.
         remedy: &'static str,
     },
-    /// The motion is not one of this figure.
-    #[error("{what} of the motion has {found} numbers; {rows} rows of figure '{figure}' have {expected}")]
+    /// What was found before is of another motion or of other soles.
+    #[error("{what} has {found} entries; this motion and these soles have {expected}")]
     Length {
-        /// Which column.
+        /// What it is.
         what: &'static str,
-        /// Numbers that it has.
+        /// Entries that it has.
         found: usize,
-        /// Rows of the motion.
-        rows: usize,
-        /// The figure.
-        figure: String,
-        /// Numbers that it must have.
+        /// Entries that it must have.
         expected: usize,
     },
     /// No frames.
@@ -163,7 +160,10 @@ pub enum GroundError {
     /// A root that cannot be moved.
     #[error(transparent)]
     Shift(#[from] ShiftError),
-    /// The figure or its gravity cannot be computed with.
+    /// The motion is not ready for questions.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The figure cannot be computed with.
     #[error(transparent)]
     Tree(DynamicsError),
     /// A state that cannot be computed with.
@@ -174,4 +174,10 @@ pub enum GroundError {
         /// Why.
         source: DynamicsError,
     },
+}
+
+impl From<StateError> for GroundError {
+    fn from(StateError { time, source }: StateError) -> Self {
+        Self::State { time, source }
+    }
 }

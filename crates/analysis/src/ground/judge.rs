@@ -1,12 +1,10 @@
 //! What is wrong with forces that were found.
 
-use crate::differentiate::Completed;
-use crate::ground::given::Given;
 use crate::ground::outline::outside;
 use crate::ground::{BalanceFrame, GroundError, Sole, Stances};
-use nalgebra::Vector3;
+use crate::prepared::PreparedMotion;
 use solaris_dynamics::forward_kinematics;
-use solaris_model::{Contact, Figure};
+use solaris_model::Contact;
 
 /// The worst of a quantity over time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -65,42 +63,40 @@ pub struct Unsupported {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, soles or stances that are none, a motion that is not the figure's, contacts or a total of other
+/// No gravity, no mass, soles or stances that are none, contacts or a total of other
 /// frames, and the first state that the kernel refuses.
 pub fn judge(
-    figure: &Figure,
-    gravity: Vector3<f64>,
-    states: &Completed,
+    prepared: &PreparedMotion<'_>,
     soles: &[Sole],
     stances: &Stances,
     total: &[BalanceFrame],
     contacts: &[Vec<Contact>],
 ) -> Result<(Vec<FootReport>, Unsupported), GroundError> {
-    let given = Given::new(figure, gravity, states)?;
-    given.check_soles(soles)?;
+    prepared.check_ground()?;
+    prepared.check_soles(soles)?;
     stances.check(soles.len())?;
-    let rows = states.time.len();
+    let rows = prepared.motion.len();
     let lengths = contacts.iter().map(Vec::len).chain([total.len()]);
     let wrong = lengths.map(|found| (found, rows)).chain([(contacts.len(), soles.len())]);
     if let Some((found, expected)) = wrong.into_iter().find(|(found, expected)| found != expected) {
-        let figure = figure.name().to_owned();
-        return Err(GroundError::Length { what: "the ground's force", found, rows, figure, expected });
+        return Err(GroundError::Length { what: "the ground's force", found, expected });
     }
-    let beyond = given.frames(|workspace, row| {
-        forward_kinematics(&given.tree, workspace, given.q(row))?;
+    let beyond = prepared.frames(|workspace, row| {
+        forward_kinematics(&prepared.tree, workspace, prepared.q(row))?;
         let of = |(sole, contacts): (&Sole, &Vec<Contact>)| {
-            let outline = sole.outline(workspace, &given.up, stances.level);
-            (!outline.is_empty()).then(|| outside(&contacts[row].cop, &outline, &given.up))
+            let outline = sole.outline(workspace, &prepared.up, stances.level);
+            (!outline.is_empty()).then(|| outside(&contacts[row].cop, &outline, &prepared.up))
         };
         Ok(soles.iter().zip(contacts).map(of).collect::<Vec<_>>())
     })?;
     let feet = soles.iter().enumerate().map(|(foot, sole)| {
-        let standing: Vec<usize> = (0..rows).filter(|row| stances.stands(foot, states.time[*row])).collect();
-        let normal = |row: usize| contacts[foot][row].force.dot(&given.up);
-        let loaded = |row: &usize| normal(*row) > FootReport::LOADED * given.weight;
+        let standing: Vec<usize> =
+            (0..rows).filter(|row| stances.stands(foot, prepared.time()[*row])).collect();
+        let normal = |row: usize| contacts[foot][row].force.dot(&prepared.up);
+        let loaded = |row: &usize| normal(*row) > FootReport::LOADED * prepared.weight;
         let friction = |row: usize| {
             let force = contacts[foot][row].force;
-            (force - given.up * normal(row)).norm() / normal(row)
+            (force - prepared.up * normal(row)).norm() / normal(row)
         };
         let count = standing.len();
         let worst = |values: &mut dyn Iterator<Item = (usize, f64)>, bad: &dyn Fn(f64) -> bool| {
@@ -109,7 +105,7 @@ pub fn judge(
             for (row, value) in values {
                 at_fault += usize::from(bad(value));
                 if worst.is_none_or(|worst| value > worst.value) {
-                    worst = Some(Worst { value, time: states.time[row], share: 0.0 });
+                    worst = Some(Worst { value, time: prepared.time()[row], share: 0.0 });
                 }
             }
             worst.map(|worst| Worst { share: at_fault as f64 / count as f64, ..worst })

@@ -1,10 +1,10 @@
 //! The ground's forces of a motion that says itself where its feet are planted.
 
-use crate::differentiate::Completed;
 use crate::ground::{
     GroundError, GroundOptions, GroundReport, Split, ground_forces, soles, stances_of_planted,
 };
 use crate::inverse::{InverseError, InverseOptions, Residual, inverse_motion};
+use crate::prepared::{PrepareError, PreparedMotion};
 use solaris_model::{Figure, Motion, MotionError};
 
 /// Why the forces of a planted motion cannot be found.
@@ -17,7 +17,10 @@ pub enum PlantedError {
     /// The joints'.
     #[error(transparent)]
     Inverse(#[from] InverseError),
-    /// The motion is of another figure.
+    /// The motion is not ready for it.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The forces are none.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
@@ -36,22 +39,13 @@ pub fn reactions_of_planted(
     motion: &mut Motion,
     split: Split,
 ) -> Result<(GroundReport, Residual), PlantedError> {
-    motion.check_figure(figure)?;
-    let rows = |of: &dyn Fn(usize) -> Vec<f64>| (0..motion.len()).flat_map(of).collect::<Vec<f64>>();
-    let states = Completed {
-        time: motion.time().to_vec(),
-        q: rows(&|frame| motion.q(frame).to_vec()),
-        v: rows(&|frame| motion.v(frame).to_vec()),
-        a: rows(&|frame| motion.a(frame).to_vec()),
-        ..Completed::default()
-    };
     let soles = soles(figure);
     let level = motion.info.ground.map_or(0.0, |ground| ground.height);
     let stances = stances_of_planted(&soles, &motion.planted, level);
     let options = GroundOptions { split, stances: Some(stances), ..GroundOptions::default() };
-    let gravity = motion.info.gravity;
-    let found = ground_forces(figure, gravity, &states, &soles, &options)?;
-    let inverse = inverse_motion(figure, gravity, &states, &found.records(), InverseOptions::default())?;
+    let prepared = PreparedMotion::new(figure, motion)?;
+    let found = ground_forces(&prepared, &soles, &options)?;
+    let inverse = inverse_motion(&prepared, &found.loads(), InverseOptions::default())?;
     motion.set_tau(inverse.tau)?;
     motion.contacts.retain(|track| found.contacts.iter().all(|new| new.link != track.link));
     motion.contacts.extend(found.contacts);

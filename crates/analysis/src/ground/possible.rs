@@ -1,20 +1,18 @@
 //! A motion that the ground cannot bear, moved until it can.
 
-use crate::differentiate::Completed;
-use crate::ground::given::Given;
 use crate::ground::outline::around;
 use crate::ground::{
     Consistency, ConsistencyError, ConsistencyOptions, GroundError, Sole, Stances, balance, consistent,
     shift_root,
 };
-use nalgebra::Vector3;
+use crate::prepared::PreparedMotion;
 use solaris_dynamics::forward_kinematics;
-use solaris_model::Figure;
+use solaris_model::{Figure, Motion};
 
 /// How far (of a frame) a time may be from where equal frames have it: what printed digits leave.
 const EVEN: f64 = 1e-2;
 
-/// Moves the root of a motion of `figure` under `gravity` (m/s², world axes) by the smallest shift after which the centre of
+/// Moves the root of a `motion` of `figure` by the smallest shift after which the centre of
 /// pressure stays within the soles that stand, and the ground need not pull: see [`consistent`]. Everything else stays, so
 /// that planted feet move with the root; what was changed is in the answer.
 ///
@@ -24,31 +22,31 @@ const EVEN: f64 = 1e-2;
 /// cannot be moved ([`shift_root`]). The motion is then as it was.
 pub fn make_consistent(
     figure: &Figure,
-    gravity: Vector3<f64>,
-    states: &mut Completed,
+    motion: &mut Motion,
     soles: &[Sole],
     stances: &Stances,
     options: &ConsistencyOptions,
 ) -> Result<Consistency, GroundError> {
-    let total = balance(figure, gravity, states, stances.level)?;
     let found = {
-        let given = Given::new(figure, gravity, states)?;
-        given.check_soles(soles)?;
+        let prepared = PreparedMotion::new(figure, motion)?;
+        let total = balance(&prepared, stances.level)?;
+        prepared.check_soles(soles)?;
         stances.check(soles.len())?;
         if let Some(sole) = soles.iter().find(|sole| sole.width.is_none()) {
             return Err(GroundError::NoBreadth { sole: sole.name.clone() });
         }
-        let rate = rate(&states.time)?;
-        let outlines = given.frames(|workspace, row| {
-            forward_kinematics(&given.tree, workspace, given.q(row))?;
-            let standing =
-                soles.iter().enumerate().filter(|(foot, _)| stances.stands(*foot, states.time[row]));
-            let corners = standing.flat_map(|(_, sole)| sole.outline(workspace, &given.up, stances.level));
-            Ok(around(corners, &given.up, stances.level))
+        let rate = rate(prepared.time())?;
+        let (tree, up, level) = (&prepared.tree, prepared.up, stances.level);
+        let outlines = prepared.frames(|workspace, row| {
+            forward_kinematics(tree, workspace, prepared.q(row))?;
+            let time = prepared.time()[row];
+            let standing = soles.iter().enumerate().filter(|(foot, _)| stances.stands(*foot, time));
+            let corners = standing.flat_map(|(_, sole)| sole.outline(workspace, &up, level));
+            Ok(around(corners, &up, level))
         })?;
-        consistent(rate, given.tree.mass(), &gravity, stances.level, &total, &outlines, options)?
+        consistent(rate, tree.mass(), &motion.info.gravity, level, &total, &outlines, options)?
     };
-    shift_root(figure, states, &found)?;
+    shift_root(figure, motion, &found)?;
     Ok(found)
 }
 

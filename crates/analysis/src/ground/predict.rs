@@ -1,14 +1,14 @@
 //! The ground's forces of a motion, from the soles to what is wrong with them.
 
-use crate::differentiate::Completed;
-use crate::ground::carry::{Carried, carried};
-use crate::ground::given::Given;
+use crate::carrier::Carrier;
+use crate::ground::carry::carriers;
 use crate::ground::{
     BalanceFrame, FootReport, GroundError, Sole, Split, StanceOptions, Stances, Unsupported, balance,
     find_stances, judge, share,
 };
-use nalgebra::Vector3;
-use solaris_model::{ContactTrack, Figure, ForceRecord};
+use crate::loads::Loads;
+use crate::prepared::PreparedMotion;
+use solaris_model::ContactTrack;
 
 /// How the ground's forces are to be found.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,7 +33,7 @@ pub struct GroundForces {
     /// What is to be said of them.
     pub report: GroundReport,
     /// By sole, what carries the force.
-    carried: Vec<Carried>,
+    carriers: Vec<Carrier>,
 }
 
 /// What is to be said of forces that were found.
@@ -52,65 +52,62 @@ pub struct GroundReport {
 }
 
 impl GroundForces {
-    /// What acts on the figure, as [`crate::inverse_motion`] takes it: a record for each foot.
-    pub fn records(&self) -> Vec<ForceRecord> {
-        let records = self.contacts.iter().zip(&self.carried).map(|(track, carried)| ForceRecord {
-            links: carried.links.clone(),
-            ball_and_tip: carried.ball_and_tip,
-            time: self.total.iter().map(|frame| frame.time).collect(),
-            samples: track.samples.clone(),
-        });
-        records.collect()
+    /// What acts on the figure, as [`crate::inverse_motion`] takes it.
+    pub fn loads(&self) -> Loads {
+        Loads::of(
+            self.carriers
+                .iter()
+                .zip(&self.contacts)
+                .map(|(carrier, track)| (*carrier, track.samples.clone())),
+        )
     }
 }
 
-/// Finds the ground's forces in a motion of `figure` under `gravity` (m/s², world axes): when which foot stands, the
+/// Finds the ground's forces in a motion: when which foot stands, the
 /// whole wrench, how it is shared, and what is wrong with it. The ground is level.
 ///
 /// A foot's force acts on its link, and on its toes once the centre of pressure has passed the ball
-/// ([`GroundForces::records`]). In the frame of the toes' link the ball is where it is with all joints at zero. Of the figure's
+/// ([`GroundForces::loads`]). In the frame of the toes' link the ball is where it is with all joints at zero. Of the figure's
 /// own soles ([`crate::ground::soles`]) the toes' link has a ball of its own, or the foot carries all.
 ///
 /// # Errors
 ///
-/// No gravity, no mass, no soles or soles that are none, options out of their range, a motion that is not the figure's,
-/// a split that cannot share between so many feet, and the first state that the kernel refuses.
+/// No gravity, no mass, no soles or soles that are none, options out of their range, a split that cannot share between so many feet, and the first state that the kernel refuses.
 ///
 /// # Examples
 ///
 /// A person who stands still has half the weight on either foot:
 ///
 /// ```
-/// use solaris_analysis::{Completed, ground::{GroundOptions, ground_forces, soles}};
-/// use solaris_model::{Vector3, human};
+/// use solaris_analysis::{PreparedMotion, ground::{GroundOptions, ground_forces, soles}};
+/// use solaris_model::{Motion, MotionInfo, human};
 ///
 /// let ann = human(1.65, 58.0)?;
 /// let mut q = vec![0.0; ann.layout().nq()];
 /// q[1] = 0.9; // pelvis height: the ground is where the soles are
-/// let (rest, time) = (vec![0.0; ann.layout().nv()], vec![0.0]);
-/// let states = Completed { time, q, v: rest.clone(), a: rest, ..Completed::default() };
-/// let gravity = Vector3::new(0.0, -9.80665, 0.0);
-/// let ground = ground_forces(&ann, gravity, &states, &soles(&ann), &GroundOptions::default())?;
+/// let rest = vec![0.0; ann.layout().nv()];
+/// let motion = Motion::new(&ann, MotionInfo::on_earth(&ann, 100.0), vec![0.0], [q, rest.clone(), rest])?;
+/// let ground = ground_forces(&PreparedMotion::new(&ann, &motion)?, &soles(&ann), &GroundOptions::default())?;
 /// let [left, right] = [0, 1].map(|foot| ground.contacts[foot].samples[0].force.y);
 /// assert!((left - 29.0 * 9.80665).abs() < 1e-9 && (left - right).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "grf")]
+#[doc(alias = "ground reaction forces")]
 pub fn ground_forces(
-    figure: &Figure,
-    gravity: Vector3<f64>,
-    states: &Completed,
+    prepared: &PreparedMotion<'_>,
     soles: &[Sole],
     options: &GroundOptions,
 ) -> Result<GroundForces, GroundError> {
     let stances = match &options.stances {
         Some(stances) => stances.clone(),
-        None => find_stances(figure, gravity, states, soles, &options.stance)?,
+        None => find_stances(prepared, soles, &options.stance)?,
     };
-    let total = balance(figure, gravity, states, stances.level)?;
-    let shared = share(options.split, figure, gravity, states, soles, &stances, &total)?;
-    let (feet, unsupported) = judge(figure, gravity, states, soles, &stances, &total, &shared.contacts)?;
+    let total = balance(prepared, stances.level)?;
+    let shared = share(options.split, prepared, soles, &stances, &total)?;
+    let (feet, unsupported) = judge(prepared, soles, &stances, &total, &shared.contacts)?;
     let report = GroundReport {
-        weight: figure.mass() * gravity.norm(),
+        weight: prepared.weight,
         split: options.split,
         irregular: shared.irregular,
         feet,
@@ -119,6 +116,6 @@ pub fn ground_forces(
     let contacts = soles.iter().zip(shared.contacts);
     let contacts =
         contacts.map(|(sole, samples)| ContactTrack { link: sole.name.clone(), samples }).collect();
-    let carried = carried(&Given::new(figure, gravity, states)?, soles)?;
-    Ok(GroundForces { contacts, total, stances, report, carried })
+    let carriers = carriers(prepared, soles)?;
+    Ok(GroundForces { contacts, total, stances, report, carriers })
 }

@@ -6,12 +6,10 @@ mod pivot;
 mod sharing;
 mod transition;
 
-use crate::differentiate::Completed;
-use crate::ground::given::Given;
 use crate::ground::{BalanceFrame, GroundError, Sole, Stances};
-use nalgebra::Vector3;
+use crate::prepared::PreparedMotion;
 use sharing::Sharing;
-use solaris_model::{Contact, Figure};
+use solaris_model::Contact;
 
 /// A rule that shares the ground's wrench between the feet that stand: an assumption, since the laws of motion give its
 /// sum and nothing else. A foot that stands alone has all of it.
@@ -91,26 +89,23 @@ pub struct Shared {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, soles or stances that are none, a motion that is not the figure's, a total of other frames,
+/// No gravity, no mass, soles or stances that are none, a total of other frames,
 /// more than two feet for [`Split::Transition`], and the first state that the kernel refuses.
 pub fn share(
     split: Split,
-    figure: &Figure,
-    gravity: Vector3<f64>,
-    states: &Completed,
+    prepared: &PreparedMotion<'_>,
     soles: &[Sole],
     stances: &Stances,
     total: &[BalanceFrame],
 ) -> Result<Shared, GroundError> {
-    let given = Given::new(figure, gravity, states)?;
-    given.check_soles(soles)?;
+    prepared.check_ground()?;
+    prepared.check_soles(soles)?;
     stances.check(soles.len())?;
-    let (found, rows) = (total.len(), states.time.len());
+    let (found, rows) = (total.len(), prepared.motion.len());
     if found != rows {
-        let figure = figure.name().to_owned();
-        return Err(GroundError::Length { what: "the whole wrench", found, rows, figure, expected: rows });
+        return Err(GroundError::Length { what: "the whole wrench", found, expected: rows });
     }
-    let sharing = Sharing::new(&given, soles, stances, total)?;
+    let sharing = Sharing::new(prepared, soles, stances, total)?;
     let frames = match split {
         Split::Transition => transition::share(&sharing)?,
         Split::Pivot => (0..rows).map(|row| pivot::share(&sharing, row)).collect(),

@@ -3,12 +3,11 @@
 mod edges;
 mod track;
 
-use crate::differentiate::Completed;
-use crate::ground::given::Given;
 use crate::ground::{GroundError, GroundOption, Sole};
+use crate::prepared::PreparedMotion;
 use edges::standing;
 use nalgebra::Vector3;
-use solaris_model::{ContactTrack, Figure, Interval};
+use solaris_model::{ContactTrack, Interval};
 use track::Tracks;
 
 /// A time during which a foot is on the ground.
@@ -129,19 +128,16 @@ impl Stances {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, no soles or soles that are none, options out of their range, a motion that is not the figure's,
-/// and the first state that the kernel refuses.
+/// No gravity, no mass, no soles or soles that are none, options out of their range, and the first state that the kernel refuses.
 pub fn find_stances(
-    figure: &Figure,
-    gravity: Vector3<f64>,
-    states: &Completed,
+    prepared: &PreparedMotion<'_>,
     soles: &[Sole],
     options: &StanceOptions,
 ) -> Result<Stances, GroundError> {
     options.check()?;
-    let given = Given::new(figure, gravity, states)?;
-    given.check_soles(soles)?;
-    let tracks = Tracks::of(&given, soles)?;
+    prepared.check_ground()?;
+    prepared.check_soles(soles)?;
+    let tracks = Tracks::of(prepared, soles)?;
     let belt = match options.belt {
         Belt::Still => Vector3::zeros(),
         Belt::Speed(velocity) => velocity,
@@ -150,7 +146,7 @@ pub fn find_stances(
     let mut list = Vec::new();
     for foot in 0..soles.len() {
         let height = tracks.decisive(foot, &belt, options);
-        let spans = standing(&states.time, &height, options.shortest);
+        let spans = standing(prepared.time(), &height, options.shortest);
         list.extend(spans.into_iter().map(|(start, end)| Stance { foot, start, end }));
     }
     Ok(Stances { list, belt, level: tracks.level(), method: "heights and speeds of heel, ball and tip" })

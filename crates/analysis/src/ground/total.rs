@@ -1,11 +1,9 @@
 //! The whole wrench of the ground in a motion.
 
-use crate::differentiate::Completed;
-use crate::ground::given::Given;
 use crate::ground::{GroundError, GroundOption};
+use crate::prepared::PreparedMotion;
 use nalgebra::Vector3;
 use solaris_dynamics::{Wrench, center_of_mass, inverse_dynamics};
-use solaris_model::Figure;
 
 /// What the ground must do to the figure at one time, and where its centre of mass is; world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,51 +28,48 @@ impl BalanceFrame {
 }
 
 /// The whole wrench of the ground, frame by frame: what inverse dynamics finds at the root where nothing else acts from
-/// outside. `gravity` (m/s², world axes) says which way is up, `level` (m, along up) where the ground is.
+/// outside. The motion's gravity says which way is up, `level` (m, along up) where the ground is.
 ///
 /// # Errors
 ///
-/// No gravity, no mass, a motion that is not the figure's, and the first state that the kernel refuses (numbers that
-/// are not finite among them).
+/// No gravity, no mass, and the first state that the kernel refuses.
 ///
 /// # Examples
 ///
 /// A body of 2 kg that is lifted at 1 m/s² presses with 2·(9.81 + 1) N:
 ///
 /// ```
-/// use solaris_analysis::{Completed, ground::balance};
-/// use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
+/// use solaris_analysis::{PreparedMotion, ground::balance};
+/// use solaris_model::{FigureBuilder, Joint, LinkSpec, Motion, MotionInfo, Vector3};
 ///
 /// let lift = LinkSpec::root("body", Joint::new("lift").ty()).mass(2.0);
 /// let figure = FigureBuilder::new("lift").link(lift).build()?;
-/// let states = Completed { time: vec![0.0], q: vec![0.3], v: vec![0.0], a: vec![1.0], ..Completed::default() };
-/// let total = balance(&figure, Vector3::new(0.0, -9.81, 0.0), &states, 0.0)?;
+/// let info = MotionInfo::recorded(&figure, Vector3::new(0.0, -9.81, 0.0), &[0.0]);
+/// let motion = Motion::new(&figure, info, vec![0.0], [vec![0.3], vec![0.0], vec![1.0]])?;
+/// let total = balance(&PreparedMotion::new(&figure, &motion)?, 0.0)?;
 /// assert!((total[0].force.y - 2.0 * 10.81).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn balance(
-    figure: &Figure,
-    gravity: Vector3<f64>,
-    states: &Completed,
-    level: f64,
-) -> Result<Vec<BalanceFrame>, GroundError> {
+pub fn balance(prepared: &PreparedMotion<'_>, level: f64) -> Result<Vec<BalanceFrame>, GroundError> {
     if !level.is_finite() {
         return Err(bad_level(level));
     }
-    let given = Given::new(figure, gravity, states)?;
-    given.frames(|workspace, row| {
-        let mut tau = vec![0.0; given.tree.nv()];
-        inverse_dynamics(&given.tree, workspace, given.q(row), given.v(row), given.a(row), &[], &mut tau)?;
-        let base = workspace.base_wrench();
-        let total = Wrench { force: base.force, moment: base.moment };
+    prepared.check_ground()?;
+    let tree = &prepared.tree;
+    let frames = prepared.frames(|workspace, row| {
+        let q = prepared.q(row);
+        let mut tau = vec![0.0; tree.nv()];
+        inverse_dynamics(tree, workspace, q, prepared.v(row), prepared.a(row), &[], &mut tau)?;
+        let total = workspace.base_wrench();
         Ok(BalanceFrame {
-            time: states.time[row],
+            time: prepared.time()[row],
             force: total.force,
             moment: total.moment,
-            com: center_of_mass(&given.tree, workspace, given.q(row))?,
-            cop: total.centre_of_pressure(&given.up, level),
+            com: center_of_mass(tree, workspace, q)?,
+            cop: total.centre_of_pressure(&prepared.up, level),
         })
-    })
+    })?;
+    Ok(frames)
 }
 
 pub(crate) const fn bad_level(level: f64) -> GroundError {

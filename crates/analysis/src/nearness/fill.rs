@@ -128,8 +128,8 @@ fn disc(semi: [Vector3<f64>; 2], radius: impl Fn(f64, [f64; 2]) -> f64) -> Vec<C
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::random::Random;
     use crate::nearness::segment;
+    use crate::random::Random;
     use approx::assert_relative_eq;
     use solaris_model::human;
 

@@ -43,7 +43,7 @@ fn to_point([a, b]: &[Vector3<f64>; 2], point: &Vector3<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::random::Random;
+    use crate::random::Random;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
 
     fn segment(ends: [[f64; 3]; 2]) -> [Vector3<f64>; 2] {

@@ -7,3 +7,4 @@ mod inverse;
 mod nearness;
 #[path = "inverse/pinned.rs"]
 mod pinned;
+mod states;

@@ -5,10 +5,10 @@ use crate::error::CliError;
 use crate::input::{self, Body};
 use crate::progress::Progress;
 use clap::ArgMatches;
-use solaris::analysis::{Completed, Filter, complete};
+use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
-use solaris::io::record::{self, Recorded};
-use solaris::model::Base;
+use solaris::io::record::{self, ReadMotion};
+use solaris::model::{Base, Motion};
 use std::path::{Path, PathBuf};
 
 /// Order of the filter when none is asked for.
@@ -24,9 +24,9 @@ pub(crate) struct Given {
     /// Whether gravity was asked for.
     pub(crate) gravity_is_asked: bool,
     pub(crate) table: Table,
-    pub(crate) recorded: Recorded,
+    pub(crate) recorded: ReadMotion,
     pub(crate) filter: Option<Filter>,
-    pub(crate) states: Completed,
+    pub(crate) found: Differentiated,
 }
 
 impl Given {
@@ -38,6 +38,17 @@ impl Given {
         progress: &Progress,
     ) -> Result<Self, CliError> {
         Self::of(matches, input::body(of)?, of, from, progress)
+    }
+
+    /// The motion, of which everything is known.
+    pub(crate) fn motion(&self) -> &Motion {
+        &self.found.motion
+    }
+
+    /// The motion, ready for questions.
+    pub(crate) fn prepared(&self) -> Result<PreparedMotion<'_>, CliError> {
+        PreparedMotion::new(&self.body.figure, self.motion())
+            .map_err(|error| CliError::input(&self.of, &error))
     }
 
     /// A figure that is at hand and is called `of`, in the motion `from`.
@@ -61,14 +72,15 @@ impl Given {
             body.gravity = *gravity;
         }
         let table = input::table(from)?;
-        let recorded = record::read(&body.figure, &table).map_err(|error| CliError::input(from, &error))?;
+        let recorded = record::read(&body.figure, body.gravity, &table)
+            .map_err(|error| CliError::input(from, &error))?;
         progress.stage("finding velocities and accelerations");
         let filter = filter(matches);
-        let states = complete(&body.figure, &recorded.record, filter)
+        let found = differentiate(&body.figure, &recorded.motion, filter)
             .map_err(|error| CliError::input(from, &error))?;
         let gravity_is_asked = matches.contains_id("gravity");
         let (of, from) = (of.to_owned(), from.to_owned());
-        Ok(Self { of, from, body, gravity_is_asked, table, recorded, filter, states })
+        Ok(Self { of, from, body, gravity_is_asked, table, recorded, filter, found })
     }
 }
 

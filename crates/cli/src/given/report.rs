@@ -52,27 +52,28 @@ pub(super) struct Excess {
 
 impl GivenReport {
     pub(crate) fn new(given: &Given) -> Self {
-        let Given { body, table, recorded, states, .. } = given;
+        let Given { body, table, recorded, found, .. } = given;
+        let (motion, time) = (&found.motion, found.motion.time());
         let figure = &body.figure;
         let (names, slides) = (figure.layout().v_names(), slides(figure));
-        let excess = figure.limit_excess(&states.q).into_iter().map(|found| Excess {
+        let excess = figure.limit_excess(motion.columns()[0]).into_iter().map(|found| Excess {
             dof: names[found.dof].clone(),
             by: found.by,
-            at_s: states.time[found.row],
+            at_s: time[found.row],
             turns: !slides[found.dof],
         });
         let derived = |from_velocity: bool| {
-            let dofs = states.differentiated.iter().enumerate();
-            dofs.filter(|(dof, here)| **here && recorded.record.known_v[*dof] == from_velocity).count()
+            let dofs = found.found.iter().enumerate();
+            dofs.filter(|(dof, here)| **here && recorded.motion.known().v[*dof] == from_velocity).count()
         };
         Self {
             figure: figure.name().to_owned(),
             format: body.language.name(),
             dofs: figure.layout().nv(),
             mass_kg: figure.mass(),
-            rows: states.time.len(),
-            from_s: states.time.first().copied().unwrap_or_default(),
-            to_s: states.time.last().copied().unwrap_or_default(),
+            rows: time.len(),
+            from_s: time.first().copied().unwrap_or_default(),
+            to_s: time.last().copied().unwrap_or_default(),
             units: match table.in_degrees {
                 Some(true) => "angles in degrees, as its header says",
                 Some(false) => "angles in rad, as its header says",
@@ -91,9 +92,13 @@ impl GivenReport {
             filter: given.filter.map(|filter| FilterReport {
                 cutoff_hz: filter.cutoff,
                 order: filter.order,
-                spoiled_s: states.spoiled,
+                spoiled_s: found.unsettled,
             }),
-            many_turns: figure.many_turns(&states.q).into_iter().map(|dof| names[dof].clone()).collect(),
+            many_turns: figure
+                .many_turns(motion.columns()[0])
+                .into_iter()
+                .map(|dof| names[dof].clone())
+                .collect(),
             outside_limits: excess.collect(),
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),

@@ -8,13 +8,13 @@ use clap::ArgMatches;
 use serde::Serialize;
 use solaris::analysis::ground::Sole;
 use solaris::io::record;
-use solaris::model::{ContactTrack, ForceRecord, Vector3, nearest};
+use solaris::model::{ContactTrack, MeasuredForce, Vector3, nearest};
 use std::path::PathBuf;
 
 /// What plates measured under the soles.
 pub(super) struct Plates {
     /// Index of the sole, and what was measured under it.
-    feet: Vec<(usize, ForceRecord)>,
+    feet: Vec<(usize, MeasuredForce)>,
 }
 
 /// How far forces are from measured ones, along the world's axes.
@@ -34,7 +34,7 @@ impl Plates {
     pub(super) fn read(matches: &ArgMatches, soles: &[Sole]) -> Result<Option<Self>, CliError> {
         let Some(path) = matches.get_one::<PathBuf>("against") else { return Ok(None) };
         let table = input::table(path)?;
-        let mut feet: Vec<(usize, ForceRecord)> = Vec::new();
+        let mut feet: Vec<(usize, MeasuredForce)> = Vec::new();
         for AskedPlate { foot, prefix } in matches.get_many("plate").unwrap_or_default() {
             let fault = |why: String| CliError::Option {
                 option: "plate".to_owned(),
@@ -59,7 +59,7 @@ impl Plates {
     }
 
     /// Index of the sole, and what was measured under it.
-    pub(super) fn feet(&self) -> impl Iterator<Item = (usize, &ForceRecord)> {
+    pub(super) fn feet(&self) -> impl Iterator<Item = (usize, &MeasuredForce)> {
         self.feet.iter().map(|(sole, record)| (*sole, record))
     }
 
@@ -88,7 +88,7 @@ impl Plates {
 }
 
 /// The force that was measured at a time, linear between two samples; none outside of them.
-fn force_at(record: &ForceRecord, time: f64) -> Option<Vector3<f64>> {
+fn force_at(record: &MeasuredForce, time: f64) -> Option<Vector3<f64>> {
     let after = record.time.partition_point(|sample| *sample < time);
     let later = record.samples.get(after)?.force;
     let Some(before) = after.checked_sub(1) else { return (record.time[0] <= time).then_some(later) };

@@ -8,7 +8,6 @@ use crate::run::positions;
 use clap::ArgMatches;
 use solaris::io::bvh::Unit;
 use solaris::io::{bvh, csv, sto};
-use solaris::model::{Motion, MotionInfo};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -90,19 +89,11 @@ pub(crate) fn write_motion(
     mut writer: &mut dyn Write,
     given: &Given,
 ) -> Result<(), CliError> {
-    let (figure, states) = (&given.body.figure, &given.states);
-    let steps = states.time.len().saturating_sub(1) as f64;
-    let rate = match (states.time.first(), states.time.last()) {
-        (Some(first), Some(last)) => steps / (last - first),
-        _ => 0.0,
-    };
-    let info = MotionInfo { gravity: given.body.gravity, ground: None, ..MotionInfo::on_earth(figure, rate) };
-    let columns = [states.q.clone(), states.v.clone(), states.a.clone()];
-    let motion = Motion::new(figure, info, states.time.clone(), columns).map_err(CliError::other)?;
+    let (figure, motion) = (&given.body.figure, given.motion());
     match format {
-        MotionFormat::Csv => csv::write(figure, &motion, &mut writer),
-        MotionFormat::Sto => sto::write(&positions(figure, &motion), &mut writer),
-        MotionFormat::Bvh => bvh::write(figure, &motion, Unit::default(), &mut writer),
+        MotionFormat::Csv => csv::write(figure, motion, &mut writer),
+        MotionFormat::Sto => sto::write(&positions(figure, motion), &mut writer),
+        MotionFormat::Bvh => bvh::write(figure, motion, Unit::default(), &mut writer),
     }
     .map_err(CliError::other)
 }

@@ -32,15 +32,15 @@ impl Predicted {
         let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
         let mut moved = None;
         if let Some(options) = consistent {
-            let (gravity, states) = (given.body.gravity, &mut given.states);
-            let found = make_consistent(&given.body.figure, gravity, states, &soles, &stances, &options);
+            let (figure, motion) = (&given.body.figure, &mut given.found.motion);
+            let found = make_consistent(figure, motion, &soles, &stances, &options);
             let found = found.map_err(|error| {
                 moved::refused(&error, given, &from).unwrap_or_else(|| refused(&error, matches, given, &from))
             })?;
-            moved = Some(Moved::new(&found, &options, &given.states.time));
+            moved = Some(Moved::new(&found, &options, given.motion().time()));
         }
         let options = GroundOptions { split: split.unwrap_or_default(), stance, stances: Some(stances) };
-        let forces = ground_forces(&given.body.figure, given.body.gravity, &given.states, &soles, &options)
+        let forces = ground_forces(&given.prepared()?, &soles, &options)
             .map_err(|error| refused(&error, matches, given, &from))?;
         Ok(Self { soles, from, belt_from, moved, forces })
     }
@@ -72,9 +72,9 @@ pub(crate) fn standing(
         shortest: number("stance-shortest", default.shortest),
         belt: Belt::Auto,
     };
+    let prepared = given.prepared()?;
     let find = |stance: &StanceOptions| {
-        find_stances(&given.body.figure, given.body.gravity, &given.states, soles, stance)
-            .map_err(|error| refused(&error, matches, given, from))
+        find_stances(&prepared, soles, stance).map_err(|error| refused(&error, matches, given, from))
     };
     let belt_from = match matches.get_one("belt") {
         Some(AskedBelt::Auto) => "as the feet on it move",

@@ -4,7 +4,7 @@ use crate::error::CliError;
 use crate::input;
 use clap::ArgMatches;
 use solaris::io::{Table, opensim, record};
-use solaris::model::{Figure, ForceRecord, Link, nearest};
+use solaris::model::{Figure, Link, MeasuredForce, nearest};
 use std::path::{Path, PathBuf};
 
 /// Measured forces as they were read.
@@ -55,7 +55,7 @@ impl External {
     }
 
     /// The forces on the figure's links.
-    pub(super) fn records(&self, figure: &Figure) -> Result<Vec<ForceRecord>, CliError> {
+    pub(super) fn records(&self, figure: &Figure) -> Result<Vec<MeasuredForce>, CliError> {
         let (path, records) = match self {
             Self::None => return Ok(Vec::new()),
             Self::Plates { path, table, plates } => {
@@ -67,7 +67,7 @@ impl External {
                 (path, Ok(records))
             }
         };
-        let mut records: Vec<ForceRecord> = records.map_err(|error| CliError::input(path, &error))?;
+        let mut records: Vec<MeasuredForce> = records.map_err(|error| CliError::input(path, &error))?;
         for (i, link) in
             records.iter_mut().enumerate().flat_map(|(i, r)| r.links.iter_mut().map(move |l| (i, l)))
         {

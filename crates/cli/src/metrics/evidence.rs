@@ -5,8 +5,9 @@ use crate::error::CliError;
 use crate::given::Given;
 use crate::ground::{SolesFrom, find_soles, known_soles, refused, standing};
 use clap::ArgMatches;
+use solaris::analysis::PreparedMotion;
 use solaris::analysis::ground::{GroundOptions, Sole, Split, StanceOptions, Stances, ground_forces};
-use solaris::gait::metrics::{self, stances_of_contacts};
+use solaris::gait::metrics::{MetricsInput, stances_of_contacts};
 use solaris::io::record::{force_prefixes, forces};
 use solaris::model::ContactTrack;
 
@@ -46,7 +47,7 @@ impl Evidence {
             (None, Some("contacts")) => return Err(no_contacts(&soles)),
             (Some(own), None | Some("contacts")) => {
                 let (figure, gravity) = (&given.body.figure, given.body.gravity);
-                stances = stances_of_contacts(figure, gravity, &given.states.time, own, &stances);
+                stances = stances_of_contacts(figure, gravity, given.motion().time(), own, &stances);
             }
             _ => {}
         }
@@ -54,9 +55,8 @@ impl Evidence {
             let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
             let split = split.unwrap_or_default();
             let options = GroundOptions { split, stance, stances: Some(stances.clone()) };
-            let found =
-                ground_forces(&given.body.figure, given.body.gravity, &given.states, &soles, &options)
-                    .map_err(|error| refused(&error, matches, given, &from))?;
+            let found = ground_forces(&given.prepared()?, &soles, &options)
+                .map_err(|error| refused(&error, matches, given, &from))?;
             (Some(found.contacts), "predicted from the motion")
         } else if own.is_some() {
             (own, "of the motion's file")
@@ -87,11 +87,9 @@ impl Evidence {
     }
 
     /// All of it as the library takes it.
-    pub(super) fn given<'a>(&'a self, given: &'a Given) -> metrics::Given<'a> {
-        metrics::Given {
-            figure: &given.body.figure,
-            gravity: given.body.gravity,
-            states: &given.states,
+    pub(super) fn input<'a>(&'a self, motion: &'a PreparedMotion<'a>) -> MetricsInput<'a> {
+        MetricsInput {
+            motion,
             soles: &self.soles,
             stances: self.stances.as_ref(),
             contacts: self.contacts.as_deref(),

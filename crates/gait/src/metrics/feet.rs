@@ -1,7 +1,7 @@
 //! What the feet do to the ground: they slide on it, sink into it, pass over it.
 
 use super::tracks::Tracks;
-use super::{Given, Metric, NoValue};
+use super::{Metric, MetricsInput, NoValue};
 use crate::measure::Peak;
 use crate::measure::feet::MID_SWING;
 use nalgebra::Vector3;
@@ -13,7 +13,7 @@ const SPEED: (&str, &str, &str) = ("slide_speed_mm_s", "foot slide, mean speed",
 const SINK: (&str, &str, &str) = ("sink_mm", "sink below the ground", "mm");
 const CLEARANCE: (&str, &str, &str) = ("clearance_mm", "swing clearance", "mm");
 
-pub(super) fn metrics(given: &Given<'_>, tracks: &Tracks<'_>) -> Vec<Metric> {
+pub(super) fn metrics(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Vec<Metric> {
     let slides = slides(given, tracks);
     let of = |value: &dyn Fn(&[Slide]) -> f64| match &slides {
         Ok(slides) => Ok(value(slides)),
@@ -60,14 +60,14 @@ struct Slide {
 /// ```
 ///
 /// A foot that is planted as in [`solaris_model::Motion::planted`] has the slide of its planted points.
-fn slides(given: &Given<'_>, tracks: &Tracks<'_>) -> Result<Vec<Slide>, NoValue> {
+fn slides(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Vec<Slide>, NoValue> {
     let stances = stances(given)?;
     let slides: Vec<Slide> = stances.iter().filter_map(|stance| slide(tracks, stance)).collect();
     if slides.is_empty() { Err(NoValue::NoStance) } else { Ok(slides) }
 }
 
 /// The stances, at least one.
-fn stances<'a>(given: &Given<'a>) -> Result<&'a [Stance], NoValue> {
+fn stances<'a>(given: &MetricsInput<'a>) -> Result<&'a [Stance], NoValue> {
     if given.soles.is_empty() {
         return Err(NoValue::NoFeet);
     }
@@ -95,7 +95,7 @@ fn slide(tracks: &Tracks<'_>, stance: &Stance) -> Option<Slide> {
 }
 
 /// Greatest depth of a point of the soles below the ground (m); negative for feet that never come down to it.
-fn sink(given: &Given<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> {
+fn sink(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> {
     if given.soles.is_empty() {
         return Err(NoValue::NoFeet);
     }
@@ -110,7 +110,7 @@ fn sink(given: &Given<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> {
 }
 
 /// Least height of a foot's tip in the middle of its swings (m).
-fn clearance(given: &Given<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> {
+fn clearance(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> {
     let stances = stances(given)?;
     let mut least: Option<Peak> = None;
     for pair in stances.windows(2).filter(|pair| pair[0].foot == pair[1].foot) {

@@ -2,7 +2,7 @@
 
 use super::stride::{Steps, Stride};
 use super::tracks::Tracks;
-use super::{Given, Metric, NoValue};
+use super::{Metric, MetricsInput, NoValue};
 use crate::measure::steady::{FIRST_PEAK, SECOND_PEAK_FROM, VALLEY_AFTER, VALLEY_TO};
 use crate::measure::window::Window;
 use nalgebra::Vector3;
@@ -17,7 +17,7 @@ struct Pushed<'a> {
     percent: f64,
 }
 
-pub(super) fn metrics(given: &Given<'_>, tracks: &Tracks<'_>, steps: &Steps) -> Vec<Metric> {
+pub(super) fn metrics(given: &MetricsInput<'_>, tracks: &Tracks<'_>, steps: &Steps) -> Vec<Metric> {
     let pushed = pushed(given, tracks, steps);
     let of = |value: &dyn Fn(&Pushed<'_>) -> Result<f64, NoValue>| match &pushed {
         Ok(pushed) => value(pushed),
@@ -56,7 +56,7 @@ pub(super) fn metrics(given: &Given<'_>, tracks: &Tracks<'_>, steps: &Steps) -> 
     ]
 }
 
-fn pushed<'a>(given: &Given<'a>, tracks: &Tracks<'a>, steps: &Steps) -> Result<Pushed<'a>, NoValue> {
+fn pushed<'a>(given: &MetricsInput<'a>, tracks: &Tracks<'a>, steps: &Steps) -> Result<Pushed<'a>, NoValue> {
     if given.soles.is_empty() {
         return Err(NoValue::NoFeet);
     }

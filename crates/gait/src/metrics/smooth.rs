@@ -3,14 +3,14 @@
 use super::spectrum::spectral_arc_length;
 use super::stride::Steps;
 use super::tracks::Tracks;
-use super::{Given, Metric, NoValue};
+use super::{Metric, MetricsInput, NoValue};
 use nalgebra::Vector3;
 use solaris_profiles::NaturalSpline;
 
 /// What is slower than this (m/s) does not move.
 const AT_REST: f64 = 1e-6;
 
-pub(super) fn metrics(_: &Given<'_>, tracks: &Tracks<'_>, steps: &Steps) -> Vec<Metric> {
+pub(super) fn metrics(_: &MetricsInput<'_>, tracks: &Tracks<'_>, steps: &Steps) -> Vec<Metric> {
     let span = steps.stride.map_or(tracks.span(), |stride| stride.span);
     let samples = tracks.samples(span);
     let jerks = jerks(tracks);

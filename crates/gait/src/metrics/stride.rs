@@ -1,7 +1,7 @@
 //! Steps, and the one stride whose numbers are told.
 
 use super::tracks::Tracks;
-use super::{Given, Metric, NoValue};
+use super::{Metric, MetricsInput, NoValue};
 use crate::measure::window::Window;
 use nalgebra::Vector3;
 use solaris_analysis::ground::{Stance, Stances};
@@ -43,7 +43,7 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    pub(super) fn of(given: &Given<'_>, tracks: &Tracks<'_>) -> Self {
+    pub(super) fn of(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Self {
         if given.soles.is_empty() {
             return Self { touch_downs: 0, stride: Err(NoValue::NoFeet) };
         }
@@ -59,7 +59,7 @@ impl Steps {
     }
 
     /// The rhythm of the steps.
-    pub(super) fn metrics(&self, given: &Given<'_>) -> Vec<Metric> {
+    pub(super) fn metrics(&self, given: &MetricsInput<'_>) -> Vec<Metric> {
         let of =
             |value: &dyn Fn(&Stride) -> Result<f64, NoValue>| self.stride.and_then(|stride| value(&stride));
         let feet = given.soles.len();
@@ -96,7 +96,7 @@ impl Steps {
     }
 
     /// How far the centre of mass goes up and down, and from side to side: in the stride, or else (bob) in the whole motion.
-    pub(super) fn centre(&self, _: &Given<'_>, tracks: &Tracks<'_>) -> Vec<Metric> {
+    pub(super) fn centre(&self, _: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Vec<Metric> {
         let span = self.stride.map_or(tracks.span(), |stride| stride.span);
         let range = |axis: &Vector3<f64>| {
             let window = Window { time: tracks.time, span };
@@ -126,7 +126,13 @@ fn middle<'a>(landings: &[&'a Stance]) -> Option<(&'a Stance, &'a Stance)> {
     Some((landings[begin], *next(begin)?))
 }
 
-fn stride(given: &Given<'_>, tracks: &Tracks<'_>, stances: &Stances, from: &Stance, to: &Stance) -> Stride {
+fn stride(
+    given: &MetricsInput<'_>,
+    tracks: &Tracks<'_>,
+    stances: &Stances,
+    from: &Stance,
+    to: &Stance,
+) -> Stride {
     let span = (from.start, to.start);
     let (duration, feet) = (span.1 - span.0, given.soles.len());
     let window = Window { time: tracks.time, span };

@@ -1,9 +1,9 @@
 //! The centre of mass and the points of the soles over the samples.
 
-use super::Given;
+use super::MetricsInput;
 use crate::error::GaitError;
 use nalgebra::Vector3;
-use solaris_dynamics::{Tree, Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
+use solaris_dynamics::{Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
 
 /// A number or a place for each sample, in world axes.
 pub(super) struct Tracks<'a> {
@@ -24,29 +24,24 @@ pub(super) struct Tracks<'a> {
 }
 
 impl<'a> Tracks<'a> {
-    pub(super) fn of(given: &Given<'a>) -> Result<Self, GaitError> {
-        let Given { figure, gravity, states, soles, .. } = *given;
-        let strength = gravity.norm();
-        if !(strength.is_finite() && strength > 1e-9) {
-            return Err(GaitError::NoGravity { gravity: gravity.into() });
-        }
-        let tree = Tree::<f64>::new(figure, gravity)?;
-        let (nq, nv, rows) = (tree.nq(), tree.nv(), states.time.len());
+    pub(super) fn of(given: &MetricsInput<'a>) -> Result<Self, GaitError> {
+        let MetricsInput { motion: prepared, soles, .. } = *given;
+        let (motion, tree) = (prepared.motion(), prepared.tree());
+        let gravity = motion.info.gravity;
+        let up = prepared.up().ok_or(GaitError::NoGravity { gravity: gravity.into() })?;
+        let rows = motion.len();
         let fits = |what, found, expected| {
             if found == expected { Ok(()) } else { Err(GaitError::OtherMotion { what, found, expected }) }
         };
-        fits("the positions", states.q.len(), rows * nq)?;
-        fits("the velocities", states.v.len(), rows * nv)?;
-        fits("the accelerations", states.a.len(), rows * nv)?;
         fits("the times", rows, rows.max(1))?;
         if let Some(contacts) = given.contacts {
             fits("the forces", contacts.len(), soles.len())?;
             contacts.iter().try_for_each(|track| fits("a foot's force", track.samples.len(), rows))?;
         }
         let mut tracks = Self {
-            time: &states.time,
-            up: -gravity / strength,
-            weight: figure.mass() * strength,
+            time: motion.time(),
+            up,
+            weight: tree.mass() * gravity.norm(),
             level: given.stances.map_or(0.0, |stances| stances.level),
             belt: given.stances.map_or_else(Vector3::zeros, |stances| stances.belt),
             com: Vec::with_capacity(rows),
@@ -54,13 +49,12 @@ impl<'a> Tracks<'a> {
             acceleration: Vec::with_capacity(rows),
             points: vec![Vec::with_capacity(rows); soles.len()],
         };
-        let (mut workspace, mass) = (Workspace::new(&tree), figure.mass());
+        let (mut workspace, mass) = (Workspace::new(tree), tree.mass());
         for row in 0..rows {
-            let q = &states.q[row * nq..][..nq];
-            let [v, a] = [&states.v, &states.a].map(|column| &column[row * nv..][..nv]);
-            tracks.com.push(center_of_mass(&tree, &mut workspace, q)?);
-            tracks.velocity.push(centroidal_momentum(&tree, &mut workspace, q, v)?.linear / mass);
-            tracks.acceleration.push(centroidal_momentum_rate(&tree, &mut workspace, q, v, a)?.force / mass);
+            let (q, v, a) = (motion.q(row), motion.v(row), motion.a(row));
+            tracks.com.push(center_of_mass(tree, &mut workspace, q)?);
+            tracks.velocity.push(centroidal_momentum(tree, &mut workspace, q, v)?.linear / mass);
+            tracks.acceleration.push(centroidal_momentum_rate(tree, &mut workspace, q, v, a)?.force / mass);
             for (points, sole) in tracks.points.iter_mut().zip(soles) {
                 points.push(sole.points(&workspace));
             }

@@ -5,7 +5,7 @@ use super::element::{child_flag, child_words, words_at};
 use crate::error::{ExternalForceProblem, IoError};
 use crate::table::Table;
 use crate::xml::{self, Node, Reader, element, elements_called, tag};
-use solaris_model::{Contact, ForceRecord, TextError, Vector3, nearest};
+use solaris_model::{Contact, MeasuredForce, TextError, Vector3, nearest};
 
 /// A table of measured forces and what they act on.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,13 +125,13 @@ impl ExternalLoads {
     ///
     /// [`IoError::ExternalForce`] for a table without times or without three columns whose headings begin as an identifier
     /// says.
-    pub fn records(&self, table: &Table) -> Result<Vec<ForceRecord>, IoError> {
+    pub fn records(&self, table: &Table) -> Result<Vec<MeasuredForce>, IoError> {
         self.forces.iter().map(|force| force.record(table)).collect()
     }
 }
 
 impl ExternalForce {
-    fn record(&self, table: &Table) -> Result<ForceRecord, IoError> {
+    fn record(&self, table: &Table) -> Result<MeasuredForce, IoError> {
         let fault = |problem| IoError::ExternalForce { force: self.name.clone(), problem };
         let time = table.column("time").ok_or_else(|| fault(ExternalForceProblem::NoTime))?;
         let columns = |what, identifier: &Option<String>| {
@@ -156,7 +156,7 @@ impl ExternalForce {
         });
         let (links, time, samples) =
             (vec![self.body.clone()], table.values_of(time).collect(), samples.collect());
-        Ok(ForceRecord { links, ball_and_tip: None, time, samples })
+        Ok(MeasuredForce { links, ball_and_tip: None, time, samples })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::times;
 use crate::error::IoError;
 use crate::table::{CONTACT, TIME, Table};
-use solaris_model::{Contact, ForceRecord, Vector3, nearest};
+use solaris_model::{Contact, MeasuredForce, Vector3, nearest};
 
 /// Endings of force, point of application and torque in a table of `OpenSim`.
 pub(super) const OPENSIM: [&str; 9] = [
@@ -30,7 +30,7 @@ pub(super) const OPENSIM: [&str; 9] = [
 ///
 /// No column with that prefix, with the prefixes that there are; columns that are missing; no times, or times that do not
 /// rise.
-pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<ForceRecord, IoError> {
+pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<MeasuredForce, IoError> {
     let line = table.header_line;
     let ours = CONTACT.map(|ending| format!("{prefix}.{ending}"));
     let theirs = OPENSIM.map(|ending| format!("{prefix}{ending}"));
@@ -74,7 +74,7 @@ pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<ForceReco
         }
     });
     let (links, time, samples) = (links.to_vec(), times(table, time)?, samples.collect());
-    Ok(ForceRecord { links, ball_and_tip: None, time, samples })
+    Ok(MeasuredForce { links, ball_and_tip: None, time, samples })
 }
 
 /// The prefixes of all forces of a table, in its order.

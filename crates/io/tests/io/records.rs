@@ -39,25 +39,28 @@ fn opensim_degrees_are_for_what_turns() {
         "time,ankle_angle_r,knee_angle_r,pelvis_tx,pelvis_tilt,emg\n0,90,-90,1.5,45,3\n0.1,0,180,2,0,3\n",
     );
     given.in_degrees = Some(true);
-    let found = record::read(&leg(), &given).expect("all there");
+    let found = record::read(&leg(), Vector3::zeros(), &given).expect("all there");
     let pi = FRAC_PI_2 * 2.0;
     let expected = [1.5, pi / 4.0, 0.1 - 0.25 * pi, -FRAC_PI_2, FRAC_PI_2, 2.0, 0.0, 0.1 + 0.5 * pi, pi, 0.0];
-    assert_eq!(found.record.q, expected);
-    assert_eq!(found.record.known_v, [false; 5]);
+    assert_eq!(found.motion.columns()[0], expected);
+    assert_eq!(found.motion.known().v, [false; 5]);
     assert_eq!(found.ignored, ["emg"]);
     given.in_degrees = Some(false);
-    assert_eq!(record::read(&leg(), &given).expect("all there").record.q[3].to_bits(), (-90.0_f64).to_bits());
+    assert_eq!(
+        record::read(&leg(), Vector3::zeros(), &given).expect("all there").motion.q(0)[3].to_bits(),
+        (-90.0_f64).to_bits()
+    );
 }
 
 #[test]
 fn velocities_and_accelerations_are_optional_for_each_coordinate() {
     let text = "knee_angle_r.q,time,pelvis_tx.q,pelvis_tilt.q,pelvis_tilt.v,ankle_r.q,ankle_r.v,ankle_r.a,foot.fx,slide.q,note\n\
                 0.2,0,1,2,3,4,5,6,7,8,9\n";
-    let found = record::read(&leg(), &table(text)).expect("all there");
-    let record = found.record;
-    assert_eq!((record.q, record.v), (vec![1.0, 2.0, 0.2, 0.2, 4.0], vec![0.0, 3.0, 0.0, 0.0, 5.0]));
-    assert_eq!(record.known_v, [false, true, false, false, true]);
-    assert_eq!((record.known_a, record.a[4]), (vec![false, false, false, false, true], 6.0));
+    let found = record::read(&leg(), Vector3::zeros(), &table(text)).expect("all there");
+    let motion = found.motion;
+    assert_eq!((motion.q(0), motion.v(0)), (&[1.0, 2.0, 0.2, 0.2, 4.0][..], &[0.0, 3.0, 0.0, 0.0, 5.0][..]));
+    assert_eq!(motion.known().v, [false, true, false, false, true]);
+    assert_eq!((&*motion.known().a, motion.a(0)[4]), (&[false, false, false, false, true][..], 6.0));
     assert_eq!(found.ignored[0], "note");
     assert!(
         found.ignored[1].starts_with("slide (it follows knee_angle_r, and is off by"),
@@ -73,10 +76,11 @@ fn unrelated_states_need_no_time() {
         .link(LinkSpec::root("hand", Joint::new("wrist").rx()).mass(1.0))
         .build()
         .expect("valid");
-    let record = record::read(&figure, &table(text)).expect("states").record;
-    assert_eq!((record.time, record.q), (vec![0.0, 1.0], vec![1.0, -4.0]));
-    assert_eq!((record.v, record.a), (vec![2.0, 5.0], vec![3.0, 6.0]));
-    let error = record::read(&figure, &table("wrist.q,wrist.v\n1,2\n")).expect_err("no accelerations");
+    let record = record::read(&figure, Vector3::zeros(), &table(text)).expect("states").motion;
+    assert_eq!(record.time(), [0.0, 1.0]);
+    assert_eq!(record.columns(), [&[1.0, -4.0][..], &[2.0, 5.0], &[3.0, 6.0]]);
+    let error = record::read(&figure, Vector3::zeros(), &table("wrist.q,wrist.v\n1,2\n"))
+        .expect_err("no accelerations");
     assert!(error.to_string().contains("missing: 'wrist.rx.a'"), "{error}");
 }
 
@@ -85,10 +89,11 @@ fn unrelated_states_may_have_any_times() {
     let states = "time,elbow.q,elbow.v,elbow.a\n3,0.1,0.2,0.3\n1,0.4,0.5,0.6\n1,0.7,0.8,0.9\n";
     let arm = LinkSpec::root("arm", Joint::new("elbow").rx()).mass(1.0);
     let figure = FigureBuilder::new("arm").link(arm).build().expect("valid");
-    let recorded = record::read(&figure, &table(states)).expect("states");
-    assert_eq!(recorded.record.time, [3.0, 1.0, 1.0]);
+    let recorded = record::read(&figure, Vector3::zeros(), &table(states)).expect("states");
+    assert_eq!(recorded.motion.time(), [3.0, 1.0, 1.0]);
     // Where something has to be differentiated, times rise.
-    let error = record::read(&figure, &table("time,elbow.q\n3,0.1\n1,0.4\n")).expect_err("back in time");
+    let error = record::read(&figure, Vector3::zeros(), &table("time,elbow.q\n3,0.1\n1,0.4\n"))
+        .expect_err("back in time");
     assert!(error.to_string().starts_with("line 3"), "{error}");
 }
 
@@ -101,17 +106,14 @@ fn headings_of_opensims_states_are_understood() {
     let states = table(
         "time,/jointset/knee/bend/value,/jointset/knee/bend/speed,/forceset/soleus/activation\n0,0.5,2,0.1\n0.1,0.6,2,0.2\n",
     );
-    let recorded = record::read(&figure, &states).expect("states");
-    assert_eq!(
-        (recorded.record.q, recorded.record.v),
-        (vec![0.25, 0.5, 0.36, 0.6], vec![2.0, 2.0, 2.4, 2.0])
-    );
-    assert_eq!(recorded.record.known_v, [true, true]);
+    let recorded = record::read(&figure, Vector3::zeros(), &states).expect("states");
+    assert_eq!(recorded.motion.columns()[..2], [&[0.25, 0.5, 0.36, 0.6][..], &[2.0, 2.0, 2.4, 2.0]]);
+    assert_eq!(recorded.motion.known().v, [true, true]);
     assert_eq!(recorded.ignored, ["/forceset/soleus/activation"]);
     // A follower's own column is not used; where it says something else, that is said.
     let off = table("time,bend,knee.tx\n0,0.5,0.25\n0.1,0.6,0.86\n");
     assert_eq!(
-        record::read(&figure, &off).expect("states").ignored,
+        record::read(&figure, Vector3::zeros(), &off).expect("states").ignored,
         ["knee.tx (it follows bend, and is off by up to 5.0e-1)"]
     );
 }
@@ -122,13 +124,13 @@ fn the_table_of_a_motion_is_its_record() {
     let mut text = Vec::new();
     csv::write(&figure, &motion, &mut text).expect("a vector");
     let table = table(&String::from_utf8(text).expect("text"));
-    let found = record::read(&figure, &table).expect("all there");
+    let found = record::read(&figure, Vector3::zeros(), &table).expect("all there");
     assert!(found.ignored.is_empty());
-    assert!(found.record.known_a.iter().all(|known| *known));
-    assert_eq!(found.record.time, motion.time());
+    assert!(found.motion.known().is_all());
+    assert_eq!(found.motion.time(), motion.time());
     for row in 0..motion.len() {
-        assert_eq!(&found.record.q[row * 66..][..66], motion.q(row));
-        assert_eq!(&found.record.a[row * 66..][..66], motion.a(row));
+        assert_eq!(found.motion.q(row), motion.q(row));
+        assert_eq!(found.motion.a(row), motion.a(row));
     }
     for track in &motion.contacts {
         let forces =
@@ -185,7 +187,7 @@ fn mistakes_in_states_are_answered() {
         (thrown(), "time,root.px,root.py,root.pz\n0,1,2,3\n".to_owned()),
         (full_human().0, "time,left_knee.rx.q\n0,1\n".to_owned()),
     ];
-    let answers = cases.map(|(figure, text)| match record::read(&figure, &table(&text)) {
+    let answers = cases.map(|(figure, text)| match record::read(&figure, Vector3::zeros(), &table(&text)) {
         Ok(found) => format!("ACCEPTED, without {:?}", found.ignored),
         Err(error) => error.to_string(),
     });

@@ -1,5 +1,7 @@
 //! Why a motion's balance cannot be set right.
 
+use solaris_model::MotionError;
+
 /// Why nothing can be said of a motion's balance.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -71,19 +73,15 @@ pub enum ConsistencyError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ShiftError {
-    /// Shift, motion and figure do not belong together.
-    #[error("{what} has {found} numbers; {frames} frames of figure '{figure}' have {expected}")]
+    /// The shift is not one of this motion.
+    #[error("{what} has {found} frames, the motion {frames}")]
     Length {
-        /// Which column.
+        /// Which part of it.
         what: &'static str,
-        /// Numbers that it has.
+        /// Frames that it has.
         found: usize,
         /// Frames of the motion.
         frames: usize,
-        /// The figure.
-        figure: String,
-        /// Numbers that it must have.
-        expected: usize,
     },
     /// A root that cannot be put anywhere.
     #[error(
@@ -94,10 +92,7 @@ pub enum ShiftError {
         /// The root's joint.
         joint: String,
     },
-    /// A shift or a state that is no number.
-    #[error("frame {frame}: the shift or the root's state is not finite")]
-    NotFinite {
-        /// Number of the frame, from 0.
-        frame: usize,
-    },
+    /// The motion is another figure's, or what it comes to is no number.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
 }

@@ -1,9 +1,8 @@
 //! A motion with its root somewhere else.
 
-use crate::differentiate::Completed;
 use crate::ground::consistency::{Consistency, error::ShiftError};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use solaris_model::{AxisKind, Figure, JointKind, JointLayout};
+use solaris_model::{AxisKind, Figure, JointKind, JointLayout, Motion};
 
 /// Moves the whole figure by `found`'s shift, with its velocity and acceleration; everything else stays.
 ///
@@ -20,31 +19,24 @@ use solaris_model::{AxisKind, Figure, JointKind, JointLayout};
 ///
 /// Numbers of frames that differ, roots of other kinds, slides that follow something or are followed, what is not finite.
 /// The motion is then as it was.
-pub fn shift_root(figure: &Figure, states: &mut Completed, found: &Consistency) -> Result<(), ShiftError> {
-    let (frames, nq, nv) = (states.time.len(), figure.layout().nq(), figure.layout().nv());
+pub fn shift_root(figure: &Figure, motion: &mut Motion, found: &Consistency) -> Result<(), ShiftError> {
+    let frames = motion.len();
     let lengths = [
-        ("q of the motion", states.q.len(), frames * nq),
-        ("v of the motion", states.v.len(), frames * nv),
-        ("a of the motion", states.a.len(), frames * nv),
-        ("the shift", found.shift.len(), frames),
-        ("the shift's velocity", found.velocity.len(), frames),
-        ("the shift's acceleration", found.acceleration.len(), frames),
+        ("the shift", found.shift.len()),
+        ("the shift's velocity", found.velocity.len()),
+        ("the shift's acceleration", found.acceleration.len()),
     ];
-    if let Some((what, found, expected)) = lengths.into_iter().find(|(_, found, length)| found != length) {
-        return Err(ShiftError::Length { what, found, frames, figure: figure.name().to_owned(), expected });
+    if let Some((what, found)) = lengths.into_iter().find(|(_, found)| *found != frames) {
+        return Err(ShiftError::Length { what, found, frames });
     }
-    let root = Root::of(figure)?;
-    let mut new = (states.q.clone(), states.v.clone(), states.a.clone());
+    let (root, nq, nv) = (Root::of(figure)?, figure.layout().nq(), figure.layout().nv());
+    let [mut q, mut v, mut a] = motion.columns().map(<[f64]>::to_vec);
     for frame in 0..frames {
-        let (q, v) = (&mut new.0[frame * nq..][..nq], &mut new.1[frame * nv..][..nv]);
         let by = [found.shift[frame], found.velocity[frame], found.acceleration[frame]];
-        let a = &mut new.2[frame * nv..][..nv];
-        root.shift(&mut q[root.at().q..], &mut v[root.at().v..], &mut a[root.at().v..], by);
-        if q.iter().chain(&*v).chain(&*a).any(|number| !number.is_finite()) {
-            return Err(ShiftError::NotFinite { frame });
-        }
+        let (q, v) = (&mut q[frame * nq + root.at().q..], &mut v[frame * nv + root.at().v..]);
+        root.shift(q, v, &mut a[frame * nv + root.at().v..], by);
     }
-    (states.q, states.v, states.a) = new;
+    motion.set_states(figure, [q, v, a])?;
     Ok(())
 }
 

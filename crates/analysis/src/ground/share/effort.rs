@@ -16,13 +16,14 @@ const WEIGHT: f64 = 0.05;
 const LEAST: f64 = 1e-9;
 
 pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
-    sharing.given.frames(|workspace, row| {
+    let frames = sharing.prepared.frames(|workspace, row| {
         let Some(feet) = sharing.supports(row) else { return Ok(sharing.nothing()) };
         match Sharing::only(&feet) {
             Some(foot) => Ok(sharing.whole(row, foot)),
             None => Effort { sharing, row, feet: &feet }.least(workspace),
         }
-    })
+    })?;
+    Ok(frames)
 }
 
 /// One frame with several feet.
@@ -42,7 +43,7 @@ impl Effort<'_> {
     /// ```
     fn least(&self, workspace: &mut Workspace<f64>) -> Result<Parts, DynamicsError> {
         let sharing = self.sharing;
-        let (weight, length) = (sharing.given.weight, sharing.height(self.row).max(1e-3));
+        let (weight, length) = (sharing.prepared.weight, sharing.height(self.row).max(1e-3));
         let share = |foot: usize| self.feet[foot].share;
         let mut acting: Vec<usize> = (0..self.feet.len()).filter(|foot| share(*foot) > LEAST).collect();
         acting.sort_by(|a, b| share(*b).total_cmp(&share(*a)));
@@ -106,11 +107,19 @@ impl Effort<'_> {
         weight: f64,
         length: f64,
     ) -> Result<DVector<f64>, DynamicsError> {
-        let given = self.sharing.given;
-        let mut tau = vec![0.0; given.tree.nv()];
-        let q = given.q(self.row);
-        inverse_dynamics(&given.tree, workspace, q, given.v(self.row), given.a(self.row), &[], &mut tau)?;
-        given.figure.fold_forces(q, &mut tau);
+        let prepared = self.sharing.prepared;
+        let mut tau = vec![0.0; prepared.tree.nv()];
+        let q = prepared.q(self.row);
+        inverse_dynamics(
+            &prepared.tree,
+            workspace,
+            q,
+            prepared.v(self.row),
+            prepared.a(self.row),
+            &[],
+            &mut tau,
+        )?;
+        prepared.figure.fold_forces(q, &mut tau);
         self.scale(&mut tau, length);
         Ok(DVector::from_vec(tau) / (weight * length))
     }
@@ -123,21 +132,21 @@ impl Effort<'_> {
         foot: usize,
         length: f64,
     ) -> Result<Levers, DynamicsError> {
-        let given = self.sharing.given;
-        let q = given.q(self.row);
+        let prepared = self.sharing.prepared;
+        let q = prepared.q(self.row);
         let link = self.sharing.soles[foot].foot;
-        forward_kinematics(&given.tree, workspace, q)?;
+        forward_kinematics(&prepared.tree, workspace, q)?;
         let point = workspace.pose(link).inverse().transform(&self.feet[foot].cop);
-        let mut rows = DMatrix::zeros(6, given.tree.nv());
-        jacobian(&given.tree, workspace, q, &Frame::at(link, point), JacobianAxes::World, &mut rows)?;
-        let mut out = Levers::zeros(given.tree.nv());
-        let mut tau = vec![0.0; given.tree.nv()];
+        let mut rows = DMatrix::zeros(6, prepared.tree.nv());
+        jacobian(&prepared.tree, workspace, q, &Frame::at(link, point), JacobianAxes::World, &mut rows)?;
+        let mut out = Levers::zeros(prepared.tree.nv());
+        let mut tau = vec![0.0; prepared.tree.nv()];
         for k in 0..6 {
             let unit = if k < 3 { 1.0 / length } else { 1.0 };
             for (tau, entry) in tau.iter_mut().zip(rows.row(k).iter()) {
                 *tau = entry * unit;
             }
-            given.figure.fold_forces(q, &mut tau);
+            prepared.figure.fold_forces(q, &mut tau);
             self.scale(&mut tau, length);
             for (i, tau) in tau.iter().enumerate() {
                 out[(i, k)] = *tau;
@@ -148,8 +157,9 @@ impl Effort<'_> {
 
     /// Forgets the root's and the toes' degrees of freedom; a sliding one counts by its force times `length` (m).
     fn scale(&self, tau: &mut [f64], length: f64) {
-        let given = self.sharing.given;
-        for (index, (link, at)) in given.figure.links().iter().zip(given.figure.layout().joints()).enumerate()
+        let prepared = self.sharing.prepared;
+        for (index, (link, at)) in
+            prepared.figure.links().iter().zip(prepared.figure.layout().joints()).enumerate()
         {
             let left_out = index == 0 || self.sharing.soles.iter().any(|sole| sole.toes == Some(index));
             for (tau, slides) in tau[at.v..at.v + at.nv].iter_mut().zip(slides(link.joint().kind())) {
@@ -183,24 +193,23 @@ fn stack(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Completed;
-    use crate::ground::given::Given;
     use crate::ground::{Stance, Stances, balance, soles};
-    use solaris_dynamics::Wrench;
+    use crate::prepared::PreparedMotion;
+    use solaris_model::{Motion, MotionInfo};
 
     /// The functional as the documentation writes it, by inverse dynamics with the feet loaded.
     fn functional(sharing: &Sharing<'_>, row: usize, parts: &Parts) -> f64 {
-        let (given, feet) = (sharing.given, sharing.supports(row).expect("feet that stand"));
-        let (weight, height) = (given.weight, sharing.height(row));
+        let (prepared, feet) = (sharing.prepared, sharing.supports(row).expect("feet that stand"));
+        let (weight, height) = (prepared.weight, sharing.height(row));
         let loads = sharing.soles.iter().zip(parts);
         let loads = loads.map(|(sole, part)| (sole.foot, Wrench { force: part.force, moment: part.moment }));
-        let mut tau = vec![0.0; given.tree.nv()];
-        let (q, v, a) = (given.q(row), given.v(row), given.a(row));
-        let mut workspace = Workspace::new(&given.tree);
-        inverse_dynamics(&given.tree, &mut workspace, q, v, a, &loads.collect::<Vec<_>>(), &mut tau)
+        let mut tau = vec![0.0; prepared.tree.nv()];
+        let (q, v, a) = (prepared.q(row), prepared.v(row), prepared.a(row));
+        let mut workspace = Workspace::new(&prepared.tree);
+        inverse_dynamics(&prepared.tree, &mut workspace, q, v, a, &loads.collect::<Vec<_>>(), &mut tau)
             .expect("finite");
         let mut sum = 0.0;
-        for (index, at) in given.figure.layout().joints().iter().enumerate().skip(1) {
+        for (index, at) in prepared.figure.layout().joints().iter().enumerate().skip(1) {
             if sharing.soles.iter().all(|sole| sole.toes != Some(index)) {
                 sum +=
                     tau[at.v..at.v + at.nv].iter().map(|tau| (tau / (weight * height)).powi(2)).sum::<f64>();
@@ -221,13 +230,14 @@ mod tests {
         let mut q: Vec<f64> = (0..figure.layout().nq()).map(|i| 0.1 * (i as f64).sin()).collect();
         (q[0], q[1], q[2]) = (0.05, 0.9, 0.08);
         let v = vec![0.1; figure.layout().nv()];
-        let states = Completed { time: vec![0.0], q, a: v.clone(), v, ..Completed::default() };
-        let given = Given::new(&figure, gravity, &states).expect("a motion");
+        let info = MotionInfo::recorded(&figure, gravity, &[0.0]);
+        let motion = Motion::new(&figure, info, vec![0.0], [q, v.clone(), v]).expect("a motion");
+        let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
         let list = [0, 1].map(|foot| Stance { foot, start: -1.0, end: 1.0 }).to_vec();
         let stances = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "told" };
-        let total = balance(&figure, gravity, &states, 0.0).expect("a total");
+        let total = balance(&prepared, 0.0).expect("a total");
         let soles = soles(&figure);
-        let sharing = Sharing::new(&given, &soles, &stances, &total).expect("points");
+        let sharing = Sharing::new(&prepared, &soles, &stances, &total).expect("points");
         let shares = sharing.supports(0).expect("feet").iter().map(|foot| foot.share).collect::<Vec<_>>();
         assert!(shares.iter().all(|share| (0.05..0.95).contains(share)), "{shares:?}");
         let best = super::share(&sharing).expect("parts").remove(0);

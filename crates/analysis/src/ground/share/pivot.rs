@@ -16,6 +16,6 @@ pub(super) fn share(sharing: &Sharing<'_>, row: usize) -> Parts {
     // A centre of mass at or below the ground has no pivot above it: the forces stay parallel.
     let height = sharing.height(row);
     let pull = if height > 0.0 { 1.0 / (PIVOT * height) } else { 0.0 };
-    pivot_parts(&sharing.total[row].wrench(), &sharing.given.up, pull, &feet, &mut parts);
+    pivot_parts(&sharing.total[row].wrench(), &sharing.prepared.up, pull, &feet, &mut parts);
     parts
 }

@@ -1,8 +1,8 @@
 //! What every split knows: the frames, the soles in the world, the smooth shares and nominal centres of pressure.
 
 use super::load::Load;
-use crate::ground::given::Given;
 use crate::ground::{BalanceFrame, GroundError, Sole, Stance, Stances};
+use crate::prepared::PreparedMotion;
 use crate::split::FootSupport;
 use nalgebra::Vector3;
 use solaris_dynamics::{Wrench, forward_kinematics};
@@ -17,7 +17,7 @@ const LEAST: f64 = 1e-9;
 
 /// All that a split is made of.
 pub(super) struct Sharing<'a> {
-    pub(super) given: &'a Given<'a>,
+    pub(super) prepared: &'a PreparedMotion<'a>,
     pub(super) soles: &'a [Sole],
     pub(super) stances: &'a Stances,
     pub(super) total: &'a [BalanceFrame],
@@ -41,24 +41,24 @@ pub(super) struct Double {
 
 impl<'a> Sharing<'a> {
     pub(super) fn new(
-        given: &'a Given<'a>,
+        prepared: &'a PreparedMotion<'a>,
         soles: &'a [Sole],
         stances: &'a Stances,
         total: &'a [BalanceFrame],
     ) -> Result<Self, GroundError> {
-        let points = given.frames(|workspace, row| {
-            forward_kinematics(&given.tree, workspace, given.q(row))?;
+        let points = prepared.frames(|workspace, row| {
+            forward_kinematics(&prepared.tree, workspace, prepared.q(row))?;
             Ok(soles.iter().map(|sole| sole.points(workspace)).collect())
         })?;
         let loads = Load::all(&stances.list);
-        let doubles = doubles(&stances.list, &given.states.time);
-        let mut out = Self { given, soles, stances, total, points, loads, doubles, alone: Vec::new() };
+        let doubles = doubles(&stances.list, prepared.time());
+        let mut out = Self { prepared, soles, stances, total, points, loads, doubles, alone: Vec::new() };
         out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
         Ok(out)
     }
 
     fn stands_alone(&self, foot: usize) -> Vec<[Option<usize>; 2]> {
-        let time = &self.given.states.time;
+        let time = self.prepared.time();
         let alone = |row: &usize| {
             let here = self.stances.stands(foot, time[*row]) && self.standing(*row) == 1;
             here && self.total[*row].cop.is_some()
@@ -79,7 +79,7 @@ impl<'a> Sharing<'a> {
 
     /// Share and nominal centre of pressure of every foot in a frame; `None` where none stands.
     pub(super) fn supports(&self, row: usize) -> Option<Vec<FootSupport>> {
-        let t = self.given.states.time[row];
+        let t = self.prepared.time()[row];
         let mut feet = vec![FootSupport::default(); self.soles.len()];
         let mut standing = Vec::new();
         for (index, load) in self.loads.iter().enumerate() {
@@ -105,7 +105,7 @@ impl<'a> Sharing<'a> {
     /// alone; from there to where it stands alone again; from where it last does to the tip, where it leaves while
     /// others stay. In place of what is not there stands the point half-way from heel to ball.
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
-        let (load, time) = (&self.loads[index], &self.given.states.time);
+        let (load, time) = (&self.loads[index], self.prepared.time());
         let (Stance { foot, start, end }, t) = (load.stance, time[row]);
         let [heel, ball, tip] = self.points[row][foot].map(|point| self.on_ground(point));
         let middle = heel.lerp(&ball, 0.5);
@@ -128,13 +128,13 @@ impl<'a> Sharing<'a> {
 
     /// The point of the ground below a point.
     pub(super) fn on_ground(&self, point: Vector3<f64>) -> Vector3<f64> {
-        let up = &self.given.up;
+        let up = &self.prepared.up;
         point + up * (self.stances.level - point.dot(up))
     }
 
     /// Height of the centre of mass above the ground (m).
     pub(super) fn height(&self, row: usize) -> f64 {
-        self.total[row].com.dot(&self.given.up) - self.stances.level
+        self.total[row].com.dot(&self.prepared.up) - self.stances.level
     }
 
     /// From the heel over the ball to the tip (m).
@@ -162,7 +162,7 @@ impl<'a> Sharing<'a> {
 
     /// The wrench with its centre of pressure; zero where there is none.
     pub(super) fn contact(&self, part: &Wrench<f64>) -> Contact {
-        let (up, level) = (&self.given.up, self.stances.level);
+        let (up, level) = (&self.prepared.up, self.stances.level);
         let normal = part.force.dot(up);
         let cop = (up.cross(&part.moment) + part.force * level) / normal;
         let cop = if cop.iter().all(|x| x.is_finite()) { cop } else { Vector3::zeros() };
@@ -180,13 +180,13 @@ impl<'a> Sharing<'a> {
 
     /// Feet that stand in a frame.
     pub(super) fn standing(&self, row: usize) -> usize {
-        let t = self.given.states.time[row];
+        let t = self.prepared.time()[row];
         (0..self.soles.len()).filter(|foot| self.stances.stands(*foot, t)).count()
     }
 
     /// Frames in which several feet stand outside of such double supports.
     pub(super) fn irregular(&self) -> usize {
-        let time = &self.given.states.time;
+        let time = self.prepared.time();
         (0..time.len()).filter(|row| self.standing(*row) > 1 && !self.is_regular(time[*row])).count()
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use solaris_dynamics::Wrench;
 
 pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
-    let time = &sharing.given.states.time;
+    let time = sharing.prepared.time();
     let releases: Vec<_> =
         sharing.doubles().iter().filter_map(|double| Release::new(sharing, double)).collect();
     let frame = |row: usize| {
@@ -19,7 +19,7 @@ pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
             releases.iter().find(|release| (release.double.start..=release.double.end).contains(&t));
         let Some(release) = release else { return Ok(pivot::share(sharing, row)) };
         let (trailing, mut parts) =
-            (release.at(t, &sharing.given.up), sharing.whole(row, release.double.leading));
+            (release.at(t, &sharing.prepared.up), sharing.whole(row, release.double.leading));
         let leading = &mut parts[release.double.leading];
         leading.force -= trailing.force;
         leading.moment -= trailing.moment;
@@ -46,7 +46,7 @@ struct Release {
 impl Release {
     /// `None` where nothing presses on the ground when double support begins.
     fn new(sharing: &Sharing<'_>, double: &Double) -> Option<Self> {
-        let (up, belt) = (&sharing.given.up, sharing.stances.belt);
+        let (up, belt) = (&sharing.prepared.up, sharing.stances.belt);
         let (wrench, from) = between(sharing, double.start);
         let (_, to) = between(sharing, double.end);
         let travel = to - from - belt * (double.end - double.start);

@@ -1,8 +1,8 @@
 //! How the points of the soles move, and what that says of the ground.
 
 use super::{Belt, StanceOptions};
-use crate::ground::given::Given;
 use crate::ground::{GroundError, Sole};
+use crate::prepared::PreparedMotion;
 use nalgebra::Vector3;
 use solaris_dynamics::velocities;
 
@@ -42,10 +42,10 @@ impl Foot {
 }
 
 impl Tracks {
-    pub(super) fn of(given: &Given<'_>, soles: &[Sole]) -> Result<Self, GroundError> {
-        let up = given.up;
-        let frames = given.frames(|workspace, row| {
-            velocities(&given.tree, workspace, given.q(row), given.v(row))?;
+    pub(super) fn of(prepared: &PreparedMotion<'_>, soles: &[Sole]) -> Result<Self, GroundError> {
+        let up = prepared.up;
+        let frames = prepared.frames(|workspace, row| {
+            velocities(&prepared.tree, workspace, prepared.q(row), prepared.v(row))?;
             let foot = |sole: &Sole| {
                 let (points, velocities) = (sole.points(workspace), sole.velocities(workspace));
                 [0, 1, 2].map(|i| Point { height: points[i].dot(&up), velocity: velocities[i] })

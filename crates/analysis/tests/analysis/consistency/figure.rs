@@ -1,19 +1,19 @@
 //! Figures that sway and hop impossibly, shifted, and judged by inverse dynamics from their new states.
 
 use crate::consistency::support::{GRAVITY, beyond, hull, say};
+use crate::states::{Record, States, complete, ground_forces, make_consistent, shift_root};
 use nalgebra::Vector3;
-use solaris_analysis::ground::{BalanceFrame, ConsistencyOptions, Outcome, consistent, shift_root};
-use solaris_analysis::{Completed, complete};
+use solaris_analysis::ground::{BalanceFrame, ConsistencyOptions, Outcome, consistent};
 use solaris_dynamics::Wrench;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
-use solaris_model::{Base, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Record, human};
+use solaris_model::{Base, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 use std::f64::consts::PI;
 
 /// Points of soles (m) in their links' frames.
 type Soles = Vec<(usize, Vector3<f64>)>;
 
 /// The balance of every frame, and the hull of its soles.
-fn judge(figure: &Figure, states: &Completed, soles: &Soles) -> (Vec<BalanceFrame>, Vec<Vec<Vector3<f64>>>) {
+fn judge(figure: &Figure, states: &States, soles: &Soles) -> (Vec<BalanceFrame>, Vec<Vec<Vector3<f64>>>) {
     let tree = Tree::<f64>::new(figure, GRAVITY).expect("a tree");
     let mut workspace = Workspace::new(&tree);
     let mut tau = vec![0.0; tree.nv()];
@@ -46,7 +46,7 @@ fn worst(balances: &[BalanceFrame], outlines: &[Vec<Vector3<f64>>], level: f64) 
     worst
 }
 
-fn moving(figure: &Figure, rate: f64, frames: usize, q: impl Fn(f64) -> Vec<f64>) -> Completed {
+fn moving(figure: &Figure, rate: f64, frames: usize, q: impl Fn(f64) -> Vec<f64>) -> States {
     let nv = figure.layout().nv();
     let time: Vec<f64> = (0..frames).map(|k| k as f64 / rate).collect();
     let record = Record {
@@ -60,7 +60,7 @@ fn moving(figure: &Figure, rate: f64, frames: usize, q: impl Fn(f64) -> Vec<f64>
     complete(figure, &record, None).expect("a motion")
 }
 
-fn becomes_possible(name: &str, figure: &Figure, rate: f64, mut states: Completed, soles: &Soles) {
+fn becomes_possible(name: &str, figure: &Figure, rate: f64, mut states: States, soles: &Soles) {
     let level = judge(figure, &states, soles).1[0].iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
     let mass = figure.links().iter().map(solaris_model::Link::mass).sum::<f64>();
     let (balances, outlines) = judge(figure, &states, soles);
@@ -144,7 +144,7 @@ fn a_free_body_with_an_arm() {
 
 #[test]
 fn a_person_who_leans_too_far_is_moved_until_the_soles_bear() {
-    use solaris_analysis::ground::{GroundOptions, Stance, Stances, ground_forces, make_consistent, soles};
+    use solaris_analysis::ground::{GroundOptions, Stance, Stances, soles};
     let (figure, gravity) =
         (solaris_model::human(1.75, 73.0).expect("a person"), Vector3::new(0.0, -9.80665, 0.0));
     let (rate, count, nv) = (100.0, 201, figure.layout().nv());
@@ -158,7 +158,7 @@ fn a_person_who_leans_too_far_is_moved_until_the_soles_bear() {
         (q[k * nv + z], v[k * nv + z]) = (0.08 * (w * t).sin(), 0.08 * w * (w * t).cos());
         a[k * nv + z] = -0.08 * w * w * (w * t).sin();
     }
-    let mut states = Completed { time, q, v, a, ..Completed::default() };
+    let mut states = States { time, q, v, a, ..States::default() };
     let soles = soles(&figure);
     let standing = (0..2).map(|foot| Stance { foot, start: 0.0, end: 2.0 }).collect();
     let stances = Stances { list: standing, belt: Vector3::zeros(), level: 0.0, method: "given" };

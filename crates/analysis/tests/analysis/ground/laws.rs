@@ -1,9 +1,10 @@
 //! What holds of any split of any motion.
 
 use crate::ground::support::{GRAVITY, ground, person, steps, swaying, swaying_at};
+use crate::states::inverse_loaded;
 use approx::assert_relative_eq;
 use solaris_analysis::ground::{Split, Stances, soles};
-use solaris_analysis::{FootSupport, InverseOptions, inverse_motion, split_at_pivot};
+use solaris_analysis::{FootSupport, split_at_pivot};
 use solaris_dynamics::Wrench;
 use solaris_model::Vector3;
 
@@ -21,8 +22,7 @@ fn contacts_add_up_to_the_whole_and_leave_nothing_at_the_root() {
             assert_relative_eq!(sum(|c| c.force), total.force, epsilon = 1e-12 * weight);
             assert_relative_eq!(sum(|c| c.moment), total.moment, epsilon = 1e-12 * weight);
         }
-        let options = InverseOptions::default();
-        let report = inverse_motion(&figure, GRAVITY, &states, &ground.records(), options).expect("torques");
+        let report = inverse_loaded(&figure, GRAVITY, &states, &ground.loads());
         let left = report.residual;
         assert!(left.force < 1e-10 && left.moment < 1e-10, "{}: {left:?}", split.name());
     }

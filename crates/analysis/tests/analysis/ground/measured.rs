@@ -1,9 +1,10 @@
 //! The ground's forces of a subject's walk on a treadmill, against force plates; skipped where the data is not at hand.
 
 use crate::pinned::{Pinned, file, say};
-use solaris_analysis::ground::{GroundForces, GroundOptions, Sole, Split, ground_forces};
+use crate::states::ground_forces;
+use solaris_analysis::ground::{GroundForces, GroundOptions, Sole, Split};
 use solaris_io::{record, sto};
-use solaris_model::{Contact, ForceRecord, Vector3};
+use solaris_model::{Contact, MeasuredForce, Vector3};
 use std::fmt::Write as _;
 
 /// What is judged (s): the filter spoils the ends.
@@ -32,7 +33,7 @@ fn soles(pinned: &Pinned) -> Vec<Sole> {
 struct Subject {
     pinned: Pinned,
     /// Right and left, at the times of the motion.
-    plates: Vec<ForceRecord>,
+    plates: Vec<MeasuredForce>,
     /// When each plate bears more than 20 N (s).
     pressed: Vec<Vec<(f64, f64)>>,
 }

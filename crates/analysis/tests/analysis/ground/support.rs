@@ -1,7 +1,7 @@
 //! Motions of a person whose feet are told to stand, whatever they do.
 
-use solaris_analysis::Completed;
-use solaris_analysis::ground::{GroundForces, GroundOptions, Split, Stance, Stances, ground_forces, soles};
+use crate::states::{States, ground_forces};
+use solaris_analysis::ground::{GroundForces, GroundOptions, Split, Stance, Stances, soles};
 use solaris_model::{Figure, Vector3, human};
 
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
@@ -11,15 +11,15 @@ pub(crate) fn person() -> Figure {
 }
 
 /// A hundred frames a second of swaying.
-pub(crate) fn swaying(figure: &Figure, frames: usize, amplitude: f64) -> Completed {
+pub(crate) fn swaying(figure: &Figure, frames: usize, amplitude: f64) -> States {
     swaying_at(figure, frames, 100.0, amplitude)
 }
 
 /// Every coordinate swings about its middle with this amplitude (rad, and a tenth of it in m), each at its own pace.
-pub(crate) fn swaying_at(figure: &Figure, frames: usize, rate: f64, amplitude: f64) -> Completed {
+pub(crate) fn swaying_at(figure: &Figure, frames: usize, rate: f64, amplitude: f64) -> States {
     let (nq, rows) = (figure.layout().nq(), 0..frames);
     assert_eq!(nq, figure.layout().nv());
-    let mut out = Completed { time: rows.map(|i| i as f64 / rate).collect(), ..Completed::default() };
+    let mut out = States { time: rows.map(|i| i as f64 / rate).collect(), ..States::default() };
     for &t in &out.time {
         for dof in 0..nq {
             let pace = 3.0 + 0.37 * dof as f64;
@@ -40,7 +40,7 @@ pub(crate) fn steps() -> Stances {
     Stances { list, belt: Vector3::zeros(), level: 0.0, method: "told" }
 }
 
-pub(crate) fn ground(figure: &Figure, states: &Completed, split: Split, stances: Stances) -> GroundForces {
+pub(crate) fn ground(figure: &Figure, states: &States, split: Split, stances: Stances) -> GroundForces {
     let options = GroundOptions { split, stances: Some(stances), ..GroundOptions::default() };
     ground_forces(figure, GRAVITY, states, &soles(figure), &options).expect("forces")
 }

@@ -1,18 +1,30 @@
 //! Which link bears what acts on a sole that the figure itself does not have.
 
 use crate::ground::support::{GRAVITY, person, steps, swaying};
-use solaris_analysis::ground::{GroundForces, GroundOptions, Sole, ground_forces, soles};
-use solaris_analysis::{Completed, InverseError, InverseOptions, LoadError, inverse_motion};
-use solaris_dynamics::{Tree, Workspace, velocities};
-use solaris_model::{Figure, ForceRecord, SolePart, Vector3};
+use crate::states::{States, ground_forces, inverse_loaded, inverse_motion};
+use solaris_analysis::ground::{GroundForces, GroundOptions, Sole, soles};
+use solaris_analysis::{InverseOptions, LoadError};
+use solaris_dynamics::{Tree, Workspace, forward_kinematics, velocities};
+use solaris_model::{ContactTrack, Figure, MeasuredForce, SolePart, Vector3};
 
-fn forces(figure: &Figure, states: &Completed, soles: &[Sole]) -> GroundForces {
+fn forces(figure: &Figure, states: &States, soles: &[Sole]) -> GroundForces {
     let options = GroundOptions { stances: Some(steps()), ..GroundOptions::default() };
     ground_forces(figure, GRAVITY, states, soles, &options).expect("forces")
 }
 
-fn torques(figure: &Figure, states: &Completed, loads: &[ForceRecord]) -> Vec<f64> {
+fn torques(figure: &Figure, states: &States, loads: &[MeasuredForce]) -> Vec<f64> {
     inverse_motion(figure, GRAVITY, states, loads, InverseOptions::default()).expect("torques").tau
+}
+
+/// What was found, on the feet's links alone.
+fn on_feet(figure: &Figure, soles: &[Sole], found: &GroundForces) -> Vec<MeasuredForce> {
+    let record = |(sole, track): (&Sole, &ContactTrack)| MeasuredForce {
+        links: vec![figure.links()[sole.foot].name().to_owned()],
+        ball_and_tip: None,
+        time: found.total.iter().map(|frame| frame.time).collect(),
+        samples: track.samples.clone(),
+    };
+    soles.iter().zip(&found.contacts).map(record).collect()
 }
 
 /// The figure's own soles under names that it does not give them: as if they came from a file.
@@ -27,13 +39,8 @@ fn soles_that_are_told_carry_as_the_figures_own() {
     let figure = person();
     let states = swaying(&figure, 101, 0.1);
     let (own, told) = (forces(&figure, &states, &soles(&figure)), forces(&figure, &states, &told(&figure)));
-    let (one, other) = (own.records(), told.records());
-    assert_eq!((one[0].links.len(), one[0].ball_and_tip, &one[0].links), (2, None, &other[0].links));
-    let [ball, _] = other[0].ball_and_tip.expect("told");
-    let toes = figure.link_index(&one[0].links[1]).expect("toes");
-    let theirs = figure.links()[toes].sole_point(SolePart::Ball).expect("a ball");
-    assert!((ball - theirs).norm() < 1e-15, "{ball} {theirs}");
-    let (one, other) = (torques(&figure, &states, &one), torques(&figure, &states, &other));
+    let torques = |found: &GroundForces| inverse_loaded(&figure, GRAVITY, &states, &found.loads()).tau;
+    let (one, other) = (torques(&own), torques(&told));
     assert!(one.iter().zip(&other).all(|(one, other)| (one - other).abs() < 1e-9));
 }
 
@@ -45,10 +52,8 @@ fn what_the_links_of_a_foot_bear_is_the_whole() {
     let states = swaying(&figure, 101, 0.1);
     let told = told(&figure);
     let found = forces(&figure, &states, &told);
-    let records = found.records();
-    let foot = |record: &ForceRecord| ForceRecord { links: record.links[..1].to_vec(), ..record.clone() };
-    let feet: Vec<_> = records.iter().map(foot).collect();
-    let (with, without) = (torques(&figure, &states, &records), torques(&figure, &states, &feet));
+    let with = inverse_loaded(&figure, GRAVITY, &states, &found.loads()).tau;
+    let without = torques(&figure, &states, &on_feet(&figure, &told, &found));
     let tree = Tree::<f64>::new(&figure, GRAVITY).expect("a tree");
     let (mut workspace, nv) = (Workspace::new(&tree), tree.nv());
     let mut counts = [0, 0];
@@ -82,18 +87,36 @@ fn what_the_links_of_a_foot_bear_is_the_whole() {
 fn points_that_say_nothing_are_refused() {
     let figure = person();
     let states = swaying(&figure, 11, 0.1);
-    let record = forces(&figure, &states, &told(&figure)).records().swap_remove(0);
+    let soles = told(&figure);
+    let found = forces(&figure, &states, &soles);
+    let mut record = on_feet(&figure, &soles, &found).swap_remove(0);
+    record.links.push("left_toes".to_owned());
     for points in [[Vector3::zeros(); 2], [Vector3::zeros(), Vector3::repeat(f64::NAN)]] {
-        let load = ForceRecord { ball_and_tip: Some(points), ..record.clone() };
+        let load = MeasuredForce { ball_and_tip: Some(points), ..record.clone() };
         let refused = inverse_motion(&figure, GRAVITY, &states, &[load], InverseOptions::default());
         let error = refused.expect_err("no direction");
-        assert!(
-            matches!(&error, InverseError::Load(LoadError::Points { toes, .. }) if toes == "left_toes"),
-            "{error}"
-        );
+        let is_named =
+            matches!(error.downcast_ref(), Some(LoadError::Points { toes, .. }) if toes == "left_toes");
+        assert!(is_named, "{error}");
     }
-    // Toes that end where they begin leave all to the foot.
+}
+
+#[test]
+fn toes_that_end_where_they_begin_leave_all_to_the_foot() {
+    let figure = person();
+    let states = swaying(&figure, 101, 0.1);
     let mut soles = told(&figure);
-    soles[0].tip = record.ball_and_tip.expect("told")[0];
-    assert_eq!(forces(&figure, &states, &soles).records()[0].links, ["left_foot"]);
+    let tree = Tree::<f64>::new(&figure, GRAVITY).expect("a tree");
+    let mut workspace = Workspace::new(&tree);
+    forward_kinematics(&tree, &mut workspace, &vec![0.0; tree.nq()]).expect("a state");
+    for sole in &mut soles {
+        // The ball as the toes' link sees it, to the last digit.
+        let (ball, toes) =
+            (workspace.pose(sole.foot).transform(&sole.ball), workspace.pose(sole.toes.expect("toes")));
+        sole.tip = toes.rotation.transpose() * (ball - toes.translation);
+    }
+    let found = forces(&figure, &states, &soles);
+    let with = inverse_loaded(&figure, GRAVITY, &states, &found.loads()).tau;
+    let feet = torques(&figure, &states, &on_feet(&figure, &soles, &found));
+    assert!(with == feet, "toes bear something");
 }

@@ -1,7 +1,8 @@
 //! From positions to velocities and accelerations.
 
 use crate::inverse::support::{body, build, equally, pendulum, positions};
-use solaris_analysis::{CompleteError, Completed, Filter, complete};
+use crate::states::{Record, States, complete};
+use solaris_analysis::{DifferentiateError, Filter};
 use solaris_model::{Curve, Figure, Joint, LinkSpec, UnitQuaternion, Vector3};
 
 const SIX_HERTZ: Option<Filter> = Some(Filter { cutoff: 6.0, order: 2 });
@@ -28,7 +29,7 @@ fn top(t: f64) -> (Vector3<f64>, UnitQuaternion<f64>, [Vector3<f64>; 4]) {
     (throw * t + gravity * (t * t / 2.0), turn, [omega, alpha, v, a])
 }
 
-fn tumbling(figure: &Figure, sign: impl Fn(f64) -> f64) -> solaris_model::Record {
+fn tumbling(figure: &Figure, sign: impl Fn(f64) -> f64) -> Record {
     positions(figure, equally(241, 120.0), |t| {
         let (place, turn, _) = top(t);
         let turn = turn.coords * sign(t);
@@ -37,7 +38,7 @@ fn tumbling(figure: &Figure, sign: impl Fn(f64) -> f64) -> solaris_model::Record
 }
 
 /// Greatest differences in velocity and acceleration between rows.
-fn differences(motion: &Completed, rows: std::ops::Range<usize>) -> [f64; 2] {
+fn differences(motion: &States, rows: std::ops::Range<usize>) -> [f64; 2] {
     let mut worst = [0.0_f64; 2];
     for row in rows {
         let (_, _, [omega, alpha, v, a]) = top(motion.time[row]);
@@ -59,7 +60,7 @@ fn a_tumbling_body_has_the_velocities_of_its_closed_form() {
     let motion = complete(&figure, &flipping, None).expect("slow enough");
     let [velocity, acceleration] = differences(&motion, 30..211);
     assert!(velocity < 1e-8 && acceleration < 1e-5, "{velocity:e} {acceleration:e}");
-    assert_eq!((motion.q, motion.spoiled), (flipping.q, 0.0));
+    assert_eq!((motion.q, motion.unsettled), (flipping.q, 0.0));
     // A length that wavers, as that of printed quaternions, is no motion.
     let wavering = tumbling(&figure, |t| 1.0 + 5e-4 * (90.0 * t).sin());
     let motion = complete(&figure, &wavering, None).expect("slow enough");
@@ -78,7 +79,7 @@ fn what_is_given_stays_to_the_bit() {
     record.time = (0..241).map(|i| f64::from((i * 7) % 241)).collect();
     let motion = complete(&figure, &record, SIX_HERTZ).expect("nothing to do");
     assert_eq!((&motion.q, &motion.v, &motion.a), (&record.q, &record.v, &record.a));
-    assert_eq!((motion.time, motion.spoiled, motion.differentiated), (record.time, 0.0, vec![false; 9]));
+    assert_eq!((motion.time, motion.unsettled, motion.found), (record.time, 0.0, vec![false; 9]));
 }
 
 #[test]
@@ -95,7 +96,7 @@ fn accelerations_come_from_given_velocities() {
     assert_eq!(motion.v, record.v);
     let [velocity, acceleration] = differences(&motion, 30..211);
     assert!(velocity < 1e-12 && acceleration < 1e-6, "{velocity:e} {acceleration:e}");
-    assert_eq!(motion.differentiated, [true; 9]);
+    assert_eq!(motion.found, [true; 9]);
     // Accelerations that are known stay, and velocities are found.
     record.known_v.fill(false);
     record.known_a.fill(true);
@@ -122,8 +123,8 @@ fn a_filter_takes_the_tremor_from_what_is_derived() {
         assert_eq!(motion.q[2 * row + 1].to_bits(), tremor(t).to_bits());
         assert_eq!(motion.v[2 * row + 1].to_bits(), 0);
     }
-    assert!((0.1..0.25).contains(&motion.spoiled), "{}", motion.spoiled);
-    assert_eq!(motion.differentiated, [true, false]);
+    assert!((0.1..0.25).contains(&motion.unsettled), "{}", motion.unsettled);
+    assert_eq!(motion.found, [true, false]);
 }
 
 #[test]
@@ -161,28 +162,28 @@ fn followers_are_where_their_leaders_put_them() {
 fn what_cannot_be_completed_is_refused() {
     let figure = pendulum();
     let record = |time: Vec<f64>| positions(&figure, time, |t| vec![t]);
-    let error = |record: &solaris_model::Record, filter| match complete(&figure, record, filter) {
+    let error = |record: &Record, filter| match complete(&figure, record, filter) {
         Ok(_) => "ACCEPTED".to_owned(),
         Err(error) => error.to_string(),
     };
     assert_eq!(error(&record(vec![0.0]), None), "ACCEPTED");
     assert_eq!(
         error(&record(vec![0.0, 0.1, 0.1]), None),
-        "'pivot.rx' cannot be differentiated: time 0.1 (number 3) does not lie after the one before it, 0.1; times must rise"
+        "sample 2 is at 0.1 s; times must be finite and rise"
     );
     assert_eq!(
         error(&record(equally(9, 60.0)), SIX_HERTZ),
-        "the record cannot be filtered: 9 samples are too few for a filter of order 2; it needs 10: leave the filter out"
+        "the motion cannot be filtered: 9 samples are too few for a filter of order 2; it needs 10: leave the filter out"
     );
     assert_eq!(
         error(&record(equally(90, 10.0)), SIX_HERTZ),
-        "the record cannot be filtered: cut-off 6 Hz: it must be more than zero and less than half of the 10 samples/s, 5 Hz"
+        "the motion cannot be filtered: cut-off 6 Hz: it must be more than zero and less than half of the 10 samples/s, 5 Hz"
     );
     let unequal: Vec<f64> = (0..50).map(|i| f64::from(i * i)).collect();
     assert!(error(&record(unequal), SIX_HERTZ).contains("resample the record"));
     let mut short = record(equally(20, 60.0));
     short.q.pop();
-    assert_eq!(error(&short, None), "q of the record has 19 numbers; 20 rows of figure 'test' have 20");
+    assert_eq!(error(&short, None), "q has 19 numbers; 20 samples of 1 make 20");
     // 25 rad/s at 8 samples a second: 179° a sample.
     let figure = build([body(LinkSpec::root("ball", Joint::ball("j")))]);
     let fast = positions(&figure, equally(20, 8.0), |t| {
@@ -190,7 +191,7 @@ fn what_cannot_be_completed_is_refused() {
     });
     let error = complete(&figure, &fast, None).expect_err("too fast");
     assert!(
-        matches!(&error, CompleteError::TurnsTooFar { time, degrees, .. } if (*time - 0.125).abs() < 1e-9 && (degrees - 179.05).abs() < 0.1),
+        matches!(error.downcast_ref(), Some(DifferentiateError::TurnsTooFar { time, degrees, .. }) if (*time - 0.125).abs() < 1e-9 && (degrees - 179.05).abs() < 0.1),
         "{error}"
     );
 }

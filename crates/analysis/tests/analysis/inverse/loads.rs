@@ -1,8 +1,9 @@
 //! Measured forces at the times of a motion.
 
 use crate::inverse::support::{GRAVITY, build, forces, pendulum, push};
-use solaris_analysis::{Completed, InverseOptions, Loads, inverse_motion};
-use solaris_model::{Contact, Figure, ForceRecord, Joint, LinkSpec, SolePart, Vector3};
+use crate::states::{States, inverse_motion};
+use solaris_analysis::{InverseOptions, Loads};
+use solaris_model::{Contact, Figure, Joint, LinkSpec, MeasuredForce, SolePart, Vector3};
 
 /// A bob of no weight on a slide along y and one along z: forces are read off directly.
 fn probe() -> Figure {
@@ -10,14 +11,14 @@ fn probe() -> Figure {
 }
 
 /// What the slides of [`probe`] need at these times, without gravity: the force, turned around.
-fn felt(record: ForceRecord, time: &[f64]) -> Vec<[f64; 3]> {
+fn felt(record: MeasuredForce, time: &[f64]) -> Vec<[f64; 3]> {
     let numbers = vec![0.0; 3 * time.len()];
-    let motion = Completed {
+    let motion = States {
         time: time.to_vec(),
         q: numbers.clone(),
         v: numbers.clone(),
         a: numbers,
-        ..Completed::default()
+        ..States::default()
     };
     let report = inverse_motion(&probe(), Vector3::zeros(), &motion, &[record], InverseOptions::default());
     report.expect("in range").tau.chunks_exact(3).map(|tau| [-tau[0], -tau[1], -tau[2]]).collect()
@@ -48,8 +49,7 @@ fn moments_run_straight_as_well() {
     let rows =
         [(0.0, push([0.0, 0.0, 0.0], [9.0, 9.0, 9.0])), (1.0, push([0.0, 10.0, 0.0], [0.0, 0.0, 0.4]))];
     let record = forces(&["bob"], &rows);
-    let motion =
-        Completed { time: vec![0.25], q: vec![0.0], v: vec![0.0], a: vec![0.0], ..Completed::default() };
+    let motion = States { time: vec![0.25], q: vec![0.0], v: vec![0.0], a: vec![0.0], ..States::default() };
     let report = inverse_motion(&pendulum(), GRAVITY, &motion, &[record], InverseOptions::default())
         .expect("in range");
     // (0, 0, 0.4) × (0, 10, 0) = (−4, 0, 0)
@@ -73,12 +73,12 @@ fn the_toes_take_over_at_the_ball() {
     let figure = foot();
     let toes_feel = |z: f64| {
         let record = forces(&["shin", "toes"], &[(0.0, push([0.0, 100.0, 0.0], [0.0, -0.05, z]))]);
-        let motion = Completed {
+        let motion = States {
             time: vec![0.0],
             q: vec![0.0; 2],
             v: vec![0.0; 2],
             a: vec![0.0; 2],
-            ..Completed::default()
+            ..States::default()
         };
         let tau = inverse_motion(&figure, Vector3::zeros(), &motion, &[record], InverseOptions::default())
             .expect("one row")
@@ -94,7 +94,7 @@ fn the_toes_take_over_at_the_ball() {
 fn what_does_not_fit_is_refused() {
     let rows = [(0.0, Contact::default()), (0.1, Contact::default()), (0.2, Contact::default())];
     let record = |links: &[&str]| forces(links, &rows);
-    let error = |record: ForceRecord, time: &[f64]| match Loads::at_times(&foot(), &[record], time) {
+    let error = |record: MeasuredForce, time: &[f64]| match Loads::at_times(&foot(), &[record], time) {
         Ok(_) => "ACCEPTED".to_owned(),
         Err(error) => error.to_string(),
     };
@@ -117,7 +117,7 @@ fn what_does_not_fit_is_refused() {
          the forces for all of it"
     );
     assert_eq!(error(record(&["shin"]), &[-0.05, 0.29]), "ACCEPTED");
-    let one = ForceRecord { time: vec![0.0], samples: vec![Contact::default()], ..record(&["shin"]) };
+    let one = MeasuredForce { time: vec![0.0], samples: vec![Contact::default()], ..record(&["shin"]) };
     assert_eq!(error(one.clone(), &[0.0]), "ACCEPTED");
     assert!(error(one, &[0.001]).starts_with("the motion lasts"));
     let mut broken = record(&["shin"]);

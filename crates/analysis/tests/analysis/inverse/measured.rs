@@ -1,9 +1,10 @@
 //! A subject's walk, measured, and what another program makes of it; skipped where the data is not at hand.
 
 use crate::pinned::{Pinned, file, numbers, say};
-use solaris_analysis::{Completed, Filter, InverseOptions, complete, inverse_motion};
+use crate::states::{States, inverse_motion};
+use solaris_analysis::{Filter, InverseOptions, differentiate};
 use solaris_io::{Table, record, sto};
-use solaris_model::ForceRecord;
+use solaris_model::MeasuredForce;
 
 fn worst(ours: &[f64], theirs: &[f64]) -> f64 {
     assert_eq!(ours.len(), theirs.len());
@@ -15,7 +16,7 @@ fn worst(ours: &[f64], theirs: &[f64]) -> f64 {
 fn pinned_trees_need_the_torques_that_others_find() {
     for (name, tolerance) in [("gait10dof_pinned.json", 1e-6), ("gait2354_pinned.json", 1e-5)] {
         let Some(pinned) = Pinned::read(name) else { return };
-        let found = |loads: &[ForceRecord]| {
+        let found = |loads: &[MeasuredForce]| {
             let options = InverseOptions::default();
             let motion = pinned.motion();
             inverse_motion(&pinned.figure, pinned.gravity(), &motion, loads, options)
@@ -33,9 +34,10 @@ fn table(name: &str) -> Option<Table> {
     Some(sto::read(&file(name)?).expect("a table"))
 }
 
-fn filtered(pinned: &Pinned, motion: &Table, order: usize) -> Completed {
-    let recorded = record::read(&pinned.figure, motion).expect("all coordinates");
-    complete(&pinned.figure, &recorded.record, Some(Filter { cutoff: 6.0, order })).expect("equal steps")
+fn filtered(pinned: &Pinned, motion: &Table, order: usize) -> States {
+    let recorded = record::read(&pinned.figure, pinned.gravity(), motion).expect("all coordinates");
+    let filter = Filter { cutoff: 6.0, order };
+    States::of(&differentiate(&pinned.figure, &recorded.motion, Some(filter)).expect("equal steps").motion)
 }
 
 /// Greatest differences in the rows of a window (s).

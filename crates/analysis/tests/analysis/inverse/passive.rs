@@ -1,13 +1,14 @@
 //! Springs, dampers, friction and armature.
 
 use crate::inverse::support::{GRAVITY, body, build, equally, pendulum, positions};
-use solaris_analysis::{Completed, InverseOptions, complete, inverse_motion};
+use crate::states::{States, complete, inverse_motion};
+use solaris_analysis::InverseOptions;
 use solaris_dynamics::add_passive_forces;
 use solaris_model::{Curve, Figure, Joint, LinkSpec, Passive, UnitQuaternion, Vector3};
 
 const ACTS: Passive = Passive { stiffness: 20.0, rest: 0.3, damping: 1.5, friction: 0.7 };
 
-fn forces(figure: &Figure, motion: &Completed, passive: bool) -> Vec<f64> {
+fn forces(figure: &Figure, motion: &States, passive: bool) -> Vec<f64> {
     let options = InverseOptions { passive, progress: None };
     inverse_motion(figure, GRAVITY, motion, &[], options).expect("finite").tau
 }
@@ -84,7 +85,7 @@ fn a_followers_spring_and_weight_are_felt_by_its_leader() {
     let mut q = vec![0.0, 0.0, 0.4];
     let (mut v, mut a) = (vec![0.0; 3], vec![0.0; 3]);
     figure.follow(&mut q, &mut v, &mut a);
-    let motion = Completed { time: vec![0.0], q, v, a, ..Completed::default() };
+    let motion = States { time: vec![0.0], q, v, a, ..States::default() };
     let tau = forces(&figure, &motion, true);
     let [y, slope, _] = curve.at(0.4);
     assert_eq!(tau[1].to_bits(), 0);

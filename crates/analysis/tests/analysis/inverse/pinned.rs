@@ -1,9 +1,9 @@
 //! Trees of one-dof joints with their motion and forces, from the measured data.
 
+use crate::states::States;
 use serde_json::Value;
-use solaris_analysis::Completed;
 use solaris_model::{
-    Axis, Contact, Figure, FigureBuilder, ForceRecord, Inertia, Isometry3, Joint, LinkSpec, Matrix3,
+    Axis, Contact, Figure, FigureBuilder, Inertia, Isometry3, Joint, LinkSpec, Matrix3, MeasuredForce,
     Rotation3, UnitQuaternion, Vector3,
 };
 use std::fs::read_to_string;
@@ -85,9 +85,9 @@ impl Pinned {
     }
 
     /// Its own motion.
-    pub(crate) fn motion(&self) -> Completed {
+    pub(crate) fn motion(&self) -> States {
         let [time, q, v, a] = ["time", "q", "qd", "qdd"].map(|key| numbers(&self.json[key]));
-        Completed { time, q, v, a, ..Completed::default() }
+        States { time, q, v, a, ..States::default() }
     }
 
     /// The name of the link that carries a body.
@@ -97,7 +97,7 @@ impl Pinned {
     }
 
     /// Its own forces, at the times of its motion.
-    pub(crate) fn wrenches(&self) -> Vec<ForceRecord> {
+    pub(crate) fn wrenches(&self) -> Vec<MeasuredForce> {
         let wrench = |body: &str| {
             let rows = numbers(&self.json[format!("wrench_{body}")]);
             let contact = |w: &[f64]| Contact {
@@ -107,7 +107,7 @@ impl Pinned {
             };
             let samples = rows.chunks_exact(6).map(contact).collect();
             let (links, time) = (vec![self.carrier(body)], numbers(&self.json["time"]));
-            ForceRecord { links, ball_and_tip: None, time, samples }
+            MeasuredForce { links, ball_and_tip: None, time, samples }
         };
         ["calcn_r", "calcn_l"].map(wrench).to_vec()
     }

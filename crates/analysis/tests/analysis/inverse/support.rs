@@ -1,6 +1,7 @@
 //! Small figures and records.
 
-use solaris_model::{Contact, Figure, FigureBuilder, ForceRecord, Joint, LinkSpec, Record, Vector3};
+use crate::states::Record;
+use solaris_model::{Contact, Figure, FigureBuilder, Joint, LinkSpec, MeasuredForce, Vector3};
 
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.80665, 0.0);
 
@@ -36,9 +37,9 @@ pub(crate) fn equally(rows: usize, rate: f64) -> Vec<f64> {
     (0..rows).map(|i| i as f64 / rate).collect()
 }
 
-pub(crate) fn forces(links: &[&str], rows: &[(f64, Contact)]) -> ForceRecord {
+pub(crate) fn forces(links: &[&str], rows: &[(f64, Contact)]) -> MeasuredForce {
     let links = links.iter().map(|link| (*link).to_owned()).collect();
-    ForceRecord {
+    MeasuredForce {
         links,
         ball_and_tip: None,
         time: rows.iter().map(|row| row.0).collect(),
