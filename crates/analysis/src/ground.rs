@@ -23,7 +23,8 @@ mod stance;
 mod total;
 
 pub use consistency::{
-    Consistency, ConsistencyError, ConsistencyOptions, Outcome, ShiftError, Violation, consistent, shift_root,
+    Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, ShiftError, Violation, consistent,
+    shift_root,
 };
 pub use error::{GroundError, GroundOption};
 pub use guess::guessed_soles;

@@ -40,7 +40,7 @@ pub use fault::{Fault, FigureError, Part, nearest};
 pub use figure::Figure;
 pub use follower::Follower;
 pub use fuse::{FuseError, Fused, LinkPlace};
-pub use hull::{convex_hull, ground_axes};
+pub use hull::{GroundAxes, convex_hull};
 pub use human::{Human, HumanError, human};
 pub use inertia::{Inertia, Shape, ShapeKind};
 pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, Placement};

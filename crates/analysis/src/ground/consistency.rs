@@ -33,7 +33,6 @@
 
 mod error;
 mod interior;
-mod outline;
 mod scene;
 mod shift;
 mod sweep;
@@ -42,8 +41,9 @@ pub use error::{ConsistencyError, ShiftError};
 pub use shift::shift_root;
 
 use crate::ground::BalanceFrame;
-use crate::ground::consistency::{interior::YIELD, outline::Ground, scene::Scene};
+use crate::ground::consistency::{interior::YIELD, scene::Scene};
 use nalgebra::{Vector1, Vector2, Vector3};
+use solaris_model::GroundAxes;
 
 /// What may be changed, and how well it is to be done.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +83,7 @@ pub struct Violation {
 /// How it ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Outcome {
+pub enum ConsistencyOutcome {
     /// Every frame is possible, within the limit.
     Reached,
     /// The limit does not suffice. The shift makes every frame possible and goes beyond the limit by as little as it can: by sum
@@ -118,7 +118,7 @@ pub struct Consistency {
     /// Iterations of all searches, in both stages.
     pub iterations: usize,
     /// How it ended.
-    pub outcome: Outcome,
+    pub outcome: ConsistencyOutcome,
 }
 
 /// The smallest shift of the root's path that keeps the ground from pulling and the centre of pressure inside of what stands.
@@ -147,7 +147,7 @@ pub fn consistent(
     check_numbers(&numbers, level, options)?;
     check_frames(frames, outlines)?;
     let weight = mass * gravity.norm();
-    let ground = Ground::new(-gravity / gravity.norm());
+    let ground = GroundAxes::new(&(-gravity / gravity.norm()));
     let scene =
         Scene { rate, mass, weight, level, ground, frames, options, edges: vec![] }.stand(outlines)?;
     let before = scene.violation(None)?;
@@ -172,9 +172,9 @@ pub fn consistent(
     let rms = (shift.iter().map(Vector3::norm_squared).sum::<f64>() / shift.len() as f64).sqrt();
     let by = greatest - options.limit;
     let outcome = match (up.converged && across.converged, by > YIELD + options.tolerance) {
-        (false, _) => Outcome::Unsettled,
-        (true, true) => Outcome::Short { frame: furthest, by },
-        (true, false) => Outcome::Reached,
+        (false, _) => ConsistencyOutcome::Unsettled,
+        (true, true) => ConsistencyOutcome::Short { frame: furthest, by },
+        (true, false) => ConsistencyOutcome::Reached,
     };
     let iterations = up.iterations + across.iterations;
     Ok(Consistency { shift, velocity, acceleration, greatest, rms, before, after, iterations, outcome })

@@ -4,7 +4,7 @@ use crate::ground::outline::outside;
 use crate::ground::{BalanceFrame, GroundError, Sole, Stances};
 use crate::prepared::PreparedMotion;
 use solaris_dynamics::forward_kinematics;
-use solaris_model::Contact;
+use solaris_model::{Contact, GroundAxes};
 
 /// The worst of a quantity over time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -81,11 +81,13 @@ pub fn judge(
     if let Some((found, expected)) = wrong.into_iter().find(|(found, expected)| found != expected) {
         return Err(GroundError::Length { what: "the ground's force", found, expected });
     }
+    let ground = GroundAxes::new(&prepared.up);
     let beyond = prepared.frames(|workspace, row| {
         forward_kinematics(&prepared.tree, workspace, prepared.q(row))?;
         let of = |(sole, contacts): (&Sole, &Vec<Contact>)| {
             let outline = sole.outline(workspace, &prepared.up, stances.level);
-            (!outline.is_empty()).then(|| outside(&contacts[row].cop, &outline, &prepared.up))
+            let corners = outline.iter().map(|corner| ground.flat(corner));
+            (!outline.is_empty()).then(|| outside(corners, &ground.flat(&contacts[row].cop)))
         };
         Ok(soles.iter().zip(contacts).map(of).collect::<Vec<_>>())
     })?;

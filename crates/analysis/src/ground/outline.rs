@@ -1,9 +1,12 @@
-//! The outline of a sole on the ground, and how far a point is outside of it.
+//! Outlines on the ground: of a sole, their edges, and how far a point is outside of one.
 
 use super::Sole;
 use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Workspace;
-use solaris_model::{convex_hull, ground_axes};
+use solaris_model::{GroundAxes, convex_hull};
+
+/// An outline drawn in by its margin must leave room for a strip this wide (m).
+const ROOM: f64 = 1e-6;
 
 impl Sole {
     /// The outline of the sole seen from above, where `workspace` has placed the links: the convex hull of heel, ball
@@ -12,44 +15,78 @@ impl Sole {
     pub fn outline(&self, workspace: &Workspace<f64>, up: &Vector3<f64>, level: f64) -> Vec<Vector3<f64>> {
         let Some(width) = self.width else { return Vec::new() };
         let points = self.points(workspace);
-        let [e, f] = ground_axes(up);
-        let flat = |v: &Vector3<f64>| Vector2::new(v.dot(&e), v.dot(&f));
-        let along = flat(&(points[2] - points[0]));
+        let ground = GroundAxes::new(up);
+        let along = ground.flat(&(points[2] - points[0]));
         // A sole that stands upright has no direction on the ground: any will do.
         let along = along.try_normalize(1e-9).unwrap_or_else(Vector2::x);
-        let side = (f * along.x - e * along.y) * (width / 2.0);
-        around(points.into_iter().flat_map(|point| [point + side, point - side]), up, level)
+        let side = ground.raise(&Vector2::new(-along.y, along.x), 0.0) * (width / 2.0);
+        around(points.into_iter().flat_map(|point| [point + side, point - side]), &ground, level)
     }
 }
 
-/// The convex hull of points (m, world) as seen from above, on the ground at `level` (m, along `up`), counter-clockwise; empty
+/// The convex hull of points (m, world) as seen from above, on the ground at `level` (m, along up), counter-clockwise; empty
 /// of none.
 pub(super) fn around(
     points: impl Iterator<Item = Vector3<f64>>,
-    up: &Vector3<f64>,
+    ground: &GroundAxes,
     level: f64,
 ) -> Vec<Vector3<f64>> {
-    let [e, f] = ground_axes(up);
-    let flat: Vec<Vector2<f64>> = points.map(|v| Vector2::new(v.dot(&e), v.dot(&f))).collect();
-    convex_hull(&flat).into_iter().map(|i| e * flat[i].x + f * flat[i].y + up * level).collect()
+    let flat: Vec<Vector2<f64>> = points.map(|point| ground.flat(&point)).collect();
+    convex_hull(&flat).into_iter().map(|i| ground.raise(&flat[i], level)).collect()
 }
 
-/// How far (m) a point is outside of a convex outline, along the ground; zero inside. The outline is counter-clockwise
-/// seen from above.
-pub(super) fn outside(point: &Vector3<f64>, outline: &[Vector3<f64>], up: &Vector3<f64>) -> f64 {
-    let flat = |v: Vector3<f64>| v - up * v.dot(up);
-    let mut nearest = f64::INFINITY;
-    let mut inside = true;
-    for (i, a) in outline.iter().enumerate() {
-        let b = &outline[(i + 1) % outline.len()];
-        let (edge, to) = (flat(b - a), flat(point - a));
-        inside &= edge.cross(&to).dot(up) >= 0.0;
-        let s = if edge.norm_squared() > 0.0 {
-            (to.dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        nearest = nearest.min((to - edge * s).norm());
+/// An edge of an outline: a point of it, and the unit vector out of the outline.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub(super) point: Vector2<f64>,
+    pub(super) out: Vector2<f64>,
+}
+
+/// The edges of a convex outline, counter-clockwise, none of them without length; `None` for any other outline.
+pub(super) fn edges(outline: &[Vector2<f64>]) -> Option<Vec<Edge>> {
+    let extent = outline.iter().map(|point| (point - outline[0]).norm()).fold(0.0, f64::max);
+    let next = outline.iter().cycle().skip(1);
+    let pairs = outline.iter().zip(next).filter(|(from, to)| (*to - *from).norm() > 1e-9 * extent);
+    let edges: Vec<Edge> = pairs
+        .map(|(from, to)| {
+            let along = (to - from).normalize();
+            Edge { point: *from, out: Vector2::new(along.y, -along.x) }
+        })
+        .collect();
+    let inside = |point: &Vector2<f64>, edge: &Edge| edge.out.dot(&(point - edge.point)) <= 1e-9 * extent;
+    let convex = edges.iter().all(|edge| outline.iter().all(|point| inside(point, edge)));
+    (edges.len() > 2 && convex).then_some(edges)
+}
+
+/// Whether anything is left of an outline whose edges are drawn in by `margin`.
+pub(super) fn has_room(outline: &[Vector2<f64>], edges: &[Edge], margin: f64) -> bool {
+    let mut left = outline.to_vec();
+    for edge in edges {
+        let beyond = |point: &Vector2<f64>| edge.out.dot(&(point - edge.point)) + margin + 0.5 * ROOM;
+        let mut clipped = Vec::with_capacity(left.len() + 1);
+        for (from, to) in left.iter().zip(left.iter().cycle().skip(1)) {
+            let (a, b) = (beyond(from), beyond(to));
+            if a <= 0.0 {
+                clipped.push(*from);
+            }
+            if (a < 0.0) != (b < 0.0) && (a - b).abs() > 0.0 {
+                clipped.push(from + (to - from) * (a / (a - b)));
+            }
+        }
+        left = clipped;
+    }
+    !left.is_empty()
+}
+
+/// How far (m) a point is outside of a convex outline with these corners, counter-clockwise; zero inside.
+pub(super) fn outside(corners: impl Iterator<Item = Vector2<f64>> + Clone, point: &Vector2<f64>) -> f64 {
+    let (mut nearest, mut inside) = (f64::INFINITY, true);
+    for (a, b) in corners.clone().zip(corners.clone().cycle().skip(1)) {
+        let (edge, to) = (b - a, point - a);
+        inside &= edge.perp(&to) >= 0.0;
+        let length = edge.norm_squared();
+        let part = if length > 0.0 { (to.dot(&edge) / length).clamp(0.0, 1.0) } else { 0.0 };
+        nearest = nearest.min((to - edge * part).norm());
     }
     if inside { 0.0 } else { nearest }
 }
@@ -59,14 +96,40 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
+    fn rectangle() -> Vec<Vector2<f64>> {
+        [[0.0, 0.0], [0.3, 0.0], [0.3, 0.0], [0.3, 0.1], [0.0, 0.1]].map(Vector2::from).to_vec()
+    }
+
     #[test]
-    fn a_point_beside_an_edge_and_one_beyond_a_corner() {
-        let up = Vector3::y();
-        let [e, f] = ground_axes(&up);
-        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| e * x + f * y);
-        let at = |x: f64, y: f64| outside(&(e * x + f * y + up * 7.0), &square, &up);
-        assert_relative_eq!(at(0.5, 0.5), 0.0);
-        assert_relative_eq!(at(0.5, -0.2), 0.2, epsilon = 1e-15);
-        assert_relative_eq!(at(1.3, 1.4), 0.5, epsilon = 1e-15);
+    fn distances_from_a_rectangle() {
+        let edges = edges(&rectangle()).expect("convex");
+        assert_eq!(edges.len(), 4);
+        for (point, distance) in
+            [([0.1, 0.05], 0.0), ([0.3, 0.1], 0.0), ([0.34, 0.05], 0.04), ([-0.03, -0.04], 0.05)]
+        {
+            assert_relative_eq!(
+                outside(edges.iter().map(|edge| edge.point), &Vector2::from(point)),
+                distance,
+                epsilon = 1e-15
+            );
+        }
+    }
+
+    #[test]
+    fn margins_that_leave_room() {
+        let (outline, sides) = (rectangle(), edges(&rectangle()).expect("convex"));
+        assert!(has_room(&outline, &sides, 0.0) && has_room(&outline, &sides, 0.0499));
+        assert!(!has_room(&outline, &sides, 0.0501));
+    }
+
+    #[test]
+    fn what_is_no_outline() {
+        let mut clockwise = rectangle();
+        clockwise.reverse();
+        let dented = [[0.0, 0.0], [0.3, 0.0], [0.1, 0.05], [0.0, 0.1]].map(Vector2::from).to_vec();
+        let line = [[0.0, 0.0], [0.3, 0.1]].map(Vector2::from).to_vec();
+        for outline in [clockwise, dented, line, vec![Vector2::zeros()], vec![Vector2::zeros(); 4]] {
+            assert!(edges(&outline).is_none(), "{outline:?}");
+        }
     }
 }

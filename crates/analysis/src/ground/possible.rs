@@ -7,7 +7,7 @@ use crate::ground::{
 };
 use crate::prepared::PreparedMotion;
 use solaris_dynamics::forward_kinematics;
-use solaris_model::{Figure, Motion};
+use solaris_model::{Figure, GroundAxes, Motion};
 
 /// How far (of a frame) a time may be from where equal frames have it: what printed digits leave.
 const EVEN: f64 = 1e-2;
@@ -37,12 +37,13 @@ pub fn make_consistent(
         }
         let rate = rate(prepared.time())?;
         let (tree, up, level) = (&prepared.tree, prepared.up, stances.level);
+        let ground = GroundAxes::new(&up);
         let outlines = prepared.frames(|workspace, row| {
             forward_kinematics(tree, workspace, prepared.q(row))?;
             let time = prepared.time()[row];
             let standing = soles.iter().enumerate().filter(|(foot, _)| stances.stands(*foot, time));
             let corners = standing.flat_map(|(_, sole)| sole.outline(workspace, &up, level));
-            Ok(around(corners, &up, level))
+            Ok(around(corners, &ground, level))
         })?;
         consistent(rate, tree.mass(), &motion.info.gravity, level, &total, &outlines, options)?
     };

@@ -7,7 +7,7 @@ use crate::words::{counted, row, short};
 use clap::ArgMatches;
 use serde::Serialize;
 use solaris::analysis::ground::{
-    Consistency, ConsistencyError, ConsistencyOptions, GroundError, Outcome, ShiftError, Violation,
+    Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, GroundError, ShiftError, Violation,
 };
 use std::io::{Result, Write};
 
@@ -119,8 +119,10 @@ impl std::convert::From<Violation> for Impossible {
 impl Moved {
     pub(super) fn new(found: &Consistency, options: &ConsistencyOptions, time: &[f64]) -> Self {
         let (outcome, beyond_limit) = match found.outcome {
-            Outcome::Reached => ("reached", None),
-            Outcome::Short { frame, by } => ("short", Some(Peak { mm: by * 1e3, at_s: time[frame] })),
+            ConsistencyOutcome::Reached => ("reached", None),
+            ConsistencyOutcome::Short { frame, by } => {
+                ("short", Some(Peak { mm: by * 1e3, at_s: time[frame] }))
+            }
             _ => ("unsettled", None),
         };
         let peak = |value: &dyn Fn(usize) -> f64| {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Wrench;
-use solaris_model::{convex_hull, ground_axes};
+use solaris_model::{GroundAxes, convex_hull};
 
 /// In what time (s) a velocity that integration has left to what stands dies out.
 pub(crate) const CALM: f64 = 0.02;
@@ -51,9 +51,8 @@ impl Foothold {
     ) -> Option<Self> {
         touches.sort_unstable();
         touches.dedup();
-        let [e, f] = ground_axes(up);
-        let flat: Vec<Vector2<f64>> =
-            touches.iter().map(|touch| at(*touch)).map(|p| Vector2::new(p.dot(&e), p.dot(&f))).collect();
+        let ground = GroundAxes::new(up);
+        let flat: Vec<Vector2<f64>> = touches.iter().map(|touch| ground.flat(&at(*touch))).collect();
         let corners = convex_hull(&flat);
         let &first = corners.first()?;
         let distance = |i: usize| (flat[i] - flat[first]).norm();

@@ -2,10 +2,11 @@
 
 use crate::ground::BalanceFrame;
 use crate::ground::consistency::interior::{Of, Problem, Side, Solution};
-use crate::ground::consistency::outline::{Edge, Ground, edges, has_room, outside};
 use crate::ground::consistency::{ConsistencyError, ConsistencyOptions, Violation};
+use crate::ground::outline::{Edge, edges, has_room, outside};
 use nalgebra::{Vector1, Vector3};
 use solaris_dynamics::Wrench;
+use solaris_model::GroundAxes;
 
 /// What all frames share.
 pub(super) struct Scene<'a> {
@@ -13,7 +14,7 @@ pub(super) struct Scene<'a> {
     pub(super) mass: f64,
     pub(super) weight: f64,
     pub(super) level: f64,
-    pub(super) ground: Ground,
+    pub(super) ground: GroundAxes,
     pub(super) frames: &'a [BalanceFrame],
     pub(super) options: &'a ConsistencyOptions,
     /// Of each frame the edges of what stands; none in flight.
@@ -44,7 +45,7 @@ impl Scene<'_> {
     }
 
     fn height(&self, frame: usize) -> f64 {
-        self.frames[frame].com.dot(&self.ground.up) - self.level
+        self.frames[frame].com.dot(self.ground.up()) - self.level
     }
 
     fn smooth(&self) -> f64 {
@@ -57,7 +58,7 @@ impl Scene<'_> {
         let standing = (0..self.frames.len()).filter(|frame| !self.edges[*frame].is_empty());
         let sides = standing.map(|frame| {
             let reach = self.height(frame) / self.weight;
-            let normal = self.frames[frame].force.dot(&self.ground.up);
+            let normal = self.frames[frame].force.dot(self.ground.up());
             Side {
                 of: Of::Second,
                 frame,
@@ -83,8 +84,8 @@ impl Scene<'_> {
             }
             let pressed = up.path.second[frame].x * self.rate * self.rate * self.mass;
             let least = 0.5 * self.options.least_force * self.weight;
-            let normal = (force.dot(&self.ground.up) + pressed).max(least);
-            let spin = self.ground.up.cross(&(moment - com.cross(force)));
+            let normal = (force.dot(self.ground.up()) + pressed).max(least);
+            let spin = self.ground.up().cross(&(moment - com.cross(force)));
             let centre = self.ground.flat(&(com + (spin - force * height) / normal));
             let lever = height * self.mass * self.rate * self.rate / normal;
             sides.extend(edges.iter().map(|edge| Side {
@@ -116,10 +117,13 @@ impl Scene<'_> {
             let (shift, acceleration) = moved.map_or((zero, zero), |[shift, a]| (shift[frame], a[frame]));
             let total = force + acceleration * self.mass;
             let moment = moment - com.cross(force) + (com + shift).cross(&total);
-            let normal = total.dot(&self.ground.up);
+            let normal = total.dot(self.ground.up());
             let wrench = Wrench { force: total, moment };
-            let centre = wrench.centre_of_pressure(&self.ground.up, self.level);
-            let out = centre.map_or(0.0, |centre| outside(edges, &self.ground.flat(&(centre - shift))));
+            let centre = wrench.centre_of_pressure(self.ground.up(), self.level);
+            let out = centre.map_or(0.0, |centre| {
+                let corners = edges.iter().map(|edge| edge.point);
+                outside(corners, &self.ground.flat(&(centre - shift)))
+            });
             if !out.is_finite() || !normal.is_finite() {
                 return Err(ConsistencyError::NotFinite { frame, what: "the centre of pressure" });
             }

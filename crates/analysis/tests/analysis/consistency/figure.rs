@@ -3,7 +3,7 @@
 use crate::consistency::support::{GRAVITY, beyond, hull, say};
 use crate::states::{Record, States, complete, ground_forces, make_consistent, shift_root};
 use nalgebra::Vector3;
-use solaris_analysis::ground::{BalanceFrame, ConsistencyOptions, Outcome, consistent};
+use solaris_analysis::ground::{BalanceFrame, ConsistencyOptions, ConsistencyOutcome, consistent};
 use solaris_dynamics::Wrench;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
 use solaris_model::{Base, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
@@ -84,7 +84,7 @@ fn becomes_possible(name: &str, figure: &Figure, rate: f64, mut states: States, 
         1e3 * found.greatest,
         found.iterations
     ));
-    assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
+    assert_eq!((found.outcome, found.after.frames), (ConsistencyOutcome::Reached, 0));
     assert!(after.0 < 1e-6, "outside by {}", after.0);
     assert!(after.1 > (0.01 - 1e-6) * mass * 9.81, "pressed with {}", after.1);
     // The centre of mass went with the root, and nothing else did anything.
@@ -165,7 +165,9 @@ fn a_person_who_leans_too_far_is_moved_until_the_soles_bear() {
     let options = ConsistencyOptions { limit: f64::INFINITY, ..ConsistencyOptions::default() };
     let found = make_consistent(&figure, gravity, &mut states, &soles, &stances, &options).expect("moved");
     assert!(found.before.outside > 0.5 && found.before.frames > 50, "{:?}", found.before);
-    assert!(found.after.outside < 1e-9 && found.after.pull == 0.0 && found.outcome == Outcome::Reached);
+    assert!(
+        found.after.outside < 1e-9 && found.after.pull == 0.0 && found.outcome == ConsistencyOutcome::Reached
+    );
     assert!(found.greatest > 0.01 && found.greatest < 0.1, "{}", found.greatest);
     // What is found from the moved motion agrees, foot by foot.
     let options = GroundOptions { stances: Some(stances.clone()), ..GroundOptions::default() };

@@ -3,7 +3,9 @@
 use crate::consistency::support::{GRAVITY, WEIGHT, balance, random, rectangle, say};
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
-use solaris_analysis::ground::{BalanceFrame, Consistency, ConsistencyOptions, Outcome, consistent};
+use solaris_analysis::ground::{
+    BalanceFrame, Consistency, ConsistencyOptions, ConsistencyOutcome, consistent,
+};
 use std::f64::consts::PI;
 use std::time::Instant;
 
@@ -44,7 +46,7 @@ fn what_is_possible_stays() {
     assert!(
         found.shift.iter().chain(&found.velocity).chain(&found.acceleration).all(|v| *v == Vector3::zeros())
     );
-    assert_eq!((found.iterations, found.outcome), (0, Outcome::Reached));
+    assert_eq!((found.iterations, found.outcome), (0, ConsistencyOutcome::Reached));
     assert_eq!((found.before, found.before.frames), (found.after, 0));
 }
 
@@ -57,7 +59,7 @@ fn a_constant_push_is_met_by_a_parabola() {
     let found = consistent(rate, 70.0, &GRAVITY, 0.0, &frames, &outlines, &FREE).expect("solved");
     assert_relative_eq!(found.before.outside, height * push / WEIGHT - 0.1, epsilon = 1e-12);
     assert_eq!(found.before.frames, count);
-    assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
+    assert_eq!((found.outcome, found.after.frames), (ConsistencyOutcome::Reached, 0));
     let acceleration = -(push - 0.1 * WEIGHT / height);
     let worst = found.shift.iter().zip(parabola(count, acceleration / (rate * rate))).map(|(shift, x)| {
         assert!(shift.y.abs() + shift.z.abs() < 1e-9);
@@ -75,7 +77,10 @@ fn a_pulling_ground_is_met_by_a_parabola_upwards() {
         pushed(count, mass, Vector3::new(0.0, 0.8, 0.0), Vector3::new(0.0, -WEIGHT - 2.0, 0.0));
     let found = consistent(rate, mass, &GRAVITY, 0.0, &frames, &outlines, &FREE).expect("solved");
     assert_relative_eq!(found.before.pull, 10.0, epsilon = 1e-12);
-    assert_eq!((found.before.frames, found.after.frames, found.outcome), (count, 0, Outcome::Reached));
+    assert_eq!(
+        (found.before.frames, found.after.frames, found.outcome),
+        (count, 0, ConsistencyOutcome::Reached)
+    );
     let acceleration = 2.0 + 0.01 * WEIGHT;
     for (shift, y) in found.shift.iter().zip(parabola(count, acceleration / (rate * rate))) {
         assert_relative_eq!(*shift, Vector3::new(0.0, y, 0.0), epsilon = 1e-8);
@@ -107,7 +112,7 @@ fn solve(frames: usize, rate: f64, mass: f64, options: &ConsistencyOptions) -> C
 #[test]
 fn mass_does_not_matter() {
     let (one, heavy) = (solve(400, 100.0, 1.0, &FREE), solve(400, 100.0, 1e6, &FREE));
-    assert_eq!((one.outcome, heavy.outcome), (Outcome::Reached, Outcome::Reached));
+    assert_eq!((one.outcome, heavy.outcome), (ConsistencyOutcome::Reached, ConsistencyOutcome::Reached));
     for (one, heavy) in one.shift.iter().zip(&heavy.shift) {
         assert_relative_eq!(one, heavy, epsilon = 1e-8);
     }
@@ -156,7 +161,7 @@ fn rates_from_30_to_1000() {
             found.after.frames,
             found.after.outside
         ));
-        assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
+        assert_eq!((found.outcome, found.after.frames), (ConsistencyOutcome::Reached, 0));
         assert!(found.before.frames > frames / 10);
     }
     // The same curve, within what sampling makes of it.
@@ -182,7 +187,7 @@ fn a_limit_is_kept_where_it_can_be() {
             "limit {limit:.5}: {:?}, {} iterations, rms {:.5} {:.5}",
             found.outcome, found.iterations, free.rms, found.rms
         ));
-        assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
+        assert_eq!((found.outcome, found.after.frames), (ConsistencyOutcome::Reached, 0));
         assert!(found.greatest < limit + 1e-6 && found.greatest > limit - 1e-6);
         assert!(cost(&found) > cost(&free));
     }
@@ -209,11 +214,11 @@ fn a_limit_that_cannot_be_kept_is_told() {
         ));
         assert_eq!(found.after.frames, 0, "possible all the same");
         match found.outcome {
-            Outcome::Short { frame, by } if short => {
+            ConsistencyOutcome::Short { frame, by } if short => {
                 assert_relative_eq!(found.shift[frame].norm(), limit + by, epsilon = 1e-12);
                 assert!(by > best - limit - 1e-9 && by < 2.5 * best, "{by}");
             }
-            outcome => assert_eq!((outcome, short), (Outcome::Reached, false)),
+            outcome => assert_eq!((outcome, short), (ConsistencyOutcome::Reached, false)),
         }
     }
 }
@@ -221,7 +226,7 @@ fn a_limit_that_cannot_be_kept_is_told() {
 #[test]
 fn few_iterations_are_told() {
     let found = solve(400, 100.0, 70.0, &ConsistencyOptions { iterations: 2, ..FREE });
-    assert_eq!(found.outcome, Outcome::Unsettled);
+    assert_eq!(found.outcome, ConsistencyOutcome::Unsettled);
     assert!(found.shift.iter().all(|v| v.iter().all(|x| x.is_finite())));
 }
 
@@ -238,7 +243,7 @@ fn noise_is_met() {
         "noise: {:?} {} iterations, {:?} to {:?}, greatest {:.4} m",
         found.outcome, found.iterations, found.before, found.after, found.greatest
     ));
-    assert_eq!((found.outcome, found.after.frames), (Outcome::Reached, 0));
+    assert_eq!((found.outcome, found.after.frames), (ConsistencyOutcome::Reached, 0));
 }
 
 #[test]
@@ -260,11 +265,11 @@ fn random_problems_settle() {
         let found = consistent(rate, mass, &GRAVITY, 0.0, &balances, &outlines, &options).expect("solved");
         most = most.max(found.iterations);
         match found.outcome {
-            Outcome::Reached => {
+            ConsistencyOutcome::Reached => {
                 assert!(found.greatest <= options.limit + 1.1e-6, "case {case}");
                 ends[0] += 1;
             }
-            Outcome::Short { by, .. } => {
+            ConsistencyOutcome::Short { by, .. } => {
                 assert!(by > 0.0 && options.limit.is_finite(), "case {case}");
                 ends[1] += 1;
             }
