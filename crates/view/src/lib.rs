@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod camera;
 mod coordinates;
 mod curves;
 mod data;
