@@ -7,11 +7,11 @@ export async function plays(page) {
   const began = performance.now();
   await page.evaluate(() => (window.solaris.seek(0), window.solaris.play()));
   const start = await time(page);
-  // A busy machine may take long to draw: time must not go faster than a clock, and not stand still.
+  // A busy machine may take long to draw: time must not stand still, and not go faster than a clock but for one tick.
   await page.waitForFunction((start) => window.solaris.time() > start + 0.2, start, { timeout: 30000 });
   const later = await time(page);
   const passed = (performance.now() - began) / 1000;
-  assert(later < start + passed + 0.1, `time must not run ahead while playing: ${start} → ${later} in ${passed} s`);
+  assert(later < start + passed + 0.6, `time must not run ahead while playing: ${start} → ${later} in ${passed} s`);
   await page.keyboard.press('Space');
   const paused = await time(page);
   await page.waitForTimeout(300);
