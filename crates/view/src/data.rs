@@ -1,10 +1,11 @@
 //! Everything that a page is told, as one object.
 
 use crate::curves::{self, ForceCurves, JointCurves};
-use crate::draw::{self, Drawn, Side, Skin};
+use crate::draw::{self, Drawn, Side};
 use crate::error::{ViewError, finite};
 use crate::frames::{Frames, chosen};
 use crate::pack::{Packed, floats, ranged, stepped};
+use crate::skin::{self, Skin};
 use crate::world::World;
 use glam::{DQuat, DVec3};
 use serde::Serialize;
@@ -101,7 +102,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion) -> Result<Data, ViewErro
         },
         sided: links.iter().any(Drawn::is_sided),
         links,
-        skins: draw::skins(figure),
+        skins: skin::skins(figure),
         time: floats(samples.iter().map(|&sample| motion.time()[sample])),
         root: floats(from(&frames.root, origin)),
         positions: ranged(&components(&frames.positions)),

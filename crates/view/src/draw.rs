@@ -2,7 +2,7 @@
 
 use crate::camera::Bounds;
 use glam::{DMat3, DQuat, DVec3};
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 use serde::Serialize;
 use solaris_model::{Figure, Link, Shape, ShapeKind};
 
@@ -186,32 +186,6 @@ fn shaped(shape: &Shape, next: Option<f64>) -> Part {
     Part { kind, size, at: at.into(), turn: turn.into() }
 }
 
-/// A skin between two ellipsoids that follow each other, such as those of the trunk.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Skin {
-    parent: usize,
-    child: usize,
-    /// The child's joint in the parent's frame (m).
-    offset: [f64; 3],
-}
-
-/// The skins: wherever an ellipsoid's joint hangs, unturned, on another ellipsoid.
-pub(crate) fn skins(figure: &Figure) -> Vec<Skin> {
-    let links = figure.links();
-    let unturned = |rotation: &UnitQuaternion<f64>| rotation.angle() < 1e-9;
-    let smooth = |link: &Link| {
-        let shape = link.shape().filter(|shape| matches!(shape.kind, ShapeKind::Ellipsoid { .. }));
-        shape.is_some_and(|shape| unturned(&shape.placement.rotation))
-    };
-    let skin = |(child, link): (usize, &Link)| {
-        let parent = link.parent()?;
-        let placement = link.joint().placement();
-        let joined = smooth(link) && smooth(&links[parent]) && unturned(&placement.rotation);
-        joined.then(|| Skin { parent, child, offset: placement.translation.vector.into() })
-    };
-    links.iter().enumerate().filter_map(skin).collect()
-}
-
 /// A thin capsule from the origin to `end`; `None` where they coincide.
 fn stick(end: &Vector3<f64>, reach: f64) -> Option<Part> {
     let end = DVec3::new(end.x, end.y, end.z);
@@ -293,13 +267,6 @@ mod tests {
         near("cylinder", &[0.5, 2.0], DVec3::new(2.0 * sin + cos, 2.0 * cos + sin, 1.0));
         let reach = |a: f64, b: f64| 2.0 * (a * cos).hypot(b * sin);
         near("ellipsoid", &[2.0, 1.0, 3.0], DVec3::new(reach(2.0, 1.0), reach(1.0, 2.0), 6.0));
-    }
-
-    #[test]
-    fn the_trunk_and_the_feet_have_skins() {
-        let figure = human(1.75, 73.0).expect("a person");
-        let names: Vec<&str> = skins(&figure).iter().map(|skin| figure.links()[skin.child].name()).collect();
-        assert_eq!(names, ["abdomen", "thorax", "left_toes", "right_toes"]);
     }
 
     #[test]

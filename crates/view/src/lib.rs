@@ -15,6 +15,7 @@ mod postures;
 pub mod precision;
 pub mod profile;
 mod regions;
+mod skin;
 mod world;
 
 pub use coordinates::coordinates;

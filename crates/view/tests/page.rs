@@ -181,8 +181,7 @@ impl Trajectory for Wheel {
 fn every_link_is_in_the_camera_s_box_at_any_time() {
     let (figure, motion) = sampled(&Wave { duration: 9.0, speed: 1.3, start: 900.0 });
     let data = data(&page(&figure, &motion, &options()).expect("a page"));
-    let [root, positions, aim] =
-        [&data["root"], &data["positions"], &data["camera"]["aim"]].map(|array| numbers(array));
+    let [root, positions, aim] = [&data["root"], &data["positions"], &data["camera"]["aim"]].map(numbers);
     let half = Vector3::from_iterator((0..3).map(|i| data["camera"]["half"][i].as_f64().expect("m")));
     let links = figure.links().len();
     for at in 0..positions.len() / 3 {
