@@ -1,10 +1,11 @@
 //! Everything that a page is told, as one object.
 
 use crate::curves::{self, ForceCurves, JointCurves};
-use crate::draw::{self, Drawn, Side, Skin};
+use crate::draw::{self, Drawn, Side};
 use crate::error::{ViewError, finite};
 use crate::frames::{Frames, chosen};
 use crate::pack::{Packed, floats, ranged, stepped};
+use crate::skin::{self, Skin};
 use crate::world::World;
 use glam::{DQuat, DVec3};
 use serde::Serialize;
@@ -13,8 +14,18 @@ use solaris_model::{ContactTrack, Figure, Link, Motion};
 /// The floor, or where one would be.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Floor {
+    /// m, relative to the origin.
     height: f64,
     solid: bool,
+}
+
+/// What the camera has in view.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct Framed {
+    /// Half of the edges of the box that it frames (m).
+    half: [f64; 3],
+    /// Middle of that box: m, three a frame, relative to the origin.
+    aim: Packed,
 }
 
 /// A link on which the ground acts.
@@ -24,7 +35,7 @@ struct Foot {
     side: Side,
     /// N, three a frame.
     force: Packed,
-    /// m, three a frame, not relative to the root.
+    /// m, three a frame, relative to the origin.
     cop: Packed,
 }
 
@@ -35,10 +46,11 @@ pub(crate) struct Data {
     pub(crate) figure: String,
     /// N; none without mass or gravity.
     weight: Option<f64>,
-    /// Height of the figure (m), for the camera.
+    /// Where everything begins (m): whole metres, near the first frame, so that 32-bit floats do for a figure far away.
+    origin: [f64; 3],
+    /// Greatest edge of what the camera frames (m).
     size: f64,
-    /// Height of its middle in the first frame (m).
-    middle: f64,
+    camera: Framed,
     ground: Floor,
     links: Vec<Drawn>,
     skins: Vec<Skin>,
@@ -57,11 +69,9 @@ pub(crate) struct Data {
 }
 
 /// Of the layout of [`Data`].
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// A step of a quaternion's component.
 const TURN_STEP: f64 = 1.0 / 32_767.0;
-/// Figures smaller than this are seen from as far as one of this size (m).
-const LEAST_SIZE: f64 = 0.05;
 
 /// Gathers the data, and refuses what cannot be shown.
 pub(crate) fn collect(figure: &Figure, motion: &Motion) -> Result<Data, ViewError> {
@@ -72,30 +82,33 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion) -> Result<Data, ViewErro
     check_contacts(figure, motion)?;
     let world = World::new(&motion.info.gravity);
     let samples = chosen(motion);
-    let frames = Frames::new(figure, motion, &samples, &world)?;
-    let weight = Some(figure.mass() * motion.info.gravity.norm()).filter(|weight| *weight > 0.0);
     let links = draw::links(figure);
-    let (low, high) = frames.first_heights;
+    let frames = Frames::new(figure, motion, &samples, &world, &links)?;
+    let camera = frames.camera();
+    // Adding zero turns -0 into 0.
+    let origin = camera.aim[0].trunc() + DVec3::ZERO;
+    let weight = Some(figure.mass() * motion.info.gravity.norm()).filter(|weight| *weight > 0.0);
     let turns: Vec<f64> = frames.turns.iter().flat_map(DQuat::to_array).collect();
     Ok(Data {
         version: VERSION,
         figure: figure.name().to_owned(),
         weight,
-        size: (high - low).max(frames.extent()).max(LEAST_SIZE),
-        middle: f64::midpoint(low, high),
-        ground: motion.info.ground.map_or(Floor { height: frames.heights.0, solid: false }, |ground| Floor {
-            height: ground.height,
-            solid: true,
-        }),
+        origin: origin.into(),
+        size: camera.size(),
+        camera: Framed { half: camera.half.into(), aim: floats(from(&camera.aim, origin)) },
+        ground: Floor {
+            height: motion.info.ground.map_or(frames.lowest(), |ground| ground.height) - origin.y,
+            solid: motion.info.ground.is_some(),
+        },
         sided: links.iter().any(Drawn::is_sided),
         links,
-        skins: draw::skins(figure),
+        skins: skin::skins(figure),
         time: floats(samples.iter().map(|&sample| motion.time()[sample])),
-        root: floats(components(&frames.root)),
+        root: floats(from(&frames.root, origin)),
         positions: ranged(&components(&frames.positions)),
         turns: stepped(&turns, TURN_STEP, 0.0),
         com: frames.com.as_ref().map(|com| ranged(&components(com))),
-        feet: motion.contacts.iter().map(|track| foot(track, &samples, &world)).collect(),
+        feet: motion.contacts.iter().map(|track| foot(track, &samples, &world, origin)).collect(),
         joints: curves::joints(figure, motion, &samples)?,
         forces: curves::forces(motion, &samples, &world, weight),
     })
@@ -105,12 +118,21 @@ fn components(vectors: &[DVec3]) -> Vec<f64> {
     vectors.iter().flat_map(DVec3::to_array).collect()
 }
 
-fn foot(track: &ContactTrack, samples: &[usize], world: &World) -> Foot {
+fn from(points: &[DVec3], origin: DVec3) -> impl Iterator<Item = f64> {
+    points.iter().flat_map(move |point| (*point - origin).to_array())
+}
+
+fn foot(track: &ContactTrack, samples: &[usize], world: &World, origin: DVec3) -> Foot {
     let force: Vec<DVec3> =
         samples.iter().map(|&sample| world.vector(&track.samples[sample].force)).collect();
     let cop: Vec<DVec3> = samples.iter().map(|&sample| world.vector(&track.samples[sample].cop)).collect();
     let (side, _) = Side::split(&track.link);
-    Foot { link: track.link.clone(), side, force: ranged(&components(&force)), cop: floats(components(&cop)) }
+    Foot {
+        link: track.link.clone(),
+        side,
+        force: ranged(&components(&force)),
+        cop: floats(from(&cop, origin)),
+    }
 }
 
 fn check_contacts(figure: &Figure, motion: &Motion) -> Result<(), ViewError> {

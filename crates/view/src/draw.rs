@@ -1,7 +1,8 @@
 //! What the links look like.
 
-use glam::{DQuat, DVec3};
-use nalgebra::UnitQuaternion;
+use crate::camera::Bounds;
+use glam::{DMat3, DQuat, DVec3};
+use nalgebra::Vector3;
 use serde::Serialize;
 use solaris_model::{Figure, Link, Shape, ShapeKind};
 
@@ -45,6 +46,33 @@ pub(crate) struct Part {
     turn: [f64; 4],
 }
 
+impl Part {
+    /// The smallest box around it (m) when its link stands at `place`, turned by `turn`.
+    pub(crate) fn bounds(&self, place: DVec3, turn: DQuat) -> Bounds {
+        let centre = place + turn * DVec3::from_array(self.at);
+        let axes = DMat3::from_quat(turn * DQuat::from_array(self.turn));
+        // How far each of the shape's own axes reaches along the world's.
+        let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::abs);
+        match (self.kind, self.size.as_slice()) {
+            ("box", &[a, b, c]) => Bounds::around(centre, (x * a + y * b + z * c) / 2.0),
+            ("ellipsoid", &[a, b, c]) => {
+                let (x, y, z) = (x * a, y * b, z * c);
+                Bounds::around(centre, (x * x + y * y + z * z).map(f64::sqrt))
+            }
+            ("cylinder", &[radius, length]) => {
+                let rim = (DVec3::ONE - y * y).max(DVec3::ZERO).map(f64::sqrt) * radius;
+                Bounds::around(centre, y * (length / 2.0) + rim)
+            }
+            ("capsule", &[near, far, length]) => {
+                let end = axes.y_axis * (length / 2.0);
+                let ball = |at, radius| Bounds::around(at, DVec3::splat(radius));
+                ball(centre - end, near).union(ball(centre + end, far))
+            }
+            (_, size) => Bounds::around(centre, DVec3::splat(size.iter().copied().fold(0.0, f64::max))),
+        }
+    }
+}
+
 /// A link as it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Drawn {
@@ -54,29 +82,64 @@ pub(crate) struct Drawn {
 }
 
 impl Drawn {
+    /// The smallest box around its parts (m) when it stands at `place`, turned by `turn`; none without parts.
+    pub(crate) fn bounds(&self, place: DVec3, turn: DQuat) -> Option<Bounds> {
+        self.parts.iter().map(|part| part.bounds(place, turn)).reduce(Bounds::union)
+    }
+
     /// Whether it belongs to the left or the right.
     pub(crate) fn is_sided(&self) -> bool {
         self.side != Side::Middle
     }
 }
 
-/// Radius of a stick, as a share of its length, and its bounds (m).
-const STICK: (f64, f64, f64) = (0.04, 0.004, 0.03);
-/// Radius of a link that is but a point (m).
+/// Radius of a stick, as a share of its length.
+const STICK: f64 = 0.04;
+/// Bounds of the radius of a stick, as shares of the figure's reach.
+const STICK_BOUNDS: (f64, f64) = (0.004, 0.03);
+/// Radius of a link that is but a point, as a share of the figure's reach.
 const POINT: f64 = 0.03;
 
 /// All links, in order.
 pub(crate) fn links(figure: &Figure) -> Vec<Drawn> {
+    let reach = reach(figure);
     let draw = |link: usize| {
         let name = figure.links()[link].name().to_owned();
         let (side, _) = Side::split(&name);
-        Drawn { side, parts: parts(figure, link), name }
+        let parts = parts(figure, link, reach);
+        Drawn { name, side, parts }
     };
     (0..figure.links().len()).map(draw).collect()
 }
 
-/// The link's own shape, or sticks from its joint to those of its children and to its tip.
-fn parts(figure: &Figure, link: usize) -> Vec<Part> {
+/// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots.
+fn is_place(figure: &Figure, link: &Link) -> bool {
+    let still = link.joint().kind().nv() == 0;
+    figure.links().len() > 1 && link.parent().is_none() && still && link.mass() == 0.0
+}
+
+/// How far the figure can reach from its root (m), all joints stretched; 1 where it is but a point.
+fn reach(figure: &Figure) -> f64 {
+    let links = figure.links();
+    let mut starts: Vec<f64> = Vec::with_capacity(links.len());
+    let mut farthest = 0.0_f64;
+    for link in links {
+        let offset = link.parent().map_or(0.0, |_| link.joint().placement().translation.vector.norm());
+        let start = link.parent().map_or(0.0, |parent| starts[parent]) + offset;
+        let ends = [
+            Some(*link.com()),
+            link.tip().copied(),
+            link.shape().map(|shape| shape.placement.translation.vector),
+        ];
+        farthest =
+            ends.into_iter().flatten().map(|end| start + end.norm()).fold(farthest.max(start), f64::max);
+        starts.push(start);
+    }
+    if farthest > 0.0 { farthest } else { 1.0 }
+}
+
+/// The link's own shape, or sticks from its joint to those of its children and to its tip, or to where its mass is.
+fn parts(figure: &Figure, link: usize, reach: f64) -> Vec<Part> {
     if let Some(shape) = figure.links()[link].shape() {
         return vec![shaped(shape, next_radius(figure, link))];
     }
@@ -84,15 +147,16 @@ fn parts(figure: &Figure, link: usize) -> Vec<Part> {
     let ends = children
         .map(|child| child.joint().placement().translation.vector)
         .chain(figure.links()[link].tip().copied());
-    let sticks: Vec<Part> = ends.map(|end| DVec3::new(end.x, end.y, end.z)).filter_map(stick).collect();
-    if sticks.is_empty() {
+    let sticks: Vec<Part> = ends.filter_map(|end| stick(&end, reach)).collect();
+    if sticks.is_empty() && !is_place(figure, &figure.links()[link]) {
         let com = figure.links()[link].com();
-        return vec![Part {
+        let ball = Part {
             kind: "sphere",
-            size: vec![POINT],
-            at: [com.x, com.y, com.z],
-            turn: [0.0, 0.0, 0.0, 1.0],
-        }];
+            size: vec![POINT * reach],
+            at: (*com).into(),
+            turn: DQuat::IDENTITY.to_array(),
+        };
+        return [ball].into_iter().chain(stick(com, reach)).collect();
     }
     sticks
 }
@@ -122,37 +186,12 @@ fn shaped(shape: &Shape, next: Option<f64>) -> Part {
     Part { kind, size, at: at.into(), turn: turn.into() }
 }
 
-/// A skin between two ellipsoids that follow each other, such as those of the trunk.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub(crate) struct Skin {
-    parent: usize,
-    child: usize,
-    /// The child's joint in the parent's frame (m).
-    offset: [f64; 3],
-}
-
-/// The skins: wherever an ellipsoid's joint hangs, unturned, on another ellipsoid.
-pub(crate) fn skins(figure: &Figure) -> Vec<Skin> {
-    let links = figure.links();
-    let unturned = |rotation: &UnitQuaternion<f64>| rotation.angle() < 1e-9;
-    let smooth = |link: &Link| {
-        let shape = link.shape().filter(|shape| matches!(shape.kind, ShapeKind::Ellipsoid { .. }));
-        shape.is_some_and(|shape| unturned(&shape.placement.rotation))
-    };
-    let skin = |(child, link): (usize, &Link)| {
-        let parent = link.parent()?;
-        let placement = link.joint().placement();
-        let joined = smooth(link) && smooth(&links[parent]) && unturned(&placement.rotation);
-        joined.then(|| Skin { parent, child, offset: placement.translation.vector.into() })
-    };
-    links.iter().enumerate().filter_map(skin).collect()
-}
-
 /// A thin capsule from the origin to `end`; `None` where they coincide.
-fn stick(end: DVec3) -> Option<Part> {
+fn stick(end: &Vector3<f64>, reach: f64) -> Option<Part> {
+    let end = DVec3::new(end.x, end.y, end.z);
     let length = end.length();
     let direction = end.try_normalize()?;
-    let radius = (STICK.0 * length).clamp(STICK.1, STICK.2);
+    let radius = (STICK * length).clamp(STICK_BOUNDS.0 * reach, STICK_BOUNDS.1 * reach);
     let turn = DQuat::from_rotation_arc(DVec3::Y, direction);
     Some(Part {
         kind: "capsule",
@@ -186,17 +225,48 @@ mod tests {
             .expect("valid");
         let drawn = links(&figure);
         assert_eq!((drawn[0].parts[0].kind, drawn[1].parts[0].kind), ("capsule", "sphere"));
-        assert_eq!(format!("{:?}", drawn[0].parts[0].size), "[0.03, 0.03, 2.0]");
+        assert_eq!(format!("{:?}", drawn[0].parts[0].size), "[0.06, 0.06, 2.0]");
         assert_eq!(format!("{:?}", drawn[0].parts[0].at), "[0.0, -1.0, 0.0]");
         let end = DQuat::from_array(drawn[0].parts[0].turn) * DVec3::Y;
         assert!(end.distance(-DVec3::Y) < 1e-12, "{end}");
     }
 
     #[test]
-    fn the_trunk_and_the_feet_have_skins() {
-        let figure = human(1.75, 73.0).expect("a person");
-        let names: Vec<&str> = skins(&figure).iter().map(|skin| figure.links()[skin.child].name()).collect();
-        assert_eq!(names, ["abdomen", "thorax", "left_toes", "right_toes"]);
+    fn a_mass_on_a_hinge_hangs_on_a_stick_and_a_place_is_not_drawn() {
+        let bob = Vector3::new(0.0, -0.02, 0.0);
+        let figure = FigureBuilder::new("f")
+            .link(LinkSpec::root("world", Joint::new("place")))
+            .link(LinkSpec::child("bob", "world", Joint::new("pivot").rx()).mass(1.0).com(bob))
+            .build()
+            .expect("valid");
+        let drawn = links(&figure);
+        let kinds: Vec<&str> = drawn[1].parts.iter().map(|part| part.kind).collect();
+        assert!(drawn[0].parts.is_empty(), "{:?}", drawn[0]);
+        assert_eq!(kinds, ["sphere", "capsule"]);
+        assert_eq!(format!("{:?}", drawn[1].parts[0].size), "[0.0006]", "as thick as suits 2 cm");
+    }
+
+    #[test]
+    fn boxes_are_those_of_the_shapes_surfaces() {
+        let part = |kind, size: &[f64]| Part {
+            kind,
+            size: size.to_vec(),
+            at: [0.0; 3],
+            turn: DQuat::IDENTITY.to_array(),
+        };
+        let tilted = DQuat::from_rotation_z(std::f64::consts::FRAC_PI_6);
+        let (sin, cos) = std::f64::consts::FRAC_PI_6.sin_cos();
+        let near = |kind, size: &[f64], edges: DVec3| {
+            let bounds = part(kind, size).bounds(DVec3::ONE, tilted);
+            assert!(bounds.edges().distance(edges) < 1e-12, "{kind}: {:?}", bounds.edges());
+            assert!(bounds.low.midpoint(bounds.high).distance(DVec3::ONE) < 1e-12, "{kind}");
+        };
+        near("sphere", &[0.5], DVec3::ONE);
+        near("box", &[2.0, 1.0, 3.0], DVec3::new(2.0 * cos + sin, 2.0 * sin + cos, 3.0));
+        near("capsule", &[0.5, 0.5, 2.0], DVec3::new(2.0 * sin + 1.0, 2.0 * cos + 1.0, 1.0));
+        near("cylinder", &[0.5, 2.0], DVec3::new(2.0 * sin + cos, 2.0 * cos + sin, 1.0));
+        let reach = |a: f64, b: f64| 2.0 * (a * cos).hypot(b * sin);
+        near("ellipsoid", &[2.0, 1.0, 3.0], DVec3::new(reach(2.0, 1.0), reach(1.0, 2.0), 6.0));
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! Where every link is in every frame.
 
+use crate::camera::{Bounds, Camera};
+use crate::draw::Drawn;
 use crate::error::ViewError;
 use crate::world::World;
 use glam::{DQuat, DVec3};
-use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, center_of_mass};
-use solaris_model::{Figure, Link, Motion};
+use solaris_model::{Figure, Motion};
 
 /// Most frames a second that a page holds (1/s).
 pub const FRAME_RATE: f64 = 60.0;
@@ -26,14 +27,12 @@ pub(crate) struct Frames {
     pub(crate) turns: Vec<DQuat>,
     /// Centre of mass, one a frame; none for a figure without mass.
     pub(crate) com: Option<Vec<DVec3>>,
-    /// Lowest and highest point of the figure's outline at any time, in the page's world (m).
-    pub(crate) heights: (f64, f64),
-    /// The same in the first frame.
-    pub(crate) first_heights: (f64, f64),
+    /// The box around all that is drawn of the links, one a frame, in the page's world (m).
+    pub(crate) boxes: Vec<Bounds>,
 }
 
 impl Frames {
-    /// Runs the forward kinematics for every chosen sample.
+    /// Runs the forward kinematics for every chosen sample; `drawn` says what the links look like.
     ///
     /// # Errors
     ///
@@ -43,38 +42,37 @@ impl Frames {
         motion: &Motion,
         chosen: &[usize],
         world: &World,
+        drawn: &[Drawn],
     ) -> Result<Self, ViewError> {
         let tree = Tree::<f64>::new(figure, motion.info.gravity)?;
         let mut workspace = Workspace::new(&tree);
-        let links = figure.links();
-        let count = links.len();
+        let count = drawn.len();
         let mut frames = Self {
             root: Vec::with_capacity(chosen.len()),
             positions: Vec::with_capacity(chosen.len() * count),
             turns: Vec::with_capacity(chosen.len() * count),
             com: (figure.mass() > 0.0).then(Vec::new),
-            heights: (f64::INFINITY, f64::NEG_INFINITY),
-            first_heights: (0.0, 0.0),
+            boxes: Vec::with_capacity(chosen.len()),
         };
         for &sample in chosen {
             // Also runs the forward kinematics.
             let com = center_of_mass(&tree, &mut workspace, motion.q(sample))?;
             let root = world.vector(&workspace.pose(0).translation);
             frames.root.push(root);
-            for (i, link) in links.iter().enumerate() {
+            let mut bounds: Option<Bounds> = None;
+            for (i, link) in drawn.iter().enumerate() {
                 let pose = workspace.pose(i);
-                frames.positions.push(world.vector(&pose.translation) - root);
-                frames.push_turn(world.rotation(&pose.rotation), count);
-                for point in outline(link) {
-                    let height = world.vector(&pose.transform(&point)).y;
-                    frames.heights = (frames.heights.0.min(height), frames.heights.1.max(height));
-                }
+                let (place, turn) = (world.vector(&pose.translation), world.rotation(&pose.rotation));
+                frames.positions.push(place - root);
+                frames.push_turn(turn, count);
+                bounds = link
+                    .bounds(place, turn)
+                    .map(|link| bounds.map_or(link, |all| all.union(link)))
+                    .or(bounds);
             }
+            frames.boxes.push(bounds.unwrap_or(Bounds { low: root, high: root }));
             if let Some(trail) = &mut frames.com {
                 trail.push(world.vector(&com) - root);
-            }
-            if frames.root.len() == 1 {
-                frames.first_heights = frames.heights;
             }
         }
         Ok(frames)
@@ -87,15 +85,15 @@ impl Frames {
         self.turns.push(if flip { -turn } else { turn });
     }
 
-    /// Greatest distance of a link from the root along an axis (m).
-    pub(crate) fn extent(&self) -> f64 {
-        self.positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max)
+    /// The camera that has all of it in view.
+    pub(crate) fn camera(&self) -> Camera {
+        let com: Option<Vec<DVec3>> =
+            self.com.as_ref().map(|com| com.iter().zip(&self.root).map(|(com, root)| *com + *root).collect());
+        Camera::new(&self.boxes, com.as_ref().unwrap_or(&self.root))
     }
-}
 
-/// Points of a link that say how high and low it reaches, in its frame (m).
-fn outline(link: &Link) -> impl Iterator<Item = Vector3<f64>> + '_ {
-    let shape = link.shape().map(|shape| shape.placement.translation.vector);
-    let soles = link.sole().iter().map(|point| point.position);
-    [Vector3::zeros()].into_iter().chain(link.tip().copied()).chain(shape).chain(soles)
+    /// Height of the lowest point at any time (m).
+    pub(crate) fn lowest(&self) -> f64 {
+        self.boxes.iter().map(|bounds| bounds.low.y).fold(f64::INFINITY, f64::min)
+    }
 }

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod camera;
 mod coordinates;
 mod curves;
 mod data;
@@ -14,6 +15,7 @@ mod postures;
 pub mod precision;
 pub mod profile;
 mod regions;
+mod skin;
 mod world;
 
 pub use coordinates::coordinates;

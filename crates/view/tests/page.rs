@@ -138,6 +138,7 @@ fn positions_and_turns_come_back_within_the_resolution_however_far_away() {
     let (figure, motion) = sampled(&Wave { duration: 2.0, speed: 1.3, start: 900.0 });
     let data = data(&page(&figure, &motion, &options()).expect("a page"));
     let [root, positions, turns] = ["root", "positions", "turns"].map(|key| numbers(&data[key]));
+    let start = Vector3::from_iterator((0..3).map(|i| data["origin"][i].as_f64().expect("metres")));
     let tree = Tree::<f64>::new(&figure, GRAVITY).expect("a tree");
     let mut workspace = Workspace::new(&tree);
     let links = figure.links().len();
@@ -145,7 +146,8 @@ fn positions_and_turns_come_back_within_the_resolution_however_far_away() {
     for frame in 0..root.len() / 3 {
         forward_kinematics(&tree, &mut workspace, motion.q(2 * frame)).expect("poses");
         let origin = workspace.pose(0).translation;
-        assert!((point(&root, frame) - origin).norm() < 1e-4);
+        // Of 32-bit floats, which would be off by 3e-5 m were they not told from a point near the figure.
+        assert!((point(&root, frame) + start - origin).norm() < 1e-6);
         for link in 0..links {
             let pose = workspace.pose(link);
             let at = frame * links + link;
@@ -173,6 +175,21 @@ impl Trajectory for Wheel {
     fn configuration(&self, t: f64, q: &mut [f64]) {
         q[0] = 13.0 * t;
     }
+}
+
+#[test]
+fn every_link_is_in_the_camera_s_box_at_any_time() {
+    let (figure, motion) = sampled(&Wave { duration: 9.0, speed: 1.3, start: 900.0 });
+    let data = data(&page(&figure, &motion, &options()).expect("a page"));
+    let [root, positions, aim] = [&data["root"], &data["positions"], &data["camera"]["aim"]].map(numbers);
+    let half = Vector3::from_iterator((0..3).map(|i| data["camera"]["half"][i].as_f64().expect("m")));
+    let links = figure.links().len();
+    for at in 0..positions.len() / 3 {
+        let frame = at / links;
+        let seen = point(&positions, at) + point(&root, frame) - point(&aim, frame);
+        assert!((half - seen.abs()).min() > 0.0, "link {} leaves it in frame {frame}: {seen}", at % links);
+    }
+    assert!(half.z < 1.0, "it goes along with the figure, which goes 11.7 m: {half}");
 }
 
 #[test]
@@ -277,9 +294,13 @@ fn the_head_of_the_data_is_as_it_was() {
     object["links"] = serde_json::json!({ "count": links, "tenth": first });
     object["joints"] = joints.into();
     object["forces"] = forces.into();
-    for key in ["size", "middle", "weight"] {
-        let value = object[key].as_f64().expect("a number");
-        object[key] = ((value * 1e3).round() / 1e3).into();
+    object["camera"]["aim"] = numbers(&object["camera"]["aim"]).len().into();
+    let rounded = |value: &Value| ((value.as_f64().expect("a number") * 1e3).round() / 1e3).into();
+    for key in ["size", "weight"] {
+        object[key] = rounded(&object[key]);
+    }
+    for axis in 0..3 {
+        object["camera"]["half"][axis] = rounded(&object["camera"]["half"][axis]);
     }
     insta::assert_snapshot!(serde_json::to_string_pretty(&data).expect("JSON"));
 }

@@ -35,8 +35,26 @@ export function makeBody(data) {
   const next = new Quaternion();
   const count = links.length;
 
+  // The least and greatest x and y of all corners of the shapes, from 0 to 1 in the picture.
+  const point = new Vector3();
+  function outline(camera) {
+    group.updateMatrixWorld();
+    const edges = [Infinity, Infinity, -Infinity, -Infinity];
+    group.traverse((mesh) => {
+      if (!mesh.isMesh || mesh.isSkinnedMesh) return;
+      const corners = mesh.geometry.attributes.position;
+      for (let i = 0; i < corners.count; i += 1) {
+        point.fromBufferAttribute(corners, i).applyMatrix4(mesh.matrixWorld).project(camera);
+        const [x, y] = [(1 + point.x) / 2, (1 - point.y) / 2];
+        edges.splice(0, 4, Math.min(edges[0], x), Math.min(edges[1], y), Math.max(edges[2], x), Math.max(edges[3], y));
+      }
+    });
+    return edges;
+  }
+
   return {
     group,
+    outline,
     paint(theme) {
       for (const [side, material] of Object.entries(materials)) material.color.set(theme.body[side]);
     },
@@ -64,11 +82,14 @@ export function makeBody(data) {
   };
 }
 
-// Position of the root link, to which the links' positions and the centre of mass are relative.
-export function rootAt(data, index, after, fraction, out) {
+// A point of `points`, three numbers a frame, between two frames.
+export function mixAt(points, { index, next, fraction }, out) {
   for (let i = 0; i < 3; i += 1) {
-    const a = data.root[3 * index + i];
-    out.setComponent(i, a + (data.root[3 * after + i] - a) * fraction);
+    const a = points[3 * index + i];
+    out.setComponent(i, a + (points[3 * next + i] - a) * fraction);
   }
   return out;
 }
+
+// Position of the root link, to which the links' positions and the centre of mass are relative.
+export const rootAt = (data, index, next, fraction, out) => mixAt(data.root, { index, next, fraction }, out);

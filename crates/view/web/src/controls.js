@@ -38,6 +38,17 @@ export function makeControls(clock, picture, data) {
   clock.onChange(update);
   update();
   keys(clock);
+  document.querySelectorAll('details.menu').forEach(closes);
+}
+
+// A menu closes on Escape and by a click beside it.
+function closes(menu) {
+  document.addEventListener('click', (event) => menu.contains(event.target) || (menu.open = false));
+  document.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || !menu.open) return;
+    menu.open = false;
+    menu.querySelector('summary').focus();
+  });
 }
 
 function keys(clock) {

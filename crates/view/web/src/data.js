@@ -19,7 +19,7 @@ export function numbers(array) {
 
 const line = ({ side, values }) => ({ side, values: numbers(values) });
 
-// What the rest of the page works with. World: x left, y up, z forward (m).
+// What the rest of the page works with. World: x left, y up, z forward (m), from the data's own origin.
 export function readData(element) {
   const raw = JSON.parse(element.textContent);
   const quantity = (plot) => plot && { unit: plot.unit, lines: plot.lines.map(line) };
@@ -29,6 +29,7 @@ export function readData(element) {
     root: numbers(raw.root),
     positions: numbers(raw.positions),
     turns: numbers(raw.turns),
+    camera: { half: raw.camera.half, aim: numbers(raw.camera.aim) },
     com: raw.com && numbers(raw.com),
     feet: raw.feet.map((foot) => ({ ...foot, force: numbers(foot.force), cop: numbers(foot.cop) })),
     joints: raw.joints.map((joint) => ({

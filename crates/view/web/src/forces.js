@@ -1,10 +1,14 @@
 // The ground's forces: an arrow from the centre of pressure, a dot at it, and the arrow's size in words.
 
 import { CircleGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import { arrange } from './labels.js';
 
-// Length of the arrow of one body weight, in heights of the figure.
+// Length of the arrow of one body weight, and of the longest arrow, in sizes of the figure.
 const BODY_WEIGHT = 0.46;
-// Height of a figure whose arrows have the thickness below (m).
+const LONGEST = 0.7;
+// Forces below this share of the weight count as none; without a weight, of the greatest force.
+const LEAST = 0.0014;
+// Size of a figure whose arrows have the thickness below (m).
 const PERSON = 1.75;
 const UP = new Vector3(0, 1, 0);
 const HEAD = 0.09;
@@ -22,9 +26,17 @@ function makeArrow(material) {
   return { arrow, shaft, head, dot };
 }
 
+// The greatest force at any time (N), at least one that can be divided by.
+function greatest(feet) {
+  const sizes = feet.map(({ force }) => force.reduce((most, _, i) => (i % 3 ? most : Math.max(most, Math.hypot(...force.subarray(i, i + 3)))), 0));
+  return Math.max(1e-9, ...sizes);
+}
+
 export function makeForces(data, overlay) {
   const group = new Group();
-  const unit = (BODY_WEIGHT * data.size) / (data.weight ?? 700);
+  const peak = greatest(data.feet);
+  const unit = data.size * Math.min(data.weight ? BODY_WEIGHT / data.weight : Infinity, LONGEST / peak);
+  const least = (LEAST * (data.weight ?? peak)) ** 2;
   const thickness = data.size / PERSON;
   const feet = data.feet.map((foot) => {
     // Seen through the leg: an arrow that starts under a foot would otherwise hide in it.
@@ -45,10 +57,10 @@ export function makeForces(data, overlay) {
   // Force and centre of pressure between two frames; a centre of pressure counts only where there is a force.
   function contact(foot, { index, next, fraction }) {
     const a = point.fromArray(foot.force, 3 * index);
-    const loadedA = a.lengthSq() > 1;
+    const loadedA = a.lengthSq() > least;
     force.copy(a).multiplyScalar(1 - fraction);
     const b = point.fromArray(foot.force, 3 * next);
-    const loadedB = b.lengthSq() > 1;
+    const loadedB = b.lengthSq() > least;
     force.addScaledVector(b, fraction);
     if (!loadedA && !loadedB) return false;
     const share = loadedA && loadedB ? fraction : loadedA ? 0 : 1;
@@ -77,23 +89,31 @@ export function makeForces(data, overlay) {
         entry.head.position.y = length - head;
         entry.head.scale.setScalar(head / HEAD);
         entry.dot.position.copy(cop);
-        entry.dot.position.y += 0.005;
+        entry.dot.position.y += 0.003 * data.size;
         entry.dot.scale.setScalar(thickness);
         entry.tip.copy(cop).addScaledVector(force, unit * 1.05);
         const size = force.length();
+        entry.size = size;
         entry.words.textContent = data.weight ? `${Math.round((100 * size) / data.weight)} % BW` : `${size.toFixed(0)} N`;
       }
     },
-    // Puts the words at the arrows' heads; after the camera has moved.
+    // Puts the words at the arrows' heads, the greatest force's first; after the camera has moved.
     label(camera, width, height) {
-      for (const { arrow, words, tip } of feet) {
-        point.copy(tip).project(camera);
-        const shown = group.visible && arrow.visible && point.z < 1 && Math.abs(point.x) < 1 && Math.abs(point.y) < 1;
-        words.hidden = !shown;
-        if (shown) {
-          words.style.transform = `translate(${((point.x + 1) / 2) * width}px, ${((1 - point.y) / 2) * height}px)`;
+      const seen = [];
+      for (const entry of feet) {
+        point.copy(entry.tip).project(camera);
+        entry.words.hidden = true;
+        const shown = group.visible && entry.arrow.visible && point.z < 1 && Math.abs(point.x) < 1 && Math.abs(point.y) < 1.2;
+        if (!shown) {
+          delete entry.words.dataset.place;
+          continue;
         }
+        // An arrow that leaves the picture upwards is named where it does.
+        const y = Math.max(30, ((1 - point.y) / 2) * height);
+        seen.push({ words: entry.words, size: entry.size, x: ((point.x + 1) / 2) * width, y });
       }
+      seen.sort((a, b) => b.size - a.size);
+      arrange(seen, width, height);
     },
   };
 }

@@ -1,8 +1,8 @@
-// The floor with a scale in metres: a line each 0.5 m, a stronger one each metre, numbers beside the path.
+// The floor with a scale: strong lines and finer ones between them, as far apart as suits the figure (1 m and 0.5 m for a
+// person), with numbers beside the path. It goes on for ever: a patch of it moves along with the camera.
 
 import {
   BufferGeometry,
-  CanvasTexture,
   Float32BufferAttribute,
   Group,
   LineBasicMaterial,
@@ -11,90 +11,74 @@ import {
   MeshBasicMaterial,
   PlaneGeometry,
   ShadowMaterial,
-  SRGBColorSpace,
 } from 'three';
+import { SHAPE, makeNumbers, spacing } from './numbers.js';
 
-const MARGIN = 3;
+// Strong lines to each side of the middle: further out there is fog.
+const LINES = 24;
+// Numbers to each side of the middle.
+const NUMBERS = 7;
 
-// Smallest and greatest x and z of the path, in whole metres, with a margin.
-function extent(data) {
-  const range = (axis) => {
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = axis; i < data.root.length; i += 3) {
-      low = Math.min(low, data.root[i]);
-      high = Math.max(high, data.root[i]);
-    }
-    return [Math.floor(low) - MARGIN, Math.ceil(high) + MARGIN];
-  };
-  return { x: range(0), z: range(2) };
-}
-
-function lines(x, z, keep) {
+// `count` cells to each side of the middle, each divided into `parts`; the lines at whole cells are left out of the fine ones.
+function lines(cell, count, parts) {
   const points = [];
-  const halves = ([low, high]) => Array.from({ length: 2 * (high - low) + 1 }, (_, i) => 2 * low + i).filter(keep);
-  // In pieces of a metre: renderers lose long lines of which an end lies behind the camera.
-  const metres = ([low, high]) => Array.from({ length: high - low }, (_, i) => low + i);
-  for (const k of halves(x)) for (const from of metres(z)) points.push(k / 2, 0, from, k / 2, 0, from + 1);
-  for (const k of halves(z)) for (const from of metres(x)) points.push(from, 0, k / 2, from + 1, 0, k / 2);
+  for (let k = -count * parts; k <= count * parts; k += 1) {
+    if (parts > 1 && k % parts === 0) continue;
+    const at = (k / parts) * cell;
+    // In pieces: renderers lose long lines of which an end lies behind the camera.
+    for (let piece = -count; piece < count; piece += 1) {
+      const [from, to] = [piece * cell, (piece + 1) * cell];
+      points.push(at, 0, from, at, 0, to, from, 0, at, to, 0, at);
+    }
+  }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
   return new LineSegments(geometry, new LineBasicMaterial({ transparent: true }));
 }
 
-function label(text) {
-  const canvas = document.createElement('canvas');
-  canvas.width = 256;
-  canvas.height = 96;
-  const texture = new CanvasTexture(canvas);
-  texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 8;
-  const mesh = new Mesh(
-    new PlaneGeometry(0.4, 0.15).rotateX(-Math.PI / 2),
-    new MeshBasicMaterial({ map: texture, transparent: true, depthWrite: false }),
-  );
-  const paint = (theme) => {
-    const pen = canvas.getContext('2d');
-    pen.clearRect(0, 0, canvas.width, canvas.height);
-    pen.font = `600 64px ${theme.font}`;
-    pen.textAlign = 'center';
-    pen.textBaseline = 'middle';
-    pen.fillStyle = theme.soft;
-    pen.fillText(text, canvas.width / 2, canvas.height / 2);
-    texture.needsUpdate = true;
+// Whether the figure goes further along x than along z.
+function goesAcross({ aim, half }) {
+  const range = (axis) => {
+    const values = aim.filter((_, i) => i % 3 === axis);
+    return values.reduce((a, b) => Math.max(a, b), -Infinity) - values.reduce((a, b) => Math.min(a, b), Infinity);
   };
-  return { mesh, paint };
+  return range(0) + 2 * half[0] > 1.5 * (range(2) + 2 * half[2]);
 }
 
 export function makeGround(data) {
   const group = new Group();
   group.position.y = data.ground.height;
-  const { x, z } = extent(data);
-  const fine = lines(x, z, (half) => half % 2 !== 0);
-  const strong = lines(x, z, (half) => half % 2 === 0);
-  fine.position.y = 0.001;
-  strong.position.y = 0.002;
-  group.add(fine, strong);
+  const { strong: step, parts } = spacing(data.size);
+  const fine = lines(step, LINES, parts);
+  const strong = lines(step, LINES, 1);
+  fine.position.y = 0.001 * step;
+  strong.position.y = 0.002 * step;
+  const grid = new Group();
+  grid.add(fine, strong);
 
-  const shadow = new Mesh(new PlaneGeometry(400, 400).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.28 }));
+  const shadow = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.28 }));
+  shadow.scale.setScalar(2 * LINES * step);
   shadow.receiveShadow = true;
   // Below the lines, which lie too close to it for the depth to tell.
   shadow.material.depthWrite = false;
   shadow.renderOrder = -1;
   // Without a ground there is a scale, but nothing for a shadow to fall on.
-  if (data.ground.solid) group.add(shadow);
+  if (data.ground.solid) grid.add(shadow);
+  group.add(grid);
 
-  // One number a metre on a short path, fewer on a long one.
-  const length = z[1] - z[0];
-  const every = [1, 2, 5, 10, 50, 100, 1000].find((step) => length / step <= 60) ?? 10000;
-  const labels = [];
-  for (let at = Math.ceil(z[0] / every) * every; at <= z[1]; at += every) {
-    const { mesh, paint } = label(`${at < 0 ? '−' : ''}${Math.abs(at)} m`);
-    mesh.position.set(0, 0.004, at);
-    group.add(mesh);
-    labels.push({ mesh, paint });
-  }
-  const middle = (data.root[0] + data.root[data.root.length - 3]) / 2;
+  // The numbers run along the axis `along` and stand beside the figure on the axis `beside`.
+  const [along, beside] = goesAcross(data.camera) ? ['x', 'z'] : ['z', 'x'];
+  const origin = { x: data.origin[0], z: data.origin[2] };
+  const reach = { x: data.camera.half[0], z: data.camera.half[2] };
+  const sign = new PlaneGeometry(0.15 * SHAPE * step, 0.15 * step).rotateX(-Math.PI / 2);
+  const numbers = makeNumbers(group, step, NUMBERS, (texture, at) => {
+    const mesh = new Mesh(sign, new MeshBasicMaterial({ map: texture, transparent: true, depthWrite: false }));
+    mesh.position.y = 0.004 * step;
+    mesh.position[along] = at - origin[along];
+    return mesh;
+  });
+  // The nearest line to `at`, in the picture's coordinates.
+  const snap = (at, axis, cell) => Math.round((at + origin[axis]) / cell) * cell - origin[axis];
 
   return {
     group,
@@ -102,14 +86,17 @@ export function makeGround(data) {
       fine.material.color.set(theme.grid);
       strong.material.color.set(theme.gridStrong);
       shadow.material.opacity = theme.dark ? 0.55 : 0.26;
-      labels.forEach(({ paint }) => paint(theme));
+      numbers.paint(theme);
     },
-    // The numbers lie on the side of the path that the camera is on, and are turned towards it.
+    // The patch is where the camera looks; the numbers lie on the side of the path that the camera is on, turned towards it.
     face(camera, target) {
+      grid.position.set(snap(target.x, 'x', step), 0, snap(target.z, 'z', step));
       const quarter = Math.PI / 2;
       const turn = Math.round(Math.atan2(camera.position.x - target.x, camera.position.z - target.z) / quarter) * quarter;
-      for (const { mesh } of labels) {
-        mesh.position.x = middle + (camera.position.x < target.x ? -0.6 : 0.6);
+      const away = reach[beside] + 0.17 * data.size;
+      const line = snap(target[beside], beside, step / parts) + (camera.position[beside] < target[beside] ? -away : away);
+      for (const mesh of numbers.near(target[along] + origin[along])) {
+        mesh.position[beside] = line;
         mesh.rotation.y = turn;
       }
     },

@@ -6,6 +6,7 @@ import { makeControls } from './controls.js';
 import { readData } from './data.js';
 import { makePicture } from './picture.js';
 import { makePlots } from './plots.js';
+import { makeTabs } from './tabs.js';
 import { onThemeChange, readTheme } from './theme.js';
 
 const data = readData(document.getElementById('data'));
@@ -21,7 +22,9 @@ try {
   note.hidden = false;
   note.querySelector('small').textContent = error.message;
 }
-const plots = makePlots(document.getElementById('plots'), data, clock, readTheme());
+const [joints, forces] = ['joints', 'forces'].map((id) => document.getElementById(id));
+const plots = makePlots(joints, forces, data, clock, readTheme());
+makeTabs(document.getElementById('tabs'));
 makeControls(clock, picture, data);
 picture?.paint(readTheme());
 onThemeChange(() => {
@@ -49,4 +52,7 @@ window.solaris = {
   pause: clock.pause,
   seek: clock.seek,
   frame: () => clock.frame().index,
+  // Least and greatest x and y of the figure in the picture, from 0 to 1; null without a picture.
+  outline: () => picture?.outline() ?? null,
+  show: (part, visible) => picture?.show(part, visible),
 };

@@ -1,16 +1,18 @@
 // The moving picture: figure, ground, forces and trail on the stage. Draws only when something has changed.
 
 import { Vector3 } from 'three';
-import { makeBody, rootAt } from './body.js';
+import { makeBody, mixAt } from './body.js';
 import { makeForces } from './forces.js';
 import { makeGround } from './ground.js';
+import { makeHeights } from './heights.js';
 import { makeStage } from './stage.js';
 import { makeTrail } from './trail.js';
 
 export function makePicture(holder, data, clock) {
-  const stage = makeStage(holder, data.size);
+  const stage = makeStage(holder, { size: data.size, half: data.camera.half });
   const parts = {
     ground: makeGround(data),
+    heights: makeHeights(data),
     body: makeBody(data),
     forces: makeForces(data, holder),
     trail: makeTrail(data),
@@ -21,14 +23,8 @@ export function makePicture(holder, data, clock) {
   let follow = true;
   const touch = () => (stale = true);
   const target = new Vector3();
-  // The camera looks at the middle of the figure's height and follows the root along the ground.
-  // Without a ground it follows the root upwards and downwards, too.
-  const above = data.middle - data.root[1];
-  const look = ({ index, next, fraction }) => {
-    rootAt(data, index, next, fraction, target);
-    target.y = data.ground.solid ? data.middle : target.y + above;
-    return target;
-  };
+  // The camera looks at the middle of the box that has the figure in it at any time.
+  const look = (frame) => mixAt(data.camera.aim, frame, target);
 
   clock.onChange(touch);
   stage.controls.addEventListener('change', touch);
@@ -36,8 +32,8 @@ export function makePicture(holder, data, clock) {
     stage.resize();
     touch();
   }).observe(holder);
-  stage.resize();
   stage.follow(look(clock.frame()), true);
+  stage.resize();
   stage.view('angle');
 
   return {
@@ -61,6 +57,13 @@ export function makePicture(holder, data, clock) {
       follow = value;
       touch();
     },
+    // Where the figure is in the picture now: the least and greatest x and y, from 0 to 1, of all that is drawn of it.
+    outline() {
+      parts.body.pose(clock.frame());
+      stage.follow(look(clock.frame()), follow);
+      stage.camera.updateMatrixWorld();
+      return parts.body.outline(stage.camera);
+    },
     draw() {
       if (!stale) return;
       stale = false;
@@ -70,6 +73,7 @@ export function makePicture(holder, data, clock) {
       parts.trail.pose(frame);
       stage.follow(look(frame), follow);
       parts.ground.face(stage.camera, stage.controls.target);
+      parts.heights.face(stage.camera, stage.controls.target);
       stage.draw();
       parts.forces.label(stage.camera, stage.width, stage.height);
       // Following the figure moves the camera, which reports a change that this drawing has already shown.

@@ -22,7 +22,7 @@ function makePlot(section, data, clock, quantity, theme) {
     {
       ...size(),
       legend: { show: false },
-      padding: [6, 10, 0, 0],
+      padding: [6, 16, 0, 0],
       cursor: { drag: { x: false, y: false }, y: false, points: { show: false } },
       scales: { x: { time: false }, y: { range: yRange } },
       axes: [
@@ -85,7 +85,7 @@ function makePlot(section, data, clock, quantity, theme) {
 function makeSection(root, title) {
   const section = document.createElement('section');
   section.className = 'plot';
-  section.innerHTML = '<header><h2></h2><span class="readout"></span></header><div class="curve"></div>';
+  section.innerHTML = '<header><h2></h2><span class="readout"></span></header><div class="curve" role="img"></div>';
   section.querySelector('h2').textContent = title;
   root.append(section);
   return section;
@@ -95,6 +95,8 @@ function makeSection(root, title) {
 function makeChooser(root, joints, choose) {
   const bar = document.createElement('div');
   bar.className = 'chooser';
+  bar.setAttribute('role', 'group');
+  bar.setAttribute('aria-label', 'Joint');
   const buttons = joints.slice(0, 3).map((joint, i) => {
     const button = document.createElement('button');
     button.type = 'button';
@@ -115,7 +117,8 @@ function makeChooser(root, joints, choose) {
   };
 }
 
-export function makePlots(root, data, clock, theme) {
+// `joints` and `forces`: where the curves of a joint and those of the ground's forces go.
+export function makePlots(joints, forces, data, clock, theme) {
   let colours = theme;
   let chosen = 0;
   const live = new Map();
@@ -123,18 +126,19 @@ export function makePlots(root, data, clock, theme) {
     live.get(section)?.destroy();
     live.delete(section);
     section.hidden = !quantity;
+    section.querySelector('.curve').setAttribute('aria-label', `${section.querySelector('h2').textContent} over time`);
     if (quantity) live.set(section, makePlot(section, data, clock, quantity, colours));
     live.get(section)?.update();
   };
 
   const drawn = [];
   if (data.joints.length > 0) {
-    const mark = makeChooser(root, data.joints, (index) => {
+    const mark = makeChooser(joints, data.joints, (index) => {
       chosen = index;
       showJoint();
     });
-    const angle = makeSection(root, '');
-    const moment = makeSection(root, '');
+    const angle = makeSection(joints, '');
+    const moment = makeSection(joints, '');
     const showJoint = () => {
       const joint = data.joints[chosen];
       mark(chosen);
@@ -146,9 +150,11 @@ export function makePlots(root, data, clock, theme) {
     drawn.push(showJoint);
   }
   for (const plot of data.forces) {
-    const section = makeSection(root, plot.label);
+    const section = makeSection(forces, plot.label);
     drawn.push(() => put(section, plot));
   }
+  forces.hidden = data.forces.length === 0;
+  joints.hidden = data.joints.length === 0;
   drawn.forEach((draw) => draw());
   clock.onChange(() => live.forEach((plot) => plot.update()));
 

@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
-// Where the camera stands, seen from the figure, in heights of the figure.
+// From where the camera looks at the figure.
 const VIEWS = {
   angle: [-1.85, 0.4, 1.3],
   side: [-2.2, 0.12, 0],
@@ -21,24 +21,32 @@ const VIEWS = {
   back: [0, 0.4, -2.3],
   top: [-0.01, 2.6, 0],
 };
+// What moves across the path is seen from nearer to the front.
+const ACROSS = [-1.1, 0.4, 1.95];
+// Share of the picture's height and width that the figure may take.
+const FILLED = 0.8;
+// Size of a figure to which the lengths below belong (m).
+const PERSON = 1.75;
 
-// Throws where there is no WebGL.
-export function makeStage(holder, size) {
+// `framed`: half of the edges of the box that is to be in view; `size`: the greatest edge. Throws where there is no WebGL.
+export function makeStage(holder, { size, half: framed }) {
   const renderer = new WebGLRenderer({ antialias: true });
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  renderer.domElement.setAttribute('role', 'img');
   renderer.domElement.setAttribute('aria-label', 'The moving figure; drag to turn, scroll to zoom');
   holder.prepend(renderer.domElement);
 
+  const half = new Vector3().fromArray(framed);
   const scene = new Scene();
   scene.background = new Color();
-  scene.fog = new Fog(0, 4 * size, 11 * size);
-  const camera = new PerspectiveCamera(35, 1, 0.02 * size, 60 * size);
+  scene.fog = new Fog(0);
+  const camera = new PerspectiveCamera(35, 1);
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.maxPolarAngle = 0.53 * Math.PI;
   controls.minDistance = 0.4 * size;
-  controls.maxDistance = 20 * size;
+  controls.maxDistance = 40 * size;
 
   const sky = new HemisphereLight(0xffffff, 0xb8b0a4, 1.9);
   const sun = new DirectionalLight(0xffffff, 2.1);
@@ -46,12 +54,31 @@ export function makeStage(holder, size) {
   sun.shadow.mapSize.set(2048, 2048);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0004;
-  sun.shadow.normalBias = 0.02;
-  const reach = 1.3 * size;
-  Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1, far: 8 * size });
+  sun.shadow.normalBias = (0.02 * size) / PERSON;
+  const reach = 1.6 * half.length();
+  Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * size, far: 8 * size });
   scene.add(sky, sun, sun.target);
 
+  // How far from the middle of the box the camera must be, in this direction, to have its eight corners in view.
+  const [forward, right, up, corner] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+  function distance(direction) {
+    forward.copy(direction).normalize();
+    right.crossVectors(camera.up, forward).normalize();
+    up.crossVectors(forward, right);
+    const tall = FILLED * Math.tan((camera.fov * Math.PI) / 360);
+    let far = 0;
+    for (let i = 0; i < 8; i += 1) {
+      corner.set(i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z);
+      const needed = Math.max(Math.abs(corner.dot(right)) / (tall * camera.aspect), Math.abs(corner.dot(up)) / tall);
+      far = Math.max(far, corner.dot(forward) + needed);
+    }
+    return far;
+  }
+
   const shift = new Vector3();
+  // The view that the camera has until the reader turns it.
+  let named = 'angle';
+  controls.addEventListener('start', () => (named = null));
   const stage = {
     scene,
     camera,
@@ -64,9 +91,9 @@ export function makeStage(holder, size) {
       sky.intensity = theme.dark ? 1.2 : 1.9;
     },
     view(name) {
-      // On a screen that is higher than wide the figure fits by its height anyway, but needs room at the sides.
-      const wide = Math.max(1, 0.9 / Math.max(0.3, camera.aspect));
-      camera.position.fromArray(VIEWS[name]).multiplyScalar(size * wide).add(controls.target);
+      named = name;
+      shift.fromArray(name === 'angle' && half.x > 1.5 * half.z ? ACROSS : VIEWS[name]);
+      camera.position.copy(shift.setLength(distance(shift))).add(controls.target);
       controls.update();
     },
     // Light and, if wanted, the camera move along with `point`.
@@ -86,8 +113,16 @@ export function makeStage(holder, size) {
       renderer.setSize(clientWidth, clientHeight);
       camera.aspect = clientWidth / clientHeight;
       camera.updateProjectionMatrix();
+      if (named) stage.view(named);
     },
-    draw: () => renderer.render(scene, camera),
+    draw() {
+      // However far the reader zooms out, the figure is nearer than the fog.
+      const away = camera.position.distanceTo(controls.target);
+      Object.assign(camera, { near: 0.02 * away, far: away + 40 * size });
+      Object.assign(scene.fog, { near: away + 2 * size, far: away + 7 * size });
+      camera.updateProjectionMatrix();
+      renderer.render(scene, camera);
+    },
   };
   return stage;
 }
