@@ -1,4 +1,4 @@
-//! What was recorded of a motion, before anything is derived from it.
+//! Recorded motions and forces, before anything is derived from them.
 
 use crate::motion::Contact;
 use nalgebra::Vector3;
@@ -7,6 +7,9 @@ use nalgebra::Vector3;
 ///
 /// Rows are samples, in the order of the figure's [`crate::StateLayout`]: `q` has `nq` numbers a row, `v` and `a` have
 /// `nv`.
+#[doc(alias = "recording")]
+#[doc(alias = "motion capture")]
+#[doc(alias = "mocap")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
     /// When (s), rising; rows that are unrelated states are numbered 0, 1, 2 ….
@@ -24,6 +27,8 @@ pub struct Record {
 }
 
 /// Forces on one link that were measured over time.
+#[doc(alias = "force plate")]
+#[doc(alias = "grf")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceRecord {
     /// The link that they act on, or two: the second once the centre of pressure has passed the point between them.
