@@ -8,7 +8,7 @@ use chain::chain;
 use divan::{Bencher, black_box};
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::{
-    Formulation, InverseDynamics, Scalar, Tree, Workspace, forward_dynamics, forward_kinematics,
+    Derivatives, Formulation, InverseDynamics, Scalar, Tree, Workspace, forward_dynamics, forward_kinematics,
     inverse_dynamics, inverse_mass_matrix, mass_matrix,
 };
 use solaris_model::{Figure, human};
@@ -133,6 +133,18 @@ fn human_forward_kinematics<T: Scalar>(bencher: Bencher) {
 fn human_mass_matrix<T: Scalar>(bencher: Bencher) {
     let mut case = Case::<T>::human();
     bencher.bench_local(|| case.mass_matrix());
+}
+
+/// The derivatives by `q`, `v` and `a`, all 66 columns of each.
+#[divan::bench]
+fn human_inverse_dynamics_derivatives(bencher: Bencher) {
+    let figure = human(1.75, 73.0).expect("within range");
+    let mut derivatives =
+        Derivatives::new(&figure, Vector3::new(0.0, -9.806_65, 0.0)).expect("finite constants");
+    let Case { q, v, a, .. } = Case::<f64>::human();
+    bencher.bench_local(|| {
+        black_box(derivatives.inverse_dynamics(black_box(&q), &v, &a, &[]).expect("a valid state"));
+    });
 }
 
 #[divan::bench(args = CHAINS)]

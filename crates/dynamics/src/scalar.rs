@@ -18,4 +18,4 @@ pub use lanes::Lanes;
 pub use solaris_scalar::DoubleDouble;
 #[cfg(feature = "counted")]
 pub use solaris_scalar::{Counted, Operations};
-pub use solaris_scalar::{Dual, Scalar};
+pub use solaris_scalar::{Dual, Elementary, Scalar};
