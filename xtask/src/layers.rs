@@ -8,21 +8,22 @@ use std::path::Path;
 
 /// Every crate of the workspace and its row; `xtask` stands beside the onion.
 pub(crate) const ROWS: &[(&str, u8)] = &[
-    ("solaris-cli", 7),
-    ("solaris", 6),
-    ("solaris-scene", 5),
-    ("solaris-io", 5),
-    ("solaris-view", 5),
-    ("solaris-gait", 4),
-    ("solaris-modes", 3),
-    ("solaris-analysis", 3),
-    ("solaris-dynamics", 2),
-    ("solaris-model", 1),
-    ("solaris-profiles", 1),
+    ("solaris-cli", 8),
+    ("solaris", 7),
+    ("solaris-scene", 6),
+    ("solaris-io", 6),
+    ("solaris-view", 6),
+    ("solaris-gait", 5),
+    ("solaris-modes", 4),
+    ("solaris-analysis", 4),
+    ("solaris-dynamics", 3),
+    ("solaris-model", 2),
+    ("solaris-profiles", 2),
+    ("solaris-scalar", 1),
 ];
 
 /// The row whose crate may touch files, clocks, environment and output.
-const OUTERMOST: u8 = 7;
+const OUTERMOST: u8 = 8;
 
 pub(crate) fn row(name: &str) -> Option<u8> {
     ROWS.iter().find(|(known, _)| *known == name).map(|(_, row)| *row)
@@ -155,9 +156,9 @@ mod tests {
             ("xtask", &[]),
         ];
         insta::assert_snapshot!(check(crates), @"
-        crate 'solaris-model' (row 1) uses 'solaris-dynamics' (row 2), but only rows below 1 are open to it: move what it needs into a lower crate, or let a crate above both join them
-        crate 'solaris-io' (row 5) uses 'solaris-view' (row 5), but only rows below 5 are open to it: move what it needs into a lower crate, or let a crate above both join them
-        crate 'solaris-view' (row 5) uses 'solaris-cli' (row 7), but only rows below 5 are open to it: move what it needs into a lower crate, or let a crate above both join them
+        crate 'solaris-model' (row 2) uses 'solaris-dynamics' (row 3), but only rows below 2 are open to it: move what it needs into a lower crate, or let a crate above both join them
+        crate 'solaris-io' (row 6) uses 'solaris-view' (row 6), but only rows below 6 are open to it: move what it needs into a lower crate, or let a crate above both join them
+        crate 'solaris-view' (row 6) uses 'solaris-cli' (row 8), but only rows below 6 are open to it: move what it needs into a lower crate, or let a crate above both join them
         crate 'solaris-cli' uses 'xtask', which stands in no row: no layer may use it
         ");
     }

@@ -154,7 +154,7 @@ mod tests {
     use super::accuracy::{forward, inverse, inverse_of};
     use super::*;
     use solaris_dynamics::scalar::DoubleDouble;
-    use solaris_dynamics::{Formulation, Real};
+    use solaris_dynamics::{Formulation, Scalar};
     use std::sync::LazyLock;
 
     /// How much more than other programs with the same formulation may be lost.
@@ -248,7 +248,7 @@ mod tests {
             assert!(difference(&tree_wise, &newton_euler) < tolerance, "{}", case.name);
             let a: Vec<DoubleDouble> = forward(&sample).expect("a valid state");
             let tau = inverse_of(&sample, Formulation::NewtonEuler, &a).expect("a valid state");
-            let given: Vec<DoubleDouble> = sample.tau.iter().map(|x| Real::from_f64(*x)).collect();
+            let given: Vec<DoubleDouble> = sample.tau.iter().map(|x| Scalar::from_f64(*x)).collect();
             assert!(difference(&tau, &given) < 1e-19, "{}", case.name);
         }
     }

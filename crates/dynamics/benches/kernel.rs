@@ -8,7 +8,7 @@ use chain::chain;
 use divan::{Bencher, black_box};
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::{
-    Formulation, InverseDynamics, Real, Tree, Workspace, forward_dynamics, forward_kinematics,
+    Derivatives, Formulation, InverseDynamics, Scalar, Tree, Workspace, forward_dynamics, forward_kinematics,
     inverse_dynamics, inverse_mass_matrix, mass_matrix,
 };
 use solaris_model::{Figure, human};
@@ -37,7 +37,7 @@ struct Case<T> {
     matrix: DMatrix<T>,
 }
 
-impl<T: Real> Case<T> {
+impl<T: Scalar> Case<T> {
     fn new(figure: &Figure) -> Self {
         let tree = Tree::new(figure, Vector3::new(0.0, -9.806_65, 0.0)).expect("finite constants");
         let n = tree.nv();
@@ -94,7 +94,7 @@ impl<T: Real> Case<T> {
 }
 
 #[divan::bench(types = [f64, f32])]
-fn human_inverse_dynamics<T: Real>(bencher: Bencher) {
+fn human_inverse_dynamics<T: Scalar>(bencher: Bencher) {
     let mut case = Case::<T>::human();
     bencher.bench_local(|| case.inverse());
 }
@@ -112,7 +112,7 @@ fn human_by_formulation(bencher: Bencher, formulation: Formulation) {
 }
 
 #[divan::bench(types = [f64, f32])]
-fn human_forward_dynamics<T: Real>(bencher: Bencher) {
+fn human_forward_dynamics<T: Scalar>(bencher: Bencher) {
     let mut case = Case::<T>::human();
     bencher.bench_local(|| case.forward());
 }
@@ -124,15 +124,27 @@ fn human_inverse_mass_matrix(bencher: Bencher) {
 }
 
 #[divan::bench(types = [f64, f32])]
-fn human_forward_kinematics<T: Real>(bencher: Bencher) {
+fn human_forward_kinematics<T: Scalar>(bencher: Bencher) {
     let mut case = Case::<T>::human();
     bencher.bench_local(|| case.kinematics());
 }
 
 #[divan::bench(types = [f64, f32])]
-fn human_mass_matrix<T: Real>(bencher: Bencher) {
+fn human_mass_matrix<T: Scalar>(bencher: Bencher) {
     let mut case = Case::<T>::human();
     bencher.bench_local(|| case.mass_matrix());
+}
+
+/// The derivatives by `q`, `v` and `a`, all 66 columns of each.
+#[divan::bench]
+fn human_inverse_dynamics_derivatives(bencher: Bencher) {
+    let figure = human(1.75, 73.0).expect("within range");
+    let mut derivatives =
+        Derivatives::new(&figure, Vector3::new(0.0, -9.806_65, 0.0)).expect("finite constants");
+    let Case { q, v, a, .. } = Case::<f64>::human();
+    bencher.bench_local(|| {
+        black_box(derivatives.inverse_dynamics(black_box(&q), &v, &a, &[]).expect("a valid state"));
+    });
 }
 
 #[divan::bench(args = CHAINS)]

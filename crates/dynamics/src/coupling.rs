@@ -21,6 +21,10 @@ use solaris_model::Figure;
 ///
 /// where `G` has a 1 for each free degree of freedom and `f′` where a follower meets its leader. Curves are evaluated in
 /// f64, and so is this.
+#[doc(alias = "mimic")]
+#[doc(alias = "coupled coordinate")]
+#[doc(alias = "gear")]
+#[doc(alias = "equality constraint")]
 #[derive(Clone, Debug)]
 pub struct Coupling {
     figure: Figure,

@@ -32,6 +32,8 @@ use solaris_model::Figure;
 /// The rationalised links of a figure.
 ///
 /// There is one for each entry of `v`, in the same order, so that rationalised link k is moved by degree of freedom k.
+#[doc(alias = "DH")]
+#[doc(alias = "DH parameters")]
 #[derive(Clone, Debug)]
 pub struct DenavitHartenberg {
     /// The rationalised links, parents first.
@@ -66,7 +68,7 @@ pub struct Rationalized {
     pub a: f64,
     /// s⁰: distance of the two origins along z of the frame before, at zero (m).
     pub s: f64,
-    /// The figure's links that move with this frame, with their matter: on the last rationalised link of a joint the
+    /// The figure's links that move with this frame, with their mass: on the last rationalised link of a joint the
     /// joint's own link first, then those welded to it; on the others none.
     pub carried: Vec<Carried>,
 }
@@ -80,7 +82,7 @@ pub struct Carried {
     pub placement: IsometryMatrix3<f64>,
 }
 
-/// What stands between a frame and the axis of the degree of freedom after it.
+/// The transform between a frame and the axis of the degree of freedom after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Base {
     /// Nothing: z of the frame before is the axis.
@@ -180,6 +182,8 @@ impl DenavitHartenberg {
     /// # Errors
     ///
     /// [`DynamicsError`] for a slice of the wrong length, an entry that is not finite or a quaternion that is no rotation.
+    #[doc(alias = "forward kinematics")]
+    #[doc(alias = "fk")]
     pub fn frames(&self, q: &[f64]) -> Result<Vec<IsometryMatrix3<f64>>, DynamicsError> {
         self.check(q)?;
         let mut frames: Vec<IsometryMatrix3<f64>> = Vec::with_capacity(self.links.len());

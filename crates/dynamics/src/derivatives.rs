@@ -57,6 +57,11 @@ pub type Operation<T> = fn(
 /// assert!((partials.by_q[(0, 0)] - 9.81).abs() < 1e-15 && (partials.by_input[(0, 0)] - 0.5).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "computeRNEADerivatives")]
+#[doc(alias = "computeABADerivatives")]
+#[doc(alias = "linearization")]
+#[doc(alias = "sensitivity")]
+#[doc(alias = "autodiff")]
 #[derive(Clone, Debug)]
 pub struct Derivatives<const N: usize = 4> {
     tree: Tree<Dual<N>>,
@@ -72,6 +77,8 @@ pub struct Derivatives<const N: usize = 4> {
 }
 
 /// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
+#[doc(alias = "gradient")]
+#[doc(alias = "linearization")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Partials {
     /// The output itself: `tau` of inverse dynamics, `a` of forward dynamics.
@@ -105,7 +112,7 @@ enum Argument {
 }
 
 impl Derivatives {
-    /// What it takes for `figure` under the acceleration of `gravity` (m/s², world axes).
+    /// The derivatives of `figure`'s dynamics under the acceleration of `gravity` (m/s², world axes).
     ///
     /// # Errors
     ///

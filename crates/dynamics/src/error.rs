@@ -1,6 +1,6 @@
-//! What can be wrong with a call.
+//! The errors of the kernel's operations.
 
-/// Why an operation gave no result. Values are printed as the scalar prints itself, lanes and all.
+/// The error of an operation: why it gave no result. Values are printed as the scalar prints itself, lanes and all.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DynamicsError {

@@ -1,17 +1,20 @@
-//! One call for all formulations of inverse dynamics.
+//! Inverse dynamics in the formulation that the caller chooses.
 
 use crate::error::DynamicsError;
 use crate::inverse::inverse_dynamics;
 use crate::lagrange::{Lagrangian, LagrangianWorkspace, chain_wise, tree_wise};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::tree::Tree;
 use crate::workspace::Workspace;
 use nalgebra::Vector3;
 use solaris_model::Figure;
 
-/// How the generalized forces of a motion are found. The answers are the same to rounding; the costs are not (see
+/// A formulation of inverse dynamics: how the generalized forces of a motion are found. The answers are the same to rounding; the costs are not (see
 /// `docs/operations.md`).
+#[doc(alias = "Newton-Euler")]
+#[doc(alias = "Lagrange")]
+#[doc(alias = "rnea")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formulation {
     /// The thesis's recursion of 4×4 matrices over every chain from the root to an end-effector:
@@ -49,6 +52,7 @@ impl Formulation {
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "rnea")]
 #[derive(Clone, Debug)]
 pub struct InverseDynamics<T> {
     formulation: Formulation,
@@ -61,7 +65,7 @@ enum Kernel<T> {
     NewtonEuler(Box<(Tree<T>, Workspace<T>)>),
 }
 
-impl<T: Real> InverseDynamics<T> {
+impl<T: Scalar> InverseDynamics<T> {
     /// Compiles `figure` under the acceleration of `gravity` (m/s², world axes) for a `formulation`.
     ///
     /// # Errors

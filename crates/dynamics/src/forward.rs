@@ -7,7 +7,7 @@ pub(crate) mod propagation;
 use crate::error::DynamicsError;
 use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms, velocity_terms};
 use crate::inverse::apply_external;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::spatial::load::Load;
 use crate::tree::Tree;
@@ -58,7 +58,10 @@ use solaris_model::EulerOrder;
 /// assert!((a[0] - 9.81 / 0.5).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn forward_dynamics<T: Real>(
+#[doc(alias = "aba")]
+#[doc(alias = "articulated-body algorithm")]
+#[doc(alias = "fd")]
+pub fn forward_dynamics<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -96,11 +99,14 @@ pub fn forward_dynamics<T: Real>(
 /// # Errors
 ///
 /// As for [`forward_dynamics`].
+#[doc(alias = "hybrid")]
+#[doc(alias = "prescribed motion")]
+#[doc(alias = "hd")]
 #[expect(
     clippy::too_many_arguments,
     reason = "the state, what is known and what is sought are slices of their own"
 )]
-pub fn hybrid_dynamics<T: Real>(
+pub fn hybrid_dynamics<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -129,7 +135,9 @@ pub fn hybrid_dynamics<T: Real>(
 /// # Errors
 ///
 /// As for [`forward_dynamics`].
-pub fn inverse_mass_matrix<T: Real>(
+#[doc(alias = "minverse")]
+#[doc(alias = "computeMinverse")]
+pub fn inverse_mass_matrix<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -157,7 +165,7 @@ pub fn inverse_mass_matrix<T: Real>(
 }
 
 /// Takes in the state and all that acts besides forces along degrees of freedom.
-pub(crate) fn set_state<T: Real>(
+pub(crate) fn set_state<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -172,7 +180,7 @@ pub(crate) fn set_state<T: Real>(
 }
 
 /// Refuses the wrong length, and an entry that is read but is not finite.
-pub(crate) fn check_given<T: Real>(
+pub(crate) fn check_given<T: Scalar>(
     what: &'static str,
     values: &[T],
     tree: &Tree<T>,
@@ -186,7 +194,7 @@ pub(crate) fn check_given<T: Real>(
 }
 
 /// Accelerations that are not finite, and where they come from.
-pub(crate) fn check_accelerations<T: Real>(
+pub(crate) fn check_accelerations<T: Scalar>(
     tree: &Tree<T>,
     workspace: &Workspace<T>,
     a: &[T],

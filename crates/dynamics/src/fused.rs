@@ -1,8 +1,8 @@
-//! Dynamics of fused figures, and what stands on links of another figure.
+//! Dynamics of figures with locked degrees of freedom, and wrenches and poses handed between a figure and its fused one.
 
 use crate::error::DynamicsError;
 use crate::inverse::inverse_dynamics;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, cross};
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::Tree;
@@ -35,6 +35,8 @@ use solaris_model::{Fused, LinkPlace};
 /// assert!((tau[1] + 1.5 * 9.81 * 0.2).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "reduced model")]
+#[doc(alias = "locked joint")]
 #[derive(Clone, Debug)]
 pub struct FusedForces<T> {
     workspace: Workspace<T>,
@@ -46,7 +48,7 @@ pub struct FusedForces<T> {
     a: Vec<T>,
 }
 
-impl<T: Real> FusedForces<T> {
+impl<T: Scalar> FusedForces<T> {
     /// Scratch memory for `fused`, where `full` is the tree of the figure that was fused.
     ///
     /// # Errors
@@ -122,6 +124,7 @@ impl<T: Real> FusedForces<T> {
 /// assert_eq!(fused.figure().links()[external[0].0].name(), "left_foot");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "reduced model")]
 pub fn relink<T>(external: &mut [(usize, Wrench<T>)], links: &[LinkPlace]) -> Result<(), DynamicsError> {
     for (index, (link, _)) in external.iter_mut().enumerate() {
         let Some(place) = links.get(*link) else {
@@ -132,8 +135,8 @@ pub fn relink<T>(external: &mut [(usize, Wrench<T>)], links: &[LinkPlace]) -> Re
     Ok(())
 }
 
-impl<T: Real> Workspace<T> {
-    /// Where a link of another figure stands that a link of this one carries, as [`Fused::links`] and
+impl<T: Scalar> Workspace<T> {
+    /// The pose of a link of another figure that a link of this one carries, as [`Fused::links`] and
     /// [`solaris_model::Rerooted::links`] tell; since the last operation that is said to place the links.
     ///
     /// # Panics
@@ -148,7 +151,7 @@ impl<T: Real> Workspace<T> {
         }
     }
 
-    /// How such a link moves, its own origin being the point; since the last operation that is said to find the links'
+    /// The velocity of such a link, its own origin being the point; since the last operation that is said to find the links'
     /// velocities.
     ///
     /// # Panics

@@ -1,4 +1,4 @@
-//! What the masses of a figure come to: the mass matrix and its relatives, momentum, energy.
+//! The inertia of a whole figure: mass matrix, Coriolis matrix, momentum, energy.
 
 pub(crate) mod centroidal;
 pub(crate) mod coriolis;

@@ -6,12 +6,12 @@ pub(crate) mod regressor;
 
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, place};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
 use crate::spatial::load::Load;
 use crate::spatial::{Pose, Wrench};
 use crate::tree::dof::{along, along_three};
-use crate::tree::matter::Matter;
+use crate::tree::mass_distribution::MassDistribution;
 use crate::tree::{Body, Tree};
 use crate::workspace::{LinkMotion, Workspace, check, check_length};
 use nalgebra::{Matrix3, Vector3};
@@ -60,7 +60,12 @@ use nalgebra::{Matrix3, Vector3};
 /// assert!((tau[0] - -9.81).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn inverse_dynamics<T: Real>(
+#[doc(alias = "rnea")]
+#[doc(alias = "recursive Newton-Euler")]
+#[doc(alias = "id")]
+#[doc(alias = "computed torque")]
+#[doc(alias = "mj_inverse")]
+pub fn inverse_dynamics<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -88,7 +93,12 @@ pub fn inverse_dynamics<T: Real>(
 /// # Errors
 ///
 /// As for [`inverse_dynamics`].
-pub fn bias<T: Real>(
+#[doc(alias = "bias")]
+#[doc(alias = "nonlinear effects")]
+#[doc(alias = "nonLinearEffects")]
+#[doc(alias = "nle")]
+#[doc(alias = "qfrc_bias")]
+pub fn bias_forces<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -107,7 +117,7 @@ pub fn bias<T: Real>(
 }
 
 /// Motion of every link and what it takes, from the root outwards.
-fn outward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
+fn outward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let parent = body.parent.map(|parent| &ws.motions[parent]);
         let mut motion = at_joint(body, parent, &tree.gravity);
@@ -133,10 +143,9 @@ fn outward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
             });
         }
         let field = field(&motion.angular, &motion.angular_acceleration);
-        ws.loads[i] = body
-            .matter
-            .as_ref()
-            .map_or_else(Load::zero, |matter| inertial_load(matter, &motion.acceleration, &field));
+        ws.loads[i] = body.mass_distribution.as_ref().map_or_else(Load::zero, |distribution| {
+            inertial_load(distribution, &motion.acceleration, &field)
+        });
         ws.motions[i] = LinkMotion {
             angular: motion.angular,
             angular_acceleration: motion.angular_acceleration,
@@ -155,7 +164,11 @@ struct FrameMotion<T> {
 
 /// Motion of the joint's frame before its first degree of freedom.
 #[inline]
-fn at_joint<T: Real>(body: &Body<T>, parent: Option<&LinkMotion<T>>, gravity: &Vector3<T>) -> FrameMotion<T> {
+fn at_joint<T: Scalar>(
+    body: &Body<T>,
+    parent: Option<&LinkMotion<T>>,
+    gravity: &Vector3<T>,
+) -> FrameMotion<T> {
     let (angular, angular_acceleration, acceleration) =
         parent.map_or((Vector3::zeros(), Vector3::zeros(), -gravity), |parent| {
             let acceleration = parent.acceleration + apply(&parent.field, &body.offset);
@@ -170,7 +183,7 @@ fn at_joint<T: Real>(body: &Body<T>, parent: Option<&LinkMotion<T>>, gravity: &V
     })
 }
 
-impl<T: Real> FrameMotion<T> {
+impl<T: Scalar> FrameMotion<T> {
     /// Past a turn about `e`:
     ///
     /// ```text
@@ -224,7 +237,7 @@ impl<T: Real> FrameMotion<T> {
 
 /// `K = [α]× + [ω]×²`
 #[inline]
-pub(crate) fn field<T: Real>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T> {
+pub(crate) fn field<T: Scalar>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T> {
     let (w, d) = (angular, acceleration);
     let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
     let (xy, xz, yz) = (w.x * w.y, w.x * w.z, w.y * w.z);
@@ -237,28 +250,28 @@ pub(crate) fn field<T: Real>(angular: &Vector3<T>, acceleration: &Vector3<T>) ->
     field
 }
 
-/// What moves the matter of one link: `f = m·a + K·h` and `n = h × a + ∫ r × K·r dm`.
+/// What moves the mass of one link: `f = m·a + K·h` and `n = h × a + ∫ r × K·r dm`.
 #[inline]
-fn inertial_load<T: Real>(matter: &Matter<T>, a: &Vector3<T>, k: &Matrix3<T>) -> Load<T> {
-    let Load { force, moment } = whirling_load(matter, k);
-    Load { force: a * matter.mass + force, moment: cross(&matter.first, a) + moment }
+fn inertial_load<T: Scalar>(distribution: &MassDistribution<T>, a: &Vector3<T>, k: &Matrix3<T>) -> Load<T> {
+    let Load { force, moment } = centrifugal_load(distribution, k);
+    Load { force: a * distribution.mass + force, moment: cross(&distribution.first, a) + moment }
 }
 
-/// What keeps the matter of one link on its way about its origin: `f = K·h` and `n = ∫ r × K·r dm`, the antisymmetric part
+/// What keeps the mass of one link on its way about its origin: `f = K·h` and `n = ∫ r × K·r dm`, the antisymmetric part
 /// of `K·∫ r·rᵀ dm`.
 #[inline]
-pub(crate) fn whirling_load<T: Real>(matter: &Matter<T>, k: &Matrix3<T>) -> Load<T> {
-    let s = &matter.second;
+pub(crate) fn centrifugal_load<T: Scalar>(distribution: &MassDistribution<T>, k: &Matrix3<T>) -> Load<T> {
+    let s = &distribution.second;
     let moment = Vector3::new(
         k.m31 * s.xy + k.m32 * s.yy + k.m33 * s.yz - (k.m21 * s.xz + k.m22 * s.yz + k.m23 * s.zz),
         k.m11 * s.xz + k.m12 * s.yz + k.m13 * s.zz - (k.m31 * s.xx + k.m32 * s.xy + k.m33 * s.xz),
         k.m21 * s.xx + k.m22 * s.xy + k.m23 * s.xz - (k.m11 * s.xy + k.m12 * s.yy + k.m13 * s.yz),
     );
-    Load { force: apply(k, &matter.first), moment }
+    Load { force: apply(k, &distribution.first), moment }
 }
 
 /// Takes what acts from outside off what the joints have to carry.
-pub(crate) fn apply_external<T: Real>(
+pub(crate) fn apply_external<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     external: &[(usize, Wrench<T>)],
@@ -285,7 +298,7 @@ pub(crate) fn apply_external<T: Real>(
 }
 
 /// Collects the loads towards the root and reads the joints' forces on the way.
-fn inward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
+fn inward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
     ws.base = Load::zero();
     for (i, body) in tree.bodies.iter().enumerate().rev() {
         let mut load = ws.loads[i];
@@ -320,15 +333,15 @@ fn inward<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
     }
 }
 
-pub(crate) fn first_three<T: Real>(values: &[T]) -> Vector3<T> {
+pub(crate) fn first_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     Vector3::new(values[0], values[1], values[2])
 }
 
-pub(crate) fn last_three<T: Real>(values: &[T]) -> Vector3<T> {
+pub(crate) fn last_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     first_three(&values[values.len() - 3..])
 }
 
-pub(crate) fn check_forces<T: Real>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
+pub(crate) fn check_forces<T: Scalar>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
     if tau.iter().fold(true, |finite, value| finite & value.is_finite()) {
         return Ok(());
     }

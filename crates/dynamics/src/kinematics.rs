@@ -6,7 +6,7 @@ pub(crate) mod frame;
 pub(crate) mod jacobian;
 
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, apply, cross};
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
@@ -28,7 +28,10 @@ use nalgebra::Vector3;
 ///
 /// [`DynamicsError`] for a slice of the wrong length, an entry that is not finite, a workspace of another tree, or links
 /// too far away for the precision.
-pub fn forward_kinematics<T: Real>(
+#[doc(alias = "fk")]
+#[doc(alias = "forward kinematics")]
+#[doc(alias = "mj_kinematics")]
+pub fn forward_kinematics<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -49,7 +52,9 @@ pub fn forward_kinematics<T: Real>(
 /// # Errors
 ///
 /// As for [`forward_kinematics`].
-pub fn velocities<T: Real>(
+#[doc(alias = "forward kinematics")]
+#[doc(alias = "fk")]
+pub fn velocities<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -80,7 +85,7 @@ pub fn velocities<T: Real>(
 }
 
 /// Places the links from the positions kept; also keeps axes and arms in world axes.
-pub(crate) fn place<T: Real>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Result<(), DynamicsError> {
+pub(crate) fn place<T: Scalar>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Result<(), DynamicsError> {
     let ws = workspace;
     let mut finite = true;
     for (i, body) in tree.bodies.iter().enumerate() {
@@ -131,7 +136,7 @@ pub(crate) fn place<T: Real>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Re
     })
 }
 
-pub(crate) fn is_finite<T: Real>(v: &Vector3<T>) -> bool {
+pub(crate) fn is_finite<T: Scalar>(v: &Vector3<T>) -> bool {
     v.x.is_finite() & v.y.is_finite() & v.z.is_finite()
 }
 

@@ -1,7 +1,7 @@
 //! Springs, dampers and dry friction in the joints.
 
 use solaris_model::{Figure, JointKind, Passive};
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 use std::f64::consts::FRAC_PI_2;
 
 /// Adds to `tau` (N m or N, length `nv`) what a motion needs against the springs, dampers and friction of the joints.
@@ -65,7 +65,7 @@ fn friction(acts: &Passive, rate: f64) -> f64 {
 /// The rotation vector (rad) of a quaternion (x, y, z, w) of any length, the shortest way; zero for a quaternion of zeros.
 ///
 /// Derivatives of the scalar are right everywhere but at half a turn, where the vector jumps.
-pub fn rotation_vector<T: Scalar>(q: &[T]) -> [T; 3] {
+pub fn rotation_vector<T: Elementary>(q: &[T]) -> [T; 3] {
     let number = T::from_f64;
     let sign = if q[3].value() < 0.0 { number(-1.0) } else { number(1.0) };
     let (imaginary, cosine) = ([q[0] * sign, q[1] * sign, q[2] * sign], q[3] * sign);

@@ -1,4 +1,4 @@
-//! Another root: the same figure and the same motion, computed from another link outwards.
+//! The root view: the same figure and the same motion, computed from another link outwards.
 
 mod declared_root;
 mod error;
@@ -9,7 +9,7 @@ mod reverse;
 pub use error::RootViewError;
 
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::workspace::{check, check_length, check_quaternion, check_result};
 use declared_root::DeclaredRoot;
 use path::Path;
@@ -45,6 +45,9 @@ use solaris_model::{Figure, Rerooted, RootAt, StateLayout};
 /// three slides along different coordinate axes and then three turns about different coordinate axes.
 ///
 /// No map allocates.
+#[doc(alias = "floating base")]
+#[doc(alias = "stance foot")]
+#[doc(alias = "reroot")]
 #[derive(Clone, Debug)]
 pub struct RootView<T> {
     rerooted: Rerooted,
@@ -58,7 +61,7 @@ pub struct RootView<T> {
     declared_root: DeclaredRoot,
 }
 
-impl<T: Real> RootView<T> {
+impl<T: Scalar> RootView<T> {
     /// The view of `figure` from the link of index `link`, by its joint, its tip or another of its points.
     ///
     /// # Errors
@@ -200,13 +203,13 @@ fn joint_maps(figure: &Figure, rerooted: &Rerooted) -> Vec<JointMap> {
     maps.collect()
 }
 
-fn check_state<T: Real>(layout: &StateLayout, q: &[T], v: &[T], a: &[T]) -> Result<(), DynamicsError> {
+fn check_state<T: Scalar>(layout: &StateLayout, q: &[T], v: &[T], a: &[T]) -> Result<(), DynamicsError> {
     check_positions(layout, q)?;
     check("v", v, layout.nv(), |k| layout.v_names()[k].clone())?;
     check("a", a, layout.nv(), |k| layout.v_names()[k].clone())
 }
 
-fn check_positions<T: Real>(layout: &StateLayout, q: &[T]) -> Result<(), DynamicsError> {
+fn check_positions<T: Scalar>(layout: &StateLayout, q: &[T]) -> Result<(), DynamicsError> {
     check("q", q, layout.nq(), |k| layout.q_names()[k].clone())?;
     // A joint with more positions than velocities ends with a quaternion.
     for joint in layout.joints().iter().filter(|joint| joint.nq != joint.nv) {
@@ -222,7 +225,7 @@ fn check_lengths<T>(layout: &StateLayout, q: &[T], v: &[T], a: &[T]) -> Result<(
     check_length("the resulting a", a.len(), layout.nv())
 }
 
-fn check_results<T: Real>(q: &[T], v: &[T], a: &[T]) -> Result<(), DynamicsError> {
+fn check_results<T: Scalar>(q: &[T], v: &[T], a: &[T]) -> Result<(), DynamicsError> {
     check_result("a position seen from another root", q)?;
     check_result("a velocity seen from another root", v)?;
     check_result("an acceleration seen from another root", a)

@@ -4,10 +4,14 @@ pub(crate) mod direction;
 pub(crate) mod load;
 pub(crate) mod symmetric;
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
-/// Where a link's frame stands in the world.
+/// The pose of a link's frame in the world: its rotation and its origin.
+#[doc(alias = "SE3")]
+#[doc(alias = "transform")]
+#[doc(alias = "isometry")]
+#[doc(alias = "placement")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<T> {
     /// Turns link coordinates into world coordinates; its columns are the link's axes.
@@ -16,7 +20,7 @@ pub struct Pose<T> {
     pub translation: Vector3<T>,
 }
 
-impl<T: Real> Pose<T> {
+impl<T: Scalar> Pose<T> {
     /// The world's own frame.
     pub fn identity() -> Self {
         Self { rotation: Matrix3::identity(), translation: Vector3::zeros() }
@@ -48,7 +52,9 @@ impl<T: Real> Pose<T> {
     }
 }
 
-/// How a link moves, in world axes: its velocity, or, where an operation says so, its acceleration.
+/// The velocity of a link, in world axes, or, where an operation says so, its acceleration.
+#[doc(alias = "spatial velocity")]
+#[doc(alias = "Motion")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<T> {
     /// Velocity (m/s) or acceleration (m/s²) of the link's origin.
@@ -57,7 +63,7 @@ pub struct Twist<T> {
     pub angular: Vector3<T>,
 }
 
-impl<T: Real> Twist<T> {
+impl<T: Scalar> Twist<T> {
     /// Rest.
     pub fn zero() -> Self {
         Self { linear: Vector3::zeros(), angular: Vector3::zeros() }
@@ -65,6 +71,8 @@ impl<T: Real> Twist<T> {
 }
 
 /// A force and a moment on a link, in world axes, the moment about the world's origin where nothing else is said.
+#[doc(alias = "spatial force")]
+#[doc(alias = "Force")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrench<T> {
     /// Force (N).
@@ -73,7 +81,7 @@ pub struct Wrench<T> {
     pub moment: Vector3<T>,
 }
 
-impl<T: Real> Wrench<T> {
+impl<T: Scalar> Wrench<T> {
     /// Nothing acts.
     pub fn zero() -> Self {
         Self { force: Vector3::zeros(), moment: Vector3::zeros() }
@@ -119,6 +127,7 @@ impl Wrench<f64> {
 }
 
 /// Momentum of a whole figure, in world axes, the angular part about the world's origin where nothing else is said.
+#[doc(alias = "spatial momentum")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momentum<T> {
     /// Linear momentum (kg m/s).

@@ -1,18 +1,22 @@
 //! The constants of a figure, in the form in which the recursions read them.
 
 pub(crate) mod dof;
-pub(crate) mod matter;
+pub(crate) mod mass_distribution;
 
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::tree::dof::{Dof, triple};
-use crate::tree::matter::{Matter, constant, matter, vector};
+use crate::tree::mass_distribution::{MassDistribution, constant, mass_distribution, vector};
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{Axis, EulerOrder, Figure, JointKind, Link};
 
 /// A figure under a gravity, compiled for the recursions: constant, shared between any number of [`crate::Workspace`]s.
 ///
 /// Links and degrees of freedom keep the order of the figure.
+#[doc(alias = "Model")]
+#[doc(alias = "mjModel")]
+#[doc(alias = "MultibodyPlant")]
+#[doc(alias = "multibody")]
 #[derive(Clone, Debug)]
 pub struct Tree<T> {
     pub(crate) bodies: Vec<Body<T>>,
@@ -60,7 +64,7 @@ pub(crate) struct Body<T> {
     /// How it is turned there, if it is.
     pub(crate) turned: Option<Matrix3<T>>,
     /// What the link weighs; `None` for a link without mass.
-    pub(crate) matter: Option<Matter<T>>,
+    pub(crate) mass_distribution: Option<MassDistribution<T>>,
 }
 
 /// A ball or free joint: first the link is placed as its coordinates say, then its degrees of freedom stand along the
@@ -73,7 +77,7 @@ pub(crate) struct Sphere {
     pub(crate) position: Option<usize>,
 }
 
-impl<T: Real> Tree<T> {
+impl<T: Scalar> Tree<T> {
     /// Compiles `figure` under the acceleration of `gravity` (m/s², world axes).
     ///
     /// # Errors
@@ -126,7 +130,7 @@ impl<T: Real> Tree<T> {
                 offset: vector("the origin of joint ", link.joint().name(), &placement.translation.vector)?,
                 turned: (*rotation.matrix() != Matrix3::identity())
                     .then(|| rotation.matrix().map(T::from_f64)),
-                matter: matter(link)?,
+                mass_distribution: mass_distribution(link)?,
             });
         }
         Ok(tree)
@@ -185,11 +189,15 @@ impl<T: Real> Tree<T> {
     }
 
     /// Length of `q`.
+    #[doc(alias = "dimension of configuration")]
     pub fn nq(&self) -> usize {
         self.nq
     }
 
     /// Length of `v`, `a` and `tau`.
+    #[doc(alias = "degrees of freedom")]
+    #[doc(alias = "dof")]
+    #[doc(alias = "DoF")]
     pub fn nv(&self) -> usize {
         self.dofs.len()
     }

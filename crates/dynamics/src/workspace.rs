@@ -3,7 +3,7 @@
 use crate::error::DynamicsError;
 use crate::forward::articulated::Articulated;
 use crate::forward::propagation::{Hinge, Yielding};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
@@ -18,6 +18,9 @@ const UNIT: f64 = 1e-3;
 /// Scratch memory for one tree: allocated once, then no operation allocates.
 ///
 /// Each thread needs one of its own.
+#[doc(alias = "Data")]
+#[doc(alias = "mjData")]
+#[doc(alias = "Context")]
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     pub(crate) poses: Vec<Pose<T>>,
@@ -64,9 +67,9 @@ pub struct Workspace<T> {
     pub(crate) yieldings: Vec<Yielding<T>>,
     /// Acceleration of the link that velocities alone bring past each degree of freedom, in the frame after it: angular
     /// for a turn, linear for a slide. A ball or free joint has its own as a whole, at its first slide and its last turn.
-    pub(crate) drifts: Vec<Vector3<T>>,
+    pub(crate) velocity_products: Vec<Vector3<T>>,
     /// Acceleration of each joint's place that the parent's velocity alone brings, in the parent's frame.
-    pub(crate) offset_drifts: Vec<Vector3<T>>,
+    pub(crate) offset_velocity_products: Vec<Vector3<T>>,
     pub(crate) zeros: Vec<T>,
 }
 
@@ -91,7 +94,7 @@ pub(crate) struct Composite<T> {
     pub(crate) inertia: Symmetric<T>,
 }
 
-/// How the matter that a link carries moves about the link's origin, in world axes: `r` the way there, `ṙ` its rate.
+/// How the mass that a link carries moves about the link's origin, in world axes: `r` the way there, `ṙ` its rate.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flow<T> {
     /// `∫ ṙ dm`
@@ -100,13 +103,13 @@ pub(crate) struct Flow<T> {
     pub(crate) second: Matrix3<T>,
 }
 
-impl<T: Real> Flow<T> {
+impl<T: Scalar> Flow<T> {
     pub(crate) fn zero() -> Self {
         Self { first: Vector3::zeros(), second: Matrix3::zeros() }
     }
 }
 
-impl<T: Real> Workspace<T> {
+impl<T: Scalar> Workspace<T> {
     /// Scratch memory for `tree`.
     pub fn new(tree: &Tree<T>) -> Self {
         let (links, dofs, zero) = (tree.link_count(), tree.nv(), Vector3::zeros());
@@ -140,30 +143,36 @@ impl<T: Real> Workspace<T> {
             articulated: vec![Articulated::zero(); links],
             hinges: vec![Hinge::idle(); dofs],
             yieldings: vec![Yielding::idle(); links],
-            drifts: vec![zero; dofs],
-            offset_drifts: vec![zero; links],
+            velocity_products: vec![zero; dofs],
+            offset_velocity_products: vec![zero; links],
             zeros: vec![T::zero(); dofs],
         }
     }
 
-    /// Where a link stands, since the last operation on this workspace that is said to place the links.
+    /// The pose of a link, since the last operation on this workspace that is said to place the links.
     ///
     /// # Panics
     ///
     /// Where the tree has no such link.
+    #[doc(alias = "oMi")]
+    #[doc(alias = "oMf")]
+    #[doc(alias = "transform")]
     pub fn pose(&self, link: usize) -> &Pose<T> {
         &self.poses[link]
     }
 
-    /// What has to act on the whole figure from outside, at its root or elsewhere, besides gravity and the external wrenches
+    /// The wrench that has to act on the whole figure from outside, at its root or elsewhere, besides gravity and the external wrenches
     /// that were given: the root's residual of the last inverse dynamics, in world axes about the world's origin.
     ///
     /// It is the rate of the figure's momentum less gravity's and the given wrenches' part, whatever joint the root has.
+    #[doc(alias = "residual force")]
+    #[doc(alias = "residuals")]
+    #[doc(alias = "root force")]
     pub fn base_wrench(&self) -> Wrench<T> {
         Wrench { force: self.base.force, moment: self.base.moment }
     }
 
-    /// How a link moves, since the last operation on this workspace that is said to find the links' velocities.
+    /// The velocity of a link, since the last operation on this workspace that is said to find the links' velocities.
     ///
     /// # Panics
     ///
@@ -172,7 +181,7 @@ impl<T: Real> Workspace<T> {
         &self.twists[link]
     }
 
-    /// How a link accelerates, since the last operation on this workspace that is said to find the links' accelerations:
+    /// The acceleration of a link, since the last operation on this workspace that is said to find the links' accelerations:
     /// acceleration of its origin (m/s²) and angular acceleration (rad/s²), in world axes, gravity not taken off.
     ///
     /// # Panics
@@ -182,7 +191,7 @@ impl<T: Real> Workspace<T> {
         &self.accelerations[link]
     }
 
-    /// What a link's joint transmits to it from its parent, or from the world to the root, since the last
+    /// The wrench that a link's joint transmits to it from its parent, or from the world to the root, since the last
     /// [`crate::joint_reactions`]: in world axes about the world's origin.
     ///
     /// # Panics
@@ -237,7 +246,7 @@ impl<T: Real> Workspace<T> {
 }
 
 /// Refuses a slice of the wrong length and one that is not finite.
-pub(crate) fn check<T: Real>(
+pub(crate) fn check<T: Scalar>(
     what: &'static str,
     values: &[T],
     expected: usize,
@@ -253,7 +262,7 @@ pub(crate) fn check<T: Real>(
 }
 
 /// Refuses a quaternion that is no rotation; tells its squared length.
-pub(crate) fn check_quaternion<T: Real>(
+pub(crate) fn check_quaternion<T: Scalar>(
     quaternion: &[T; 4],
     name: impl Fn() -> String,
 ) -> Result<T, DynamicsError> {
@@ -270,7 +279,7 @@ pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) ->
 }
 
 /// Refuses a result that is not finite.
-pub(crate) fn check_result<T: Real>(what: &str, values: &[T]) -> Result<(), DynamicsError> {
+pub(crate) fn check_result<T: Scalar>(what: &str, values: &[T]) -> Result<(), DynamicsError> {
     if values.iter().fold(true, |finite, value| finite & value.is_finite()) {
         return Ok(());
     }

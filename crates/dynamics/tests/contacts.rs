@@ -4,7 +4,7 @@ mod support;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
-use solaris_dynamics::{ContactConstraint, Contacts, DynamicsError, Real, Tree, Wrench, contact_dynamics};
+use solaris_dynamics::{ContactConstraint, Contacts, DynamicsError, Scalar, Tree, Wrench, contact_dynamics};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec};
 use support::random::{Random, tree};
 use support::{Kernel, largest};
@@ -14,7 +14,7 @@ const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 /// Accelerations, forces, wrenches and residuals.
 type Solved<T> = (Vec<T>, Vec<T>, Vec<(usize, Wrench<T>)>, Vec<T>);
 
-fn solve<T: Real>(
+fn solve<T: Scalar>(
     kernel: &mut Kernel<T>,
     list: &[ContactConstraint<T>],
     [q, v]: [&[T]; 2],

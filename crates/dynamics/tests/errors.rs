@@ -33,7 +33,10 @@ fn a_value_that_is_not_finite_is_named() {
         message(kernel().inverse(&ok, &ok, &nan, &[])),
         "a of dof 'rail.rz' is NaN; it must be a finite number"
     );
-    assert_eq!(message(kernel().bias(&ok, &nan)), "v of dof 'rail.rz' is NaN; it must be a finite number");
+    assert_eq!(
+        message(kernel().bias_forces(&ok, &nan)),
+        "v of dof 'rail.rz' is NaN; it must be a finite number"
+    );
 }
 
 #[test]
@@ -84,5 +87,5 @@ fn a_workspace_of_another_tree_is_refused() {
     let mut other = kernel();
     other.workspace = Workspace::new(&person);
     assert_eq!(other.inverse(&[0.0; 2], &[0.0; 2], &[0.0; 2], &[]), Err(DynamicsError::Workspace));
-    assert_eq!(other.bias(&[0.0; 2], &[0.0; 2]), Err(DynamicsError::Workspace));
+    assert_eq!(other.bias_forces(&[0.0; 2], &[0.0; 2]), Err(DynamicsError::Workspace));
 }

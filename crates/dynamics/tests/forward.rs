@@ -5,7 +5,7 @@ mod support;
 use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::scalar::{Counted, DoubleDouble, Dual, Lanes};
-use solaris_dynamics::{DynamicsError, Real, Wrench};
+use solaris_dynamics::{DynamicsError, Scalar, Wrench};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec};
 use support::random::{Joints, Random, random_configuration, tree_of};
 use support::reference::{external, figure, models};
@@ -170,7 +170,7 @@ fn a_degree_of_freedom_without_inertia_is_named() {
 }
 
 /// Accelerations, and what hybrid dynamics finds where every third acceleration is prescribed, over the scalar `T`.
-fn both<T: Real>(figure: &Figure, [q, v, a, tau]: [&[f64]; 4]) -> Vec<T> {
+fn both<T: Scalar>(figure: &Figure, [q, v, a, tau]: [&[f64]; 4]) -> Vec<T> {
     let cast = |values: &[f64]| values.iter().map(|x| T::from_f64(*x)).collect::<Vec<T>>();
     let mut kernel = Kernel::<T>::new(figure, Vector3::new(0.0, -9.81, 0.0));
     let (q, v, a, tau) = (cast(q), cast(v), cast(a), cast(tau));

@@ -5,7 +5,7 @@ mod support;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use solaris_dynamics::scalar::{Counted, Operations};
-use solaris_dynamics::{FusedForces, Real, relink};
+use solaris_dynamics::{FusedForces, Scalar, relink};
 use solaris_model::{Figure, Fused, human};
 use support::random::{Random, Root, State, tree_on};
 use support::{Kernel, is_whole, largest, rebuilt, relative_error};

@@ -68,8 +68,8 @@ fn the_mass_matrix_of_a_chain_of_300_is_positive_definite_and_linear() {
     let mut random = Random::new(3);
     let (q, a, rest) = (random.slice(300, 0.5), random.slice(300, 1.0), vec![0.0; 300]);
     let matrix = kernel.mass_matrix(&q).expect("valid");
-    let sum =
-        &matrix * DVector::from_vec(a.clone()) + DVector::from_vec(kernel.bias(&q, &rest).expect("valid"));
+    let sum = &matrix * DVector::from_vec(a.clone())
+        + DVector::from_vec(kernel.bias_forces(&q, &rest).expect("valid"));
     let tau = kernel.inverse(&q, &rest, &a, &[]).expect("valid");
     assert!(relative_error(sum.as_slice(), &tau) < 1e-12);
     assert!(matrix.cholesky().is_some());

@@ -3,7 +3,7 @@
 mod support;
 
 use nalgebra::Vector3;
-use solaris_dynamics::{DynamicsError, Formulation, InverseDynamics, Real, Wrench};
+use solaris_dynamics::{DynamicsError, Formulation, InverseDynamics, Scalar, Wrench};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 use support::random::Random;
 use support::reference::{external, figure, models};
@@ -12,7 +12,7 @@ use support::{Kernel, relative_error};
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
 /// The forces in every formulation.
-fn solve<T: Real>(
+fn solve<T: Scalar>(
     figure: &Figure,
     gravity: Vector3<f64>,
     [q, v, a]: [&[T]; 3],
@@ -27,7 +27,7 @@ fn solve<T: Real>(
 }
 
 /// The worst differences from the reference and between formulations.
-fn worst<T: Real + Into<f64>>() -> (f64, f64) {
+fn worst<T: Scalar + Into<f64>>() -> (f64, f64) {
     let (mut apart, mut off) = (0.0_f64, 0.0_f64);
     let mut cases = 0;
     for model in models() {

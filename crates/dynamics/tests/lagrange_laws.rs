@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use solaris_dynamics::denavit_hartenberg::{Carried, DenavitHartenberg};
 use solaris_dynamics::lagrange::{Lagrangian, LagrangianWorkspace, Products, chain_wise, tree_wise};
 use solaris_dynamics::scalar::{DoubleDouble, Dual, Lanes};
-use solaris_dynamics::{Formulation, InverseDynamics, Real, Wrench};
+use solaris_dynamics::{Formulation, InverseDynamics, Scalar, Wrench};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 use support::oracle::Oracle;
 use support::random::{Joints, Random, Sample, State, random_configuration, tree_of};
@@ -254,7 +254,7 @@ fn other_scalars_run_through_the_same_code() {
     assert!(relative_error(&digits(&exact[0]), &digits(&exact[2])) < 1e-13);
 }
 
-fn in_scalar<T: Real>(figure: &Figure, state: [&[f64]; 3], number: impl Fn(f64) -> T) -> [Vec<T>; 3] {
+fn in_scalar<T: Scalar>(figure: &Figure, state: [&[f64]; 3], number: impl Fn(f64) -> T) -> [Vec<T>; 3] {
     let [q, v, a] = state.map(|values| values.iter().map(|x| number(*x)).collect::<Vec<_>>());
     Formulation::ALL.map(|formulation| {
         let mut dynamics = InverseDynamics::new(figure, GRAVITY, formulation).expect("finite constants");

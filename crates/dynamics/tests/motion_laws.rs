@@ -99,7 +99,7 @@ proptest! {
     #[test]
     fn gravity_forces_are_the_slope_of_the_potential(seed in any::<u64>()) {
         let mut case = Case::random(seed);
-        let tau = case.kernel.bias(&case.q, &vec![0.0; case.v.len()]).expect("valid");
+        let tau = case.kernel.bias_forces(&case.q, &vec![0.0; case.v.len()]).expect("valid");
         let scale = largest(&tau) + 1.0;
         for (k, found) in tau.iter().enumerate() {
             let mut q = case.q.clone();
@@ -116,7 +116,7 @@ proptest! {
     fn forces_are_linear_in_accelerations(seed in any::<u64>()) {
         for mut case in [Case::random(seed), Case::human(seed)] {
             let tau = case.kernel.inverse(&case.q, &case.v, &case.a, &[]).expect("valid");
-            let bias = case.kernel.bias(&case.q, &case.v).expect("valid");
+            let bias = case.kernel.bias_forces(&case.q, &case.v).expect("valid");
             let matrix = case.kernel.mass_matrix(&case.q).expect("valid");
             let sum = matrix * DVector::from_vec(case.a.clone()) + DVector::from_vec(bias);
             prop_assert!(relative_error(sum.as_slice(), &tau) < 1e-12);

@@ -65,7 +65,7 @@ fn no_question_allocates() {
             dynamics::jacobian(&tree, ws, &q, &frame, axes, &mut six)?;
             dynamics::jacobian_rate(&tree, ws, &q, &v, &frame, axes, &mut six)?;
             dynamics::accelerations(&tree, ws, &q, &v, &a)?;
-            dynamics::drift(&tree, ws, &q, &v)?;
+            dynamics::bias_accelerations(&tree, ws, &q, &v)?;
             dynamics::composite_body(&tree, ws, &q)?;
             dynamics::center_of_mass_jacobian(&tree, ws, &q, &mut three)?;
             dynamics::centroidal_momentum_matrix(&tree, ws, &q, &mut six)?;
@@ -201,7 +201,7 @@ fn no_operation_allocates() {
             dynamics::forward_kinematics(&tree, ws, &q)?;
             dynamics::velocities(&tree, ws, &q, &v)?;
             dynamics::inverse_dynamics(&tree, ws, &q, &v, &a, &external, &mut tau)?;
-            dynamics::bias(&tree, ws, &q, &v, &mut tau)?;
+            dynamics::bias_forces(&tree, ws, &q, &v, &mut tau)?;
             dynamics::mass_matrix(&tree, ws, &q, &mut matrix)?;
             dynamics::kinetic_energy(&tree, ws, &q, &v)?;
             dynamics::potential_energy(&tree, ws, &q)?;

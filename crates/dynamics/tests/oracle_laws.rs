@@ -26,7 +26,7 @@ fn worst(seed: u64, decades: f64) -> (&'static str, f64) {
                 &oracle.inverse_dynamics(&external),
             ),
         ),
-        ("bias", relative_error(&kernel.bias(&q, &v).expect("valid"), &at_rest.inverse_dynamics(&[]))),
+        ("bias", relative_error(&kernel.bias_forces(&q, &v).expect("valid"), &at_rest.inverse_dynamics(&[]))),
         (
             "M",
             relative_error(

@@ -3,13 +3,13 @@
 mod support;
 
 use nalgebra::Vector3;
-use solaris_dynamics::Real;
+use solaris_dynamics::Scalar;
 use solaris_model::Figure;
 use support::reference::{Model, State, external, figure, models};
 use support::{Kernel, relative_error};
 
 /// Compares every quantity of every state, each relative to its own largest entry, and tells the worst of each.
-fn compare<T: Real + Into<f64>>(tolerance: f64) {
+fn compare<T: Scalar + Into<f64>>(tolerance: f64) {
     let mut worst: Vec<(&str, f64, String)> = Vec::new();
     for model in models() {
         let figure = figure(&model);
@@ -29,7 +29,7 @@ fn compare<T: Real + Into<f64>>(tolerance: f64) {
     assert!(worst.iter().all(|(_, error, _)| *error <= tolerance), "worst errors: {worst:#?}");
 }
 
-fn errors<T: Real + Into<f64>>(
+fn errors<T: Scalar + Into<f64>>(
     kernel: &mut Kernel<T>,
     figure: &Figure,
     model: &Model,
@@ -43,8 +43,8 @@ fn errors<T: Real + Into<f64>>(
     let at_rest = vec![T::zero(); v.len()];
     let mut errors = vec![
         ("tau", error(kernel.inverse(&q, &v, &a, &[]).expect("valid"), &state.tau_id)),
-        ("bias", error(kernel.bias(&q, &v).expect("valid"), &state.bias)),
-        ("gravity", error(kernel.bias(&q, &at_rest).expect("valid"), &state.grav)),
+        ("bias", error(kernel.bias_forces(&q, &v).expect("valid"), &state.bias)),
+        ("gravity", error(kernel.bias_forces(&q, &at_rest).expect("valid"), &state.grav)),
         ("kinetic", error(vec![kernel.kinetic(&q, &v)], &[state.kinetic])),
     ];
     if let (Some(fext), Some(expected)) = (&state.fext, &state.tau_id_ext) {

@@ -4,7 +4,7 @@ mod support;
 
 use nalgebra::Vector3;
 use solaris_dynamics::scalar::{Counted, DoubleDouble, Dual, Lanes};
-use solaris_dynamics::{Real, Wrench};
+use solaris_dynamics::{Scalar, Wrench};
 use solaris_model::Figure;
 use std::array::from_fn;
 use support::random::{Random, tree};
@@ -30,9 +30,9 @@ impl State<f64> {
     }
 }
 
-impl<T: Real> State<T> {
+impl<T: Scalar> State<T> {
     /// A state of which every number is made from the place and the value of one of `self`.
-    fn map<U: Real>(&self, number: impl Fn(Part, usize, T) -> U) -> State<U> {
+    fn map<U: Scalar>(&self, number: impl Fn(Part, usize, T) -> U) -> State<U> {
         let list = |part, list: &[T]| list.iter().enumerate().map(|(i, x)| number(part, i, *x)).collect();
         let vector = |v: &Vector3<T>| v.map(|x| number(Part::Wrench, 0, x));
         let wrench = |w: &Wrench<T>| Wrench { force: vector(&w.force), moment: vector(&w.moment) };
@@ -45,7 +45,7 @@ impl<T: Real> State<T> {
     }
 
     /// `f64` exactly as another scalar.
-    fn lift<U: Real>(&self) -> State<U>
+    fn lift<U: Scalar>(&self) -> State<U>
     where
         T: Into<f64>,
     {
@@ -66,7 +66,7 @@ enum Part {
     Wrench,
 }
 
-fn kernel<T: Real>(figure: &Figure) -> Kernel<T> {
+fn kernel<T: Scalar>(figure: &Figure) -> Kernel<T> {
     Kernel::new(figure, Vector3::new(0.5, -9.5, 1.0))
 }
 
@@ -209,8 +209,8 @@ fn eight_directions_at_once_are_those_of_one_by_one() {
     });
 }
 
-/// Everything that [`Real`] can do, once.
-fn expression<T: Real>(x: T, y: T) -> T {
+/// Everything that [`Scalar`] can do, once.
+fn expression<T: Scalar>(x: T, y: T) -> T {
     let ((s, c), mut sum) = ((x * y - y).sin_cos(), T::one());
     sum += s / (x + c * y);
     sum -= (-c * x).recip_above(y * y - T::from_f64(100.0));

@@ -6,6 +6,9 @@
 /// extension of the toes, forward flexion and side bend and rotation to the left of the trunk, anterior tilt, elevation
 /// of the left side and forward rotation of the left side of the pelvis. `angle = sign · q[coordinate]`; moments and velocities
 /// take the same sign.
+#[doc(alias = "flexion")]
+#[doc(alias = "abduction")]
+#[doc(alias = "joint angle")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnatomicalAngle {
     /// Its name, such as `left_knee.flexion`.

@@ -1,4 +1,4 @@
-//! What ties a figure's root to the world.
+//! Floating and fixed bases: the joint that ties a figure's root to the world.
 
 use crate::anatomy::AnatomicalAngle;
 use crate::figure::Figure;
@@ -7,7 +7,11 @@ use crate::joint::{Dof, Joint, JointKind};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::Link;
 
-/// How a figure's root may move against the world.
+/// The base of a figure: how its root may move against the world.
+#[doc(alias = "floating base")]
+#[doc(alias = "fixed base")]
+#[doc(alias = "root joint")]
+#[doc(alias = "free flyer")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Base {
     /// As the figure has it.
@@ -18,7 +22,7 @@ pub enum Base {
     Free,
 }
 
-/// Why a figure cannot stand on a base.
+/// The error of a change of base: why a figure cannot stand on a base.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BaseError {
@@ -81,6 +85,8 @@ impl Figure {
     /// assert_eq!(arm.on_base(Base::Free)?.layout().nq(), 8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "floating base")]
+    #[doc(alias = "fixed base")]
     pub fn on_base(&self, base: Base) -> Result<Self, BaseError> {
         let root = &self.links[0];
         let wanted = match base {

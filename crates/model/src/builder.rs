@@ -1,4 +1,4 @@
-//! Building a figure: everything that is wrong is found here, all at once.
+//! The builder of figures, which finds everything that is wrong at once.
 
 mod check;
 mod hints;
@@ -17,6 +17,8 @@ use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
 /// A link as it is described, before it is checked.
+#[doc(alias = "body")]
+#[doc(alias = "segment")]
 #[derive(Clone, Debug)]
 pub struct LinkSpec {
     name: String,
@@ -60,6 +62,7 @@ impl LinkSpec {
     }
 
     /// Centre of mass in the link's frame (m); its origin without this.
+    #[doc(alias = "center of mass")]
     pub fn com(mut self, com: Vector3<f64>) -> Self {
         self.com = com;
         self
@@ -82,18 +85,22 @@ impl LinkSpec {
     }
 
     /// The far end of an end-effector in the link's frame (m).
+    #[doc(alias = "end effector")]
     pub fn tip(mut self, tip: Vector3<f64>) -> Self {
         self.tip = Some(tip);
         self
     }
 
     /// A point that can touch the ground, in the link's frame (m).
+    #[doc(alias = "contact point")]
     pub fn sole(mut self, part: SolePart, position: Vector3<f64>) -> Self {
         self.sole.push(SolePoint { part, position });
         self
     }
 
     /// A named frame fixed to the link.
+    #[doc(alias = "site")]
+    #[doc(alias = "marker")]
     pub fn frame(mut self, name: impl Into<String>, placement: Placement) -> Self {
         self.frames.push(NamedFrame { name: name.into(), placement });
         self
@@ -124,6 +131,8 @@ impl LinkSpec {
 /// assert_eq!(error.faults.len(), 2);
 /// assert!(error.to_string().contains("did you mean 'trunk'?"));
 /// ```
+#[doc(alias = "ModelBuilder")]
+#[doc(alias = "urdf")]
 #[derive(Clone, Debug)]
 pub struct FigureBuilder {
     name: String,

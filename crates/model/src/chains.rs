@@ -23,6 +23,8 @@ use std::fmt;
 ///
 /// Vasilonikolidakis (1991), §4.2 to §4.6. There the root counts as an end-effector where it has one child; such a root
 /// begins the one chain here, and ends none.
+#[doc(alias = "kinematic chain")]
+#[doc(alias = "serial chain")]
 #[derive(Clone, Debug)]
 pub struct Chains {
     figure: String,
@@ -32,6 +34,8 @@ pub struct Chains {
 }
 
 /// A chain from the root to an end-effector.
+#[doc(alias = "kinematic chain")]
+#[doc(alias = "serial chain")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chain {
     /// Index of its last link that moves against the one before it.

@@ -31,6 +31,10 @@ impl Figure {
     /// # Errors
     ///
     /// [`ConfigurationError::Length`].
+    #[doc(alias = "neutral configuration")]
+    #[doc(alias = "zero pose")]
+    #[doc(alias = "rest pose")]
+    #[doc(alias = "configuration")]
     pub fn neutral(&self, q: &mut [f64]) -> Result<(), ConfigurationError> {
         self.check_length("q", q.len(), self.layout().nq())?;
         q.fill(0.0);
@@ -47,6 +51,7 @@ impl Figure {
     /// # Errors
     ///
     /// [`ConfigurationError`] for a wrong length, a number that is not finite and a zero quaternion; `q` is then unchanged.
+    #[doc(alias = "quaternion normalization")]
     pub fn normalize(&self, q: &mut [f64]) -> Result<(), ConfigurationError> {
         self.check_configuration("q", q)?;
         for (link, at) in self.links().iter().zip(self.layout().joints()) {
@@ -101,6 +106,10 @@ impl Figure {
     /// assert!((next[0] - 2.0).abs() < 1e-15 && next[2].abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "mj_integratePos")]
+    #[doc(alias = "retract")]
+    #[doc(alias = "exponential map")]
+    #[doc(alias = "boxplus")]
     pub fn integrate(&self, q: &[f64], step: &[f64], out: &mut [f64]) -> Result<(), ConfigurationError> {
         self.check_configuration("q", q)?;
         self.check_numbers("step", step, self.layout().v_names())?;
@@ -126,6 +135,10 @@ impl Figure {
     /// # Errors
     ///
     /// As [`Figure::integrate`].
+    #[doc(alias = "mj_differentiatePos")]
+    #[doc(alias = "local")]
+    #[doc(alias = "logarithm")]
+    #[doc(alias = "boxminus")]
     pub fn difference(&self, from: &[f64], to: &[f64], out: &mut [f64]) -> Result<(), ConfigurationError> {
         self.check_configuration("from", from)?;
         self.check_configuration("to", to)?;
@@ -143,6 +156,8 @@ impl Figure {
     /// # Errors
     ///
     /// As [`Figure::integrate`], and for a fraction that is not finite.
+    #[doc(alias = "slerp")]
+    #[doc(alias = "geodesic")]
     pub fn interpolate(
         &self,
         from: &[f64],
@@ -172,6 +187,7 @@ impl Figure {
     /// # Errors
     ///
     /// As [`Figure::integrate`].
+    #[doc(alias = "geodesic distance")]
     pub fn distance(&self, from: &[f64], to: &[f64]) -> Result<f64, ConfigurationError> {
         self.check_configuration("from", from)?;
         self.check_configuration("to", to)?;

@@ -25,6 +25,11 @@ use std::fmt;
 /// turn the link about the axis that is missing.
 ///
 /// Angles, rates and vectors that go in must be finite; [`EulerState`] and [`BallState`] are converted with a check.
+#[doc(alias = "Euler angles")]
+#[doc(alias = "Cardan")]
+#[doc(alias = "Tait-Bryan")]
+#[doc(alias = "rotation order")]
+#[doc(alias = "rpy")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EulerOrder {
     /// X-Y-Z.
@@ -41,7 +46,7 @@ pub enum EulerOrder {
     Zyx,
 }
 
-/// Why a state has no counterpart.
+/// The error of a conversion: why a state has no counterpart.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EulerError {
@@ -116,6 +121,7 @@ impl EulerOrder {
     /// ```text
     /// J = | cos b cos c·e_i − ε cos b sin c·e_j + ε sin b·e_k    ε sin c·e_i + cos c·e_j    e_k |
     /// ```
+    #[doc(alias = "angular velocity jacobian")]
     pub fn velocity_map(self, angles: &[f64; 3]) -> Matrix3<f64> {
         let [_, (sb, cb), (sc, cc)] = angles.map(f64::sin_cos);
         let e = self.sense();

@@ -1,4 +1,4 @@
-//! What can be wrong with a figure.
+//! The faults of a figure, and the error that lists them.
 
 use nalgebra::Vector3;
 use std::fmt;
@@ -176,7 +176,7 @@ fn hint(nearest: Option<&String>) -> String {
     nearest.map_or_else(String::new, |name| format!("; did you mean '{name}'?"))
 }
 
-/// Everything that is wrong with a figure, all at once.
+/// The error of a figure: everything that is wrong with it, all at once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FigureError {
     /// The figure's name.

@@ -12,6 +12,12 @@ use std::collections::HashMap;
 /// An articulated figure, valid by construction (see [`crate::FigureBuilder`]).
 ///
 /// Links are ordered so that every parent comes before its children; link 0 is the root.
+#[doc(alias = "Model")]
+#[doc(alias = "robot")]
+#[doc(alias = "skeleton")]
+#[doc(alias = "multibody")]
+#[doc(alias = "articulated body")]
+#[doc(alias = "urdf")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     pub(crate) name: String,
@@ -36,6 +42,8 @@ impl Figure {
     }
 
     /// Index of the link called `name`.
+    #[doc(alias = "body id")]
+    #[doc(alias = "getBodyId")]
     pub fn link_index(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
     }
@@ -47,6 +55,7 @@ impl Figure {
 
     /// Index of the link called `name`, or of the one that carries the frame of that name (bodies that cannot move against
     /// each other are one link), with where in the link's frame it stands: the link itself at its origin.
+    #[doc(alias = "getFrameId")]
     pub fn locate(&self, name: &str) -> Option<(usize, Placement)> {
         if let Some(link) = self.link_index(name) {
             return Some((link, Placement::identity()));
@@ -56,6 +65,7 @@ impl Figure {
     }
 
     /// Index of the link that the joint called `name` moves.
+    #[doc(alias = "getJointId")]
     pub fn joint_index(&self, name: &str) -> Option<usize> {
         self.links.iter().position(|link| link.joint.name == name)
     }
@@ -76,6 +86,7 @@ impl Figure {
     }
 
     /// Total mass (kg).
+    #[doc(alias = "total mass")]
     pub fn mass(&self) -> f64 {
         self.links.iter().map(Link::mass).sum()
     }

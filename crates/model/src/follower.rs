@@ -1,4 +1,4 @@
-//! Which degrees of freedom follow which.
+//! Followers: degrees of freedom whose coordinates are functions of others.
 
 use crate::curve::Curve;
 use crate::layout::StateLayout;
@@ -8,6 +8,8 @@ use crate::link::Link;
 /// freedom of its own.
 ///
 /// The centre of a knee that moves as the knee bends is a slide that follows the angle.
+#[doc(alias = "mimic")]
+#[doc(alias = "coupled coordinate")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Follower {
     /// Its index in `v`.

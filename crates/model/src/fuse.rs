@@ -1,4 +1,4 @@
-//! Fusing: a smaller figure for a motion in which some degrees of freedom stand still.
+//! Fused figures, in which some degrees of freedom are locked: smaller, for a motion in which they stand still.
 
 mod assemble;
 pub(crate) mod carried;
@@ -41,6 +41,8 @@ use crate::figure::Figure;
 /// the fused value, zero and zero. Forces: with the fused degrees of freedom at rest, `tau` of the small figure is that
 /// of the full one without the fused entries. Wrenches in world axes keep their numbers; only the index of their link
 /// changes.
+#[doc(alias = "buildReducedModel")]
+#[doc(alias = "reduced model")]
 #[derive(Clone, Debug)]
 pub struct Fused {
     figure: Figure,
@@ -71,6 +73,10 @@ impl Figure {
     /// assert_eq!(fused.figure().layout().v_names()[elbow], ann.layout().v_names()[elbow + 1]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "buildReducedModel")]
+    #[doc(alias = "lock joints")]
+    #[doc(alias = "weld")]
+    #[doc(alias = "reduced model")]
     pub fn fuse(&self, dofs: &[(usize, f64)]) -> Result<Fused, FuseError> {
         let mut held = vec![None; self.layout.nq()];
         for &(dof, value) in dofs {
@@ -103,6 +109,7 @@ impl Figure {
     /// assert!(error.to_string().contains("did you mean 'left_elbow.rx'?"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "lock joints")]
     pub fn fuse_named(&self, dofs: &[(&str, f64)]) -> Result<Fused, FuseError> {
         let mut indices = Vec::with_capacity(dofs.len());
         for &(name, value) in dofs {
@@ -125,6 +132,7 @@ impl Figure {
     ///
     /// [`FuseError`] for a `q` of the wrong length, an index that does not exist or is named twice, part of a ball or free
     /// joint, and a coordinate to be fused that is not finite.
+    #[doc(alias = "lock joints")]
     pub fn fuse_at(&self, dofs: &[usize], q: &[f64]) -> Result<Fused, FuseError> {
         error::check_length("q", q.len(), self.layout.nq())?;
         let mut still = vec![false; self.layout.nv()];

@@ -4,6 +4,9 @@ use crate::joint::Placement;
 use nalgebra::{Matrix3, Vector3};
 
 /// A uniform solid or a limb's outline, with the placement of its own frame in the link's frame.
+#[doc(alias = "geometry")]
+#[doc(alias = "collision")]
+#[doc(alias = "visual")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     /// What it is.
@@ -126,7 +129,9 @@ impl ShapeKind {
     }
 }
 
-/// How a link's rotational inertia is given.
+/// The rotational inertia of a link, as it is given.
+#[doc(alias = "inertia tensor")]
+#[doc(alias = "moment of inertia")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inertia {
     /// None: a point mass at the centre of mass, or no mass at all.

@@ -3,10 +3,12 @@
 use crate::curve::Curve;
 use nalgebra::{Isometry3, Vector3};
 
-/// Where a joint's frame stands in its parent link's frame when the joint is at zero: rotation and translation (m).
+/// The placement of a joint's frame in its parent link's frame when the joint is at zero: rotation and translation (m).
+#[doc(alias = "SE3")]
+#[doc(alias = "origin")]
 pub type Placement = Isometry3<f64>;
 
-/// Whether a degree of freedom turns or slides.
+/// The kind of an axis: whether its degree of freedom turns or slides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AxisKind {
     /// Turns about the axis; its coordinate is in rad.
@@ -16,6 +18,8 @@ pub enum AxisKind {
 }
 
 /// The axis of one degree of freedom, a unit vector in the frame that the degrees of freedom before it have moved.
+#[doc(alias = "revolute")]
+#[doc(alias = "prismatic")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// Turning or sliding.
@@ -26,11 +30,15 @@ pub struct Axis {
 
 impl Axis {
     /// A rotation about `direction`, which the builder normalises.
+    #[doc(alias = "revolute")]
+    #[doc(alias = "hinge")]
     pub const fn rotation(direction: Vector3<f64>) -> Self {
         Self { kind: AxisKind::Rotation, direction }
     }
 
     /// A translation along `direction`, which the builder normalises.
+    #[doc(alias = "prismatic")]
+    #[doc(alias = "slider")]
     pub const fn translation(direction: Vector3<f64>) -> Self {
         Self { kind: AxisKind::Translation, direction }
     }
@@ -52,6 +60,8 @@ impl Axis {
 }
 
 /// The interval that a coordinate is meant to stay in (rad or m).
+#[doc(alias = "joint limits")]
+#[doc(alias = "range")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Smallest value.
@@ -60,13 +70,16 @@ pub struct Limits {
     pub upper: f64,
 }
 
-/// What acts on a degree of freedom without being asked: a spring, a damper, dry friction.
+/// The passive forces of a degree of freedom: a spring, a damper, dry friction.
 ///
 /// ```text
 /// τ = stiffness·(q − rest) + damping·v + friction·sign(v)
 /// ```
 ///
 /// is what a motion needs against it, besides what the links need.
+#[doc(alias = "stiffness")]
+#[doc(alias = "damping")]
+#[doc(alias = "friction")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Passive {
     /// Of the spring (N m/rad or N/m).
@@ -86,7 +99,7 @@ impl Passive {
     }
 }
 
-/// What ties a degree of freedom to another one of the figure: see [`crate::Follower`].
+/// The tie of a degree of freedom to another one of the figure: see [`crate::Follower`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Follow {
     /// Name of the degree of freedom that leads.
@@ -96,6 +109,9 @@ pub struct Follow {
 }
 
 /// One degree of freedom of a joint.
+#[doc(alias = "DoF")]
+#[doc(alias = "degree of freedom")]
+#[doc(alias = "coordinate")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dof {
     /// Its axis.
@@ -113,10 +129,15 @@ pub struct Dof {
     pub follows: Option<Follow>,
 }
 
-/// What a joint lets its link do.
+/// The kind of a joint: which motions it lets its link have.
 ///
 /// Ball and free joints have more position coordinates (`nq`) than velocity coordinates (`nv`): a unit quaternion
 /// (x, y, z, w) turns link coordinates into those of the joint's frame. Their velocities are along the **link's own** axes.
+#[doc(alias = "JointType")]
+#[doc(alias = "revolute")]
+#[doc(alias = "prismatic")]
+#[doc(alias = "spherical")]
+#[doc(alias = "free flyer")]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JointKind {
@@ -189,6 +210,8 @@ impl JointKind {
     }
 
     /// What the velocity coordinate `index` of this joint adds to the diagonal of the mass matrix (kg or kg m²).
+    #[doc(alias = "rotor inertia")]
+    #[doc(alias = "reflected inertia")]
     pub fn armature(&self, index: usize) -> f64 {
         match self {
             Self::Axes(dofs) => dofs[index].armature,
@@ -213,6 +236,8 @@ impl JointKind {
 /// let hip = Joint::new("left_hip").at(Vector3::new(0.09, -0.08, 0.0)).rz().ry().rx().limited(-2.1, 0.5);
 /// assert_eq!(hip.kind().nv(), 3);
 /// ```
+#[doc(alias = "JointModel")]
+#[doc(alias = "articulation")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     pub(crate) name: String,
@@ -229,11 +254,15 @@ impl Joint {
     }
 
     /// A ball joint called `name` at the parent's origin: see [`JointKind::Ball`].
+    #[doc(alias = "spherical")]
     pub fn ball(name: impl Into<String>) -> Self {
         Self::of_kind(name.into(), JointKind::Ball { armature: 0.0, passive: Passive::default() })
     }
 
     /// A free joint called `name` at the parent's origin: see [`JointKind::Free`].
+    #[doc(alias = "floating")]
+    #[doc(alias = "free flyer")]
+    #[doc(alias = "six degrees of freedom")]
     pub fn free(name: impl Into<String>) -> Self {
         Self::of_kind(name.into(), JointKind::Free { armature: 0.0, passive: Passive::default() })
     }
@@ -326,6 +355,7 @@ impl Joint {
     }
 
     /// Makes the degree of freedom added last follow the one called `dof`, along `curve`: see [`crate::Follower`].
+    #[doc(alias = "mimic")]
     pub fn following(self, dof: impl Into<String>, curve: Curve) -> Self {
         self.with_last("a leader", |last| last.follows = Some(Follow { dof: dof.into(), curve }))
     }

@@ -1,4 +1,4 @@
-//! Where each joint's coordinates stand in `q` and `v`, and what they are called.
+//! The layout of the state vectors: where each joint's coordinates stand in `q` and `v`, and their names.
 
 use crate::joint::JointKind;
 use crate::link::Link;
@@ -23,6 +23,9 @@ pub struct JointLayout {
 /// a name of its own; a repeated axis gets a number (`wrist.rx2`); a one-dof joint also answers to its own name. A ball
 /// joint has `joint.qx … qw` in `q` and `joint.wx, wy, wz` in `v`; a free joint has `joint.px, py, pz` and `joint.vx, vy,
 /// vz` before these.
+#[doc(alias = "idx_q")]
+#[doc(alias = "idx_v")]
+#[doc(alias = "configuration")]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StateLayout {
     joints: Vec<JointLayout>,
@@ -56,11 +59,15 @@ impl StateLayout {
     }
 
     /// Length of `q`.
+    #[doc(alias = "configuration size")]
     pub fn nq(&self) -> usize {
         self.q_names.len()
     }
 
     /// Length of `v`, `a` and `tau`.
+    #[doc(alias = "degrees of freedom")]
+    #[doc(alias = "dof")]
+    #[doc(alias = "DoF")]
     pub fn nv(&self) -> usize {
         self.v_names.len()
     }
@@ -87,6 +94,7 @@ impl StateLayout {
     }
 
     /// Index in `v` of the degree of freedom called `name`.
+    #[doc(alias = "idx_v")]
     pub fn dof_index(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
     }

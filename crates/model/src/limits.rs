@@ -1,4 +1,4 @@
-//! Positions against the limits of the degrees of freedom.
+//! The check of positions against the limits of the degrees of freedom.
 
 use crate::figure::Figure;
 use crate::joint::AxisKind;
@@ -6,7 +6,10 @@ use crate::joint::AxisKind;
 /// An angle (rad) that is rather one in degrees: two turns.
 pub(crate) const MANY_TURNS: f64 = 4.0 * std::f64::consts::PI;
 
-/// How far a motion leaves the range of a degree of freedom.
+/// The excess of a motion beyond the range of a degree of freedom.
+#[doc(alias = "joint limits")]
+#[doc(alias = "range of motion")]
+#[doc(alias = "rom")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitExcess {
     /// Its index in `v`.
@@ -46,6 +49,9 @@ impl Figure {
     /// assert!(arm.limit_excess(&[-2.5, 0.0]).is_empty());
     /// # Ok::<(), solaris_model::FigureError>(())
     /// ```
+    #[doc(alias = "joint limits")]
+    #[doc(alias = "range of motion")]
+    #[doc(alias = "rom")]
     pub fn limit_excess(&self, q: &[f64]) -> Vec<LimitExcess> {
         let mut found = Vec::new();
         for (link, at) in self.links().iter().zip(self.layout().joints()) {

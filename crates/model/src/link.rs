@@ -16,6 +16,7 @@ pub enum SolePart {
 }
 
 /// A point that can touch the ground, in its link's frame (m).
+#[doc(alias = "contact point")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolePoint {
     /// Which part of the sole it is.
@@ -25,6 +26,8 @@ pub struct SolePoint {
 }
 
 /// A frame fixed to a link.
+#[doc(alias = "site")]
+#[doc(alias = "operational frame")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedFrame {
     /// Its name, unique in the figure.
@@ -36,6 +39,9 @@ pub struct NamedFrame {
 /// A rigid body of a built figure, with the joint that moves it against its parent.
 ///
 /// The link's frame is the joint's frame after the joint has moved.
+#[doc(alias = "body")]
+#[doc(alias = "bone")]
+#[doc(alias = "segment")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
     pub(crate) name: String,
@@ -72,6 +78,7 @@ impl Link {
     }
 
     /// Centre of mass in the link's frame (m).
+    #[doc(alias = "center of mass")]
     pub fn com(&self) -> &Vector3<f64> {
         &self.com
     }

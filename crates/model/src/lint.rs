@@ -1,4 +1,4 @@
-//! What looks wrong with a figure that is one.
+//! Lints: what is suspicious about a figure though it is valid.
 
 mod inertia;
 mod mirror;
@@ -12,7 +12,9 @@ use crate::source::{Finding, FindingKind};
 use nalgebra::Vector3;
 use neutral::Neutral;
 
-/// How much a figure weighs and how far it reaches at its zero pose: every coordinate zero but those that follow others.
+/// The mass of a figure and its extent at its zero pose: every coordinate zero but those that follow others.
+#[doc(alias = "bounding box")]
+#[doc(alias = "height")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// Total mass (kg).
@@ -56,7 +58,7 @@ impl Figure {
         Extent { mass: self.mass(), stature: self.stature, height: (high - low).max(0.0) }
     }
 
-    /// What looks wrong with the figure, though it is one; nothing where nothing does.
+    /// The findings about what is suspicious in the figure, though it is valid; empty where nothing is.
     ///
     /// | looks wrong | rule |
     /// |---|---|
@@ -78,6 +80,8 @@ impl Figure {
     ///
     /// The subject of each is a link's name, or for limits that of a degree of freedom; limits come first, then links in
     /// order, then pairs.
+    #[doc(alias = "validate")]
+    #[doc(alias = "check")]
     pub fn lint(&self) -> Vec<Finding> {
         let neutral = Neutral::of(self);
         let mut findings = Vec::new();

@@ -19,7 +19,7 @@ pub struct Ground {
     pub friction: Option<f64>,
 }
 
-/// Something that happens at an instant.
+/// An event, which happens at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// When (s).
@@ -28,7 +28,10 @@ pub struct Event {
     pub kind: EventKind,
 }
 
-/// What can happen at an instant.
+/// The kind of an event.
+#[doc(alias = "heel strike")]
+#[doc(alias = "toe off")]
+#[doc(alias = "gait event")]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EventKind {
@@ -55,6 +58,8 @@ pub enum EventKind {
 }
 
 /// A time during which a point of a link is planted on the ground: it neither slides nor lifts.
+#[doc(alias = "stance phase")]
+#[doc(alias = "support phase")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interval {
     /// Index of the link.
@@ -67,7 +72,11 @@ pub struct Interval {
     pub end: f64,
 }
 
-/// What the ground does to one link at one instant: world axes, moment about the world's origin.
+/// The contact of one link with the ground at one instant, as a wrench: world axes, moment about the world's origin.
+#[doc(alias = "grf")]
+#[doc(alias = "ground reaction force")]
+#[doc(alias = "cop")]
+#[doc(alias = "center of pressure")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact {
     /// Force on the link (N).
@@ -79,6 +88,8 @@ pub struct Contact {
 }
 
 /// The contact of one link over the samples of a motion.
+#[doc(alias = "grf")]
+#[doc(alias = "force plate")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactTrack {
     /// Name of the link that the columns carry (`LINK.fx …`).
@@ -87,7 +98,7 @@ pub struct ContactTrack {
     pub samples: Vec<Contact>,
 }
 
-/// What holds for the whole of a motion.
+/// The metadata of a motion: what holds for the whole of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionInfo {
     /// Fingerprint of the figure that moves, see [`Figure::fingerprint`].
@@ -135,6 +146,12 @@ impl MotionInfo {
 /// Positions are always known. Velocities and accelerations are where [`Motion::known`] says so, forces and contacts where a
 /// layer has found them. Rows are samples; `q` has `nq` numbers a sample, `v`, `a` and `tau` have `nv`, in the order of the figure's
 /// [`crate::StateLayout`] and always of the figure's declared root. `tau` is empty until a layer has found it.
+#[doc(alias = "animation")]
+#[doc(alias = "animation clip")]
+#[doc(alias = "trajectory")]
+#[doc(alias = "mot")]
+#[doc(alias = "trc")]
+#[doc(alias = "bvh")]
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// What holds throughout.
@@ -183,7 +200,7 @@ impl Known {
     }
 }
 
-/// Why numbers are no motion of a figure.
+/// The error of a motion: why numbers are none of a figure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionError {

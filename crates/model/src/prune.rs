@@ -11,6 +11,7 @@ use crate::link::Link;
 ///
 /// States: `q`, `v`, `a` of the small figure are those of the full one without the entries of the joints that left. Forces are
 /// others: nothing carries the branches any more.
+#[doc(alias = "submodel")]
 #[derive(Clone, Debug)]
 pub struct Pruned {
     figure: Figure,
@@ -19,7 +20,7 @@ pub struct Pruned {
     kept_v: Vec<usize>,
 }
 
-/// Why a figure cannot be pruned.
+/// The error of pruning: why a figure cannot be pruned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PruneError {
@@ -52,6 +53,7 @@ impl Figure {
     /// assert!(pruned.figure().link("left_hand").is_none() && pruned.figure().link("right_hand").is_some());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "remove links")]
     pub fn prune(&self, links: &[usize]) -> Result<Pruned, PruneError> {
         let count = self.links.len();
         let mut leaves = vec![false; count];

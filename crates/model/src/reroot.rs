@@ -11,7 +11,7 @@ use crate::figure::Figure;
 use crate::fuse::LinkPlace;
 use nalgebra::Vector3;
 
-/// Which point of a link becomes the origin of the new root; its axes are the link's.
+/// The point of a link that becomes the origin of the new root, whose axes are the link's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RootAt {
@@ -39,6 +39,7 @@ pub enum RootAt {
 /// old root's joint; the new root's joint is called `world~LINK`.
 ///
 /// A motion's columns are those of the figure as it was declared: `solaris-dynamics` has the maps of states and forces.
+#[doc(alias = "change root")]
 #[derive(Clone, Debug)]
 pub struct Rerooted {
     figure: Figure,
@@ -47,7 +48,7 @@ pub struct Rerooted {
     path: Vec<usize>,
 }
 
-/// Where a joint of the declared figure is found in a view.
+/// The place of a joint of the declared figure in a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JointInView {
     /// The view's link that it moves.
@@ -77,6 +78,8 @@ impl Figure {
     /// assert_eq!(view.figure().layout().v_names()[9..12], ["left_knee.rx", "left_knee.ry", "left_knee.rz"]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "change root")]
+    #[doc(alias = "floating base")]
     pub fn reroot(&self, link: usize, at: RootAt) -> Result<Rerooted, RerootError> {
         let Some(root) = self.links.get(link) else {
             return Err(RerootError::NoSuchLink { link, last: self.links.len() - 1 });

@@ -1,4 +1,4 @@
-//! A figure for another subject: of another height, mass, and with segments of other lengths.
+//! Scaling of a figure to another subject's height, mass and segment lengths.
 
 mod error;
 mod links;
@@ -15,7 +15,7 @@ use std::collections::HashMap;
 /// Factors that lengths and masses may be scaled by.
 const RANGE: (f64, f64) = (1e-6, 1e6);
 
-/// What a figure is to be scaled to; what is `None` or not named stays.
+/// The targets of scaling a figure; what is `None` or not named stays.
 ///
 /// ```
 /// use solaris_model::{Scaling, human};
@@ -25,6 +25,8 @@ const RANGE: (f64, f64) = (1e-6, 1e6);
 /// assert!((ann.segment_length("left_thigh").unwrap() - 0.41).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "scale factors")]
+#[doc(alias = "ScaleTool")]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scaling {
     /// Standing height (m).
@@ -66,6 +68,9 @@ impl Figure {
     ///
     /// [`ScaleError`] for numbers that are no lengths or masses, a height where the figure has no stature, a mass where it has
     /// none, names that are no links' and links without a length.
+    #[doc(alias = "scale")]
+    #[doc(alias = "anthropometry")]
+    #[doc(alias = "ScaleTool")]
     pub fn scaled(&self, scaling: &Scaling) -> Result<Self, ScaleError> {
         let all = self.height_factor(scaling.height)?;
         let lengths = self.length_factors(&scaling.segments, all)?;

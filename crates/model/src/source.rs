@@ -1,4 +1,4 @@
-//! Places in a text that describes a figure, and what is to be said about them.
+//! Source maps: places in a text that describes a figure, and the findings about them.
 
 use crate::fault::{Fault, FigureError, Part};
 use std::collections::HashMap;
@@ -45,7 +45,7 @@ pub struct TextFault {
     pub message: String,
 }
 
-/// Everything that is wrong with a text, in the order of the text.
+/// The error of a text: everything that is wrong with it, in the order of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextError {
     /// The first [`TextError::MOST`] faults, at least one.
@@ -85,7 +85,7 @@ impl fmt::Display for TextError {
 
 impl std::error::Error for TextError {}
 
-/// Where in a text the parts of a figure are described, down to single fields (`mass`, `inertia`, `parent`, …) where the
+/// The source map of a figure: where in a text its parts are described, down to single fields (`mass`, `inertia`, `parent`, …) where the
 /// reader says so.
 #[derive(Clone, Debug, Default)]
 pub struct SourceMap {
@@ -131,7 +131,7 @@ impl SourceMap {
     }
 }
 
-/// What kind of thing a reader or a check has to say, short of a fault.
+/// The kind of a finding: what a reader or a check has to say, short of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FindingKind {
     /// Something that looks wrong.
@@ -142,7 +142,7 @@ pub enum FindingKind {
     Note,
 }
 
-/// Something to know about a figure that does not keep it from being one.
+/// A finding: something to know about a figure that does not keep it from being one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// What kind.

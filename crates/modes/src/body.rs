@@ -16,11 +16,11 @@ use nalgebra::{DMatrix, Vector3};
 use planted::Planted;
 use points::PointElement;
 use solaris_dynamics::{
-    DynamicsError, Real, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
+    DynamicsError, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
     hybrid_dynamics, inverse_dynamics, kinetic_energy, mass_matrix, potential_energy, velocities,
 };
 use solaris_model::Figure;
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 use touching::GroundElement;
 pub(crate) use touching::{Pressed, Pressure};
 
@@ -61,7 +61,7 @@ pub(crate) struct Body<T> {
     zeros: Vec<T>,
 }
 
-impl<T: Real + Scalar> Body<T> {
+impl<T: Elementary> Body<T> {
     /// `springs` name links of `figure`; `limits` by degree of freedom.
     pub(crate) fn new(
         figure: &Figure,

@@ -20,13 +20,13 @@ pub use constant::Constant;
 pub use ellipse::Ellipse;
 pub use trigonometric::Trigonometric;
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow};
 use crate::range::Ranges;
-use crate::scalar::Scalar;
 
 /// Refuses what these curves begin with where it is not finite, or where the position could overflow on its way: `gain`
 /// is what the acceleration adds to the velocity, and on its way the position stays within |from| + (|v₀| + |gain|)·T.
-fn check<F: Scalar>(
+fn check<F: Elementary>(
     duration: F,
     (from, v0): (F, F),
     what: &'static str,
@@ -42,7 +42,7 @@ fn check<F: Scalar>(
 }
 
 /// The same of what `reaching` is given.
-fn check_reaching<F: Scalar>(duration: F, (from, v0): (F, F), to: F) -> Result<(), ProfileError> {
+fn check_reaching<F: Elementary>(duration: F, (from, v0): (F, F), to: F) -> Result<(), ProfileError> {
     check_duration(duration)?;
     check_finite("from", &[from])?;
     check_finite("start velocity", &[v0])?;
@@ -50,7 +50,7 @@ fn check_reaching<F: Scalar>(duration: F, (from, v0): (F, F), to: F) -> Result<(
 }
 
 /// 2·(D − v₀·T)/T²: the constant acceleration that leads from `from` to `to`; others are multiples of it.
-fn constant_to<F: Scalar>(duration: F, (from, v0): (F, F), to: F) -> Result<F, ProfileError> {
+fn constant_to<F: Elementary>(duration: F, (from, v0): (F, F), to: F) -> Result<F, ProfileError> {
     check_reaching(duration, (from, v0), to)?;
     let acceleration = F::from_f64(2.0) * ((to - from) / duration - v0) / duration;
     check_overflow("acceleration", &[acceleration])?;

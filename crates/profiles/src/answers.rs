@@ -1,11 +1,11 @@
-//! What can be asked about a whole curve.
+//! The questions about a whole curve: stationary points, peaks, ranges.
 
 use crate::curve::Curve;
 use crate::sample::Sample;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-/// One of the four curves that a curve is.
+/// One of the four functions of time that a curve gives: position, velocity, acceleration, jerk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// The position.
@@ -30,7 +30,7 @@ impl Quantity {
     }
 }
 
-/// How a curve behaves where its velocity is zero.
+/// The behaviour of a curve where its velocity is zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turn {
     /// The velocity changes its sign: the motion turns round.
@@ -40,6 +40,7 @@ pub enum Turn {
 }
 
 /// A time at which the velocity is zero, or jumps from one sign to the other.
+#[doc(alias = "extremum")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationaryPoint {
     /// Since the curve's beginning.
@@ -48,7 +49,7 @@ pub struct StationaryPoint {
     pub turn: Turn,
 }
 
-/// Where, inside of its open span, a curve stands still.
+/// The times inside of its open span at which a curve stands still.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stationary {
     /// The instants, rising.
@@ -77,7 +78,9 @@ impl Stationary {
     }
 }
 
-/// Where the magnitude of something is greatest.
+/// The greatest magnitude of a quantity, and when it is reached.
+#[doc(alias = "maximum")]
+#[doc(alias = "extremum")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
     /// Since the curve's beginning; the first such time.
@@ -86,7 +89,7 @@ pub struct Peak {
     pub value: f64,
 }
 
-/// Where velocity, acceleration and jerk are greatest in magnitude.
+/// The greatest magnitudes of velocity, acceleration and jerk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peaks {
     /// Of |velocity|.
@@ -98,6 +101,8 @@ pub struct Peaks {
 }
 
 /// Exact answers about a whole curve, in double precision.
+#[doc(alias = "extrema")]
+#[doc(alias = "analysis")]
 pub trait Answers: Curve<f64> {
     /// Where the velocity is zero, ends excluded: none missing, none extra, times right to 2e-12 of the duration where the
     /// velocity crosses zero.

@@ -1,4 +1,4 @@
-//! Motions that go over into each other: one that fades into another ([`Blend::between`]), and several with weights that may
+//! Blends, motions that go over into each other: one that fades into another ([`Blend::between`]), and several with weights that may
 //! rise and fall ([`Blend::weighted`]).
 
 mod answers;

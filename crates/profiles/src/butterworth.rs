@@ -1,6 +1,6 @@
 //! Butterworth low-pass filters without delay.
 
-use crate::scalar::Scalar;
+use crate::{Elementary, Scalar};
 use alloc::{vec, vec::Vec};
 use core::f64::consts::PI;
 
@@ -22,6 +22,11 @@ use core::f64::consts::PI;
 /// assert!((smooth[200] - 0.5 * tremor[200]).abs() < 1e-6); // half the amplitude at 6 Hz, in phase
 /// # Ok::<(), solaris_profiles::FilterError>(())
 /// ```
+#[doc(alias = "filter")]
+#[doc(alias = "low-pass")]
+#[doc(alias = "filtfilt")]
+#[doc(alias = "iir")]
+#[doc(alias = "smoothing")]
 #[derive(Clone, Debug)]
 pub struct Butterworth {
     order: usize,
@@ -35,7 +40,7 @@ struct Section {
     a: [f64; 2],
 }
 
-/// Why a signal cannot be filtered.
+/// The error of a filter: why a signal cannot be filtered.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FilterError {
@@ -108,6 +113,7 @@ impl Butterworth {
     /// # Errors
     ///
     /// An order that is not 1 to 10, a cut-off that is not between zero and half the rate.
+    #[doc(alias = "butter")]
     pub fn low_pass(order: usize, cutoff: f64, rate: f64) -> Result<Self, FilterError> {
         if !(1..=Self::HIGHEST_ORDER).contains(&order) {
             return Err(FilterError::Order { order });
@@ -123,7 +129,7 @@ impl Butterworth {
             sections.push(Section { b: [b, b, 0.0], a: [(k - 1.0) / (k + 1.0), 0.0] });
         }
         for pair in 1..=order / 2 {
-            let damping = 2.0 * Scalar::sin(PI * (2 * pair - 1) as f64 / (2 * order) as f64);
+            let damping = 2.0 * Elementary::sin(PI * (2 * pair - 1) as f64 / (2 * order) as f64);
             let scale = 1.0 + k * damping + k * k;
             let b = k * k / scale;
             let a = [2.0 * (k * k - 1.0) / scale, (1.0 - k * damping + k * k) / scale];
@@ -170,6 +176,8 @@ impl Butterworth {
     /// # Errors
     ///
     /// Fewer than [`fewest`](Self::fewest) samples, numbers that are not finite.
+    #[doc(alias = "filtfilt")]
+    #[doc(alias = "dual pass")]
     pub fn zero_phase(&self, values: &[f64]) -> Result<Vec<f64>, FilterError> {
         let (samples, needed, order) = (values.len(), self.fewest(), self.order);
         if samples < needed {
@@ -237,6 +245,8 @@ impl Section {
 /// ```
 ///
 /// At most `values.len() − 1` are there to be turned; no more are added.
+#[doc(alias = "padding")]
+#[doc(alias = "reflect")]
 pub fn odd_extension(values: &[f64], pad: usize) -> Vec<f64> {
     let [first, .., last] = values else { return values.to_vec() };
     let pad = pad.min(values.len() - 1);

@@ -1,13 +1,19 @@
-//! A curve in time: where it begins, and what it does outside of its span.
+//! Clips: curves with a start in time, and a policy outside of their span.
 
+use crate::Elementary;
 use crate::blend::Side;
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_finite};
+use crate::float::{floor, rem_euclid};
 use crate::sample::Sample;
-use crate::scalar::{Scalar, floor, rem_euclid};
 use core::marker::PhantomData;
 
-/// What a curve does outside of its span.
+/// The policy of a curve outside of its span.
+#[doc(alias = "extrapolation")]
+#[doc(alias = "wrap mode")]
+#[doc(alias = "loop")]
+#[doc(alias = "clamp")]
+#[doc(alias = "ping-pong")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Outside {
@@ -26,6 +32,9 @@ pub enum Outside {
 ///
 /// Times are in double precision, whatever the curve is computed in, and the beginning is subtracted before anything is
 /// rounded: a curve in f32 loses nothing an hour into a clip.
+#[doc(alias = "animation clip")]
+#[doc(alias = "time warp")]
+#[doc(alias = "loop")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clip<C, F = f64> {
     curve: C,
@@ -34,7 +43,7 @@ pub struct Clip<C, F = f64> {
     scalar: PhantomData<F>,
 }
 
-impl<C: Curve<F>, F: Scalar> Clip<C, F> {
+impl<C: Curve<F>, F: Elementary> Clip<C, F> {
     /// The curve, beginning at time 0, holding its ends.
     pub fn new(curve: C) -> Self {
         Self { curve, start: 0.0, outside: Outside::Hold, scalar: PhantomData }

@@ -1,13 +1,17 @@
-//! What every curve can do.
+//! The trait of all curves.
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_finite};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 
 /// A curve of one degree of freedom over the span from 0 to its duration.
-pub trait Curve<F: Scalar = f64> {
+#[doc(alias = "easing")]
+#[doc(alias = "trajectory")]
+#[doc(alias = "interpolation")]
+#[doc(alias = "motion profile")]
+pub trait Curve<F: Elementary = f64> {
     /// How long it lasts: more than zero, but for a motion between limits that has no way to go.
     fn duration(&self) -> F;
 
@@ -61,7 +65,7 @@ pub trait Curve<F: Scalar = f64> {
 
 macro_rules! through {
     ($pointer:ty) => {
-        impl<F: Scalar, C: Curve<F> + ?Sized> Curve<F> for $pointer {
+        impl<F: Elementary, C: Curve<F> + ?Sized> Curve<F> for $pointer {
             fn duration(&self) -> F {
                 (**self).duration()
             }
@@ -95,7 +99,7 @@ through!(Arc<C>);
 
 /// A time within the span `[0, duration]`: the nearer end for a time outside of it. NaN stays NaN.
 #[inline]
-pub(crate) fn within<F: Scalar>(t: F, duration: F) -> F {
+pub(crate) fn within<F: Elementary>(t: F, duration: F) -> F {
     if t.value() < 0.0 {
         F::from_f64(0.0)
     } else if t.value() > duration.value() {

@@ -41,9 +41,9 @@ pub use tension::Tension;
 pub use trigonometric::Trigonometric;
 pub use trigonometric_velocities::TrigonometricVelocities;
 
+use crate::Elementary;
 use crate::curve::within;
 use crate::error::{ProfileError, check_duration, check_finite};
-use crate::scalar::Scalar;
 
 /// A time as fractions of the duration, from the nearer end and from the farther one, and whether the nearer is the end.
 struct Place<F> {
@@ -52,7 +52,7 @@ struct Place<F> {
     from_end: bool,
 }
 
-impl<F: Scalar> Place<F> {
+impl<F: Elementary> Place<F> {
     fn new(t: F, duration: F) -> Self {
         let t = within(t, duration);
         let from_end = 2.0 * t.value() > duration.value();
@@ -77,19 +77,19 @@ impl<F: Scalar> Place<F> {
 }
 
 /// `from + f·delta`, from `to` backwards where f is nearer to 1: exact for f = 0 and f = 1.
-fn between<F: Scalar>(from: F, to: F, delta: F, f: F) -> F {
+fn between<F: Elementary>(from: F, to: F, delta: F, f: F) -> F {
     if f.value() > 0.5 { to - delta * (F::from_f64(1.0) - f) } else { from + delta * f }
 }
 
 /// What all the constructors ask of their first three numbers.
-pub(crate) fn check_motion<F: Scalar>(duration: F, from: F, to: F) -> Result<(), ProfileError> {
+pub(crate) fn check_motion<F: Elementary>(duration: F, from: F, to: F) -> Result<(), ProfileError> {
     check_duration(duration)?;
     check_finite("from", &[from])?;
     check_finite("to", &[to])
 }
 
 /// And of the velocities.
-fn check_velocities<F: Scalar>(start: F, end: F) -> Result<(), ProfileError> {
+fn check_velocities<F: Elementary>(start: F, end: F) -> Result<(), ProfileError> {
     check_finite("start velocity", &[start])?;
     check_finite("end velocity", &[end])
 }

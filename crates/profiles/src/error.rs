@@ -1,11 +1,11 @@
-//! What can be wrong with a curve.
+//! The errors of curves.
 
+use crate::Elementary;
 use crate::range::{Range, Ranges};
-use crate::scalar::Scalar;
 use alloc::format;
 use alloc::string::String;
 
-/// Why there is no such curve.
+/// The error of a curve: why there is none with these values.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProfileError {
@@ -120,7 +120,7 @@ fn instead(what: &str, feasible: &Ranges) -> String {
 }
 
 /// Refuses what is not finite.
-pub(crate) fn check_finite<F: Scalar>(what: &'static str, values: &[F]) -> Result<(), ProfileError> {
+pub(crate) fn check_finite<F: Elementary>(what: &'static str, values: &[F]) -> Result<(), ProfileError> {
     match values.iter().find(|value| !value.is_finite()) {
         Some(value) => Err(ProfileError::NotFinite { what, value: value.value() }),
         None => Ok(()),
@@ -128,21 +128,25 @@ pub(crate) fn check_finite<F: Scalar>(what: &'static str, values: &[F]) -> Resul
 }
 
 /// Refuses a duration that is not finite or not positive.
-pub(crate) fn check_duration<F: Scalar>(duration: F) -> Result<(), ProfileError> {
+pub(crate) fn check_duration<F: Elementary>(duration: F) -> Result<(), ProfileError> {
     check_finite("duration", &[duration])?;
     let duration = duration.value();
     if duration > 0.0 { Ok(()) } else { Err(ProfileError::Duration { duration }) }
 }
 
 /// Refuses a number that is not finite or not in its range.
-pub(crate) fn check_range<F: Scalar>(what: &'static str, value: F, range: Range) -> Result<(), ProfileError> {
+pub(crate) fn check_range<F: Elementary>(
+    what: &'static str,
+    value: F,
+    range: Range,
+) -> Result<(), ProfileError> {
     check_finite(what, &[value])?;
     let value = value.value();
     if range.contains(value) { Ok(()) } else { Err(ProfileError::OutOfRange { what, value, range }) }
 }
 
 /// Refuses computed numbers that are not finite, such as an acceleration that overflows in a very short time.
-pub(crate) fn check_overflow<F: Scalar>(what: &'static str, values: &[F]) -> Result<(), ProfileError> {
+pub(crate) fn check_overflow<F: Elementary>(what: &'static str, values: &[F]) -> Result<(), ProfileError> {
     match values.iter().find(|value| !value.is_finite()) {
         Some(value) => Err(ProfileError::Overflow { what, value: value.value() }),
         None => Ok(()),

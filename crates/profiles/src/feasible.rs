@@ -1,4 +1,4 @@
-//! Which velocities at one end keep a motion from turning round, given the velocity at the other.
+//! Feasible end velocities: those that keep a motion from turning round, given the velocity at the other end.
 //!
 //! With H the excess of velocity in the middle, the velocity of each of these curves has the signs of a quadratic in a
 //! ratio ρ of functions that goes from 0 at the start to ∞ at the end,
@@ -12,6 +12,7 @@
 //! (Vasilonikolidakis (1991), §5.3.3) cannot be right, and where the given velocity is opposite to the motion, no velocity
 //! at the other end will do (E8).
 
+use crate::Elementary;
 use crate::displacement::tension::Scaled;
 use crate::displacement::{
     ExponentialVelocities, Tension, TrigonometricVelocities, check_motion, exponential_velocities::Moments,
@@ -19,7 +20,6 @@ use crate::displacement::{
 use crate::error::{ProfileError, check_finite, check_overflow, check_range};
 use crate::polynomial::CubicHermite;
 use crate::range::{Range, Ranges};
-use crate::scalar::Scalar;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::Bound::{Excluded, Included};
 
@@ -48,7 +48,7 @@ impl Ellipse {
             return Ranges::NONE;
         }
         let Self { p, b, q, c } = self;
-        let (y, rest) = (Scalar::sqrt(other), q * other - c * mean);
+        let (y, rest) = (Elementary::sqrt(other), q * other - c * mean);
         let discriminant = b * b * other - p * rest;
         if mean.abs() <= 0.0 {
             // Only rest stays at its place without turning round.
@@ -58,7 +58,7 @@ impl Ellipse {
             return Ranges::NONE;
         }
         // x₋·x₊ = rest/p.
-        let high = (b * y + Scalar::sqrt(discriminant)) / p;
+        let high = (b * y + Elementary::sqrt(discriminant)) / p;
         let low = (rest / (p * high)).max(0.0);
         Ranges::from(Range::new(Included(low * low), Excluded(high * high)))
     }
@@ -142,19 +142,19 @@ fn trigonometric() -> Result<Option<Ellipse>, ProfileError> {
 /// With v₁/rᵐ = (y/√rᵐ)² in place of v₁. None where the power itself turns the motion round.
 fn exponential(exponent: u32, shape: f64) -> Result<Option<Ellipse>, ProfileError> {
     let Moments { sums: [a0, a1, a2], whole } = Moments::new(exponent, shape)?;
-    let scale = Scalar::powi(1.0 - shape, exponent - 3);
+    let scale = Elementary::powi(1.0 - shape, exponent - 3);
     if scale < 0.0 {
         return Ok(None);
     }
     check_overflow("power of the shape", &[scale, 1.0 / scale])?;
-    Ok(Some(Ellipse { p: a0 / a1, b: 1.0 / Scalar::sqrt(scale), q: a2 / (a1 * scale), c: whole / a1 }))
+    Ok(Some(Ellipse { p: a0 / a1, b: 1.0 / Elementary::sqrt(scale), q: a2 / (a1 * scale), c: whole / a1 }))
 }
 
 /// All coefficients divided by eʰ, h = k/2.
 fn tension(stiffness: f64) -> Result<Option<Ellipse>, ProfileError> {
     check_range("stiffness", stiffness, Range::NOT_NEGATIVE)?;
     let scaled = Scaled::new(stiffness)?;
-    let decay = Scalar::exp(-scaled.half);
+    let decay = Elementary::exp(-scaled.half);
     let c = 2.0 * scaled.whole_sine * scaled.whole_sine * scaled.per_share;
     let p = 0.5 * c * scaled.tangent - decay * decay / scaled.cosine;
     Ok(Some(Ellipse { p, b: decay, q: p, c }))

@@ -1,4 +1,4 @@
-//! Motions from rest to rest in the least time that limits allow.
+//! Time-optimal motions: from rest to rest in the least time that limits of velocity, acceleration and jerk allow.
 //!
 //! | curve | limits | phases | where a limit is not reached |
 //! |---|---|---|---|
@@ -17,13 +17,13 @@ mod trapezoidal;
 pub use s_curve::SCurve;
 pub use trapezoidal::Trapezoidal;
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow, check_range};
 use crate::range::Range;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 
 /// Refuses ends that are not finite and limits that are not positive; answers the way and its sign.
-fn way<F: Scalar>(from: F, to: F, limits: &[(&'static str, F)]) -> Result<(F, F), ProfileError> {
+fn way<F: Elementary>(from: F, to: F, limits: &[(&'static str, F)]) -> Result<(F, F), ProfileError> {
     check_finite("from", &[from])?;
     check_finite("to", &[to])?;
     for &(what, limit) in limits {
@@ -36,7 +36,7 @@ fn way<F: Scalar>(from: F, to: F, limits: &[(&'static str, F)]) -> Result<(F, F)
 
 /// How many times longer a motion that takes `least` is to last; refuses what is shorter. None where there is no
 /// motion.
-fn stretch<F: Scalar>(least: F, duration: F) -> Result<Option<F>, ProfileError> {
+fn stretch<F: Elementary>(least: F, duration: F) -> Result<Option<F>, ProfileError> {
     if least.value() <= 0.0 {
         check_range("duration", duration, Range::NOT_NEGATIVE)?;
         return Ok(None);
@@ -50,7 +50,7 @@ fn stretch<F: Scalar>(least: F, duration: F) -> Result<Option<F>, ProfileError> 
 
 /// A sample of the way gone from the start, as one of the motion: in its direction, and from the end backwards where it
 /// was taken from there.
-fn placed<F: Scalar>(way: Sample<F>, (from, to): (F, F), sign: F, backwards: bool) -> Sample<F> {
+fn placed<F: Elementary>(way: Sample<F>, (from, to): (F, F), sign: F, backwards: bool) -> Sample<F> {
     let way = Sample::from_array(way.to_array().map(|x| sign * x));
     if backwards {
         Sample { position: to - way.position, acceleration: -way.acceleration, ..way }
@@ -60,13 +60,13 @@ fn placed<F: Scalar>(way: Sample<F>, (from, to): (F, F), sign: F, backwards: boo
 }
 
 /// The time, or the bound where rounding has led it beyond: no limit is exceeded by the rounding of a late time.
-fn at_most<F: Scalar>(s: F, bound: F) -> F {
+fn at_most<F: Elementary>(s: F, bound: F) -> F {
     let beyond = s.value() - bound.value();
     if beyond > 0.0 { s - F::from_f64(beyond) } else { s }
 }
 
 /// The same for a lower bound.
-fn at_least<F: Scalar>(s: F, bound: F) -> F {
+fn at_least<F: Elementary>(s: F, bound: F) -> F {
     -at_most(-s, -bound)
 }
 

@@ -6,14 +6,14 @@ mod quintic;
 pub use cubic::CubicHermite;
 pub use quintic::Quintic;
 
+use crate::Elementary;
 use crate::sample::{Boundary, Sample};
-use crate::scalar::Scalar;
 
 /// `x(t) = Σ cₖ tᵏ`, k = 0 … 5.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Polynomial<F = f64>(pub [F; 6]);
 
-impl<F: Scalar> Polynomial<F> {
+impl<F: Elementary> Polynomial<F> {
     /// The value and its first three derivatives at any `t`, by Horner's rule.
     #[inline]
     pub fn at(&self, t: F) -> Sample<F> {

@@ -37,6 +37,9 @@ macro_rules! profiles {
         /// ```
         ///
         /// [`Profile::KINDS`] describes all kinds: names, parameters, units and ranges.
+        #[doc(alias = "easing")]
+        #[doc(alias = "motion profile")]
+        #[doc(alias = "trajectory")]
         #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
         #[non_exhaustive]

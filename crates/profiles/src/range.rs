@@ -1,4 +1,4 @@
-//! What a number may be.
+//! Ranges of numbers, and sets of several.
 
 use alloc::vec::Vec;
 use core::fmt;

@@ -4,8 +4,8 @@ mod bernstein;
 
 pub(crate) use bernstein::bernstein;
 
+use crate::Elementary;
 use crate::answers::Turn;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// The real roots of a·x² + b·x + c = 0, rising. None where all three are zero.
@@ -35,7 +35,7 @@ pub(crate) fn quadratic(a: f64, b: f64, c: f64) -> Vec<(f64, Turn)> {
     if is_zero(discriminant) {
         return alloc::vec![(-0.5 * b / a * lambda, Turn::Touch)];
     }
-    let root = Scalar::sqrt(discriminant);
+    let root = Elementary::sqrt(discriminant);
     let q = -0.5 * (b + if b < 0.0 { -root } else { root });
     let (x, y) = (q / a * lambda, c / q * lambda);
     if (x - y).abs() <= 0.0 {
@@ -207,20 +207,24 @@ mod tests {
             evaluations.set(evaluations.get() + 1);
             x * x * x - 2.0
         };
-        assert_relative_eq!(bracketed(f, 0.0, 2.0), Scalar::powf(2.0_f64, 1.0 / 3.0), max_relative = 3e-16);
+        assert_relative_eq!(
+            bracketed(f, 0.0, 2.0),
+            Elementary::powf(2.0_f64, 1.0 / 3.0),
+            max_relative = 3e-16
+        );
         assert!(evaluations.get() < 16, "{} evaluations", evaluations.get());
         assert_relative_eq!(
-            bracketed(Scalar::cos, 3.0, 0.0),
+            bracketed(Elementary::cos, 3.0, 0.0),
             core::f64::consts::FRAC_PI_2,
             max_relative = 3e-16
         );
         // Steep, flat, next to zero, at an end.
         assert_relative_eq!(
-            bracketed(|x| Scalar::exp(1e3 * x) - 1e100, 0.0, 0.5),
+            bracketed(|x| Elementary::exp(1e3 * x) - 1e100, 0.0, 0.5),
             0.1 * 10_f64.ln(),
             max_relative = 1e-15
         );
-        assert_relative_eq!(bracketed(|x| Scalar::powi(x - 0.3, 9), 0.0, 1.0), 0.3, max_relative = 1e-15);
+        assert_relative_eq!(bracketed(|x| Elementary::powi(x - 0.3, 9), 0.0, 1.0), 0.3, max_relative = 1e-15);
         assert_relative_eq!(bracketed(|x| x - 1e-200, -1.0, 1.0), 1e-200, max_relative = 1e-15);
         assert!(
             bracketed(|x| x, 0.0, 1.0).abs() < 1e-300
@@ -232,12 +236,12 @@ mod tests {
     fn pieces_are_searched_one_by_one() {
         let noise = |_: f64| 1e-14;
         let full = core::f64::consts::PI;
-        let found = pieces(Scalar::sin, noise, [0.5 * full, 1.5 * full], (0.0, 2.0 * full));
+        let found = pieces(Elementary::sin, noise, [0.5 * full, 1.5 * full], (0.0, 2.0 * full));
         check(&found, &[(full, Turn::Reversal)]);
         let found =
-            pieces(|x| Scalar::cos(x) - 1.0, noise, [full, 2.0 * full, 3.0 * full], (0.0, 4.0 * full));
+            pieces(|x| Elementary::cos(x) - 1.0, noise, [full, 2.0 * full, 3.0 * full], (0.0, 4.0 * full));
         check(&found, &[(2.0 * full, Turn::Touch)]);
-        let found = pieces(|x| Scalar::powi(x, 3), noise, [0.0], (-1.0, 1.0));
+        let found = pieces(|x| Elementary::powi(x, 3), noise, [0.0], (-1.0, 1.0));
         check(&found, &[(0.0, Turn::Reversal)]);
         check(&pieces(|x| x - 1e-20, noise, [], (0.0, 1.0)), &[]);
     }

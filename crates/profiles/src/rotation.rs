@@ -16,7 +16,7 @@ use crate::error::{ProfileError, check_finite, check_range};
 use crate::range::Range;
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// An orientation and how it changes.
+/// An orientation with its angular velocity and acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turning {
     /// The orientation.

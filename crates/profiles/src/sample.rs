@@ -1,8 +1,10 @@
-//! What a curve answers, and what it is given at its ends.
+//! Samples of a curve, and the boundary values at its ends.
 
-use crate::scalar::Scalar;
+use crate::Elementary;
 
 /// Position and its first three derivatives at one instant.
+#[doc(alias = "jet")]
+#[doc(alias = "state")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample<F = f64> {
     /// Position.
@@ -15,7 +17,7 @@ pub struct Sample<F = f64> {
     pub jerk: F,
 }
 
-impl<F: Scalar> Sample<F> {
+impl<F: Elementary> Sample<F> {
     /// At rest at `position`.
     pub fn rest(position: F) -> Self {
         let zero = F::from_f64(0.0);
@@ -44,6 +46,7 @@ impl<F: Scalar> Sample<F> {
 }
 
 /// Position, velocity and acceleration at an end of a curve.
+#[doc(alias = "boundary condition")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Boundary<F = f64> {
     /// Position.
@@ -65,7 +68,7 @@ impl<F: Copy> Boundary<F> {
     }
 }
 
-impl<F: Scalar> Boundary<F> {
+impl<F: Elementary> Boundary<F> {
     /// At rest at `position`.
     pub fn rest(position: F) -> Self {
         Self::new(position, F::from_f64(0.0), F::from_f64(0.0))

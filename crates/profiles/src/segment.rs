@@ -1,6 +1,6 @@
 //! Circular segments: an angle less its sine, and what becomes of it when it is integrated.
 
-use crate::scalar::Scalar;
+use crate::Elementary;
 use core::f64::consts::FRAC_PI_2;
 
 /// z − sin z, for z from 0 to π, right to the last digits; `sine` is sin z.
@@ -8,20 +8,20 @@ use core::f64::consts::FRAC_PI_2;
 /// It is twice the area between an arc of z (rad) of the unit circle and its chord. Near zero, where angle and sine
 /// cancel, it is the series Σ (−1)ᵏ z²ᵏ⁺³/(2k+3)!.
 #[inline]
-pub(crate) fn segment<F: Scalar>(z: F, sine: F) -> F {
+pub(crate) fn segment<F: Elementary>(z: F, sine: F) -> F {
     if z.value().abs() < FRAC_PI_2 { z * z * z * series(z * z, &SEGMENT) } else { z - sine }
 }
 
 /// (z − sin z)/z³ for |z| < π/2, from the square of z.
 #[inline]
-pub(crate) fn segment_by_cube<F: Scalar>(square: F) -> F {
+pub(crate) fn segment_by_cube<F: Elementary>(square: F) -> F {
     series(square, &SEGMENT)
 }
 
 /// sin p − p·cos p − sin³p/3, for p from 0 to π/2, right to the last digits: how far something goes whose acceleration
 /// follows an ellipse. It begins as 2p⁵/15.
 #[inline]
-pub(crate) fn ellipse<F: Scalar>(p: F, (sine, cosine): (F, F)) -> F {
+pub(crate) fn ellipse<F: Elementary>(p: F, (sine, cosine): (F, F)) -> F {
     if p.value() < 1.125 {
         let square = p * p;
         square * square * p * series(square, &ELLIPSE)
@@ -58,7 +58,7 @@ const ELLIPSE: [f64; 14] = {
 
 /// Σ cₖ·xᵏ.
 #[inline]
-fn series<F: Scalar>(x: F, coefficients: &[f64]) -> F {
+fn series<F: Elementary>(x: F, coefficients: &[f64]) -> F {
     coefficients.iter().rev().fold(F::from_f64(0.0), |sum, &c| sum * x + F::from_f64(c))
 }
 

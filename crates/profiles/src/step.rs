@@ -3,6 +3,7 @@
 use crate::sample::Sample;
 
 /// `3t² − 2t³`: rises with zero velocity at both ends.
+#[doc(alias = "smoothstep")]
 #[inline]
 pub fn cubic(t: f64) -> Sample {
     inside(t, |t| Sample {
@@ -14,6 +15,7 @@ pub fn cubic(t: f64) -> Sample {
 }
 
 /// `10t³ − 15t⁴ + 6t⁵`: rises with zero velocity and acceleration at both ends.
+#[doc(alias = "smootherstep")]
 #[inline]
 pub fn quintic(t: f64) -> Sample {
     inside(t, |t| Sample {

@@ -4,12 +4,17 @@
 
 use proptest::prelude::*;
 use solaris_profiles::acceleration::{Constant, Ellipse, Trigonometric};
-use solaris_profiles::{Answers, Curve, Dual, ProfileError, Quantity, Ranges, Scalar};
+use solaris_profiles::{Answers, Curve, Dual, Elementary, ProfileError, Quantity, Ranges};
 
 /// The four curves as functions of start velocity and amplitude.
 const KINDS: usize = 4;
 
-fn new<F: Scalar>(kind: usize, t: F, start: (F, F), amplitude: F) -> Result<Box<dyn Curve<F>>, ProfileError> {
+fn new<F: Elementary>(
+    kind: usize,
+    t: F,
+    start: (F, F),
+    amplitude: F,
+) -> Result<Box<dyn Curve<F>>, ProfileError> {
     Ok(match kind {
         0 => Box::new(Constant::new(t, start, amplitude)?),
         1 => Box::new(Trigonometric::new(t, start, amplitude)?),

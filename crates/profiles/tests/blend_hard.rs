@@ -3,12 +3,12 @@
 use solaris_profiles::blend::{Blend, Fade, FadeKind, Layer, Leaving};
 use solaris_profiles::displacement::Line;
 use solaris_profiles::{
-    Answers, Clip, CubicHermite, Curve, Outside, ProfileError, Quintic, Scalar, StationaryPoint, Turn,
+    Answers, Clip, CubicHermite, Curve, Elementary, Outside, ProfileError, Quintic, StationaryPoint, Turn,
 };
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
 /// A fade late in time is the one at time 0, to the last digits of its time within the window.
-fn assert_late<F: Scalar>(kind: FadeKind, starts: &[f64], length: f64) {
+fn assert_late<F: Elementary>(kind: FadeKind, starts: &[f64], length: f64) {
     let early = Fade::new(kind, 0.0, length).expect("a fade");
     for &start in starts {
         let late = Fade::new(kind, start, start + length).expect("a fade");

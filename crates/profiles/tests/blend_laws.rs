@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use solaris_profiles::blend::{Blend, Fade, FadeKind, Layer, Leaving};
 use solaris_profiles::{
-    Answers, Boundary, Clip, CubicHermite, Curve, Dual, Outside, Quantity, Quintic, Scalar, Turn,
+    Answers, Boundary, Clip, CubicHermite, Curve, Dual, Elementary, Outside, Quantity, Quintic, Turn,
 };
 
 fn number() -> impl Strategy<Value = f64> {
@@ -15,7 +15,7 @@ fn ends() -> impl Strategy<Value = [f64; 6]> {
     prop::array::uniform6(number())
 }
 
-fn quintic<F: Scalar>(duration: f64, ends: [f64; 6]) -> Quintic<F> {
+fn quintic<F: Elementary>(duration: f64, ends: [f64; 6]) -> Quintic<F> {
     let [a, b, c, d, e, f] = ends.map(F::from_f64);
     Quintic::new(F::from_f64(duration), Boundary::new(a, b, c), Boundary::new(d, e, f)).expect("a curve")
 }
@@ -44,13 +44,18 @@ fn outside() -> impl Strategy<Value = Outside> {
     prop_oneof![Just(Outside::Hold), Just(Outside::Extrapolate), Just(Outside::Repeat), Just(Outside::Mirror),]
 }
 
-fn two<F: Scalar>(first: [f64; 6], second: [f64; 6], fade: Fade, leaving: Leaving) -> Blend<Quintic<F>, F> {
+fn two<F: Elementary>(
+    first: [f64; 6],
+    second: [f64; 6],
+    fade: Fade,
+    leaving: Leaving,
+) -> Blend<Quintic<F>, F> {
     let (first, second) = (Clip::new(quintic(2.0, first)), Clip::new(quintic(2.0, second)));
     Blend::between(first, second, fade, leaving).expect("a blend")
 }
 
 /// Three layers: one that is always there, one that fades in, one that fades in and out.
-fn three<F: Scalar>(curves: [[f64; 6]; 3], amounts: [f64; 3]) -> Vec<Layer<Quintic<F>, F>> {
+fn three<F: Elementary>(curves: [[f64; 6]; 3], amounts: [f64; 3]) -> Vec<Layer<Quintic<F>, F>> {
     let windows = [
         (None, None),
         (Some(Fade::new(FadeKind::Smooth, 0.3, 1.1).expect("a fade")), None),
@@ -74,7 +79,7 @@ fn amounts() -> impl Strategy<Value = [f64; 3]> {
 }
 
 /// All four quantities of two curves are the same within a tolerance of their sizes.
-fn assert_same<F: Scalar>(one: &impl Curve<F>, other: &impl Curve<F>, scale: f64) {
+fn assert_same<F: Elementary>(one: &impl Curve<F>, other: &impl Curve<F>, scale: f64) {
     for i in 0..=40 {
         let t = f64::from(i) / 40.0 * one.duration().value();
         let (one, other) = (one.at_time(t).to_array(), other.at_time(t).to_array());

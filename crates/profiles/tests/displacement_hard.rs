@@ -5,7 +5,7 @@ use solaris_profiles::displacement::{
     Exponential, ExponentialVelocities, Hyperbolic, Line, Power, Tension, Trigonometric,
     TrigonometricVelocities,
 };
-use solaris_profiles::{Answers, Curve, ProfileError, Quantity, Scalar, Stationary, Turn, legacy};
+use solaris_profiles::{Answers, Curve, Elementary, ProfileError, Quantity, Stationary, Turn, legacy};
 
 /// One line of a table: parameters, of which the last is the time, and position, velocity, acceleration and jerk.
 type Row = (Vec<f64>, Vec<f64>);
@@ -19,7 +19,7 @@ fn rows(table: &str) -> Vec<Row> {
 
 /// |found − wanted| ≤ 8·ε·(cond + |wanted| + max |wanted|) for each of the values, where cond, t times the derivative, is what
 /// the rounding of a time does.
-fn check<F: Scalar>((parameters, wanted): &Row, curve: &impl Curve<F>) {
+fn check<F: Elementary>((parameters, wanted): &Row, curve: &impl Curve<F>) {
     let [t, duration] = [parameters[parameters.len() - 1], curve.duration().value()];
     let mut sizes = [0.0_f64; 4];
     for i in 0..=256 {
@@ -52,7 +52,7 @@ macro_rules! check_rows {
 /// T = 2, from 0 to 3, close to rest: in the sine of the thesis, a displacement of 10⁻¹⁶ is lost.
 #[test]
 fn s1_close_to_rest() {
-    fn check_relative<F: Scalar>(bound: f64) {
+    fn check_relative<F: Elementary>(bound: f64) {
         let curve =
             Trigonometric::new(F::from_f64(2.0), F::from_f64(0.0), F::from_f64(3.0)).expect("a curve");
         for (parameters, wanted) in &rows(S1)[..3] {
@@ -71,7 +71,7 @@ fn s1_close_to_rest() {
 /// The thesis divides by the end position.
 #[test]
 fn s1b_to_zero_or_next_to_it() {
-    fn check_end<F: Scalar>(end: f64, least: f64) {
+    fn check_end<F: Elementary>(end: f64, least: f64) {
         let [t, x0, x1] = [2.0, 0.0, end].map(F::from_f64);
         let (zero, one, three) = (F::from_f64(0.0), F::from_f64(1.0), F::from_f64(3.0));
         let half = |way: f64, curve: &dyn Curve<F>| {

@@ -6,7 +6,7 @@ use solaris_profiles::displacement::{
     TrigonometricVelocities,
 };
 use solaris_profiles::{
-    Answers, CubicHermite, Curve, Dual, ProfileError, Quantity, Sample, Scalar, Turn, legacy,
+    Answers, CubicHermite, Curve, Dual, Elementary, ProfileError, Quantity, Sample, Turn, legacy,
 };
 
 /// A duration, two positions, two velocities.
@@ -42,7 +42,7 @@ fn parameters() -> impl Strategy<Value = Parameters> {
 
 type Curves<F> = Vec<(&'static str, Box<dyn Curve<F>>)>;
 
-fn named<F: Scalar, C: Curve<F> + 'static>(
+fn named<F: Elementary, C: Curve<F> + 'static>(
     name: &'static str,
     curve: Result<C, ProfileError>,
 ) -> (&'static str, Box<dyn Curve<F>>) {
@@ -50,7 +50,7 @@ fn named<F: Scalar, C: Curve<F> + 'static>(
 }
 
 /// One curve of each family; every number may depend on something.
-fn curves<F: Scalar>(p: &Parameters, (t, x0, x1, v0, v1): Motion<F>) -> Curves<F> {
+fn curves<F: Elementary>(p: &Parameters, (t, x0, x1, v0, v1): Motion<F>) -> Curves<F> {
     let (start, end) = ((x0, v0), (x1, v1));
     let [power, shape, stiffness] = [p.power, p.shape, p.stiffness].map(F::from_f64);
     vec![
@@ -71,7 +71,7 @@ const WITH_VELOCITIES: usize = 5;
 const FRACTIONS: [f64; 9] = [0.0, 1e-9, 0.1, 0.3, 0.5, 0.500_1, 0.8, 0.999, 1.0];
 
 /// The greatest of each of the four in magnitude.
-fn sizes<F: Scalar>(curve: &dyn Curve<F>) -> [f64; 4] {
+fn sizes<F: Elementary>(curve: &dyn Curve<F>) -> [f64; 4] {
     let mut sizes = [0.0_f64; 4];
     for i in 0..=64 {
         let sample = curve.at(curve.duration() * F::from_f64(f64::from(i) / 64.0)).to_array();

@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use solaris_profiles::limited::{SCurve, Trapezoidal};
-use solaris_profiles::{Answers, Curve, Dual, ProfileError, Quantity, Range, Sample, Scalar};
+use solaris_profiles::{Answers, Curve, Dual, Elementary, ProfileError, Quantity, Range, Sample, Scalar};
 
 fn close(found: f64, wanted: f64, scale: f64) -> bool {
     (found - wanted).abs() <= 1e-13 * scale

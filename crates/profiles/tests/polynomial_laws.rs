@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use solaris_profiles::{
-    Answers, Boundary, CubicHermite, Curve, Dual, Polynomial, Quantity, Quintic, Sample, Scalar, Turn,
+    Answers, Boundary, CubicHermite, Curve, Dual, Elementary, Polynomial, Quantity, Quintic, Sample, Turn,
 };
 
 fn number() -> impl Strategy<Value = f64> {
@@ -24,7 +24,7 @@ fn state(sample: Sample) -> Boundary {
 }
 
 /// In the direction of the parameter, and its value.
-fn lifted<F: Scalar>(b: &Boundary) -> Boundary<F> {
+fn lifted<F: Elementary>(b: &Boundary) -> Boundary<F> {
     Boundary::new(F::from_f64(b.position), F::from_f64(b.velocity), F::from_f64(b.acceleration))
 }
 

@@ -1,10 +1,10 @@
 //! Splines where numbers get hard: long times in few digits, spacings of all sizes, a million keys, what is no spline.
 
 use solaris_profiles::spline::{Bend, CubicSpline, Key};
-use solaris_profiles::{Answers, Clip, Curve, Outside, ProfileError, Scalar};
+use solaris_profiles::{Answers, Clip, Curve, Elementary, Outside, ProfileError};
 
 /// A wave with a key every tenth of a second.
-fn wave<F: Scalar>(start: f64, seconds: usize) -> Vec<(f64, F)> {
+fn wave<F: Elementary>(start: f64, seconds: usize) -> Vec<(f64, F)> {
     let step = |i: usize| i as f64 / 10.0;
     (0..=10 * seconds).map(|i| (start + step(i), F::from_f64((0.7 * step(i)).sin()))).collect()
 }
@@ -89,7 +89,7 @@ fn a_million_keys_are_found_and_met() {
 /// A microsecond beside a year: each piece is as good as if it stood alone.
 #[test]
 fn tiny_and_huge_pieces_stand_side_by_side() {
-    fn check<F: Scalar>() {
+    fn check<F: Elementary>() {
         let times = [0.0, 1e-9, 1e9, 1e9 + 1.0, 2e9, 2e9 + 1e-6];
         let positions = [0.0, 1.0, -1.0, 3.0, 3.0, 2.0];
         let keys: Vec<_> = times.into_iter().zip(positions.map(F::from_f64)).collect();

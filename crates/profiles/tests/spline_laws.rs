@@ -3,13 +3,15 @@
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use solaris_profiles::spline::{Bend, CubicSpline, Key};
-use solaris_profiles::{Answers, CubicHermite, Curve, Dual, ProfileError, Quantity, Sample, Scalar, Turn};
+use solaris_profiles::{
+    Answers, CubicHermite, Curve, Dual, Elementary, ProfileError, Quantity, Sample, Turn,
+};
 
 type Keys<F = f64> = Vec<(f64, F)>;
 type Make<F> = fn(&[(f64, F)]) -> Result<CubicSpline<F>, ProfileError>;
 
 /// Every constructor that takes keys, with end velocities and bends where it asks for them.
-fn makers<F: Scalar>() -> [(&'static str, Make<F>); 7] {
+fn makers<F: Elementary>() -> [(&'static str, Make<F>); 7] {
     [
         ("catmull_rom", CubicSpline::catmull_rom),
         ("centripetal", CubicSpline::centripetal),
@@ -21,7 +23,7 @@ fn makers<F: Scalar>() -> [(&'static str, Make<F>); 7] {
     ]
 }
 
-fn bent<F: Scalar>(keys: &[(f64, F)], continuity: f64) -> Result<CubicSpline<F>, ProfileError> {
+fn bent<F: Elementary>(keys: &[(f64, F)], continuity: f64) -> Result<CubicSpline<F>, ProfileError> {
     let [tension, continuity, bias, start, end] = [-0.3, continuity, 0.5, 0.25, -0.75].map(F::from_f64);
     CubicSpline::kochanek_bartels(keys, Bend { tension, continuity, bias }, (start, end))
 }
@@ -90,7 +92,7 @@ proptest! {
 
     #[test]
     fn each_derivative_is_that_of_the_one_before(keys in record(), share in 0.0..1.0_f64) {
-        let dual: Keys<Dual<1>> = keys.iter().map(|key| (key.0, Dual::from_f64(key.1))).collect();
+        let dual: Keys<Dual<1>> = keys.iter().map(|key| (key.0, Dual::constant(key.1))).collect();
         for ((name, make), (_, make_f64)) in makers::<Dual<1>>().into_iter().zip(makers::<f64>()) {
             let (curve, plain) = (make(&dual).expect("a spline"), make_f64(&keys).expect("a spline"));
             let (t, scales) = (share * plain.duration(), scales(&plain));
@@ -283,12 +285,12 @@ proptest! {
     fn derivatives_by_a_key_are_the_response_to_it(keys in record(), which in 0..20_usize, share in 0.0..1.0_f64) {
         let which = which % keys.len();
         let dual: Keys<Dual<1>> = keys.iter().enumerate().map(|(i, &(t, x))| {
-            (t, if i == which { Dual::variable(x, 0) } else { Dual::from_f64(x) })
+            (t, if i == which { Dual::variable(x, 0) } else { Dual::constant(x) })
         }).collect();
         let one: Keys = keys.iter().enumerate().map(|(i, key)| (key.0, f64::from(u8::from(i == which)))).collect();
         let response = CubicSpline::natural(&one).expect("a spline");
         let t = share * response.duration();
-        let at = CubicSpline::natural(&dual).expect("a spline").at(Dual::from_f64(t)).to_array();
+        let at = CubicSpline::natural(&dual).expect("a spline").at(Dual::constant(t)).to_array();
         let partial = Sample::from_array(at.map(|x| x.partial(0)));
         prop_assert!(close(&partial, &response.at(t), scales(&response), 1e-13));
     }

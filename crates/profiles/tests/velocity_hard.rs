@@ -6,10 +6,12 @@
 
 use solaris_profiles::acceleration::{Constant, Ellipse, Trigonometric};
 use solaris_profiles::velocity::{Circle, Faired, Line};
-use solaris_profiles::{Answers, Boundary, CubicHermite, Curve, ProfileError, Quintic, Sample, Scalar, Turn};
+use solaris_profiles::{
+    Answers, Boundary, CubicHermite, Curve, Elementary, ProfileError, Quintic, Sample, Turn,
+};
 
 /// Within so many units in the last place of the number itself, half of one each.
-fn close<F: Scalar>(found: F, wanted: f64, units: f64) {
+fn close<F: Elementary>(found: F, wanted: f64, units: f64) {
     let error = (found.value() - wanted).abs() / wanted.abs() / (F::EPSILON / 2.0);
     assert!(error <= units, "{found:?}, not {wanted:e}: {error:.1} of {units}");
 }
@@ -17,7 +19,7 @@ fn close<F: Scalar>(found: F, wanted: f64, units: f64) {
 #[test]
 fn s6_an_ellipse_leaves_rest_to_the_last_digits() {
     // Greatest acceleration 1, from rest at 0, over 1.
-    fn curve<F: Scalar>() -> Ellipse<F> {
+    fn curve<F: Elementary>() -> Ellipse<F> {
         let (zero, one) = (F::from_f64(0.0), F::from_f64(1.0));
         Ellipse::quarter(one, (zero, zero), F::from_f64(0.75).sqrt()).expect("valid")
     }
@@ -94,7 +96,7 @@ fn s7_a_circle_may_be_a_semicircle() {
 
 #[test]
 fn s9_a_half_sine_leaves_rest_to_the_last_digits() {
-    fn curve<F: Scalar>() -> Trigonometric<F> {
+    fn curve<F: Elementary>() -> Trigonometric<F> {
         let (zero, one) = (F::from_f64(0.0), F::from_f64(1.0));
         Trigonometric::new(one, (zero, zero), one).expect("valid")
     }
@@ -117,8 +119,8 @@ fn s9_a_half_sine_leaves_rest_to_the_last_digits() {
 type Made<F> = Result<Box<dyn Curve<F>>, ProfileError>;
 
 /// Every curve over `duration`, from 0 to 1 or with velocities of its order.
-fn all<F: Scalar>(duration: f64) -> Vec<(&'static str, Made<F>)> {
-    fn boxed<F: Scalar, C: Curve<F> + 'static>(curve: Result<C, ProfileError>) -> Made<F> {
+fn all<F: Elementary>(duration: f64) -> Vec<(&'static str, Made<F>)> {
+    fn boxed<F: Elementary, C: Curve<F> + 'static>(curve: Result<C, ProfileError>) -> Made<F> {
         curve.map(|curve| Box::new(curve) as Box<dyn Curve<F>>)
     }
     let n = F::from_f64;

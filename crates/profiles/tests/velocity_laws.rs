@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use solaris_profiles::velocity::{Circle, Faired, Line};
-use solaris_profiles::{Answers, Curve, Dual, Quantity, Range, Ranges, Sample, Scalar, Turn};
+use solaris_profiles::{Answers, Curve, Dual, Elementary, Quantity, Range, Ranges, Sample, Turn};
 use std::ops::Bound;
 
 fn number() -> impl Strategy<Value = f64> {
@@ -210,5 +210,5 @@ fn the_corners_of_a_faired_motion_have_two_sides() {
     assert_eq!(motion.before(2.0).jerk, 0.0);
     assert!((motion.at(2.0).jerk + 2.0 * rate * rate).abs() < 1e-14);
     assert!((motion.peaks().acceleration.value - 2.0 * rate).abs() < 1e-14);
-    assert!(Scalar::abs(motion.at(3.0).velocity) <= 0.0);
+    assert!(Elementary::abs(motion.at(3.0).velocity) <= 0.0);
 }

@@ -18,7 +18,7 @@ pub mod prelude {
     pub use solaris_analysis::ground_reactions;
     pub use solaris_dynamics::{
         ContactConstraint, Contacts, DMatrix, Derivatives, DynamicsError, Formulation, Frame,
-        InverseDynamics, JacobianAxes, RootView, Tree, Workspace, Wrench, bias, center_of_mass,
+        InverseDynamics, JacobianAxes, RootView, Tree, Workspace, Wrench, bias_forces, center_of_mass,
         contact_dynamics, coriolis_matrix, forward_dynamics, forward_kinematics, hybrid_dynamics,
         inverse_dynamics, inverse_mass_matrix, jacobian, mass_matrix, velocities,
     };

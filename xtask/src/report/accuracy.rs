@@ -5,7 +5,8 @@ use super::samples::{GRAVITY, Random, Sample};
 use nalgebra::{DMatrix, DVector, RealField};
 use solaris_dynamics::scalar::DoubleDouble;
 use solaris_dynamics::{
-    DynamicsError, Formulation, InverseDynamics, Real, Tree, Workspace, bias, forward_dynamics, mass_matrix,
+    DynamicsError, Formulation, InverseDynamics, Scalar, Tree, Workspace, bias_forces, forward_dynamics,
+    mass_matrix,
 };
 
 /// Figures and states of each case.
@@ -67,12 +68,12 @@ fn one(sample: &Sample) -> Result<[f64; 11], DynamicsError> {
     Ok(numbers)
 }
 
-pub(super) fn inverse<T: Real>(sample: &Sample, formulation: Formulation) -> Result<Vec<T>, DynamicsError> {
+pub(super) fn inverse<T: Scalar>(sample: &Sample, formulation: Formulation) -> Result<Vec<T>, DynamicsError> {
     inverse_of(sample, formulation, &cast(&sample.a))
 }
 
 /// Inverse dynamics of a sample with accelerations `a` in place of its own.
-pub(super) fn inverse_of<T: Real>(
+pub(super) fn inverse_of<T: Scalar>(
     sample: &Sample,
     formulation: Formulation,
     a: &[T],
@@ -84,7 +85,7 @@ pub(super) fn inverse_of<T: Real>(
     Ok(tau)
 }
 
-pub(super) fn forward<T: Real>(sample: &Sample) -> Result<Vec<T>, DynamicsError> {
+pub(super) fn forward<T: Scalar>(sample: &Sample) -> Result<Vec<T>, DynamicsError> {
     let tree = Tree::new(&sample.figure, GRAVITY)?;
     let [q, v, tau] = [&sample.q, &sample.v, &sample.tau].map(|x| cast(x));
     let mut a = vec![T::zero(); v.len()];
@@ -93,14 +94,14 @@ pub(super) fn forward<T: Real>(sample: &Sample) -> Result<Vec<T>, DynamicsError>
 }
 
 /// `M⁻¹·(τ − bias)`; nothing where rounding has taken from M that it is positive definite.
-fn by_matrix<T: Real + RealField>(sample: &Sample) -> Result<Option<Vec<T>>, DynamicsError> {
+fn by_matrix<T: Scalar + RealField>(sample: &Sample) -> Result<Option<Vec<T>>, DynamicsError> {
     let tree = Tree::new(&sample.figure, GRAVITY)?;
     let mut workspace = Workspace::new(&tree);
     let [q, v, mut rest] = [&sample.q, &sample.v, &sample.tau].map(|x| cast(x));
     let n = v.len();
     let (mut matrix, mut forces) = (DMatrix::zeros(n, n), vec![T::zero(); n]);
     mass_matrix(&tree, &mut workspace, &q, &mut matrix)?;
-    bias(&tree, &mut workspace, &q, &v, &mut forces)?;
+    bias_forces(&tree, &mut workspace, &q, &v, &mut forces)?;
     rest.iter_mut().zip(forces).for_each(|(tau, bias)| *tau -= bias);
     let factor = matrix.cholesky();
     Ok(factor.map(|factor| factor.solve(&DVector::from_vec(rest)).as_slice().to_vec()))
@@ -114,7 +115,7 @@ fn condition(sample: &Sample) -> Result<f64, DynamicsError> {
     Ok(values.max() / values.min())
 }
 
-fn cast<T: Real>(numbers: &[f64]) -> Vec<T> {
+fn cast<T: Scalar>(numbers: &[f64]) -> Vec<T> {
     numbers.iter().map(|x| T::from_f64(*x)).collect()
 }
 

@@ -4,7 +4,7 @@ use super::samples::{GRAVITY, Sample};
 use crate::timing::{self, Operation};
 use solaris_dynamics::scalar::{Counted, Operations};
 use solaris_dynamics::{
-    DynamicsError, Formulation, InverseDynamics, Real, Tree, Workspace, forward_dynamics,
+    DynamicsError, Formulation, InverseDynamics, Scalar, Tree, Workspace, forward_dynamics,
 };
 use std::hint::black_box;
 
@@ -44,7 +44,7 @@ pub(super) fn count(sample: &Sample) -> Result<[u64; CALLS], DynamicsError> {
     Ok(counts)
 }
 
-fn times<T: Real>(sample: &Sample) -> Result<[f64; CALLS], DynamicsError> {
+fn times<T: Scalar>(sample: &Sample) -> Result<[f64; CALLS], DynamicsError> {
     let times = timing::run(&mut Calls::<T>::new(sample)?, &Calls::ALL, 1, BLOCK, BLOCKS)?;
     Ok(std::array::from_fn(|call| times[call].least))
 }
@@ -60,7 +60,7 @@ struct Calls<T> {
     result: Vec<T>,
 }
 
-impl<T: Real> Calls<T> {
+impl<T: Scalar> Calls<T> {
     const ALL: [(&'static str, Operation<Self, DynamicsError>); CALLS] = [
         ("chain-wise", |calls, _| calls.inverse(0)),
         ("tree-wise", |calls, _| calls.inverse(1)),

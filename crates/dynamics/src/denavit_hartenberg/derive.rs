@@ -1,4 +1,4 @@
-//! From axes to frames.
+//! The Denavit-Hartenberg frames of a figure, derived from its axes.
 
 use super::step::{Line, Step};
 use super::{Base, Carried, DenavitHartenberg, Rationalized};

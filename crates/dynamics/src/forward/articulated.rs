@@ -1,10 +1,10 @@
 //! Articulated-body inertia: what a link with all that hangs from it opposes to being accelerated, its free joints
 //! giving way.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
 use crate::spatial::symmetric::Symmetric;
-use crate::tree::matter::Matter;
+use crate::tree::mass_distribution::MassDistribution;
 use nalgebra::{Matrix3, Vector3};
 
 /// Moment and force about the origin of a frame for an angular acceleration `α` and an acceleration `a` of that origin,
@@ -23,25 +23,25 @@ pub(crate) struct Articulated<T> {
     pub(crate) linear: Symmetric<T>,
 }
 
-impl<T: Real> Articulated<T> {
+impl<T: Scalar> Articulated<T> {
     pub(crate) fn zero() -> Self {
         Self { angular: Symmetric::zero(), coupling: Matrix3::zeros(), linear: Symmetric::zero() }
     }
 
-    /// Adds a link's own matter: to `A` its inertia about its origin, to `B` `[h]×`, to `C` `m·1`.
+    /// Adds a link's own mass: to `A` its inertia about its origin, to `B` `[h]×`, to `C` `m·1`.
     #[inline]
-    pub(crate) fn add_matter(&mut self, matter: &Matter<T>) {
-        let (h, b, c) = (&matter.first, &mut self.coupling, &mut self.linear);
-        self.angular.add(&matter.inertia_at_origin);
+    pub(crate) fn add_mass(&mut self, distribution: &MassDistribution<T>) {
+        let (h, b, c) = (&distribution.first, &mut self.coupling, &mut self.linear);
+        self.angular.add(&distribution.inertia_at_origin);
         b.m12 -= h.z;
         b.m13 += h.y;
         b.m21 += h.z;
         b.m23 -= h.x;
         b.m31 -= h.y;
         b.m32 += h.x;
-        c.xx += matter.mass;
-        c.yy += matter.mass;
-        c.zz += matter.mass;
+        c.xx += distribution.mass;
+        c.yy += distribution.mass;
+        c.zz += distribution.mass;
     }
 
     #[inline]

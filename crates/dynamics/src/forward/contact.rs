@@ -7,7 +7,7 @@ use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_
 use crate::forward::{check_accelerations, check_given, set_state};
 use crate::inverse::apply_external;
 use crate::kinematics::{is_finite, place};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::spatial::direction::{apply, apply_transposed, cross};
 use crate::spatial::load::Load;
@@ -17,6 +17,8 @@ use least_norm::LeastNorm;
 use nalgebra::Vector3;
 
 /// A point of a link, or the link as a whole, held to an acceleration by an unknown force.
+#[doc(alias = "RigidConstraintModel")]
+#[doc(alias = "constraint")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactConstraint<T> {
     /// The link.
@@ -33,7 +35,7 @@ pub struct ContactConstraint<T> {
     pub along: Option<Vector3<T>>,
 }
 
-impl<T: Real> ContactConstraint<T> {
+impl<T: Scalar> ContactConstraint<T> {
     /// A point of a link (m, link's frame) that stays where it is.
     pub fn point(link: usize, point: Vector3<T>) -> Self {
         Self { link, point, acceleration: Vector3::zeros(), angular: None, along: None }
@@ -65,6 +67,8 @@ impl<T: Real> ContactConstraint<T> {
 }
 
 /// The contacts of a figure, with the memory to solve for them: made once, then no call allocates.
+#[doc(alias = "constraints")]
+#[doc(alias = "constraint solver")]
 #[derive(Clone, Debug)]
 pub struct Contacts<T> {
     list: Vec<ContactConstraint<T>>,
@@ -87,7 +91,7 @@ struct Row<T> {
     turns: bool,
 }
 
-impl<T: Real> Contacts<T> {
+impl<T: Scalar> Contacts<T> {
     /// Contacts of a figure.
     pub fn new(tree: &Tree<T>, contacts: Vec<ContactConstraint<T>>) -> Self {
         let rows = contacts.iter().map(ContactConstraint::conditions).sum();
@@ -176,11 +180,14 @@ impl<T: Real> Contacts<T> {
 /// assert!((contacts.wrenches()[0].1.force.y - 9.81).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "constrained forward dynamics")]
+#[doc(alias = "constraintDynamics")]
+#[doc(alias = "kkt")]
 #[expect(
     clippy::too_many_arguments,
     reason = "the state, what is known and what is sought are slices of their own"
 )]
-pub fn contact_dynamics<T: Real>(
+pub fn contact_dynamics<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     contacts: &mut Contacts<T>,
@@ -219,7 +226,7 @@ pub fn contact_dynamics<T: Real>(
     Ok(contacts.right.iter().fold(0.0, |missing, left| left.greatest().max((-*left).greatest()).max(missing)))
 }
 
-fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(), DynamicsError> {
+fn check_contacts<T: Scalar>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(), DynamicsError> {
     if contacts.response.len() != tree.nv() {
         return Err(DynamicsError::Workspace);
     }
@@ -237,7 +244,7 @@ fn check_contacts<T: Real>(tree: &Tree<T>, contacts: &Contacts<T>) -> Result<(),
 }
 
 /// Accelerations of the contacts in the last pass; `moving` takes in what velocities and the gravity of the world bring.
-fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T>, moving: bool) {
+fn measure<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T>, moving: bool) {
     let mut row = 0;
     for contact in &contacts.list {
         let (motion, pose, r) = (&ws.motions[contact.link], &ws.poses[contact.link], &contact.point);
@@ -265,7 +272,7 @@ fn measure<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, contacts: &mut Contacts<T
 }
 
 /// What is prescribed, less what was found.
-fn prescribe<T: Real>(contacts: &mut Contacts<T>) {
+fn prescribe<T: Scalar>(contacts: &mut Contacts<T>) {
     let mut row = 0;
     for contact in &contacts.list {
         if let Some(along) = contact.only() {
@@ -284,7 +291,7 @@ fn prescribe<T: Real>(contacts: &mut Contacts<T>) {
 
 /// Fills the solver's matrix: accelerations of the contacts under a unit of each contact force, everything else at rest
 /// and without gravity. The joints stay as the last pass gathered them.
-fn respond<T: Real>(
+fn respond<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     contacts: &mut Contacts<T>,
@@ -314,7 +321,7 @@ fn respond<T: Real>(
 }
 
 /// Reads the wrenches off the solution.
-fn collect<T: Real>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
+fn collect<T: Scalar>(ws: &Workspace<T>, contacts: &mut Contacts<T>) {
     let mut solution = contacts.solver.solution();
     let mut next = |count: usize| {
         let (own, rest) = solution.split_at(count);

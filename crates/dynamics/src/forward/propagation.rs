@@ -14,7 +14,7 @@ pub(crate) use outward::accelerate;
 pub(crate) use velocity::{no_velocity_terms, velocity_terms};
 pub(crate) use yielding::Yielding;
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::tree::Body;
 use nalgebra::Vector3;
 
@@ -30,7 +30,7 @@ pub(crate) struct Hinge<T> {
     force_left: T,
 }
 
-impl<T: Real> Hinge<T> {
+impl<T: Scalar> Hinge<T> {
     pub(crate) fn idle() -> Self {
         let (moment, force) = (Vector3::zeros(), Vector3::zeros());
         Self { moment, force, inverse: T::zero(), force_left: T::zero() }
@@ -39,6 +39,6 @@ impl<T: Real> Hinge<T> {
 
 /// Whether the joint of a body gives way to every turn of its link.
 #[inline]
-fn turns_freely<T: Real>(body: &Body<T>, prescribed: impl Fn(usize) -> bool) -> bool {
+fn turns_freely<T: Scalar>(body: &Body<T>, prescribed: impl Fn(usize) -> bool) -> bool {
     body.turns_freely && !(body.end - 3..body.end).any(prescribed)
 }

@@ -1,4 +1,4 @@
-//! The figure as one body: its centre of mass and what it carries about it.
+//! Centroidal dynamics: the centre of mass, and the momentum about it with its matrix and rate.
 //!
 //! Everything is summed from the root's origin, so that nothing but the centre's own place depends on where the figure
 //! stands.
@@ -7,7 +7,7 @@ use crate::error::DynamicsError;
 use crate::inertia::mass_matrix::{accelerating, gather, levers};
 use crate::kinematics::acceleration::{accelerations, carried};
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, apply_transposed, cross, dot};
 use crate::spatial::{Momentum, Twist, Wrench};
 use crate::tree::Tree;
@@ -32,7 +32,9 @@ pub struct CompositeBody<T> {
 /// # Errors
 ///
 /// As for [`forward_kinematics`]; [`DynamicsError::Overflow`] too for an inertia beyond the precision.
-pub fn composite_body<T: Real>(
+#[doc(alias = "locked inertia")]
+#[doc(alias = "composite rigid body")]
+pub fn composite_body<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -62,7 +64,9 @@ pub fn composite_body<T: Real>(
 /// # Errors
 ///
 /// As for [`crate::jacobian`].
-pub fn center_of_mass_jacobian<T: Real>(
+#[doc(alias = "com jacobian")]
+#[doc(alias = "jacobianCenterOfMass")]
+pub fn center_of_mass_jacobian<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -95,7 +99,9 @@ pub fn center_of_mass_jacobian<T: Real>(
 /// # Errors
 ///
 /// As for [`crate::jacobian`].
-pub fn centroidal_momentum_matrix<T: Real>(
+#[doc(alias = "ccrba")]
+#[doc(alias = "cmm")]
+pub fn centroidal_momentum_matrix<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -131,7 +137,9 @@ pub fn centroidal_momentum_matrix<T: Real>(
 /// # Errors
 ///
 /// As for [`velocities`].
-pub fn centroidal_momentum<T: Real>(
+#[doc(alias = "centroidal")]
+#[doc(alias = "angular momentum")]
+pub fn centroidal_momentum<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -161,7 +169,8 @@ pub fn centroidal_momentum<T: Real>(
 /// # Errors
 ///
 /// As for [`accelerations`].
-pub fn centroidal_momentum_rate<T: Real>(
+#[doc(alias = "dccrba")]
+pub fn centroidal_momentum_rate<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -180,7 +189,7 @@ pub fn centroidal_momentum_rate<T: Real>(
 
 /// `Σ m·u` and `Σ (c − G) × m·u + l` over the links, where `motion` tells `u` and `l` of each: it is given the arm from the
 /// link's origin to its centre of mass, and the product with its inertia about that.
-fn sum_about_center<T: Real>(
+fn sum_about_center<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     motion: impl Fn(
@@ -196,13 +205,13 @@ fn sum_about_center<T: Real>(
     offsets(tree, ws, &center);
     let (mut linear, mut angular) = (Vector3::zeros(), Vector3::zeros());
     for (link, body) in tree.bodies.iter().enumerate() {
-        let Some(matter) = &body.matter else { continue };
+        let Some(distribution) = &body.mass_distribution else { continue };
         let rotation = &ws.poses[link].rotation;
-        let arm = apply(rotation, &matter.com);
+        let arm = apply(rotation, &distribution.com);
         let inertia =
-            |w: &Vector3<T>| apply(rotation, &apply(&matter.inertia, &apply_transposed(rotation, w)));
+            |w: &Vector3<T>| apply(rotation, &apply(&distribution.inertia, &apply_transposed(rotation, w)));
         let (velocity, spin) = motion(ws, link, &arm, &inertia);
-        let own = velocity * matter.mass;
+        let own = velocity * distribution.mass;
         linear += own;
         angular += cross(&(ws.offsets[link] + arm), &own) + spin;
     }
@@ -211,11 +220,11 @@ fn sum_about_center<T: Real>(
 
 /// Mass and first moment of each link with all that it carries, about the link's own origin, world axes; the inertia is left
 /// as it is.
-pub(crate) fn gather_first<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+pub(crate) fn gather_first<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
-        (composite.mass, composite.first) = body.matter.as_ref().map_or_else(
+        (composite.mass, composite.first) = body.mass_distribution.as_ref().map_or_else(
             || (T::zero(), Vector3::zeros()),
-            |matter| (matter.mass, apply(&pose.rotation, &matter.first)),
+            |distribution| (distribution.mass, apply(&pose.rotation, &distribution.first)),
         );
     }
     for (i, body) in tree.bodies.iter().enumerate().rev() {
@@ -228,14 +237,14 @@ pub(crate) fn gather_first<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 }
 
 /// `∂(m·c)/∂q_k` of all that `link` carries along its degree of freedom `k`, world axes.
-pub(crate) fn first_slope<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, k: usize) -> Vector3<T> {
+pub(crate) fn first_slope<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, k: usize) -> Vector3<T> {
     let (composite, along) = (&ws.composites[link], ws.levers[k]);
     let slid = along * composite.mass;
     if tree.dofs[k].kind.turns() { slid + cross(&ws.axes[k], &composite.first) } else { slid }
 }
 
 /// Where the links' origins are as seen from a `center` that is itself given from the root's origin; world axes.
-fn offsets<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, center: &Vector3<T>) {
+fn offsets<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, center: &Vector3<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
         ws.offsets[i] = body.parent.map_or(-center, |parent| ws.offsets[parent] + ws.reaches[i]);
     }

@@ -1,4 +1,4 @@
-//! The Coriolis matrix, and what gravity asks of the joints.
+//! The Coriolis matrix, and the joint torques of gravity.
 
 use crate::error::DynamicsError;
 use crate::inertia::mass_matrix::{accelerating, gather, levers};
@@ -6,7 +6,7 @@ use crate::inverse::inverse_dynamics;
 use crate::kinematics::acceleration::rates;
 use crate::kinematics::climb::{Step, climb};
 use crate::kinematics::velocities;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{cross, dot};
 use crate::spatial::load::Load;
 use crate::tree::Tree;
@@ -43,7 +43,11 @@ use nalgebra::{DMatrix, Matrix3};
 ///
 /// [`DynamicsError`] for a slice or matrix of the wrong size, an entry that is not finite, a workspace of another tree,
 /// or entries beyond the precision.
-pub fn coriolis_matrix<T: Real>(
+#[doc(alias = "coriolis")]
+#[doc(alias = "centrifugal")]
+#[doc(alias = "computeCoriolisMatrix")]
+#[doc(alias = "christoffel")]
+pub fn coriolis_matrix<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -72,7 +76,10 @@ pub fn coriolis_matrix<T: Real>(
 /// # Errors
 ///
 /// As for [`inverse_dynamics`].
-pub fn gravity_torques<T: Real>(
+#[doc(alias = "gravity")]
+#[doc(alias = "computeGeneralizedGravity")]
+#[doc(alias = "gravity compensation")]
+pub fn gravity_torques<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -89,24 +96,24 @@ pub fn gravity_torques<T: Real>(
     result
 }
 
-/// The flow of all that each link carries. A flow `(ḣ, Q)` of matter `(m, h)` about a point that is `s` away from the new
+/// The flow of all that each link carries. A flow `(ḣ, Q)` of a mass `(m, h)` about a point that is `s` away from the new
 /// one, and moves away by `ṡ`, is there
 ///
 /// ```text
 /// ḣ' = ḣ + m·ṡ          Q' = Q + ḣ·sᵀ + ṡ·hᵀ + m·ṡ·sᵀ
 /// ```
-fn gather_flows<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+fn gather_flows<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     let half = T::from_f64(0.5);
     for (i, body) in tree.bodies.iter().enumerate() {
-        ws.flows[i] = body.matter.as_ref().map_or_else(Flow::zero, |matter| {
+        ws.flows[i] = body.mass_distribution.as_ref().map_or_else(Flow::zero, |distribution| {
             let (rotation, spin) = (&ws.poses[i].rotation, &ws.twists[i].angular);
             // The second moments ∫ r·rᵀ dm, from the inertia.
-            let inertia = matter.inertia_at_origin.full();
+            let inertia = distribution.inertia_at_origin.full();
             let second = Matrix3::from_diagonal_element(inertia.trace() * half) - inertia;
             let second = rotation * second * rotation.transpose();
             let turned = |i: usize| cross(spin, &second.column(i).into());
             Flow {
-                first: cross(spin, &(rotation * matter.first)),
+                first: cross(spin, &(rotation * distribution.first)),
                 second: Matrix3::from_columns(&[turned(0), turned(1), turned(2)]),
             }
         });
@@ -124,7 +131,13 @@ fn gather_flows<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 
 /// Column `j` down to row `j`: the forces that the rates `J̇_j` of all that `link` carries ask of degree of freedom `j` and
 /// of all before it.
-fn write_column<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize, matrix: &mut DMatrix<T>) {
+fn write_column<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &Workspace<T>,
+    link: usize,
+    j: usize,
+    matrix: &mut DMatrix<T>,
+) {
     // f = ∫ J̇ dm and n = ∫ r × J̇ dm with J̇ = λ̇ + ė × r + e × ṙ.
     let (composite, flow) = (&ws.composites[link], &ws.flows[link]);
     let lever_rate = &ws.lever_rates[j];
@@ -145,7 +158,7 @@ fn write_column<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usiz
 }
 
 /// Row `k` left of column `k`: what the rates of the columns before it make of all that `link` carries, moved along `k`.
-fn write_row<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, k: usize, matrix: &mut DMatrix<T>) {
+fn write_row<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, k: usize, matrix: &mut DMatrix<T>) {
     // C_kj = λ̇_j·f + ė_j·n + e_j·p with f = ∫ J_k dm, n = ∫ r × J_k dm and p = ∫ ṙ × J_k dm.
     let flow = &ws.flows[link];
     let Load { force, mut moment } = accelerating(tree, ws, link, k);

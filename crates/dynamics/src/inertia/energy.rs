@@ -2,7 +2,7 @@
 
 use crate::error::DynamicsError;
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, apply_transposed, cross, dot};
 use crate::tree::Tree;
 use crate::workspace::{Workspace, check_result};
@@ -18,7 +18,8 @@ use crate::workspace::{Workspace, check_result};
 /// # Errors
 ///
 /// As for [`velocities`].
-pub fn kinetic_energy<T: Real>(
+#[doc(alias = "energy")]
+pub fn kinetic_energy<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -27,11 +28,12 @@ pub fn kinetic_energy<T: Real>(
     velocities(tree, workspace, q, v)?;
     let mut twice = T::zero();
     for (i, body) in tree.bodies.iter().enumerate() {
-        let Some(matter) = &body.matter else { continue };
+        let Some(distribution) = &body.mass_distribution else { continue };
         let (rotation, twist) = (&workspace.poses[i].rotation, &workspace.twists[i]);
-        let velocity = twist.linear + cross(&twist.angular, &apply(rotation, &matter.com));
+        let velocity = twist.linear + cross(&twist.angular, &apply(rotation, &distribution.com));
         let angular = apply_transposed(rotation, &twist.angular);
-        twice += matter.mass * dot(&velocity, &velocity) + dot(&angular, &apply(&matter.inertia, &angular));
+        twice += distribution.mass * dot(&velocity, &velocity)
+            + dot(&angular, &apply(&distribution.inertia, &angular));
     }
     for &(k, armature) in &tree.armature {
         twice += armature * v[k] * v[k];
@@ -52,7 +54,8 @@ pub fn kinetic_energy<T: Real>(
 /// # Errors
 ///
 /// As for [`forward_kinematics`].
-pub fn potential_energy<T: Real>(
+#[doc(alias = "energy")]
+pub fn potential_energy<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -60,9 +63,9 @@ pub fn potential_energy<T: Real>(
     forward_kinematics(tree, workspace, q)?;
     let mut energy = T::zero();
     for (body, pose) in tree.bodies.iter().zip(&workspace.poses) {
-        let Some(matter) = &body.matter else { continue };
-        let com = pose.translation + apply(&pose.rotation, &matter.com);
-        energy -= matter.mass * dot(&tree.gravity, &com);
+        let Some(distribution) = &body.mass_distribution else { continue };
+        let com = pose.translation + apply(&pose.rotation, &distribution.com);
+        energy -= distribution.mass * dot(&tree.gravity, &com);
     }
     check_result("the potential energy", &[energy])?;
     Ok(energy)

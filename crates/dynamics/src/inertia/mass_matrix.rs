@@ -1,8 +1,8 @@
-//! The mass matrix, by composite bodies.
+//! The mass matrix, by the composite-rigid-body algorithm.
 
 use crate::error::DynamicsError;
 use crate::kinematics::place;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, cross, dot};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
@@ -28,7 +28,12 @@ use nalgebra::{DMatrix, Vector3};
 ///
 /// [`DynamicsError`] for a slice or matrix of the wrong size, an entry that is not finite, a workspace of another tree,
 /// or entries beyond the precision.
-pub fn mass_matrix<T: Real>(
+#[doc(alias = "crba")]
+#[doc(alias = "composite-rigid-body algorithm")]
+#[doc(alias = "inertia matrix")]
+#[doc(alias = "joint space inertia")]
+#[doc(alias = "mj_fullM")]
+pub fn mass_matrix<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -57,7 +62,7 @@ pub fn mass_matrix<T: Real>(
 
 /// For each degree of freedom the velocity that a unit rate gives its link's origin, and for each link the way from its
 /// parent's origin to its own; world axes.
-pub(crate) fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+pub(crate) fn levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
         if body.only_turns {
             // Its levers are zero, and stay so.
@@ -85,12 +90,12 @@ pub(crate) fn levers<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 /// ```text
 /// h' = h + m·r          I' = I + (2·h·r + m·r·r)·1 − (h·rᵀ + r·hᵀ + m·r·rᵀ)
 /// ```
-pub(crate) fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+pub(crate) fn gather<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
-        *composite = body.matter.as_ref().map_or_else(Composite::zero, |matter| Composite {
-            mass: matter.mass,
-            first: apply(&pose.rotation, &matter.first),
-            inertia: matter.inertia_at_origin.rotated(&pose.rotation),
+        *composite = body.mass_distribution.as_ref().map_or_else(Composite::zero, |distribution| Composite {
+            mass: distribution.mass,
+            first: apply(&pose.rotation, &distribution.first),
+            inertia: distribution.inertia_at_origin.rotated(&pose.rotation),
         });
     }
     for (i, body) in tree.bodies.iter().enumerate().rev() {
@@ -116,7 +121,7 @@ pub(crate) fn gather<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 }
 
 /// What accelerates all that link `link` carries by 1 along its degree of freedom `j`, about the link's origin.
-pub(crate) fn accelerating<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
+pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
     let Composite { mass, first, inertia } = &ws.composites[link];
     let (dof, axis, lever) = (&tree.dofs[j], &ws.axes[j], &ws.levers[j]);
     if !dof.kind.turns() {
@@ -131,7 +136,7 @@ pub(crate) fn accelerating<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, link: usi
 
 /// Writes the forces that `load` on `link` asks of degree of freedom `j` and of all before it, as far as the root, into
 /// column and row `j`.
-fn project<T: Real>(
+fn project<T: Scalar>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
@@ -171,7 +176,7 @@ fn project<T: Real>(
     }
 }
 
-impl<T: Real> Composite<T> {
+impl<T: Scalar> Composite<T> {
     pub(crate) fn zero() -> Self {
         Self { mass: T::zero(), first: Vector3::zeros(), inertia: Symmetric::zero() }
     }

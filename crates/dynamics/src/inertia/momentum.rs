@@ -2,7 +2,7 @@
 
 use crate::error::DynamicsError;
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Momentum;
 use crate::spatial::direction::{apply, apply_transposed, cross};
 use crate::tree::Tree;
@@ -20,7 +20,9 @@ use nalgebra::Vector3;
 /// # Errors
 ///
 /// As for [`velocities`].
-pub fn momentum<T: Real>(
+#[doc(alias = "angular momentum")]
+#[doc(alias = "linear momentum")]
+pub fn momentum<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -29,11 +31,11 @@ pub fn momentum<T: Real>(
     velocities(tree, workspace, q, v)?;
     let (mut linear, mut angular) = (Vector3::zeros(), Vector3::zeros());
     for (i, body) in tree.bodies.iter().enumerate() {
-        let Some(matter) = &body.matter else { continue };
+        let Some(distribution) = &body.mass_distribution else { continue };
         let (pose, twist) = (&workspace.poses[i], &workspace.twists[i]);
-        let arm = apply(&pose.rotation, &matter.com);
-        let own = (twist.linear + cross(&twist.angular, &arm)) * matter.mass;
-        let spin = apply(&matter.inertia, &apply_transposed(&pose.rotation, &twist.angular));
+        let arm = apply(&pose.rotation, &distribution.com);
+        let own = (twist.linear + cross(&twist.angular, &arm)) * distribution.mass;
+        let spin = apply(&distribution.inertia, &apply_transposed(&pose.rotation, &twist.angular));
         linear += own;
         angular += cross(&(pose.translation + arm), &own) + apply(&pose.rotation, &spin);
     }
@@ -49,7 +51,11 @@ pub fn momentum<T: Real>(
 /// # Errors
 ///
 /// As for [`forward_kinematics`].
-pub fn center_of_mass<T: Real>(
+#[doc(alias = "com")]
+#[doc(alias = "center of gravity")]
+#[doc(alias = "cog")]
+#[doc(alias = "subtree_com")]
+pub fn center_of_mass<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -57,8 +63,9 @@ pub fn center_of_mass<T: Real>(
     forward_kinematics(tree, workspace, q)?;
     let mut sum = Vector3::zeros();
     for (body, pose) in tree.bodies.iter().zip(&workspace.poses) {
-        let Some(matter) = &body.matter else { continue };
-        sum += (pose.translation + apply(&pose.rotation, &matter.com)) * (matter.mass * tree.mass_inverse);
+        let Some(distribution) = &body.mass_distribution else { continue };
+        sum += (pose.translation + apply(&pose.rotation, &distribution.com))
+            * (distribution.mass * tree.mass_inverse);
     }
     check_result("the centre of mass", sum.as_slice())?;
     Ok(sum)

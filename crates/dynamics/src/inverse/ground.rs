@@ -5,7 +5,7 @@ use crate::inertia::centroidal::{first_slope, gather_first};
 use crate::inertia::mass_matrix::levers;
 use crate::inverse::{check_forces, inverse_dynamics};
 use crate::kinematics::place;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::spatial::direction::{cross, dot};
 use crate::tree::Tree;
@@ -59,8 +59,10 @@ use nalgebra::Vector3;
 /// assert!((a[1] + 9.81).abs() < 1e-12 && tau.iter().all(|tau| tau.abs() < 1e-12));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "grf")]
+#[doc(alias = "ground reaction")]
 #[expect(clippy::too_many_arguments, reason = "a state, what acts on it, and what comes of it")]
-pub fn ground_acceleration<T: Real>(
+pub fn ground_acceleration<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -102,7 +104,7 @@ pub fn ground_acceleration<T: Real>(
 }
 
 /// Whether the root's joint begins with three translations that span space.
-fn begins_with_translations<T: Real>(tree: &Tree<T>) -> bool {
+fn begins_with_translations<T: Scalar>(tree: &Tree<T>) -> bool {
     let Some(dofs) = tree.dofs.first_chunk::<3>() else { return false };
     let [x, y, z] = dofs.each_ref().map(|dof| &dof.axis);
     let volume = dot(x, &cross(y, z));

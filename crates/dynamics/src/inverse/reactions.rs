@@ -1,9 +1,9 @@
-//! What the joints carry.
+//! Joint reactions: the wrenches that joints transmit.
 
 use crate::error::DynamicsError;
 use crate::inverse::inverse_dynamics;
 use crate::kinematics::place;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::spatial::direction::apply;
 use crate::tree::Tree;
@@ -43,7 +43,11 @@ use crate::workspace::{Workspace, check_result};
 /// assert_eq!(workspace.reaction(0).moment, Vector3::new(0.0, 0.0, 9.81));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn joint_reactions<T: Real>(
+#[doc(alias = "joint reaction")]
+#[doc(alias = "joint contact force")]
+#[doc(alias = "constraint force")]
+#[doc(alias = "cfrc_int")]
+pub fn joint_reactions<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],

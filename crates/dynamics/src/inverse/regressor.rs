@@ -1,10 +1,10 @@
-//! Forces as a linear function of the masses: what system identification asks.
+//! The torque regressor: forces as a linear function of the inertial parameters, for system identification.
 
 use crate::error::DynamicsError;
 use crate::inertia::mass_matrix::levers;
 use crate::kinematics::acceleration::{accelerations, carried};
 use crate::kinematics::climb::{Step, climb};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Twist;
 use crate::spatial::direction::{cross, dot};
 use crate::spatial::load::Load;
@@ -27,6 +27,8 @@ const INERTIA: [(usize, usize); 6] = [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2
 ///
 /// in kg, kg m and kg m², along the link's own axes, the inertia about the link's **origin** (Pinocchio's order). A link
 /// without mass has ten zeros.
+#[doc(alias = "dynamic parameters")]
+#[doc(alias = "base parameters")]
 pub fn inertial_parameters(figure: &Figure) -> Vec<f64> {
     let parameters = |link: &solaris_model::Link| {
         let (m, c) = (link.mass(), link.com());
@@ -67,7 +69,10 @@ pub fn inertial_parameters(figure: &Figure) -> Vec<f64> {
 /// # Errors
 ///
 /// As for [`crate::jacobian`].
-pub fn torque_regressor<T: Real>(
+#[doc(alias = "computeJointTorqueRegressor")]
+#[doc(alias = "joint torque regressor")]
+#[doc(alias = "identification")]
+pub fn torque_regressor<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -103,7 +108,7 @@ pub fn torque_regressor<T: Real>(
 }
 
 /// What moves a link, by each of its parameters: world axes, about the link's origin.
-fn loads_by_parameter<T: Real>(
+fn loads_by_parameter<T: Scalar>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,

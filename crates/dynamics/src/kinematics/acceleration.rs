@@ -2,7 +2,7 @@
 
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, overflow, velocities};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Twist;
 use crate::spatial::direction::cross;
 use crate::tree::Tree;
@@ -44,7 +44,8 @@ use nalgebra::Vector3;
 /// assert_eq!(workspace.acceleration(1).linear, Vector3::new(-8.0, 0.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn accelerations<T: Real>(
+#[doc(alias = "forward kinematics")]
+pub fn accelerations<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -56,16 +57,21 @@ pub fn accelerations<T: Real>(
     accelerate(tree, workspace, v, a)
 }
 
-/// The accelerations that the links have at `q`, `v` without any acceleration of the degrees of freedom: the drift
-/// `γ = J̇·v` of every link at once, in one pass and without `J̇`.
+/// The accelerations that the links have at `q`, `v` without any acceleration of the degrees of freedom: the bias
+/// accelerations `γ = J̇·v` of every link at once, in one pass and without `J̇`.
 ///
-/// Places the links and finds their velocities; [`Workspace::acceleration`] then tells the drift of each link, and
+/// Places the links and finds their velocities; [`Workspace::acceleration`] then tells that of each link, and
 /// [`crate::Frame::acceleration`] that of a point of it.
 ///
 /// # Errors
 ///
 /// As for [`accelerations`].
-pub fn drift<T: Real>(
+#[doc(alias = "drift")]
+#[doc(alias = "acceleration bias")]
+#[doc(alias = "jdot v")]
+#[doc(alias = "velocity product")]
+#[doc(alias = "CalcBiasSpatialAcceleration")]
+pub fn bias_accelerations<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -83,7 +89,7 @@ pub fn drift<T: Real>(
 }
 
 /// Accelerations of the links from their poses and velocities.
-pub(crate) fn accelerate<T: Real>(
+pub(crate) fn accelerate<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     v: &[T],
@@ -117,7 +123,7 @@ pub(crate) fn accelerate<T: Real>(
 }
 
 /// What a point at `arm` of a turning body accelerates more than the body's origin: `α × r + ω × (ω × r)`.
-pub(crate) fn carried<T: Real>(spin: &Vector3<T>, angular: &Vector3<T>, arm: &Vector3<T>) -> Vector3<T> {
+pub(crate) fn carried<T: Scalar>(spin: &Vector3<T>, angular: &Vector3<T>, arm: &Vector3<T>) -> Vector3<T> {
     cross(angular, arm) + cross(spin, &cross(spin, arm))
 }
 
@@ -128,7 +134,7 @@ pub(crate) fn carried<T: Real>(spin: &Vector3<T>, angular: &Vector3<T>, arm: &Ve
 /// ```
 ///
 /// with `d` the way that the slides after it have gone.
-pub(crate) fn rates<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
+pub(crate) fn rates<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let carrier = body.parent.map_or_else(Vector3::zeros, |parent| ws.twists[parent].angular);
         let mut spin = carrier;

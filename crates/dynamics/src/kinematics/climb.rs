@@ -1,6 +1,6 @@
-//! The way from a link to the root.
+//! The path from a link to the root, degree of freedom by degree of freedom.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::tree::Tree;
 
 /// What comes next on the way.
@@ -13,7 +13,7 @@ pub(crate) enum Step {
 
 /// Visits the degrees of freedom of `link` before `end`, and all of every link before it; in each link the first comes
 /// first.
-pub(crate) fn climb<T: Real>(tree: &Tree<T>, link: usize, end: usize, mut visit: impl FnMut(Step)) {
+pub(crate) fn climb<T: Scalar>(tree: &Tree<T>, link: usize, end: usize, mut visit: impl FnMut(Step)) {
     let (mut link, mut end) = (link, end);
     loop {
         let body = &tree.bodies[link];

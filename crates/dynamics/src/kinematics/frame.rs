@@ -2,7 +2,7 @@
 
 use crate::error::DynamicsError;
 use crate::kinematics::acceleration::carried;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, cross};
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
@@ -23,6 +23,9 @@ use solaris_model::{Figure, nearest};
 /// assert!(error.to_string().ends_with("did you mean 'left_hand'?"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "operational frame")]
+#[doc(alias = "site")]
+#[doc(alias = "end effector")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<T> {
     /// Index of the link.
@@ -31,7 +34,7 @@ pub struct Frame<T> {
     pub placement: Pose<T>,
 }
 
-impl<T: Real> Frame<T> {
+impl<T: Scalar> Frame<T> {
     /// The link's own frame.
     pub fn of_link(link: usize) -> Self {
         Self { link, placement: Pose::identity() }
@@ -62,7 +65,7 @@ impl<T: Real> Frame<T> {
         })
     }
 
-    /// Where the frame stands in the world, since the last operation on the workspace that is said to place the links.
+    /// The pose of the frame in the world, since the last operation on the workspace that is said to place the links.
     ///
     /// # Panics
     ///
@@ -71,13 +74,13 @@ impl<T: Real> Frame<T> {
         workspace.poses[self.link].then(&self.placement)
     }
 
-    /// How the frame moves, in world axes, since the last operation that is said to find the links' velocities.
+    /// The velocity of the frame, in world axes, since the last operation that is said to find the links' velocities.
     pub fn velocity(&self, workspace: &Workspace<T>) -> Twist<T> {
         let Twist { linear, angular } = workspace.twists[self.link];
         Twist { linear: linear + cross(&angular, &self.arm(workspace)), angular }
     }
 
-    /// How the frame accelerates, in world axes, since the last operation that is said to find the links' accelerations:
+    /// The acceleration of the frame, in world axes, since the last operation that is said to find the links' accelerations:
     ///
     /// ```text
     /// ẍ + α × r + ω × (ω × r)

@@ -6,7 +6,7 @@ use crate::kinematics::acceleration::rates;
 use crate::kinematics::climb::{Step, climb};
 use crate::kinematics::frame::Frame;
 use crate::kinematics::{forward_kinematics, velocities};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Twist;
 use crate::spatial::direction::{apply_transposed, cross};
 use crate::tree::Tree;
@@ -14,6 +14,10 @@ use crate::workspace::{Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// Along which axes the velocity of a frame is written.
+#[doc(alias = "ReferenceFrame")]
+#[doc(alias = "LOCAL")]
+#[doc(alias = "WORLD")]
+#[doc(alias = "LOCAL_WORLD_ALIGNED")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum JacobianAxes {
     /// The world's. Pinocchio calls this `LOCAL_WORLD_ALIGNED`.
@@ -55,7 +59,12 @@ pub enum JacobianAxes {
 /// assert_eq!(j.as_slice(), [0.0, 2.0, 0.0, 0.0, 0.0, 1.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn jacobian<T: Real>(
+#[doc(alias = "frame jacobian")]
+#[doc(alias = "joint jacobian")]
+#[doc(alias = "computeFrameJacobian")]
+#[doc(alias = "geometric jacobian")]
+#[doc(alias = "mj_jac")]
+pub fn jacobian<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -80,12 +89,15 @@ pub fn jacobian<T: Real>(
 /// Along the world's axes that is the acceleration of the frame's origin and the angular acceleration; along the frame's own
 /// axes it is the rate of the six numbers `J·v`, which a turning observer reads: `d/dt (Rᵀ·J) = Rᵀ·(J̇ − ω × J)`.
 ///
-/// Also places the links and finds their velocities. Where only `J̇·v` is wanted, [`crate::drift`] is cheaper.
+/// Also places the links and finds their velocities. Where only `J̇·v` is wanted, [`crate::bias_accelerations`] is cheaper.
 ///
 /// # Errors
 ///
 /// As for [`jacobian`].
-pub fn jacobian_rate<T: Real>(
+#[doc(alias = "jdot")]
+#[doc(alias = "jacobian time variation")]
+#[doc(alias = "jacobian derivative")]
+pub fn jacobian_rate<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -113,14 +125,14 @@ pub fn jacobian_rate<T: Real>(
     check_result("the rate of the Jacobian", matrix.as_slice())
 }
 
-fn check_call<T: Real>(tree: &Tree<T>, frame: &Frame<T>, matrix: &DMatrix<T>) -> Result<(), DynamicsError> {
+fn check_call<T: Scalar>(tree: &Tree<T>, frame: &Frame<T>, matrix: &DMatrix<T>) -> Result<(), DynamicsError> {
     frame.check(tree)?;
     check_length("each column of the Jacobian", matrix.nrows(), 6)?;
     check_length("each row of the Jacobian", matrix.ncols(), tree.nv())
 }
 
 /// Velocity that a unit rate of degree of freedom `k` gives a point at `arm` from the origin of its link.
-pub(crate) fn column<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, arm: &Vector3<T>) -> Twist<T> {
+pub(crate) fn column<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, arm: &Vector3<T>) -> Twist<T> {
     let (lever, axis) = (ws.levers[k], ws.axes[k]);
     if tree.dofs[k].kind.turns() {
         Twist { linear: lever + cross(&axis, arm), angular: axis }
@@ -130,7 +142,7 @@ pub(crate) fn column<T: Real>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, arm: 
 }
 
 /// The rate of [`column`].
-fn column_rate<T: Real>(
+fn column_rate<T: Scalar>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     k: usize,
@@ -148,7 +160,7 @@ fn column_rate<T: Real>(
 /// Visits the degrees of freedom that move `frame`, from its link to the root, each with the way from the origin of its
 /// link to the frame's and the rate of that way; world axes. The rate means something once the links' velocities and
 /// `rates` are found.
-fn visit_columns<T: Real>(
+fn visit_columns<T: Scalar>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     frame: &Frame<T>,
@@ -166,18 +178,18 @@ fn visit_columns<T: Real>(
 }
 
 /// The axes to write along, if they are not the world's.
-fn turn<T: Real>(ws: &Workspace<T>, frame: &Frame<T>, axes: JacobianAxes) -> Option<Matrix3<T>> {
+fn turn<T: Scalar>(ws: &Workspace<T>, frame: &Frame<T>, axes: JacobianAxes) -> Option<Matrix3<T>> {
     (axes == JacobianAxes::Frame).then(|| ws.poses[frame.link].rotation * frame.placement.rotation)
 }
 
-fn turned<T: Real>(turn: Option<&Matrix3<T>>, column: Twist<T>) -> Twist<T> {
+fn turned<T: Scalar>(turn: Option<&Matrix3<T>>, column: Twist<T>) -> Twist<T> {
     turn.map_or(column, |turn| Twist {
         linear: apply_transposed(turn, &column.linear),
         angular: apply_transposed(turn, &column.angular),
     })
 }
 
-fn write<T: Real>(matrix: &mut DMatrix<T>, k: usize, column: &Twist<T>) {
+fn write<T: Scalar>(matrix: &mut DMatrix<T>, k: usize, column: &Twist<T>) {
     let out = &mut matrix.as_mut_slice()[6 * k..][..6];
     out[..3].copy_from_slice(column.linear.as_slice());
     out[3..].copy_from_slice(column.angular.as_slice());

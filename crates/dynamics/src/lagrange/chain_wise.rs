@@ -5,7 +5,7 @@ use super::equations::{Balance, advance};
 use super::products::Products;
 use super::state::{LagrangianWorkspace, finish};
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 
 /// The generalized forces `tau` (N m or N) that move the figure with accelerations `a` through the state `q`, `v`, by the
@@ -45,7 +45,9 @@ use crate::spatial::Wrench;
 /// assert!((tau[0] - -9.81).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn chain_wise<T: Real, P: Products>(
+#[doc(alias = "Lagrange-Euler")]
+#[doc(alias = "Uicker-Kahn")]
+pub fn chain_wise<T: Scalar, P: Products>(
     lagrangian: &Lagrangian<T, P>,
     workspace: &mut LagrangianWorkspace<T>,
     q: &[T],
@@ -68,7 +70,11 @@ pub fn chain_wise<T: Real, P: Products>(
 
 /// Step 3: A, its derivatives, W, Ẇ, Ẅ and ∂W/∂q of chain `p`, by (4.1) to (4.9). (Slip 18: W⁻¹ is not
 /// needed.)
-fn outwards<T: Real, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut LagrangianWorkspace<T>, p: usize) {
+fn outwards<T: Scalar, P: Products>(
+    lagrangian: &Lagrangian<T, P>,
+    ws: &mut LagrangianWorkspace<T>,
+    p: usize,
+) {
     let mut before = None;
     for &j in &lagrangian.chains[p].links {
         let link = &lagrangian.links[j];
@@ -80,7 +86,7 @@ fn outwards<T: Real, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut Lagran
 
 /// Steps 4 and 5: c and D of chain `p` by (4.10) and (4.11), with `c_{n+1} = 0` and `D_{n+1} = 0`, and its forces by (4.12).
 /// (Slips 19 to 21.)
-fn inwards<T: Real, P: Products>(
+fn inwards<T: Scalar, P: Products>(
     lagrangian: &Lagrangian<T, P>,
     ws: &LagrangianWorkspace<T>,
     p: usize,

@@ -3,9 +3,9 @@
 use super::products::{Full, Products, Short};
 use crate::denavit_hartenberg::{Base, Carried, DenavitHartenberg, Rationalized, exact_sin_cos};
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::tree::Tree;
-use crate::tree::matter::constant;
+use crate::tree::mass_distribution::constant;
 use nalgebra::{IsometryMatrix3, Matrix3, Matrix4, Vector3};
 use solaris_model::Figure;
 use std::marker::PhantomData;
@@ -68,7 +68,7 @@ pub(super) struct Chain {
     pub(super) first_new: usize,
 }
 
-impl<T: Real> Lagrangian<T> {
+impl<T: Scalar> Lagrangian<T> {
     /// Compiles `figure` under the acceleration of `gravity` (m/s², world axes).
     ///
     /// # Errors
@@ -97,7 +97,7 @@ impl<T: Real> Lagrangian<T> {
     }
 }
 
-impl<T: Real, P: Products> Lagrangian<T, P> {
+impl<T: Scalar, P: Products> Lagrangian<T, P> {
     /// Length of `q`.
     pub fn nq(&self) -> usize {
         self.tree.nq()
@@ -114,7 +114,11 @@ impl<T: Real, P: Products> Lagrangian<T, P> {
     }
 }
 
-fn compile<T: Real>(figure: &Figure, tree: &Tree<T>, link: &Rationalized) -> Result<Link<T>, DynamicsError> {
+fn compile<T: Scalar>(
+    figure: &Figure,
+    tree: &Tree<T>,
+    link: &Rationalized,
+) -> Result<Link<T>, DynamicsError> {
     let joint = figure.links()[link.joint].joint().name();
     let pair = |(sine, cosine): (f64, f64)| (T::from_f64(sine), T::from_f64(cosine));
     let (sine_alpha, cosine_alpha) = pair(exact_sin_cos(link.alpha));
@@ -130,8 +134,8 @@ fn compile<T: Real>(figure: &Figure, tree: &Tree<T>, link: &Rationalized) -> Res
             LinkBase::Moved { slot, before: matrix(before)?, after: matrix(after)? }
         }
     };
-    let matter = link.carried.iter().filter(|carried| figure.links()[carried.link].mass() > 0.0);
-    let inertia = matter.map(|carried| pseudo_inertia(figure, carried)).reduce(|sum, j| sum + j);
+    let heavy = link.carried.iter().filter(|carried| figure.links()[carried.link].mass() > 0.0);
+    let inertia = heavy.map(|carried| pseudo_inertia(figure, carried)).reduce(|sum, j| sum + j);
     Ok(Link {
         parent: link.parent,
         coordinate: link.coordinate,
@@ -173,7 +177,7 @@ fn pseudo_inertia(figure: &Figure, carried: &Carried) -> Matrix4<f64> {
     j
 }
 
-fn finite<T: Real>(what: &str, name: &str, matrix: &Matrix4<f64>) -> Result<Matrix4<T>, DynamicsError> {
+fn finite<T: Scalar>(what: &str, name: &str, matrix: &Matrix4<f64>) -> Result<Matrix4<T>, DynamicsError> {
     for x in matrix.iter() {
         constant::<T>(what, name, *x)?;
     }

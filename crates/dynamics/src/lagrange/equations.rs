@@ -9,7 +9,7 @@ use super::products::{
     Placement, Products, Transform, TurnDerivative, add_scaled, by_inertial, by_moment, by_transposed,
     component, product, trace_of_product,
 };
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
 /// Where a degree of freedom stands and how it moves.
@@ -51,7 +51,7 @@ struct Before<T> {
 
 /// Step 3 of §4.6 for one rationalised link: (4.1) to (4.9), and the boundary conditions of §3.8 for the first of a chain.
 #[inline]
-pub(super) fn advance<P: Products, T: Real>(
+pub(super) fn advance<P: Products, T: Scalar>(
     link: &Link<T>,
     coordinate: &Coordinate<T>,
     base: Option<&Matrix4<T>>,
@@ -69,7 +69,7 @@ pub(super) fn advance<P: Products, T: Real>(
 
 /// The frame before the axis: that of the parent, moved by the base.
 #[inline]
-fn before<P: Products, T: Real>(base: Option<&Matrix4<T>>, parent: Option<&Motion<T>>) -> Before<T> {
+fn before<P: Products, T: Scalar>(base: Option<&Matrix4<T>>, parent: Option<&Motion<T>>) -> Before<T> {
     match (parent, base) {
         (None, base) => Before { w: base.copied(), rates: None },
         (Some(parent), None) => Before { w: Some(parent.w), rates: Some((parent.rate, parent.acceleration)) },
@@ -92,7 +92,7 @@ fn before<P: Products, T: Real>(base: Option<&Matrix4<T>>, parent: Option<&Motio
 ///     |  0       0       0     1 |
 /// ```
 #[inline]
-fn transform<T: Real>(link: &Link<T>, coordinate: &Coordinate<T>) -> Matrix4<T> {
+fn transform<T: Scalar>(link: &Link<T>, coordinate: &Coordinate<T>) -> Matrix4<T> {
     let (st, ct, s) = (coordinate.sine, coordinate.cosine, coordinate.s);
     let (sa, ca, a) = (link.sine_alpha, link.cosine_alpha, link.a);
     let (zero, one) = (T::zero(), T::one());
@@ -116,7 +116,7 @@ fn transform<T: Real>(link: &Link<T>, coordinate: &Coordinate<T>) -> Matrix4<T> 
 ///                  |   0       0       0      0 |                   | 0 0 0 0 |
 /// ```
 #[inline]
-fn first_derivative<T: Real>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
+fn first_derivative<T: Scalar>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
     let mut derivative = Matrix4::zeros();
     if link.slides {
         derivative.m34 = T::one();
@@ -131,7 +131,7 @@ fn first_derivative<T: Real>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
 
 /// (4.4) (slip 13): the first two rows of `−A`; for a slide zero.
 #[inline]
-fn second_derivative<T: Real>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
+fn second_derivative<T: Scalar>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
     let mut derivative = Matrix4::zeros();
     if !link.slides {
         for column in 0..4 {
@@ -144,7 +144,7 @@ fn second_derivative<T: Real>(link: &Link<T>, a: &Matrix4<T>) -> Matrix4<T> {
 
 /// `M·A'`, as in (4.9). For a slide: `M`'s z axis in the last column.
 #[inline]
-fn times_first_derivative<P: Products, T: Real>(
+fn times_first_derivative<P: Products, T: Scalar>(
     link: &Link<T>,
     m: &Matrix4<T>,
     first: &Matrix4<T>,
@@ -163,7 +163,7 @@ fn times_first_derivative<P: Products, T: Real>(
 /// Ẇ_j = Ẇ_{j−1}·A_j + ∂W_j/∂q_j·q̇_j
 /// ```
 #[inline]
-fn rate<P: Products, T: Real>(
+fn rate<P: Products, T: Scalar>(
     link: &Link<T>,
     coordinate: &Coordinate<T>,
     before: &Before<T>,
@@ -181,7 +181,7 @@ fn rate<P: Products, T: Real>(
 /// Ẅ_j = Ẅ_{j−1}·A_j + 2·Ẇ_{j−1}·A'_j·q̇_j + W_{j−1}·A''_j·q̇_j² + ∂W_j/∂q_j·q̈_j
 /// ```
 #[inline]
-fn acceleration<P: Products, T: Real>(
+fn acceleration<P: Products, T: Scalar>(
     link: &Link<T>,
     coordinate: &Coordinate<T>,
     before: &Before<T>,
@@ -212,7 +212,7 @@ pub(super) struct Balance<T> {
     pub(super) d: Matrix4<T>,
 }
 
-impl<T: Real> Balance<T> {
+impl<T: Scalar> Balance<T> {
     /// The own terms of (4.10) and (4.11) (slip 1), `m_i·r_i`, the last column of `J_i`, and `J_i·Ẅ_iᵀ`.
     #[inline]
     pub(super) fn own<P: Products>(inertia: &Matrix4<T>, motion: &Motion<T>) -> Self {

@@ -1,10 +1,10 @@
 //! Products of 4×4 matrices: in full, or without the entries that are zero or one in every state.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use nalgebra::{Matrix4, Vector3, Vector4};
 use std::fmt::Debug;
 
-/// How products of 4×4 matrices are taken: [`Short`] or [`Full`].
+/// The way in which products of 4×4 matrices are taken: [`Short`] or [`Full`].
 pub trait Products: sealed::Sealed + Copy + Debug + Default {
     /// Whether zeros and ones take part like any other entries.
     const FULL: bool;
@@ -68,7 +68,10 @@ impl Pattern for TurnDerivative {
 
 /// `left·right`. The last row of a short product is not computed.
 #[inline]
-pub(super) fn product<P: Products, R: Pattern, T: Real>(left: &Matrix4<T>, right: &Matrix4<T>) -> Matrix4<T> {
+pub(super) fn product<P: Products, R: Pattern, T: Scalar>(
+    left: &Matrix4<T>,
+    right: &Matrix4<T>,
+) -> Matrix4<T> {
     let mut out = Matrix4::zeros();
     let height = if P::FULL { 4 } else { 3 };
     for column in 0..4 {
@@ -87,7 +90,7 @@ pub(super) fn product<P: Products, R: Pattern, T: Real>(left: &Matrix4<T>, right
 
 /// `J·Mᵀ` with a symmetric `J` and an `M` whose last row is zero, so that the last column of the product is.
 #[inline]
-pub(super) fn by_transposed<P: Products, T: Real>(j: &Matrix4<T>, m: &Matrix4<T>) -> Matrix4<T> {
+pub(super) fn by_transposed<P: Products, T: Scalar>(j: &Matrix4<T>, m: &Matrix4<T>) -> Matrix4<T> {
     let mut out = Matrix4::zeros();
     for column in 0..if P::FULL { 4 } else { 3 } {
         for row in 0..4 {
@@ -99,7 +102,7 @@ pub(super) fn by_transposed<P: Products, T: Real>(j: &Matrix4<T>, m: &Matrix4<T>
 
 /// `M·D` with a rigid motion `M` and a `D` whose last column is zero.
 #[inline]
-pub(super) fn by_inertial<P: Products, R: Pattern, T: Real>(m: &Matrix4<T>, d: &Matrix4<T>) -> Matrix4<T> {
+pub(super) fn by_inertial<P: Products, R: Pattern, T: Scalar>(m: &Matrix4<T>, d: &Matrix4<T>) -> Matrix4<T> {
     if P::FULL {
         return product::<P, R, T>(m, d);
     }
@@ -116,7 +119,7 @@ pub(super) fn by_inertial<P: Products, R: Pattern, T: Real>(m: &Matrix4<T>, d: &
 
 /// `M·c` with a rigid motion `M`.
 #[inline]
-pub(super) fn by_moment<P: Products, R: Pattern, T: Real>(m: &Matrix4<T>, c: &Vector4<T>) -> Vector4<T> {
+pub(super) fn by_moment<P: Products, R: Pattern, T: Scalar>(m: &Matrix4<T>, c: &Vector4<T>) -> Vector4<T> {
     let mut out = *c;
     for row in 0..if P::FULL { 4 } else { 3 } {
         let first = if P::FULL { 0 } else { first_column::<R>(row) };
@@ -132,14 +135,14 @@ fn first_column<R: Pattern>(row: usize) -> usize {
 
 /// `tr(M·D)`, summed over the columns of `M` from `first` on.
 #[inline]
-pub(super) fn trace_of_product<P: Products, T: Real>(m: &Matrix4<T>, d: &Matrix4<T>, first: usize) -> T {
+pub(super) fn trace_of_product<P: Products, T: Scalar>(m: &Matrix4<T>, d: &Matrix4<T>, first: usize) -> T {
     let (rows, first) = if P::FULL { (4, 0) } else { (3, first) };
     sum(rows, |i| sum(4 - first, |k| m[(i, first + k)] * d[(first + k, i)]))
 }
 
 /// `gᵀ·M·c`, summed over the columns of `M` from `first` on.
 #[inline]
-pub(super) fn component<P: Products, T: Real>(
+pub(super) fn component<P: Products, T: Scalar>(
     g: &Vector3<T>,
     m: &Matrix4<T>,
     c: &Vector4<T>,
@@ -152,7 +155,7 @@ pub(super) fn component<P: Products, T: Real>(
 
 /// `to += k·m` in the columns from `first` on.
 #[inline]
-pub(super) fn add_scaled<P: Products, T: Real>(to: &mut Matrix4<T>, k: T, m: &Matrix4<T>, first: usize) {
+pub(super) fn add_scaled<P: Products, T: Scalar>(to: &mut Matrix4<T>, k: T, m: &Matrix4<T>, first: usize) {
     let (rows, first) = if P::FULL { (4, 0) } else { (3, first) };
     for column in first..4 {
         for row in 0..rows {
@@ -163,6 +166,6 @@ pub(super) fn add_scaled<P: Products, T: Real>(to: &mut Matrix4<T>, k: T, m: &Ma
 
 /// `term(0) + … + term(n − 1)`; zero terms make zero.
 #[inline]
-fn sum<T: Real>(n: usize, term: impl Fn(usize) -> T) -> T {
+fn sum<T: Scalar>(n: usize, term: impl Fn(usize) -> T) -> T {
     if n == 0 { T::zero() } else { (1..n).fold(term(0), |sum, k| sum + term(k)) }
 }

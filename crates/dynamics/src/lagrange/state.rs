@@ -5,7 +5,7 @@ use super::equations::{Balance, Coordinate, Motion};
 use super::products::{Placement, Products, product};
 use crate::error::DynamicsError;
 use crate::kinematics::is_finite;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::cross;
 use crate::spatial::{Pose, Wrench};
 use crate::workspace::{Workspace, check, check_length};
@@ -25,7 +25,7 @@ pub struct LagrangianWorkspace<T> {
     wrenches: Vec<Option<Wrench<T>>>,
 }
 
-impl<T: Real> LagrangianWorkspace<T> {
+impl<T: Scalar> LagrangianWorkspace<T> {
     /// Scratch memory for `lagrangian`.
     pub fn new<P: Products>(lagrangian: &Lagrangian<T, P>) -> Self {
         let (links, zero, still) = (lagrangian.nv(), T::zero(), Matrix4::zeros());
@@ -123,7 +123,7 @@ impl<T: Real> LagrangianWorkspace<T> {
 }
 
 /// Checks the result's length, runs `recursion`, adds what the armature takes and checks what came out.
-pub(super) fn finish<T: Real, P: Products>(
+pub(super) fn finish<T: Scalar, P: Products>(
     lagrangian: &Lagrangian<T, P>,
     a: &[T],
     tau: &mut [T],
@@ -140,7 +140,7 @@ pub(super) fn finish<T: Real, P: Products>(
 
 /// θ⁰ + θ, or s⁰ + s, with the rates of the coordinate.
 #[inline]
-fn coordinate<T: Real>(link: &Link<T>, kernel: &Workspace<T>, rate: T, acceleration: T) -> Coordinate<T> {
+fn coordinate<T: Scalar>(link: &Link<T>, kernel: &Workspace<T>, rate: T, acceleration: T) -> Coordinate<T> {
     let (zero, one) = (T::zero(), T::one());
     let turned = link.coordinate.filter(|_| !link.slides).map(|index| kernel.moved[index]);
     let (sine, cosine) = match (link.theta, turned) {
@@ -162,7 +162,7 @@ fn coordinate<T: Real>(link: &Link<T>, kernel: &Workspace<T>, rate: T, accelerat
 /// ```
 ///
 /// At zero J and R are 1, so that rates and forces are those of the joint.
-fn chart<T: Real>(coordinates: &mut [Coordinate<T>], v: &[T], a: &[T]) {
+fn chart<T: Scalar>(coordinates: &mut [Coordinate<T>], v: &[T], a: &[T]) {
     let turns = v.len() - 3;
     let w = Vector3::new(v[turns], v[turns + 1], v[turns + 2]);
     let change = [w.y * w.z, -(w.x * w.z), w.x * w.y];
@@ -177,7 +177,7 @@ fn chart<T: Real>(coordinates: &mut [Coordinate<T>], v: &[T], a: &[T]) {
     }
 }
 
-fn homogeneous<T: Real>(pose: &Pose<T>) -> Matrix4<T> {
+fn homogeneous<T: Scalar>(pose: &Pose<T>) -> Matrix4<T> {
     let mut matrix = pose.rotation.to_homogeneous();
     matrix.fixed_view_mut::<3, 1>(0, 3).copy_from(&pose.translation);
     matrix

@@ -1,11 +1,11 @@
-//! The same recursion with every quantity computed once over the tree.
+//! The Lagrangian recursion with every quantity computed once over the tree.
 
 use super::constants::Lagrangian;
 use super::equations::advance;
 use super::products::Products;
 use super::state::{LagrangianWorkspace, finish};
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 
 /// The generalized forces `tau` (N m or N) that move the figure with accelerations `a` through the state `q`, `v`, by the
@@ -26,7 +26,9 @@ use crate::spatial::Wrench;
 /// # Errors
 ///
 /// As for [`crate::inverse_dynamics`].
-pub fn tree_wise<T: Real, P: Products>(
+#[doc(alias = "Lagrange-Euler")]
+#[doc(alias = "Uicker-Kahn")]
+pub fn tree_wise<T: Scalar, P: Products>(
     lagrangian: &Lagrangian<T, P>,
     workspace: &mut LagrangianWorkspace<T>,
     q: &[T],
@@ -43,7 +45,7 @@ pub fn tree_wise<T: Real, P: Products>(
 }
 
 /// A, W, Ẇ, Ẅ and ∂W/∂q of every rationalised link, parents first: (4.1) to (4.9).
-fn outwards<T: Real, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut LagrangianWorkspace<T>) {
+fn outwards<T: Scalar, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut LagrangianWorkspace<T>) {
     for (j, link) in lagrangian.links.iter().enumerate() {
         let parent = link.parent.map(|parent| &ws.motions[parent]);
         ws.motions[j] = advance::<P, T>(link, &ws.coordinates[j], ws.base(link), parent);
@@ -51,7 +53,7 @@ fn outwards<T: Real, P: Products>(lagrangian: &Lagrangian<T, P>, ws: &mut Lagran
 }
 
 /// c and D of every rationalised link, children first, by (4.10) and (4.11), and the forces by (4.12).
-fn inwards<T: Real, P: Products>(
+fn inwards<T: Scalar, P: Products>(
     lagrangian: &Lagrangian<T, P>,
     ws: &mut LagrangianWorkspace<T>,
     tau: &mut [T],

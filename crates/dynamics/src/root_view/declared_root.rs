@@ -1,4 +1,4 @@
-//! The declared root's joint: which of its states a motion of its link is.
+//! The state of the declared root's joint, found from the motion of its link.
 
 use super::RootViewError;
 use super::path::{Moving, product};

@@ -1,9 +1,9 @@
-//! What can be wrong with another root.
+//! The errors of root views.
 
 use crate::error::DynamicsError;
 use solaris_model::RerootError;
 
-/// Why a figure has no view from a link, or a state no place in the declared figure.
+/// The error of a root view: why a figure has no view from a link, or a state no place in the declared figure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RootViewError {

@@ -1,15 +1,15 @@
-//! Forces of the declared figure and of the view.
+//! The maps of forces between the declared figure and its view.
 
 use super::RootView;
 use super::path::{Moving, rotation, unit};
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::spatial::direction::{apply, cross, dot};
 use crate::workspace::{check, check_length, check_result};
 use nalgebra::Vector3;
 
-impl<T: Real> RootView<T> {
+impl<T: Scalar> RootView<T> {
     /// Takes forces of the declared figure into the view at `q_view`, where the new root carries the wrench `base` that the
     /// declared one carried: [`crate::Workspace::base_wrench`] after its inverse dynamics. The way back is
     /// [`forces_from_view`](Self::forces_from_view).
@@ -102,7 +102,7 @@ struct Carried<T> {
     point: Vector3<T>,
 }
 
-impl<T: Real> Carried<T> {
+impl<T: Scalar> Carried<T> {
     /// What the view's root carries with these forces, about its own origin.
     fn by_root(q_view: &[T], tau_view: &[T]) -> Self {
         let three = |of: &[T], from: usize| Vector3::new(of[from], of[from + 1], of[from + 2]);

@@ -1,9 +1,9 @@
-//! How one link stands and moves: a recursion along its own path from the world.
+//! Pose and motion of one link, by a recursion along its own path from the world.
 
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, apply_transposed, cross, quaternion_rotation};
-use crate::tree::matter::vector;
+use crate::tree::mass_distribution::vector;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, JointKind, Placement};
 
@@ -38,7 +38,7 @@ enum Step<T> {
     Free { q: usize, v: usize },
 }
 
-impl<T: Real> Path<T> {
+impl<T: Scalar> Path<T> {
     /// The way to a frame that stands at `end` in the frame of `link`.
     pub(super) fn new(figure: &Figure, link: usize, end: &Placement) -> Result<Self, DynamicsError> {
         let mut links: Vec<usize> =
@@ -117,7 +117,7 @@ impl<T: Real> Path<T> {
                     let world = apply(&frame.rotation, &axis);
                     seen(&frame, dof, (false, world));
                     frame.carry(&(axis * q[coordinate]));
-                    frame.drift(&(world * at(v, dof)), &(world * at(a, dof)));
+                    frame.translate(&(world * at(v, dof)), &(world * at(a, dof)));
                 }
                 Step::Ball { q: coordinate, v: dof } => {
                     frame.orient(&unit(q, coordinate));
@@ -133,7 +133,7 @@ impl<T: Real> Path<T> {
                     let [linear, change] = [v, a].map(|values| apply(&frame.rotation, &three(values, dof)));
                     let [rate, spun] = [v, a].map(|values| apply(&frame.rotation, &three(values, dof + 3)));
                     // The components are along axes that turn at `rate` against the joint's frame.
-                    frame.drift(&linear, &(change + cross(&rate, &linear)));
+                    frame.translate(&linear, &(change + cross(&rate, &linear)));
                     frame.spin(&rate, &spun);
                 }
             }
@@ -143,7 +143,7 @@ impl<T: Real> Path<T> {
     }
 }
 
-impl<T: Real> Moving<T> {
+impl<T: Scalar> Moving<T> {
     fn world() -> Self {
         let (zero, one) = (Vector3::zeros(), T::one());
         Self {
@@ -181,7 +181,7 @@ impl<T: Real> Moving<T> {
     /// ```text
     /// ẋ ← ẋ + u      ẍ ← ẍ + 2·ω × u + u̇
     /// ```
-    fn drift(&mut self, u: &Vector3<T>, change: &Vector3<T>) {
+    fn translate(&mut self, u: &Vector3<T>, change: &Vector3<T>) {
         let coriolis = cross(&self.angular, u);
         self.linear += u;
         self.acceleration += coriolis + coriolis + change;
@@ -222,13 +222,13 @@ impl<T: Real> Moving<T> {
 }
 
 /// The quaternion that starts at `from` in `q`; its length is 1 but for what an integrator leaves.
-pub(super) fn unit<T: Real>(q: &[T], from: usize) -> Quaternion<T> {
+pub(super) fn unit<T: Scalar>(q: &[T], from: usize) -> Quaternion<T> {
     near_unit([0, 1, 2, 3].map(|i| q[from + i]))
 }
 
 /// The unit quaternion along one whose length is nearly 1: Newton's method for `1/√|q|²`, which doubles the right digits
 /// with each step.
-fn near_unit<T: Real>(mut quaternion: Quaternion<T>) -> Quaternion<T> {
+fn near_unit<T: Scalar>(mut quaternion: Quaternion<T>) -> Quaternion<T> {
     let half = T::from_f64(0.5);
     for _ in 0..4 {
         let factor = T::one() + (T::one() - squared(&quaternion)) * half;
@@ -237,22 +237,22 @@ fn near_unit<T: Real>(mut quaternion: Quaternion<T>) -> Quaternion<T> {
     quaternion
 }
 
-fn squared<T: Real>(quaternion: &Quaternion<T>) -> T {
+fn squared<T: Scalar>(quaternion: &Quaternion<T>) -> T {
     quaternion.iter().fold(T::zero(), |sum, x| sum + *x * *x)
 }
 
 /// The rotation of a quaternion.
-pub(super) fn rotation<T: Real>(quaternion: &Quaternion<T>) -> Matrix3<T> {
+pub(super) fn rotation<T: Scalar>(quaternion: &Quaternion<T>) -> Matrix3<T> {
     quaternion_rotation(*quaternion, squared(quaternion))
 }
 
 /// The conjugate: the rotation back.
-pub(super) fn conjugate<T: Real>([x, y, z, w]: Quaternion<T>) -> Quaternion<T> {
+pub(super) fn conjugate<T: Scalar>([x, y, z, w]: Quaternion<T>) -> Quaternion<T> {
     [-x, -y, -z, w]
 }
 
 /// Hamilton's product: first the right one turns, then the left one.
-pub(super) fn product<T: Real>(left: &Quaternion<T>, right: &Quaternion<T>) -> Quaternion<T> {
+pub(super) fn product<T: Scalar>(left: &Quaternion<T>, right: &Quaternion<T>) -> Quaternion<T> {
     let ([a, b, c, d], [x, y, z, w]) = (*left, *right);
     [
         d * x + a * w + b * z - c * y,

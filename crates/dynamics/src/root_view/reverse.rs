@@ -1,9 +1,9 @@
-//! Coordinates, rates and forces of a joint that is turned round.
+//! Coordinates, rates and forces of a reversed joint, whose child has become its parent.
 //!
 //! What holds for one way holds for the way back: every map is its own inverse.
 
 use super::path::{conjugate, rotation, unit};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, apply_transposed, cross};
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::JointLayout;
@@ -38,7 +38,7 @@ impl JointMap {
 
     /// Takes the joint's coordinates along `way`. A ball joint turned round has the conjugate quaternion; a free joint with
     /// the position `p` and the rotation `R` has `−Rᵀ·p` and `Rᵀ`.
-    pub(super) fn positions<T: Real>(&self, way: Way, source: &[T], target: &mut [T]) {
+    pub(super) fn positions<T: Scalar>(&self, way: Way, source: &[T], target: &mut [T]) {
         let (from, to) = (&source[way.from.q..][..way.from.nq], &mut target[way.to.q..][..way.to.nq]);
         let Some(at) = self.quaternion.filter(|_| self.reversed) else {
             return copy(from, to, self.reversed);
@@ -59,7 +59,7 @@ impl JointMap {
     /// ```
     ///
     /// and accelerations alike, because the rate of change of `R` adds a product of equal vectors.
-    pub(super) fn rates<T: Real>(&self, way: Way, q: &[T], source: &[T], target: &mut [T]) {
+    pub(super) fn rates<T: Scalar>(&self, way: Way, q: &[T], source: &[T], target: &mut [T]) {
         let (from, to) = (&source[way.from.v..][..way.from.nv], &mut target[way.to.v..][..way.to.nv]);
         let Some(at) = self.quaternion.filter(|_| self.reversed) else {
             return copy(from, to, self.reversed);
@@ -80,7 +80,7 @@ impl JointMap {
     /// ```text
     /// f' = −Rᵀ·f      n' = −Rᵀ·(n + f × p)
     /// ```
-    pub(super) fn forces<T: Real>(&self, way: Way, q: &[T], source: &[T], target: &mut [T]) {
+    pub(super) fn forces<T: Scalar>(&self, way: Way, q: &[T], source: &[T], target: &mut [T]) {
         let (from, to) = (&source[way.from.v..][..way.from.nv], &mut target[way.to.v..][..way.to.nv]);
         let Some(at) = self.quaternion.filter(|_| self.reversed) else {
             return copy(from, to, self.reversed);
@@ -105,6 +105,6 @@ fn copy<T: Copy>(from: &[T], to: &mut [T], reversed: bool) {
     }
 }
 
-fn three<T: Real>(values: &[T], from: usize) -> Vector3<T> {
+fn three<T: Scalar>(values: &[T], from: usize) -> Vector3<T> {
     Vector3::new(values[from], values[from + 1], values[from + 2])
 }

@@ -1,9 +1,9 @@
-//! Several states at once.
+//! Lanes, which hold several states at once.
 
-use super::{Real, assignments, sine};
+use super::Scalar;
 use num_traits::{One, Zero};
 use std::array::from_fn;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `N` numbers of double precision, one for each of `N` states: one call of an operation gives the results of all of
 /// them, each with the very bits that it has alone in `f64`.
@@ -13,12 +13,15 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// # Examples
 ///
 /// ```
-/// use solaris_dynamics::{Real, scalar::Lanes};
+/// use solaris_dynamics::{Scalar, scalar::Lanes};
 ///
 /// let x = Lanes::new([0.5, 2.0]);
 /// assert_eq!((x * x + Lanes::splat(1.0)).to_array(), [1.25, 5.0]);
 /// assert_eq!(x.recip_above(Lanes::splat(1.0)).to_array(), [0.0, 0.5]);
 /// ```
+#[doc(alias = "simd")]
+#[doc(alias = "vectorized")]
+#[doc(alias = "batch")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<const N: usize>([f64; N]);
 
@@ -77,10 +80,20 @@ macro_rules! lane_wise {
             }
         }
     };
+    ($operation:ident, $method:ident, $assignment:ident, $assign:ident) => {
+        lane_wise!($operation, $method);
+
+        impl<const N: usize> $assignment for Lanes<N> {
+            #[inline]
+            fn $assign(&mut self, other: Self) {
+                *self = (*self).$method(other);
+            }
+        }
+    };
 }
-lane_wise!(Add, add);
-lane_wise!(Sub, sub);
-lane_wise!(Mul, mul);
+lane_wise!(Add, add, AddAssign, add_assign);
+lane_wise!(Sub, sub, SubAssign, sub_assign);
+lane_wise!(Mul, mul, MulAssign, mul_assign);
 lane_wise!(Div, div);
 
 impl<const N: usize> Neg for Lanes<N> {
@@ -91,8 +104,6 @@ impl<const N: usize> Neg for Lanes<N> {
         Self(self.0.map(Neg::neg))
     }
 }
-
-assignments!(Lanes<N>, const N);
 
 impl<const N: usize> Zero for Lanes<N> {
     #[inline]
@@ -113,7 +124,7 @@ impl<const N: usize> One for Lanes<N> {
     }
 }
 
-impl<const N: usize> Real for Lanes<N> {
+impl<const N: usize> Scalar for Lanes<N> {
     const EPSILON: f64 = f64::EPSILON;
 
     #[inline]
@@ -123,8 +134,8 @@ impl<const N: usize> Real for Lanes<N> {
 
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        let pairs: [(f64, f64); N] =
-            if self.all(sine::is_moderate) { self.0.map(sine::sin_cos) } else { self.0.map(Real::sin_cos) };
+        let mut pairs = [(0.0, 0.0); N];
+        Scalar::sin_cos_all(&self.0, &mut pairs);
         (Self(pairs.map(|pair| pair.0)), Self(pairs.map(|pair| pair.1)))
     }
 
@@ -179,7 +190,7 @@ mod tests {
         for lanes in [[0.3, -2.0, 1e5, 7.0], [0.3, -2.0, 1e9, 7.0]] {
             let (sines, cosines) = Lanes::new(lanes).sin_cos();
             for (i, x) in lanes.into_iter().enumerate() {
-                let (sine, cosine) = Real::sin_cos(x);
+                let (sine, cosine) = Scalar::sin_cos(x);
                 assert_eq!(sines.lane(i).to_bits(), sine.to_bits(), "{x}");
                 assert_eq!(cosines.lane(i).to_bits(), cosine.to_bits(), "{x}");
             }

@@ -1,6 +1,6 @@
 //! Axes of single degrees of freedom: a formula is written once in terms of `e` and costs what the axis costs.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::symmetric::Symmetric;
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,7 +14,7 @@ pub(crate) struct Moved<T> {
 }
 
 /// A unit vector `e`, the axis of a degree of freedom.
-pub(crate) trait Direction<T: Real>: Copy {
+pub(crate) trait Direction<T: Scalar>: Copy {
     /// `e·v`
     fn dot(self, v: &Vector3<T>) -> T;
 
@@ -62,7 +62,7 @@ impl<const A: usize> Along<A> {
     const C: usize = (A + 2) % 3;
 }
 
-impl<T: Real, const A: usize> Direction<T> for Along<A> {
+impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
     #[inline]
     fn dot(self, v: &Vector3<T>) -> T {
         v[A]
@@ -168,14 +168,14 @@ impl<T: Real, const A: usize> Direction<T> for Along<A> {
 
 /// An axis that is none of the coordinate axes, with the rotation about it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Skew<'a, T> {
+pub(crate) struct GeneralAxis<'a, T> {
     /// The unit vector.
     pub(crate) axis: &'a Vector3<T>,
     /// `R`; anything for a degree of freedom that slides.
     pub(crate) rotation: &'a Matrix3<T>,
 }
 
-impl<T: Real> Direction<T> for Skew<'_, T> {
+impl<T: Scalar> Direction<T> for GeneralAxis<'_, T> {
     #[inline]
     fn dot(self, v: &Vector3<T>) -> T {
         dot(self.axis, v)
@@ -242,7 +242,7 @@ impl<T: Real> Direction<T> for Skew<'_, T> {
 /// ```text
 /// R = 1 + s·(w·[u]× + [u]×²)          s = 2/|q|²
 /// ```
-pub(crate) fn quaternion_rotation<T: Real>([x, y, z, w]: [T; 4], squared_length: T) -> Matrix3<T> {
+pub(crate) fn quaternion_rotation<T: Scalar>([x, y, z, w]: [T; 4], squared_length: T) -> Matrix3<T> {
     let s = (T::one() + T::one()) / squared_length;
     let (sx, sy, sz) = (s * x, s * y, s * z);
     let (xx, yy, zz) = (sx * x, sy * y, sz * z);
@@ -262,7 +262,7 @@ pub(crate) fn quaternion_rotation<T: Real>([x, y, z, w]: [T; 4], squared_length:
 /// ```text
 /// R = c·1 + s·[e]× + (1 − c)·e·eᵀ
 /// ```
-pub(crate) fn rodrigues<T: Real>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
+pub(crate) fn rodrigues<T: Scalar>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
     let k = T::one() - c;
     let (x, y, z) = (e.x, e.y, e.z);
     let (kx, ky, kz) = (k * x, k * y, k * z);
@@ -277,19 +277,19 @@ pub(crate) fn rodrigues<T: Real>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
 
 /// `a·b`
 #[inline]
-pub(crate) fn dot<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> T {
+pub(crate) fn dot<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> T {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 /// `a × b`
 #[inline]
-pub(crate) fn cross<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
+pub(crate) fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
     Vector3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
 /// `m·v`
 #[inline]
-pub(crate) fn apply<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+pub(crate) fn apply<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
     Vector3::new(
         m.m11 * v.x + m.m12 * v.y + m.m13 * v.z,
         m.m21 * v.x + m.m22 * v.y + m.m23 * v.z,
@@ -299,7 +299,7 @@ pub(crate) fn apply<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
 
 /// `mᵀ·v`
 #[inline]
-pub(crate) fn apply_transposed<T: Real>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+pub(crate) fn apply_transposed<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
     Vector3::new(
         m.m11 * v.x + m.m21 * v.y + m.m31 * v.z,
         m.m12 * v.x + m.m22 * v.y + m.m32 * v.z,

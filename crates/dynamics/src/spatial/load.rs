@@ -1,6 +1,6 @@
 //! Forces with their moments, handed from frame to frame.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Pose;
 use crate::spatial::direction::{Direction, Moved, apply, cross};
 use nalgebra::{Matrix3, Vector3};
@@ -12,7 +12,7 @@ pub(crate) struct Load<T> {
     pub(crate) moment: Vector3<T>,
 }
 
-impl<T: Real> Load<T> {
+impl<T: Scalar> Load<T> {
     pub(crate) fn zero() -> Self {
         Self { force: Vector3::zeros(), moment: Vector3::zeros() }
     }

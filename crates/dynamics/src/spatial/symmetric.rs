@@ -1,6 +1,6 @@
 //! Symmetric 3 × 3 matrices.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 /// The six different entries of a symmetric matrix.
@@ -14,7 +14,7 @@ pub(crate) struct Symmetric<T> {
     pub(crate) yz: T,
 }
 
-impl<T: Real> Symmetric<T> {
+impl<T: Scalar> Symmetric<T> {
     pub(crate) fn zero() -> Self {
         let o = T::zero();
         Self { xx: o, yy: o, zz: o, xy: o, xz: o, yz: o }
@@ -120,7 +120,7 @@ pub(crate) struct Factor<T> {
     zy: T,
 }
 
-impl<T: Real> Factor<T> {
+impl<T: Scalar> Factor<T> {
     pub(crate) fn zero() -> Self {
         let o = T::zero();
         Self { pivots: [o; 3], yx: o, zx: o, zy: o }
@@ -137,7 +137,7 @@ impl<T: Real> Factor<T> {
     }
 }
 
-impl<T: Real> Symmetric<T> {
+impl<T: Scalar> Symmetric<T> {
     /// The factors of a positive definite matrix. A pivot of which nothing but rounding is left makes them NaN.
     #[inline]
     pub(crate) fn factor(&self) -> Factor<T> {

@@ -1,6 +1,6 @@
 //! Degrees of freedom, and how a recursion steps over one or over three.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::Moved;
 use nalgebra::Vector3;
 use solaris_model::{Axis, AxisKind, EulerOrder};
@@ -39,7 +39,7 @@ pub(crate) enum Kind {
 /// The order of the three turns about different coordinate axes that a joint's degrees of freedom end with, if they do, the axes
 /// pointing along the coordinate axes: what most joints of living things are. The recursions step over them at once; the
 /// formula of each turn is the same.
-pub(crate) fn triple<T: Real>(dofs: &[Dof<T>]) -> Option<EulerOrder> {
+pub(crate) fn triple<T: Scalar>(dofs: &[Dof<T>]) -> Option<EulerOrder> {
     let last = dofs.last_chunk::<3>()?;
     if last.iter().any(|dof| dof.sign != T::one()) {
         return None;
@@ -94,7 +94,7 @@ pub(crate) use along_three;
 /// Runs one of two formulas with `$e` as the direction of the degree of freedom `$dof`.
 macro_rules! along {
     ($dof:expr, $rotations:expr, |$e:ident| turn $turn:expr, slide $slide:expr) => {{
-        use $crate::spatial::direction::{Along, Skew};
+        use $crate::spatial::direction::{Along, GeneralAxis};
         use $crate::tree::dof::Kind;
         let dof = $dof;
         match dof.kind {
@@ -111,7 +111,7 @@ macro_rules! along {
                 $turn
             }
             Kind::TurnSkew => {
-                let $e = Skew { axis: &dof.axis, rotation: &$rotations[dof.slot] };
+                let $e = GeneralAxis { axis: &dof.axis, rotation: &$rotations[dof.slot] };
                 $turn
             }
             Kind::SlideX => {
@@ -127,7 +127,7 @@ macro_rules! along {
                 $slide
             }
             Kind::SlideSkew => {
-                let $e = Skew { axis: &dof.axis, rotation: &$rotations[dof.slot] };
+                let $e = GeneralAxis { axis: &dof.axis, rotation: &$rotations[dof.slot] };
                 $slide
             }
         }
@@ -135,7 +135,7 @@ macro_rules! along {
 }
 pub(crate) use along;
 
-impl<T: Real> Dof<T> {
+impl<T: Scalar> Dof<T> {
     /// The degree of freedom of this axis, at coordinate `q`, with `slot` for its matrix if it needs one.
     pub(crate) fn new(axis: &Axis, q: usize, slot: usize) -> Self {
         // Normalised once more in double precision, so that no rounding of an input is left.

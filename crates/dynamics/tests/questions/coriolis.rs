@@ -31,7 +31,7 @@ proptest! {
     fn the_matrix_times_the_velocity_is_the_bias_without_gravity(seed in any::<u64>()) {
         let mut case = Case::random(seed);
         let sum = case.coriolis() * DVector::from_row_slice(&case.v) + case.gravity_torques();
-        let bias = DVector::from_vec(case.kernel.bias(&case.q, &case.v).expect("valid"));
+        let bias = DVector::from_vec(case.kernel.bias_forces(&case.q, &case.v).expect("valid"));
         let error = difference(&sum, &bias, 1.0);
         prop_assert!(error < 1e-12, "{error:e}");
     }
@@ -92,7 +92,7 @@ fn the_human_s_matrix_gives_its_bias() {
     let gravity = nalgebra::Vector3::new(0.0, -9.80665, 0.0);
     let mut case = Case::of(figure, gravity, crate::support::random::Random::new(1));
     let sum = case.coriolis() * DVector::from_row_slice(&case.v) + case.gravity_torques();
-    let bias = case.kernel.bias(&case.q, &case.v).expect("valid");
+    let bias = case.kernel.bias_forces(&case.q, &case.v).expect("valid");
     assert!(relative_error(sum.as_slice(), &bias) < 1e-13);
 }
 

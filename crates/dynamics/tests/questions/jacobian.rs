@@ -3,7 +3,9 @@
 use crate::case::{Case, derivative, difference, matrix, unit};
 use nalgebra::{DMatrix, DVector, Vector6};
 use proptest::prelude::*;
-use solaris_dynamics::{Frame, JacobianAxes, Pose, Twist, accelerations, drift, jacobian, jacobian_rate};
+use solaris_dynamics::{
+    Frame, JacobianAxes, Pose, Twist, accelerations, bias_accelerations, jacobian, jacobian_rate,
+};
 
 const BOTH: [JacobianAxes; 2] = [JacobianAxes::World, JacobianAxes::Frame];
 
@@ -98,7 +100,7 @@ proptest! {
         }
     }
 
-    /// Accelerations are slopes of velocities, and `J·a + J̇·v`; without `a` they are the drift.
+    /// Accelerations are slopes of velocities, and `J·a + J̇·v`; without `a` they are the bias accelerations.
     #[test]
     fn accelerations_are_slopes_of_velocities(seed in any::<u64>()) {
         let mut case = Case::random(seed);
@@ -117,9 +119,9 @@ proptest! {
         let sum = j * DVector::from_row_slice(&case.a) + &bent;
         prop_assert!(difference(&sum, &found, 1.0) < 1e-13, "{sum} {found}");
 
-        drift(&case.kernel.tree, &mut case.kernel.workspace, &case.q, &case.v).expect("valid");
-        let drift = six(&frame.acceleration(&case.kernel.workspace));
-        prop_assert!(difference(&DVector::from_row_slice(drift.as_slice()), &bent, 1.0) < 1e-13);
+        bias_accelerations(&case.kernel.tree, &mut case.kernel.workspace, &case.q, &case.v).expect("valid");
+        let bias = six(&frame.acceleration(&case.kernel.workspace));
+        prop_assert!(difference(&DVector::from_row_slice(bias.as_slice()), &bent, 1.0) < 1e-13);
     }
 
     /// Along the frame's own axes, `J·a + J̇·v` is the rate of the numbers `J·v`.

@@ -43,7 +43,7 @@ proptest! {
         let energy = case.kernel.kinetic(&case.q, &case.v);
         prop_assert!((v.dot(&(&m * &v)) / 2.0 - energy).abs() < 1e-12 * energy.max(1.0));
         let with = case.kernel.inverse(&case.q, &case.v, &case.a, &[]).expect("valid");
-        let without = case.kernel.bias(&case.q, &case.v).expect("valid");
+        let without = case.kernel.bias_forces(&case.q, &case.v).expect("valid");
         let added: Vec<f64> = with.iter().zip(&without).map(|(a, b)| a - b).collect();
         let product = &m * nalgebra::DVector::from_row_slice(&case.a);
         let scale = with.iter().chain(&without).fold(1.0_f64, |s, x| s.max(x.abs()));

@@ -46,7 +46,7 @@ fn states_that_are_not_finite_are_refused() {
     let (q, v, a) = (&case.q, &case.v, &case.a);
     let refused = |result: Result<(), DynamicsError>| matches!(result, Err(DynamicsError::NotFinite { .. }));
     assert!(refused(dynamics::accelerations(tree, ws, q, v, &bad)));
-    assert!(refused(dynamics::drift(tree, ws, q, &bad)));
+    assert!(refused(dynamics::bias_accelerations(tree, ws, q, &bad)));
     assert!(refused(dynamics::coriolis_matrix(tree, ws, q, &bad, &mut matrix(n, n))));
     assert!(refused(dynamics::torque_regressor(
         tree,
@@ -99,7 +99,7 @@ fn a_workspace_of_another_tree_is_refused() {
     let Kernel { tree, workspace: ws } = &mut case.kernel;
     let (q, v) = (&case.q, &case.v);
     let n = v.len();
-    assert_eq!(dynamics::drift(tree, ws, q, v), Err(DynamicsError::Workspace));
+    assert_eq!(dynamics::bias_accelerations(tree, ws, q, v), Err(DynamicsError::Workspace));
     assert_eq!(dynamics::gravity_torques(tree, ws, q, &mut vec![0.0; n]), Err(DynamicsError::Workspace));
     let coriolis = dynamics::coriolis_matrix(tree, ws, q, v, &mut matrix(n, n));
     assert_eq!(coriolis, Err(DynamicsError::Workspace));

@@ -5,10 +5,10 @@ use crate::support::random::Joints;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use solaris_dynamics as dynamics;
 use solaris_dynamics::scalar::{Counted, DoubleDouble, Dual, Lanes};
-use solaris_dynamics::{Frame, JacobianAxes, Pose, Real, Tree, Workspace, Wrench};
+use solaris_dynamics::{Frame, JacobianAxes, Pose, Scalar, Tree, Workspace, Wrench};
 
 /// All answers about one state, one after the other.
-fn answers<T: Real>(case: &Case) -> Vec<T> {
+fn answers<T: Scalar>(case: &Case) -> Vec<T> {
     let tree = Tree::<T>::new(&case.figure, case.gravity).expect("finite constants");
     let mut workspace = Workspace::new(&tree);
     let ws = &mut workspace;
@@ -36,7 +36,7 @@ fn answers<T: Real>(case: &Case) -> Vec<T> {
         }
         dynamics::accelerations(&tree, ws, &q, &v, &a)?;
         keep(frame.acceleration(ws).linear.as_slice());
-        dynamics::drift(&tree, ws, &q, &v)?;
+        dynamics::bias_accelerations(&tree, ws, &q, &v)?;
         keep(frame.acceleration(ws).linear.as_slice());
         dynamics::centroidal_momentum_matrix(&tree, ws, &q, &mut six)?;
         keep(six.as_slice());
@@ -68,7 +68,7 @@ fn answers<T: Real>(case: &Case) -> Vec<T> {
     out
 }
 
-fn compare<T: Real>(tolerance: f64, value: impl Fn(T) -> f64) {
+fn compare<T: Scalar>(tolerance: f64, value: impl Fn(T) -> f64) {
     for seed in 0..20 {
         let case = Case::with(Joints::Every, seed);
         let expected = answers::<f64>(&case);

@@ -8,7 +8,7 @@ pub(crate) mod random;
 pub(crate) mod reference;
 
 use nalgebra::{DMatrix, Vector3};
-use solaris_dynamics::{DynamicsError, Real, Tree, Workspace, Wrench};
+use solaris_dynamics::{DynamicsError, Scalar, Tree, Workspace, Wrench};
 use solaris_model::{Figure, FigureBuilder, FigureError, Inertia, JointKind, LinkSpec};
 
 /// A figure compiled in the precision `T`, with its workspace, and results returned by value.
@@ -17,7 +17,7 @@ pub(crate) struct Kernel<T> {
     pub(crate) workspace: Workspace<T>,
 }
 
-impl<T: Real> Kernel<T> {
+impl<T: Scalar> Kernel<T> {
     pub(crate) fn new(figure: &Figure, gravity: Vector3<f64>) -> Self {
         let tree = Tree::new(figure, gravity).expect("finite constants");
         let workspace = Workspace::new(&tree);
@@ -80,9 +80,9 @@ impl<T: Real> Kernel<T> {
         Ok(matrix)
     }
 
-    pub(crate) fn bias(&mut self, q: &[T], v: &[T]) -> Result<Vec<T>, DynamicsError> {
+    pub(crate) fn bias_forces(&mut self, q: &[T], v: &[T]) -> Result<Vec<T>, DynamicsError> {
         let mut tau = vec![T::zero(); self.tree.nv()];
-        solaris_dynamics::bias(&self.tree, &mut self.workspace, q, v, &mut tau)?;
+        solaris_dynamics::bias_forces(&self.tree, &mut self.workspace, q, v, &mut tau)?;
         Ok(tau)
     }
 

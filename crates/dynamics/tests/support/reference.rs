@@ -3,7 +3,7 @@
 use super::Kernel;
 use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use serde::Deserialize;
-use solaris_dynamics::{Real, Wrench};
+use solaris_dynamics::{Scalar, Wrench};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Placement};
 
 #[derive(Deserialize)]
@@ -97,7 +97,7 @@ pub(crate) fn figure(model: &Model) -> Figure {
 }
 
 /// The wrenches of the file, which stand in the links' own frames, in world axes about the world's origin.
-pub(crate) fn external<T: Real>(
+pub(crate) fn external<T: Scalar>(
     kernel: &mut Kernel<T>,
     q: &[T],
     wrenches: &[[f64; 6]],

@@ -1,4 +1,4 @@
-//! What can be wrong with a single link and its joint.
+//! The checks of a single link and its joint.
 
 use super::LinkSpec;
 use crate::fault::Fault;

@@ -1,4 +1,4 @@
-//! Nearest names for messages, as far as looking for them takes no time.
+//! Suggestions of nearest names for messages, as far as looking for them takes no time.
 
 use crate::fault::nearest;
 

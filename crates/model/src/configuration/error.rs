@@ -1,9 +1,9 @@
-//! What can be wrong with a configuration or a step.
+//! The errors of operations on configurations.
 
 use super::rotation::{read, unit};
 use crate::figure::Figure;
 
-/// Why numbers are no configuration of a figure, or no step of one.
+/// The error of an operation on configurations: why numbers are no configuration of a figure, or no step of one.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConfigurationError {

@@ -25,6 +25,7 @@ impl Figure {
     /// # Errors
     ///
     /// [`ConfigurationError`] for a wrong length and a source that gives anything else.
+    #[doc(alias = "randomConfiguration")]
     pub fn random(&self, q: &mut [f64], mut source: impl FnMut() -> f64) -> Result<(), ConfigurationError> {
         self.check_length("q", q.len(), self.layout().nq())?;
         let mut next = || match source() {

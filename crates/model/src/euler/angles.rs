@@ -1,4 +1,4 @@
-//! Rotation to angles and back.
+//! The conversion of rotations to Euler angles and back.
 //!
 //! With `ε` the sense of the order and the quaternion `(q_i, q_j, q_k, w)` along its axes,
 //!

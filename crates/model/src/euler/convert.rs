@@ -1,4 +1,4 @@
-//! The same state as a ball joint and as three rotations.
+//! The conversion of states between a ball joint and three rotations.
 
 use super::{EulerError, EulerOrder};
 use crate::configuration::rotation::{read, unit};

@@ -1,11 +1,13 @@
-//! How far joints of three rotations are from gimbal lock.
+//! The distance of joints of three rotations from gimbal lock.
 
 use crate::configuration::ConfigurationError;
 use crate::figure::Figure;
 use crate::joint::AxisKind;
 use nalgebra::{Rotation3, Vector3};
 
-/// How far a joint is from gimbal lock.
+/// The distance of a joint from gimbal lock.
+#[doc(alias = "singularity")]
+#[doc(alias = "gimbal lock")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GimbalDistance {
     /// Index of the link that the joint moves.

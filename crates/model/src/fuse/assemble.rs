@@ -1,4 +1,4 @@
-//! From what stands still to the small figure.
+//! The assembly of the fused figure from what is locked.
 
 use super::Fused;
 use super::carried::{LinkPlace, absorb, compose, frame_names, moved};

@@ -1,11 +1,11 @@
-//! Links whose contents stand in another frame than their own.
+//! Links carried by another: their masses, shapes and points in its frame.
 
 use crate::joint::Placement;
 use crate::link::{Link, NamedFrame, SolePoint};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::HashSet;
 
-/// Which link of another figure carries a link, and where.
+/// The place of a link on the link of another figure that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkPlace {
     /// Index of the carrying link.

@@ -1,6 +1,6 @@
-//! What can be wrong with fusing.
+//! The errors of fusing.
 
-/// Why degrees of freedom cannot be fused, or a state not be mapped.
+/// The error of fusing: why degrees of freedom cannot be fused, or a state not be mapped.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FuseError {

@@ -1,4 +1,4 @@
-//! What is left of a joint of which some degrees of freedom stand still.
+//! The joint that is left when some of its degrees of freedom are locked.
 
 use crate::joint::{Axis, AxisKind, Dof, JointKind, Placement};
 use nalgebra::{Quaternion, Translation3, Unit, UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! Masses and inertias that no body of the link's size has.
+//! The lint of masses and inertias that no body of the link's size has.
 
 use super::{short, suspect};
 use crate::figure::Figure;

@@ -1,4 +1,4 @@
-//! Whether left and right are mirror images.
+//! The lint of left and right sides that are not mirror images.
 
 use super::neutral::Neutral;
 use super::sides::{Mates, mates, singles};

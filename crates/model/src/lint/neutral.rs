@@ -1,4 +1,4 @@
-//! Where links stand when no coordinate is turned or slid.
+//! The poses of the links in the neutral configuration.
 
 use crate::figure::Figure;
 use crate::joint::{AxisKind, JointKind, Placement};

@@ -1,4 +1,4 @@
-//! Which links are left and right of each other, by their names.
+//! The pairs of left and right links, by their names.
 
 use crate::link::Link;
 use std::collections::{HashMap, HashSet};

@@ -1,4 +1,4 @@
-//! From a curve that can be evaluated at any time to samples with their derivatives.
+//! The sampling of trajectories, with derivatives by differences.
 
 use super::{Motion, MotionError, MotionInfo};
 use crate::configuration::rotation::{apply, between, log, read, unit};
@@ -7,6 +7,8 @@ use crate::joint::JointKind;
 use nalgebra::Vector3;
 
 /// A planned motion: positions at any time. Sampling is the last thing that happens to it.
+#[doc(alias = "motion")]
+#[doc(alias = "curve")]
 pub trait Trajectory {
     /// How long it lasts (s); before 0 and after this it rests.
     fn duration(&self) -> f64;
@@ -156,6 +158,8 @@ impl Motion {
     ///
     /// A figure that the information is not for, a rate that is not positive, a duration that is not finite, positions
     /// that are not finite, and zero quaternions.
+    #[doc(alias = "resample")]
+    #[doc(alias = "bake")]
     pub fn sample(
         figure: &Figure,
         trajectory: &impl Trajectory,

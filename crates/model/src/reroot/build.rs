@@ -1,4 +1,4 @@
-//! The view's links.
+//! The links of a re-rooted figure.
 
 use super::reverse::reversed;
 use super::{JointInView, RerootError, Rerooted};

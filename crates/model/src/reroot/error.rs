@@ -1,6 +1,6 @@
-//! What can be wrong with another root.
+//! The errors of re-rooting.
 
-/// Why a figure cannot hang on a link.
+/// The error of re-rooting: why a figure cannot hang on a link.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RerootError {

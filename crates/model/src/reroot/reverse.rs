@@ -1,4 +1,4 @@
-//! Joints turned round.
+//! Reversed joints, which move what was their parent.
 
 use crate::joint::{Axis, Dof, Joint, JointKind, Placement};
 

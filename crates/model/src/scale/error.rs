@@ -1,6 +1,6 @@
-//! What can be wrong with scaling.
+//! The errors of scaling.
 
-/// Why a figure cannot be scaled so.
+/// The error of scaling: why a figure cannot be scaled so.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ScaleError {

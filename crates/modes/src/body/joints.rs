@@ -1,9 +1,8 @@
 //! Springs, dampers and friction of the joints.
 
-use solaris_dynamics::Real;
 use solaris_dynamics::rotation_vector;
 use solaris_model::{Figure, JointKind};
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 
 /// `v₀` of dry friction (rad/s or m/s).
 const SLOW: f64 = 1e-2;
@@ -50,11 +49,11 @@ struct BallSpring<T> {
     stiffness: T,
 }
 
-impl<T: Real + Scalar> JointElements<T> {
+impl<T: Elementary> JointElements<T> {
     /// Those of `figure`, by what its joints say.
     pub(super) fn of(figure: &Figure) -> Self {
         let (mut dofs, mut balls) = (Vec::new(), Vec::new());
-        let number = <T as Real>::from_f64;
+        let number = T::from_f64;
         for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
             let kind = link.joint().kind();
             for i in (0..at.nv).filter(|i| !kind.passive(*i).is_none()) {
@@ -119,12 +118,12 @@ impl<T: Real + Scalar> JointElements<T> {
                 twice += *stiffness * turn * turn;
             }
         }
-        twice * <T as Real>::from_f64(0.5)
+        twice * T::from_f64(0.5)
     }
 }
 
 /// `v/√(v² + v₀²)`.
-fn smooth_sign<T: Real + Scalar>(rate: T) -> T {
-    let slow = <T as Real>::from_f64(SLOW);
+fn smooth_sign<T: Elementary>(rate: T) -> T {
+    let slow = T::from_f64(SLOW);
     rate / (rate * rate + slow * slow).sqrt()
 }

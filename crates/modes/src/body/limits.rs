@@ -1,9 +1,8 @@
 //! Limits that push back.
 
 use crate::element::LimitLaw;
-use solaris_dynamics::Real;
 use solaris_model::{Figure, Limits};
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 
 /// The limits of one degree of freedom that push back.
 ///
@@ -26,10 +25,10 @@ pub(super) struct Stop<T> {
 /// How near, of 1 and of the limit, a position is at it.
 const NEAR: f64 = 1e-13;
 
-impl<T: Real + Scalar> Stop<T> {
+impl<T: Elementary> Stop<T> {
     /// Those of `figure` whose law, by degree of freedom, is a spring.
     pub(super) fn of(figure: &Figure, laws: &[LimitLaw]) -> Vec<Self> {
-        let number = <T as Real>::from_f64;
+        let number = T::from_f64;
         let mut stops = Vec::new();
         for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
             for (i, dof) in link.joint().kind().axes().iter().enumerate() {
@@ -57,13 +56,13 @@ impl<T: Real + Scalar> Stop<T> {
 
     /// What is in the spring (J).
     pub(super) fn energy(&self, q: &[T]) -> T {
-        let half = <T as Real>::from_f64(0.5);
+        let half = T::from_f64(0.5);
         self.depth(q, 0.0).map_or_else(T::zero, |(depth, _)| half * self.stiffness * depth * depth)
     }
 
     /// How far beyond a limit, and 1 or −1 for the way out; none inside.
     fn depth(&self, q: &[T], rate: f64) -> Option<(T, T)> {
-        let (q, number) = (q[self.coordinate], <T as Real>::from_f64);
+        let (q, number) = (q[self.coordinate], T::from_f64);
         let Limits { lower, upper } = self.limits;
         // As near as an event is located.
         let near = |limit: f64| if limit.is_finite() { NEAR * (1.0 + limit.abs()) } else { 0.0 };

@@ -3,8 +3,8 @@
 use super::touching::{GroundElement, Lowest};
 use crate::contact::{CALM, Foothold};
 use nalgebra::Vector3;
-use solaris_dynamics::{ContactConstraint, Contacts, Real, Tree, Workspace, Wrench};
-use solaris_profiles::Scalar;
+use solaris_dynamics::{ContactConstraint, Contacts, Scalar, Tree, Workspace, Wrench};
+use solaris_profiles::Elementary;
 
 /// Footholds as conditions on the accelerations of links.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ impl Hold {
     }
 }
 
-impl<T: Real + Scalar> Planted<T> {
+impl<T: Elementary> Planted<T> {
     /// Those on this ground.
     pub(super) fn new(tree: &Tree<T>, ground: &GroundElement<T>, footholds: &[Foothold]) -> Self {
         let (mut holds, mut list) = (Vec::with_capacity(footholds.len()), Vec::new());
@@ -62,12 +62,12 @@ impl<T: Real + Scalar> Planted<T> {
     /// a = ω × (ω × d) − v/T
     /// ```
     pub(super) fn hold(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>) {
-        self.ask(ground, workspace, <T as Real>::from_f64(CALM.recip()), <T as Real>::from_f64(1.0));
+        self.ask(ground, workspace, T::from_f64(CALM.recip()), T::from_f64(1.0));
     }
 
     /// Asks for the jumps of the velocities after which it stands, `Δv = −v`.
     pub(super) fn stop(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>) {
-        self.ask(ground, workspace, <T as Real>::from_f64(1.0), T::zero());
+        self.ask(ground, workspace, T::from_f64(1.0), T::zero());
     }
 
     fn ask(&mut self, ground: &GroundElement<T>, workspace: &Workspace<T>, calm: T, rolling: T) {
@@ -76,7 +76,7 @@ impl<T: Real + Scalar> Planted<T> {
             let materials = hold.corners.iter().map(|corner| ground.spheres()[*corner].material(workspace));
             if hold.whole {
                 // What neither moves nor turns does not roll.
-                let share = <T as Real>::from_f64((hold.corners.len() as f64).recip());
+                let share = T::from_f64((hold.corners.len() as f64).recip());
                 let (mut point, mut velocity) = (Vector3::zeros(), Vector3::zeros());
                 for material in materials {
                     point += material.point * share;
@@ -136,7 +136,7 @@ impl<T: Real + Scalar> Planted<T> {
 }
 
 /// A point of the world in a link's frame.
-fn local<T: Real>(workspace: &Workspace<T>, link: usize, point: &Vector3<T>) -> Vector3<T> {
+fn local<T: Scalar>(workspace: &Workspace<T>, link: usize, point: &Vector3<T>) -> Vector3<T> {
     let pose = workspace.pose(link);
     pose.rotation.tr_mul(&(point - pose.translation))
 }

@@ -2,8 +2,8 @@
 
 use crate::element::{Anchor, PointSpring};
 use nalgebra::Vector3;
-use solaris_dynamics::{Real, Workspace, Wrench};
-use solaris_profiles::Scalar;
+use solaris_dynamics::{Workspace, Wrench};
+use solaris_profiles::Elementary;
 
 /// How near (m) two points count as one: between them there is no direction.
 const ONE_POINT: f64 = 1e-12;
@@ -40,10 +40,10 @@ struct State<T> {
     squared: T,
 }
 
-impl<T: Real + Scalar> PointElement<T> {
+impl<T: Elementary> PointElement<T> {
     /// That of `spring`.
     pub(super) fn of(spring: &PointSpring) -> Self {
-        let number = <T as Real>::from_f64;
+        let number = T::from_f64;
         Self {
             ends: spring.between.map(|Anchor { link, point }| End { link, point: point.map(number) }),
             stiffness: number(spring.stiffness),
@@ -82,7 +82,7 @@ impl<T: Real + Scalar> PointElement<T> {
     /// What is in the spring (J), at the poses in `workspace`.
     pub(super) fn energy(&self, workspace: &Workspace<T>) -> T {
         let stretch = self.state(workspace).squared.sqrt() - self.rest;
-        <T as Real>::from_f64(0.5) * self.stiffness * stretch * stretch
+        T::from_f64(0.5) * self.stiffness * stretch * stretch
     }
 
     fn state(&self, workspace: &Workspace<T>) -> State<T> {

@@ -2,8 +2,8 @@
 
 use crate::contact::{ContactLaw, Surface};
 use nalgebra::Vector3;
-use solaris_dynamics::{Real, Workspace, Wrench};
-use solaris_profiles::Scalar;
+use solaris_dynamics::{Workspace, Wrench};
+use solaris_profiles::Elementary;
 
 /// The ground and the spheres of links that can touch it; see [`ContactLaw`] for the law.
 #[derive(Clone, Debug)]
@@ -76,13 +76,13 @@ pub(crate) struct Pressure<T> {
     pub(crate) friction: T,
 }
 
-impl<T: Real + Scalar> Pressure<T> {
+impl<T: Elementary> Pressure<T> {
     pub(super) fn none() -> Self {
         Self { force: Vector3::zeros(), damping: T::zero(), friction: T::zero() }
     }
 }
 
-impl<T: Real + Scalar> Sphere<T> {
+impl<T: Elementary> Sphere<T> {
     /// The lowest point, in the world.
     pub(super) fn lowest(&self, workspace: &Workspace<T>) -> Vector3<T> {
         workspace.pose(self.link).transform(&self.center) + self.down
@@ -109,10 +109,10 @@ impl<T: Real + Scalar> Sphere<T> {
     }
 }
 
-impl<T: Real + Scalar> GroundElement<T> {
+impl<T: Elementary> GroundElement<T> {
     /// That of `surface`.
     pub(super) fn of(surface: &Surface) -> Self {
-        let number = <T as Real>::from_f64;
+        let number = T::from_f64;
         let plane = &surface.plane;
         let law = match plane.law {
             ContactLaw::Spring { stiffness, damping, slip } => Law::Spring {
@@ -196,7 +196,7 @@ impl<T: Real + Scalar> GroundElement<T> {
             let depth = self.height - sphere.lowest(workspace).dot(&self.up);
             if depth.value() > 0.0 { depth * depth } else { T::zero() }
         });
-        <T as Real>::from_f64(0.5) * stiffness * squares.fold(T::zero(), |sum, square| sum + square)
+        T::from_f64(0.5) * stiffness * squares.fold(T::zero(), |sum, square| sum + square)
     }
 
     fn pressed(&self, sphere: &Sphere<T>, workspace: &Workspace<T>) -> Pressed<T> {
@@ -214,7 +214,7 @@ impl<T: Real + Scalar> GroundElement<T> {
             friction: T::zero(),
         };
         let Law::Spring { stiffness, damping, slip: least } = self.law else { return pressed };
-        let push = stiffness * depth * (<T as Real>::from_f64(1.0) + damping * rate);
+        let push = stiffness * depth * (T::from_f64(1.0) + damping * rate);
         if depth.value() > 0.0 {
             // Where it comes out so fast that the damper would pull, the ground lets go, and the spring's energy is lost.
             let normal = if push.value() > 0.0 { push } else { T::zero() };

@@ -11,8 +11,8 @@ use crate::time::RateError;
 use crate::trouble::SetupError;
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::scalar::Dual;
-use solaris_dynamics::{DynamicsError, Real, Wrench};
-use solaris_profiles::Scalar;
+use solaris_dynamics::{DynamicsError, Wrench};
+use solaris_profiles::Elementary;
 
 /// How many columns of a Jacobian are found at a time.
 const COLUMNS: usize = 8;
@@ -259,7 +259,7 @@ impl Maps {
     }
 }
 
-impl<T: Real + Scalar> Side<T> {
+impl<T: Elementary> Side<T> {
     fn new(source: &Source, reduction: &Reduction, state: &StateMap) -> Result<Self, DynamicsError> {
         let Reduction { figure, springs, limits, surface, kept_q, kept_v, .. } = reduction;
         let zeros = |length: usize| vec![T::zero(); length];
@@ -277,7 +277,7 @@ impl<T: Real + Scalar> Side<T> {
     /// Everything but the state as in `numbers`, without derivatives.
     fn take_constants(&mut self, numbers: &Side<f64>) {
         let copy = |to: &mut [T], from: &[f64]| {
-            to.iter_mut().zip(from).for_each(|(to, from)| *to = <T as Real>::from_f64(*from));
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = T::from_f64(*from));
         };
         copy(&mut self.q, &numbers.q);
         copy(&mut self.v, &numbers.v);

@@ -1,9 +1,8 @@
 //! Where the entries of a phase's state belong.
 
 use super::Role;
-use solaris_dynamics::Real;
 use solaris_model::Figure;
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 
 /// The state of a phase: positions of what dynamics move, in the order of `q`, its velocities in the order of `v`, and the
 /// accounts: work, heat, and with a ground what it does ([`Pressure`](crate::body::Pressure)): its impulse along x, y and z, and
@@ -187,8 +186,8 @@ impl StateMap {
     }
 
     /// Writes the rates of the positions.
-    pub(super) fn position_rates<T: Real + Scalar>(&self, y: &[T], rate: &mut [T]) {
-        let half = <T as Real>::from_f64(0.5);
+    pub(super) fn position_rates<T: Elementary>(&self, y: &[T], rate: &mut [T]) {
+        let half = T::from_f64(0.5);
         for piece in &self.pieces {
             match *piece {
                 Piece::Axis { at, rate: from } => rate[at] = y[from],
@@ -211,15 +210,15 @@ impl StateMap {
 }
 
 /// The quaternion (x, y, z, w) with unit length.
-pub(super) fn unit<T: Real + Scalar>(q: [T; 4]) -> [T; 4] {
+pub(super) fn unit<T: Elementary>(q: [T; 4]) -> [T; 4] {
     let length = q.iter().fold(T::zero(), |sum, x| sum + *x * *x).sqrt();
     q.map(|x| x / length)
 }
 
 /// `v` turned by a unit quaternion `(u, w)`: `v + 2·(w·(u × v) + u × (u × v))`.
-fn turned<T: Real + Scalar>([x, y, z, w]: [T; 4], v: [T; 3]) -> [T; 3] {
+fn turned<T: Elementary>([x, y, z, w]: [T; 4], v: [T; 3]) -> [T; 3] {
     let across = |v: [T; 3]| [y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]];
-    let (once, two) = (across(v), <T as Real>::from_f64(2.0));
+    let (once, two) = (across(v), T::from_f64(2.0));
     let twice = across(once);
     [0, 1, 2].map(|i| v[i] + two * (w * once[i] + twice[i]))
 }

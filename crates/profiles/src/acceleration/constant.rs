@@ -1,12 +1,12 @@
-//! Constant acceleration.
+//! The curve of constant acceleration, a parabola.
 
 use super::{check, constant_to, feasible};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::{Curve, within};
 use crate::error::ProfileError;
 use crate::range::Ranges;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// A motion of constant acceleration.
@@ -37,7 +37,7 @@ pub struct Constant<F = f64> {
     acceleration: F,
 }
 
-impl<F: Scalar> Constant<F> {
+impl<F: Elementary> Constant<F> {
     /// Over `duration`, from position `from` with velocity `v0`.
     ///
     /// # Errors
@@ -74,7 +74,7 @@ impl Constant {
     }
 }
 
-impl<F: Scalar> Curve<F> for Constant<F> {
+impl<F: Elementary> Curve<F> for Constant<F> {
     fn duration(&self) -> F {
         self.duration
     }

@@ -1,13 +1,13 @@
-//! Acceleration along an ellipse.
+//! The curve whose acceleration follows an ellipse.
 
 use super::{check, constant_to, feasible};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_overflow};
 use crate::range::Ranges;
 use crate::roots::bracketed;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use crate::segment::{ellipse, segment};
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -59,7 +59,7 @@ pub struct Ellipse<F = f64> {
     angle: f64,
 }
 
-impl<F: Scalar> Ellipse<F> {
+impl<F: Elementary> Ellipse<F> {
     /// Over `duration`, from position `from` with velocity `v0`; `middle` is the acceleration at half time, of either
     /// sign. The greatest, at the end, is 2/√3 of it.
     ///
@@ -136,7 +136,7 @@ impl Ellipse {
     }
 }
 
-impl<F: Scalar> Curve<F> for Ellipse<F> {
+impl<F: Elementary> Curve<F> for Ellipse<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -178,11 +178,12 @@ impl Answers for Ellipse {
             return Stationary::NONE;
         }
         let angle = |bow: f64| {
-            let missing = |p: f64| 0.5 * segment(2.0 * p, 2.0 * Scalar::sin(p) * Scalar::cos(p)) - bow;
+            let missing =
+                |p: f64| 0.5 * segment(2.0 * p, 2.0 * Elementary::sin(p) * Elementary::cos(p)) - bow;
             bracketed(missing, 0.0, FRAC_PI_2)
         };
         // 1 − cos p = 2 sin²(p/2)
-        let time = |p: f64| 2.0 * self.base * Scalar::powi(Scalar::sin(0.5 * p), 2);
+        let time = |p: f64| 2.0 * self.base * Elementary::powi(Elementary::sin(0.5 * p), 2);
         let time = if bow <= FRAC_PI_2 { time(angle(bow)) } else { self.duration - time(angle(rest)) };
         Stationary::at([(time, Turn::Reversal)], self.duration)
     }
@@ -201,6 +202,6 @@ const QUARTER_PEAK: f64 = 1.154_700_538_379_251_5;
 
 /// √x, with no derivative at 0, where it is infinite: a number that does not move there keeps its derivatives by
 /// others.
-fn root<F: Scalar>(x: F) -> F {
+fn root<F: Elementary>(x: F) -> F {
     if x.value().abs() > 0.0 || x.value().is_nan() { x.sqrt() } else { F::from_f64(0.0) }
 }

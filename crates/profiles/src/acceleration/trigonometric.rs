@@ -1,12 +1,12 @@
-//! Half a sine of acceleration.
+//! The curve whose acceleration is half a period of a sine.
 
 use super::{check, constant_to, feasible};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_overflow};
 use crate::range::Ranges;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use crate::segment::segment;
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -47,7 +47,7 @@ pub struct Trigonometric<F = f64> {
     jerk: F,
 }
 
-impl<F: Scalar> Trigonometric<F> {
+impl<F: Elementary> Trigonometric<F> {
     /// Over `duration`, from position `from` with velocity `v0`; `peak` is the acceleration at half time, of either
     /// sign.
     ///
@@ -90,7 +90,7 @@ impl Trigonometric {
     }
 }
 
-impl<F: Scalar> Curve<F> for Trigonometric<F> {
+impl<F: Elementary> Curve<F> for Trigonometric<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -127,9 +127,9 @@ impl Answers for Trigonometric {
         if tangent > 0.0 && tangent.is_finite() {
             // Above 45° by the rest to 90°.
             let share = if tangent <= 1.0 {
-                Scalar::atan(Scalar::sqrt(tangent)) / FRAC_PI_2
+                Elementary::atan(Elementary::sqrt(tangent)) / FRAC_PI_2
             } else {
-                1.0 - Scalar::atan(Scalar::sqrt(1.0 / tangent)) / FRAC_PI_2
+                1.0 - Elementary::atan(Elementary::sqrt(1.0 / tangent)) / FRAC_PI_2
             };
             Stationary::at([(share * self.duration, Turn::Reversal)], self.duration)
         } else {

@@ -1,4 +1,4 @@
-//! What can be asked about a whole blend.
+//! The answers about a whole blend: stationary points, peaks.
 
 use super::breaks::breaks;
 use super::curve::Blend;

@@ -1,9 +1,9 @@
-//! The times between which nothing of a clip jumps or turns.
+//! The break points of a clip, between which nothing of it jumps or turns.
 
 use crate::answers::{Answers, Quantity};
 use crate::clip::{Clip, Outside};
+use crate::float::floor;
 use crate::sample::Sample;
-use crate::scalar::floor;
 use alloc::vec::Vec;
 
 const ALL: [Quantity; 4] = [Quantity::Position, Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk];

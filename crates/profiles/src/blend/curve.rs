@@ -3,12 +3,12 @@
 use super::fade::{Fade, Leaving, Side};
 use super::jet::{complement, constant, difference, quotient, sum, weighted};
 use super::layer::{self, Layer};
+use crate::Elementary;
 use crate::clip::{Clip, Outside};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_overflow, check_range};
 use crate::range::Range;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// One motion that fades into another, or the weighted mean of several: itself a curve, from time 0 to the latest end of its
@@ -46,6 +46,10 @@ use alloc::vec::Vec;
 /// blended so is not that of the blended position (E26 of the misprints in `docs/sources.md`). Here all are derivatives of the
 /// blended position. More than two motions the thesis blends one after the other, so that the result depends on their order;
 /// here they have weights. That is done too by blending blends.
+#[doc(alias = "crossfade")]
+#[doc(alias = "transition")]
+#[doc(alias = "mix")]
+#[doc(alias = "animation blending")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blend<C, F = f64> {
     pub(super) parts: Parts<C, F>,
@@ -58,7 +62,7 @@ pub(super) enum Parts<C, F> {
     Many(Vec<Layer<C, F>>),
 }
 
-impl<C: Curve<F>, F: Scalar> Blend<C, F> {
+impl<C: Curve<F>, F: Elementary> Blend<C, F> {
     /// `first` fades into `second`.
     ///
     /// # Errors
@@ -148,7 +152,7 @@ impl<C: Curve<F>, F: Scalar> Blend<C, F> {
     }
 }
 
-impl<C: Curve<F>, F: Scalar> Curve<F> for Blend<C, F> {
+impl<C: Curve<F>, F: Elementary> Curve<F> for Blend<C, F> {
     fn duration(&self) -> F {
         F::from_f64(self.duration)
     }
@@ -186,7 +190,7 @@ const MOST_REPEATS: f64 = 1e5;
 const FARTHEST: f64 = 1e9;
 
 /// The latest end of the clips.
-fn duration<'a, C: Curve<F> + 'a, F: Scalar>(
+fn duration<'a, C: Curve<F> + 'a, F: Elementary>(
     clips: impl Iterator<Item = &'a Clip<C, F>> + Clone,
 ) -> Result<f64, ProfileError> {
     let duration = clips.clone().map(Clip::end).fold(f64::NEG_INFINITY, f64::max);

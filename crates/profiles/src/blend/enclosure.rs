@@ -1,4 +1,4 @@
-//! What a blend may do within a span of time.
+//! Enclosures: bounds of a blend's derivatives within a span of time.
 
 use super::curve::{Blend, Parts};
 use super::fade::Side;

@@ -3,13 +3,13 @@
 use super::Keeps;
 pub use super::shape::FadeKind;
 use super::shape::Shape;
+use crate::Elementary;
 use crate::error::{ProfileError, check_finite, check_overflow, check_range};
 use crate::range::Range;
-use crate::scalar::Scalar;
 use core::f64::consts::PI;
 use core::ops::Bound::{Excluded, Included, Unbounded};
 
-/// What to do with a fade whose α leaves 0 to 1 within its window.
+/// The policy for a fade whose α leaves 0 to 1 within its window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Leaving {
@@ -31,7 +31,7 @@ pub(crate) enum Side {
     After,
 }
 
-/// When and how one motion gives way to another: α is 1 before the window, falls to 0 within it, and is 0 after it.
+/// A fade: when and how one motion gives way to another; α is 1 before the window, falls to 0 within it, and is 0 after it.
 ///
 /// Times are absolute, in double precision.
 ///
@@ -45,6 +45,9 @@ pub(crate) enum Side {
 /// assert_eq!(fade.alpha::<f64>(9.0), [0.0; 4]);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "crossfade")]
+#[doc(alias = "weight")]
+#[doc(alias = "transition")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "Written", into = "Written"))]
@@ -131,7 +134,7 @@ impl Fade {
 
     /// α and its first three derivatives by time. At both ends of the window, the derivatives are those within.
     #[inline]
-    pub fn alpha<F: Scalar>(&self, time: f64) -> [F; 4] {
+    pub fn alpha<F: Elementary>(&self, time: f64) -> [F; 4] {
         if time < self.start || time > self.end {
             return self.jet(time, F::from_f64(0.0), Side::After);
         }
@@ -140,7 +143,7 @@ impl Fade {
 
     /// The same at a time that may have derivatives.
     #[inline]
-    pub fn alpha_at<F: Scalar>(&self, time: F) -> [F; 4] {
+    pub fn alpha_at<F: Elementary>(&self, time: F) -> [F; 4] {
         let value = time.value();
         let derivatives = time - F::from_f64(value);
         if value < self.start || value > self.end {
@@ -151,7 +154,7 @@ impl Fade {
 
     /// The same, with what holds on one side of the ends of the window. `derivatives` are those of the time, and no value.
     #[inline]
-    pub(super) fn jet<F: Scalar>(&self, time: f64, derivatives: F, side: Side) -> [F; 4] {
+    pub(super) fn jet<F: Elementary>(&self, time: f64, derivatives: F, side: Side) -> [F; 4] {
         let (zero, one) = (F::from_f64(0.0), F::from_f64(1.0));
         let (begun, ended) = match side {
             Side::After => (time >= self.start, time >= self.end),
@@ -195,7 +198,7 @@ impl Fade {
     }
 
     /// Refuses what overflows in the scalar of a blend.
-    pub(super) fn check<F: Scalar>(&self) -> Result<(), ProfileError> {
+    pub(super) fn check<F: Elementary>(&self) -> Result<(), ProfileError> {
         for w in [0.0, 0.5, 1.0] {
             let jet: [F; 4] = self.scaled(self.shape.jet(w, 1.0 - w)).map(F::from_f64);
             check_overflow("a derivative of the fade", &jet)?;
@@ -209,7 +212,7 @@ impl Fade {
     }
 
     #[inline]
-    fn inside<F: Scalar>(&self, time: f64, derivatives: F) -> [F; 4] {
+    fn inside<F: Elementary>(&self, time: f64, derivatives: F) -> [F; 4] {
         let length = self.end - self.start;
         let (w, r) = ((time - self.start) / length, (self.end - time) / length);
         if F::EPSILON > f64::EPSILON {
@@ -221,7 +224,7 @@ impl Fade {
     }
 
     #[inline]
-    fn scaled<F: Scalar>(&self, jet: [F; 4]) -> [F; 4] {
+    fn scaled<F: Elementary>(&self, jet: [F; 4]) -> [F; 4] {
         let [first, second, third] = self.rates.map(F::from_f64);
         [jet[0], jet[1] * first, jet[2] * second, jet[3] * third]
     }

@@ -1,6 +1,6 @@
 //! Sums, products and quotients of functions with their first three derivatives.
 
-use crate::scalar::Scalar;
+use crate::Elementary;
 use core::ops::{Add, Div, Mul, Sub};
 
 /// Numbers, and intervals of them.
@@ -13,7 +13,7 @@ pub(super) trait Ring:
     fn of(self, other: Self) -> Self;
 }
 
-impl<F: Scalar> Ring for F {
+impl<F: Elementary> Ring for F {
     #[inline]
     fn real(x: f64) -> Self {
         F::from_f64(x)

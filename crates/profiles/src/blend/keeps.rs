@@ -1,8 +1,8 @@
-//! What a fade keeps continuous.
+//! The order of continuity of a fade.
 
 use core::fmt;
 
-/// What stays continuous where a fade begins and ends.
+/// The continuity of a blend where its fade begins and ends.
 ///
 /// Outside of the window the blend is one of the two motions; within it the derivative of order n is
 ///

@@ -2,10 +2,10 @@
 
 use super::fade::{Fade, Leaving, Side};
 use super::jet::{self, complement, constant, product};
+use crate::Elementary;
 use crate::clip::Clip;
 use crate::error::{ProfileError, check_range};
 use crate::range::Range;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// A motion with its weight over time.
@@ -13,6 +13,8 @@ use alloc::vec::Vec;
 /// ```text
 /// w(t) = amount·(1 − α_in(t))·α_out(t)
 /// ```
+#[doc(alias = "animation layer")]
+#[doc(alias = "track")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer<C, F = f64> {
     /// The motion.
@@ -25,7 +27,7 @@ pub struct Layer<C, F = f64> {
     pub fade_out: Option<Fade>,
 }
 
-impl<C, F: Scalar> Layer<C, F> {
+impl<C, F: Elementary> Layer<C, F> {
     /// A motion with weight 1 all the time.
     pub fn new(clip: Clip<C, F>) -> Self {
         Self { clip, amount: 1.0, fade_in: None, fade_out: None }
@@ -56,7 +58,7 @@ impl<C, F: Scalar> Layer<C, F> {
 }
 
 /// Refuses amounts and fades that are none, and weights that vanish together between 0 and `duration`.
-pub(super) fn check<C, F: Scalar>(layers: &[Layer<C, F>], duration: f64) -> Result<(), ProfileError> {
+pub(super) fn check<C, F: Elementary>(layers: &[Layer<C, F>], duration: f64) -> Result<(), ProfileError> {
     let needed = 1;
     if layers.len() < needed {
         return Err(ProfileError::Count { what: "layers", found: layers.len(), needed });
@@ -78,7 +80,7 @@ pub(super) fn check<C, F: Scalar>(layers: &[Layer<C, F>], duration: f64) -> Resu
 
 /// A time at which the sum of the weights is not above `least`, if there is one: halves spans until the sum of the least that
 /// each weight may be within is above.
-fn weightless<C, F: Scalar>(layers: &[Layer<C, F>], duration: f64, least: f64) -> Option<f64> {
+fn weightless<C, F: Elementary>(layers: &[Layer<C, F>], duration: f64, least: f64) -> Option<f64> {
     let mut times: Vec<f64> = layers.iter().flat_map(Layer::fades).flat_map(Fade::breaks).collect();
     times.retain(|&time| time > 0.0 && time < duration);
     times.extend([0.0, duration]);
@@ -110,7 +112,7 @@ fn weightless<C, F: Scalar>(layers: &[Layer<C, F>], duration: f64, least: f64) -
 
 /// The sum of the weights, and the first layer that has one.
 #[inline]
-pub(super) fn total<C, F: Scalar>(
+pub(super) fn total<C, F: Elementary>(
     layers: &[Layer<C, F>],
     time: f64,
     derivatives: F,

@@ -1,9 +1,9 @@
-//! How α falls from 1 to 0 over its window.
+//! The shapes of a fade: how the weight α falls from 1 to 0 over its window.
 
-use crate::scalar::Scalar;
+use crate::Elementary;
 use core::f64::consts::{FRAC_PI_2, LN_2};
 
-/// How one motion gives way to another: the share α of the first, over the window's own time w from 0 to 1.
+/// The kind of a fade: the share α of the first, over the window's own time w from 0 to 1.
 ///
 /// ```text
 /// Linear          α = 1 − w
@@ -93,9 +93,9 @@ impl Shape {
         let kind = if k < 1e-100 && kind != FadeKind::Smooth { FadeKind::Linear } else { kind };
         let whole = match kind {
             FadeKind::Linear | FadeKind::Smooth => 1.0,
-            FadeKind::Exponential { .. } => Scalar::exp_m1(-k),
-            FadeKind::Sinh { .. } => Scalar::exp_m1(-2.0 * k),
-            FadeKind::Trigonometric { .. } => Scalar::sin(k),
+            FadeKind::Exponential { .. } => Elementary::exp_m1(-k),
+            FadeKind::Sinh { .. } => Elementary::exp_m1(-2.0 * k),
+            FadeKind::Trigonometric { .. } => Elementary::sin(k),
         };
         Self { kind, k, whole }
     }
@@ -105,7 +105,7 @@ impl Shape {
     /// No exponential is of a positive number but that which is part of the result, and no difference is of numbers
     /// that are nearly the same.
     #[inline]
-    pub(super) fn jet<F: Scalar>(&self, w: F, r: F) -> [F; 4] {
+    pub(super) fn jet<F: Elementary>(&self, w: F, r: F) -> [F; 4] {
         let f = F::from_f64;
         let (k, whole) = (self.k, f(self.whole));
         match self.kind {
@@ -146,7 +146,7 @@ impl Shape {
         match self.kind {
             FadeKind::Exponential { .. } if self.k > LN_2 => {
                 // e^(2k)/(4·(eᵏ − 1)).
-                -0.25 * Scalar::exp(self.k) / self.whole
+                -0.25 * Elementary::exp(self.k) / self.whole
             }
             FadeKind::Trigonometric { .. } if self.k > FRAC_PI_2 => 1.0 / self.whole,
             _ => 1.0,
@@ -158,7 +158,7 @@ impl Shape {
         match self.kind {
             // In x = e^(kw), α = 1 is (x − 1)·(x·e^(−k) − 1 + e^(−k)) = 0.
             FadeKind::Exponential { .. } if self.k > LN_2 => {
-                1.0 + Scalar::ln_1p(-Scalar::exp(-self.k)) / self.k
+                1.0 + Elementary::ln_1p(-Elementary::exp(-self.k)) / self.k
             }
             FadeKind::Trigonometric { .. } if self.k > FRAC_PI_2 => {
                 // sin k(1 − w) is sin k again where k(1 − w) = π − k.
@@ -170,7 +170,7 @@ impl Shape {
 
     /// All w inside of the window at which α or one of its first three derivatives is greatest or smallest.
     pub(super) fn critical(&self) -> impl Iterator<Item = f64> + use<> {
-        let aside = Scalar::sqrt(1.0 / 12.0_f64);
+        let aside = Elementary::sqrt(1.0 / 12.0_f64);
         let times = match self.kind {
             FadeKind::Linear | FadeKind::Sinh { .. } => [1.0; 4],
             // The derivatives of orders 1 to 4 are zero where e^(−kr) is 1/2, 1/4, 1/8, 1/16.

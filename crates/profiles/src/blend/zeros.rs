@@ -1,4 +1,4 @@
-//! Where a derivative of a blend is zero within a piece.
+//! The zeros of a derivative of a blend within a piece.
 
 use super::enclosure::Piece;
 use crate::answers::{Answers, Turn};

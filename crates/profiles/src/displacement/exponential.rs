@@ -1,17 +1,18 @@
-//! A power of a shifted time.
+//! The curve that is a power of a shifted time.
 
 use super::power::{falling, scales};
 use super::{Place, between, check_motion};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_finite, check_overflow, check_range};
+use crate::float::floor;
 use crate::range::{Range, Ranges};
 use crate::sample::Sample;
-use crate::scalar::{Scalar, floor};
 use alloc::vec::Vec;
 use core::ops::Bound::{Excluded, Unbounded};
 
-/// From one position to another as a power of time that is shifted and turned round: the shape s leads from a slow start
+/// A motion from one position to another as a power of time that is shifted and turned round: the shape s leads from a slow start
 /// (s < 0) over the straight line (s = 0) to a slow end (0 < s ≤ 1).
 ///
 /// ```text
@@ -42,6 +43,7 @@ use core::ops::Bound::{Excluded, Unbounded};
 /// assert_eq!(curve.at(0.0).velocity, 4.0);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "ease in out")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponential<F = f64> {
     duration: F,
@@ -60,7 +62,7 @@ pub struct Exponential<F = f64> {
     factors: [F; 3],
 }
 
-impl<F: Scalar> Exponential<F> {
+impl<F: Elementary> Exponential<F> {
     /// Over `duration` > 0, between two positions, with `exponent` ≥ 1 and the `shape` s.
     ///
     /// # Errors
@@ -147,7 +149,7 @@ impl<F: Scalar> Exponential<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Exponential<F> {
+impl<F: Elementary> Curve<F> for Exponential<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -188,7 +190,7 @@ impl Answers for Exponential {
 }
 
 /// The exponent where it is a small whole number that depends on nothing, and the root of the power is not inside.
-fn terms<F: Scalar>(exponent: F, shape: F) -> u32 {
+fn terms<F: Elementary>(exponent: F, shape: F) -> u32 {
     const MOST: f64 = 16.0;
     let n = exponent.value();
     let is_whole = n <= MOST && exponent == F::from_f64(floor(n));
@@ -196,7 +198,7 @@ fn terms<F: Scalar>(exponent: F, shape: F) -> u32 {
 }
 
 /// Whether the curve is the straight line to the last digit: its own formula would underflow.
-fn is_straight<F: Scalar>(shape: F) -> bool {
+fn is_straight<F: Elementary>(shape: F) -> bool {
     shape.value().abs() < 1e-30
 }
 

@@ -1,20 +1,20 @@
-//! A power of a shifted time multiplied by a quadratic, with given velocities at the ends.
+//! The curve that is a power of a shifted time multiplied by a quadratic, with given velocities at the ends.
 
 use super::{Place, check_motion, check_velocities};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_finite, check_overflow, check_range};
 use crate::range::{Range, Ranges};
 use crate::roots::{bernstein, quadratic};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::ops::Bound::{Excluded, Unbounded};
 
 /// The greatest exponent: not far beyond it, binomial coefficients are more than `f32` can hold.
 const LARGEST_EXPONENT: u32 = 100;
 
-/// From one position and velocity to another along a polynomial of degree n whose velocity is the power n − 3 of a shifted
+/// A motion from one position and velocity to another along a polynomial of degree n whose velocity is the power n − 3 of a shifted
 /// time, multiplied by a quadratic.
 ///
 /// ```text
@@ -73,7 +73,7 @@ struct Half<F> {
     quadratics: [[F; 3]; 3],
 }
 
-impl<F: Scalar> ExponentialVelocities<F> {
+impl<F: Elementary> ExponentialVelocities<F> {
     /// Over `duration` > 0, from one (position, velocity) to another, with an `exponent` n from 3 to 100 and the `shape` s.
     ///
     /// # Errors
@@ -126,7 +126,7 @@ impl<F: Scalar> ExponentialVelocities<F> {
 
     /// Fractions of the duration at which the velocity is zero.
     fn still(&self) -> Vec<(f64, Turn)> {
-        let [q0, q1, q2] = self.halves[0].quadratics[0].map(Scalar::value);
+        let [q0, q1, q2] = self.halves[0].quadratics[0].map(Elementary::value);
         // The quadratic is (1 − u)² times q₂·ρ² + 2·q₁·ρ + q₀ in ρ = u/(1 − u).
         let roots = quadratic(q2, 2.0 * q1, q0).into_iter().filter(|&(ratio, _)| ratio > 0.0);
         let mut still: Vec<_> = roots.map(|(ratio, turn)| (1.0 / (1.0 + 1.0 / ratio), turn)).collect();
@@ -145,7 +145,7 @@ impl<F: Scalar> ExponentialVelocities<F> {
     }
 }
 
-impl<F: Scalar> Half<F> {
+impl<F: Elementary> Half<F> {
     fn new(duration: F, base: F, power: u32, rest: F, velocity: [F; 3]) -> Self {
         let acceleration = derivative(power, rest, velocity);
         let jerk = derivative(power.saturating_sub(1), rest, acceleration);
@@ -185,7 +185,7 @@ impl<F: Scalar> Half<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for ExponentialVelocities<F> {
+impl<F: Elementary> Curve<F> for ExponentialVelocities<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -242,7 +242,7 @@ pub(crate) struct Moments<F> {
     pub(crate) whole: F,
 }
 
-impl<F: Scalar> Moments<F> {
+impl<F: Elementary> Moments<F> {
     /// Refuses an exponent outside of its range, and a shape for which there is no solution.
     pub(crate) fn new(exponent: u32, shape: F) -> Result<Self, ProfileError> {
         let range = Range::closed(3.0, f64::from(LARGEST_EXPONENT));
@@ -277,7 +277,7 @@ impl<F: Scalar> Moments<F> {
 }
 
 /// q′ of yᵏ·q′ = d(yᵏ·q)/du without the power: yᵏ⁻¹·(y·dq/du − k·s·q), or dq/du itself where k = 0.
-fn derivative<F: Scalar>(k: u32, rest: F, q: [F; 3]) -> [F; 3] {
+fn derivative<F: Elementary>(k: u32, rest: F, q: [F; 3]) -> [F; 3] {
     let (first, last) = (q[1] - q[0], q[2] - q[1]);
     if k == 0 {
         return [first + first, first + last, last + last];

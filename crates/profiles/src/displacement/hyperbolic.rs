@@ -1,18 +1,18 @@
-//! A hyperbolic sine.
+//! The curve that is a hyperbolic sine.
 
 use super::{Place, between, check_motion};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_overflow, check_range};
 use crate::range::Range;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// Up to this stiffness the curve is the straight line to the last digit, and its own formula would underflow.
 const STRAIGHT: f64 = 1e-30;
 
-/// From one position to another along a hyperbolic sine: slow at first, the more so the greater its stiffness.
+/// A motion from one position to another along a hyperbolic sine: slow at first, the more so the greater its stiffness.
 ///
 /// ```text
 /// x = x₀ + D·sinh(k·u)/sinh k        u = t/T,  D = x₁ − x₀
@@ -44,7 +44,7 @@ pub struct Hyperbolic<F = f64> {
     rate: F,
 }
 
-impl<F: Scalar> Hyperbolic<F> {
+impl<F: Elementary> Hyperbolic<F> {
     /// Over `duration` > 0, between two positions, with `stiffness` ≥ 0.
     ///
     /// # Errors
@@ -67,7 +67,7 @@ impl<F: Scalar> Hyperbolic<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Hyperbolic<F> {
+impl<F: Elementary> Curve<F> for Hyperbolic<F> {
     fn duration(&self) -> F {
         self.duration
     }

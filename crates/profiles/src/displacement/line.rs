@@ -1,14 +1,14 @@
 //! The straight line.
 
 use super::{Place, check_motion};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_overflow};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
-/// From one position to another with constant velocity.
+/// A motion from one position to another with constant velocity.
 ///
 /// ```text
 /// x = x₀ + D·u        u = t/T,  D = x₁ − x₀
@@ -17,6 +17,8 @@ use alloc::vec::Vec;
 /// # Source
 ///
 /// Vasilonikolidakis (1991), §5.3.4 and §A.1.4.
+#[doc(alias = "lerp")]
+#[doc(alias = "linear interpolation")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line<F = f64> {
     duration: F,
@@ -26,7 +28,7 @@ pub struct Line<F = f64> {
     velocity: F,
 }
 
-impl<F: Scalar> Line<F> {
+impl<F: Elementary> Line<F> {
     /// Over `duration` > 0, between two positions.
     ///
     /// # Errors
@@ -42,7 +44,7 @@ impl<F: Scalar> Line<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Line<F> {
+impl<F: Elementary> Curve<F> for Line<F> {
     fn duration(&self) -> F {
         self.duration
     }

@@ -1,15 +1,15 @@
-//! A power of time.
+//! The curve that is a power of time.
 
 use super::{between, check_motion};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_overflow, check_range};
 use crate::range::Range;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
-/// From one position to another as a power of time: flat at first, then ever steeper.
+/// A motion from one position to another as a power of time: flat at first, then ever steeper.
 ///
 /// ```text
 /// x = x₀ + D·uⁿ                             u = t/T,  D = x₁ − x₀
@@ -35,6 +35,7 @@ use alloc::vec::Vec;
 /// assert_eq!(middle.to_array(), [1.0, 3.0, 6.0, 6.0]);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "ease in")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<F = f64> {
     duration: F,
@@ -45,7 +46,7 @@ pub struct Power<F = f64> {
     scales: [F; 4],
 }
 
-impl<F: Scalar> Power<F> {
+impl<F: Elementary> Power<F> {
     /// Over `duration` > 0, between two positions, with `exponent` ≥ 1.
     ///
     /// # Errors
@@ -66,7 +67,7 @@ impl<F: Scalar> Power<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Power<F> {
+impl<F: Elementary> Curve<F> for Power<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -100,7 +101,7 @@ impl Answers for Power {
 }
 
 /// D, D/T, D/T², D/T³.
-pub(super) fn scales<F: Scalar>(delta: F, duration: F) -> [F; 4] {
+pub(super) fn scales<F: Elementary>(delta: F, duration: F) -> [F; 4] {
     let velocity = delta / duration;
     let acceleration = velocity / duration;
     [delta, velocity, acceleration, acceleration / duration]
@@ -108,7 +109,7 @@ pub(super) fn scales<F: Scalar>(delta: F, duration: F) -> [F; 4] {
 
 /// zⁿ and its first three derivatives by z, for any n ≥ 1 where z ≥ 0, and for whole n where z < 0.
 #[inline]
-pub(super) fn falling<F: Scalar>(z: F, n: F) -> [F; 4] {
+pub(super) fn falling<F: Elementary>(z: F, n: F) -> [F; 4] {
     let [one, two] = [1.0, 2.0].map(F::from_f64);
     let factors = [n, n * (n - one), n * (n - one) * (n - two)];
     // A whole number that does not depend on anything; a dual number with derivatives is not equal to its value alone.

@@ -1,21 +1,21 @@
-//! Hyperbolic functions and a straight line, with given velocities at the ends.
+//! The curve under tension: hyperbolic functions and a straight line, with given velocities at the ends.
 
 mod scaled;
 mod still;
 
 use super::{Place, check_motion, check_velocities};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_overflow, check_range};
 use crate::range::Range;
 use crate::roots::bracketed;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 pub(crate) use scaled::Scaled;
 use scaled::cubic_share;
 
-/// From one position and velocity to another as a cable under tension would lie: with stiffness k = 0 the cubic, and the
+/// A motion from one position and velocity to another as a cable under tension would lie: with stiffness k = 0 the cubic, and the
 /// straight line, with quick changes to the velocities at both ends, as k grows.
 ///
 /// ```text
@@ -49,6 +49,8 @@ use scaled::cubic_share;
 /// assert!((curve.at(1.0).velocity - 2.5_f64).abs() < 0.1);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "spline under tension")]
+#[doc(alias = "tension spline")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tension<F = f64> {
     duration: F,
@@ -62,7 +64,7 @@ pub struct Tension<F = f64> {
     rate: F,
 }
 
-impl<F: Scalar> Tension<F> {
+impl<F: Elementary> Tension<F> {
     /// Over `duration` > 0, from one (position, velocity) to another, with `stiffness` k ≥ 0.
     ///
     /// # Errors
@@ -86,7 +88,7 @@ impl<F: Scalar> Tension<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Tension<F> {
+impl<F: Elementary> Curve<F> for Tension<F> {
     fn duration(&self) -> F {
         self.duration
     }

@@ -1,15 +1,15 @@
-//! Half a period of a sine, from rest to rest.
+//! The curve that is half a period of a sine, from rest to rest.
 
 use super::{Place, check_motion};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_overflow};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// From rest to rest along half a period of a sine.
+/// A motion from rest to rest along half a period of a sine.
 ///
 /// ```text
 /// x = x₀ + D·sin²(π·u/2)        u = t/T,  D = x₁ − x₀
@@ -35,6 +35,10 @@ use core::f64::consts::PI;
 /// assert!((middle.velocity - 0.75 * std::f64::consts::PI).abs() < 1e-15);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "cosine easing")]
+#[doc(alias = "ease in out")]
+#[doc(alias = "harmonic")]
+#[doc(alias = "cycloid")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trigonometric<F = f64> {
     duration: F,
@@ -47,7 +51,7 @@ pub struct Trigonometric<F = f64> {
     jerk: F,
 }
 
-impl<F: Scalar> Trigonometric<F> {
+impl<F: Elementary> Trigonometric<F> {
     /// Over `duration` > 0, between two positions.
     ///
     /// # Errors
@@ -66,7 +70,7 @@ impl<F: Scalar> Trigonometric<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Trigonometric<F> {
+impl<F: Elementary> Curve<F> for Trigonometric<F> {
     fn duration(&self) -> F {
         self.duration
     }

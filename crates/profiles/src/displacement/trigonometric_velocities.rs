@@ -1,16 +1,16 @@
-//! A sine, a cosine and a straight line, with given velocities at the ends.
+//! The curve of a sine, a cosine and a straight line, with given velocities at the ends.
 
 use super::{Place, check_motion, check_velocities};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_overflow};
 use crate::roots::quadratic;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
-/// From one position and velocity to another along a straight line and half a period of a sine of any phase.
+/// A motion from one position and velocity to another along a straight line and half a period of a sine of any phase.
 ///
 /// ```text
 /// x = x₀ + D·S + T·v̄·(u − S) + T·(v₀ − v₁)/(2π)·sin π·u        u = t/T,  S = sin²(π·u/2),  D = x₁ − x₀
@@ -53,7 +53,7 @@ pub struct TrigonometricVelocities<F = f64> {
     accelerations: (F, F),
 }
 
-impl<F: Scalar> TrigonometricVelocities<F> {
+impl<F: Elementary> TrigonometricVelocities<F> {
     /// Over `duration` > 0, from one (position, velocity) to another.
     ///
     /// # Errors
@@ -74,7 +74,7 @@ impl<F: Scalar> TrigonometricVelocities<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for TrigonometricVelocities<F> {
+impl<F: Elementary> Curve<F> for TrigonometricVelocities<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -105,7 +105,7 @@ impl TrigonometricVelocities {
     /// Times at which a·r² + b·r + c = 0 for r = tan(π·u/2) > 0.
     fn times(&self, a: f64, b: f64, c: f64) -> impl Iterator<Item = (f64, Turn)> {
         let duration = self.duration;
-        let time = move |r: f64| duration * (2.0 / PI) * Scalar::atan(r);
+        let time = move |r: f64| duration * (2.0 / PI) * Elementary::atan(r);
         quadratic(a, b, c).into_iter().filter(|&(r, _)| r > 0.0).map(move |(r, turn)| (time(r), turn))
     }
 }

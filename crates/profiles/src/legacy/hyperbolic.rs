@@ -1,19 +1,19 @@
 //! The thesis's hyperbolic curve with velocities.
 
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow};
 use crate::range::{Range, Ranges};
 use crate::roots::{bracketed, pieces};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::ops::Bound::Excluded;
 
 /// Durations with which the equations have no solution.
 const POLES: [f64; 2] = [1.0, 2.827_181_757_169_648];
 
-/// From one position and velocity to another in the thesis's basis of hyperbolic functions.
+/// A motion from one position and velocity to another in the thesis's basis of hyperbolic functions.
 ///
 /// ```text
 /// x = x₀ + A·sinh(t/T) + B·t·sinh t + C·sinh t
@@ -43,7 +43,7 @@ pub struct Hyperbolic<F = f64> {
     constants: [F; 3],
 }
 
-impl<F: Scalar> Hyperbolic<F> {
+impl<F: Elementary> Hyperbolic<F> {
     /// Over `duration` > 0, from one (position, velocity) to another.
     ///
     /// # Errors
@@ -71,7 +71,7 @@ impl<F: Scalar> Hyperbolic<F> {
         // The sum of the sizes of all that the determinant is a sum of.
         let size =
             (sinh1 / sinh + one / duration) * velocity.1 + position.1 * (cosh1 / sinh + coth) / duration;
-        if determinant.value().abs() <= Scalar::powf(F::EPSILON, 2.0 / 3.0) * size.value() {
+        if determinant.value().abs() <= Elementary::powf(F::EPSILON, 2.0 / 3.0) * size.value() {
             return Err(no_solution::<F>(
                 duration,
                 "the equations have no solution for 1 and 2.827181757169648",
@@ -100,7 +100,7 @@ impl<F: Scalar> Hyperbolic<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Hyperbolic<F> {
+impl<F: Elementary> Curve<F> for Hyperbolic<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -128,8 +128,8 @@ impl Answers for Hyperbolic {
         }
         // The numerator of (cosh(t/T)/cosh t)′ over cosh² t, and its derivative.
         let parts = |t: f64| {
-            let (sinh, cosh) = (Scalar::sinh(t * rate), Scalar::cosh(t * rate));
-            let (tanh, sech) = (Scalar::tanh(t), 1.0 / Scalar::cosh(t));
+            let (sinh, cosh) = (Elementary::sinh(t * rate), Elementary::cosh(t * rate));
+            let (tanh, sech) = (Elementary::tanh(t), 1.0 / Elementary::cosh(t));
             let numerator = rate * sinh - cosh * tanh;
             let slope = rate * rate * cosh - rate * sinh * tanh - cosh * sech * sech;
             (numerator, slope, tanh, sech)
@@ -140,7 +140,7 @@ impl Answers for Hyperbolic {
         };
         let phi_slope = |t: f64| {
             let (numerator, slope, tanh, sech) = parts(t);
-            slope * (1.0 + sech * sech) - numerator * Scalar::powi(tanh, 3)
+            slope * (1.0 + sech * sech) - numerator * Elementary::powi(tanh, 3)
         };
         let turns = phi_slope(0.0).signum() * phi_slope(duration) < 0.0;
         let extremum = turns.then(|| bracketed(phi_slope, 0.0, duration));
@@ -148,9 +148,9 @@ impl Answers for Hyperbolic {
         let cuts = pieces(|t| a * rate * phi(t) + b, none, extremum, (0.0, duration));
         let velocity = |t: f64| self.at(t).velocity;
         let noise = |t: f64| {
-            let (sinh, cosh) = (Scalar::sinh(t), Scalar::cosh(t));
+            let (sinh, cosh) = (Elementary::sinh(t), Elementary::cosh(t));
             let [a, b, c] = self.constants.map(f64::abs);
-            8.0 * f64::EPSILON * (a * rate * Scalar::cosh(t * rate) + b * (sinh + t * cosh) + c * cosh)
+            8.0 * f64::EPSILON * (a * rate * Elementary::cosh(t * rate) + b * (sinh + t * cosh) + c * cosh)
         };
         Stationary::at(pieces(velocity, noise, cuts.into_iter().map(|(t, _)| t), (0.0, duration)), duration)
     }
@@ -173,7 +173,7 @@ impl Answers for Hyperbolic {
     }
 }
 
-fn no_solution<F: Scalar>(duration: F, why: &'static str) -> ProfileError {
+fn no_solution<F: Elementary>(duration: F, why: &'static str) -> ProfileError {
     // ln(2·MAX), beyond which sinh and cosh overflow.
     let largest = if F::EPSILON > 1e-10 { 89.0 } else { 710.0 };
     let between = |low, high| Range::new(Excluded(low), Excluded(high));

@@ -1,14 +1,14 @@
-//! Velocity, acceleration and jerk limited.
+//! The S-curve: least time with limited velocity, acceleration and jerk.
 
 use super::{at_least, at_most, inner, placed, stretch, way};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_overflow};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
-/// From rest to rest in the least time with a limited velocity V, acceleration A and jerk J: seven phases of constant
+/// A motion from rest to rest in the least time with a limited velocity V, acceleration A and jerk J: seven phases of constant
 /// jerk.
 ///
 /// ```text
@@ -35,6 +35,10 @@ use alloc::vec::Vec;
 /// assert_eq!(motion.at(0.75).acceleration, 1.0);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "jerk-limited")]
+#[doc(alias = "double s")]
+#[doc(alias = "ruckig")]
+#[doc(alias = "time-optimal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SCurve<F = f64> {
     ends: (F, F),
@@ -50,7 +54,7 @@ pub struct SCurve<F = f64> {
     jerk: F,
 }
 
-impl<F: Scalar> SCurve<F> {
+impl<F: Elementary> SCurve<F> {
     /// From `from` to `to`; the limits are magnitudes.
     ///
     /// # Errors
@@ -171,7 +175,7 @@ impl<F: Scalar> SCurve<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for SCurve<F> {
+impl<F: Elementary> Curve<F> for SCurve<F> {
     /// How long it lasts; 0 where there is no way to go.
     fn duration(&self) -> F {
         self.duration
@@ -217,13 +221,13 @@ impl Answers for SCurve {
 }
 
 /// tⱼ, no tₐ, and the acceleration reached where V is reached without reaching A.
-fn root_of<F: Scalar>(v: F, j: F) -> (F, F, F) {
+fn root_of<F: Elementary>(v: F, j: F) -> (F, F, F) {
     let tj = v.sqrt() / j.sqrt();
     (tj, F::from_f64(0.0), v.sqrt() * j.sqrt())
 }
 
 /// ∛x of a positive number; one step of Newton's takes off what the rounded exponent 1/3 leaves.
-fn cube_root<F: Scalar>(x: F) -> F {
+fn cube_root<F: Elementary>(x: F) -> F {
     let third = F::from_f64(1.0 / 3.0);
     let y = x.powf(third);
     y - (y - x / (y * y)) * third

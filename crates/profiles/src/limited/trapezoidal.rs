@@ -1,14 +1,14 @@
-//! Velocity and acceleration limited.
+//! The trapezoidal profile: least time with limited velocity and acceleration.
 
 use super::{at_most, inner, placed, stretch, way};
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_overflow};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
-/// From rest to rest in the least time with a limited velocity V and a limited acceleration A: the velocity is a
+/// A motion from rest to rest in the least time with a limited velocity V and a limited acceleration A: the velocity is a
 /// trapezium, or a triangle where V is not reached.
 ///
 /// ```text
@@ -29,6 +29,10 @@ use alloc::vec::Vec;
 /// assert_eq!(motion.at(1.0).velocity, 1.0);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "lspb")]
+#[doc(alias = "bang-bang")]
+#[doc(alias = "trapezoidal velocity")]
+#[doc(alias = "time-optimal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trapezoidal<F = f64> {
     ends: (F, F),
@@ -42,7 +46,7 @@ pub struct Trapezoidal<F = f64> {
     acceleration: F,
 }
 
-impl<F: Scalar> Trapezoidal<F> {
+impl<F: Elementary> Trapezoidal<F> {
     /// From `from` to `to`; the limits are magnitudes.
     ///
     /// # Errors
@@ -108,7 +112,7 @@ impl<F: Scalar> Trapezoidal<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Trapezoidal<F> {
+impl<F: Elementary> Curve<F> for Trapezoidal<F> {
     /// How long it lasts; 0 where there is no way to go.
     fn duration(&self) -> F {
         self.duration

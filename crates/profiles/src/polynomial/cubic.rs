@@ -1,11 +1,11 @@
-//! The curve that meets positions and velocities.
+//! The cubic Hermite curve, which meets positions and velocities at both ends.
 
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow};
 use crate::roots;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// The curve of degree three that meets position and velocity at both ends.
@@ -27,6 +27,9 @@ use alloc::vec::Vec;
 /// assert_eq!(curve.at(1.0).velocity, 0.75); // 3/2 of the mean
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "cubic")]
+#[doc(alias = "spline")]
+#[doc(alias = "hermite")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CubicHermite<F = f64> {
     duration: F,
@@ -38,7 +41,7 @@ pub struct CubicHermite<F = f64> {
     backwards: [F; 4],
 }
 
-impl<F: Scalar> CubicHermite<F> {
+impl<F: Elementary> CubicHermite<F> {
     /// Over `duration`, from position `x0` with velocity `v0` to `x1` with `v1`.
     ///
     /// # Errors
@@ -84,7 +87,7 @@ impl CubicHermite {
     }
 }
 
-impl<F: Scalar> Curve<F> for CubicHermite<F> {
+impl<F: Elementary> Curve<F> for CubicHermite<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -124,7 +127,7 @@ impl Answers for CubicHermite {
 }
 
 /// The coefficients of u, from p = v₀T and q = v₁T.
-fn of_span<F: Scalar>(x0: F, p: F, x1: F, q: F) -> [F; 4] {
+fn of_span<F: Elementary>(x0: F, p: F, x1: F, q: F) -> [F; 4] {
     let (two, three) = (F::from_f64(2.0), F::from_f64(3.0));
     let delta = x1 - x0;
     [x0, p, three * delta - two * p - q, p + q - two * delta]
@@ -132,7 +135,7 @@ fn of_span<F: Scalar>(x0: F, p: F, x1: F, q: F) -> [F; 4] {
 
 /// At the time `s` after the end that the coefficients begin at.
 #[inline]
-fn cubic<F: Scalar>(c: &[F; 4], rates: &[F; 3], s: F) -> Sample<F> {
+fn cubic<F: Elementary>(c: &[F; 4], rates: &[F; 3], s: F) -> Sample<F> {
     let (two, three, six) = (F::from_f64(2.0), F::from_f64(3.0), F::from_f64(6.0));
     let u = s * rates[0];
     Sample {

@@ -1,11 +1,11 @@
-//! The curve that meets all six boundary values.
+//! The quintic curve, which meets positions, velocities and accelerations at both ends.
 
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow};
 use crate::roots;
 use crate::sample::{Boundary, Sample};
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// The curve of degree five that meets position, velocity and acceleration at both ends.
@@ -36,6 +36,8 @@ use alloc::vec::Vec;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 // Two numbers of a pair are read at once, without an instruction of their own where they are aligned.
+#[doc(alias = "fifth-order polynomial")]
+#[doc(alias = "minimum jerk")]
 #[repr(align(16))]
 pub struct Quintic<F = f64> {
     duration: F,
@@ -48,7 +50,7 @@ pub struct Quintic<F = f64> {
     ends: [Boundary<F>; 2],
 }
 
-impl<F: Scalar> Quintic<F> {
+impl<F: Elementary> Quintic<F> {
     /// Over `duration`, from `start` at time 0 to `end`.
     ///
     /// # Errors
@@ -89,6 +91,8 @@ impl<F: Scalar> Quintic<F> {
     /// # Errors
     ///
     /// As [`new`](Self::new).
+    #[doc(alias = "smootherstep")]
+    #[doc(alias = "Flash and Hogan")]
     pub fn minimum_jerk(duration: F, from: F, to: F) -> Result<Self, ProfileError> {
         check_finite("from", &[from])?;
         check_finite("to", &[to])?;
@@ -135,7 +139,7 @@ impl<F: Scalar> Quintic<F> {
 /// c₄ = (a_s − v_d)/8    c₂ = v_d/2 − 2c₄           c₀ = x_s − c₂ − c₄
 /// c₅ = (a_d − 3e)/8     c₃ = e/2 − 2c₅             c₁ = x_d − c₃ − c₅        e = v_s − x_d
 /// ```
-fn about_the_middle<F: Scalar>(half: F, start: &Boundary<F>, end: &Boundary<F>) -> [F; 6] {
+fn about_the_middle<F: Elementary>(half: F, start: &Boundary<F>, end: &Boundary<F>) -> [F; 6] {
     let n = F::from_f64;
     let sum = |x: F, y: F| n(0.5) * x + n(0.5) * y;
     let (xs, xd) = (sum(start.position, end.position), sum(-start.position, end.position));
@@ -184,7 +188,7 @@ impl Quintic {
     }
 }
 
-impl<F: Scalar> Curve<F> for Quintic<F> {
+impl<F: Elementary> Curve<F> for Quintic<F> {
     fn duration(&self) -> F {
         self.duration
     }

@@ -1,6 +1,7 @@
-//! From a profile to a curve that answers.
+//! The curve of any profile, which evaluates and answers.
 
 use super::{Profile, ProfileLayer};
+use crate::Elementary;
 use crate::answers::{Answers, Peaks, Quantity, Stationary};
 use crate::blend::{self, Blend};
 use crate::clip::Clip;
@@ -9,7 +10,6 @@ use crate::error::{ProfileError, check_range};
 use crate::polynomial::{CubicHermite, Quintic};
 use crate::range::Range;
 use crate::sample::{Boundary, Sample};
-use crate::scalar::Scalar;
 use crate::spline::{Bend, CubicSpline};
 use crate::{acceleration, displacement, legacy, limited, velocity};
 use alloc::boxed::Box;
@@ -17,22 +17,22 @@ use alloc::vec::Vec;
 
 /// The curve of any [`Profile`], ready to be evaluated.
 #[derive(Clone, Debug)]
-pub struct ProfileCurve<F: Scalar = f64>(Any<F>);
+pub struct ProfileCurve<F: Elementary = f64>(Any<F>);
 
 macro_rules! any {
     ($($variant:ident($curve:ty)),* $(,)?) => {
         #[derive(Clone, Debug)]
-        enum Any<F: Scalar> {
+        enum Any<F: Elementary> {
             $($variant($curve),)*
         }
 
-        $(impl<F: Scalar> From<$curve> for ProfileCurve<F> {
+        $(impl<F: Elementary> From<$curve> for ProfileCurve<F> {
             fn from(curve: $curve) -> Self {
                 Self(Any::$variant(curve))
             }
         })*
 
-        impl<F: Scalar> Any<F> {
+        impl<F: Elementary> Any<F> {
             #[inline]
             fn curve(&self) -> &dyn Curve<F> {
                 match self {
@@ -75,7 +75,7 @@ any! {
     Blend(Box<Blend<ProfileCurve<F>, F>>),
 }
 
-impl<F: Scalar> Curve<F> for ProfileCurve<F> {
+impl<F: Elementary> Curve<F> for ProfileCurve<F> {
     fn duration(&self) -> F {
         self.0.curve().duration()
     }
@@ -136,7 +136,7 @@ impl Profile {
     /// # Ok::<(), solaris_profiles::ProfileError>(())
     /// ```
     #[allow(clippy::too_many_lines, reason = "one arm for each kind")]
-    pub fn curve<F: Scalar>(&self) -> Result<ProfileCurve<F>, ProfileError> {
+    pub fn curve<F: Elementary>(&self) -> Result<ProfileCurve<F>, ProfileError> {
         let f = F::from_f64;
         let pair = |x: f64, y: f64| (f(x), f(y));
         Ok(match *self {
@@ -263,11 +263,11 @@ impl Profile {
 }
 
 impl ProfileLayer {
-    fn clip<F: Scalar>(&self) -> Result<Clip<ProfileCurve<F>, F>, ProfileError> {
+    fn clip<F: Elementary>(&self) -> Result<Clip<ProfileCurve<F>, F>, ProfileError> {
         Ok(Clip::new(self.profile.curve()?).starting(self.start)?.outside(self.outside))
     }
 
-    fn weighted<F: Scalar>(&self) -> Result<blend::Layer<ProfileCurve<F>, F>, ProfileError> {
+    fn weighted<F: Elementary>(&self) -> Result<blend::Layer<ProfileCurve<F>, F>, ProfileError> {
         Ok(blend::Layer {
             clip: self.clip()?,
             amount: self.amount,
@@ -278,7 +278,7 @@ impl ProfileLayer {
 }
 
 /// Keys with their positions in the scalar of the curve.
-fn converted<F: Scalar>(keys: &[(f64, f64)]) -> Vec<(f64, F)> {
+fn converted<F: Elementary>(keys: &[(f64, f64)]) -> Vec<(f64, F)> {
     keys.iter().map(|&(time, position)| (time, F::from_f64(position))).collect()
 }
 

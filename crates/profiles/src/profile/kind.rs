@@ -1,11 +1,11 @@
-//! What a kind of profile is, apart from any values.
+//! The kinds of profiles, with their names and parameters, apart from any values.
 
 use super::{Parameter, Profile};
 use crate::error::ProfileError;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// What a kind of profile prescribes.
+/// The family of a kind of profile: what it prescribes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// A curve for the position, between two positions.

@@ -3,7 +3,7 @@
 use crate::range::Range;
 use core::fmt;
 
-/// What a parameter measures, where positions are in some unit (rad, m) and times in s.
+/// The dimension of a parameter, where positions are in some unit (rad, m) and times in s.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// A position.

@@ -1,11 +1,11 @@
 //! Questions about a profile before it is a curve: which values of a parameter would do.
 
 use super::{Parameter, Profile};
+use crate::Elementary;
 use crate::answers::{Answers, Turn};
 use crate::error::{ProfileError, check_range};
 use crate::polynomial::CubicHermite;
 use crate::range::{Range, Ranges};
-use crate::scalar::Scalar;
 use crate::{acceleration, displacement, velocity};
 
 /// The parameters that may be free, in the order in which one is looked for that could help.
@@ -233,7 +233,7 @@ impl Profile {
             Self::QuarterEllipse { from, duration, middle_acceleration, start_velocity } => {
                 let start = (*from, *start_velocity);
                 let peak = acceleration::Ellipse::quarter_reaching(*duration, start, to)?.peak_acceleration();
-                *middle_acceleration = peak * Scalar::sqrt(0.75);
+                *middle_acceleration = peak * Elementary::sqrt(0.75);
             }
             Self::HalfEllipse { from, duration, peak_acceleration, start_velocity } => {
                 *peak_acceleration =

@@ -1,8 +1,8 @@
 //! Zeros of polynomials in Bernstein form.
 
 use super::{bracketed, is_zero, pieces};
+use crate::Elementary;
 use crate::answers::Turn;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// The roots in the open span (0, 1) of the polynomial with these coefficients, rising; each once, as a reversal where the
@@ -71,7 +71,7 @@ fn horner(b: impl Iterator<Item = f64>, n: usize, u: f64) -> f64 {
         sum += b * term;
         term *= r * (n - k) as f64 / (k + 1) as f64;
     }
-    sum * Scalar::powi(1.0 - u, n as u32)
+    sum * Elementary::powi(1.0 - u, n as u32)
 }
 
 /// How wrong p(u) may be where each coefficient is wrong by some units of its last place.

@@ -1,6 +1,6 @@
 //! Quaternions with their first two derivatives by time.
 
-use crate::scalar::Scalar;
+use crate::{Elementary, Scalar};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A quaternion, its rate and the rate of that.
@@ -42,7 +42,7 @@ pub(super) fn exp_of(v: [Vector3<f64>; 3]) -> Motion {
     let [c, k, k1, k2] = if s < 0.04 {
         series(s)
     } else {
-        let angle = Scalar::sqrt(s);
+        let angle = Elementary::sqrt(s);
         let (sine, c) = Scalar::sin_cos(angle);
         let k = sine / angle;
         let k1 = (c - k) / (2.0 * s);
@@ -85,9 +85,9 @@ pub(super) fn shortest(from: &UnitQuaternion<f64>, to: &UnitQuaternion<f64>) -> 
 fn half_angle(sine: f64, cosine: f64) -> f64 {
     // tan(φ/2) = sin φ/(1 + cos φ) = (1 − cos φ)/sin φ.
     if cosine >= 0.0 {
-        2.0 * Scalar::atan(sine / (1.0 + cosine))
+        2.0 * Elementary::atan(sine / (1.0 + cosine))
     } else {
-        2.0 * Scalar::atan((1.0 - cosine) / sine)
+        2.0 * Elementary::atan((1.0 - cosine) / sine)
     }
 }
 
@@ -111,7 +111,7 @@ fn over_sine(v: Vector3<f64>, [w, dw, ddw]: [f64; 3], [dv, ddv]: [Vector3<f64>; 
         return [k, k1 * ds, k2 * ds * ds + k1 * dds];
     }
     // n = |v|: φ = atan2(n, w), φ′ = w·n′ − n·w′, φ″ = w·n″ − n·w″.
-    let n = Scalar::sqrt(s);
+    let n = Elementary::sqrt(s);
     let dn = v.dot(&dv) / n;
     let ddn = (dv.norm_squared() + v.dot(&ddv) - dn * dn) / n;
     let (angle, rate, second) = (half_angle(n, w), w * dn - n * dw, w * ddn - n * ddw);
@@ -132,7 +132,7 @@ fn series(s: f64) -> [f64; 4] {
         1.0 / 6_227_020_800.0,
     ];
     let [k, k1, k2] = polynomial(&C, s);
-    [Scalar::cos(Scalar::sqrt(s)), k, k1, k2]
+    [Elementary::cos(Elementary::sqrt(s)), k, k1, k2]
 }
 
 /// A polynomial with its first two derivatives.

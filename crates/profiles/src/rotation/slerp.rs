@@ -1,4 +1,4 @@
-//! One orientation turned into another at a constant rate.
+//! Slerp: one orientation turned into another at a constant rate.
 
 use super::motion::{exp, shortest};
 use super::{Turning, checked};
@@ -34,6 +34,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// # Source
 ///
 /// K. Shoemake, "Animating rotation with quaternion curves", Computer Graphics 19 (1985). The thesis has no orientations.
+#[doc(alias = "spherical linear interpolation")]
+#[doc(alias = "quaternion interpolation")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slerp {
     duration: f64,

@@ -1,10 +1,10 @@
-//! A smooth turn through orientations at given times.
+//! Squad: a smooth turn through orientations at given times.
 
 use super::motion::{Motion, exp, exp_of, log, shortest};
 use super::{Turning, checked};
+use crate::Elementary;
 use crate::curve::within;
 use crate::error::{ProfileError, check_finite, check_overflow};
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_PI_2;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -27,6 +27,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course notes (1987), for keys at even times, where the
 /// quadrangle is his: s = q·e^(−(log(q⁻¹·q₊) + log(q⁻¹·q₋))/4). That one point would not do for spans of unequal length: the
 /// angular velocity would jump; here each span has its own.
+#[doc(alias = "spherical quadrangle interpolation")]
+#[doc(alias = "quaternion spline")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Squad {
     /// Since the first key.
@@ -159,6 +161,6 @@ fn largest_part(rate: Vector3<f64>, length: f64, side: Vector3<f64>) -> f64 {
     }
     let along = reach.dot(&side) / reach.norm();
     let room = (FRAC_PI_2 * FRAC_PI_2 - side.norm_squared()).max(0.0);
-    let part = (along + Scalar::sqrt(along * along + room)) / reach.norm();
+    let part = (along + Elementary::sqrt(along * along + room)) / reach.norm();
     part.clamp(0.0, 1.0)
 }

@@ -1,4 +1,4 @@
-//! What can be asked about a whole spline.
+//! The answers about a whole spline: stationary points, peaks.
 
 use super::cubic::CubicSpline;
 use super::piece::Piece;

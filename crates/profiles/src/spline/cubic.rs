@@ -1,14 +1,14 @@
-//! Cubic pieces between keys.
+//! Cubic splines through keys: Hermite, Catmull-Rom, Kochanek-Bartels, monotone, natural, clamped.
 
 use super::keys::{Bend, Chord, Key, chords};
 use super::knots::Knots;
 use super::piece::Piece;
 use super::tangents;
+use crate::Elementary;
 use crate::clip::Clip;
 use crate::curve::Curve;
 use crate::error::{ProfileError, check_finite};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// The curve of cubic pieces through keys at any rising times, each given as its time and its position.
@@ -42,6 +42,9 @@ use alloc::vec::Vec;
 /// assert_eq!(curve.into_clip().at(14.0).position, 3.0);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "spline")]
+#[doc(alias = "interpolation")]
+#[doc(alias = "keyframes")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct CubicSpline<F = f64> {
     start: f64,
@@ -49,12 +52,13 @@ pub struct CubicSpline<F = f64> {
     pub(super) pieces: Vec<Piece<F>>,
 }
 
-impl<F: Scalar> CubicSpline<F> {
-    /// With the velocities that the keys name.
+impl<F: Elementary> CubicSpline<F> {
+    /// The spline with the velocities that the keys name.
     ///
     /// # Errors
     ///
     /// [As all constructors](Self#errors).
+    #[doc(alias = "hermite spline")]
     pub fn hermite(keys: &[Key<F>]) -> Result<Self, ProfileError> {
         let (start, knots) = Knots::new(keys.iter().map(|key| key.time))?;
         for key in keys {
@@ -80,6 +84,8 @@ impl<F: Scalar> CubicSpline<F> {
     /// # Errors
     ///
     /// [As all constructors](Self#errors).
+    #[doc(alias = "catmull-rom")]
+    #[doc(alias = "cardinal spline")]
     pub fn catmull_rom(keys: &[(f64, F)]) -> Result<Self, ProfileError> {
         Self::smooth(keys, tangents::catmull_rom)
     }
@@ -101,6 +107,7 @@ impl<F: Scalar> CubicSpline<F> {
     /// # Errors
     ///
     /// [As all constructors](Self#errors).
+    #[doc(alias = "catmull-rom")]
     pub fn centripetal(keys: &[(f64, F)]) -> Result<Self, ProfileError> {
         Self::smooth(keys, tangents::centripetal)
     }
@@ -122,11 +129,14 @@ impl<F: Scalar> CubicSpline<F> {
     /// # Errors
     ///
     /// [As all constructors](Self#errors).
+    #[doc(alias = "pchip")]
+    #[doc(alias = "Fritsch-Carlson")]
+    #[doc(alias = "Akima")]
     pub fn monotone(keys: &[(f64, F)]) -> Result<Self, ProfileError> {
         Self::smooth(keys, tangents::monotone)
     }
 
-    /// Bent at all keys by tension T, continuity C and bias B, with the velocities `start` and `end` at its ends.
+    /// The spline bent at all keys by tension T, continuity C and bias B, with the velocities `start` and `end` at its ends.
     ///
     /// ```text
     /// in:  (1−T)[(1−C)(1+B) Δ₋ + (1+C)(1−B) Δ₊]/(tᵢ₊₁ − tᵢ₋₁)        Δ: way to the key, way from it
@@ -144,6 +154,8 @@ impl<F: Scalar> CubicSpline<F> {
     /// # Errors
     ///
     /// [As all constructors](Self#errors); also a bend or a velocity that is not finite.
+    #[doc(alias = "tcb")]
+    #[doc(alias = "tcb spline")]
     pub fn kochanek_bartels(
         keys: &[(f64, F)],
         bend: Bend<F>,
@@ -179,6 +191,7 @@ impl<F: Scalar> CubicSpline<F> {
     /// # Errors
     ///
     /// [As all constructors](Self#errors).
+    #[doc(alias = "natural spline")]
     pub fn natural(keys: &[(f64, F)]) -> Result<Self, ProfileError> {
         Self::smooth(keys, |chords| tangents::continuous(chords, None))
     }
@@ -189,6 +202,7 @@ impl<F: Scalar> CubicSpline<F> {
     /// # Errors
     ///
     /// [As all constructors](Self#errors); also a velocity that is not finite.
+    #[doc(alias = "clamped spline")]
     pub fn clamped(keys: &[(f64, F)], start: F, end: F) -> Result<Self, ProfileError> {
         check_finite("start velocity", &[start])?;
         check_finite("end velocity", &[end])?;
@@ -265,7 +279,7 @@ impl<F: Scalar> CubicSpline<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for CubicSpline<F> {
+impl<F: Elementary> Curve<F> for CubicSpline<F> {
     fn duration(&self) -> F {
         F::from_f64(self.knots.end())
     }

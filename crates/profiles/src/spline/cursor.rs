@@ -1,11 +1,11 @@
-//! A place in a spline.
+//! Cursors, which evaluate a spline at times near to one another without a search.
 
 use super::cubic::CubicSpline;
 use super::piece::Piece;
+use crate::Elementary;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 
-/// Remembers the piece of a spline in which the last time was: the next time in it, or in the piece after it, needs no
+/// A cursor, which remembers the piece of a spline in which the last time was: the next time in it, or in the piece after it, needs no
 /// search.
 ///
 /// The answers are those of [`Curve::at_time`](crate::Curve::at_time), to the bit.
@@ -30,7 +30,7 @@ pub struct Cursor<'a, F = f64> {
     span: [f64; 2],
 }
 
-impl<F: Scalar> CubicSpline<F> {
+impl<F: Elementary> CubicSpline<F> {
     /// For times that mostly lie near to the one before.
     pub fn cursor(&self) -> Cursor<'_, F> {
         let times = self.knots.times();
@@ -38,7 +38,7 @@ impl<F: Scalar> CubicSpline<F> {
     }
 }
 
-impl<F: Scalar> Cursor<'_, F> {
+impl<F: Elementary> Cursor<'_, F> {
     /// Position, velocity, acceleration and jerk at `t`, a time since the curve's beginning; outside of the span at the
     /// nearer end, NaN at NaN.
     #[inline]

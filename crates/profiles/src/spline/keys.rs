@@ -1,10 +1,13 @@
 //! Keys, and how a spline bends at them.
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_finite, check_overflow};
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// A position to be at a time, with the velocities just before and just after it.
+#[doc(alias = "keyframe")]
+#[doc(alias = "knot")]
+#[doc(alias = "waypoint")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Key<F = f64> {
@@ -27,6 +30,7 @@ impl<F: Copy> Key<F> {
 
 /// Tension T, continuity C and bias B of Kochanek and Bartels; all zero bends as
 /// [`CubicSpline::catmull_rom`](crate::spline::CubicSpline::catmull_rom) does.
+#[doc(alias = "tcb")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bend<F = f64> {
@@ -41,7 +45,7 @@ pub struct Bend<F = f64> {
 /// The way to the next key of each key but the last: its duration and its mean velocity.
 ///
 /// Refuses positions that are not finite, and mean velocities that are not.
-pub(super) fn chords<F: Scalar>(keys: &[(f64, F)], times: &[f64]) -> Result<Vec<Chord<F>>, ProfileError> {
+pub(super) fn chords<F: Elementary>(keys: &[(f64, F)], times: &[f64]) -> Result<Vec<Chord<F>>, ProfileError> {
     keys.iter().try_for_each(|&(_, position)| check_finite("key", &[position]))?;
     let chords: Vec<_> = (1..keys.len())
         .map(|i| {

@@ -22,6 +22,9 @@ use alloc::{vec, vec::Vec};
 /// assert!((curve.nodes()[2].acceleration + 9.8).abs() < 1e-11);
 /// # Ok::<(), solaris_profiles::ProfileError>(())
 /// ```
+#[doc(alias = "gcv spline")]
+#[doc(alias = "quintic spline")]
+#[doc(alias = "spline")]
 #[derive(Clone, Debug)]
 pub struct NaturalSpline {
     knots: Vec<f64>,

@@ -1,8 +1,8 @@
 //! The cubic between two keys.
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_overflow};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 
 /// The Taylor series of one cubic about its start and about its end: each is used for the half next to it, so that the
 /// curve is exact at both ends, and neither is far from where it is exact.
@@ -24,7 +24,7 @@ pub(super) struct End<F> {
     pub(super) acceleration: F,
 }
 
-impl<F: Scalar> Piece<F> {
+impl<F: Elementary> Piece<F> {
     /// Of two positions with their velocities; with m the mean velocity,
     ///
     /// ```text

@@ -2,12 +2,15 @@
 
 use crate::clip::Outside;
 use crate::error::{ProfileError, check_finite};
+use crate::float::rem_euclid;
 use crate::polynomial::Polynomial;
 use crate::sample::{Boundary, Sample};
-use crate::scalar::rem_euclid;
 use alloc::{vec, vec::Vec};
 
 /// Polynomials joined at rising knots.
+#[doc(alias = "spline")]
+#[doc(alias = "piecewise polynomial")]
+#[doc(alias = "ppoly")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piecewise {
     knots: Vec<f64>,

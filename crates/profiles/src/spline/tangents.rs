@@ -1,4 +1,4 @@
-//! Velocities at keys.
+//! The tangents of splines: velocities at their keys.
 
 mod continuous;
 mod local;

@@ -1,8 +1,9 @@
 //! The quintic spline through equally spaced samples.
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_duration, check_finite};
+use crate::float::{floor, rem_euclid};
 use crate::sample::Sample;
-use crate::scalar::{Scalar, floor, rem_euclid};
 use alloc::vec::Vec;
 
 /// Samples on either side that take part in the spline of the middle: its poles are −0.4306 and −0.0431, and
@@ -13,6 +14,9 @@ const REACH: usize = 44;
 ///
 /// Beyond its ends it either rests at the first and last sample or repeats. Inside, the error in a smooth curve falls
 /// with the sixth power of the step.
+#[doc(alias = "b-spline")]
+#[doc(alias = "quintic spline")]
+#[doc(alias = "spline")]
 #[derive(Clone, Debug)]
 pub struct UniformSpline<const D: usize> {
     start: f64,
@@ -38,6 +42,8 @@ impl<const D: usize> UniformSpline<D> {
     /// # Errors
     ///
     /// A step that is not positive, no samples, numbers that are not finite.
+    #[doc(alias = "cyclic")]
+    #[doc(alias = "loop")]
     pub fn periodic(start: f64, step: f64, samples: &[[f64; D]]) -> Result<Self, ProfileError> {
         let count = samples.len();
         Self::new(start, step, samples, Some(count), move |i| i.rem_euclid(count as isize) as usize)
@@ -166,7 +172,7 @@ fn basis(s: f64) -> [f64; 6] {
 #[rustfmt::skip]
 fn basis1(s: f64) -> [f64; 6] {
     let r = 1.0 - s;
-    let outer = |t: f64| Scalar::powi(t, 4) / 24.0;
+    let outer = |t: f64| Elementary::powi(t, 4) / 24.0;
     let middle = |t: f64| (-50.0 + t * (40.0 + t * (60.0 + t * (-80.0 + 25.0 * t)))) / 120.0;
     let inner = |t: f64| t * (-120.0 + t * t * (120.0 - 50.0 * t)) / 120.0;
     [-outer(r), middle(s), inner(s), -inner(r), -middle(r), outer(s)]
@@ -175,7 +181,7 @@ fn basis1(s: f64) -> [f64; 6] {
 #[rustfmt::skip]
 fn basis2(s: f64) -> [f64; 6] {
     let r = 1.0 - s;
-    let outer = |t: f64| Scalar::powi(t, 3) / 6.0;
+    let outer = |t: f64| Elementary::powi(t, 3) / 6.0;
     let middle = |t: f64| (40.0 + t * (120.0 + t * (-240.0 + 100.0 * t))) / 120.0;
     let inner = |t: f64| (-120.0 + t * t * (360.0 - 200.0 * t)) / 120.0;
     [outer(r), middle(s), inner(s), inner(r), middle(r), outer(s)]

@@ -1,14 +1,14 @@
-//! Velocity along a circle.
+//! The curve whose velocity follows an arc of a circle.
 
 mod arc;
 
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow, check_range};
 use crate::range::{Range, Ranges};
 use crate::roots::bracketed;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use arc::Arc;
 use core::ops::Bound::Excluded;
@@ -59,7 +59,7 @@ pub struct Circle<F = f64> {
     arc: Arc<F>,
 }
 
-impl<F: Scalar> Circle<F> {
+impl<F: Elementary> Circle<F> {
     /// Over `duration`, from position `from`, with velocity `v0` at the start, `third_velocity` at `third_time`, and
     /// `v1` at the end.
     ///
@@ -133,7 +133,7 @@ impl Circle {
     }
 }
 
-impl<F: Scalar> Curve<F> for Circle<F> {
+impl<F: Elementary> Curve<F> for Circle<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -184,7 +184,7 @@ impl Answers for Circle {
     }
 }
 
-fn check<F: Scalar>(duration: F, (v0, v1): (F, F)) -> Result<(), ProfileError> {
+fn check<F: Elementary>(duration: F, (v0, v1): (F, F)) -> Result<(), ProfileError> {
     check_duration(duration)?;
     check_finite("start velocity", &[v0])?;
     check_finite("end velocity", &[v1])?;

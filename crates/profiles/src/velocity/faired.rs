@@ -1,11 +1,11 @@
-//! Rise, cruise, fall.
+//! The curve whose velocity rises, stays and falls along quarters of a sine.
 
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow, check_range};
 use crate::range::Range;
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
@@ -62,7 +62,7 @@ struct Bend<F> {
     jerk: F,
 }
 
-impl<F: Scalar> Faired<F> {
+impl<F: Elementary> Faired<F> {
     /// Over `duration`, from position `from`; `velocity` is kept from `rise` to `fall`.
     ///
     /// # Errors
@@ -119,7 +119,7 @@ impl<F: Scalar> Faired<F> {
     }
 }
 
-impl<F: Scalar> Bend<F> {
+impl<F: Elementary> Bend<F> {
     fn new(duration: F, velocity: F) -> Result<Self, ProfileError> {
         let zero = F::from_f64(0.0);
         if duration.value() <= 0.0 {
@@ -150,7 +150,7 @@ impl<F: Scalar> Bend<F> {
     }
 }
 
-impl<F: Scalar> Curve<F> for Faired<F> {
+impl<F: Elementary> Curve<F> for Faired<F> {
     fn duration(&self) -> F {
         self.duration
     }
@@ -199,12 +199,12 @@ impl Answers for Faired {
     }
 }
 
-fn check_corners<F: Scalar>(duration: F, rise: F, fall: F) -> Result<(), ProfileError> {
+fn check_corners<F: Elementary>(duration: F, rise: F, fall: F) -> Result<(), ProfileError> {
     check_range("rise", rise, Range::closed(0.0, duration.value()))?;
     check_range("fall", fall, Range::closed(rise.value(), duration.value()))
 }
 
 /// How long the whole way would take at full velocity.
-fn mean_duration<F: Scalar>(duration: F, rise: F, fall: F) -> F {
+fn mean_duration<F: Elementary>(duration: F, rise: F, fall: F) -> F {
     F::from_f64(FRAC_2_PI) * (rise + (duration - fall)) + (fall - rise)
 }

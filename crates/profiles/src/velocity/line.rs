@@ -1,11 +1,11 @@
-//! Velocity along a straight line.
+//! The curve whose velocity follows a straight line.
 
+use crate::Elementary;
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::curve::{Curve, within};
 use crate::error::{ProfileError, check_duration, check_finite, check_overflow};
 use crate::range::{Range, Ranges};
 use crate::sample::Sample;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// A motion whose velocity goes from one value to another along a straight line.
@@ -39,7 +39,7 @@ pub struct Line<F = f64> {
     acceleration: F,
 }
 
-impl<F: Scalar> Line<F> {
+impl<F: Elementary> Line<F> {
     /// Over `duration`, from position `from`, with velocity `v0` at the start and `v1` at the end.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ impl Line {
     }
 }
 
-impl<F: Scalar> Curve<F> for Line<F> {
+impl<F: Elementary> Curve<F> for Line<F> {
     fn duration(&self) -> F {
         self.duration
     }

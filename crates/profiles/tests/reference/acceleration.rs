@@ -2,30 +2,30 @@
 
 use crate::harness::{cases, check, check_derivatives, check_stationary, parameter};
 use serde_json::Value;
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 use solaris_profiles::acceleration::{Constant, Ellipse, Trigonometric};
 
 /// Duration, and position and velocity at the start.
-fn start<F: Scalar>(case: &Value) -> (F, (F, F)) {
+fn start<F: Elementary>(case: &Value) -> (F, (F, F)) {
     (parameter(case, "T"), (parameter(case, "th0"), parameter(case, "v0")))
 }
 
-fn constant<F: Scalar>(case: &Value) -> Constant<F> {
+fn constant<F: Elementary>(case: &Value) -> Constant<F> {
     let (duration, start) = start(case);
     Constant::new(duration, start, parameter(case, "a")).expect("valid")
 }
 
-fn trigonometric<F: Scalar>(case: &Value) -> Trigonometric<F> {
+fn trigonometric<F: Elementary>(case: &Value) -> Trigonometric<F> {
     let (duration, start) = start(case);
     Trigonometric::new(duration, start, parameter(case, "am")).expect("valid")
 }
 
-fn quarter<F: Scalar>(case: &Value) -> Ellipse<F> {
+fn quarter<F: Elementary>(case: &Value) -> Ellipse<F> {
     let (duration, start) = start(case);
     Ellipse::quarter(duration, start, parameter(case, "am")).expect("valid")
 }
 
-fn half<F: Scalar>(case: &Value) -> Ellipse<F> {
+fn half<F: Elementary>(case: &Value) -> Ellipse<F> {
     let (duration, start) = start(case);
     Ellipse::half(duration, start, parameter(case, "am")).expect("valid")
 }

@@ -4,7 +4,7 @@ use crate::harness::{check, check_column, check_derivatives, check_stationary, l
 use serde_json::Value;
 use solaris_profiles::blend::{Blend, Fade, FadeKind, Leaving};
 use solaris_profiles::displacement::{Power, Trigonometric, TrigonometricVelocities};
-use solaris_profiles::{Answers, Clip, Curve, Dual, Scalar};
+use solaris_profiles::{Answers, Clip, Curve, Dual, Elementary};
 
 /// The fade of a case, which is of the thesis's stiffness: the length of its window.
 fn fade(case: &Value) -> Fade {
@@ -19,7 +19,7 @@ fn fade(case: &Value) -> Fade {
     Fade::thesis(kind, number(&case["t0"]), number(&case["t1"])).expect("a fade")
 }
 
-fn check_alpha<F: Scalar>(case: &Value) {
+fn check_alpha<F: Elementary>(case: &Value) {
     let fade = fade(case);
     let jets: Vec<[F; 4]> = numbers(&case["t"]).into_iter().map(|time| fade.alpha(time)).collect();
     for (order, name) in ["alpha", "alpha1", "alpha2"].into_iter().enumerate() {
@@ -60,7 +60,7 @@ fn derivatives_of_shares_are_those_of_dual_numbers() {
 }
 
 /// Its two motions, each a curve of its own kind.
-fn pair<F: Scalar>(case: &Value) -> [Box<dyn Curve<F>>; 2] {
+fn pair<F: Elementary>(case: &Value) -> [Box<dyn Curve<F>>; 2] {
     let f = F::from_f64;
     let first: Box<dyn Curve<F>> = match case["pair"].as_str().expect("a pair") {
         "disp_trig(2,0,5) -> disp_pow(2,0,5,n=3)" => {
@@ -75,7 +75,7 @@ fn pair<F: Scalar>(case: &Value) -> [Box<dyn Curve<F>>; 2] {
     [first, Box::new(Power::new(f(2.0), f(0.0), f(5.0), f(3.0)).expect("a curve"))]
 }
 
-fn blend<F: Scalar>(case: &Value) -> Blend<Box<dyn Curve<F>>, F> {
+fn blend<F: Elementary>(case: &Value) -> Blend<Box<dyn Curve<F>>, F> {
     let [first, second] = pair::<F>(case).map(Clip::new);
     Blend::between(first, second, fade(case), Leaving::Allow).expect("a blend")
 }

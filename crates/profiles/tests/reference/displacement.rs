@@ -8,19 +8,19 @@ use solaris_profiles::displacement::{
     Exponential, ExponentialVelocities, Hyperbolic, Line, Power, Tension, Trigonometric,
     TrigonometricVelocities,
 };
-use solaris_profiles::{Curve, ProfileError, Scalar, legacy};
+use solaris_profiles::{Curve, Elementary, ProfileError, legacy};
 
 fn whole(case: &Value, name: &str) -> u32 {
     number(&case["params"][name]) as u32
 }
 
 /// Duration, start and end positions.
-fn motion<F: Scalar>(case: &Value) -> (F, F, F) {
+fn motion<F: Elementary>(case: &Value) -> (F, F, F) {
     (parameter(case, "T"), parameter(case, "th0"), parameter(case, "th1"))
 }
 
 /// Duration, start and end with their velocities.
-fn motion_with_velocities<F: Scalar>(case: &Value) -> (F, (F, F), (F, F)) {
+fn motion_with_velocities<F: Elementary>(case: &Value) -> (F, (F, F), (F, F)) {
     let (duration, from, to) = motion(case);
     (duration, (from, parameter(case, "v0")), (to, parameter(case, "v1")))
 }
@@ -30,7 +30,7 @@ macro_rules! families {
         $(
             #[test]
             fn $test() {
-                fn curve<F: Scalar>($case: &Value) -> $curve<F> {
+                fn curve<F: Elementary>($case: &Value) -> $curve<F> {
                     $make.expect("a curve")
                 }
                 for case in cases($profile) {
@@ -83,11 +83,11 @@ families! {
 /// the system of the four unknowns, each column divided by its greatest entry.
 #[test]
 fn legacy_hyperbolic() {
-    fn curve<F: Scalar>(case: &Value) -> Result<legacy::Hyperbolic<F>, ProfileError> {
+    fn curve<F: Elementary>(case: &Value) -> Result<legacy::Hyperbolic<F>, ProfileError> {
         let (duration, start, end) = motion_with_velocities(case);
         legacy::Hyperbolic::new(duration, start, end)
     }
-    fn check_one<F: Scalar>(case: &Value)
+    fn check_one<F: Elementary>(case: &Value)
     where
         legacy::Hyperbolic<F>: Curve<F>,
     {

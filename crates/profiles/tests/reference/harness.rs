@@ -1,7 +1,7 @@
 //! The file of reference numbers, and the law that errors obey.
 
 use serde_json::Value;
-use solaris_profiles::{Answers, Curve, Dual, Scalar, Turn};
+use solaris_profiles::{Answers, Curve, Dual, Elementary, Turn};
 use std::sync::LazyLock;
 
 static FILE: LazyLock<Value> = LazyLock::new(|| {
@@ -35,12 +35,12 @@ pub(crate) fn numbers(value: &Value) -> Vec<f64> {
 }
 
 /// A parameter of a case in the scalar of the curve.
-pub(crate) fn parameter<F: Scalar>(case: &Value, name: &str) -> F {
+pub(crate) fn parameter<F: Elementary>(case: &Value, name: &str) -> F {
     F::from_f64(number(&case["params"][name]))
 }
 
 /// Half the distance from 1 to the next number.
-pub(crate) fn unit<F: Scalar>() -> f64 {
+pub(crate) fn unit<F: Elementary>() -> f64 {
     F::EPSILON / 2.0
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn check_column(what: &str, found: &[f64], wanted: &[f64], cond: &[f6
 }
 
 /// Position, velocity and acceleration of a curve at the times of a case.
-pub(crate) fn check<F: Scalar>(case: &Value, curve: &impl Curve<F>) {
+pub(crate) fn check<F: Elementary>(case: &Value, curve: &impl Curve<F>) {
     let id = format!("{} in {}", case["id"].as_str().unwrap_or("?"), std::any::type_name::<F>());
     let samples: Vec<_> = numbers(&case["t"]).into_iter().map(|t| curve.at_time(t)).collect();
     let columns: [(&str, &str, Vec<f64>); 3] = [

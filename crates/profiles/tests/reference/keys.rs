@@ -2,7 +2,7 @@
 
 use crate::harness::{check, check_derivatives, check_stationary, list, number, numbers};
 use serde_json::Value;
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 use solaris_profiles::spline::{Bend, CubicSpline};
 
 /// The cases, with times since the first key: a curve begins at 0.
@@ -24,7 +24,7 @@ fn cases() -> impl Iterator<Item = Value> {
     })
 }
 
-fn spline<F: Scalar>(case: &Value) -> CubicSpline<F> {
+fn spline<F: Elementary>(case: &Value) -> CubicSpline<F> {
     let positions = numbers(&case["keys"]).into_iter().map(F::from_f64);
     let keys: Vec<_> = numbers(&case["keys_t"]).into_iter().zip(positions).collect();
     let parameter = |name: &str| F::from_f64(number(&case[name]));

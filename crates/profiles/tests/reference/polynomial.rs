@@ -2,9 +2,9 @@
 
 use crate::harness::{cases, check, check_derivatives, check_stationary, number, parameter};
 use serde_json::Value;
-use solaris_profiles::{Boundary, CubicHermite, Quintic, Scalar};
+use solaris_profiles::{Boundary, CubicHermite, Elementary, Quintic};
 
-fn quintic<F: Scalar>(case: &Value) -> Quintic<F> {
+fn quintic<F: Elementary>(case: &Value) -> Quintic<F> {
     let at = |i: usize| {
         let names = [["th0", "v0", "a0"], ["th1", "v1", "a1"]][i];
         let [x, v, a] = names.map(|name| parameter(case, name));
@@ -13,7 +13,7 @@ fn quintic<F: Scalar>(case: &Value) -> Quintic<F> {
     Quintic::new(parameter(case, "T"), at(0), at(1)).expect("valid")
 }
 
-fn cubic<F: Scalar>(case: &Value) -> CubicHermite<F> {
+fn cubic<F: Elementary>(case: &Value) -> CubicHermite<F> {
     let [duration, x0, v0, x1, v1] = ["T", "th0", "v0", "th1", "v1"].map(|name| parameter(case, name));
     CubicHermite::new(duration, (x0, v0), (x1, v1)).expect("valid")
 }

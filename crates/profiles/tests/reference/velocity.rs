@@ -2,21 +2,21 @@
 
 use crate::harness::{cases, check, check_derivatives, check_stationary, parameter};
 use serde_json::Value;
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 use solaris_profiles::velocity::{Circle, Faired, Line};
 
-fn line<F: Scalar>(case: &Value) -> Line<F> {
+fn line<F: Elementary>(case: &Value) -> Line<F> {
     let [duration, from, v0, v1] = ["T", "th0", "v0", "v1"].map(|name| parameter(case, name));
     Line::new(duration, from, (v0, v1)).expect("valid")
 }
 
-fn circle<F: Scalar>(case: &Value) -> Circle<F> {
+fn circle<F: Elementary>(case: &Value) -> Circle<F> {
     let [duration, from, v0, v1] = ["T", "th0", "v0", "v1"].map(|name| parameter(case, name));
     let [time, velocity] = ["T1", "vm"].map(|name| parameter(case, name));
     Circle::new(duration, from, (v0, v1), (time, velocity)).expect("valid")
 }
 
-fn faired<F: Scalar>(case: &Value) -> Faired<F> {
+fn faired<F: Elementary>(case: &Value) -> Faired<F> {
     let [duration, from, velocity, rise, fall] =
         ["T", "th0", "V", "T1", "T2"].map(|name| parameter(case, name));
     Faired::new(duration, from, velocity, (rise, fall)).expect("valid")

@@ -3,7 +3,7 @@
 use super::family::{Family, Stable};
 use super::printed::{Number, Printed};
 use super::reference::{Reference, Truth};
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 
 /// The worst error over the times of a case, in f64 and f32: infinite where a form gives no number, [`EXACT`] where it is
 /// right to the last digit, nothing where the parameters of the case have no such numbers.
@@ -28,7 +28,7 @@ pub(super) fn measure<K: Family>(reference: &Reference, name: &str) -> Result<Ac
 }
 
 /// Errors of the printed and the library's form.
-fn one<K: Family, F: Number + Scalar>(
+fn one<K: Family, F: Number + Elementary>(
     reference: &Reference,
     name: &str,
     width: u32,
@@ -37,7 +37,7 @@ fn one<K: Family, F: Number + Scalar>(
     let Some(for_stable) = for_stable else { return Ok(None) };
     let given = |truth: &Truth| truth.parameters.map(F::from_f64);
     let printed = K::printed(&given(for_printed.unwrap_or(for_stable)));
-    let found = |t: f64| Scalar::value(printed.at(F::from_f64(t))[0]);
+    let found = |t: f64| Elementary::value(printed.at(F::from_f64(t))[0]);
     let printed = match for_printed {
         Some(truth) => truth.error(found),
         // The profile has no such curve, and the form must not pretend one.
@@ -48,5 +48,5 @@ fn one<K: Family, F: Number + Scalar>(
     };
     let stable = K::stable(&given(for_stable)).map_err(|error| format!("'{name}': {error}"))?;
     let time = <K::Stable<F> as Stable<F>>::time;
-    Ok(Some([printed, for_stable.error(|t| Scalar::value(stable.at(time(t))[0]))]))
+    Ok(Some([printed, for_stable.error(|t| Elementary::value(stable.at(time(t))[0]))]))
 }

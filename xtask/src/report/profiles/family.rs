@@ -3,7 +3,7 @@
 use super::printed::{self, Number, Printed};
 use super::reference::Parameters;
 use solaris_profiles::blend::{Fade, FadeKind};
-use solaris_profiles::{Clip, Curve, ProfileError, Scalar, acceleration, displacement, velocity};
+use solaris_profiles::{Clip, Curve, Elementary, ProfileError, acceleration, displacement, velocity};
 
 /// A kind of curve in both forms.
 pub(super) trait Family {
@@ -11,11 +11,11 @@ pub(super) trait Family {
     const PROFILES: [&'static str; 2];
 
     type Printed<F: Number>: Printed<F>;
-    type Stable<F: Number + Scalar>: Stable<F>;
+    type Stable<F: Number + Elementary>: Stable<F>;
 
     fn printed<F: Number>(given: &Parameters<F>) -> Self::Printed<F>;
 
-    fn stable<F: Number + Scalar>(given: &Parameters<F>) -> Result<Self::Stable<F>, ProfileError>;
+    fn stable<F: Number + Elementary>(given: &Parameters<F>) -> Result<Self::Stable<F>, ProfileError>;
 }
 
 /// What is asked of the library's form.
@@ -32,7 +32,7 @@ pub(super) trait Stable<F> {
 /// A curve that begins at time 0.
 pub(super) struct Motion<C>(C);
 
-impl<F: Scalar, C: Curve<F>> Stable<F> for Motion<C> {
+impl<F: Elementary, C: Curve<F>> Stable<F> for Motion<C> {
     type Time = F;
 
     fn time(t: f64) -> F {
@@ -45,7 +45,7 @@ impl<F: Scalar, C: Curve<F>> Stable<F> for Motion<C> {
     }
 }
 
-impl<F: Scalar> Stable<F> for Fade {
+impl<F: Elementary> Stable<F> for Fade {
     type Time = f64;
 
     fn time(t: f64) -> f64 {
@@ -58,7 +58,7 @@ impl<F: Scalar> Stable<F> for Fade {
     }
 }
 
-impl<F: Scalar, C: Curve<F>> Stable<F> for Clip<C, F> {
+impl<F: Elementary, C: Curve<F>> Stable<F> for Clip<C, F> {
     type Time = f64;
 
     fn time(t: f64) -> f64 {
@@ -80,7 +80,7 @@ macro_rules! motion {
             const PROFILES: [&'static str; 2] = $profiles;
 
             type Printed<F: Number> = printed::$printed<F>;
-            type Stable<F: Number + Scalar> = Motion<$stable>;
+            type Stable<F: Number + Elementary> = Motion<$stable>;
 
             #[inline]
             fn printed<F: Number>($given: &Parameters<F>) -> Self::Printed<F> {
@@ -88,7 +88,9 @@ macro_rules! motion {
             }
 
             #[inline]
-            fn stable<F: Number + Scalar>($given: &Parameters<F>) -> Result<Self::Stable<F>, ProfileError> {
+            fn stable<F: Number + Elementary>(
+                $given: &Parameters<F>,
+            ) -> Result<Self::Stable<F>, ProfileError> {
                 $second.map(Motion)
             }
         }
@@ -201,7 +203,7 @@ macro_rules! fade {
             const PROFILES: [&'static str; 2] = [$profile; 2];
 
             type Printed<F: Number> = printed::$name<F>;
-            type Stable<F: Number + Scalar> = Fade;
+            type Stable<F: Number + Elementary> = Fade;
 
             #[inline]
             fn printed<F: Number>(given: &Parameters<F>) -> Self::Printed<F> {
@@ -209,7 +211,7 @@ macro_rules! fade {
             }
 
             #[inline]
-            fn stable<F: Number + Scalar>(given: &Parameters<F>) -> Result<Fade, ProfileError> {
+            fn stable<F: Number + Elementary>(given: &Parameters<F>) -> Result<Fade, ProfileError> {
                 Fade::thesis(FadeKind::$kind { stiffness: 0.0 }, given.start.value(), given.end.value())
             }
         }
@@ -226,13 +228,13 @@ impl Family for Placed {
     const PROFILES: [&'static str; 2] = ["clip"; 2];
 
     type Printed<F: Number> = printed::Share<F>;
-    type Stable<F: Number + Scalar> = Clip<displacement::Line<F>, F>;
+    type Stable<F: Number + Elementary> = Clip<displacement::Line<F>, F>;
 
     fn printed<F: Number>(given: &Parameters<F>) -> Self::Printed<F> {
         printed::Share { start: given.start, duration: given.duration }
     }
 
-    fn stable<F: Number + Scalar>(given: &Parameters<F>) -> Result<Self::Stable<F>, ProfileError> {
+    fn stable<F: Number + Elementary>(given: &Parameters<F>) -> Result<Self::Stable<F>, ProfileError> {
         let line = displacement::Line::new(given.duration, F::from_f64(0.0), F::from_f64(1.0))?;
         Clip::new(line).starting(given.start.value())
     }

@@ -4,7 +4,7 @@ use super::family::{Family, Stable};
 use super::printed::{Number, Printed};
 use super::reference::{Parameters, Reference};
 use crate::timing::{self, Operation};
-use solaris_profiles::Scalar;
+use solaris_profiles::Elementary;
 use std::convert::Infallible;
 use std::hint::black_box;
 
@@ -32,7 +32,7 @@ pub(super) fn measure<K: Family>(reference: &Reference, name: &str) -> Result<Sp
 }
 
 /// Both forms of a curve, with times of either kind.
-struct Pair<K: Family, F: Number + Scalar> {
+struct Pair<K: Family, F: Number + Elementary> {
     given: Parameters<F>,
     printed: K::Printed<F>,
     stable: K::Stable<F>,
@@ -40,7 +40,7 @@ struct Pair<K: Family, F: Number + Scalar> {
     stable_times: Vec<<K::Stable<F> as Stable<F>>::Time>,
 }
 
-impl<K: Family, F: Number + Scalar> Pair<K, F> {
+impl<K: Family, F: Number + Elementary> Pair<K, F> {
     const OPERATIONS: [(&'static str, Operation<Self, Infallible>); 4] = [
         ("printed", |pair, _| {
             for t in black_box(&pair.times) {
@@ -69,7 +69,7 @@ impl<K: Family, F: Number + Scalar> Pair<K, F> {
     ];
 }
 
-fn one<K: Family, F: Number + Scalar>(
+fn one<K: Family, F: Number + Elementary>(
     reference: &Reference,
     name: &str,
     width: u32,

@@ -1,14 +1,14 @@
 //! The pendulum over ten seconds in single and in double precision, by the same kernel and the same rule.
 
 use super::{figures, solutions};
-use solaris_dynamics::{DynamicsError, Real, Tree, Workspace, forward_dynamics};
+use solaris_dynamics::{DynamicsError, Scalar, Tree, Workspace, forward_dynamics};
 use std::f64::consts::FRAC_PI_2;
 
 /// Steps (s).
 pub(super) const STEPS: [f64; 5] = [5e-2, 2e-2, 1e-2, 1e-3, 1e-4];
 
 /// The error (rad) after 10 s by the classical rule of order four.
-pub(super) fn error<T: Real + Into<f64>>(step: f64) -> Result<f64, String> {
+pub(super) fn error<T: Scalar + Into<f64>>(step: f64) -> Result<f64, String> {
     let simulation = figures::pendulum()?;
     let tree = Tree::new(simulation.figure(), *simulation.gravity()).map_err(|error| error.to_string())?;
     let (mut q, mut v) = ([0.0], [0.0]);
@@ -17,14 +17,14 @@ pub(super) fn error<T: Real + Into<f64>>(step: f64) -> Result<f64, String> {
     Ok((found.into() - q[0]).abs())
 }
 
-fn swing<T: Real>(tree: &Tree<T>, step: f64) -> Result<T, DynamicsError> {
+fn swing<T: Scalar>(tree: &Tree<T>, step: f64) -> Result<T, DynamicsError> {
     let mut workspace = Workspace::new(tree);
     let mut rate = |q: T, v: T| -> Result<(T, T), DynamicsError> {
         let mut a = [T::zero()];
         forward_dynamics(tree, &mut workspace, &[q], &[v], &[T::zero()], &[], &mut a)?;
         Ok((v, a[0]))
     };
-    let of = |x: f64| -> T { Real::from_f64(x) };
+    let of = |x: f64| -> T { Scalar::from_f64(x) };
     let (mut q, mut v) = (of(FRAC_PI_2), T::zero());
     let h = of(step);
     let (half, sixth) = (of(0.5) * h, h / of(6.0));

@@ -1,6 +1,6 @@
 //! The shortest solution of a linear system that need not have only one.
 
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 
 /// Solves `W·x = b` for a symmetric `W` without negative eigenvalues: of all solutions the one with the least `x·x`.
 ///
@@ -42,7 +42,7 @@ struct Factor<T> {
     remaining: Vec<T>,
 }
 
-impl<T: Real> LeastNorm<T> {
+impl<T: Scalar> LeastNorm<T> {
     pub(super) fn new(rows: usize) -> Self {
         let (square, line) = (vec![T::zero(); rows * rows], vec![T::zero(); rows]);
         Self {
@@ -125,7 +125,7 @@ impl<T: Real> LeastNorm<T> {
     }
 }
 
-impl<T: Real> Factor<T> {
+impl<T: Scalar> Factor<T> {
     fn new(rows: usize) -> Self {
         let line = vec![T::zero(); rows];
         Self {
@@ -191,6 +191,6 @@ impl<T: Real> Factor<T> {
     }
 }
 
-fn inner<T: Real>(a: &[T], b: &[T]) -> T {
+fn inner<T: Scalar>(a: &[T], b: &[T]) -> T {
     a.iter().zip(b).fold(T::zero(), |sum, (a, b)| sum + *a * *b)
 }

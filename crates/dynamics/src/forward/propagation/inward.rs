@@ -1,10 +1,10 @@
-//! Inwards: what hangs from every joint, as one body that gives way.
+//! The inward pass: the articulated-body inertia and bias force of what hangs from every joint.
 
 use super::yielding::ThreeTurns;
 use super::{Hinge, Yielding, turns_freely};
 use crate::forward::articulated::Articulated;
 use crate::inverse::last_three;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Pose;
 use crate::spatial::direction::{Direction, Moved};
 use crate::spatial::load::Load;
@@ -27,7 +27,7 @@ struct Carried<T> {
 }
 
 /// Gathers the links inwards. Where `prescribed`, `a` holds the acceleration, elsewhere `tau` the force.
-pub(crate) fn gather<T: Real>(
+pub(crate) fn gather<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     prescribed: impl Fn(usize) -> bool + Copy,
@@ -37,8 +37,8 @@ pub(crate) fn gather<T: Real>(
     ws.articulated.fill(Articulated::zero());
     for (i, body) in tree.bodies.iter().enumerate().rev() {
         let mut carried = Carried { inertia: ws.articulated[i], load: ws.loads[i] };
-        if let Some(matter) = &body.matter {
-            carried.inertia.add_matter(matter);
+        if let Some(distribution) = &body.mass_distribution {
+            carried.inertia.add_mass(distribution);
         }
         let known = |k: usize| {
             if prescribed(k) { Known::Acceleration(a[k]) } else { Known::Force(tau[k]) }
@@ -60,21 +60,21 @@ pub(crate) fn gather<T: Real>(
             });
         } else if let Some(triple) = body.triple {
             let (turns, k) = (ws.last_three(body), body.single_end);
-            let (hinges, drifts) = (&mut ws.hinges[k..][..3], &ws.drifts[k..][..3]);
+            let (hinges, velocity_products) = (&mut ws.hinges[k..][..3], &ws.velocity_products[k..][..3]);
             let armature = |i: usize| tree.dofs[k + i].armature;
             along_three!(triple, |x, y, z| {
-                hinges[2] = carried.turn(z, turns[2], &drifts[2], armature(2), known(k + 2));
-                hinges[1] = carried.turn(y, turns[1], &drifts[1], armature(1), known(k + 1));
-                hinges[0] = carried.turn(x, turns[0], &drifts[0], armature(0), known(k));
+                hinges[2] = carried.turn(z, turns[2], &velocity_products[2], armature(2), known(k + 2));
+                hinges[1] = carried.turn(y, turns[1], &velocity_products[1], armature(1), known(k + 1));
+                hinges[0] = carried.turn(x, turns[0], &velocity_products[0], armature(0), known(k));
             });
         }
         for k in (body.first..body.single_end).rev() {
             let dof = &tree.dofs[k];
             let (moved, known) = (dof.moved(ws.moved[dof.q]), known(k).along(dof.sign));
             ws.hinges[k] = along!(dof, ws.rotations, |e| turn {
-                carried.turn(e, moved, &ws.drifts[k], dof.armature, known)
+                carried.turn(e, moved, &ws.velocity_products[k], dof.armature, known)
             }, slide {
-                carried.slide(e, moved, &ws.drifts[k], dof.armature, known)
+                carried.slide(e, moved, &ws.velocity_products[k], dof.armature, known)
             });
         }
         if let Some(slot) = body.sphere {
@@ -90,7 +90,7 @@ pub(crate) fn gather<T: Real>(
                     carried.let_slide(e, dof.armature, known(k))
                 });
             }
-            carried.land(&ws.spheres[slot], body, &ws.drifts);
+            carried.land(&ws.spheres[slot], body, &ws.velocity_products);
         }
         // Nothing asks what the world feels.
         let Some(parent) = body.parent else { continue };
@@ -98,7 +98,7 @@ pub(crate) fn gather<T: Real>(
             carried.inertia.leave_frame(turned);
             carried.load.leave_frame(turned);
         }
-        carried.add(carried.inertia.of_linear(&ws.offset_drifts[i]));
+        carried.add(carried.inertia.of_linear(&ws.offset_velocity_products[i]));
         carried.inertia.shift(&body.offset);
         ws.articulated[parent].add(&carried.inertia);
         carried.load.shift(&body.offset);
@@ -108,7 +108,7 @@ pub(crate) fn gather<T: Real>(
 
 /// Gathers new loads inwards through the joints as the last [`gather`] left them; `tau` holds the forces of the degrees of
 /// freedom that give way, the others stay where they are.
-pub(crate) fn gather_loads<T: Real>(
+pub(crate) fn gather_loads<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     prescribed: impl Fn(usize) -> bool + Copy,
@@ -158,7 +158,7 @@ pub(crate) fn gather_loads<T: Real>(
     }
 }
 
-impl<T: Real> Known<T> {
+impl<T: Scalar> Known<T> {
     /// The same along the positive axis.
     #[inline]
     fn along(self, sign: T) -> Self {
@@ -169,19 +169,19 @@ impl<T: Real> Known<T> {
     }
 }
 
-impl<T: Real> Carried<T> {
+impl<T: Scalar> Carried<T> {
     /// Before a turn about `e`.
     #[inline]
     fn turn<E: Direction<T>>(
         &mut self,
         e: E,
         turn: Moved<T>,
-        drift: &Vector3<T>,
+        velocity_product: &Vector3<T>,
         armature: T,
         known: Known<T>,
     ) -> Hinge<T> {
         let hinge = self.let_turn(e, armature, known);
-        self.add(self.inertia.of_angular(drift));
+        self.add(self.inertia.of_angular(velocity_product));
         self.inertia.leave_turn(e, turn);
         self.load = Load { force: e.leave(self.load.force, turn), moment: e.leave(self.load.moment, turn) };
         hinge
@@ -193,12 +193,12 @@ impl<T: Real> Carried<T> {
         &mut self,
         e: E,
         slide: Moved<T>,
-        drift: &Vector3<T>,
+        velocity_product: &Vector3<T>,
         armature: T,
         known: Known<T>,
     ) -> Hinge<T> {
         let hinge = self.let_slide(e, armature, known);
-        self.add(self.inertia.of_linear(drift));
+        self.add(self.inertia.of_linear(velocity_product));
         let d = e.add(Vector3::zeros(), slide.s);
         self.inertia.shift(&d);
         self.load.shift(&d);
@@ -206,12 +206,12 @@ impl<T: Real> Carried<T> {
     }
 
     /// Before a ball or free joint, whose degrees of freedom have been passed.
-    fn land(&mut self, sphere: &Pose<T>, body: &Body<T>, drifts: &[Vector3<T>]) {
+    fn land(&mut self, sphere: &Pose<T>, body: &Body<T>, velocity_products: &[Vector3<T>]) {
         // Where nothing is left against turning, this is nothing.
-        self.add(self.inertia.of_angular(&drifts[body.end - 1]));
+        self.add(self.inertia.of_angular(&velocity_products[body.end - 1]));
         let floats = body.end - body.first == 6;
         if floats {
-            self.add(self.inertia.of_linear(&drifts[body.first]));
+            self.add(self.inertia.of_linear(&velocity_products[body.first]));
         }
         self.inertia.leave_frame(&sphere.rotation);
         self.load.leave_frame(&sphere.rotation);

@@ -1,8 +1,8 @@
-//! Outwards, last: accelerations.
+//! The last outward pass: accelerations of links and degrees of freedom.
 
 use super::yielding::ThreeTurns;
 use super::{Hinge, turns_freely};
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::Pose;
 use crate::spatial::direction::{Direction, Moved, apply_transposed, cross};
 use crate::tree::dof::{Dof, along, along_three};
@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 /// Accelerations, from the root outwards, over a world that itself has the acceleration `base`: writes `a` where it is not
 /// `prescribed`, `tau` where it is.
-pub(crate) fn accelerate<T: Real>(
+pub(crate) fn accelerate<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
     base: &Vector3<T>,
@@ -23,10 +23,10 @@ pub(crate) fn accelerate<T: Real>(
     let mut answer = Answer { dofs: &tree.dofs, hinges: &ws.hinges, prescribed, a, tau };
     for (i, body) in tree.bodies.iter().enumerate() {
         let parent = body.parent.map(|parent| &ws.motions[parent]);
-        let mut moving = Accelerating::at_joint(body, parent, base, &ws.offset_drifts[i]);
+        let mut moving = Accelerating::at_joint(body, parent, base, &ws.offset_velocity_products[i]);
         let yields = turns_freely(body, answer.prescribed);
         if let Some(slot) = body.sphere {
-            moving.fly(&ws.spheres[slot], body, &ws.drifts);
+            moving.fly(&ws.spheres[slot], body, &ws.velocity_products);
             for k in body.first..body.end - if yields { 3 } else { 0 } {
                 along!(&tree.dofs[k], ws.rotations, |e| turn {
                     moving.let_turn(e, k, &mut answer);
@@ -44,20 +44,20 @@ pub(crate) fn accelerate<T: Real>(
             let dof = &tree.dofs[k];
             let moved = dof.moved(ws.moved[dof.q]);
             along!(dof, ws.rotations, |e| turn {
-                moving.turn(e, moved, &ws.drifts[k]);
+                moving.turn(e, moved, &ws.velocity_products[k]);
                 moving.let_turn(e, k, &mut answer);
             }, slide {
-                moving.linear += e.crossed(&moving.angular, moved.s) + ws.drifts[k];
+                moving.linear += e.crossed(&moving.angular, moved.s) + ws.velocity_products[k];
                 moving.let_slide(e, k, &mut answer);
             });
         }
         if let Some(triple) = body.triple.filter(|_| yields) {
             let (turns, k) = (ws.last_three(body), body.single_end);
-            let drifts = &ws.drifts[k..][..3];
+            let velocity_products = &ws.velocity_products[k..][..3];
             along_three!(triple, |x, y, z| {
-                moving.turn(x, turns[0], &drifts[0]);
-                moving.turn(y, turns[1], &drifts[1]);
-                moving.turn(z, turns[2], &drifts[2]);
+                moving.turn(x, turns[0], &velocity_products[0]);
+                moving.turn(y, turns[1], &velocity_products[1]);
+                moving.turn(z, turns[2], &velocity_products[2]);
                 let angular = ws.yieldings[i].angular(&moving.linear);
                 let relative = angular - moving.angular;
                 let turning = ThreeTurns::new(triple, (x, y, z), &turns);
@@ -66,13 +66,13 @@ pub(crate) fn accelerate<T: Real>(
             });
         } else if let Some(triple) = body.triple {
             let (turns, k) = (ws.last_three(body), body.single_end);
-            let drifts = &ws.drifts[k..][..3];
+            let velocity_products = &ws.velocity_products[k..][..3];
             along_three!(triple, |x, y, z| {
-                moving.turn(x, turns[0], &drifts[0]);
+                moving.turn(x, turns[0], &velocity_products[0]);
                 moving.let_turn(x, k, &mut answer);
-                moving.turn(y, turns[1], &drifts[1]);
+                moving.turn(y, turns[1], &velocity_products[1]);
                 moving.let_turn(y, k + 1, &mut answer);
-                moving.turn(z, turns[2], &drifts[2]);
+                moving.turn(z, turns[2], &velocity_products[2]);
                 moving.let_turn(z, k + 2, &mut answer);
             });
         }
@@ -96,18 +96,18 @@ struct Answer<'a, T, P> {
     tau: &'a mut [T],
 }
 
-impl<T: Real> Accelerating<T> {
+impl<T: Scalar> Accelerating<T> {
     /// Of the joint's frame before its first degree of freedom.
     #[inline]
     fn at_joint(
         body: &Body<T>,
         parent: Option<&LinkMotion<T>>,
         base: &Vector3<T>,
-        drift: &Vector3<T>,
+        velocity_product: &Vector3<T>,
     ) -> Self {
         let (angular, linear) = parent.map_or((Vector3::zeros(), *base), |parent| {
             let angular = parent.angular_acceleration;
-            (angular, parent.acceleration + cross(&angular, &body.offset) + drift)
+            (angular, parent.acceleration + cross(&angular, &body.offset) + velocity_product)
         });
         body.turned.as_ref().map_or(Self { angular, linear }, |turned| Self {
             angular: apply_transposed(turned, &angular),
@@ -117,18 +117,18 @@ impl<T: Real> Accelerating<T> {
 
     /// Past a turn about `e`, without its own acceleration.
     #[inline]
-    fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, drift: &Vector3<T>) {
-        self.angular = e.enter(self.angular, turn) + drift;
+    fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, velocity_product: &Vector3<T>) {
+        self.angular = e.enter(self.angular, turn) + velocity_product;
         self.linear = e.enter(self.linear, turn);
     }
 
     /// Past the place of a ball or free joint, without the accelerations of its degrees of freedom.
-    fn fly(&mut self, sphere: &Pose<T>, body: &Body<T>, drifts: &[Vector3<T>]) {
+    fn fly(&mut self, sphere: &Pose<T>, body: &Body<T>, velocity_products: &[Vector3<T>]) {
         self.linear =
             apply_transposed(&sphere.rotation, &(self.linear + cross(&self.angular, &sphere.translation)));
-        self.angular = apply_transposed(&sphere.rotation, &self.angular) + drifts[body.end - 1];
+        self.angular = apply_transposed(&sphere.rotation, &self.angular) + velocity_products[body.end - 1];
         if body.end - body.first == 6 {
-            self.linear += drifts[body.first];
+            self.linear += velocity_products[body.first];
         }
     }
 
@@ -157,7 +157,7 @@ impl<T: Real> Accelerating<T> {
     }
 }
 
-impl<T: Real, P: Fn(usize) -> bool> Answer<'_, T, P> {
+impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
     /// `q̈ = (u − U·a)/D` of a free degree of freedom, whose link would have the acceleration `a` without it.
     #[inline]
     fn acceleration(&mut self, k: usize, without: &Accelerating<T>) -> T {
@@ -181,7 +181,7 @@ impl<T: Real, P: Fn(usize) -> bool> Answer<'_, T, P> {
     }
 }
 
-impl<T: Real> Hinge<T> {
+impl<T: Scalar> Hinge<T> {
     /// The force along the degree of freedom that an acceleration of its link asks for.
     #[inline]
     fn opposes(&self, moving: &Accelerating<T>) -> T {

@@ -1,7 +1,7 @@
-//! Outwards, first: what velocities bring.
+//! The first outward pass: velocities, and the accelerations and loads that they bring about.
 
-use crate::inverse::{field, first_three, last_three, whirling_load};
-use crate::scalar::Real;
+use crate::inverse::{centrifugal_load, field, first_three, last_three};
+use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
 use crate::spatial::load::Load;
 use crate::tree::Tree;
@@ -10,15 +10,15 @@ use crate::workspace::Workspace;
 use nalgebra::Vector3;
 
 /// Velocities, from the root outwards: every link's angular velocity, the accelerations that velocities bring without
-/// any acceleration of a degree of freedom, and the loads that keep the links' matter on its way.
-pub(crate) fn velocity_terms<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
+/// any acceleration of a degree of freedom, and the loads that keep the links' mass on its way.
+pub(crate) fn velocity_terms<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
-        let (mut angular, mut drift) = (Vector3::zeros(), Vector3::zeros());
+        let (mut angular, mut velocity_product) = (Vector3::zeros(), Vector3::zeros());
         if let Some(parent) = body.parent {
             angular = ws.motions[parent].angular;
-            drift = apply(&ws.motions[parent].field, &body.offset);
+            velocity_product = apply(&ws.motions[parent].field, &body.offset);
         }
-        ws.offset_drifts[i] = drift;
+        ws.offset_velocity_products[i] = velocity_product;
         if let Some(turned) = &body.turned {
             angular = apply_transposed(turned, &angular);
         }
@@ -28,47 +28,55 @@ pub(crate) fn velocity_terms<T: Real>(tree: &Tree<T>, ws: &mut Workspace<T>, v: 
             if v.len() == 6 {
                 let carried = cross(&angular, &cross(&angular, &sphere.translation));
                 let turned = cross(&(before + before + w), &first_three(v));
-                ws.drifts[body.first] = apply_transposed(&sphere.rotation, &carried) + turned;
+                ws.velocity_products[body.first] = apply_transposed(&sphere.rotation, &carried) + turned;
             }
-            ws.drifts[body.end - 1] = cross(&before, &w);
+            ws.velocity_products[body.end - 1] = cross(&before, &w);
             angular = before + w;
         }
         for k in body.first..body.single_end {
             let dof = &tree.dofs[k];
             let (moved, rate) = (dof.moved(ws.moved[dof.q]), v[k] * dof.sign);
             along!(dof, ws.rotations, |e| turn {
-                ws.drifts[k] = turning(e, &mut angular, moved, rate);
+                ws.velocity_products[k] = turning(e, &mut angular, moved, rate);
             }, slide {
                 let carried = e.add(e.crossed(&angular, moved.s), rate + rate);
-                ws.drifts[k] = cross(&angular, &carried);
+                ws.velocity_products[k] = cross(&angular, &carried);
             });
         }
         if let Some(triple) = body.triple {
             let (turns, from) = (ws.last_three(body), body.single_end);
-            let (rates, drifts) = (&v[from..][..3], &mut ws.drifts[from..][..3]);
+            let (rates, velocity_products) = (&v[from..][..3], &mut ws.velocity_products[from..][..3]);
             along_three!(triple, |x, y, z| {
-                drifts[0] = turning(x, &mut angular, turns[0], rates[0]);
-                drifts[1] = turning(y, &mut angular, turns[1], rates[1]);
-                drifts[2] = turning(z, &mut angular, turns[2], rates[2]);
+                velocity_products[0] = turning(x, &mut angular, turns[0], rates[0]);
+                velocity_products[1] = turning(y, &mut angular, turns[1], rates[1]);
+                velocity_products[2] = turning(z, &mut angular, turns[2], rates[2]);
             });
         }
         let field = field(&angular, &Vector3::zeros());
-        ws.loads[i] = body.matter.as_ref().map_or_else(Load::zero, |matter| whirling_load(matter, &field));
+        ws.loads[i] = body
+            .mass_distribution
+            .as_ref()
+            .map_or_else(Load::zero, |distribution| centrifugal_load(distribution, &field));
         (ws.motions[i].angular, ws.motions[i].field) = (angular, field);
     }
 }
 
 /// `ω ← Rᵀω + e·q̇`; what it returns is `Rᵀω × e·q̇`.
 #[inline]
-fn turning<T: Real, E: Direction<T>>(e: E, angular: &mut Vector3<T>, turn: Moved<T>, rate: T) -> Vector3<T> {
+fn turning<T: Scalar, E: Direction<T>>(
+    e: E,
+    angular: &mut Vector3<T>,
+    turn: Moved<T>,
+    rate: T,
+) -> Vector3<T> {
     let before = e.enter(*angular, turn);
     *angular = e.add(before, rate);
     e.crossed(&before, rate)
 }
 
 /// A figure at rest that carries nothing.
-pub(crate) fn no_velocity_terms<T: Real>(ws: &mut Workspace<T>) {
-    ws.drifts.fill(Vector3::zeros());
-    ws.offset_drifts.fill(Vector3::zeros());
+pub(crate) fn no_velocity_terms<T: Scalar>(ws: &mut Workspace<T>) {
+    ws.velocity_products.fill(Vector3::zeros());
+    ws.offset_velocity_products.fill(Vector3::zeros());
     ws.loads.fill(Load::zero());
 }

@@ -1,7 +1,7 @@
 //! Joints that let their link turn in every way: what they pass on is the same whichever angles describe the turn.
 
 use crate::forward::articulated::Articulated;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, Moved, apply, apply_transposed};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Factor;
@@ -24,7 +24,7 @@ pub(crate) struct Yielding<T> {
     turning: Vector3<T>,
 }
 
-impl<T: Real> Yielding<T> {
+impl<T: Scalar> Yielding<T> {
     pub(crate) fn idle() -> Self {
         Self { factor: Factor::zero(), coupling: Matrix3::zeros(), turning: Vector3::zeros() }
     }
@@ -84,7 +84,7 @@ pub(crate) struct ThreeTurns<T, X, Y, Z> {
     lean: T,
 }
 
-impl<T: Real, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T, X, Y, Z> {
+impl<T: Scalar, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T, X, Y, Z> {
     #[inline]
     pub(crate) fn new(order: EulerOrder, axes: (X, Y, Z), turns: &[Moved<T>; 3]) -> Self {
         let lean = if order.is_cyclic() { turns[1].s } else { -turns[1].s };

@@ -1,7 +1,7 @@
 //! Hyperbolic functions without their exponential, and without the powers of their argument that they vanish with.
 
+use crate::Elementary;
 use crate::error::{ProfileError, check_overflow};
-use crate::scalar::Scalar;
 
 /// Constants of a stiffness k = 2h.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ pub(crate) struct Scaled<F> {
     pub(crate) per_share: F,
 }
 
-impl<F: Scalar> Scaled<F> {
+impl<F: Elementary> Scaled<F> {
     pub(crate) fn new(stiffness: F) -> Result<Self, ProfileError> {
         let (one, half) = (F::from_f64(1.0), F::from_f64(0.5) * stiffness);
         let below = (-stiffness).exp_m1();
@@ -44,7 +44,7 @@ impl<F: Scalar> Scaled<F> {
     }
 }
 
-impl<F: Scalar> Scaled<F> {
+impl<F: Elementary> Scaled<F> {
     /// e⁻ᶻ·sinh(z)/h for z = h·u, where `below` is e⁻²ᶻ − 1.
     #[inline]
     pub(crate) fn sine(&self, u: F, below: F) -> F {
@@ -55,7 +55,7 @@ impl<F: Scalar> Scaled<F> {
 
 /// e⁻²ᶻ, where `below` is e⁻²ᶻ − 1: with all its digits where it is small.
 #[inline]
-pub(crate) fn decay<F: Scalar>(z: F, below: F) -> F {
+pub(crate) fn decay<F: Elementary>(z: F, below: F) -> F {
     if z.value() < 0.3 { F::from_f64(1.0) + below } else { (F::from_f64(-2.0) * z).exp() }
 }
 
@@ -64,7 +64,7 @@ const SMALL: f64 = 1e-3;
 
 /// e⁻ᶻ·sinh(z)/z, where `below` is e⁻²ᶻ − 1.
 #[inline]
-fn sine<F: Scalar>(z: F, below: F) -> F {
+fn sine<F: Elementary>(z: F, below: F) -> F {
     if z.value() < SMALL {
         let series = [2.0 / 15.0, -1.0 / 3.0, 2.0 / 3.0, -1.0, 1.0];
         return series.into_iter().fold(F::from_f64(0.0), |sum, c| sum * z + F::from_f64(c));
@@ -74,7 +74,7 @@ fn sine<F: Scalar>(z: F, below: F) -> F {
 
 /// e⁻ᶻ·g(z)/z³ with g(z) = z·cosh z − sinh z, where `below` is e⁻²ᶻ − 1.
 #[inline]
-pub(crate) fn cubic_share<F: Scalar>(z: F, below: F) -> F {
+pub(crate) fn cubic_share<F: Elementary>(z: F, below: F) -> F {
     let one = F::from_f64(1.0);
     if z.value() < 1.0 {
         // Σ 2n·z²ⁿ⁻²/(2n + 1)!, n = 9 … 1.

@@ -1,9 +1,9 @@
-//! Where a curve under tension stands still.
+//! The stationary points of a curve under tension.
 
 use super::Tension;
+use crate::Elementary;
 use crate::answers::Turn;
 use crate::roots::quadratic;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 impl Tension {
@@ -17,18 +17,19 @@ impl Tension {
     pub(super) fn still(&self) -> Vec<(f64, Turn)> {
         let (v0, v1, s) = (self.start.1, self.end.1, &self.scaled);
         let k = self.stiffness;
-        let decay = Scalar::exp(-s.half);
+        let decay = Elementary::exp(-s.half);
         // H, of which the second part is eʰ times a number of the size of R/T·h².
         let ends = (v0 + v1) * decay / s.cosine;
         let bow = 2.0 * s.whole_sine * s.whole_sine * s.per_share * self.excess * self.rate;
-        let middle = ends + if bow.abs() > 0.0 { bow * Scalar::exp(s.half) } else { 0.0 };
+        let middle = ends + if bow.abs() > 0.0 { bow * Elementary::exp(s.half) } else { 0.0 };
         if middle.is_finite() {
             let roots = quadratic(v1, middle, v0).into_iter().filter(|&(r, _)| r > 0.0);
             return roots.map(|(r, turn)| (self.time(r, decay, k), turn)).collect();
         }
         // The velocities at both ends have died down long before the middle: v₀ + e⁻ʰ·H·(e²ˣ − 1) near the start, the
         // like near the end.
-        let near = |v: f64| Some(-v / bow).filter(|&ratio| ratio > 0.0).map(|ratio| Scalar::ln_1p(ratio) / k);
+        let near =
+            |v: f64| Some(-v / bow).filter(|&ratio| ratio > 0.0).map(|ratio| Elementary::ln_1p(ratio) / k);
         let inside = |&u: &f64| u < 0.5;
         let start = near(v0).filter(inside).map(|u| (self.duration * u, Turn::Reversal));
         let end = near(v1).filter(inside).map(|u| (self.duration * (1.0 - u), Turn::Reversal));
@@ -42,9 +43,9 @@ impl Tension {
         let u = if k <= 0.0 {
             ratio / (1.0 + ratio)
         } else if decay > 1e-300 {
-            Scalar::ln_1p(-self.scaled.below * ratio / decay / below) / k
+            Elementary::ln_1p(-self.scaled.below * ratio / decay / below) / k
         } else {
-            0.5 + Scalar::ln((ratio + decay) / below) / k
+            0.5 + Elementary::ln((ratio + decay) / below) / k
         };
         self.duration * if from_end { 1.0 - u } else { u }
     }

@@ -1,6 +1,6 @@
 //! Velocities with which the acceleration does not jump.
 
-use crate::scalar::Scalar;
+use crate::Elementary;
 use crate::spline::keys::Chord;
 use alloc::vec::Vec;
 
@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 /// ```
 ///
 /// The matrix depends on the times alone, so that it is eliminated in double precision whatever the positions are in.
-pub(in crate::spline) fn continuous<F: Scalar>(chords: &[Chord<F>], ends: Option<(F, F)>) -> Vec<F> {
+pub(in crate::spline) fn continuous<F: Elementary>(chords: &[Chord<F>], ends: Option<(F, F)>) -> Vec<F> {
     let [first, .., last] = chords else {
         // Of one piece, where there is nothing to be solved.
         return chords.first().map_or_else(Vec::new, |only| {

@@ -1,18 +1,18 @@
 //! Velocities that depend on the nearest keys alone.
 
-use crate::scalar::Scalar;
+use crate::Elementary;
 use crate::spline::keys::{Bend, Chord};
 use alloc::vec::Vec;
 use core::iter::once;
 
 /// The slope from the key before to the key after; parabolas at the ends.
-pub(in crate::spline) fn catmull_rom<F: Scalar>(chords: &[Chord<F>]) -> Vec<F> {
+pub(in crate::spline) fn catmull_rom<F: Elementary>(chords: &[Chord<F>]) -> Vec<F> {
     let between = |a: &Chord<F>, b: &Chord<F>| (a.way + b.way) / F::from_f64(a.duration + b.duration);
     along(chords, between, parabola)
 }
 
 /// The mean of both slopes, each weighted with the root of the other way; chords at the ends.
-pub(in crate::spline) fn centripetal<F: Scalar>(chords: &[Chord<F>]) -> Vec<F> {
+pub(in crate::spline) fn centripetal<F: Elementary>(chords: &[Chord<F>]) -> Vec<F> {
     let between = |a: &Chord<F>, b: &Chord<F>| match (root(a.way), root(b.way)) {
         // From hold to hold.
         (a, b) if (a + b).value() <= 0.0 => F::from_f64(0.0),
@@ -25,7 +25,7 @@ pub(in crate::spline) fn centripetal<F: Scalar>(chords: &[Chord<F>]) -> Vec<F> {
 }
 
 /// The weighted harmonic mean of both slopes, or none; limited parabolas at the ends.
-pub(in crate::spline) fn monotone<F: Scalar>(chords: &[Chord<F>]) -> Vec<F> {
+pub(in crate::spline) fn monotone<F: Elementary>(chords: &[Chord<F>]) -> Vec<F> {
     let between = |a: &Chord<F>, b: &Chord<F>| {
         if sign(a.slope) * sign(b.slope) <= 0 {
             return F::from_f64(0.0);
@@ -51,7 +51,7 @@ pub(in crate::spline) fn monotone<F: Scalar>(chords: &[Chord<F>]) -> Vec<F> {
 }
 
 /// With what velocity a key is come to and left, between the ways before and after it.
-pub(in crate::spline) fn bent<F: Scalar>(before: &Chord<F>, after: &Chord<F>, bend: Bend<F>) -> [F; 2] {
+pub(in crate::spline) fn bent<F: Elementary>(before: &Chord<F>, after: &Chord<F>, bend: Bend<F>) -> [F; 2] {
     let one = F::from_f64(1.0);
     let Bend { tension, continuity, bias } = bend;
     let scale = (one - tension) / F::from_f64(before.duration + after.duration);
@@ -63,7 +63,7 @@ pub(in crate::spline) fn bent<F: Scalar>(before: &Chord<F>, after: &Chord<F>, be
 }
 
 /// `between` the ways at inner keys, `end` of the outermost way and its neighbour at the ends; the chord of two keys.
-fn along<F: Scalar>(
+fn along<F: Elementary>(
     chords: &[Chord<F>],
     between: impl Fn(&Chord<F>, &Chord<F>) -> F,
     end: impl Fn(&Chord<F>, &Chord<F>) -> F,
@@ -82,16 +82,16 @@ fn along<F: Scalar>(
 }
 
 /// The velocity at the free end of a way, of the parabola through its keys and the next one.
-fn parabola<F: Scalar>(end: &Chord<F>, next: &Chord<F>) -> F {
+fn parabola<F: Elementary>(end: &Chord<F>, next: &Chord<F>) -> F {
     let share = F::from_f64(end.duration / (end.duration + next.duration));
     end.slope + share * (end.slope - next.slope)
 }
 
 /// √|x|, and a root of 0 that has no derivatives, for it would have infinite ones.
-fn root<F: Scalar>(x: F) -> F {
+fn root<F: Elementary>(x: F) -> F {
     if x.value().abs() > 0.0 { x.abs().sqrt() } else { F::from_f64(0.0) }
 }
 
-fn sign<F: Scalar>(x: F) -> i8 {
+fn sign<F: Elementary>(x: F) -> i8 {
     i8::from(x.value() > 0.0) - i8::from(x.value() < 0.0)
 }

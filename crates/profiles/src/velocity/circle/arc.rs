@@ -1,7 +1,7 @@
 //! The arc over its chord, in units of the chord's length.
 
+use crate::Elementary;
 use crate::range::{Range, Ranges};
-use crate::scalar::Scalar;
 use crate::segment::{segment, segment_by_cube};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use core::ops::Bound::{Excluded, Included};
@@ -37,7 +37,7 @@ pub(super) struct Bow<F> {
     pub(super) area: F,
 }
 
-impl<F: Scalar> Arc<F> {
+impl<F: Elementary> Arc<F> {
     /// None where the arc is not part of one upper or lower semicircle.
     ///
     /// ```text
@@ -141,7 +141,7 @@ pub(super) fn third_velocity(duration: f64, (v0, v1): (f64, f64), third_time: f6
     let (u, rest, delta) = (third_time / duration, (duration - third_time) / duration, (rise / chord).abs());
     let reach = |u1: f64| {
         let half = u1 * delta;
-        chord * (u * rest / (half + Scalar::sqrt(half * half + u * rest)))
+        chord * (u * rest / (half + Elementary::sqrt(half * half + u * rest)))
     };
     let (away, towards) = if rise < 0.0 { (reach(rest), reach(u)) } else { (reach(u), reach(rest)) };
     let line = v0 + rise * u;
@@ -156,7 +156,7 @@ pub(super) fn third_time(duration: f64, (v0, v1): (f64, f64), third_velocity: f6
     let tau = duration / chord;
     let shares = |eta: f64| {
         let under_root = 1.0 - 4.0 * (tau * eta) * (tau * eta);
-        let root = Scalar::sqrt(under_root.max(0.0));
+        let root = Elementary::sqrt(under_root.max(0.0));
         (under_root >= 0.0).then(|| (2.0 * eta * eta / (1.0 + root), (1.0 + root) / (2.0 * tau * tau)))
     };
     let from_start = shares((third_velocity - v0) / chord);
@@ -177,14 +177,14 @@ pub(super) fn third_time(duration: f64, (v0, v1): (f64, f64), third_velocity: f6
 }
 
 /// √(T² + Δv²) without overflow.
-fn length<F: Scalar>(duration: F, rise: F) -> F {
+fn length<F: Elementary>(duration: F, rise: F) -> F {
     let most = F::from_f64(duration.value().max(rise.value().abs()));
     let (x, y) = (duration / most, rise / most);
     most * (x * x + y * y).sqrt()
 }
 
 /// (2q − sin 2q)/(8 sin²q): the area of a segment over the square of its chord.
-fn segment_over_chord<F: Scalar>(q: F) -> F {
+fn segment_over_chord<F: Elementary>(q: F) -> F {
     let (sine, cosine) = q.sin_cos();
     let two = F::from_f64(2.0);
     if q.value().abs() < FRAC_PI_4 {
@@ -196,6 +196,6 @@ fn segment_over_chord<F: Scalar>(q: F) -> F {
 }
 
 /// The number, or zero for what rounding leaves below it.
-fn positive<F: Scalar>(x: F) -> F {
+fn positive<F: Elementary>(x: F) -> F {
     if x.value() < 0.0 { F::from_f64(0.0) } else { x }
 }

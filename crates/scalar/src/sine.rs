@@ -19,7 +19,7 @@ fn reduce(angle: f64) -> (f64, u64) {
     const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2⁵²
     const QUARTER_TURN_HIGH: f64 = f64::from_bits(0x3ff9_21fb_5440_0000);
     const QUARTER_TURN_LOW: f64 = f64::from_bits(0x3dd0_b461_1a62_6331);
-    let shifted = angle * std::f64::consts::FRAC_2_PI + ROUND;
+    let shifted = angle * core::f64::consts::FRAC_2_PI + ROUND;
     let turns = shifted - ROUND;
     ((angle - turns * QUARTER_TURN_HIGH) - turns * QUARTER_TURN_LOW, shifted.to_bits())
 }
@@ -106,7 +106,7 @@ mod tests {
     /// A million angles of every size, multiples of the eighth turn and their neighbours among them.
     fn angles() -> impl Iterator<Item = f64> {
         let grid = (-200_000..200_000).flat_map(|i| {
-            let corner = f64::from(i) * std::f64::consts::FRAC_PI_4;
+            let corner = f64::from(i) * core::f64::consts::FRAC_PI_4;
             [corner, corner.next_up(), corner.next_down()]
         });
         let spread = (0..400_000).map(|i| {

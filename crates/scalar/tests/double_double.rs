@@ -2,11 +2,21 @@
 
 #![allow(clippy::approx_constant, reason = "angles near quarter turns are what is tested")]
 
-mod support;
+use solaris_scalar::{DoubleDouble, Scalar};
 
-use solaris_dynamics::Real;
-use solaris_dynamics::scalar::DoubleDouble;
-use support::random::Random;
+/// A stream of random numbers (`SplitMix64`).
+struct Random(u64);
+
+impl Random {
+    /// Between −1 and 1.
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
 
 fn number(x: f64) -> DoubleDouble {
     DoubleDouble::from_f64(x)
@@ -29,7 +39,7 @@ const UNIT: f64 = 1.0 / (1_u128 << 106) as f64;
 
 #[test]
 fn sums_products_and_quotients_of_whole_numbers_are_right_to_the_last_digits() {
-    let mut random = Random::new(1);
+    let mut random = Random(1);
     // Up to 60 bits, more than a number of double precision holds.
     let mut draw = || (random.unit() * 2.0_f64.powi(60)) as i128 + (random.unit() * 128.0) as i128;
     for _ in 0..20_000 {
@@ -106,7 +116,7 @@ fn expressions_in_pi_are_those_of_long_constants() {
 
 /// Angles of every size up to 1e15 rad with digits beyond double precision, multiples of the eighth turn among them.
 fn angles() -> impl Iterator<Item = DoubleDouble> {
-    let mut random = Random::new(5);
+    let mut random = Random(5);
     let [pi, ..] = constants();
     (0..6_000).map(move |i| {
         let size = 10.0_f64.powf(7.0 + 8.0 * random.unit());

@@ -1,14 +1,14 @@
 //! Mass distributions, and constants rounded to the working precision.
 
 use crate::error::DynamicsError;
-use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::spatial::symmetric::Symmetric;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::Link;
 
 /// The mass distribution of a link, in the link's frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Matter<T> {
+pub(crate) struct MassDistribution<T> {
     pub(crate) mass: T,
     /// Centre of mass.
     pub(crate) com: Vector3<T>,
@@ -23,7 +23,9 @@ pub(crate) struct Matter<T> {
 }
 
 /// The mass distribution of a link; every moment is formed in double precision and rounded once.
-pub(crate) fn matter<T: Real>(link: &Link) -> Result<Option<Matter<T>>, DynamicsError> {
+pub(crate) fn mass_distribution<T: Scalar>(
+    link: &Link,
+) -> Result<Option<MassDistribution<T>>, DynamicsError> {
     if link.mass() <= 0.0 {
         return Ok(None);
     }
@@ -33,7 +35,7 @@ pub(crate) fn matter<T: Real>(link: &Link) -> Result<Option<Matter<T>>, Dynamics
     for x in at_origin.iter().chain(second.iter()) {
         constant::<T>("the inertia of link ", link.name(), *x)?;
     }
-    Ok(Some(Matter {
+    Ok(Some(MassDistribution {
         mass: constant("the mass of link ", link.name(), m)?,
         com: vector("the centre of mass of link ", link.name(), c)?,
         first: vector("mass times centre of mass of link ", link.name(), &(c * m))?,
@@ -44,7 +46,7 @@ pub(crate) fn matter<T: Real>(link: &Link) -> Result<Option<Matter<T>>, Dynamics
 }
 
 /// `x` as a `T`, refused where `T` cannot hold it.
-pub(crate) fn constant<T: Real>(what: &str, name: &str, x: f64) -> Result<T, DynamicsError> {
+pub(crate) fn constant<T: Scalar>(what: &str, name: &str, x: f64) -> Result<T, DynamicsError> {
     let constant = T::from_f64(x);
     if constant.is_finite() {
         return Ok(constant);
@@ -53,6 +55,10 @@ pub(crate) fn constant<T: Real>(what: &str, name: &str, x: f64) -> Result<T, Dyn
     Err(DynamicsError::Constant { what: format!("{what}{quoted}"), value: x })
 }
 
-pub(crate) fn vector<T: Real>(what: &str, name: &str, v: &Vector3<f64>) -> Result<Vector3<T>, DynamicsError> {
+pub(crate) fn vector<T: Scalar>(
+    what: &str,
+    name: &str,
+    v: &Vector3<f64>,
+) -> Result<Vector3<T>, DynamicsError> {
     Ok(Vector3::new(constant(what, name, v.x)?, constant(what, name, v.y)?, constant(what, name, v.z)?))
 }

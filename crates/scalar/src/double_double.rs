@@ -3,7 +3,8 @@
 mod decimal;
 mod trigonometry;
 
-use super::{Real, assignments};
+use crate::Scalar;
+use crate::scalar::assignments;
 use num_traits::{One, Zero};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -12,14 +13,14 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// Sums and products are right to 5·2⁻¹⁰⁶ of themselves, quotients to 10·2⁻¹⁰⁶, sines and cosines to 1e-31 for angles to
 /// 1e15 rad. Products below 1e-290 lose digits as they come nearer to the smallest numbers of `f64`. What is beyond the
-/// largest comes out as infinity or NaN, and [`Real::is_finite`] tells.
+/// largest comes out as infinity or NaN, and [`Scalar::is_finite`] tells.
 ///
 /// `from_f64` is exact: a constant that was rounded to double precision stays so.
 ///
 /// # Examples
 ///
 /// ```
-/// use solaris_dynamics::scalar::DoubleDouble;
+/// use solaris_scalar::DoubleDouble;
 ///
 /// let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
 /// assert!(third.to_string().starts_with("3.33333333333333333333333333333"));
@@ -172,7 +173,7 @@ impl One for DoubleDouble {
     }
 }
 
-impl Real for DoubleDouble {
+impl Scalar for DoubleDouble {
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
 
     fn from_f64(x: f64) -> Self {

@@ -1,6 +1,7 @@
 //! Counting operations.
 
-use super::{Real, assignments};
+use crate::Scalar;
+use crate::scalar::assignments;
 use num_traits::{One, Zero};
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,7 +18,7 @@ thread_local! {
 /// # Examples
 ///
 /// ```
-/// use solaris_dynamics::scalar::{Counted, Operations};
+/// use solaris_scalar::{Counted, Operations};
 ///
 /// let (a, b) = (Counted::new(3.0), Counted::new(4.0));
 /// let (sum, operations) = Counted::measure(|| a * a + b * b);
@@ -160,7 +161,7 @@ impl One for Counted {
     }
 }
 
-impl Real for Counted {
+impl Scalar for Counted {
     const EPSILON: f64 = f64::EPSILON;
 
     fn from_f64(x: f64) -> Self {
@@ -169,7 +170,7 @@ impl Real for Counted {
 
     fn sin_cos(self) -> (Self, Self) {
         count(|operations| operations.sines += 1);
-        let (sine, cosine) = Real::sin_cos(self.0);
+        let (sine, cosine) = Scalar::sin_cos(self.0);
         (Self(sine), Self(cosine))
     }
 

@@ -1,41 +1,16 @@
-//! The numbers that curves are written over.
+//! The trait of numbers that have one value, with roots, powers and exponentials.
 
-mod dual;
-mod float;
+use crate::Scalar;
 
-pub use dual::Dual;
-pub(crate) use float::{floor, rem_euclid};
-
-use core::fmt::Debug;
-use core::ops::{Add, Div, Mul, Neg, Sub};
-
-/// What a curve asks of a number: `f64` and `f32` are such, and [`Dual`] with exact derivatives by time or by any
-/// parameter.
+/// A scalar with one value to decide by, and with the elementary functions: what curves and laws of force ask beyond
+/// [`Scalar`]. `f64` and `f32` are such, and [`Dual`](crate::Dual) with exact derivatives by time or by any parameter.
 ///
 /// There is no order: what has to be decided is decided by [`value`](Self::value), so that a number with derivatives takes
 /// the way of its value.
-pub trait Scalar:
-    Copy
-    + Debug
-    + PartialEq
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + 'static
-{
-    /// The distance from 1 to the next number.
-    const EPSILON: f64;
-
-    /// The nearest number to `x`, without derivatives.
-    fn from_f64(x: f64) -> Self;
-
+pub trait Elementary: Scalar {
     /// The number in double precision, without its derivatives.
+    #[doc(alias = "to_f64")]
     fn value(self) -> f64;
-
-    /// Whether the number, with all its parts, is neither infinite nor NaN.
-    fn is_finite(self) -> bool;
 
     /// √x.
     fn sqrt(self) -> Self;
@@ -51,9 +26,6 @@ pub trait Scalar:
 
     /// ln(1 + x), right to the last digits near zero.
     fn ln_1p(self) -> Self;
-
-    /// Sine and cosine of an angle (rad).
-    fn sin_cos(self) -> (Self, Self);
 
     /// Hyperbolic sine.
     fn sinh(self) -> Self;
@@ -114,8 +86,8 @@ mod tests {
 
     #[test]
     fn whole_powers_are_products() {
-        assert!((Scalar::powi(1.5_f64, 7) - 17.085_937_5).abs() < 1e-14);
-        assert!((Scalar::powi(0.0_f64, 0) - 1.0).abs() < 1e-300);
-        assert!((Scalar::powi(-2.0_f32, 3) + 8.0).abs() < 1e-30);
+        assert!((Elementary::powi(1.5_f64, 7) - 17.085_937_5).abs() < 1e-14);
+        assert!((Elementary::powi(0.0_f64, 0) - 1.0).abs() < 1e-300);
+        assert!((Elementary::powi(-2.0_f32, 3) + 8.0).abs() < 1e-30);
     }
 }

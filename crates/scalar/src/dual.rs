@@ -1,11 +1,11 @@
-//! Exact first derivatives.
+//! Dual numbers, which carry exact first derivatives.
 
-use super::Scalar;
+use crate::{Elementary, Scalar};
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
 
-/// A number with its first derivatives along `N` directions, carried through every operation by the rules of
+/// A dual number: a value with its first derivatives along `N` directions, carried through every operation by the rules of
 /// differentiation: the derivatives of a result are exact up to rounding, and its value is that of `f64`, bit for bit.
 ///
 /// ```text
@@ -21,7 +21,7 @@ use num_traits::{One, Zero};
 /// Of x²·y at (3, 2), the derivatives are 2·x·y = 12 and x² = 9:
 ///
 /// ```
-/// use solaris_profiles::Dual;
+/// use solaris_scalar::Dual;
 ///
 /// let (x, y) = (Dual::<2>::variable(3.0, 0), Dual::<2>::variable(2.0, 1));
 /// let z = x * x * y;
@@ -32,6 +32,9 @@ use num_traits::{One, Zero};
 ///
 /// W. K. Clifford's dual numbers; forward differentiation by them: A. Griewank, A. Walther, "Evaluating Derivatives",
 /// 2nd ed., SIAM (2008), §3.1.
+#[doc(alias = "automatic differentiation")]
+#[doc(alias = "autodiff")]
+#[doc(alias = "jet")]
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Dual<const N: usize> {
     value: f64,
@@ -186,8 +189,9 @@ impl<const N: usize> Scalar for Dual<N> {
     }
 
     #[inline]
-    fn value(self) -> f64 {
-        self.value
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = Scalar::sin_cos(self.value);
+        (self.chain(sine, cosine), self.chain(cosine, -sine))
     }
 
     #[inline]
@@ -196,70 +200,97 @@ impl<const N: usize> Scalar for Dual<N> {
     }
 
     #[inline]
+    fn greatest(self) -> f64 {
+        self.value.greatest()
+    }
+
+    #[inline]
+    fn all_within(self, lower: f64, upper: f64) -> bool {
+        self.value.all_within(lower, upper)
+    }
+
+    #[inline]
+    fn recip_above(self, threshold: Self) -> Self {
+        // Zero below the threshold, and the slope with it.
+        let reciprocal = self.value.recip_above(threshold.value);
+        self.chain(reciprocal, -(reciprocal * reciprocal))
+    }
+
+    #[inline]
+    fn recip_or_nan(self, threshold: Self) -> Self {
+        let reciprocal = self.value.recip_or_nan(threshold.value);
+        self.chain(reciprocal, -(reciprocal * reciprocal))
+    }
+}
+
+impl<const N: usize> Elementary for Dual<N> {
+    #[inline]
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    #[inline]
     fn sqrt(self) -> Self {
-        let root = Scalar::sqrt(self.value);
+        let root = Elementary::sqrt(self.value);
         self.chain(root, 0.5 / root)
     }
 
     #[inline]
     fn exp(self) -> Self {
-        let power = Scalar::exp(self.value);
+        let power = Elementary::exp(self.value);
         self.chain(power, power)
     }
 
     #[inline]
     fn exp_m1(self) -> Self {
-        self.chain(Scalar::exp_m1(self.value), Scalar::exp(self.value))
+        self.chain(Elementary::exp_m1(self.value), Elementary::exp(self.value))
     }
 
     #[inline]
     fn ln(self) -> Self {
-        self.chain(Scalar::ln(self.value), 1.0 / self.value)
+        self.chain(Elementary::ln(self.value), 1.0 / self.value)
     }
 
     #[inline]
     fn ln_1p(self) -> Self {
-        self.chain(Scalar::ln_1p(self.value), 1.0 / (1.0 + self.value))
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = Scalar::sin_cos(self.value);
-        (self.chain(sine, cosine), self.chain(cosine, -sine))
+        self.chain(Elementary::ln_1p(self.value), 1.0 / (1.0 + self.value))
     }
 
     #[inline]
     fn sinh(self) -> Self {
-        self.chain(Scalar::sinh(self.value), Scalar::cosh(self.value))
+        self.chain(Elementary::sinh(self.value), Elementary::cosh(self.value))
     }
 
     #[inline]
     fn cosh(self) -> Self {
-        self.chain(Scalar::cosh(self.value), Scalar::sinh(self.value))
+        self.chain(Elementary::cosh(self.value), Elementary::sinh(self.value))
     }
 
     #[inline]
     fn tanh(self) -> Self {
-        let cosine = Scalar::cosh(self.value);
-        self.chain(Scalar::tanh(self.value), 1.0 / cosine / cosine)
+        let cosine = Elementary::cosh(self.value);
+        self.chain(Elementary::tanh(self.value), 1.0 / cosine / cosine)
     }
 
     #[inline]
     fn asin(self) -> Self {
-        self.chain(Scalar::asin(self.value), 1.0 / Scalar::sqrt((1.0 - self.value) * (1.0 + self.value)))
+        self.chain(
+            Elementary::asin(self.value),
+            1.0 / Elementary::sqrt((1.0 - self.value) * (1.0 + self.value)),
+        )
     }
 
     #[inline]
     fn atan(self) -> Self {
-        self.chain(Scalar::atan(self.value), 1.0 / (1.0 + self.value * self.value))
+        self.chain(Elementary::atan(self.value), 1.0 / (1.0 + self.value * self.value))
     }
 
     /// `xⁿ` by `ẋ·n·xⁿ⁻¹ + ṅ·xⁿ·ln x`; the second part only where n depends on something.
     #[inline]
     fn powf(self, n: Self) -> Self {
-        let power = Scalar::powf(self.value, n.value);
-        let by_base = n.value * Scalar::powf(self.value, n.value - 1.0);
-        let by_exponent = if power.is_zero() { 0.0 } else { power * Scalar::ln(self.value) };
+        let power = Elementary::powf(self.value, n.value);
+        let by_base = n.value * Elementary::powf(self.value, n.value - 1.0);
+        let by_exponent = if power.is_zero() { 0.0 } else { power * Elementary::ln(self.value) };
         Self {
             value: power,
             partials: from_fn(|i| {
@@ -330,19 +361,19 @@ mod tests {
     fn each_function_has_its_derivative() {
         type Function = fn(Dual<1>) -> Dual<1>;
         let functions: [(Function, f64); 13] = [
-            (Scalar::sqrt, 0.5 / 0.7_f64.sqrt()),
-            (Scalar::exp, 0.7_f64.exp()),
-            (Scalar::exp_m1, 0.7_f64.exp()),
-            (Scalar::ln, 1.0 / 0.7),
-            (Scalar::ln_1p, 1.0 / 1.7),
-            (Scalar::sin, 0.7_f64.cos()),
-            (Scalar::cos, -0.7_f64.sin()),
-            (Scalar::sinh, 0.7_f64.cosh()),
-            (Scalar::cosh, 0.7_f64.sinh()),
-            (Scalar::tanh, 0.7_f64.cosh().powi(-2)),
-            (Scalar::asin, 1.0 / (1.0 - 0.49_f64).sqrt()),
-            (Scalar::atan, 1.0 / 1.49),
-            (|x| Scalar::powi(x, 3), 3.0 * 0.49),
+            (Elementary::sqrt, 0.5 / 0.7_f64.sqrt()),
+            (Elementary::exp, 0.7_f64.exp()),
+            (Elementary::exp_m1, 0.7_f64.exp()),
+            (Elementary::ln, 1.0 / 0.7),
+            (Elementary::ln_1p, 1.0 / 1.7),
+            (Elementary::sin, 0.7_f64.cos()),
+            (Elementary::cos, -0.7_f64.sin()),
+            (Elementary::sinh, 0.7_f64.cosh()),
+            (Elementary::cosh, 0.7_f64.sinh()),
+            (Elementary::tanh, 0.7_f64.cosh().powi(-2)),
+            (Elementary::asin, 1.0 / (1.0 - 0.49_f64).sqrt()),
+            (Elementary::atan, 1.0 / 1.49),
+            (|x| Elementary::powi(x, 3), 3.0 * 0.49),
         ];
         for (function, slope) in functions {
             let found = function(Dual::variable(0.7, 0));
@@ -356,8 +387,36 @@ mod tests {
     fn a_power_depends_on_base_and_exponent() {
         let (x, n) = (Dual::<2>::variable(0.7, 0), Dual::variable(2.5, 1));
         let power = 0.7_f64.powf(2.5);
-        assert_dual(Scalar::powf(x, n), power, [2.5 * 0.7_f64.powf(1.5), power * 0.7_f64.ln()]);
-        let at_zero = Scalar::powf(Dual::<2>::variable(0.0, 0), n);
+        assert_dual(Elementary::powf(x, n), power, [2.5 * 0.7_f64.powf(1.5), power * 0.7_f64.ln()]);
+        let at_zero = Elementary::powf(Dual::<2>::variable(0.0, 0), n);
         assert_dual(at_zero, 0.0, [0.0, 0.0]);
+    }
+
+    #[test]
+    fn sine_and_cosine_are_those_of_its_value() {
+        let (sine, cosine) = Dual::<1>::variable(0.7, 0).sin_cos();
+        let (s, c) = Scalar::sin_cos(0.7_f64);
+        assert_eq!((sine, cosine), (Dual::new(s, [c]), Dual::new(c, [-s])));
+    }
+
+    #[test]
+    fn a_reciprocal_above_a_threshold_has_the_derivatives_of_its_side() {
+        let (a, b) = variables();
+        let found = a.recip_above(b);
+        assert_dual(found, 1.0 / 0.7, [-1.0 / 0.49, 0.0]);
+        assert!(found.partial(1).is_zero());
+        assert_eq!(a.recip_above(Dual::constant(0.7)), Dual::zero());
+        assert_eq!(b.recip_above(a), Dual::zero());
+        assert_eq!(Dual::<1>::variable(f64::NAN, 0).recip_above(Dual::zero()).value().to_bits(), 0);
+    }
+
+    #[test]
+    fn derivatives_count_for_what_is_finite_and_zero_but_not_for_what_is_within() {
+        assert!(!Dual::new(1.0, [f64::NAN]).is_finite() && !Dual::new(f64::INFINITY, [0.0]).is_finite());
+        assert!(Dual::new(1.0, [2.0]).is_finite());
+        assert!(
+            Dual::new(1.0, [9.0]).all_within(1.0, 2.0) && !Dual::new(f64::NAN, [0.0]).all_within(-1.0, 1.0)
+        );
+        assert!(!Dual::new(0.0, [1.0]).is_zero() && Dual::<1>::constant(0.0).is_zero());
     }
 }

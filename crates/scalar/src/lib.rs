@@ -1,0 +1,20 @@
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(feature = "std"), no_std)]
+
+#[cfg(feature = "counted")]
+mod counted;
+#[cfg(feature = "double-double")]
+mod double_double;
+mod dual;
+mod elementary;
+mod float;
+mod scalar;
+mod sine;
+
+#[cfg(feature = "counted")]
+pub use counted::{Counted, Operations};
+#[cfg(feature = "double-double")]
+pub use double_double::DoubleDouble;
+pub use dual::Dual;
+pub use elementary::Elementary;
+pub use scalar::Scalar;
