@@ -5,14 +5,14 @@ use solaris_dynamics::{Pose, Tree, Workspace, forward_kinematics};
 use solaris_model::{Figure, SolePart, Trajectory};
 
 /// A figure posed by a walk.
-pub(crate) struct Stage<'a> {
+pub(crate) struct Posed<'a> {
     walk: &'a dyn Trajectory,
     tree: Tree<f64>,
     workspace: Workspace<f64>,
     q: Vec<f64>,
 }
 
-impl<'a> Stage<'a> {
+impl<'a> Posed<'a> {
     pub(crate) fn new(figure: &Figure, walk: &'a dyn Trajectory) -> Self {
         let tree = Tree::<f64>::new(figure, Vector3::zeros()).expect("a tree");
         Self { walk, workspace: Workspace::new(&tree), tree, q: vec![0.0; figure.layout().nq()] }
@@ -29,7 +29,6 @@ impl<'a> Stage<'a> {
     }
 
     /// Height of the lowest point of both soles.
-    #[allow(dead_code, reason = "not every test asks for it")]
     pub(crate) fn lowest(&self, figure: &Figure) -> f64 {
         let mut lowest = f64::INFINITY;
         for name in ["left_foot", "right_foot", "left_toes", "right_toes"] {
@@ -43,7 +42,6 @@ impl<'a> Stage<'a> {
     }
 
     /// A link's pose.
-    #[allow(dead_code, reason = "not every test asks for it")]
     pub(crate) fn pose_of(&self, link: usize) -> &Pose<f64> {
         self.workspace.pose(link)
     }

@@ -1,6 +1,5 @@
 //! Walks in the thesis's style: every posture met, what is planted stays, nothing sinks, and the laws that hold for any walk.
 
-mod stage;
 
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
@@ -10,7 +9,7 @@ use solaris_gait::{
 };
 use solaris_model::{EventKind, Figure, Trajectory, human};
 use solaris_modes::reactions_from_feet;
-use stage::Stage;
+use crate::posed::Posed;
 
 fn walked(figure: &Figure, determinants: Determinants, step_frequency: f64, steps: usize) -> ThesisWalk {
     let request = ThesisRequest {
@@ -24,12 +23,12 @@ fn walked(figure: &Figure, determinants: Determinants, step_frequency: f64, step
 
 /// The lowest point of both soles over a walk (m), and when.
 fn lowest(figure: &Figure, walk: &dyn Trajectory) -> (f64, f64) {
-    let mut stage = Stage::new(figure, walk);
+    let mut posed = Posed::new(figure, walk);
     let mut lowest = (f64::INFINITY, 0.0);
     let frames = (walk.duration() * 300.0) as usize;
     for t in (0..frames).map(|frame| frame as f64 / 300.0) {
-        stage.pose(t);
-        let y = stage.lowest(figure);
+        posed.pose(t);
+        let y = posed.lowest(figure);
         lowest = if y < lowest.0 { (y, t) } else { lowest };
     }
     lowest
@@ -37,14 +36,14 @@ fn lowest(figure: &Figure, walk: &dyn Trajectory) -> (f64, f64) {
 
 /// How far a planted point is from its place at most (m).
 fn slide(figure: &Figure, plan: &ThesisWalk) -> f64 {
-    let mut stage = Stage::new(figure, &plan.walk);
+    let mut posed = Posed::new(figure, &plan.walk);
     let mut worst = 0.0_f64;
     for interval in plan.walk.planted(figure) {
-        stage.pose(interval.start);
-        let place = stage.at(interval.link, &interval.point);
+        posed.pose(interval.start);
+        let place = posed.at(interval.link, &interval.point);
         for k in 0..=40 {
-            stage.pose(interval.start + (interval.end - interval.start) * f64::from(k) / 40.0);
-            worst = worst.max((stage.at(interval.link, &interval.point) - place).norm());
+            posed.pose(interval.start + (interval.end - interval.start) * f64::from(k) / 40.0);
+            worst = worst.max((posed.at(interval.link, &interval.point) - place).norm());
         }
     }
     worst
@@ -88,7 +87,7 @@ fn every_posture_is_met() {
     let figure = human(1.75, 73.0).expect("a person");
     for determinants in Determinants::ALL {
         let plan = walked(&figure, determinants, 110.0, 3);
-        let mut stage = Stage::new(&figure, &plan.walk);
+        let mut posed = Posed::new(&figure, &plan.walk);
         let [starting, intermediate, finishing] = &plan.postures.cycles;
         let all = starting.iter().chain(intermediate).chain(intermediate).chain(finishing);
         // The right foot swings first: it is the stance leg of every other cycle.
@@ -102,16 +101,16 @@ fn every_posture_is_met() {
         assert_eq!(keys.len(), stance.concat().len());
         for ((phase, stance), (time, name)) in all.zip(stance.concat()).zip(keys) {
             assert_eq!(phase.end.name, name);
-            stage.pose(time);
+            posed.pose(time);
             for (leg, angles) in phase.end.legs.iter().enumerate() {
                 let side = ["left", "right"][if leg == 0 { stance } else { 1 - stance }];
                 let place = |part: &str| {
                     let link = figure.link_index(&format!("{side}_{part}")).expect("a segment");
-                    (link, stage.pose_of(link).translation)
+                    (link, posed.pose_of(link).translation)
                 };
                 let [thigh, shank, foot, toes] = ["thigh", "shank", "foot", "toes"].map(place);
                 let toe = |link: usize| {
-                    let forward = stage.pose_of(link).rotation * Vector3::z();
+                    let forward = posed.pose_of(link).rotation * Vector3::z();
                     (-forward.y).atan2(forward.z)
                 };
                 // The pelvis' tilt and turn narrow the hips, and legs that lean to the side by 0.1° reach 1e-7 m less: straight

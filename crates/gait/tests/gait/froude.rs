@@ -5,7 +5,6 @@
 //! them: a style's numbers and the double support depend on the step frequency in steps a minute, and the trunk of five
 //! determinants on the speed in m/s. What was chosen for one walk is therefore given to the other.
 
-mod stage;
 
 use solaris_gait::determinants::{Determinants, DoubleSupport, Proportions};
 use solaris_gait::{
@@ -13,7 +12,7 @@ use solaris_gait::{
     WalkPlan, WalkRequest, walk,
 };
 use solaris_model::{Figure, Trajectory, human};
-use stage::Stage;
+use crate::posed::Posed;
 
 /// Heights (m) with masses (kg) that are in no proportion to each other.
 const OTHERS: [(f64, f64); 3] = [(1.2, 40.0), (1.5, 38.0), (2.0, 140.0)];
@@ -41,18 +40,18 @@ fn scaled(style: &Style, scale: f64) -> Style {
 fn apart(figures: [&Figure; 2], walks: [&dyn Trajectory; 2], scale: f64) -> (f64, f64) {
     let nq = figures[0].layout().nq();
     let (mut a, mut b) = (vec![0.0; nq], vec![0.0; nq]);
-    let mut stages = [0, 1].map(|i| Stage::new(figures[i], walks[i]));
+    let mut poses = [0, 1].map(|i| Posed::new(figures[i], walks[i]));
     let (mut lengths, mut angles) = (0.0_f64, 0.0_f64);
     for k in 0..=400 {
         let times = [0, 1].map(|i| walks[i].duration() * f64::from(k) / 400.0);
         walks[0].configuration(times[0], &mut a);
         walks[1].configuration(times[1], &mut b);
         angles = (3..nq).map(|i| (a[i] - b[i]).abs()).fold(angles, f64::max);
-        for (stage, time) in stages.iter_mut().zip(times) {
-            stage.pose(time);
+        for (posed, time) in poses.iter_mut().zip(times) {
+            posed.pose(time);
         }
         for link in 0..figures[0].links().len() {
-            let [here, there] = [0, 1].map(|i| stages[i].pose_of(link).translation);
+            let [here, there] = [0, 1].map(|i| poses[i].pose_of(link).translation);
             lengths = lengths.max((here - there / scale).amax());
         }
     }

@@ -1,13 +1,12 @@
 //! Walks in the thesis's style with random parameters: what is feasible obeys all laws, what is not answers.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
-mod stage;
 
 use nalgebra::Vector3;
 use solaris_gait::determinants::{Determinants, Proportions};
 use solaris_gait::{Extent, GaitError, InBetween, ThesisRequest, thesis_walk};
 use solaris_model::{Figure, Trajectory as _, human};
-use stage::Stage;
+use crate::posed::Posed;
 
 /// Random numbers that are the same everywhere.
 struct Random(u64);
@@ -88,20 +87,20 @@ fn tried(count: usize, seed: u64) -> (usize, usize) {
 
 /// No number that is none, nothing planted moves, nothing sinks.
 fn obeys(figure: &Figure, walk: &solaris_gait::KeyedWalk, random: &mut Random, request: &ThesisRequest) {
-    let mut stage = Stage::new(figure, walk);
+    let mut posed = Posed::new(figure, walk);
     let planted = walk.planted(figure);
     for _ in 0..8 {
         let interval = &planted[(random.unit() * planted.len() as f64) as usize];
         let mut place: Option<Vector3<f64>> = None;
         for _ in 0..2 {
-            stage.pose(random.within(interval.start, interval.end));
-            let at = stage.at(interval.link, &interval.point);
+            posed.pose(random.within(interval.start, interval.end));
+            let at = posed.at(interval.link, &interval.point);
             let off = (at - *place.get_or_insert(at)).norm();
             assert!(off < 1e-7, "slides by {off:e} m: {request:?}");
         }
         let t = random.within(0.0, walk.duration());
-        stage.pose(t);
-        let y = stage.lowest(figure);
+        posed.pose(t);
+        let y = posed.lowest(figure);
         assert!(y > -1e-7, "sinks by {y:e} m at {t} s: {request:?}");
     }
 }

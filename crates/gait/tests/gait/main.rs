@@ -1,0 +1,34 @@
+//! What walks are held against: closed forms, golden numbers, the thesis's tables, and laws that every walk keeps.
+
+mod beside;
+mod changes;
+mod changes_random;
+mod five_determinants;
+mod five_determinants_automatic;
+mod five_determinants_closure;
+mod five_determinants_tables;
+mod flexion;
+mod froude;
+mod golden;
+mod golden_stride;
+mod golden_walk;
+mod ground;
+mod journey;
+mod leg_closed_forms;
+mod long_walk;
+mod metrics;
+mod mirror;
+mod people;
+mod posed;
+mod refusals;
+mod smooth_laws;
+mod stride_loop;
+mod sweep;
+mod thesis;
+mod thesis_lone;
+mod thesis_random;
+mod thesis_refusals;
+mod thesis_requests;
+mod three_determinants;
+mod three_determinants_closure;
+mod three_determinants_laws;
