@@ -108,7 +108,7 @@ pub enum GaitError {
     )]
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
     #[error("{determinants} determinants cannot walk like this: {why}")]
-    Infeasible { determinants: &'static str, why: Box<crate::determinants::Infeasible> },
+    Infeasible { determinants: &'static str, why: Box<crate::condition::Infeasible> },
     #[error("{found} values for the {expected} parameters of {determinants} determinants")]
     ParameterCount { determinants: &'static str, found: usize, expected: usize },
     #[error(

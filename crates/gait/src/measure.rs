@@ -4,17 +4,17 @@
 
 mod bands;
 pub(crate) mod feet;
-mod lone;
+mod isolated;
 pub(crate) mod series;
 pub(crate) mod steady;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
-pub use lone::{LoneForce, lone_forces};
+pub use isolated::{LoneForce, lone_forces};
 pub use steady::SteadyStride;
 
+use crate::body::FEET;
 use crate::error::GaitError;
-use crate::walk::FEET;
 use series::Series;
 use solaris_model::{EventKind, Figure, Motion};
 

@@ -4,11 +4,11 @@ mod facts;
 
 pub use facts::{FACTS, Fact, Person};
 
-use crate::determinants::{Cell, Determinants, GaitTable};
 use crate::error::GaitError;
 use crate::measure::{SteadyStride, measure};
 use crate::request::{Extent, WalkRequest};
 use crate::styled::{StyledPlan, StyledRequest};
+use crate::thesis::determinants::{Cell, Determinants, GaitTable};
 use solaris_model::Figure;
 
 /// Steps of a walk in whose middle neither its beginning nor its end is felt.

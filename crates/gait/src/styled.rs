@@ -1,11 +1,10 @@
 //! A walk in either style, with its forces.
 
+use crate::body::FEET;
 use crate::error::GaitError;
-use crate::journey::{Journey, Stage};
 use crate::request::WalkRequest;
+use crate::smooth::{Journey, Stage, WalkPlan, walk};
 use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
-use crate::walk::{FEET, WalkPlan};
-use crate::walker::walk;
 use solaris_model::{Figure, Motion, Trajectory as _};
 use solaris_modes::ground::{GroundReport, Split, reactions_of_planted};
 use solaris_modes::{ReactionReport, Residual, SupportLaw, ground_reactions};

@@ -2,8 +2,8 @@
 
 use super::series::Series;
 use super::{Peak, touch_downs};
+use crate::body::FEET;
 use crate::body::REFERENCE_HEIGHT;
-use crate::walk::FEET;
 use nalgebra::Vector3;
 use solaris_model::{EventKind, Figure, Motion, SolePart};
 

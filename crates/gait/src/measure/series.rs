@@ -1,16 +1,11 @@
 //! The quantities of a walk over its samples.
 
 use super::{JointPeaks, Peak};
+use crate::body::roles::{FEET, PELVIS_ANGLES, SIDED_ANGLES};
 use crate::error::GaitError;
-use crate::walk::FEET;
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
 use solaris_model::{Figure, Motion};
-
-/// The angles of each leg that are measured, after `left_` and `right_`.
-pub(crate) const SIDED_ANGLES: [&str; 3] = ["hip.flexion", "knee.flexion", "ankle.dorsiflexion"];
-/// The angles of the pelvis that are measured, after `pelvis.`.
-pub(crate) const PELVIS_ANGLES: [&str; 3] = ["tilt", "obliquity", "rotation"];
 
 /// Joints of the leg whose moments are told, with their anatomical flexion.
 pub(super) const JOINTS: [(&str, &str); 3] =

@@ -5,14 +5,13 @@
 //! them: a style's numbers and the double support depend on the step frequency in steps a minute, and the trunk of five
 //! determinants on the speed in m/s. What was chosen for one walk is therefore given to the other.
 
-
+use crate::posed::Posed;
 use solaris_gait::determinants::{Determinants, DoubleSupport, Proportions};
 use solaris_gait::{
     Extent, InBetween, KeyScript, KeyedOptions, KeyedWalk, Resolution, ScriptCycle, StridePlan, Style,
     WalkPlan, WalkRequest, walk,
 };
 use solaris_model::{Figure, Trajectory, human};
-use crate::posed::Posed;
 
 /// Heights (m) with masses (kg) that are in no proportion to each other.
 const OTHERS: [(f64, f64); 3] = [(1.2, 40.0), (1.5, 38.0), (2.0, 140.0)];

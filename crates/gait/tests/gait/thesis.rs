@@ -1,6 +1,6 @@
 //! Walks in the thesis's style: every posture met, what is planted stays, nothing sinks, and the laws that hold for any walk.
 
-
+use crate::posed::Posed;
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
 use solaris_gait::determinants::{Determinants, DoubleSupport};
@@ -9,7 +9,6 @@ use solaris_gait::{
 };
 use solaris_model::{EventKind, Figure, Trajectory, human};
 use solaris_modes::reactions_from_feet;
-use crate::posed::Posed;
 
 fn walked(figure: &Figure, determinants: Determinants, step_frequency: f64, steps: usize) -> ThesisWalk {
     let request = ThesisRequest {

@@ -1,12 +1,11 @@
 //! Walks in the thesis's style with random parameters: what is feasible obeys all laws, what is not answers.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
-
+use crate::posed::Posed;
 use nalgebra::Vector3;
 use solaris_gait::determinants::{Determinants, Proportions};
 use solaris_gait::{Extent, GaitError, InBetween, ThesisRequest, thesis_walk};
 use solaris_model::{Figure, Trajectory as _, human};
-use crate::posed::Posed;
 
 /// Random numbers that are the same everywhere.
 struct Random(u64);

@@ -1,0 +1,21 @@
+//! What every walk is, whoever plans it: a trajectory that says when its feet stand, one stride of it repeated, and the same on
+//! the spot.
+
+mod on_the_spot;
+mod stride_loop;
+
+pub use on_the_spot::on_the_spot;
+pub use stride_loop::StrideLoop;
+
+use solaris_model::{Event, Figure, Interval, Trajectory};
+
+/// Acceleration of gravity that walks are planned for (m/s²): the standard one.
+pub(crate) const G: f64 = 9.80665;
+
+/// A walk that says when its feet touch and stand.
+pub trait Walking: Trajectory {
+    /// Touch-downs and lift-offs in the order of time.
+    fn events(&self) -> Vec<Event>;
+    /// When which point of the soles is planted.
+    fn planted(&self, figure: &Figure) -> Vec<Interval>;
+}
