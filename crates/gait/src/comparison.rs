@@ -1,4 +1,4 @@
-//! A smooth walk beside the key postures of the same step: what it has at the same instants.
+//! The comparison of a smooth walk with the key postures of the same step: what it has at the same instants.
 
 use crate::body::leg::LegPose;
 use crate::error::GaitError;
@@ -7,7 +7,8 @@ use crate::thesis::determinants::{Determinants, KeySolution, LegAngles, Proporti
 
 /// A key posture and the walk's own at its instant.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Beside {
+#[doc(alias = "Beside")]
+pub struct PostureComparison {
     /// What the posture is called.
     pub name: &'static str,
     /// When (s).
@@ -18,7 +19,7 @@ pub struct Beside {
     pub walk: [LegAngles; 2],
 }
 
-impl Beside {
+impl PostureComparison {
     /// The walk's pitches less the posture's (rad): thigh, shank and foot of the stance leg, then of the swing leg.
     pub fn deviations(&self) -> [f64; 6] {
         let of = |leg: usize| {
@@ -40,7 +41,7 @@ impl WalkPlan {
     /// # Errors
     ///
     /// A step that the postures do not fit.
-    pub fn beside(&self, determinants: Determinants) -> Result<Vec<Beside>, GaitError> {
+    pub fn compare_postures(&self, determinants: Determinants) -> Result<Vec<PostureComparison>, GaitError> {
         // A step from the middle of what was planned, by the foot that lands; left is 0.
         let contact = self.laws.course.steps.div_ceil(2);
         let (style, leg) = (self.laws.style(contact), &self.body.leg);
@@ -73,7 +74,7 @@ impl WalkPlan {
                 _ => u,
             };
             let walk = legs(at).map(|pose| pitches(&pose));
-            Beside { name: phase.end.name, time: self.time(at), posture: phase.end.legs, walk }
+            PostureComparison { name: phase.end.name, time: self.time(at), posture: phase.end.legs, walk }
         });
         Ok(all.collect())
     }

@@ -1,4 +1,4 @@
-//! What a posture asks of its parameters, and how it is refused.
+//! Inequalities that a posture asks of its parameters, and the refusal where one does not hold.
 
 use std::fmt;
 

@@ -1,4 +1,21 @@
 #![doc = include_str!("../README.md")]
+//!
+//! # Inside
+//!
+//! Each folder uses those before it alone, and of two modules in a folder one at most uses the other (`tests/gait/layers.rs`
+//! reads the line below and the sources):
+//!
+//! ```text
+//! condition < error < body < request < walking < measure < metrics < thesis < smooth < comparison < styled < people < sweep
+//! ```
+//!
+//! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
+//! - `body`: the figure by roles, its legs and feet, postures as coordinates. `request`: what may be asked. `walking`: what every
+//!   walk is, whoever plans it.
+//! - `measure`, `metrics`: numbers of a finished walk of ours, and of any motion of any figure with feet.
+//! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
+//! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
+//! - `comparison`, `styled`, `people`, `sweep`: what needs both walkers or all of this.
 
 mod body;
 mod comparison;
@@ -15,23 +32,23 @@ mod thesis;
 mod walking;
 
 pub use body::{FEET, LegGeometry, missing_for_walking};
-pub use comparison::Beside;
-pub use error::GaitError;
+pub use comparison::PostureComparison;
+pub use error::{BodyError, GaitError, MapError, MeasureError, PlanError, PostureError, RequestError};
 pub use measure::{
-    Band, BandCheck, JointPeaks, LoneForce, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures,
-    check_bands, free_moment, lone_forces, measure, measure_stride,
+    Band, BandCheck, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS,
+    WalkMeasures, check_bands, free_moment, isolated_peaks, measure, measure_stride,
 };
 pub use request::{
     CHANGING_STEPS, DEFAULT_STEP_FREQUENCY, Extent, Resolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
     TURN, TURN_IN_ALL, WALK_RATIO, WalkPart, WalkRequest,
 };
 pub use smooth::{
-    FRICTION, Journey, LONGEST_STAND, PARAMETERS, Parameter, Stage, StridePlan, Style, StyleTable, Unit,
-    WalkNumbers, WalkPlan, walk,
+    FRICTION, LONGEST_STAND, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Unit, WalkNumbers,
+    WalkPlan, WalkSegment, WalkSequence, walk,
 };
 pub use styled::{StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{
-    Edge, FeasibleMap, InBetween, KeyChoice, KeyScript, KeyedOptions, KeyedWalk, MapCondition, ScriptCycle,
-    THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, determinants, stick_figures, thesis_walk,
+    Edge, FeasibleMap, InBetween, KeyChoice, KeyScript, KeyframedOptions, KeyframedWalk, MapCondition,
+    ScriptCycle, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, determinants, stick_figures, thesis_walk,
 };
 pub use walking::{StrideLoop, Walking, on_the_spot};

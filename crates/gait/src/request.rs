@@ -1,4 +1,4 @@
-//! What may be asked of a walker: how far, at which pace, how finely.
+//! Requests: how far to walk, at which pace, planned how finely.
 
 pub(crate) mod pace;
 mod resolution;

@@ -16,7 +16,7 @@ mod walker;
 
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use plan_check::FRICTION;
-pub use sequence::{Journey, LONGEST_STAND, Stage};
+pub use sequence::{LONGEST_STAND, WalkSegment, WalkSequence};
 pub use stride::StridePlan;
 pub use style::{Style, StyleTable};
 pub use walk::{WalkNumbers, WalkPlan};

@@ -6,7 +6,7 @@ mod map;
 mod stick;
 mod walk;
 
-pub use keyframed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
+pub use keyframed::{InBetween, KeyScript, KeyframedOptions, KeyframedWalk, ScriptCycle};
 pub use map::{Edge, FeasibleMap, MapCondition};
 pub use stick::stick_figures;
 pub use walk::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};

@@ -13,6 +13,8 @@ use solaris_model::{Event, Figure, Interval, Trajectory};
 pub(crate) const G: f64 = 9.80665;
 
 /// A walk that says when its feet touch and stand.
+#[doc(alias = "foot contacts")]
+#[doc(alias = "gait events")]
 pub trait Walking: Trajectory {
     /// Touch-downs and lift-offs in the order of time.
     fn events(&self) -> Vec<Event>;

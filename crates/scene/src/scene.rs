@@ -1,7 +1,7 @@
 //! A scene: everything that a motion script says, ready to be run.
 
 use crate::error::SceneError;
-use solaris_gait::{FEET, Journey};
+use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion};
 use solaris_modes::{ReactionReport, Run, RunReport, Settings, Simulation, Watch, ground_reactions};
 use std::fmt;
@@ -19,7 +19,7 @@ pub struct Scene {
 /// A walk that the figure follows where nothing else drives it.
 #[derive(Clone)]
 pub(crate) struct Walked {
-    pub(crate) plan: Arc<Journey>,
+    pub(crate) plan: Arc<WalkSequence>,
     /// When which point is planted, in the order of time.
     pub(crate) planted: Vec<Interval>,
     /// Touch-downs and lift-offs.
@@ -66,7 +66,7 @@ impl Scene {
     }
 
     /// What is walked, if anything: one walk, or several with standing in between.
-    pub fn walk(&self) -> Option<&Journey> {
+    pub fn walk(&self) -> Option<&WalkSequence> {
         self.walk.as_ref().map(|walk| &*walk.plan)
     }
 

@@ -1,6 +1,6 @@
 //! The geometry of a leg, and the closed forms that need nothing else.
 
-use crate::error::GaitError;
+use crate::error::BodyError;
 use nalgebra::Vector3;
 use solaris_model::{Figure, SolePart};
 
@@ -9,6 +9,8 @@ use solaris_model::{Figure, SolePart};
 /// It is plain data, so that the closed forms can be tried with bare numbers too. The thesis's legs, with the ankle on
 /// the ground, have `ankle_height` 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "segment lengths")]
+#[doc(alias = "leg length")]
 pub struct LegGeometry {
     /// Hip to knee (L1).
     pub thigh: f64,
@@ -56,25 +58,25 @@ impl LegGeometry {
     ///
     /// A figure that lacks a link or a sole point, whose legs are not mirror images, or whose knee and ankle do not lie
     /// in the leg's plane.
-    pub fn of(figure: &Figure) -> Result<Self, GaitError> {
+    pub fn of(figure: &Figure) -> Result<Self, BodyError> {
         let link = |name: &str| {
-            figure.link(name).ok_or_else(|| GaitError::MissingLinks {
+            figure.link(name).ok_or_else(|| BodyError::MissingLinks {
                 figure: figure.name().into(),
                 links: vec![name.into()],
             })
         };
         let sole = |name: &'static str, part: SolePart| {
-            link(name)?.sole_point(part).copied().ok_or(GaitError::MissingSolePoint { link: name, part })
+            link(name)?.sole_point(part).copied().ok_or(BodyError::MissingSolePoint { link: name, part })
         };
         let offset = |name: &str| link(name).map(|link| link.joint().placement().translation.vector);
         for (name, joint) in [("thigh", "hip"), ("shank", "knee"), ("foot", "ankle"), ("toes", "toes")] {
             let (left, right) = (offset(&format!("left_{name}"))?, offset(&format!("right_{name}"))?);
             let difference = (left - Vector3::new(-right.x, right.y, right.z)).amax();
             if difference > 1e-9 {
-                return Err(GaitError::LegsDiffer { joint, difference });
+                return Err(BodyError::LegsDiffer { joint, difference });
             }
             if name != "thigh" && left.x.abs() > 1e-9 {
-                return Err(GaitError::OutOfPlane { joint, offset: left.x });
+                return Err(BodyError::OutOfPlane { joint, offset: left.x });
             }
         }
         let (knee, ankle, ball) = (offset("left_shank")?, offset("left_foot")?, offset("left_toes")?);

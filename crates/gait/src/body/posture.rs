@@ -1,4 +1,4 @@
-//! From pelvis, trunk, arms and legs to the figure's coordinates.
+//! A whole posture, from pelvis, trunk, arms and legs to the figure's coordinates.
 
 use super::foot::{FootPlane, mirror, mirror_rotation};
 use super::leg::LegPose;

@@ -3,7 +3,7 @@
 use super::foot::{mirror, mirror_rotation};
 use super::leg::LegGeometry;
 use super::roles::{ARM, LEG, MIDDLE, SIDES};
-use crate::error::GaitError;
+use crate::error::BodyError;
 use nalgebra::{Matrix3, Vector3};
 use solaris_model::{AxisKind, Figure, Vector3 as V3};
 
@@ -54,13 +54,13 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// Of a figure that lacks nothing ([`super::missing::check`]).
-    pub(crate) fn of(figure: &Figure) -> Result<Self, GaitError> {
+    /// Of a figure that misses nothing ([`super::missing::check`]).
+    pub(crate) fn of(figure: &Figure) -> Result<Self, BodyError> {
         let leg = LegGeometry::of(figure)?;
         let segment = |name: &str, parent: Option<&str>| segment(figure, name, parent);
         let middle_of = |i: usize| segment(MIDDLE[i], i.checked_sub(1).map(|p| MIDDLE[p]));
         let middle = [middle_of(0)?, middle_of(1)?, middle_of(2)?, middle_of(3)?, middle_of(4)?];
-        let limb = |side: &str, names: [&str; 4], from: &str| -> Result<[Segment; 4], GaitError> {
+        let limb = |side: &str, names: [&str; 4], from: &str| -> Result<[Segment; 4], BodyError> {
             let sided = names.map(|name| format!("{side}{name}"));
             let of = |i: usize| segment(&sided[i], Some(if i == 0 { from } else { &sided[i - 1] }));
             Ok([of(0)?, of(1)?, of(2)?, of(3)?])
@@ -85,14 +85,14 @@ impl Body {
     }
 }
 
-pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, GaitError> {
-    let missing = || GaitError::MissingLinks { figure: figure.name().into(), links: vec![name.into()] };
+pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, BodyError> {
+    let missing = || BodyError::MissingLinks { figure: figure.name().into(), links: vec![name.into()] };
     let index = figure.link_index(name).ok_or_else(missing)?;
     let link = &figure.links()[index];
     let found = link.parent().map(|parent| figure.links()[parent].name());
     if found != parent {
         let show = |parent: Option<&str>| parent.unwrap_or("the world").to_owned();
-        return Err(GaitError::OtherParent { link: name.into(), parent: show(found), wanted: show(parent) });
+        return Err(BodyError::OtherParent { link: name.into(), parent: show(found), wanted: show(parent) });
     }
     let wanted: &[(AxisKind, V3<f64>)] = &[
         (AxisKind::Translation, V3::x()),
@@ -110,7 +110,7 @@ pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Resu
             .zip(wanted)
             .all(|(dof, (kind, axis))| dof.axis.kind == *kind && dof.axis.direction == *axis);
     if !same || link.joint().placement().rotation.angle() > 0.0 {
-        return Err(GaitError::OtherJoint { joint: link.joint().name().into() });
+        return Err(BodyError::OtherJoint { joint: link.joint().name().into() });
     }
     let layout = figure.layout().joints()[index];
     Ok(Segment {

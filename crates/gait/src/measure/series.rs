@@ -2,7 +2,7 @@
 
 use super::{JointPeaks, Peak};
 use crate::body::roles::{FEET, PELVIS_ANGLES, SIDED_ANGLES};
-use crate::error::GaitError;
+use crate::error::{BodyError, GaitError, MeasureError};
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
 use solaris_model::{Figure, Motion};
@@ -39,14 +39,14 @@ pub(super) struct Series<'a> {
 impl<'a> Series<'a> {
     pub(super) fn new(figure: &Figure, motion: &'a Motion) -> Result<Self, GaitError> {
         if motion.tau(0).is_none() {
-            return Err(GaitError::NothingToMeasure { what: "joint forces" });
+            return Err(MeasureError::NothingToMeasure { what: "joint forces" }.into());
         }
         let track = |side: usize| {
-            motion.contact(FEET[side]).ok_or(GaitError::NothingToMeasure { what: "contacts of both feet" })
+            motion.contact(FEET[side]).ok_or(MeasureError::NothingToMeasure { what: "contacts of both feet" })
         };
         let tracks = [track(0)?, track(1)?];
         let angle = |name: String| -> Result<Vec<f64>, GaitError> {
-            let angle = figure.anatomical_angle(&name).ok_or(GaitError::MissingAngle { angle: name })?;
+            let angle = figure.anatomical_angle(&name).ok_or(BodyError::MissingAngle { angle: name })?;
             Ok((0..motion.len()).map(|i| angle.sign * motion.q(i)[angle.coordinate]).collect())
         };
         let sided = |name: &str| -> Result<[Vec<f64>; 2], GaitError> {

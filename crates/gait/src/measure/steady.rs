@@ -19,6 +19,8 @@ const UNEVEN: f64 = 0.02;
 /// moments in N m/kg about the distal segment's axes.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs, reason = "the names are the measures; the bands list them with units")]
+#[doc(alias = "gait cycle")]
+#[doc(alias = "stride")]
 pub struct SteadyStride {
     /// When it begins and ends (s).
     pub span: (f64, f64),

@@ -1,4 +1,4 @@
-//! What the feet do to the ground: they slide on it, sink into it, pass over it.
+//! Slide, sink and clearance of the feet.
 
 use super::tracks::Tracks;
 use super::{Given, Metric, NoValue};

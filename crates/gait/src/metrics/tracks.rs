@@ -1,7 +1,7 @@
 //! The centre of mass and the points of the soles over the samples.
 
 use super::Given;
-use crate::error::GaitError;
+use crate::error::{GaitError, MeasureError};
 use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
 
@@ -28,12 +28,12 @@ impl<'a> Tracks<'a> {
         let Given { figure, gravity, states, soles, .. } = *given;
         let strength = gravity.norm();
         if !(strength.is_finite() && strength > 1e-9) {
-            return Err(GaitError::NoGravity { gravity: gravity.into() });
+            return Err(MeasureError::NoGravity { gravity: gravity.into() }.into());
         }
         let tree = Tree::<f64>::new(figure, gravity)?;
         let (nq, nv, rows) = (tree.nq(), tree.nv(), states.time.len());
         let fits = |what, found, expected| {
-            if found == expected { Ok(()) } else { Err(GaitError::OtherMotion { what, found, expected }) }
+            if found == expected { Ok(()) } else { Err(MeasureError::OtherMotion { what, found, expected }) }
         };
         fits("the positions", states.q.len(), rows * nq)?;
         fits("the velocities", states.v.len(), rows * nv)?;

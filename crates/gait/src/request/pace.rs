@@ -1,12 +1,15 @@
-//! Step frequency, step length and speed: any two decide the third.
+//! The pace, of step frequency, step length and speed: any two decide the third.
 
-use crate::error::GaitError;
+use crate::error::RequestError;
 
 /// Step length of people over height and step frequency, `S / (H · sf)` (min): `S = 0.0037·H·sf`. The thesis's law has
 /// 0.004.
+#[doc(alias = "walk ratio")]
+#[doc(alias = "step length over cadence")]
 pub const WALK_RATIO: f64 = 0.0037;
 
 /// Step frequencies that the walk was tried at (steps/min).
+#[doc(alias = "cadence")]
 pub const STEP_FREQUENCY: (f64, f64) = (60.0, 130.0);
 /// Part of people's step length by which it may be longer or shorter.
 pub(crate) const STEP_LENGTH_MARGIN: f64 = 0.12;
@@ -14,6 +17,7 @@ pub(crate) const STEP_LENGTH_MARGIN: f64 = 0.12;
 pub(crate) const SHORTEST_STEP: f64 = 0.3;
 
 /// The step frequency when nothing else is asked (steps/min).
+#[doc(alias = "cadence")]
 pub const DEFAULT_STEP_FREQUENCY: f64 = 110.0;
 
 /// Step frequency (steps/min) and step length (m) from what was given of them and of the speed (m/s). What is left open follows
@@ -27,10 +31,10 @@ pub(crate) fn settle(
     step_length: Option<f64>,
     speed: Option<f64>,
     ratio: f64,
-) -> Result<(f64, f64), GaitError> {
+) -> Result<(f64, f64), RequestError> {
     Ok(match (step_frequency, step_length, speed) {
         (Some(step_frequency), Some(step_length), Some(speed)) => {
-            return Err(GaitError::Overdetermined { step_frequency, step_length, speed });
+            return Err(RequestError::Overdetermined { step_frequency, step_length, speed });
         }
         (Some(frequency), Some(length), None) => (frequency, length),
         (Some(frequency), None, Some(speed)) => (frequency, 60.0 * speed / frequency),
@@ -66,7 +70,7 @@ impl Given {
     }
 
     /// Step frequency and step length, in range; steps may be as short as `shortest` of people's.
-    pub(crate) fn settle(&self, height: f64, shortest: f64) -> Result<Pace, GaitError> {
+    pub(crate) fn settle(&self, height: f64, shortest: f64) -> Result<Pace, RequestError> {
         let given = [
             ("step frequency", self.step_frequency, " steps/min", STEP_FREQUENCY),
             ("step length", self.step_length, " m", (0.01, 2.0)),
@@ -95,9 +99,9 @@ impl Given {
         Err(match (self.step_length, self.speed) {
             (None, Some(value)) => {
                 let (lower, upper) = (lower * step_frequency / 60.0, upper * step_frequency / 60.0);
-                GaitError::StepLength { parameter: "speed", value, unit: " m/s", lower, upper, at, why }
+                RequestError::StepLength { parameter: "speed", value, unit: " m/s", lower, upper, at, why }
             }
-            _ => GaitError::StepLength {
+            _ => RequestError::StepLength {
                 parameter: "step length",
                 value: step_length,
                 unit: " m",
@@ -129,10 +133,10 @@ pub(crate) fn range(
     unit: &'static str,
     (lower, upper): (f64, f64),
     why: impl Fn() -> String,
-) -> Result<(), GaitError> {
+) -> Result<(), RequestError> {
     if (lower..=upper).contains(&value) {
         Ok(())
     } else {
-        Err(GaitError::Range { parameter, value, unit, lower, upper, why: why() })
+        Err(RequestError::Range { parameter, value, unit, lower, upper, why: why() })
     }
 }

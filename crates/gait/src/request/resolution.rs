@@ -1,6 +1,6 @@
-//! How finely a walk is planned.
+//! The resolution of a plan: nodes and passes.
 
-use crate::error::GaitError;
+use crate::error::RequestError;
 
 /// How finely a plan is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,12 +21,12 @@ impl Default for Resolution {
 }
 
 impl Resolution {
-    pub(crate) fn check(self) -> Result<(), GaitError> {
+    pub(crate) fn check(self) -> Result<(), RequestError> {
         if !(20..=10_000).contains(&self.nodes) || !self.nodes.is_multiple_of(2) {
-            return Err(GaitError::Nodes { nodes: self.nodes });
+            return Err(RequestError::Nodes { nodes: self.nodes });
         }
         if self.walk_passes < 8 {
-            return Err(GaitError::Passes { passes: self.walk_passes });
+            return Err(RequestError::Passes { passes: self.walk_passes });
         }
         Ok(())
     }

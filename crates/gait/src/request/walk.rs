@@ -1,4 +1,4 @@
-//! What may be asked of a walker.
+//! The request for a smooth walk, with its ranges.
 
 use super::resolution::Resolution;
 
@@ -45,13 +45,16 @@ pub enum Extent {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "gait parameters")]
 pub struct WalkRequest {
     /// Steps a minute.
+    #[doc(alias = "cadence")]
     pub step_frequency: Option<f64>,
     /// Length of a step (m): the distance of the heel prints of one foot and then the other, which the thesis calls a
     /// stride. People's is 0.0037·height·frequency.
     pub step_length: Option<f64>,
     /// Speed of the steady part (m/s).
+    #[doc(alias = "velocity")]
     pub speed: Option<f64>,
     /// How far.
     pub extent: Extent,
@@ -90,6 +93,7 @@ pub struct WalkPart {
     /// How many.
     pub steps: usize,
     /// Steps a minute.
+    #[doc(alias = "cadence")]
     pub step_frequency: Option<f64>,
     /// Length of a step (m); a short one is a half step.
     pub step_length: Option<f64>,

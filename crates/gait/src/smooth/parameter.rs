@@ -1,6 +1,6 @@
 //! The parameters of a style that a user may set, each with its unit, range and default.
 
-use crate::error::GaitError;
+use crate::error::RequestError;
 use crate::smooth::style::Style;
 
 /// In what a parameter is written by people.
@@ -177,11 +177,11 @@ impl Parameter {
     /// # Errors
     ///
     /// A value out of range.
-    pub fn set(&self, style: &mut Style, value: f64) -> Result<(), GaitError> {
+    pub fn set(&self, style: &mut Style, value: f64) -> Result<(), RequestError> {
         let (lower, upper) = self.range;
         if !(lower..=upper).contains(&value) {
             let (parameter, unit) = (self.name, self.unit.symbol());
-            return Err(GaitError::Range { parameter, value, unit, lower, upper, why: String::new() });
+            return Err(RequestError::Range { parameter, value, unit, lower, upper, why: String::new() });
         }
         *(self.place)(style) = self.unit.to_si(value);
         Ok(())

@@ -1,7 +1,7 @@
-//! Whether soles and legs can do what a plan asks of them.
+//! The check of a plan: soles and legs can do what it asks of them.
 
 use crate::body::FEET;
-use crate::error::GaitError;
+use crate::error::{GaitError, PlanError};
 use crate::measure::measure;
 use crate::request::pace::tidy;
 use crate::smooth::prescribed::friction;
@@ -11,6 +11,9 @@ use solaris_model::Figure;
 use solaris_modes::ground_reactions;
 
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
+#[doc(alias = "friction coefficient")]
+#[doc(alias = "required coefficient of friction")]
+#[doc(alias = "rcof")]
 pub const FRICTION: (f64, f64) = (0.5, 0.6);
 /// The most by which a knee may be hyperextended before a walk is refused (rad).
 const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
@@ -20,12 +23,12 @@ const OUTSIDE: f64 = 1e-3;
 const RATE: f64 = 120.0;
 
 /// Judges plans of a route.
-pub(crate) struct Judge<'a> {
+pub(crate) struct PlanCheck<'a> {
     pub(crate) figure: &'a Figure,
     pub(crate) route: &'a Route,
 }
 
-impl Judge<'_> {
+impl PlanCheck<'_> {
     /// Whether the plan holds. One whose parts differ is held against its own inverse dynamics too: what steps of one pace are
     /// known to keep, a sudden change may not.
     pub(crate) fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
@@ -59,14 +62,15 @@ impl Judge<'_> {
         {
             if friction.is_nan() || friction > limit {
                 let pace = self.route.pace();
-                let error = GaitError::Friction {
+                let error = PlanError::Friction {
                     step_length: pace.step_length,
                     step_frequency: tidy(pace.step_frequency),
                     whose,
                     friction,
                     limit,
                     longest: String::new(),
-                };
+                }
+                .into();
                 let what = format!("{whose} friction would have to be {friction:.2}, and soles hold {limit}");
                 return Err(if self.route.is_even() {
                     error
@@ -119,9 +123,9 @@ impl Judge<'_> {
         if self.route.is_even() {
             let pace = self.route.pace();
             let (step_length, step_frequency) = (pace.step_length, tidy(pace.step_frequency));
-            return GaitError::NotWalkable { step_length, step_frequency, what };
+            return PlanError::NotWalkable { step_length, step_frequency, what }.into();
         }
         let step = ((2.0 * clock).floor().max(0.0) as usize + 1).min(plan.steps());
-        GaitError::Sudden { part: self.route.part_of(step), step, time: plan.time(clock), what }
+        PlanError::AbruptChange { part: self.route.part_of(step), step, time: plan.time(clock), what }.into()
     }
 }

@@ -1,7 +1,7 @@
-//! From a request to steps, each with its pace.
+//! The route: a request's steps, each with its pace.
 
 use crate::body::Body;
-use crate::error::GaitError;
+use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
 use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
 use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
@@ -59,7 +59,7 @@ impl Route {
             }
         };
         if let (Extent::Distance(distance), false) = (request.extent, request.then.is_empty()) {
-            return Err(GaitError::DistanceThenMore { distance });
+            return Err(RequestError::DistanceThenMore { distance }.into());
         }
         let mut parts = Vec::new();
         let mut turned = heading;
@@ -91,7 +91,7 @@ impl Route {
             let limit = TURN_IN_ALL;
             if turned.abs() > limit + 1e-12 {
                 let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
-                return Err(GaitError::TurnInAll { turned, limit });
+                return Err(RequestError::TurnInAll { turned, limit }.into());
             }
             parts.push(part);
         }
@@ -154,7 +154,7 @@ impl Route {
             for (name, value) in parameters {
                 let parameter = Parameter::named(name).ok_or_else(|| {
                     let known = PARAMETERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-                    GaitError::UnknownParameter { name: (*name).to_owned(), known }
+                    RequestError::UnknownParameter { name: (*name).to_owned(), known }
                 })?;
                 parameter.set(&mut style, *value)?;
             }
@@ -167,7 +167,7 @@ impl Route {
                 let next = strides[first].style;
                 let [from, to] = [before.foot_yaw, next.foot_yaw].map(f64::to_degrees);
                 if (from - to).abs() > 1e-9 {
-                    return Err(GaitError::FeetWouldTurn { from, to });
+                    return Err(RequestError::FeetWouldTurn { from, to }.into());
                 }
                 // All that a standing posture depends on.
                 let (step_width, thorax_lean) = (before.step_width, before.thorax_lean);

@@ -1,8 +1,8 @@
-//! Walks and standing still, one after the other.
+//! A sequence of walks and standing still, one after the other.
 
 use crate::body::Body;
 use crate::body::missing;
-use crate::error::GaitError;
+use crate::error::{GaitError, RequestError};
 use crate::request::WalkRequest;
 use crate::smooth::walk::{WalkPlan, sampled};
 use crate::smooth::walker::walk_from;
@@ -14,9 +14,10 @@ use solaris_modes::{ReactionError, Support, SupportLaw};
 /// The longest that one may stand between walks (s).
 pub const LONGEST_STAND: f64 = 3600.0;
 
-/// A part of a journey.
+/// One after the other in a [`WalkSequence`].
 #[derive(Clone, Debug, PartialEq)]
-pub enum Stage {
+#[doc(alias = "Stage")]
+pub enum WalkSegment {
     /// A walk from standing to standing.
     Walk(WalkRequest),
     /// So long (s) standing still, besides the moment for which every walk stands before and after.
@@ -26,44 +27,47 @@ pub enum Stage {
 /// Walks and standing still, one after the other: each walk begins where and as the one before has ended.
 ///
 /// ```
-/// use solaris_gait::{Extent, Journey, Stage, WalkRequest};
+/// use solaris_gait::{Extent, WalkSequence, WalkSegment, WalkRequest};
 /// use solaris_model::Trajectory;
 ///
 /// let ann = solaris_model::human(1.65, 58.0)?;
 /// let walk = WalkRequest { extent: Extent::Distance(2.0), ..WalkRequest::default() };
 /// let back = WalkRequest { step_frequency: Some(90.0), turn: -0.3, extent: Extent::Steps(4), ..WalkRequest::default() };
-/// let journey = Journey::new(&ann, &[Stage::Walk(walk), Stage::Stand(1.5), Stage::Walk(back)])?;
-/// assert_eq!(journey.walks().count(), 2);
-/// assert!((journey.destination().1 + 1.2).abs() < 1e-12);
+/// let sequence = WalkSequence::new(&ann, &[WalkSegment::Walk(walk), WalkSegment::Stand(1.5), WalkSegment::Walk(back)])?;
+/// assert_eq!(sequence.walks().count(), 2);
+/// assert!((sequence.destination().1 + 1.2).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Journey {
+#[doc(alias = "Journey")]
+pub struct WalkSequence {
     fingerprint: u64,
     /// When each walk begins (s).
     walks: Vec<(f64, WalkPlan)>,
     duration: f64,
 }
 
-impl Journey {
+impl WalkSequence {
     /// Plans every walk.
     ///
     /// # Errors
     ///
-    /// Those of [`crate::walk()`] with the number of the stage, a stand that is no time, and stages without a walk.
-    pub fn new(figure: &Figure, stages: &[Stage]) -> Result<Self, GaitError> {
+    /// Those of [`crate::walk()`] with the number of the segment, a stand that is no time, and segments without a walk.
+    pub fn new(figure: &Figure, segments: &[WalkSegment]) -> Result<Self, GaitError> {
         missing::check(figure)?;
         let body = Body::of(figure)?;
         let (mut walks, mut duration) = (Vec::<(f64, WalkPlan)>::new(), 0.0);
-        for (index, stage) in stages.iter().enumerate() {
-            let of = |why| GaitError::InStage { number: index + 1, why: Box::new(why) };
-            match stage {
-                Stage::Stand(time) if (0.0..=LONGEST_STAND).contains(time) => duration += time,
-                Stage::Stand(time) => {
+        for (index, segment) in segments.iter().enumerate() {
+            let of = |why| GaitError::InSegment { number: index + 1, why: Box::new(why) };
+            match segment {
+                WalkSegment::Stand(time) if (0.0..=LONGEST_STAND).contains(time) => duration += time,
+                WalkSegment::Stand(time) => {
                     let (lower, upper) = (0.0, LONGEST_STAND);
                     let (parameter, unit, why) = ("stand", " s", String::new());
-                    return Err(of(GaitError::Range { parameter, value: *time, unit, lower, upper, why }));
+                    return Err(of(
+                        RequestError::Range { parameter, value: *time, unit, lower, upper, why }.into()
+                    ));
                 }
-                Stage::Walk(request) => {
+                WalkSegment::Walk(request) => {
                     let before = walks.last().map(|(_, walk)| walk);
                     let mut plan = walk_from(figure, &body, before, request).map_err(of)?;
                     if let Some(before) = before {
@@ -77,7 +81,7 @@ impl Journey {
             }
         }
         if walks.is_empty() {
-            return Err(GaitError::NoWalk);
+            return Err(RequestError::NoWalk.into());
         }
         Ok(Self { fingerprint: body.fingerprint, walks, duration })
     }
@@ -101,7 +105,7 @@ impl Journey {
     ///
     /// # Errors
     ///
-    /// A rate that is none, and another figure than the journey's.
+    /// A rate that is none, and another figure than the sequence's.
     pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
         sampled(figure, self, self.fingerprint, rate)
     }
@@ -114,7 +118,7 @@ impl Journey {
     }
 }
 
-impl Trajectory for Journey {
+impl Trajectory for WalkSequence {
     fn duration(&self) -> f64 {
         self.duration
     }
@@ -129,14 +133,14 @@ impl Trajectory for Journey {
     }
 }
 
-impl SupportLaw for Journey {
+impl SupportLaw for WalkSequence {
     fn support(&self, t: f64) -> Support {
         let (walk, time) = self.at(t);
         SupportLaw::support(walk, time)
     }
 }
 
-impl Walking for Journey {
+impl Walking for WalkSequence {
     fn events(&self) -> Vec<Event> {
         let later = |(start, walk): &(f64, WalkPlan)| {
             let start = *start;

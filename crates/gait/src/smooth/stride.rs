@@ -6,12 +6,13 @@ use crate::body::leg::LegPose;
 use crate::body::missing;
 use crate::body::posture::Posture;
 use crate::body::rotations;
-use crate::error::GaitError;
+use crate::error::{GaitError, PlanError};
 use crate::request::Resolution;
 use crate::smooth::grid::{Ends, Grid, SECOND};
 use crate::smooth::laws::{self, Swings};
 use crate::smooth::limbs::midstance::above_flexion;
-use crate::smooth::limbs::stance::{LANDING_RANGE, Landing, LegJet, Push, Stance};
+use crate::smooth::limbs::numbers::LANDING_RANGE;
+use crate::smooth::limbs::stance::{Landing, LegJet, Push, Stance};
 use crate::smooth::limbs::swing::{Aim, Swing};
 use crate::smooth::momentum::MomentumKernel;
 use crate::smooth::momentum::upper::UpperBody;
@@ -26,8 +27,13 @@ use solaris_profiles::{Boundary, UniformSpline};
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Least flexion of a knee on a flat foot.
 const LEAST_KNEE: f64 = 7.0 * DEGREE;
+/// Instants at which a flat foot's leg is looked at for it.
+const INSTANTS: i32 = 30;
+/// Part of the way to the momentum found that each pass goes but the first, which goes all of it.
+const RELAXATION: f64 = 0.8;
 
 /// A planned stride: left heel contact at u = 0 with its print at z = 0, right at u = ½ with its print one step ahead.
+#[doc(alias = "gait cycle")]
 pub struct StridePlan {
     pub(crate) body: Body,
     pub(crate) style: Style,
@@ -117,7 +123,7 @@ impl StridePlan {
             let momentum = kernel.momentum(&upper, |i| [poses[i], poses[(i + half) % n]]);
             let rate: Vec<Vector3<f64>> = (0..n).map(|i| grid.first(i, |j| momentum.angular[j])).collect();
             let pelvis: Vec<Vector3<f64>> = (0..n).map(|i| com[i] - offset[i]).collect();
-            let relaxation = if pass == 0 { 1.0 } else { 0.8 };
+            let relaxation = if pass == 0 { 1.0 } else { RELAXATION };
             for (old, new) in momentum_rate.iter_mut().zip(&rate) {
                 *old += (new - *old) * relaxation;
             }
@@ -233,8 +239,14 @@ fn spare_height(
     } else {
         f64::INFINITY
     };
-    (0..30)
-        .map(|i| spare(from + (to - from) * f64::from(i) / 29.0, stance.flat_ankle(), LEAST_KNEE))
+    (0..INSTANTS)
+        .map(|i| {
+            spare(
+                from + (to - from) * f64::from(i) / f64::from(INSTANTS - 1),
+                stance.flat_ankle(),
+                LEAST_KNEE,
+            )
+        })
         .fold(contact.min(flexed), f64::min)
 }
 
@@ -315,7 +327,7 @@ impl Laws {
             rhs[(i, 1)] = -k * self.centre[i].z - momentum_rate[i].x / my;
         }
         if !matrix.lu().solve_mut(&mut rhs) {
-            return Err(GaitError::NoPath);
+            return Err(PlanError::NoPath.into());
         }
         for (i, c) in com.iter_mut().enumerate() {
             (c.x, c.z) = (rhs[(i, 0)], rhs[(i, 1)]);

@@ -1,7 +1,7 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
 use crate::body::LegGeometry;
-use crate::error::GaitError;
+use crate::error::RequestError;
 use crate::request::WALK_RATIO;
 
 /// Middle and spread of S/leg over the speeds that the table was fitted to.
@@ -20,10 +20,15 @@ macro_rules! style_numbers {
             /// Length of a step, from one heel print to the next one of the other foot (m); the thesis calls it stride.
             pub step_length: f64,
             /// One double support, as a fraction of the stride.
+            #[doc(alias = "dual support")]
             pub double_support: f64,
             /// Duration of a stride, two steps (s).
+            #[doc(alias = "gait cycle")]
+            #[doc(alias = "cycle time")]
             pub stride_time: f64,
             /// Outward turn of the feet.
+            #[doc(alias = "foot progression angle")]
+            #[doc(alias = "toe-out")]
             pub foot_yaw: f64,
             /// Least height of the swinging foot's lowest point in mid-swing (m).
             pub clearance: f64,
@@ -232,7 +237,7 @@ impl Style {
     }
 
     /// Refuses numbers that are none.
-    pub(crate) fn check(&self) -> Result<(), GaitError> {
+    pub(crate) fn check(&self) -> Result<(), RequestError> {
         let common = [
             ("step_frequency", self.step_frequency),
             ("step_length", self.step_length),
@@ -244,7 +249,7 @@ impl Style {
             ("flexion", self.flexion),
         ];
         match common.into_iter().chain(self.numbers()).find(|(_, value)| !value.is_finite()) {
-            Some((name, value)) => Err(GaitError::StyleNotFinite { name, value }),
+            Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),
             None => Ok(()),
         }
     }

@@ -1,4 +1,4 @@
-//! A whole walk.
+//! A whole walk: its course and tempo, its laws, the passes that solve it, and the plan that comes of them.
 
 mod band;
 mod check;

@@ -1,10 +1,10 @@
-//! Plans a walk that holds.
+//! The walker: it plans a walk that holds.
 
 use crate::body::Body;
 use crate::body::missing;
-use crate::error::GaitError;
+use crate::error::{GaitError, PlanError};
 use crate::request::WalkRequest;
-use crate::smooth::plan_check::Judge;
+use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
@@ -16,6 +16,9 @@ use solaris_model::Figure;
 /// [`GaitError`] for a figure that the walker does not know, for values out of range (with the range), for a walk that
 /// needs more friction than soles have (with the longest step that holds), for one that the legs cannot do, and for a change on
 /// the way that is too sudden (with where and why).
+#[doc(alias = "gait")]
+#[doc(alias = "locomotion")]
+#[doc(alias = "walk cycle")]
 pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitError> {
     missing::check(figure)?;
     walk_from(figure, &Body::of(figure)?, None, request)
@@ -33,7 +36,7 @@ pub(crate) fn walk_from(
     let route = Route::of(request, body.height, heading)?;
     let plan = |route: &Route| {
         let plan = route.plan(body, standing, &request.parameters, request.left_first, request.resolution)?;
-        Judge { figure, route }.check(&plan)?;
+        PlanCheck { figure, route }.check(&plan)?;
         Ok(plan)
     };
     let plan = plan(&route).map_err(|error| advise(error, &route, |route| plan(route).is_ok()))?;
@@ -42,7 +45,9 @@ pub(crate) fn walk_from(
 
 /// Says how long a step may be where friction is the reason: the longest that `holds`, by ten bisections.
 fn advise(error: GaitError, route: &Route, holds: impl Fn(&Route) -> bool) -> GaitError {
-    let GaitError::Friction { step_length, step_frequency, whose, friction, limit, .. } = error else {
+    let GaitError::Plan(PlanError::Friction { step_length, step_frequency, whose, friction, limit, .. }) =
+        error
+    else {
         return error;
     };
     // A few steps decide: the shifts at the ends are the worst.
@@ -61,5 +66,5 @@ fn advise(error: GaitError, route: &Route, holds: impl Fn(&Route) -> bool) -> Ga
     } else {
         "; go back to the default style or walk slower".to_owned()
     };
-    GaitError::Friction { step_length, step_frequency, whose, friction, limit, longest }
+    PlanError::Friction { step_length, step_frequency, whose, friction, limit, longest }.into()
 }

@@ -10,7 +10,7 @@ mod options;
 mod phase;
 mod script;
 
-pub use options::{InBetween, KeyedOptions};
+pub use options::{InBetween, KeyframedOptions};
 pub use script::{KeyScript, ScriptCycle};
 
 use crate::body::Body;
@@ -31,10 +31,12 @@ const PARTS: f64 = 200.0;
 /// A walk through key postures, from standing to standing, that can be evaluated at any time.
 ///
 /// In the thesis's style each phase goes from rest to rest: the body stops at every posture.
-pub struct KeyedWalk {
+#[doc(alias = "KeyedWalk")]
+#[doc(alias = "key poses")]
+pub struct KeyframedWalk {
     body: Body,
     proportions: Proportions,
-    options: KeyedOptions,
+    options: KeyframedOptions,
     phases: Vec<Phase>,
     sway: Sway,
     step_time: f64,
@@ -44,14 +46,14 @@ pub struct KeyedWalk {
     loops: Option<(f64, f64)>,
 }
 
-impl KeyedWalk {
+impl KeyframedWalk {
     /// The walk of a script.
     ///
     /// # Errors
     ///
     /// A figure that cannot walk, see [`crate::missing_for_walking()`]; a script without cycles; numbers that are none; feet so far to the side
     /// that no leg reaches them.
-    pub fn new(figure: &Figure, script: &KeyScript, options: KeyedOptions) -> Result<Self, GaitError> {
+    pub fn new(figure: &Figure, script: &KeyScript, options: KeyframedOptions) -> Result<Self, GaitError> {
         crate::body::missing::check(figure)?;
         let body = Body::of(figure)?;
         let proportions = Proportions::of_leg(&body.leg, body.height);
@@ -114,7 +116,7 @@ impl KeyedWalk {
     }
 }
 
-impl Trajectory for KeyedWalk {
+impl Trajectory for KeyframedWalk {
     fn duration(&self) -> f64 {
         self.end() + REST * self.step_time
     }

@@ -1,6 +1,6 @@
 //! A map of two parameters: where postures exist, and which inequality forbids them elsewhere.
 
-use crate::error::GaitError;
+use crate::error::MapError;
 use crate::thesis::determinants::{Condition, KeyParameter};
 
 /// An inequality of a map.
@@ -56,23 +56,23 @@ impl FeasibleMap {
         spans: [(f64, f64); 2],
         places: [usize; 2],
         conditions: impl Fn(&[f64]) -> Vec<Condition>,
-    ) -> Result<Self, GaitError> {
+    ) -> Result<Self, MapError> {
         let (found, expected) = (values.len(), parameters.len());
         if found != expected {
-            return Err(GaitError::MapValues { found, expected });
+            return Err(MapError::Values { found, expected });
         }
         if let Some((axis, index)) =
             [("across", across), ("up", up)].into_iter().find(|(_, i)| *i >= expected)
         {
-            return Err(GaitError::MapAxis { axis, index, parameters: expected });
+            return Err(MapError::Axis { axis, index, parameters: expected });
         }
         for (axis, (lower, upper)) in [across, up].into_iter().zip(spans) {
             if !(lower.is_finite() && upper.is_finite() && lower < upper) {
-                return Err(GaitError::MapSpan { parameter: parameters[axis].name, lower, upper });
+                return Err(MapError::Span { parameter: parameters[axis].name, lower, upper });
             }
         }
         if let Some(&places) = places.iter().find(|places| !(PLACES.0..=PLACES.1).contains(places)) {
-            return Err(GaitError::MapPlaces { places, least: PLACES.0, most: PLACES.1 });
+            return Err(MapError::Places { places, least: PLACES.0, most: PLACES.1 });
         }
         let axes = [parameters[across], parameters[up]];
         let mut map =

@@ -1,14 +1,14 @@
-//! The checked request for a walk in the thesis's style.
+//! The walk in the thesis's style, from a request that is checked.
 
 use crate::body::Body;
 use crate::body::missing;
-use crate::error::GaitError;
+use crate::error::{GaitError, RequestError};
 use crate::request::pace;
 use crate::request::{Extent, SHORTEST_DISTANCE, STEPS};
 use crate::thesis::determinants::{
     Determinants, DoubleSupport, KeySolution, Proportions, THESIS_WALK_RATIO, USUAL_HEIGHT,
 };
-use crate::thesis::keyframed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
+use crate::thesis::keyframed::{InBetween, KeyScript, KeyframedOptions, KeyframedWalk, ScriptCycle};
 use crate::walking::G;
 use solaris_model::Figure;
 
@@ -80,7 +80,7 @@ impl Default for ThesisRequest {
 /// A walk in the thesis's style.
 pub struct ThesisWalk {
     /// The walk.
-    pub walk: KeyedWalk,
+    pub walk: KeyframedWalk,
     /// The postures that it goes through.
     pub postures: KeySolution,
     /// The proportions they are of.
@@ -124,19 +124,20 @@ impl KeyChoice {
         for (name, value) in &request.parameters {
             let index = parameters.iter().position(|parameter| parameter.name == *name).ok_or_else(|| {
                 let known = parameters.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-                GaitError::UnknownParameter { name: (*name).to_owned(), known }
+                RequestError::UnknownParameter { name: (*name).to_owned(), known }
             })?;
             let (lower, upper) = parameters[index].range;
             if !(lower..=upper).contains(value) {
                 let (parameter, unit) = (parameters[index].name, parameters[index].unit);
-                return Err(GaitError::Range {
+                return Err(RequestError::Range {
                     parameter,
                     value: *value,
                     unit,
                     lower,
                     upper,
                     why: String::new(),
-                });
+                }
+                .into());
             }
             given[index] = Some(*value);
         }
@@ -156,7 +157,7 @@ impl KeyChoice {
 ///
 /// # Errors
 ///
-/// [`GaitError`] for a figure that the walker does not know, for values out of range, and [`GaitError::Infeasible`] for
+/// [`GaitError`] for a figure that the walker does not know, for values out of range, and [`PostureError::Infeasible`] for
 /// parameters that no posture fits, with the inequality that fails and the nearest values that do.
 pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWalk, GaitError> {
     missing::check(figure)?;
@@ -186,14 +187,14 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
     let cycles =
         postures.cycles.clone().map(|phases| ScriptCycle { phases, parts: parts.next().unwrap_or_default() });
     let script = KeyScript { cycles, steps, step_length, step_time: 60.0 / step_frequency };
-    let options = KeyedOptions {
+    let options = KeyframedOptions {
         in_between: request.in_between,
         step_width: request.step_width,
         sway: request.sway,
         clearance: 0.015 * body.height / 1.75,
         left_first: request.left_first,
     };
-    let walk = KeyedWalk::new(figure, &script, options)?;
+    let walk = KeyframedWalk::new(figure, &script, options)?;
     let ThesisRequest { determinants, in_between, .. } = request;
     Ok(ThesisWalk {
         walk,
@@ -221,14 +222,15 @@ fn check_speed(speed: f64, leg: f64) -> Result<(), GaitError> {
     let why =
         "; faster, a body that passes over a straight leg leaves the ground: take shorter or fewer steps";
     let (lower, upper) = (0.0, (100.0 * most).floor() / 100.0);
-    Err(GaitError::Range {
+    Err(RequestError::Range {
         parameter: "speed",
         value: speed,
         unit: " m/s",
         lower,
         upper,
         why: why.to_owned(),
-    })
+    }
+    .into())
 }
 
 /// Step frequency and step length: two of three numbers, or what the thesis's `S = 0.004·H·sf` says.
@@ -245,7 +247,7 @@ fn settled(request: &ThesisRequest, p: &Proportions) -> Result<(f64, f64), GaitE
         if !(lower..=upper).contains(&value) {
             let (lower, upper) = (pace::tidy(lower), pace::tidy(upper));
             let (parameter, unit, why) = ("speed", " m/s", String::new());
-            return Err(GaitError::Range { parameter, value, unit, lower, upper, why });
+            return Err(RequestError::Range { parameter, value, unit, lower, upper, why }.into());
         }
     }
     let (frequency, length) = pace::settle(frequency, length, speed, THESIS_WALK_RATIO * p.height)?;
@@ -269,6 +271,6 @@ fn range(
     if (lower..=upper).contains(&value) {
         Ok(())
     } else {
-        Err(GaitError::Range { parameter, value, unit, lower, upper, why: String::new() })
+        Err(RequestError::Range { parameter, value, unit, lower, upper, why: String::new() }.into())
     }
 }

@@ -1,4 +1,4 @@
-//! A motion as on a belt: in its place.
+//! The motion on the spot, as on a belt.
 
 use nalgebra::Vector3;
 use solaris_model::{Figure, Motion, MotionError};
@@ -9,6 +9,9 @@ use solaris_model::{Figure, Motion, MotionError};
 /// # Errors
 ///
 /// A motion of another figure.
+#[doc(alias = "in place")]
+#[doc(alias = "treadmill")]
+#[doc(alias = "root motion")]
 pub fn on_the_spot(figure: &Figure, motion: &Motion) -> Result<Motion, MotionError> {
     motion.check_figure(figure)?;
     let (first, last) = (0, motion.len() - 1);

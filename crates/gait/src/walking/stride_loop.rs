@@ -7,6 +7,9 @@ use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 /// The stride of a walk from a time on, as a curve that repeats itself a stride farther along z.
 ///
 /// Before it begins and after its end it goes on, so that velocities and accelerations are those of a walk that never ends.
+#[doc(alias = "gait cycle")]
+#[doc(alias = "walk cycle")]
+#[doc(alias = "looped animation")]
 pub struct StrideLoop<'a, W> {
     walk: &'a W,
     /// When it begins in the walk, and how long it lasts (s).

@@ -1,7 +1,9 @@
 //! Random walks that change on the way: what is not refused obeys the laws.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
-use solaris_gait::{Extent, FEET, FRICTION, GaitError, WALK_RATIO, WalkPart, WalkRequest, measure, walk};
+use solaris_gait::{
+    Extent, FEET, FRICTION, GaitError, PlanError, WALK_RATIO, WalkPart, WalkRequest, measure, walk,
+};
 use solaris_model::human;
 use solaris_modes::ground_reactions;
 
@@ -64,7 +66,7 @@ fn random_changes_obey_the_laws() {
         let of = format!("{number}, {height} m: {request:?}");
         let plan = match walk(&figure, &request) {
             Ok(plan) => plan,
-            Err(GaitError::Sudden { .. }) => {
+            Err(GaitError::Plan(PlanError::AbruptChange { .. })) => {
                 refused += 1;
                 continue;
             }

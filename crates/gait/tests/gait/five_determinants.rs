@@ -3,15 +3,15 @@
 //! The reference's sets with the printed yaw schedule are left out: the model has the corrected schedule only.
 
 use serde_json::Value;
-use solaris_gait::GaitError;
 use solaris_gait::determinants::five::{
     ArmCoefficients, FiveAngles, FiveParameters, NECK, PARAMETERS, Timing, TrunkAmplitudes, Upper, close,
     pelvis_travel, phases, posture_before, solve, thesis_speed,
 };
 use solaris_gait::determinants::{Cycle, KeyPosture, LegAngles, Proportions, Root};
+use solaris_gait::{GaitError, PostureError};
 
 fn reference() -> Value {
-    serde_json::from_str(include_str!("../../../fixtures/reference/gait5.json")).expect("the reference")
+    serde_json::from_str(include_str!("../../../../fixtures/reference/gait5.json")).expect("the reference")
 }
 
 fn number(value: &Value, key: &str) -> f64 {
@@ -111,7 +111,8 @@ fn what_cannot_be_is_refused_with_the_references_reasons() {
             let angle = ["theta", "delta", "phi", "kappa", "tau"].contains(&key.as_str());
             user[if angle { format!("{key}_deg") } else { key.clone() }] = value.clone();
         }
-        let Err(GaitError::Infeasible { determinants: "five", why }) = solve(&body(set), &parameters(&user))
+        let Err(GaitError::Posture(PostureError::Infeasible { determinants: "five", why })) =
+            solve(&body(set), &parameters(&user))
         else {
             panic!("{case} closes");
         };

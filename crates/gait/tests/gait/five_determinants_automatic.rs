@@ -2,13 +2,13 @@
 
 #![allow(clippy::float_cmp, reason = "what is copied or exchanged stays the same")]
 
-use solaris_gait::GaitError;
 use solaris_gait::determinants::five::{
     AUTOMATIC_STEP, ArmCoefficients, Family, FiveParameters, PelvicSway, Timing, TrunkAmplitudes, Upper,
     arm_remarks, close, conditions, phases, posture_before, remarks, solve, sway_amplitude, table,
     thesis_speed,
 };
 use solaris_gait::determinants::{Condition, Cycle, DoubleSupport, Proportions};
+use solaris_gait::{GaitError, PostureError, RequestError};
 use solaris_model::human;
 
 fn people() -> Vec<Proportions> {
@@ -230,7 +230,7 @@ fn a_rise_decides_kappa_for_real_feet_too_or_is_refused() {
                     }
                     found += 1;
                 }
-                Err(GaitError::Infeasible { why, .. }) => {
+                Err(GaitError::Posture(PostureError::Infeasible { why, .. })) => {
                     assert!(!why.fails.is_empty() && why.nearest.len() == 7);
                 }
                 Err(other) => panic!("{other}"),
@@ -240,7 +240,7 @@ fn a_rise_decides_kappa_for_real_feet_too_or_is_refused() {
         let trunk = TrunkAmplitudes { rise: f64::NAN, ..TrunkAmplitudes::at_speed(1.0) };
         assert!(matches!(
             q.with_trunk_rise(&p, &trunk),
-            Err(GaitError::Range { parameter: "trunk rise", .. })
+            Err(GaitError::Request(RequestError::Range { parameter: "trunk rise", .. }))
         ));
     }
     assert!(found > 50, "{found}");

@@ -1,11 +1,11 @@
 //! Walks of five determinants close: put together root by root, feet neither slide nor float, and cycles repeat.
 
-use solaris_gait::GaitError;
 use solaris_gait::determinants::five::{
     Family, FiveAngles, FiveParameters, PARAMETERS, Timing, Upper, close, conditions, parameters_of, phases,
     posture_before, solve,
 };
 use solaris_gait::determinants::{Cycle, DoubleSupport, Joints, KeyPosture, Proportions, Root};
+use solaris_gait::{GaitError, PostureError, RequestError};
 use solaris_model::human;
 
 fn person(height: f64) -> Proportions {
@@ -183,7 +183,9 @@ fn random_parameters_close_or_are_refused_with_values_that_do() {
                 refused += 1;
                 assert!(!fails.is_empty() && fails.iter().all(|condition| !condition.holds()));
                 if refused % 100 == 0 {
-                    let Err(GaitError::Infeasible { why, .. }) = solve(&p, &q) else { panic!("{values:?}") };
+                    let Err(GaitError::Posture(PostureError::Infeasible { why, .. })) = solve(&p, &q) else {
+                        panic!("{values:?}")
+                    };
                     assert_eq!(why.fails, fails);
                     for (k, nearest) in why.nearest.iter().enumerate() {
                         let Some(value) = nearest.feasible else { continue };
@@ -257,7 +259,7 @@ fn what_is_no_number_is_refused_by_name() {
             values[i] = bad;
             let q = FiveParameters::from_values(values);
             let error = solve(&p, &q).expect_err("refused");
-            let named = matches!(&error, GaitError::Range { parameter: name, .. } if *name == parameter.name);
+            let named = matches!(&error, GaitError::Request(RequestError::Range { parameter: name, .. }) if *name == parameter.name);
             assert!(named, "{error}");
             // Without the ranges too, nothing panics; what is no number fails.
             assert!(bad.is_finite() || close(&p, &q).is_err());
@@ -272,13 +274,13 @@ fn what_is_no_number_is_refused_by_name() {
         ];
         for body in bodies {
             let error = solve(&body, &FiveParameters::from_values(good)).expect_err("refused");
-            assert!(matches!(error, GaitError::Range { .. }), "{error}");
+            assert!(matches!(error, GaitError::Request(RequestError::Range { .. })), "{error}");
             assert!(FiveParameters::automatic(&body, 110.0, 0.77).is_err());
         }
     }
     let heel = Proportions { heel_behind: -0.1, ..p };
     assert!(matches!(
         solve(&heel, &FiveParameters::from_values(good)),
-        Err(GaitError::Range { parameter: "ankle to heel", .. })
+        Err(GaitError::Request(RequestError::Range { parameter: "ankle to heel", .. }))
     ));
 }

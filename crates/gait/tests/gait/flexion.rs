@@ -13,7 +13,7 @@ fn planned(figure: &Figure, step_frequency: f64, parameters: &[(&'static str, f6
 
 /// Pitch of the standing shank in mid-walk when the hip is above its ankle (°): the posture that three determinants call lift-off.
 fn shank(plan: &WalkPlan) -> f64 {
-    let beside = plan.beside(Determinants::Three).expect("postures of this step");
+    let beside = plan.compare_postures(Determinants::Three).expect("postures of this step");
     let passing = beside.iter().find(|beside| beside.name == "lift-off").expect("a lift-off");
     passing.walk[0].shank.to_degrees()
 }

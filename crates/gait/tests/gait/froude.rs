@@ -8,8 +8,8 @@
 use crate::posed::Posed;
 use solaris_gait::determinants::{Determinants, DoubleSupport, Proportions};
 use solaris_gait::{
-    Extent, InBetween, KeyScript, KeyedOptions, KeyedWalk, Resolution, ScriptCycle, StridePlan, Style,
-    WalkPlan, WalkRequest, walk,
+    Extent, InBetween, KeyScript, KeyframedOptions, KeyframedWalk, Resolution, ScriptCycle, StridePlan,
+    Style, WalkPlan, WalkRequest, walk,
 };
 use solaris_model::{Figure, Trajectory, human};
 
@@ -110,12 +110,12 @@ fn smooth_walks_of_one_froude_number_are_similar() {
 
 /// A walk through key postures whose parameters, speed of the trunk, and times of phases are those of a person of
 /// [`HEIGHT`].
-fn keyed(
+fn keyframed(
     figure: &Figure,
     determinants: Determinants,
     in_between: InBetween,
     step_frequency: f64,
-) -> KeyedWalk {
+) -> KeyframedWalk {
     let own = Proportions::of(figure).expect("proportions");
     let scale = own.height / HEIGHT;
     let p = own.scaled(1.0 / scale);
@@ -142,14 +142,14 @@ fn keyed(
         step_length: step_length * scale,
         step_time: 60.0 / step_frequency * scale.sqrt(),
     };
-    let options = KeyedOptions {
+    let options = KeyframedOptions {
         in_between,
         step_width: Some(0.1 * scale),
         sway: 0.02 * scale,
         clearance: 0.015 * scale,
         left_first: false,
     };
-    KeyedWalk::new(figure, &script, options).expect("a walk")
+    KeyframedWalk::new(figure, &script, options).expect("a walk")
 }
 
 #[test]
@@ -158,11 +158,11 @@ fn walks_through_key_postures_of_one_froude_number_are_similar() {
     for determinants in Determinants::ALL {
         for in_between in [InBetween::Rest, InBetween::Linear] {
             for step_frequency in [80.0, 110.0] {
-                let mine = keyed(&figure, determinants, in_between, step_frequency);
+                let mine = keyframed(&figure, determinants, in_between, step_frequency);
                 for (height, mass) in OTHERS {
                     let other = human(height, mass).expect("a person");
                     let scale = height / HEIGHT;
-                    let theirs = keyed(&other, determinants, in_between, step_frequency);
+                    let theirs = keyframed(&other, determinants, in_between, step_frequency);
                     let case = format!("{determinants:?}, {in_between:?}, {step_frequency}, {height} m");
                     let (lengths, angles) = apart([&figure, &other], [&mine, &theirs], scale);
                     // The angle of a straight knee is an arc cosine of 1: what rounding takes from that, 2e-16, is 2e-8 rad.

@@ -1,8 +1,8 @@
 //! What walks are held against: closed forms, golden numbers, the thesis's tables, and laws that every walk keeps.
 
-mod beside;
 mod changes;
 mod changes_random;
+mod comparison;
 mod five_determinants;
 mod five_determinants_automatic;
 mod five_determinants_closure;
@@ -13,7 +13,8 @@ mod golden;
 mod golden_stride;
 mod golden_walk;
 mod ground;
-mod journey;
+mod isolated_peaks;
+mod layers;
 mod leg_closed_forms;
 mod long_walk;
 mod metrics;
@@ -21,11 +22,11 @@ mod mirror;
 mod people;
 mod posed;
 mod refusals;
+mod sequence;
 mod smooth_laws;
 mod stride_loop;
 mod sweep;
 mod thesis;
-mod thesis_lone;
 mod thesis_random;
 mod thesis_refusals;
 mod thesis_requests;

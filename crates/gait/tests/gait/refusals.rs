@@ -1,7 +1,8 @@
 //! What no walk can be made of is refused by name.
 
 use solaris_gait::{
-    Extent, FEET, GaitError, LegGeometry, Resolution, StridePlan, Style, WALK_RATIO, WalkRequest, walk,
+    Extent, FEET, GaitError, LegGeometry, RequestError, Resolution, StridePlan, Style, WALK_RATIO,
+    WalkRequest, walk,
 };
 use solaris_model::{FigureBuilder, Inertia, Joint, LinkSpec, human};
 use solaris_modes::{ReactionError, ground_reactions};
@@ -42,7 +43,10 @@ fn a_style_without_a_number_is_refused_by_name() {
     let mut style = Style::of(&leg, 1.75, 110.0, WALK_RATIO * 1.75 * 110.0);
     style.knee_push = f64::NAN;
     let error = StridePlan::new(&figure, &style, Resolution::default()).err();
-    assert!(matches!(error, Some(GaitError::StyleNotFinite { name: "knee_push", .. })));
+    assert!(matches!(
+        error,
+        Some(GaitError::Request(RequestError::StyleNotFinite { name: "knee_push", .. }))
+    ));
 }
 
 #[test]
@@ -77,7 +81,7 @@ fn a_figure_that_is_no_person_is_refused() {
 #[test]
 fn all_that_a_figure_lacks_is_said_at_once() {
     let ann = solaris_model::human(1.75, 73.0).expect("within range");
-    assert_eq!(solaris_gait::lacks(&ann), []);
+    assert_eq!(solaris_gait::missing_for_walking(&ann), []);
     // The same links, but without soles, without angles, without arms, and with one knee a hinge.
     let mut builder = FigureBuilder::new("robot");
     for link in
@@ -100,6 +104,7 @@ fn all_that_a_figure_lacks_is_said_at_once() {
     let error = walk(&robot, &WalkRequest::default()).err().expect("a refusal");
     insta::assert_snapshot!(error);
     // To measure its walk, angles are needed as well.
-    let all: Vec<String> = solaris_gait::lacks(&robot).iter().map(ToString::to_string).collect();
+    let all: Vec<String> =
+        solaris_gait::missing_for_walking(&robot).iter().map(ToString::to_string).collect();
     assert!(all.contains(&"the figure has no anatomical angle 'left_hip.flexion'".to_owned()), "{all:?}");
 }

@@ -1,7 +1,7 @@
 //! One walk as a row of numbers.
 
 use solaris_gait::sweep::{COLUMNS, Walked, metrics_of};
-use solaris_gait::{Extent, FEET, GaitError, StyledRequest, WalkRequest, measure, walk};
+use solaris_gait::{Extent, FEET, GaitError, RequestError, StyledRequest, WalkRequest, measure, walk};
 use solaris_model::human;
 use solaris_modes::ground_reactions;
 use std::collections::BTreeSet;
@@ -73,7 +73,7 @@ fn what_cannot_be_done_says_why() {
     let fast = WalkRequest { speed: Some(2.9), ..steps(3) };
     assert!(matches!(
         metrics_of(&ann, &smooth(fast), 60.0),
-        Err(GaitError::Range { .. } | GaitError::StepLength { .. })
+        Err(GaitError::Request(RequestError::Range { .. } | RequestError::StepLength { .. }))
     ));
     assert!(matches!(metrics_of(&ann, &smooth(steps(3)), 0.0), Err(GaitError::Reaction(_))));
     let said = metrics_of(&ann, &smooth(steps(300)), 1000.0).expect_err("too long").to_string();

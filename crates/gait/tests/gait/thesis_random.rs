@@ -4,7 +4,7 @@
 use crate::posed::Posed;
 use nalgebra::Vector3;
 use solaris_gait::determinants::{Determinants, Proportions};
-use solaris_gait::{Extent, GaitError, InBetween, ThesisRequest, thesis_walk};
+use solaris_gait::{Extent, GaitError, InBetween, PostureError, RequestError, ThesisRequest, thesis_walk};
 use solaris_model::{Figure, Trajectory as _, human};
 
 /// Random numbers that are the same everywhere.
@@ -73,11 +73,11 @@ fn tried(count: usize, seed: u64) -> (usize, usize) {
                 let steps = plan.steps as f64 * plan.step_length;
                 assert!((plan.walk.prints().last().expect("prints") - steps).abs() < 1e-12, "{request:?}");
             }
-            Err(GaitError::Infeasible { why, .. }) => {
+            Err(GaitError::Posture(PostureError::Infeasible { why, .. })) => {
                 refused += 1;
                 assert!(!why.fails.is_empty() && why.fails.iter().all(|fails| !fails.holds()), "{request:?}");
             }
-            Err(GaitError::Range { .. }) => refused += 1,
+            Err(GaitError::Request(RequestError::Range { .. })) => refused += 1,
             Err(error) => panic!("{request:?}: {error}"),
         }
     }
@@ -85,7 +85,7 @@ fn tried(count: usize, seed: u64) -> (usize, usize) {
 }
 
 /// No number that is none, nothing planted moves, nothing sinks.
-fn obeys(figure: &Figure, walk: &solaris_gait::KeyedWalk, random: &mut Random, request: &ThesisRequest) {
+fn obeys(figure: &Figure, walk: &solaris_gait::KeyframedWalk, random: &mut Random, request: &ThesisRequest) {
     let mut posed = Posed::new(figure, walk);
     let planted = walk.planted(figure);
     for _ in 0..8 {

@@ -1,7 +1,9 @@
 //! What cannot be walked in the thesis's style, and what is said of it.
 
 use solaris_gait::determinants::{Determinants, Proportions};
-use solaris_gait::{Extent, GaitError, KeyChoice, LegGeometry, ThesisRequest, thesis_walk};
+use solaris_gait::{
+    Extent, GaitError, KeyChoice, LegGeometry, PostureError, RequestError, ThesisRequest, thesis_walk,
+};
 use solaris_model::human;
 
 #[test]
@@ -12,7 +14,8 @@ fn what_cannot_be_walked_is_refused_with_what_could_be() {
         Ok(_) => panic!("it was walked: {request:?}"),
     };
     let with = |name, value| ThesisRequest { parameters: vec![(name, value)], ..ThesisRequest::default() };
-    let GaitError::Infeasible { why, .. } = refused(with("heel-strike-angle", 32.0)) else {
+    let GaitError::Posture(PostureError::Infeasible { why, .. }) = refused(with("heel-strike-angle", 32.0))
+    else {
         panic!("another error")
     };
     let nearest = why.nearest.iter().find(|n| n.parameter.name == "heel-strike-angle").expect("its own");
@@ -60,7 +63,9 @@ fn nobody_walks_faster_than_a_straight_leg_carries() {
         // v = 0.004·H·sf²/60.
         let fastest = (60.0 * (9.806_65 * leg).sqrt() / (0.004 * height)).sqrt();
         assert!(at(fastest - 0.01).is_ok());
-        let Err(GaitError::Range { parameter: "speed", value, upper, .. }) = at(fastest + 0.01) else {
+        let Err(GaitError::Request(RequestError::Range { parameter: "speed", value, upper, .. })) =
+            at(fastest + 0.01)
+        else {
             panic!("{height} m: {fastest} steps/min is too fast")
         };
         assert!(value > upper && (value * value / (9.806_65 * leg) - 1.0).abs() < 1e-3);
@@ -75,7 +80,10 @@ fn speeds_of_one_froude_number_are_answered_alike() {
     let refused = |p: &Proportions, part: f64| {
         let speed = part * (9.806_65 * p.height * p.unit).sqrt() / p.unit;
         let request = ThesisRequest { speed: Some(speed), ..ThesisRequest::default() };
-        matches!(KeyChoice::of(p, &request), Err(GaitError::Range { parameter: "speed", .. }))
+        matches!(
+            KeyChoice::of(p, &request),
+            Err(GaitError::Request(RequestError::Range { parameter: "speed", .. }))
+        )
     };
     let people = [1.2, 1.75, 2.0].map(Proportions::drillis_contini);
     for p in people.iter().chain([&Proportions::FIT]) {

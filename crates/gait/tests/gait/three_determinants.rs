@@ -8,7 +8,7 @@ use solaris_gait::determinants::{
 };
 
 fn reference() -> Value {
-    serde_json::from_str(include_str!("../../../fixtures/reference/gait3.json")).expect("JSON")
+    serde_json::from_str(include_str!("../../../../fixtures/reference/gait3.json")).expect("JSON")
 }
 
 fn known(number: &str) -> GaitTable {

@@ -1,4 +1,4 @@
-//! The standing leg as the hip passes over its ankle.
+//! The standing leg at midstance: as the hip passes over its ankle.
 
 use crate::body::LegGeometry;
 use crate::smooth::limbs::stance::Stance;
@@ -31,10 +31,10 @@ pub(crate) fn above_flexion(
             to = middle;
         }
     }
-    let passing = 0.5 * (from + to);
-    let [side, up, _] = split(passing);
+    let midstance = 0.5 * (from + to);
+    let [side, up, _] = split(midstance);
     let (sin, cos) = flexion.sin_cos();
     let (thigh, shank) = (leg.thigh, leg.shank);
     let level = (thigh * thigh - (shank * sin).powi(2)).max(0.0).sqrt() + shank * cos;
-    (passing, up - (level * level - side * side).max(0.0).sqrt())
+    (midstance, up - (level * level - side * side).max(0.0).sqrt())
 }

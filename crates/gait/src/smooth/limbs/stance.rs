@@ -3,17 +3,17 @@
 //! Near the two ends of stance the knee is a law and the pitch of the foot is solved, never the reverse: there the leg is
 //! nearly straight, and a small error in the foot would be a large one in the knee.
 
+use super::numbers::{
+    JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_KNEE_TOE_OFF, MOST_WIDTHS, PUSH_ATTEMPTS,
+    PUSH_CHECKED, PUSH_INSTANTS, PUSH_WAYPOINT_AT, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN,
+    TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
+};
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose};
 use crate::smooth::grid::{FIRST, SECOND};
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic};
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-/// A knee that lands so much more bent than the style's does not go on bending.
-pub(crate) const LANDING_RANGE: f64 = 24.0 * DEGREE;
 
 /// What a foot does at the begin of its stance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,7 @@ impl Push {
     pub(crate) fn of(style: &Style) -> Self {
         Self {
             heel_off: style.heel_off,
-            waypoint: Some((0.46, style.knee_push)),
+            waypoint: Some((PUSH_WAYPOINT_AT, style.knee_push)),
             tip_roll_at: style.tip_roll_at(),
             toe_roll: style.toe_roll,
             knee_toe_off: Boundary::new(style.knee_toe_off, style.knee_toe_off_rate, style.knee_toe_off_acc),
@@ -127,7 +127,7 @@ impl Stance {
     /// style's. The more it is bent, the less it goes on bending: not at all from `range` (rad) more than the style's on.
     pub(crate) fn landing_knee(&self, style: &Style, pitch: f64, range: f64, hip: &Vector3<f64>) -> Boundary {
         let distance = (hip - self.ankle_on_heel(pitch)).norm_squared();
-        let flexion = self.leg.knee_for(distance).max(style.knee_contact - 2.0 * DEGREE);
+        let flexion = self.leg.knee_for(distance).max(style.knee_contact - LANDING_STRAIGHTER);
         let factor = (1.0 - (flexion - style.knee_contact) / range).clamp(-1.0, 1.0);
         Boundary::new(flexion, style.knee_contact_rate * factor, style.knee_contact_acc * factor)
     }
@@ -147,36 +147,35 @@ impl Stance {
     pub(crate) fn set_push(&mut self, hip: impl Fn(f64) -> Vector3<f64>) -> Result<(), ProfileError> {
         let (heel_off, toe_off) = (self.push.heel_off, self.toe_off);
         let start = self.flat_knee_jet(heel_off, &hip);
-        // Never more than 78° of pitch at toe-off, also when the body is far ahead.
-        let steepest = (hip(toe_off) - self.ankle_on_ball(toe_off, 78.0 * DEGREE)).norm_squared();
+        let steepest = (hip(toe_off) - self.ankle_on_ball(toe_off, STEEPEST_PITCH)).norm_squared();
         let mut end = self.push.knee_toe_off;
         end.position = end.position.min(self.leg.knee_for(steepest.min(self.leg.almost_straight_squared())));
         let mut waypoint = self.push.waypoint.map(|(at, knee)| {
-            let excess = (self.flat_knee(at, &hip) + 2.5 * DEGREE - knee) / (2.0 * DEGREE);
-            (at, knee + 2.0 * DEGREE * excess.min(50.0).exp().ln_1p())
+            let excess = (self.flat_knee(at, &hip) + WAYPOINT_ABOVE_FLAT - knee) / WAYPOINT_WIDTH;
+            (at, knee + WAYPOINT_WIDTH * excess.min(MOST_WIDTHS).exp().ln_1p())
         });
-        for attempt in 0..=4 {
+        for attempt in 0..=PUSH_ATTEMPTS {
             let spline = match waypoint {
                 Some((at, knee)) => Piecewise::quintic_spline(&[heel_off, at, toe_off], &[knee], start, end)?,
                 None => Piecewise::quintic_spline(&[heel_off, toe_off], &[], start, end)?,
             }
             .outside(Outside::Extrapolate);
-            let (from, to) = (heel_off + 0.02, toe_off - 0.03);
+            let (from, to) = (heel_off + PUSH_CHECKED.0, toe_off - PUSH_CHECKED.1);
             let (mut worst, mut at) = (f64::NEG_INFINITY, from);
-            for i in 0..14 {
-                let u = from + (to - from) * f64::from(i) / 13.0;
-                let straighter = self.flat_knee(u, &hip) - 0.15 * DEGREE - spline.at(u).position;
+            for i in 0..PUSH_INSTANTS {
+                let u = from + (to - from) * f64::from(i) / f64::from(PUSH_INSTANTS - 1);
+                let straighter = self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT - spline.at(u).position;
                 if straighter > worst {
                     (worst, at) = (straighter, u);
                 }
             }
             self.push_knee = Some(spline);
-            if attempt == 4 || worst <= 0.0 {
+            if attempt == PUSH_ATTEMPTS || worst <= 0.0 {
                 break;
             }
             match &mut waypoint {
-                Some((knot, knee)) if at < 0.5 * (*knot + toe_off) => *knee += 1.3 * worst,
-                _ => end.position = (end.position + 1.5 * worst).min(60.0 * DEGREE),
+                Some((knot, knee)) if at < 0.5 * (*knot + toe_off) => *knee += WAYPOINT_GAIN * worst,
+                _ => end.position = (end.position + TOE_OFF_GAIN * worst).min(MOST_KNEE_TOE_OFF),
             }
         }
         self.push.knee_toe_off = end;
@@ -246,7 +245,7 @@ impl Stance {
         let knee = knee.unwrap_or_else(|| self.knee_jet(&distance));
         // α = lean + β(k): chain rule through the angle of thigh and leg line.
         let kg = self.leg.geometric_knee(knee.position);
-        let [beta] = jets(kg, 1e-3, |kg| [self.leg.thigh_against_leg(kg)]);
+        let [beta] = jets(kg, KNEE_STEP, |kg| [self.leg.thigh_against_leg(kg)]);
         let thigh = Boundary::new(
             lean.position + beta.position,
             lean.velocity + beta.velocity * knee.velocity,
@@ -266,7 +265,7 @@ impl Stance {
         let b = 2.0 * self.leg.thigh * self.leg.shank;
         let knee = self.leg.knee_for(distance.position);
         let (sin, cos) = self.leg.geometric_knee(knee).sin_cos();
-        let sin = sin.max(0.05);
+        let sin = sin.max(LEAST_KNEE_SINE);
         let rate = -distance.velocity / (b * sin);
         Boundary::new(knee, rate, -(distance.acceleration + b * cos * rate * rate) / (b * sin))
     }
@@ -299,7 +298,7 @@ impl Stance {
     #[inline]
     fn toes(&self, u: f64) -> f64 {
         let x = (u - self.push.tip_roll_at) / (self.toe_off - self.push.tip_roll_at);
-        self.push.toe_roll * x.clamp(0.0, 1.2).powi(3)
+        self.push.toe_roll * x.clamp(0.0, TOES_BEYOND).powi(3)
     }
 
     /// The ball joint, carried by the toes that roll about the tip.
@@ -325,9 +324,6 @@ impl Stance {
         (self.ankle_on_ball(u, pitch), pitch)
     }
 }
-
-/// Step of the difference formulas at the joints of the pieces, in u.
-const JET_STEP: f64 = 2e-3;
 
 /// Values and first two derivatives of several functions at once, from seven points.
 fn jets<const D: usize>(u: f64, h: f64, f: impl Fn(f64) -> [f64; D]) -> [Boundary; D] {

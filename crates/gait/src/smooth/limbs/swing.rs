@@ -1,24 +1,14 @@
 //! One foot in the air: joint splines between the end of one stance and the begin of the next.
 
+use super::numbers::{
+    ANKLE_AT, BUMP_REACH, CLEAR_FROM, CLEAR_UNTIL, CLOSING_ANKLE, CLOSING_KNEE_LATER, CLOSING_THIGH_AT,
+    EARLY, EARLY_ENDS, ENDS_KEPT, LACK, LANDING, LATE_ENDS, LATE_FROM, LATE_KNEE_AT, LEAST_PART, MOST_BUMPS,
+    OUTWARD, STRAIGHTENED, THIGH_AT, TOES_STRAIGHT_AT,
+};
+use super::stance::LegJet;
 use crate::body::leg::{LegGeometry, LegPose};
-use crate::smooth::limbs::stance::LegJet;
 use crate::smooth::style::Style;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, step};
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-/// Duration of the piece that lands the foot, in u.
-const LANDING: f64 = 0.02;
-/// When the thigh, the ankle, the late knee and the toes have their waypoints.
-const THIGH_AT: f64 = 0.84;
-const ANKLE_AT: f64 = 0.83;
-const LATE_KNEE_AT: f64 = 0.945;
-const TOES_STRAIGHT_AT: f64 = 0.80;
-
-/// The part of a swing, from either end, in which a leg of a turning body comes to lean as if it went straight on, and how
-/// much farther it leans then: the thighs pass each other before mid-swing. (More would need more friction than soles have.)
-const STRAIGHTENED: f64 = 0.3;
-const OUTWARD: f64 = 1.3;
 
 /// What a swing aims at, besides its two ends.
 #[derive(Clone, Copy, Debug)]
@@ -82,10 +72,15 @@ impl Swing {
         let spline = |knots: &[f64], values: &[f64], start, end| {
             Piecewise::quintic_spline(knots, values, start, end).map(|s| s.outside(Outside::Extrapolate))
         };
-        let thigh_at = if aim.beside { 0.82 } else { THIGH_AT };
+        let thigh_at = if aim.beside { CLOSING_THIGH_AT } else { THIGH_AT };
         let thigh = spline(&[toe_off, thigh_at, 1.0], &[aim.thigh], start.thigh, end.thigh)?;
         let knee = if aim.beside {
-            spline(&[toe_off, style.knee_peak_at + 0.02, 1.0], &[style.knee_peak], start.knee, end.knee)?
+            spline(
+                &[toe_off, style.knee_peak_at + CLOSING_KNEE_LATER, 1.0],
+                &[style.knee_peak],
+                start.knee,
+                end.knee,
+            )?
         } else {
             let knots = [toe_off, style.knee_peak_at, LATE_KNEE_AT, 1.0];
             spline(&knots, &[style.knee_peak, aim.late_knee], start.knee, end.knee)?
@@ -103,7 +98,7 @@ impl Swing {
         );
         let of = |jet: fn(&Boundary) -> f64| jet(&start.knee) - jet(&start.thigh) - jet(&start.pitch);
         let after = Boundary::new(of(|b| b.position), of(|b| b.velocity), of(|b| b.acceleration));
-        let ankle = style.ankle_swing + if aim.beside { 2.0 * DEGREE } else { 0.0 };
+        let ankle = style.ankle_swing + if aim.beside { CLOSING_ANKLE } else { 0.0 };
         let extension = Boundary::new(
             start.pitch.position - start.toes.position,
             start.pitch.velocity - start.toes.velocity,
@@ -157,10 +152,9 @@ impl Swing {
         LegPose { side, thigh, knee, pitch, toes: pitch - extension }
     }
 
-    /// Raises the ankle where the foot would come too near to the ground: at most four times, about the worst sample.
+    /// Raises the ankle where the foot would come too near to the ground: at most [`MOST_BUMPS`] times, about the worst sample.
     ///
-    /// `samples` are clocks and the hip's heights there. Lifting ends at 0.88 of the swing: later, it would bend the
-    /// nearly straight leg just before contact (2–4 % of body weight in the vertical force).
+    /// `samples` are clocks and the hip's heights there.
     ///
     /// `late` is the part of the clearance that is kept until shortly before contact, so that the foot does not sink between
     /// samples.
@@ -185,26 +179,29 @@ impl Swing {
             .map(|&(v, hip)| {
                 let (x, pose) = (self.phase(v), self.unlifted(v));
                 let drop = leg.ankle_below_hip(&pose);
-                let passing = ((x - 0.05) / 0.14).min((0.80 - x) / 0.2).clamp(0.0, 1.0);
-                let late = if x > 0.5 { late * ((1.0 - x) / 0.03).clamp(0.0, 1.0) } else { 0.0 };
-                let wanted = clearance * passing.max(late);
+                let mid_swing = ((x - CLEAR_FROM.0) / CLEAR_FROM.1)
+                    .min((CLEAR_UNTIL.0 - x) / CLEAR_UNTIL.1)
+                    .clamp(0.0, 1.0);
+                let late = if x > LATE_FROM { late * ((1.0 - x) / LATE_ENDS).clamp(0.0, 1.0) } else { 0.0 };
+                let wanted = clearance * mid_swing.max(late);
                 At { x, wanted, hip, drop, cos_side: pose.side.cos(), pitch: pose.pitch, toes: pose.toes }
             })
-            .filter(|at| at.x > 0.03 && (at.x < 0.97 || at.wanted > 0.0))
+            .filter(|at| at.x > ENDS_KEPT && (at.x < 1.0 - ENDS_KEPT || at.wanted > 0.0))
             .collect();
-        for _ in 0..4 {
+        for _ in 0..MOST_BUMPS {
             let missing = |at: &At| at.wanted - leg.lowest(at.hip - at.drop * at.cos_side, at.pitch, at.toes);
             let Some((worst, at)) = points
                 .iter()
                 .map(|at| (missing(at), at))
                 .reduce(|best, next| if next.0 > best.0 { next } else { best })
-                .filter(|(worst, _)| *worst > 1e-5)
+                .filter(|(worst, _)| *worst > LACK)
             else {
                 break;
             };
-            let end = if at.x < 0.75 { 0.88 } else { 1.0 };
-            let unit = Bump { from: (at.x - 0.32).max(0.0), to: (at.x + 0.32).min(end), height: 1.0 };
-            let bump = Bump { height: worst / unit.at(at.x).max(0.3), ..unit };
+            let end = if at.x < EARLY { EARLY_ENDS } else { 1.0 };
+            let unit =
+                Bump { from: (at.x - BUMP_REACH).max(0.0), to: (at.x + BUMP_REACH).min(end), height: 1.0 };
+            let bump = Bump { height: worst / unit.at(at.x).max(LEAST_PART), ..unit };
             self.bumps.push(bump);
             for at in &mut points {
                 at.drop -= bump.at(at.x) / at.cos_side;

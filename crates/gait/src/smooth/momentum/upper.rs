@@ -1,4 +1,4 @@
-//! Trunk and arms over the nodes of a plan. They do not change from pass to pass: their part of the momentum is found once.
+//! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
 
 use super::parts::Parts;
 use crate::body::{Body, Segment};

@@ -1,4 +1,4 @@
-//! Whether the legs can do what a plan asks of them.
+//! The legs of a plan at its nodes: how straight, how low, how far too short they are.
 
 use super::plan::WalkPlan;
 

@@ -1,4 +1,4 @@
-//! Where and in which order a walk's feet stand.
+//! The course of a walk: where and in which order its feet stand.
 
 use super::numbers::{BEGIN, SETTLE};
 use crate::body::foot::{mirror, turned};

@@ -2,7 +2,11 @@
 
 use super::course::{Episode, Kind};
 use super::laws::WalkLaws;
-use super::numbers::{KNEE_CONTACT, KNEE_FLAT, KNEE_START};
+use super::numbers::{
+    CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
+    KNEE_FLAT, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF,
+    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS,
+};
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
 use crate::smooth::limbs::midstance::above_flexion;
@@ -10,8 +14,6 @@ use crate::smooth::limbs::stance::{Landing, LegJet, Push, Stance};
 use crate::smooth::limbs::swing::{Aim, Swing, sideways};
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, ProfileError, UniformSpline};
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// One foot over a walk. Each print is a left foot's, see [`super::course::Print::local`].
 pub(super) struct Foot {
@@ -75,7 +77,7 @@ impl Foot {
                 }
             } else {
                 let steady = laws.gaits.of_contact(to.index).contact_thigh;
-                let thigh = style.thigh_swing + 0.8 * (end.thigh.position - steady);
+                let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady);
                 let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
                 Aim { thigh, late_knee, beside: false, sideways }
             };
@@ -132,17 +134,17 @@ fn stance(
     };
     match (episode.kind, side) {
         (Kind::First, 0) => {
-            push.heel_off = 0.06;
-            push.waypoint = Some((0.40, style.knee_push.max(12.0 * DEGREE)));
-            push.knee_toe_off.position -= 4.0 * DEGREE;
-            push.knee_toe_off.velocity -= 60.0 * DEGREE;
+            push.heel_off = STANDING_HEEL_OFF;
+            push.waypoint = Some((STANDING_WAYPOINT.0, style.knee_push.max(STANDING_WAYPOINT.1)));
+            push.knee_toe_off.position -= STANDING_TOE_OFF.0;
+            push.knee_toe_off.velocity -= STANDING_TOE_OFF.1;
         }
         (Kind::First, _) => {
-            push.heel_off = style.toe_off() - 0.22;
+            push.heel_off = style.toe_off() - FIRST_HEEL_OFF;
             push.waypoint = None;
-            push.tip_roll_at = style.toe_off() - 0.06;
-            push.toe_roll = 12.0 * DEGREE;
-            push.knee_toe_off = Boundary::new(44.0 * DEGREE, 320.0 * DEGREE, 0.0);
+            push.tip_roll_at = style.toe_off() - FIRST_TIP_ROLL;
+            push.toe_roll = FIRST_TOE_ROLL;
+            push.knee_toe_off = Boundary::new(FIRST_TOE_OFF.0, FIRST_TOE_OFF.1, 0.0);
         }
         _ => {}
     }
@@ -181,11 +183,11 @@ fn note_need(
     hip: impl Fn(f64) -> Vector3<f64>,
     need: &mut [f64],
 ) {
-    let shortest = 0.25 * (leg.thigh + leg.shank).powi(2);
+    let shortest = (LEAST_HEIGHT * (leg.thigh + leg.shank)).powi(2);
     let mut note = |v: f64, ankle: Vector3<f64>, knee: f64| {
         let d = hip(v) - ankle;
         let level = (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt();
-        let weight = laws.correction(episode.contact + v, episode.index).max(0.5);
+        let weight = laws.correction(episode.contact + v, episode.index).max(LEAST_WEIGHT);
         need[episode.index] = need[episode.index].max((d.y - level) / weight);
     };
     let spread = |from: f64, to: f64, count: i32| {
@@ -196,21 +198,22 @@ fn note_need(
     }
     let (flat, ankle) = (laws.style(episode.index).foot_flat, stance.flat_ankle());
     match episode.kind {
-        Kind::Step => spread(flat, stance.heel_off(), 12).for_each(|v| note(v, ankle, KNEE_FLAT)),
+        Kind::Step => spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, KNEE_FLAT)),
         Kind::Last => {
-            spread(flat, 0.42, 14).for_each(|v| note(v, ankle, KNEE_FLAT));
+            spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
             let knee = laws.numbers.knee_closing;
             if knee > 0.0 {
-                spread(0.44, 0.80, 10).for_each(|v| note(v, ankle, knee));
+                spread(CLOSING.0, CLOSING.1, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
             }
         }
-        Kind::First => spread(-0.6, 0.06, 12).for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
+        Kind::First => spread(STANDING_FROM, STANDING_HEEL_OFF, INSTANTS[3])
+            .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
     }
     let flexion = laws.style(episode.index).flexion;
     if flexion > 0.0 && episode.kind == Kind::Step {
-        let (passing, above) = above_flexion(leg, stance, flexion, (flat, stance.heel_off()), hip);
-        let weight = laws.correction(episode.contact + passing, episode.index).max(0.5);
+        let (midstance, above) = above_flexion(leg, stance, flexion, (flat, stance.heel_off()), hip);
+        let weight = laws.correction(episode.contact + midstance, episode.index).max(LEAST_WEIGHT);
         need[episode.index] = need[episode.index].max(above / weight);
     }
 }

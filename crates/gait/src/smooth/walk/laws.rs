@@ -1,8 +1,11 @@
-//! What is prescribed over a whole walk: height, load share and centre of pressure.
+//! The laws over a whole walk: height, load share and centre of pressure.
 
 use super::course::{Course, Episode, Kind, Step};
 use super::gaits::Gaits;
-use super::numbers::{SETTLE, WalkNumbers};
+use super::numbers::{
+    CORRECTION_IN, COUNTS_AHEAD, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
+    LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
+};
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
 use crate::body::rotations::Euler;
@@ -116,7 +119,7 @@ impl WalkLaws {
     pub(super) fn correction(&self, u: f64, k: usize) -> f64 {
         let at = self.numbers.correction_at;
         if k == 0 && u < at {
-            return step::quintic((u - self.course.begin) / 0.4).position;
+            return step::quintic((u - self.course.begin) / CORRECTION_IN).position;
         }
         let x = 2.0 * (u - 0.5 * k as f64 - at);
         if x < 0.0 { step::quintic(x + 1.0).position } else { 1.0 - step::quintic(x).position }
@@ -155,14 +158,14 @@ impl WalkLaws {
         let k = ((2.0 * u).floor().max(0.0) as usize).min(last);
         if k == 0 {
             let (begin, d) = (self.course.begin, self.style(0).double_support);
-            let from = begin + 0.45 * (d - begin);
+            let from = begin + LOAD_SHIFT_FROM * (d - begin);
             return if u < d { 0.5 + 0.5 * step::cubic((u - from) / (d - from)).position } else { 1.0 };
         }
         let v = u - k as f64 / 2.0;
         let risen = if k < last {
             laws::share_rise(self.style(k), v)
         } else {
-            0.5 * step::cubic(v / (0.75 * SETTLE)).position
+            0.5 * step::cubic(v / (LOAD_SETTLES * SETTLE)).position
         };
         if k % 2 == 1 { 1.0 - risen } else { risen }
     }
@@ -182,19 +185,22 @@ impl WalkLaws {
         let fraction = match episode.kind {
             Kind::Step => law(v),
             Kind::First => {
-                let (from, to) =
-                    if side == 0 { (course.begin, 0.30) } else { (toe_off - 0.26, toe_off - 0.06) };
+                let (from, to) = if side == 0 {
+                    (course.begin, STANDING_COP_UNTIL)
+                } else {
+                    (toe_off - FIRST_COP.0, toe_off - FIRST_COP.1)
+                };
                 if v < to { mix((v - from) / (to - from), standing, law(to)) } else { law(v) }
             }
             Kind::Last => {
-                let rolled = mix((v - flat) / 0.30, law(v.min(flat)), 0.60);
-                mix((v - 0.45) / (course.end - episode.contact - 0.45), rolled, standing)
+                let rolled = mix((v - flat) / LAST_COP_ROLL.0, law(v.min(flat)), LAST_COP_ROLL.1);
+                mix((v - LAST_COP_FROM) / (course.end - episode.contact - LAST_COP_FROM), rolled, standing)
             }
             Kind::Close => standing,
         };
         // A foot in the air counts for its next print shortly before it lands, where its share is zero.
         let next = (j + 1 < course.episode_count(side)).then(|| course.episode(side, j + 1));
-        let on = next.filter(|next| u >= next.contact - 0.15).unwrap_or(episode);
+        let on = next.filter(|next| u >= next.contact - COUNTS_AHEAD).unwrap_or(episode);
         let beside = self.style(on.index).step_width / 2.0;
         let at = Vector3::x() * beside + self.plane.forward * (fraction * self.foot_length);
         on.print.world(side, &at)
@@ -214,9 +220,9 @@ impl WalkLaws {
         let bump = |x: f64| step::bump(x).position;
         let towards_last = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         [
-            -bump((u - begin) / (d + 0.05 - begin)),
-            bump((f - 0.5 - 0.5 * e) / (0.5 + 0.55 * SETTLE - 0.5 * e)),
-            -bump((u - begin) / (d - begin - 0.02)) * first.step_width,
+            -bump((u - begin) / (d + FIRST_SHIFTS.0 - begin)),
+            bump((f - 0.5 - 0.5 * e) / (0.5 + LAST_SHIFT * SETTLE - 0.5 * e)),
+            -bump((u - begin) / (d - begin - FIRST_SHIFTS.1)) * first.step_width,
             -towards_last * bump((f - 1.0) / SETTLE) * last.step_width,
         ]
     }

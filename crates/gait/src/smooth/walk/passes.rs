@@ -2,7 +2,7 @@
 
 use super::feet::{Foot, Hip};
 use super::laws::{Amplitudes, WalkLaws};
-use super::numbers::CORRECTION;
+use super::numbers::{CORRECTION, KEPT_PASSES, RELAXATION};
 use super::solve::{Way, factor, rest_to_rest};
 use super::timeline::Timeline;
 use crate::body::Body;
@@ -154,13 +154,12 @@ impl Passes {
                 i => self.timeline.grid.first(i, |j| momentum.angular[j]),
             })
             .collect();
-        let relaxation = if pass < 3 { 0.5 } else { 0.8 };
+        let relaxation = if pass < RELAXATION.1 { RELAXATION.0 } else { RELAXATION.2 };
         for (old, new) in self.momentum_rate.iter_mut().zip(&rate) {
             *old += (new - *old) * relaxation;
         }
         self.offset = momentum.com;
-        // The last passes keep the heights, so that the rest can settle.
-        if pass >= 2 && pass + 4 < passes {
+        if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
             let (share, most, lower, upper) = CORRECTION;
             for (correction, need) in self.corrections.iter_mut().zip(&need) {
                 *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);

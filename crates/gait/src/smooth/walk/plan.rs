@@ -30,6 +30,8 @@ use solaris_profiles::UniformSpline;
 /// It rests a little before it begins and after it has ended. Left and right feet are 0 and 1. Of a walk of more than 42 steps
 /// of one pace the middle stride is planned once and repeated; *nodes* are those that were planned. The *clock* counts strides:
 /// a step lasts half a stride, whatever its pace.
+#[doc(alias = "gait")]
+#[doc(alias = "locomotion")]
 pub struct WalkPlan {
     pub(crate) body: Body,
     /// Of the walk that was planned.

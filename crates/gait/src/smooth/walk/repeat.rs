@@ -1,4 +1,4 @@
-//! A long walk is a shorter one whose middle stride is repeated.
+//! The repeated middle of a long walk, which is a shorter one with one stride walked again.
 //!
 //! What begins and ends a walk dies away along it: by 0.01 to 0.03 a stride, to 1e-11 of a metre after ten. A walk of more than
 //! [`LONGEST`] steps is planned with no more than these, and its middle stride is walked as often as is needed. The cost

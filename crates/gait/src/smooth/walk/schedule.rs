@@ -1,4 +1,4 @@
-//! When feet touch down and lift off, and which points are planted.
+//! The schedule of the feet: touch-downs, lift-offs, and which points are planted.
 
 use super::course::{Episode, Kind};
 use super::plan::WalkPlan;

@@ -7,10 +7,12 @@ use super::table::GaitTable;
 use super::timing::DoubleSupport;
 use super::{five, three};
 use crate::condition::{Condition, KeyParameter};
-use crate::error::GaitError;
+use crate::error::{GaitError, PostureError};
 
 /// How many determinants of gait a walk has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[doc(alias = "determinants of gait")]
+#[doc(alias = "saunders")]
 pub enum Determinants {
     /// Pelvic tilt, flexion of the stance knee, compass gait: chapter 7.
     Three,
@@ -84,7 +86,7 @@ impl Determinants {
     ) -> Result<Vec<f64>, GaitError> {
         Ok(match self {
             Self::Three => {
-                let refuse = |why| GaitError::Infeasible { determinants: self.word(), why: Box::new(why) };
+                let refuse = |why| PostureError::Infeasible { determinants: self.word(), why: Box::new(why) };
                 three::ThreeParameters::automatic(p, step_length).map_err(refuse)?.values().to_vec()
             }
             Self::Five => five::FiveParameters::automatic(p, step_frequency, step_length)?.values().to_vec(),
@@ -108,12 +110,12 @@ impl Determinants {
     ///
     /// # Errors
     ///
-    /// Values out of their ranges, and [`GaitError::Infeasible`] with the nearest feasible ones.
+    /// Values out of their ranges, and [`PostureError::Infeasible`] with the nearest feasible ones.
     pub fn solve(self, p: &Proportions, values: &[f64], speed: f64) -> Result<KeySolution, GaitError> {
         match self {
             Self::Three => {
                 let parameters = three::ThreeParameters::from_values(self.sized(values)?);
-                let refuse = |why| GaitError::Infeasible { determinants: self.word(), why: Box::new(why) };
+                let refuse = |why| PostureError::Infeasible { determinants: self.word(), why: Box::new(why) };
                 let angles = parameters.solve(p).map_err(refuse)?;
                 let arms = three::ArmCoefficients::default();
                 Ok(KeySolution {
@@ -142,8 +144,10 @@ impl Determinants {
     }
 
     fn sized<const N: usize>(self, values: &[f64]) -> Result<[f64; N], GaitError> {
-        let error =
-            || GaitError::ParameterCount { determinants: self.word(), found: values.len(), expected: N };
+        let error = || {
+            PostureError::ParameterCount { determinants: self.word(), found: values.len(), expected: N }
+                .into()
+        };
         values.try_into().map_err(|_| error())
     }
 }

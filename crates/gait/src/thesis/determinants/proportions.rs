@@ -75,7 +75,7 @@ impl Proportions {
     ///
     /// # Errors
     ///
-    /// A figure that cannot walk, see [`crate::lacks()`].
+    /// A figure that cannot walk, see [`crate::missing_for_walking()`].
     pub fn of(figure: &Figure) -> Result<Self, GaitError> {
         crate::body::missing::check(figure)?;
         let body = crate::body::Body::of(figure)?;

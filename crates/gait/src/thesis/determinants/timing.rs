@@ -1,4 +1,4 @@
-//! How long a step and its double support last, and how far it goes: the thesis's laws and measured ones.
+//! Laws of timing, the thesis's and measured ones: how long a step and its double support last, and how far it goes.
 
 /// Step length over height and step frequency in the thesis (min): `S = 0.004·H·sf`, (7.17). People's is
 /// [`crate::WALK_RATIO`].

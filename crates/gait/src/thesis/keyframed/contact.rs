@@ -1,6 +1,6 @@
-//! When the feet of a keyed walk touch down and lift off, and which points are planted.
+//! Touch-downs, lift-offs and planted points of a keyframed walk.
 
-use super::KeyedWalk;
+use super::KeyframedWalk;
 use super::foot::Free;
 use crate::body::roles::{FEET, TOES};
 use crate::thesis::determinants::Root;
@@ -24,7 +24,7 @@ fn touching(point: Root) -> &'static [(bool, SolePart)] {
     }
 }
 
-impl KeyedWalk {
+impl KeyframedWalk {
     /// The walk sampled `rate` times a second, with its events and planted points.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ impl KeyedWalk {
     }
 }
 
-impl Walking for KeyedWalk {
+impl Walking for KeyframedWalk {
     fn events(&self) -> Vec<Event> {
         Self::events(self)
     }

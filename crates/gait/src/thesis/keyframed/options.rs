@@ -1,4 +1,4 @@
-//! How a keyed walk is drawn.
+//! Options of a keyframed walk.
 
 /// How the pitches go from one posture to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,9 +10,9 @@ pub enum InBetween {
     Linear,
 }
 
-/// How a keyed walk is drawn.
+/// How a keyframed walk is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KeyedOptions {
+pub struct KeyframedOptions {
     /// What lies between two postures.
     pub in_between: InBetween,
     /// Distance of the feet's lines (m); the distance of the hips where none is given.
@@ -25,7 +25,7 @@ pub struct KeyedOptions {
     pub left_first: bool,
 }
 
-impl Default for KeyedOptions {
+impl Default for KeyframedOptions {
     fn default() -> Self {
         Self { in_between: InBetween::Rest, step_width: None, sway: 0.0, clearance: 0.015, left_first: false }
     }

@@ -1,7 +1,7 @@
 //! One phase: postures between two key postures, built up from the root.
 
 use super::foot::{Free, Lift, SAME_PLACE, SideLeg};
-use super::options::{InBetween, KeyedOptions};
+use super::options::{InBetween, KeyframedOptions};
 use crate::body::Body;
 use crate::body::foot::FootPlane;
 use crate::body::leg::LegPose;
@@ -35,7 +35,7 @@ pub(super) struct Phase {
 impl Phase {
     pub(super) fn new(
         p: &Proportions,
-        options: &KeyedOptions,
+        options: &KeyframedOptions,
         (start, duration): (f64, f64),
         stance: usize,
         heels: [f64; 2],
@@ -111,7 +111,7 @@ impl Phase {
         &self,
         body: &Body,
         p: &Proportions,
-        options: &KeyedOptions,
+        options: &KeyframedOptions,
         plane: &FootPlane,
         (t, sway): (f64, f64),
     ) -> Posture {

@@ -1,8 +1,8 @@
-//! What a keyed walk is asked to do, and its phases laid out in time and along the ground.
+//! The script of a keyframed walk, and its phases laid out in time and along the ground.
 
-use super::options::KeyedOptions;
+use super::options::KeyframedOptions;
 use super::phase::Phase;
-use crate::error::GaitError;
+use crate::error::{GaitError, PostureError, RequestError};
 use crate::thesis::determinants::{KeyPhase, KeyPosture, Proportions};
 use solaris_profiles::step;
 use std::f64::consts::PI;
@@ -30,10 +30,10 @@ pub struct KeyScript {
 }
 
 impl KeyScript {
-    pub(super) fn check(&self, options: &KeyedOptions, leg: f64) -> Result<(), GaitError> {
+    pub(super) fn check(&self, options: &KeyframedOptions, leg: f64) -> Result<(), GaitError> {
         let fits = |cycle: &ScriptCycle| cycle.phases.len() == cycle.parts.len() && !cycle.phases.is_empty();
         if self.steps == 0 || !self.cycles.iter().all(fits) {
-            return Err(GaitError::EmptyScript);
+            return Err(PostureError::EmptyScript.into());
         }
         let parts = self.cycles.iter().flat_map(|cycle| cycle.parts.iter().map(|part| ("part", *part)));
         let rest = [
@@ -45,7 +45,7 @@ impl KeyScript {
         let swings = [("sway", options.sway), ("clearance", options.clearance)];
         let bad = bad.or(swings.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)));
         if let Some((name, value)) = bad {
-            return Err(GaitError::ScriptNumber { name, value });
+            return Err(PostureError::ScriptNumber { name, value }.into());
         }
         let wide =
             [("sway", options.sway, 0.25 * leg), ("step width", options.step_width.unwrap_or(0.0), leg)];
@@ -53,7 +53,7 @@ impl KeyScript {
             Some((parameter, value, upper)) => {
                 let (lower, why) = (0.0, "; farther to the side no leg reaches its foot".to_owned());
                 let upper = (1e3 * upper).floor() / 1e3;
-                Err(GaitError::Range { parameter, value, unit: " m", lower, upper, why })
+                Err(RequestError::Range { parameter, value, unit: " m", lower, upper, why }.into())
             }
             None => Ok(()),
         }
@@ -66,7 +66,7 @@ impl KeyScript {
 pub(super) fn laid_out(
     p: &Proportions,
     script: &KeyScript,
-    options: &KeyedOptions,
+    options: &KeyframedOptions,
     start: f64,
 ) -> (Vec<Phase>, Vec<f64>) {
     let (mut phases, mut prints) = (Vec::new(), Vec::with_capacity(script.steps + 1));
@@ -108,7 +108,7 @@ pub(super) struct Sway {
 }
 
 impl Sway {
-    pub(super) fn new(options: &KeyedOptions, script: &KeyScript, phases: &[Phase]) -> Self {
+    pub(super) fn new(options: &KeyframedOptions, script: &KeyScript, phases: &[Phase]) -> Self {
         let (first, last) = (&phases[0], &phases[phases.len() - 1]);
         // The first after the starting cycle.
         let later = &phases[script.cycles[0].phases.len()..];

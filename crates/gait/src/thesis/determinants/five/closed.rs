@@ -4,7 +4,7 @@ use super::super::proportions::Proportions;
 use super::parameters::{FiveParameters, parameters_of};
 use super::sides::{angles, cosine};
 use crate::condition::{Condition, Infeasible};
-use crate::error::GaitError;
+use crate::error::{GaitError, PostureError};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// All angles (rad) of the four postures.
@@ -278,7 +278,7 @@ pub fn solve(p: &Proportions, parameters: &FiveParameters) -> Result<FiveAngles,
 }
 
 pub(super) fn infeasible(why: Infeasible) -> GaitError {
-    GaitError::Infeasible { determinants: "five", why: Box::new(why) }
+    PostureError::Infeasible { determinants: "five", why: Box::new(why) }.into()
 }
 
 /// ω of phase 2; none where the tip is out of reach.

@@ -1,4 +1,4 @@
-//! What postures of five determinants have to obey, and what is only remarked on.
+//! Conditions that postures of five determinants have to obey, and those that are only remarked on.
 
 use super::super::proportions::Proportions;
 use super::closed::{FiveAngles, build};

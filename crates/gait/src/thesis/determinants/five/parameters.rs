@@ -1,8 +1,8 @@
-//! What five determinants are asked with.
+//! The eight parameters of five determinants, with their ranges.
 
 use super::super::proportions::Proportions;
 use crate::condition::KeyParameter;
-use crate::error::GaitError;
+use crate::error::{GaitError, RequestError};
 
 /// The eight quantities that decide all others. Angles in rad, lengths in the unit of the [`Proportions`].
 ///
@@ -123,7 +123,7 @@ impl FiveParameters {
 
 fn out_of(parameter: &KeyParameter, value: f64) -> GaitError {
     let (lower, upper) = parameter.range;
-    GaitError::Range {
+    RequestError::Range {
         parameter: parameter.name,
         value,
         unit: parameter.unit,
@@ -131,6 +131,7 @@ fn out_of(parameter: &KeyParameter, value: f64) -> GaitError {
         upper,
         why: String::new(),
     }
+    .into()
 }
 
 /// # Errors
@@ -153,14 +154,15 @@ pub(super) fn check_proportions(p: &Proportions) -> Result<(), GaitError> {
         .or_else(|| others.iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0)));
     match amiss {
         None => Ok(()),
-        Some((name, value)) => Err(GaitError::Range {
+        Some((name, value)) => Err(RequestError::Range {
             parameter: name,
             value: *value,
             unit: " m",
             lower: 0.0,
             upper: f64::INFINITY,
             why: "; proportions are finite, and bones, foot and height longer than nothing".to_owned(),
-        }),
+        }
+        .into()),
     }
 }
 
@@ -177,5 +179,5 @@ pub(super) fn check_range(
     if (lower..=upper).contains(&value) {
         return Ok(());
     }
-    Err(GaitError::Range { parameter, value, unit, lower, upper, why: why.to_owned() })
+    Err(RequestError::Range { parameter, value, unit, lower, upper, why: why.to_owned() }.into())
 }

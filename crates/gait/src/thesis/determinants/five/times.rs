@@ -1,4 +1,4 @@
-//! How a step's time is shared by its phases.
+//! The durations of the phases: the parts of a step's time.
 
 use super::super::cycle::Cycle;
 use super::super::posture::KeyPosture;

@@ -1,4 +1,4 @@
-//! From the parameters to the angles of the postures, and what has to hold.
+//! The angles of the postures, from the parameters, and what has to hold.
 
 use super::chain::{LiftingLeg, alpha, lift_off_height, xi};
 use super::parameters::{ThreeParameters, parameters_of};

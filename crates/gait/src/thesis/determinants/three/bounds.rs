@@ -1,4 +1,4 @@
-//! What is feasible, as intervals.
+//! Bounds of what is feasible, as intervals.
 
 use super::chain::{
     LiftingLeg, alpha, flexion_for, foot_rise, largest_flexion, lift_off_height, stance_height,

@@ -1,4 +1,4 @@
-//! How long the phases last.
+//! The durations of the phases.
 
 use crate::thesis::determinants::{Cycle, DoubleSupport};
 

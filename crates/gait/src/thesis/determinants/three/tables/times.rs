@@ -1,4 +1,4 @@
-//! Table 7.5: how long the phases last.
+//! Table 7.5: the durations of the phases.
 
 use crate::thesis::determinants::three::times::{Division, parts_of_step};
 use crate::thesis::determinants::{Cell, Cycle, DoubleSupport, GaitTable};

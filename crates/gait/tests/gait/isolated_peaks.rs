@@ -2,19 +2,19 @@
 
 use solaris_gait::determinants::Determinants;
 use solaris_gait::{
-    InBetween, LoneForce, StyledPlan, StyledRequest, ThesisRequest, WalkRequest, lone_forces,
+    InBetween, IsolatedPeak, StyledPlan, StyledRequest, ThesisRequest, WalkRequest, isolated_peaks,
 };
 use solaris_model::human;
 
 const RATE: f64 = 120.0;
 
 /// Plans a walk and measures it.
-fn lone(request: &StyledRequest) -> (StyledPlan, Vec<LoneForce>) {
+fn isolated(request: &StyledRequest) -> (StyledPlan, Vec<IsolatedPeak>) {
     let figure = human(1.75, 73.0).expect("a person");
     let plan = StyledPlan::of(&figure, request).expect("it can be walked");
     let (motion, _) = plan.loaded(&figure, RATE).expect("its forces");
-    let lone = lone_forces(&motion).expect("it has forces");
-    (plan, lone)
+    let isolated = isolated_peaks(&motion).expect("it has forces");
+    (plan, isolated)
 }
 
 #[test]
@@ -26,20 +26,20 @@ fn single_samples_lie_where_postures_change() {
                 let step_frequency = Some(step_frequency);
                 let request =
                     ThesisRequest { determinants, in_between, step_frequency, ..ThesisRequest::default() };
-                let (plan, lone) = lone(&StyledRequest::Thesis(request));
+                let (plan, isolated) = isolated(&StyledRequest::Thesis(request));
                 let StyledPlan::Thesis(plan) = plan else { panic!("{case}: another style") };
                 // It begins to move a quarter of a step after it was told to.
                 let changes: Vec<f64> =
                     plan.walk.keys().map(|(time, _)| time).chain([0.25 * plan.walk.step_time()]).collect();
-                assert!(!lone.is_empty(), "{case}: no single sample");
-                for LoneForce { direction, peak, beside } in lone {
+                assert!(!isolated.is_empty(), "{case}: no single sample");
+                for IsolatedPeak { direction, peak, neighbour } in isolated {
                     let off = changes.iter().map(|t| (t - peak.time).abs()).fold(f64::INFINITY, f64::min);
                     assert!(
                         off < 1.0 / RATE,
                         "{case}: {direction} at {} s, {off} s from a change",
                         peak.time
                     );
-                    assert!(beside < 0.5 * peak.value, "{case}: {direction} {peak:?} {beside}");
+                    assert!(neighbour < 0.5 * peak.value, "{case}: {direction} {peak:?} {neighbour}");
                 }
             }
         }
@@ -48,6 +48,6 @@ fn single_samples_lie_where_postures_change() {
 
 #[test]
 fn a_smooth_walk_has_no_single_sample() {
-    let (_, lone) = lone(&StyledRequest::Smooth(WalkRequest::default()));
-    assert!(lone.is_empty(), "{lone:?}");
+    let (_, isolated) = isolated(&StyledRequest::Smooth(WalkRequest::default()));
+    assert!(isolated.is_empty(), "{isolated:?}");
 }

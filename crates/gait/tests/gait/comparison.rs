@@ -9,7 +9,7 @@ fn postures_are_compared_at_the_instants_that_they_are_of() {
     let figure = human(1.75, 73.0).expect("a person");
     let request = WalkRequest { extent: Extent::Steps(10), ..WalkRequest::default() };
     let plan = walk(&figure, &request).expect("it can be walked");
-    let five = plan.beside(Determinants::Five).expect("five determinants");
+    let five = plan.compare_postures(Determinants::Five).expect("five determinants");
     let [strike, lift_off, passing, stretch] = &five[..] else { panic!("{five:?}") };
     assert_eq!(
         [strike.name, lift_off.name, passing.name, stretch.name],
@@ -26,7 +26,7 @@ fn postures_are_compared_at_the_instants_that_they_are_of() {
     // The foot that strikes is toe up by the style's angle, and flat as it carries.
     assert!((strike.walk[0].foot + plan.style().heel_strike_angle).abs() < 2e-3);
     assert!(lift_off.walk[0].foot.abs() < 1e-6 && passing.walk[0].foot.abs() < 1e-6);
-    let three = plan.beside(Determinants::Three).expect("three determinants");
+    let three = plan.compare_postures(Determinants::Three).expect("three determinants");
     assert_eq!(three.len(), 2);
     assert!(
         three[1].time > three[0].time && five.iter().all(|b| b.deviations().iter().all(|d| d.abs() < 1.0))

@@ -1,6 +1,6 @@
 //! Walks with standing still in between.
 
-use solaris_gait::{Extent, FEET, Journey, Stage, WalkPart, WalkRequest, measure};
+use solaris_gait::{Extent, FEET, WalkPart, WalkRequest, WalkSegment, WalkSequence, measure};
 use solaris_model::{EventKind, Figure, Trajectory, human};
 use solaris_modes::ground_reactions;
 
@@ -17,28 +17,28 @@ fn walk(step_frequency: f64, steps: usize) -> WalkRequest {
 }
 
 /// Stands, walks round a corner, stands, takes a half step with the left foot, stops for an instant, and goes on faster.
-fn stages() -> [Stage; 6] {
+fn segments() -> [WalkSegment; 6] {
     let corner =
         WalkRequest { then: vec![WalkPart { steps: 3, turn: 0.3, ..WalkPart::default() }], ..walk(90.0, 3) };
     let half = WalkRequest { extent: Extent::Distance(0.3), left_first: true, ..walk(80.0, 1) };
     let on = WalkRequest { turn: -0.1, ..walk(110.0, 5) };
     [
-        Stage::Stand(0.7),
-        Stage::Walk(corner),
-        Stage::Stand(1.2),
-        Stage::Walk(half),
-        Stage::Walk(on),
-        Stage::Stand(0.4),
+        WalkSegment::Stand(0.7),
+        WalkSegment::Walk(corner),
+        WalkSegment::Stand(1.2),
+        WalkSegment::Walk(half),
+        WalkSegment::Walk(on),
+        WalkSegment::Stand(0.4),
     ]
 }
 
 #[test]
 fn stopping_and_starting_again_obeys_the_laws() {
     let figure = ann();
-    let journey = Journey::new(&figure, &stages()).expect("a journey");
-    let mut motion = journey.motion(&figure, 120.0).expect("sampled");
-    let report = ground_reactions(&figure, &mut motion, FEET, &journey).expect("forces");
-    let weight = journey.first().weight();
+    let sequence = WalkSequence::new(&figure, &segments()).expect("a sequence");
+    let mut motion = sequence.motion(&figure, 120.0).expect("sampled");
+    let report = ground_reactions(&figure, &mut motion, FEET, &sequence).expect("forces");
+    let weight = sequence.first().weight();
     assert!(report.from_prescribed.expect("prescribed").0 < 0.05 * weight);
     let walked = measure(&figure, &motion).expect("measured");
     assert!(walked.slide.value < 1e-6, "{}", walked.slide.value);
@@ -50,7 +50,7 @@ fn stopping_and_starting_again_obeys_the_laws() {
     assert!(motion.events.windows(2).all(|pair| pair[0].time <= pair[1].time));
     // While standing each foot bears half, and nothing moves.
     let stands = |time: f64| motion.time().iter().position(|&t| t >= time).expect("a frame");
-    let between = journey.first().duration() + 0.7;
+    let between = sequence.first().duration() + 0.7;
     for frame in [stands(0.3), stands(between + 0.6), motion.len() - 3] {
         for foot in FEET {
             let force = motion.contact(foot).expect("a foot").samples[frame].force;
@@ -71,42 +71,43 @@ fn stopping_and_starting_again_obeys_the_laws() {
 #[test]
 fn each_walk_begins_as_the_one_before_has_ended() {
     let figure = ann();
-    let journey = Journey::new(&figure, &stages()).expect("a journey");
+    let sequence = WalkSequence::new(&figure, &segments()).expect("a sequence");
     let nq = figure.layout().nq();
     let (mut before, mut after) = (vec![0.0; nq], vec![0.0; nq]);
     let mut end = 0.7;
-    for (walk, stand) in journey.walks().zip([1.2, 0.0, 0.4]) {
+    for (walk, stand) in sequence.walks().zip([1.2, 0.0, 0.4]) {
         end += walk.duration();
-        journey.configuration(end - 1e-9, &mut before);
-        journey.configuration(end + stand + 1e-9, &mut after);
+        sequence.configuration(end - 1e-9, &mut before);
+        sequence.configuration(end + stand + 1e-9, &mut after);
         let off = before.iter().zip(&after).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(off < 1e-6, "{end} s: {off}");
         end += stand;
     }
-    assert!((journey.duration() - end).abs() < 1e-12);
+    assert!((sequence.duration() - end).abs() < 1e-12);
     // Where it ends: headings add up, and prints lie on the way.
-    let (_, heading) = journey.destination();
+    let (_, heading) = sequence.destination();
     assert!((heading - (3.0 * 0.3 - 5.0 * 0.1)).abs() < 1e-12);
-    let first = journey.first().destination();
-    let second = journey.walks().nth(1).expect("a half step").destination();
+    let first = sequence.first().destination();
+    let second = sequence.walks().nth(1).expect("a half step").destination();
     assert!(((second.0 - first.0).norm() - 0.3).abs() < 1e-12);
 }
 
 #[test]
-fn what_is_no_journey_is_refused_with_its_stage() {
+fn what_is_no_sequence_is_refused_with_its_segment() {
     let figure = ann();
-    let refused = |stages: &[Stage]| Journey::new(&figure, stages).err().expect("a refusal").to_string();
+    let refused =
+        |segments: &[WalkSegment]| WalkSequence::new(&figure, segments).err().expect("a refusal").to_string();
     let splayed = WalkRequest { parameters: vec![("foot-yaw", 10.0)], ..walk(90.0, 2) };
     let answers = [
         refused(&[]),
-        refused(&[Stage::Stand(2.0)]),
-        refused(&[Stage::Walk(walk(90.0, 2)), Stage::Stand(f64::NAN)]),
-        refused(&[Stage::Stand(-1.0), Stage::Walk(walk(90.0, 2))]),
-        refused(&[Stage::Walk(walk(90.0, 2)), Stage::Walk(walk(20.0, 2))]),
-        refused(&[Stage::Walk(walk(90.0, 2)), Stage::Walk(splayed)]),
+        refused(&[WalkSegment::Stand(2.0)]),
+        refused(&[WalkSegment::Walk(walk(90.0, 2)), WalkSegment::Stand(f64::NAN)]),
+        refused(&[WalkSegment::Stand(-1.0), WalkSegment::Walk(walk(90.0, 2))]),
+        refused(&[WalkSegment::Walk(walk(90.0, 2)), WalkSegment::Walk(walk(20.0, 2))]),
+        refused(&[WalkSegment::Walk(walk(90.0, 2)), WalkSegment::Walk(splayed)]),
         refused(&[
-            Stage::Walk(WalkRequest { turn: 0.35, ..walk(100.0, 3) }),
-            Stage::Walk(WalkRequest { turn: 0.2, left_first: true, ..walk(100.0, 3) }),
+            WalkSegment::Walk(WalkRequest { turn: 0.35, ..walk(100.0, 3) }),
+            WalkSegment::Walk(WalkRequest { turn: 0.2, left_first: true, ..walk(100.0, 3) }),
         ]),
     ];
     insta::assert_snapshot!(answers.join("\n"));
