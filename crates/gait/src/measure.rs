@@ -3,10 +3,11 @@
 //! Nothing here knows the plan. The motion must carry its events, planted points, ground reactions and joint forces.
 
 mod bands;
-pub(crate) mod feet;
+mod feet;
 mod isolated;
-pub(crate) mod series;
-pub(crate) mod steady;
+pub(crate) mod peaks;
+mod series;
+mod steady;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
@@ -177,8 +178,15 @@ pub fn free_moment(motion: &Motion) -> Peak {
 }
 
 impl Peak {
+    /// Less than anything.
+    pub(crate) const NONE: Self = Self { value: f64::NEG_INFINITY, time: 0.0 };
+
     pub(crate) fn max(self, other: Self) -> Self {
         if other.value > self.value { other } else { self }
+    }
+
+    pub(crate) fn min(self, other: Self) -> Self {
+        if other.value < self.value { other } else { self }
     }
 }
 

@@ -104,12 +104,6 @@ impl<'a> Series<'a> {
         self.places[link].map(|place| self.poses[sample * self.posed + place].transform(point))
     }
 
-    /// The samples from one time to another.
-    pub(super) fn samples(&self, from: f64, to: f64) -> std::ops::Range<usize> {
-        let first = self.time.partition_point(|t| *t < from);
-        first..self.time.partition_point(|t| *t <= to).max(first)
-    }
-
     /// The greatest value and when; the first sample's where all are NaN.
     pub(super) fn greatest(&self, values: impl Iterator<Item = f64>) -> Peak {
         let mut peak = Peak { value: f64::NEG_INFINITY, time: self.time[0] };

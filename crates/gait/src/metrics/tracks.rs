@@ -2,6 +2,7 @@
 
 use super::Given;
 use crate::error::{GaitError, MeasureError};
+use crate::measure::window::samples_between;
 use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
 
@@ -84,8 +85,7 @@ impl<'a> Tracks<'a> {
     }
 
     /// The samples from one time to another, ends included.
-    pub(super) fn samples(&self, (from, to): (f64, f64)) -> std::ops::Range<usize> {
-        let first = self.time.partition_point(|t| *t < from);
-        first..self.time.partition_point(|t| *t <= to).max(first)
+    pub(super) fn samples(&self, span: (f64, f64)) -> std::ops::Range<usize> {
+        samples_between(self.time, span)
     }
 }
