@@ -61,13 +61,13 @@ impl WalkPlan {
             toes: pose.toes,
         };
         let double = style.double_support;
-        let passing = || crossing((u + double, u + 0.5), |u| leg.ankle_ahead_of_hip(&legs(u)[0]));
+        let midstance = || crossing((u + double, u + 0.5), |u| leg.ankle_ahead_of_hip(&legs(u)[0]));
         let stretch = || crossing((u + 0.28, u + 0.5), |u| pitches(&legs(u)[1]).shank);
         let [_, intermediate, _] = &solution.cycles;
         let all = intermediate.iter().map(|phase| {
             let at = match (determinants, phase.number) {
                 (Determinants::Five, 2) => u + double,
-                (Determinants::Five, 3) | (Determinants::Three, 1) => passing(),
+                (Determinants::Five, 3) | (Determinants::Three, 1) => midstance(),
                 (Determinants::Five, 4) => stretch(),
                 // The stride of three determinants ends a step, with the parts of the legs as they were in it.
                 (Determinants::Three, _) => u + 0.5,

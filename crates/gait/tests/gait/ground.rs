@@ -3,7 +3,7 @@
 use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
 use solaris_model::{Figure, Motion, human};
 use solaris_modes::ground::{
-    GroundForces, GroundOptions, Split, Stances, ground_forces, soles, stances_of_planted,
+    GroundForces, GroundOptions, Split, StanceOptions, Stances, ground_forces, soles, stances_of_planted,
 };
 use solaris_modes::{Completed, InverseOptions, ground_reactions, inverse_motion};
 
@@ -110,23 +110,46 @@ fn what_is_found_carries_the_walk() {
     }
 }
 
-/// Planned feet come down softly, so the moment at which they stand is a matter of what counts as standing.
-#[test]
-fn stances_are_found_where_they_were_planned() {
-    for frequency in [80.0, 95.0, 110.0, 118.0] {
-        let walked = walked(frequency, 6);
-        let found = walked.ground(Split::Pivot, None).stances;
-        assert_eq!((found.belt.norm(), found.level.abs() < 1e-6), (0.0, true));
-        assert_eq!(found.list.len(), walked.planted.list.len());
-        let mut range = [(0.0_f64, 0.0_f64); 2];
-        for (a, b) in found.list.iter().zip(&walked.planted.list) {
-            assert_eq!(a.foot, b.foot);
-            for (range, late) in range.iter_mut().zip([a.start - b.start, a.end - b.end]) {
-                *range = (range.0.min(late), range.1.max(late));
-            }
+/// How early and how late (ms) stances begin and end that are found with these options, against the planned ones.
+fn lateness(walked: &Walked, stance: StanceOptions) -> [(f64, f64); 2] {
+    let options = GroundOptions { stance, ..GroundOptions::default() };
+    let (soles, gravity) = (soles(&walked.figure), walked.motion.info.gravity);
+    let found =
+        ground_forces(&walked.figure, gravity, &walked.states, &soles, &options).expect("forces").stances;
+    assert_eq!((found.belt.norm(), found.level.abs() < 1e-6), (0.0, true));
+    assert_eq!(found.list.len(), walked.planted.list.len());
+    let mut range = [(0.0_f64, 0.0_f64); 2];
+    for (a, b) in found.list.iter().zip(&walked.planted.list) {
+        assert_eq!(a.foot, b.foot);
+        for (range, late) in range.iter_mut().zip([a.start - b.start, a.end - b.end]) {
+            *range = (range.0.min(1e3 * late), range.1.max(1e3 * late));
         }
-        let [start, end] = range.map(|(early, late)| (1e3 * early, 1e3 * late));
+    }
+    range
+}
+
+/// A planned motion has no noise, so what is on the ground hardly moves: 2 mm and 0.05 m/s tell it from what only comes near. It is
+/// 22 ms for the foot that closes, which is set down from straight above, and 11 ms for all others.
+#[test]
+fn stances_are_found_within_30_ms_of_the_planned_ones() {
+    for frequency in [80.0, 95.0, 110.0, 118.0] {
+        let still = StanceOptions { height: 0.002, speed: 0.05, ..StanceOptions::default() };
+        let [start, end] = lateness(&walked(frequency, 6), still);
         say(&format!("{frequency}: feet come {start:.0?} ms late, leave {end:.0?} ms late"));
-        assert!(start.0 > -150.0 && start.1 < 10.0 && end.0 > -10.0 && end.1 < 60.0, "{start:?} {end:?}");
+        for (early, late) in [start, end] {
+            assert!(early > -30.0 && late < 30.0, "{frequency}: {start:?} {end:?}");
+        }
+    }
+}
+
+/// As shipped, 0.5 m/s counts as standing, for motions of markers and of animators have noise and slide. A planned heel comes down
+/// softly: it is slower than that up to 103 ms before it lands; a tip is for as much as 47 ms after it has left.
+#[test]
+fn as_shipped_stances_begin_early_by_the_time_that_a_foot_comes_down_slowly() {
+    for frequency in [80.0, 95.0, 110.0, 118.0] {
+        let [start, end] = lateness(&walked(frequency, 6), StanceOptions::default());
+        say(&format!("{frequency}: feet come {start:.0?} ms late, leave {end:.0?} ms late"));
+        assert!(start.0 > -110.0 && start.1 < 1.0, "{frequency}: {start:?}");
+        assert!(end.0 > -1.0 && end.1 < 50.0, "{frequency}: {end:?}");
     }
 }

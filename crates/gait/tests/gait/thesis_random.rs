@@ -112,7 +112,7 @@ fn what_can_be_walked_obeys_and_what_cannot_answers() {
 
 /// `cargo xtask gaits`.
 #[test]
-#[ignore = "minutes"]
+#[ignore = "long: cargo xtask nightly"]
 fn a_million_requests_are_walked_or_answered() {
     let (walked, refused) = tried(1_000_000, 2);
     println!("{walked} walked, {refused} refused");

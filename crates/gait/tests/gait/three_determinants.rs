@@ -191,7 +191,7 @@ fn the_closed_form_is_what_samples_find() {
 }
 
 #[test]
-#[ignore = "the same at all 10 260 points: some seconds"]
+#[ignore = "long: cargo xtask nightly"]
 fn the_closed_form_is_what_samples_find_everywhere() {
     assert_eq!(closed_form_against_samples(9001, 1), 0);
 }

@@ -28,8 +28,12 @@ fn cases() -> Vec<(String, Proportions, ThreeParameters, ThreeAngles)> {
     cases
 }
 
+/// What is the same but for rounding, in rad and in lengths of a leg of about 1: some thousand roundings of 2e-16.
+const ROUNDING: f64 = 1e-12;
+
+#[track_caller]
 fn near(a: f64, b: f64, what: &str) {
-    assert!((a - b).abs() < 1e-12, "{what}: {a} and {b}");
+    assert!((a - b).abs() < ROUNDING, "{what}: {a} and {b}");
 }
 
 fn same_posture(a: &KeyPosture, b: &KeyPosture, what: &str) {

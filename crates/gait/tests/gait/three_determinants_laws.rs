@@ -58,7 +58,7 @@ fn random_parameters_are_feasible_or_refused_with_what_is_nearest() {
                 start_lift_off: random.between(-0.1, 1.7),
                 lift_off: random.between(-0.1, 1.7),
             };
-            // Every other one is near what is feasible.
+            // Every other one is within 5 % of what is feasible.
             let chosen = ThreeParameters::automatic(&p, anywhere.step_length).ok().filter(|_| i % 2 == 0);
             let parameters = chosen.map_or(anywhere, |chosen| {
                 let near = chosen.values().map(|value| value * random.between(0.95, 1.05));
