@@ -1,6 +1,7 @@
 //! The parameters of a style that a user may set, each with its unit, range and default.
 
 use crate::error::RequestError;
+use crate::request::pace;
 use crate::smooth::style::Style;
 
 /// In what a parameter is written by people.
@@ -178,11 +179,7 @@ impl Parameter {
     ///
     /// A value out of range.
     pub fn set(&self, style: &mut Style, value: f64) -> Result<(), RequestError> {
-        let (lower, upper) = self.range;
-        if !(lower..=upper).contains(&value) {
-            let (parameter, unit) = (self.name, self.unit.symbol());
-            return Err(RequestError::Range { parameter, value, unit, lower, upper, why: String::new() });
-        }
+        pace::range(self.name, value, self.unit.symbol(), self.range, String::new)?;
         *(self.place)(style) = self.unit.to_si(value);
         Ok(())
     }

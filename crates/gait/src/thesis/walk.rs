@@ -168,7 +168,13 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
         Extent::Steps(steps) => steps,
         Extent::Distance(distance) => {
             let (frequency, longest) = settled(&request, &proportions)?;
-            range("distance", distance, " m", (SHORTEST_DISTANCE, STEPS.1 as f64 * longest))?;
+            pace::range(
+                "distance",
+                distance,
+                " m",
+                (SHORTEST_DISTANCE, STEPS.1 as f64 * longest),
+                String::new,
+            )?;
             let steps = ((distance / longest - 1e-9).ceil() as usize).max(1);
             (request.step_frequency, request.speed) = (Some(frequency), None);
             request.parameters.retain(|(name, _)| *name != STEP_LENGTH);
@@ -176,7 +182,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
             steps
         }
     };
-    range("steps", steps as f64, "", (STEPS.0 as f64, STEPS.1 as f64))?;
+    pace::range("steps", steps as f64, "", (STEPS.0 as f64, STEPS.1 as f64), String::new)?;
     let choice = KeyChoice::of(&proportions, &request)?;
     let KeyChoice { step_frequency, step_length, ref values } = choice;
     let speed = step_length * step_frequency / 60.0;
@@ -240,7 +246,7 @@ fn settled(request: &ThesisRequest, p: &Proportions) -> Result<(f64, f64), GaitE
     let (frequency, length, speed) =
         (request.step_frequency, parameter.or(request.step_length), request.speed);
     if let Some(length) = length {
-        range("step length", length, " m", (1e-3 * p.height, 3.0 * p.height))?;
+        pace::range("step length", length, " m", (1e-3 * p.height, 3.0 * p.height), String::new)?;
     }
     if let Some(value) = speed {
         let (lower, upper) = speeds(p);
@@ -251,7 +257,7 @@ fn settled(request: &ThesisRequest, p: &Proportions) -> Result<(f64, f64), GaitE
         }
     }
     let (frequency, length) = pace::settle(frequency, length, speed, THESIS_WALK_RATIO * p.height)?;
-    range("step frequency", frequency, " steps/min", THESIS_STEP_FREQUENCY)?;
+    pace::range("step frequency", frequency, " steps/min", THESIS_STEP_FREQUENCY, String::new)?;
     Ok((frequency, length))
 }
 
@@ -260,17 +266,4 @@ fn settled(request: &ThesisRequest, p: &Proportions) -> Result<(f64, f64), GaitE
 fn speeds(p: &Proportions) -> (f64, f64) {
     let scale = (p.height * p.unit / USUAL_HEIGHT).sqrt() / p.unit;
     (1e-3 * USUAL_HEIGHT * scale, 3.0 * USUAL_HEIGHT * scale)
-}
-
-fn range(
-    parameter: &'static str,
-    value: f64,
-    unit: &'static str,
-    (lower, upper): (f64, f64),
-) -> Result<(), GaitError> {
-    if (lower..=upper).contains(&value) {
-        Ok(())
-    } else {
-        Err(RequestError::Range { parameter, value, unit, lower, upper, why: String::new() }.into())
-    }
 }

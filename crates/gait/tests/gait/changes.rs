@@ -1,5 +1,4 @@
 //! Walks that change on the way: pace, step length, direction.
-#![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 use solaris_gait::{Extent, FEET, FRICTION, GaitError, WalkPart, WalkPlan, WalkRequest, measure, walk};
 use solaris_model::{EventKind, Figure, Trajectory, Vector3, human};

@@ -1,5 +1,4 @@
 //! Random walks that change on the way: what is not refused obeys the laws.
-#![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 use solaris_gait::{
     Extent, FEET, FRICTION, GaitError, PlanError, WALK_RATIO, WalkPart, WalkRequest, measure, walk,

@@ -1,5 +1,4 @@
 //! The stride against the golden numbers of the recipe.
-#![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 use crate::golden::{Differences, golden, golden_figure, number, recipe_table, vector};
 use serde_json::Value;

@@ -1,4 +1,5 @@
 //! What walks are held against: closed forms, golden numbers, the thesis's tables, and laws that every walk keeps.
+#![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 mod changes;
 mod changes_random;

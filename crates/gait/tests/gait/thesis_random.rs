@@ -1,5 +1,4 @@
 //! Walks in the thesis's style with random parameters: what is feasible obeys all laws, what is not answers.
-#![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 use crate::posed::Posed;
 use nalgebra::Vector3;

@@ -3,14 +3,15 @@
 //! Near the two ends of stance the knee is a law and the pitch of the foot is solved, never the reverse: there the leg is
 //! nearly straight, and a small error in the foot would be a large one in the knee.
 
+use super::jet::{LegJet, jets};
 use super::numbers::{
     JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_KNEE_TOE_OFF, MOST_WIDTHS, PUSH_ATTEMPTS,
-    PUSH_CHECKED, PUSH_INSTANTS, PUSH_WAYPOINT_AT, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN,
-    TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
+    PUSH_CHECKED, PUSH_INSTANTS, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN, TOES_BEYOND,
+    WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
 };
+use super::push::Push;
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose};
-use crate::smooth::grid::{FIRST, SECOND};
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic};
@@ -22,52 +23,6 @@ pub(crate) enum Landing {
     Heel,
     /// It stands flat already.
     Flat,
-}
-
-/// When and how the push-off happens; the stride's own, but for the first step of a walk.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Push {
-    /// When the heel rises, on the foot's own clock.
-    pub(crate) heel_off: f64,
-    /// A waypoint of the knee: when and how much.
-    pub(crate) waypoint: Option<(f64, f64)>,
-    /// When the roll over the tip begins.
-    pub(crate) tip_roll_at: f64,
-    /// Pitch of the toes at toe-off.
-    pub(crate) toe_roll: f64,
-    /// Knee at toe-off: value, rate, second derivative by the foot's clock.
-    pub(crate) knee_toe_off: Boundary,
-}
-
-impl Push {
-    pub(crate) fn of(style: &Style) -> Self {
-        Self {
-            heel_off: style.heel_off,
-            waypoint: Some((PUSH_WAYPOINT_AT, style.knee_push)),
-            tip_roll_at: style.tip_roll_at(),
-            toe_roll: style.toe_roll,
-            knee_toe_off: Boundary::new(style.knee_toe_off, style.knee_toe_off_rate, style.knee_toe_off_acc),
-        }
-    }
-}
-
-/// A leg's five angles with their first two derivatives by the foot's clock.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct LegJet {
-    pub(crate) side: Boundary,
-    pub(crate) thigh: Boundary,
-    pub(crate) knee: Boundary,
-    pub(crate) pitch: Boundary,
-    pub(crate) toes: Boundary,
-}
-
-impl LegJet {
-    /// The angles.
-    pub(crate) fn pose(&self) -> LegPose {
-        let [side, thigh, knee, pitch, toes] =
-            [self.side, self.thigh, self.knee, self.pitch, self.toes].map(|jet| jet.position);
-        LegPose { side, thigh, knee, pitch, toes }
-    }
 }
 
 /// The left foot on the ground; its print's heel stands at z = 0 (the right foot's world is mirrored).
@@ -323,13 +278,4 @@ impl Stance {
         let pitch = self.leg.pitch_about_ball(self.plane.split(&(hip - self.ball(u))), knee).max(0.0);
         (self.ankle_on_ball(u, pitch), pitch)
     }
-}
-
-/// Values and first two derivatives of several functions at once, from seven points.
-fn jets<const D: usize>(u: f64, h: f64, f: impl Fn(f64) -> [f64; D]) -> [Boundary; D] {
-    let values: [[f64; D]; 7] = std::array::from_fn(|i| f(u + h * (i as f64 - 3.0)));
-    std::array::from_fn(|d| {
-        let sum = |weights: &[f64; 7]| (0..7).map(|i| weights[i] * values[i][d]).sum::<f64>();
-        Boundary::new(values[3][d], sum(&FIRST) / (60.0 * h), sum(&SECOND) / (180.0 * h * h))
-    })
 }

@@ -1,11 +1,11 @@
 //! One foot in the air: joint splines between the end of one stance and the begin of the next.
 
+use super::jet::LegJet;
 use super::numbers::{
     ANKLE_AT, BUMP_REACH, CLEAR_FROM, CLEAR_UNTIL, CLOSING_ANKLE, CLOSING_KNEE_LATER, CLOSING_THIGH_AT,
     EARLY, EARLY_ENDS, ENDS_KEPT, LACK, LANDING, LATE_ENDS, LATE_FROM, LATE_KNEE_AT, LEAST_PART, MOST_BUMPS,
     OUTWARD, STRAIGHTENED, THIGH_AT, TOES_STRAIGHT_AT,
 };
-use super::stance::LegJet;
 use crate::body::leg::{LegGeometry, LegPose};
 use crate::smooth::style::Style;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, step};

@@ -9,8 +9,10 @@ use super::numbers::{
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
+use crate::smooth::limbs::jet::LegJet;
 use crate::smooth::limbs::midstance::above_flexion;
-use crate::smooth::limbs::stance::{Landing, LegJet, Push, Stance};
+use crate::smooth::limbs::push::Push;
+use crate::smooth::limbs::stance::{Landing, Stance};
 use crate::smooth::limbs::swing::{Aim, Swing, sideways};
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, ProfileError, UniformSpline};

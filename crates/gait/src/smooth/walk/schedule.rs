@@ -4,8 +4,7 @@ use super::course::{Episode, Kind};
 use super::plan::WalkPlan;
 use crate::body::roles::{FEET, TOES};
 use crate::smooth::style::Style;
-use crate::walking::G;
-use crate::walking::Walking;
+use crate::walking::{G, Walking, annotate};
 use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory};
 use solaris_modes::{ReactionError, Support, SupportLaw, balance_momentum};
 
@@ -109,13 +108,7 @@ pub(crate) fn sampled(
     let info = MotionInfo { fingerprint, ..MotionInfo::on_earth(figure, rate) };
     let mut motion = Motion::sample(figure, walk, info)?;
     balance_momentum(figure, walk, &mut motion)?;
-    motion.events = walk.events();
-    motion.planted = walk.planted(figure);
-    // The last frame lies at or after the end, and the feet still stand.
-    let (end, last) = (walk.duration(), motion.time()[motion.len() - 1]);
-    for planted in motion.planted.iter_mut().filter(|planted| planted.end >= end) {
-        planted.end = last;
-    }
+    annotate(&mut motion, walk, figure);
     Ok(motion)
 }
 

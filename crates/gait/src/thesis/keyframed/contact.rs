@@ -4,7 +4,7 @@ use super::KeyframedWalk;
 use super::foot::Free;
 use crate::body::roles::{FEET, TOES};
 use crate::thesis::determinants::Root;
-use crate::walking::Walking;
+use crate::walking::{Walking, annotate};
 use solaris_model::{
     Event, EventKind, Figure, Interval, Motion, MotionError, MotionInfo, SolePart, Trajectory as _,
 };
@@ -33,13 +33,7 @@ impl KeyframedWalk {
     pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, MotionError> {
         let info = MotionInfo { fingerprint: self.body.fingerprint, ..MotionInfo::on_earth(figure, rate) };
         let mut motion = Motion::sample(figure, self, info)?;
-        motion.events = self.events();
-        motion.planted = self.planted(figure);
-        // The last frame lies at or after the end, and the feet still stand.
-        let (end, last) = (self.duration(), motion.time()[motion.len() - 1]);
-        for planted in motion.planted.iter_mut().filter(|planted| planted.end >= end) {
-            planted.end = last;
-        }
+        annotate(&mut motion, self, figure);
         Ok(motion)
     }
 
