@@ -2,7 +2,7 @@
 
 use crate::underline;
 use clap::ArgMatches;
-use solaris::gait::GaitError;
+use solaris::gait::{GaitError, RequestError};
 use solaris::model::{HumanError, TextError};
 use solaris::profiles::ProfileError;
 use std::io::Write;
@@ -69,10 +69,10 @@ impl CliError {
     /// A walk that cannot be.
     pub(crate) fn of_gait(error: GaitError, matches: &ArgMatches) -> Self {
         match &error {
-            GaitError::Range { parameter, value, unit, .. }
-            | GaitError::StepLength { parameter, value, unit, .. } => {
-                Self::of_value(parameter, *value, unit.trim(), &error, matches)
-            }
+            GaitError::Request(
+                RequestError::Range { parameter, value, unit, .. }
+                | RequestError::StepLength { parameter, value, unit, .. },
+            ) => Self::of_value(parameter, *value, unit.trim(), &error, matches),
             _ => Self::other(error),
         }
     }

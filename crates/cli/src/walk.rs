@@ -20,7 +20,7 @@ use planned::Planned;
 use report::Report;
 pub(crate) use request::request;
 use request::{looped, number, out_of_range};
-use solaris::gait::{lacks, lone_forces, measure};
+use solaris::gait::{isolated_peaks, measure, missing_for_walking};
 use solaris::model::{Figure, Motion, human};
 use solaris::view::{PageOptions, page};
 use std::io::Write;
@@ -62,7 +62,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let planned = Planned::of(&figure, &request, looped(matches), rate, &progress, matches)?;
     progress.stage("measuring");
     let measures = measure(&figure, &planned.motion).map_err(CliError::other)?;
-    let lone = lone_forces(&planned.motion).map_err(CliError::other)?;
+    let lone = isolated_peaks(&planned.motion).map_err(CliError::other)?;
     let limbs = Limbs::of(&figure, &planned.motion)?;
     let motion = planned.motion.clone();
     let report = Report::new(figure.mass(), planned, &measures, &lone, limbs);
@@ -81,7 +81,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
 pub(crate) fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
     if let Some(path) = matches.get_one::<PathBuf>("figure") {
         let figure = input::body(path)?.figure;
-        let lacks = lacks(&figure);
+        let lacks = missing_for_walking(&figure);
         return if lacks.is_empty() {
             Ok(figure)
         } else {

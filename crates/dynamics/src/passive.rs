@@ -1,7 +1,7 @@
 //! Springs, dampers and dry friction in the joints.
 
 use solaris_model::{Figure, JointKind, Passive};
-use solaris_profiles::Elementary;
+use solaris_scalar::Elementary;
 use std::f64::consts::FRAC_PI_2;
 
 /// Adds to `tau` (N m or N, length `nv`) what a motion needs against the springs, dampers and friction of the joints.
@@ -98,7 +98,7 @@ mod tests {
     use super::rotation_vector;
     use approx::assert_relative_eq;
     use solaris_model::{UnitQuaternion, Vector3};
-    use solaris_profiles::Dual;
+    use solaris_scalar::Dual;
 
     #[test]
     fn a_rotation_vector_is_found_again() {

@@ -1,67 +1,54 @@
 #![doc = include_str!("../README.md")]
+//!
+//! # Inside
+//!
+//! Each folder uses those before it alone, and of two modules in a folder one at most uses the other (`tests/gait/layers.rs`
+//! reads the line below and the sources):
+//!
+//! ```text
+//! condition < error < body < request < walking < measure < metrics < thesis < smooth < comparison < styled < people < sweep
+//! ```
+//!
+//! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
+//! - `body`: the figure by roles, its legs and feet, postures as coordinates. `request`: what may be asked. `walking`: what every
+//!   walk is, whoever plans it.
+//! - `measure`, `metrics`: numbers of a finished walk of ours, and of any motion of any figure with feet.
+//! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
+//! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
+//! - `comparison`, `styled`, `people`, `sweep`: what needs both walkers or all of this.
 
-mod beside;
 mod body;
-pub mod determinants;
+mod comparison;
+mod condition;
 mod error;
-mod foot;
-mod grid;
-mod journey;
-mod judge;
-mod keyed;
-mod lacks;
-mod laws;
-mod leg;
-mod legs;
-mod map;
 mod measure;
 pub mod metrics;
-mod momentum;
-mod pace;
-mod parameter;
-mod parts;
-mod passing;
 pub mod people;
-mod posture;
-mod prescribed;
 mod request;
-mod route;
-mod stance;
-mod stick;
-mod stride;
-mod stride_loop;
-mod style;
+mod smooth;
 mod styled;
 pub mod sweep;
-mod swing;
 mod thesis;
-mod upper;
-mod walk;
-mod walker;
+mod walking;
 
-pub use beside::Beside;
-pub use error::GaitError;
-pub use journey::{Journey, LONGEST_STAND, Stage};
-pub use judge::FRICTION;
-pub use keyed::{InBetween, KeyScript, KeyedOptions, KeyedWalk, ScriptCycle};
-pub use lacks::lacks;
-pub use leg::LegGeometry;
-pub use map::{Edge, FeasibleMap, MapCondition};
+pub use body::{FEET, LegGeometry, missing_for_walking};
+pub use comparison::PostureComparison;
+pub use error::{BodyError, GaitError, MapError, MeasureError, PlanError, PostureError, RequestError};
 pub use measure::{
-    Band, BandCheck, JointPeaks, LoneForce, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS, WalkMeasures,
-    check_bands, free_moment, lone_forces, measure, measure_stride,
+    Band, BandCheck, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS,
+    WalkMeasures, check_bands, free_moment, isolated_peaks, measure, measure_stride,
 };
-pub use pace::DEFAULT_STEP_FREQUENCY;
-pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use request::{
-    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkPart,
-    WalkRequest,
+    CHANGING_STEPS, DEFAULT_STEP_FREQUENCY, Extent, Resolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
+    TURN, TURN_IN_ALL, WALK_RATIO, WalkPart, WalkRequest,
 };
-pub use stick::stick_figures;
-pub use stride::{Resolution, StridePlan};
-pub use stride_loop::{StrideLoop, Walking, on_the_spot};
-pub use style::{Style, StyleTable, WALK_RATIO};
+pub use smooth::{
+    FRICTION, LONGEST_STAND, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Unit, WalkNumbers,
+    WalkPlan, WalkSegment, WalkSequence, walk,
+};
 pub use styled::{StyledPlan, StyledRequest, WalkForces};
-pub use thesis::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
-pub use walk::{FEET, WalkNumbers, WalkPlan};
-pub use walker::walk;
+pub use thesis::{
+    Edge, FeasibleMap, InBetween, KeyChoice, KeyScript, KeyframedOptions, KeyframedWalk, MapCondition,
+    ScriptCycle, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, determinants, stick_figures, thesis_walk,
+};
+pub use walking::{StrideLoop, Walking, on_the_spot};

@@ -1,20 +1,21 @@
-//! What a walk came to: numbers of a finished motion, found from the motion alone.
+//! Measures of a walk: numbers of a finished motion, found from the motion alone.
 //!
 //! Nothing here knows the plan. The motion must carry its events, planted points, ground reactions and joint forces.
 
 mod bands;
-pub(crate) mod feet;
-mod lone;
-pub(crate) mod series;
-pub(crate) mod steady;
+mod feet;
+mod isolated;
+pub(crate) mod peaks;
+mod series;
+mod steady;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
-pub use lone::{LoneForce, lone_forces};
+pub use isolated::{IsolatedPeak, isolated_peaks};
 pub use steady::SteadyStride;
 
+use crate::body::FEET;
 use crate::error::GaitError;
-use crate::walk::FEET;
 use series::Series;
 use solaris_model::{EventKind, Figure, Motion};
 
@@ -44,6 +45,8 @@ pub struct JointPeaks {
 
 /// The numbers of a walk.
 #[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "spatiotemporal parameters")]
+#[doc(alias = "gait parameters")]
 pub struct WalkMeasures {
     /// Steps, without the closing one.
     pub steps: usize,
@@ -52,10 +55,16 @@ pub struct WalkMeasures {
     /// How long it lasts (s).
     pub duration: f64,
     /// Each double support between steps, in % of the stride time at it.
+    #[doc(alias = "double support")]
+    #[doc(alias = "dual support")]
     pub double_supports: Vec<f64>,
     /// Greatest vertical force on one foot (% of body weight).
+    #[doc(alias = "grf")]
+    #[doc(alias = "vgrf")]
+    #[doc(alias = "ground reaction force")]
     pub vertical: Peak,
     /// Greatest braking and pushing force on one foot (% of body weight).
+    #[doc(alias = "grf")]
     pub braking: Peak,
     /// See `braking`.
     pub pushing: Peak,
@@ -64,12 +73,20 @@ pub struct WalkMeasures {
     /// Greatest friction ratio of one foot that bears more than 5 % of the weight.
     pub foot_friction: Peak,
     /// Greatest distance that a planted point moves (m).
+    #[doc(alias = "foot skate")]
+    #[doc(alias = "foot sliding")]
     pub slide: Peak,
     /// Greatest depth of a point of the soles below the ground (m).
     pub sink: Peak,
     /// Least height of the toes' tip in mid-swing (m).
+    #[doc(alias = "toe clearance")]
+    #[doc(alias = "foot clearance")]
+    #[doc(alias = "mtc")]
     pub clearance: Peak,
     /// Greatest distance of a centre of pressure outside the part of the foot that touches the ground (m).
+    #[doc(alias = "cop")]
+    #[doc(alias = "centre of pressure")]
+    #[doc(alias = "center of pressure")]
     pub cop_outside: Peak,
     /// Least knee flexion (rad); negative is hyperextended.
     pub least_knee: Peak,
@@ -146,6 +163,8 @@ pub(crate) const SAME_TIME: f64 = 1e-9;
 /// ```text
 /// T = n·(M − p × F)
 /// ```
+#[doc(alias = "vertical torque")]
+#[doc(alias = "tz")]
 pub fn free_moment(motion: &Motion) -> Peak {
     let up = -motion.info.gravity.normalize();
     let mut worst = Peak { value: 0.0, time: 0.0 };
@@ -159,8 +178,15 @@ pub fn free_moment(motion: &Motion) -> Peak {
 }
 
 impl Peak {
+    /// Less than anything.
+    pub(crate) const NONE: Self = Self { value: f64::NEG_INFINITY, time: 0.0 };
+
     pub(crate) fn max(self, other: Self) -> Self {
         if other.value > self.value { other } else { self }
+    }
+
+    pub(crate) fn min(self, other: Self) -> Self {
+        if other.value < self.value { other } else { self }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Numbers of any motion of any figure with feet: how its feet treat the ground, how it steps, how smooth it is.
+//! Metrics of any motion of any figure with feet: how its feet treat the ground, how it steps, how smooth it is.
 //!
 //! Unlike [`measure`](crate::measure()) nothing here knows whose motion it is: neither the walker's links nor its angles are
 //! asked for, and forces may be missing. What has no meaning for a motion says why ([`NoValue`]).
@@ -138,6 +138,10 @@ pub fn stances_of_contacts(
 /// assert_eq!(of("step_length_m"), Some(Err(NoValue::NoFeet)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias = "foot skate")]
+#[doc(alias = "smoothness")]
+#[doc(alias = "sparc")]
+#[doc(alias = "ldlj")]
 pub fn metrics(given: &MetricsInput<'_>) -> Result<Vec<Metric>, GaitError> {
     let tracks = Tracks::of(given)?;
     let steps = Steps::of(given, &tracks);

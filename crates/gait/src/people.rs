@@ -1,14 +1,14 @@
-//! How a walk compares with people: every fact that is known of their walking, and the walker's own value.
+//! A comparison of walks with people: every fact that is known of their walking, and the walker's own value.
 
 mod facts;
 
 pub use facts::{FACTS, Fact, Person};
 
-use crate::determinants::{Cell, Determinants, GaitTable};
-use crate::error::GaitError;
+use crate::error::{GaitError, MeasureError};
 use crate::measure::{SteadyStride, measure};
 use crate::request::{Extent, WalkRequest};
 use crate::styled::{StyledPlan, StyledRequest};
+use crate::thesis::determinants::{Cell, Determinants, GaitTable};
 use solaris_model::Figure;
 
 /// Steps of a walk in whose middle neither its beginning nor its end is felt.
@@ -42,7 +42,8 @@ impl Compared {
         let stride = || {
             let plan = StyledPlan::of(figure, &StyledRequest::Smooth(request))?;
             let (motion, _) = plan.loaded(figure, RATE)?;
-            measure(figure, &motion)?.steady.ok_or(GaitError::NothingToMeasure { what: "steady stride" })
+            let steady = measure(figure, &motion)?.steady;
+            Ok(steady.ok_or(MeasureError::NothingToMeasure { what: "steady stride" })?)
         };
         let person = Person { height: figure.stature().unwrap_or(f64::NAN), step_frequency };
         Self { step_frequency, stride: stride(), person }

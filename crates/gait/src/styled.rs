@@ -1,11 +1,10 @@
 //! A walk in either style, with its forces.
 
-use crate::error::GaitError;
-use crate::journey::{Journey, Stage};
+use crate::body::FEET;
+use crate::error::{GaitError, PlanError};
 use crate::request::WalkRequest;
+use crate::smooth::{WalkPlan, WalkSegment, WalkSequence, walk};
 use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
-use crate::walk::{FEET, WalkPlan};
-use crate::walker::walk;
 use solaris_analysis::ground::{GroundReport, Split, reactions_of_planted};
 use solaris_analysis::{ReactionReport, Residual, SupportLaw, ground_reactions};
 use solaris_model::{Figure, Motion, Trajectory as _};
@@ -16,7 +15,7 @@ pub enum StyledRequest {
     /// Forces first, as people walk.
     Smooth(WalkRequest),
     /// The same, with standing still in between.
-    Journey(Vec<Stage>),
+    Sequence(Vec<WalkSegment>),
     /// Through key postures.
     Thesis(ThesisRequest),
 }
@@ -26,7 +25,7 @@ pub enum StyledPlan {
     /// Forces first.
     Smooth(Box<WalkPlan>),
     /// The same, with standing still in between.
-    Journey(Box<Journey>),
+    Sequence(Box<WalkSequence>),
     /// Through key postures.
     Thesis(Box<ThesisWalk>),
 }
@@ -49,7 +48,9 @@ impl StyledPlan {
     pub fn of(figure: &Figure, request: &StyledRequest) -> Result<Self, GaitError> {
         Ok(match request {
             StyledRequest::Smooth(request) => Self::Smooth(Box::new(walk(figure, request)?)),
-            StyledRequest::Journey(stages) => Self::Journey(Box::new(Journey::new(figure, stages)?)),
+            StyledRequest::Sequence(segments) => {
+                Self::Sequence(Box::new(WalkSequence::new(figure, segments)?))
+            }
             StyledRequest::Thesis(request) => Self::Thesis(Box::new(thesis_walk(figure, request)?)),
         })
     }
@@ -58,7 +59,7 @@ impl StyledPlan {
     pub fn smooth(&self) -> Option<&WalkPlan> {
         match self {
             Self::Smooth(plan) => Some(plan),
-            Self::Journey(journey) => Some(journey.first()),
+            Self::Sequence(sequence) => Some(sequence.first()),
             Self::Thesis(_) => None,
         }
     }
@@ -67,25 +68,25 @@ impl StyledPlan {
     pub fn heading(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.destination().1,
-            Self::Journey(journey) => journey.destination().1,
+            Self::Sequence(sequence) => sequence.destination().1,
             Self::Thesis(_) => 0.0,
         }
     }
 
-    /// Steps a minute of the steady part, of the first walk of a journey.
+    /// Steps a minute of the steady part, of the first walk of a sequence.
     pub fn step_frequency(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.style().step_frequency,
-            Self::Journey(journey) => journey.first().style().step_frequency,
+            Self::Sequence(sequence) => sequence.first().style().step_frequency,
             Self::Thesis(plan) => plan.step_frequency,
         }
     }
 
-    /// Length of a step of the steady part, of the first walk of a journey (m).
+    /// Length of a step of the steady part, of the first walk of a sequence (m).
     pub fn step_length(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.style().step_length,
-            Self::Journey(journey) => journey.first().style().step_length,
+            Self::Sequence(sequence) => sequence.first().style().step_length,
             Self::Thesis(plan) => plan.step_length,
         }
     }
@@ -94,7 +95,7 @@ impl StyledPlan {
     pub fn stature(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.stature(),
-            Self::Journey(journey) => journey.first().stature(),
+            Self::Sequence(sequence) => sequence.first().stature(),
             Self::Thesis(plan) => plan.proportions.height,
         }
     }
@@ -103,7 +104,7 @@ impl StyledPlan {
     pub fn duration(&self) -> f64 {
         match self {
             Self::Smooth(plan) => plan.duration(),
-            Self::Journey(journey) => journey.duration(),
+            Self::Sequence(sequence) => sequence.duration(),
             Self::Thesis(plan) => plan.walk.duration(),
         }
     }
@@ -116,7 +117,7 @@ impl StyledPlan {
     pub fn loaded(&self, figure: &Figure, rate: f64) -> Result<(Motion, WalkForces), GaitError> {
         match self {
             Self::Smooth(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
-            Self::Journey(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
+            Self::Sequence(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
             Self::Thesis(plan) => needed(figure, plan.walk.motion(figure, rate)?),
         }
     }
@@ -125,16 +126,16 @@ impl StyledPlan {
     ///
     /// # Errors
     ///
-    /// As [`Self::loaded`], and [`GaitError::NoStride`] for a walk that is too short: 42 steps or six.
+    /// As [`Self::loaded`], and [`PlanError::NoStride`] for a walk that is too short: 42 steps or six.
     pub fn loaded_stride(&self, figure: &Figure, rate: f64) -> Result<(Motion, WalkForces), GaitError> {
         match self {
             Self::Smooth(plan) => {
-                let stride = plan.stride_loop().ok_or(GaitError::NoStride { least: 42 })?;
+                let stride = plan.stride_loop().ok_or(PlanError::NoStride { least: 42 })?;
                 prescribed(figure, stride.balanced_motion(figure, rate)?, &stride)
             }
-            Self::Journey(_) => Err(GaitError::NoStride { least: 42 }),
+            Self::Sequence(_) => Err(PlanError::NoStride { least: 42 }.into()),
             Self::Thesis(plan) => {
-                let stride = plan.walk.stride_loop().ok_or(GaitError::NoStride { least: 6 })?;
+                let stride = plan.walk.stride_loop().ok_or(PlanError::NoStride { least: 6 })?;
                 needed(figure, stride.motion(figure, rate)?)
             }
         }

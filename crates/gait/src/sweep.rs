@@ -6,7 +6,7 @@ mod columns;
 
 pub use columns::{COLUMNS, Column};
 
-use crate::error::GaitError;
+use crate::error::{GaitError, MeasureError};
 use crate::measure::{Peak, WalkMeasures, free_moment, measure};
 use crate::styled::{StyledPlan, StyledRequest};
 use solaris_model::Figure;
@@ -35,12 +35,13 @@ impl Walked {
         let plan = StyledPlan::of(figure, request)?;
         let samples = plan.duration() * rate;
         if samples > MOST_SAMPLES {
-            return Err(GaitError::TooManySamples {
+            return Err(MeasureError::TooManySamples {
                 duration: plan.duration(),
                 rate,
                 samples,
                 most: MOST_SAMPLES,
-            });
+            }
+            .into());
         }
         let (motion, _) = plan.loaded(figure, rate)?;
         let measures = measure(figure, &motion)?;

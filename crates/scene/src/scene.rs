@@ -2,7 +2,7 @@
 
 use crate::error::SceneError;
 use solaris_analysis::{ReactionReport, ground_reactions};
-use solaris_gait::{FEET, Journey};
+use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion};
 use solaris_modes::{Run, RunReport, Settings, Simulation, Watch};
 use std::fmt;
@@ -20,7 +20,7 @@ pub struct Scene {
 /// A walk that the figure follows where nothing else drives it.
 #[derive(Clone)]
 pub(crate) struct Walked {
-    pub(crate) plan: Arc<Journey>,
+    pub(crate) plan: Arc<WalkSequence>,
     /// When which point is planted, in the order of time.
     pub(crate) planted: Vec<Interval>,
     /// Touch-downs and lift-offs.
@@ -67,7 +67,7 @@ impl Scene {
     }
 
     /// What is walked, if anything: one walk, or several with standing in between.
-    pub fn walk(&self) -> Option<&Journey> {
+    pub fn walk(&self) -> Option<&WalkSequence> {
         self.walk.as_ref().map(|walk| &*walk.plan)
     }
 

@@ -41,7 +41,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     let conditions =
         |values: &[f64]| asked.determinants.conditions(&asked.proportions, values).unwrap_or_default();
     let map = FeasibleMap::new(&asked.parameters, &asked.choice.values, axes, spans, [places; 2], conditions);
-    let map = map.map_err(|error| CliError::of_gait(error, matches))?;
+    let map = map.map_err(|error| CliError::of_gait(error.into(), matches))?;
     let mark = axes.map(|axis| asked.choice.values[axis]);
     let title = asked.title();
     files.write(&title, || regions(&picture(&map, mark, asked.unit), &title))?;

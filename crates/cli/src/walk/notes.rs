@@ -1,12 +1,12 @@
 //! What is known to be wrong with a walk, said where it shows.
 
-use solaris::gait::{FRICTION, InBetween, LoneForce, Peak, StyledPlan, WalkMeasures};
+use solaris::gait::{FRICTION, InBetween, IsolatedPeak, Peak, StyledPlan, WalkMeasures};
 
 /// What is known to be wrong with a walk of a body of some weight (N).
 pub(super) fn notes(
     plan: &StyledPlan,
     measures: &WalkMeasures,
-    lone: &[LoneForce],
+    lone: &[IsolatedPeak],
     weight: f64,
     repeats: bool,
 ) -> Vec<String> {
@@ -89,7 +89,7 @@ pub(super) fn notes(
 
 /// Greatest forces that only one sample has. A smooth walk has none; where a body goes from posture to posture, its acceleration
 /// jumps as one phase gives way to the next.
-fn artefacts(lone: &[LoneForce], weight: f64) -> Option<String> {
+fn artefacts(lone: &[IsolatedPeak], weight: f64) -> Option<String> {
     // Rounded here, for what is nearly nothing is not less than it.
     let percent = |force: f64| (100.0 * force / weight).round() + 0.0;
     let told = lone.iter().map(|force| {
@@ -98,7 +98,7 @@ fn artefacts(lone: &[LoneForce], weight: f64) -> Option<String> {
             "{:.0} %BW ({value:.0} N) {} at {time:.2} s, {:.0} %BW beside it",
             percent(value),
             force.direction,
-            percent(force.beside)
+            percent(force.neighbour)
         )
     });
     let told: Vec<String> = told.collect();

@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use clap::ArgMatches;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
-use solaris::gait::{Beside, FEET, StyledPlan, StyledRequest, WalkForces, on_the_spot};
+use solaris::gait::{FEET, PostureComparison, StyledPlan, StyledRequest, WalkForces, on_the_spot};
 use solaris::model::{Figure, Motion};
 use std::time::{Duration, Instant};
 
@@ -29,7 +29,7 @@ pub(super) struct Planned {
 /// The name of a plan's style.
 pub(super) fn style(plan: &StyledPlan) -> &'static str {
     match plan {
-        StyledPlan::Smooth(_) | StyledPlan::Journey(_) => "smooth",
+        StyledPlan::Smooth(_) | StyledPlan::Sequence(_) => "smooth",
         StyledPlan::Thesis(_) => "thesis",
     }
 }
@@ -88,7 +88,7 @@ impl Planned {
             repeats: looped.is_some(),
             changes: match request {
                 StyledRequest::Smooth(walk) => !walk.then.is_empty(),
-                StyledRequest::Journey(_) => true,
+                StyledRequest::Sequence(_) => true,
                 StyledRequest::Thesis(_) => false,
             },
             beside,
@@ -101,11 +101,11 @@ impl Planned {
 /// A smooth walk beside the key postures of the same step, where such a step has any.
 fn beside(plan: &StyledPlan, determinants: Determinants) -> Option<BesideKeyPostures> {
     let plan = plan.smooth()?;
-    let posture = |beside: Beside| {
+    let posture = |beside: PostureComparison| {
         let [a, b, c, d, e, f] = beside.deviations().map(f64::to_degrees);
         BesidePosture { posture: beside.name, at_s: beside.time, stance_deg: [a, b, c], swing_deg: [d, e, f] }
     };
-    let postures = plan.beside(determinants).ok()?.into_iter().map(posture).collect();
+    let postures = plan.compare_postures(determinants).ok()?.into_iter().map(posture).collect();
     Some(BesideKeyPostures { determinants: determinants.count(), postures })
 }
 

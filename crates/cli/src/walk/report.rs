@@ -6,8 +6,8 @@ use super::told::{BesideKeyPostures, Extreme, Forces, KeyPostures};
 use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
-    Band, LoneForce, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
-    WalkPlan, check_bands,
+    Band, IsolatedPeak, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO,
+    WalkMeasures, WalkPlan, check_bands,
 };
 use std::io::Write;
 
@@ -130,13 +130,13 @@ impl Report {
         mass: f64,
         planned: Planned,
         measures: &WalkMeasures,
-        lone: &[LoneForce],
+        lone: &[IsolatedPeak],
         limbs: Option<Limbs>,
     ) -> Self {
         let Planned { plan, motion, forces, repeats, changes, beside, planning, solving } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
-        let stands = matches!(plan, StyledPlan::Journey(_));
+        let stands = matches!(plan, StyledPlan::Sequence(_));
         let m = measures;
         let joint = |joint: &solaris::gait::JointPeaks| JointPeaks {
             joint: joint.joint,
@@ -156,7 +156,7 @@ impl Report {
                     // Of a stride only one touch-down is within, the other is its begin.
                     _ if repeats => 2,
                     // Each walk of a journey closes.
-                    StyledPlan::Journey(journey) => journey.walks().map(WalkPlan::steps).sum(),
+                    StyledPlan::Sequence(journey) => journey.walks().map(WalkPlan::steps).sum(),
                     _ => m.steps,
                 },
                 step_frequency_per_min: step_frequency,

@@ -5,8 +5,8 @@ use crate::error::{CliError, typed};
 use clap::ArgMatches;
 use solaris::gait::determinants::{Determinants, DoubleSupport, five, three};
 use solaris::gait::{
-    Extent, InBetween, PARAMETERS, Parameter, STEPS, Stage, StyledRequest, ThesisRequest, WalkPart,
-    WalkRequest,
+    Extent, InBetween, PARAMETERS, Parameter, STEPS, StyledRequest, ThesisRequest, WalkPart, WalkRequest,
+    WalkSegment,
 };
 
 /// One stride, and whether it stays on the spot.
@@ -91,8 +91,8 @@ fn smooth(first: &WalkRequest, then: impl Iterator<Item = Then>) -> Result<Style
         }
         match (next, &mut walk) {
             (Then::Stand(time), _) => {
-                stages.extend(walk.take().map(Stage::Walk));
-                stages.push(Stage::Stand(time));
+                stages.extend(walk.take().map(WalkSegment::Walk));
+                stages.push(WalkSegment::Stand(time));
             }
             (Then::Steps(part), Some(walk)) => walk.then.push(part),
             (Then::Steps(part), None) => walk = anew(Extent::Steps(part.steps), part.turn, &pace),
@@ -107,10 +107,10 @@ fn smooth(first: &WalkRequest, then: impl Iterator<Item = Then>) -> Result<Style
             }
         }
     }
-    stages.extend(walk.map(Stage::Walk));
+    stages.extend(walk.map(WalkSegment::Walk));
     Ok(match stages.pop() {
-        Some(Stage::Walk(walk)) if stages.is_empty() => StyledRequest::Smooth(walk),
-        last => StyledRequest::Journey(stages.into_iter().chain(last).collect()),
+        Some(WalkSegment::Walk(walk)) if stages.is_empty() => StyledRequest::Smooth(walk),
+        last => StyledRequest::Sequence(stages.into_iter().chain(last).collect()),
     })
 }
 

@@ -1,4 +1,4 @@
-//! Bands of human walking, and whether a stride lies inside.
+//! Bands of human walking, held against a stride.
 
 use super::SteadyStride;
 
@@ -80,6 +80,7 @@ pub const RECIPE_BANDS: &[Band] = &[
 
 /// Textbook ranges; nobody has looked up where they come from.
 #[rustfmt::skip]
+#[doc(alias = "normative data")]
 pub const TEXTBOOK_BANDS: &[Band] = &[
     band("first vertical peak", "%BW", 100.0, 120.0, |s| s.first_peak),
     band("vertical valley", "%BW", 65.0, 85.0, |s| s.valley),

@@ -1,9 +1,10 @@
 //! Slide, sink and clearance of the soles, and where they are pressed.
 
 use super::series::Series;
+use super::window::{mid_swing, samples_between};
 use super::{Peak, touch_downs};
+use crate::body::FEET;
 use crate::body::REFERENCE_HEIGHT;
-use crate::walk::FEET;
 use nalgebra::Vector3;
 use solaris_model::{EventKind, Figure, Motion, SolePart};
 
@@ -13,15 +14,13 @@ const TOUCHING: f64 = 5e-3;
 /// 1.741 m), and this far to the side of the foot's axis.
 const ROUND: f64 = 0.012;
 const HALF_WIDTH: f64 = 0.040;
-/// Middle of a swing: the part in which the toes must pass over the ground.
-pub(crate) const MID_SWING: (f64, f64) = (0.20, 0.60);
 
 /// Greatest distance of a planted point from where it was when it was planted (m).
 pub(super) fn slide(motion: &Motion, series: &Series<'_>) -> Peak {
     let mut worst = Peak { value: 0.0, time: 0.0 };
     for planted in &motion.planted {
         let mut first = None;
-        for i in series.samples(planted.start, planted.end) {
+        for i in samples_between(series.time, (planted.start, planted.end)) {
             let Some(at) = series.place(i, planted.link, &planted.point) else { continue };
             let from = *first.get_or_insert(at);
             worst = worst.max(Peak { value: (at - from).norm(), time: series.time[i] });
@@ -35,7 +34,7 @@ pub(super) fn slide(motion: &Motion, series: &Series<'_>) -> Peak {
 pub(super) fn sink_and_cop(figure: &Figure, motion: &Motion, series: &Series<'_>) -> (Peak, Peak) {
     let ground = height(motion);
     let scale = figure.stature().map_or(1.0, |height| height / REFERENCE_HEIGHT);
-    let mut sink = Peak { value: f64::NEG_INFINITY, time: 0.0 };
+    let mut sink = Peak::NONE;
     let mut outside = Peak { value: 0.0, time: 0.0 };
     for (side, name) in FEET.iter().enumerate() {
         let points = sole(figure, name);
@@ -62,12 +61,9 @@ pub(super) fn clearance(figure: &Figure, motion: &Motion, series: &Series<'_>) -
             continue;
         };
         for (lift, contact) in swings(motion, side) {
-            let at = |share: f64| lift + share * (contact - lift);
-            for i in series.samples(at(MID_SWING.0), at(MID_SWING.1)) {
+            for i in mid_swing(series.time, (lift, contact)) {
                 let Some(place) = series.place(i, *link, tip) else { continue };
-                if place.y - height(motion) < least.value {
-                    least = Peak { value: place.y - height(motion), time: series.time[i] };
-                }
+                least = least.min(Peak { value: place.y - height(motion), time: series.time[i] });
             }
         }
     }

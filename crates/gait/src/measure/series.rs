@@ -1,16 +1,11 @@
 //! The quantities of a walk over its samples.
 
 use super::{JointPeaks, Peak};
-use crate::error::GaitError;
-use crate::walk::FEET;
+use crate::body::roles::{FEET, PELVIS_ANGLES, SIDED_ANGLES};
+use crate::error::{BodyError, GaitError, MeasureError};
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
 use solaris_model::{Figure, Motion};
-
-/// The angles of each leg that are measured, after `left_` and `right_`.
-pub(crate) const SIDED_ANGLES: [&str; 3] = ["hip.flexion", "knee.flexion", "ankle.dorsiflexion"];
-/// The angles of the pelvis that are measured, after `pelvis.`.
-pub(crate) const PELVIS_ANGLES: [&str; 3] = ["tilt", "obliquity", "rotation"];
 
 /// Joints of the leg whose moments are told, with their anatomical flexion.
 pub(super) const JOINTS: [(&str, &str); 3] =
@@ -44,14 +39,14 @@ pub(super) struct Series<'a> {
 impl<'a> Series<'a> {
     pub(super) fn new(figure: &Figure, motion: &'a Motion) -> Result<Self, GaitError> {
         if motion.tau(0).is_none() {
-            return Err(GaitError::NothingToMeasure { what: "joint forces" });
+            return Err(MeasureError::NothingToMeasure { what: "joint forces" }.into());
         }
         let track = |side: usize| {
-            motion.contact(FEET[side]).ok_or(GaitError::NothingToMeasure { what: "contacts of both feet" })
+            motion.contact(FEET[side]).ok_or(MeasureError::NothingToMeasure { what: "contacts of both feet" })
         };
         let tracks = [track(0)?, track(1)?];
         let angle = |name: String| -> Result<Vec<f64>, GaitError> {
-            let angle = figure.anatomical_angle(&name).ok_or(GaitError::MissingAngle { angle: name })?;
+            let angle = figure.anatomical_angle(&name).ok_or(BodyError::MissingAngle { angle: name })?;
             Ok((0..motion.len()).map(|i| angle.sign * motion.q(i)[angle.coordinate]).collect())
         };
         let sided = |name: &str| -> Result<[Vec<f64>; 2], GaitError> {
@@ -107,12 +102,6 @@ impl<'a> Series<'a> {
     /// A point of a link with a sole, in the world.
     pub(super) fn place(&self, sample: usize, link: usize, point: &Vector3<f64>) -> Option<Vector3<f64>> {
         self.places[link].map(|place| self.poses[sample * self.posed + place].transform(point))
-    }
-
-    /// The samples from one time to another.
-    pub(super) fn samples(&self, from: f64, to: f64) -> std::ops::Range<usize> {
-        let first = self.time.partition_point(|t| *t < from);
-        first..self.time.partition_point(|t| *t <= to).max(first)
     }
 
     /// The greatest value and when; the first sample's where all are NaN.

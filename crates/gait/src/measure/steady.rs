@@ -1,16 +1,10 @@
 //! One steady stride, from left contact to left contact, in the numbers that gait laboratories report.
 
 use super::SAME_TIME;
+use super::peaks::Stance;
 use super::series::Series;
-use super::window::Window;
+use super::window::{Window, middle_stride};
 use solaris_model::{EventKind, Motion};
-
-/// Parts of a stride in which the first peak of the vertical force, its valley (from so long after the first double support)
-/// and its second peak (until toe-off) are looked for.
-pub(crate) const FIRST_PEAK: (f64, f64) = (0.02, 0.25);
-pub(crate) const VALLEY_AFTER: f64 = 0.01;
-pub(crate) const VALLEY_TO: f64 = 0.5;
-pub(crate) const SECOND_PEAK_FROM: f64 = 0.30;
 
 /// Part of a stride's duration and way by which its halves may differ, and by which it may go sideways.
 const UNEVEN: f64 = 0.02;
@@ -19,6 +13,8 @@ const UNEVEN: f64 = 0.02;
 /// moments in N m/kg about the distal segment's axes.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs, reason = "the names are the measures; the bands list them with units")]
+#[doc(alias = "gait cycle")]
+#[doc(alias = "stride")]
 pub struct SteadyStride {
     /// When it begins and ends (s).
     pub span: (f64, f64),
@@ -73,9 +69,7 @@ impl SteadyStride {
             alike && halves.abs() < UNEVEN * whole && advance(start, end, 0).abs() < UNEVEN * whole
         };
         let strides = (3..contacts.len().saturating_sub(5)).filter(|&i| contacts[i].1 == 0 && even(i));
-        let middle = contacts.len() as f64 / 2.0 - 1.5;
-        let begin =
-            strides.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;
+        let begin = middle_stride(strides, contacts.len())?;
         Some(Self::of(motion, series, (contacts[begin].0, contacts[begin + 2].0)))
     }
 
@@ -98,8 +92,8 @@ impl SteadyStride {
         let degrees = |values: &'_ [f64]| values.iter().map(|x| x.to_degrees()).collect::<Vec<f64>>();
         let (hip, knee, ankle) =
             (degrees(&series.hip[0]), degrees(&series.knee[0]), degrees(&series.ankle[0]));
-        let range =
-            |f: &dyn Fn(usize) -> f64| window.most((0.0, 1.0), f) + window.most((0.0, 1.0), &|i| -f(i));
+        let range = |f: &dyn Fn(usize) -> f64| window.range(f);
+        let pushed = Stance { window: Window { time: series.time, span }, toe_off };
         let pelvis = |axis: usize| range(&|i| series.pelvis[axis][i].to_degrees());
         let moment = |joint: usize, axis: usize, sign: f64| {
             window.most((0.0, 1.0), &|i| sign * series.moments[0][joint][i][axis])
@@ -113,16 +107,16 @@ impl SteadyStride {
             double_support: 100.0 * double_support,
             stance: 100.0 * toe_off,
             mean_vertical: window.mean(&total),
-            first_peak: window.most(FIRST_PEAK, &vertical),
-            valley: -window.most((double_support + VALLEY_AFTER, VALLEY_TO), &|i| -vertical(i)),
-            second_peak: window.most((SECOND_PEAK_FROM, toe_off), &vertical),
-            braking: -window.most((0.0, toe_off), &|i| -along(i)),
-            pushing: window.most((0.0, toe_off), &along),
+            first_peak: pushed.first_peak(&vertical),
+            valley: pushed.valley(double_support, &vertical),
+            second_peak: pushed.second_peak(&vertical),
+            braking: pushed.braking(&along),
+            pushing: pushed.pushing(&along),
             knee_contact: window.at(start, &|i| knee[i]),
             knee_loading: window.most((0.0, 0.28), &|i| knee[i]),
             knee_swing: window.most((0.0, 1.0), &|i| knee[i]),
             hip_range: range(&|i| hip[i]),
-            ankle_least: -window.most((0.0, 1.0), &|i| -ankle[i]),
+            ankle_least: window.least((0.0, 1.0), &|i| ankle[i]),
             ankle_greatest: window.most((0.0, 1.0), &|i| ankle[i]),
             pelvic_rotation: pelvis(2),
             pelvic_obliquity: pelvis(1),

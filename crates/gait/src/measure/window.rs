@@ -1,4 +1,4 @@
-//! One stride among the samples of a motion.
+//! One stride among the samples of a motion, and how it is chosen.
 
 /// Samples of one stride.
 pub(crate) struct Window<'a> {
@@ -19,6 +19,16 @@ impl Window<'_> {
         (0..self.time.len()).filter(inside).map(f).fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The least value there; ∞ where there are none.
+    pub(crate) fn least(&self, part: (f64, f64), f: &dyn Fn(usize) -> f64) -> f64 {
+        -self.most(part, &|i| -f(i))
+    }
+
+    /// The range of the values over the whole stride.
+    pub(crate) fn range(&self, f: &dyn Fn(usize) -> f64) -> f64 {
+        self.most((0.0, 1.0), f) - self.least((0.0, 1.0), f)
+    }
+
     /// The value at a time, linear between samples.
     pub(crate) fn at(&self, time: f64, f: &dyn Fn(usize) -> f64) -> f64 {
         let times = self.time;
@@ -36,4 +46,25 @@ impl Window<'_> {
         points.push((end, self.at(end, f)));
         points.windows(2).map(|p| (p[1].0 - p[0].0) * (p[0].1 + p[1].1) / 2.0).sum::<f64>() / (end - start)
     }
+}
+
+/// The samples from one time to another, ends included.
+pub(crate) fn samples_between(time: &[f64], (from, to): (f64, f64)) -> std::ops::Range<usize> {
+    let first = time.partition_point(|t| *t < from);
+    first..time.partition_point(|t| *t <= to).max(first)
+}
+
+/// The contact, of those at which a stride begins, whose stride lies nearest to the middle of `count` contacts.
+pub(crate) fn middle_stride(begins: impl Iterator<Item = usize>, count: usize) -> Option<usize> {
+    let middle = count as f64 / 2.0 - 1.5;
+    begins.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))
+}
+
+/// Middle of a swing: the part in which the toes must pass over the ground.
+const MID_SWING: (f64, f64) = (0.20, 0.60);
+
+/// The samples in the middle of a swing from lift-off to contact (s).
+pub(crate) fn mid_swing(time: &[f64], (lift, contact): (f64, f64)) -> std::ops::Range<usize> {
+    let at = |share: f64| lift + share * (contact - lift);
+    samples_between(time, (at(MID_SWING.0), at(MID_SWING.1)))
 }

@@ -1,9 +1,9 @@
-//! What the feet do to the ground: they slide on it, sink into it, pass over it.
+//! Slide, sink and clearance of the feet.
 
 use super::tracks::Tracks;
 use super::{Metric, MetricsInput, NoValue};
 use crate::measure::Peak;
-use crate::measure::feet::MID_SWING;
+use crate::measure::window::mid_swing;
 use nalgebra::Vector3;
 use solaris_analysis::ground::Stance;
 
@@ -99,7 +99,7 @@ fn sink(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> 
     if given.soles.is_empty() {
         return Err(NoValue::NoFeet);
     }
-    let mut sink = Peak { value: f64::NEG_INFINITY, time: 0.0 };
+    let mut sink = Peak::NONE;
     for points in &tracks.points {
         for (points, &time) in points.iter().zip(tracks.time) {
             let value = points.iter().map(|point| -tracks.height(point)).fold(f64::NEG_INFINITY, f64::max);
@@ -114,14 +114,10 @@ fn clearance(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoVa
     let stances = stances(given)?;
     let mut least: Option<Peak> = None;
     for pair in stances.windows(2).filter(|pair| pair[0].foot == pair[1].foot) {
-        let (lift, contact) = (pair[0].end, pair[1].start);
-        let at = |share: f64| lift + share * (contact - lift);
-        for i in tracks.samples((at(MID_SWING.0), at(MID_SWING.1))) {
+        for i in mid_swing(tracks.time, (pair[0].end, pair[1].start)) {
             let Some(points) = tracks.points.get(pair[0].foot) else { continue };
-            let value = tracks.height(&points[i][2]);
-            if least.is_none_or(|least| value < least.value) {
-                least = Some(Peak { value, time: tracks.time[i] });
-            }
+            let here = Peak { value: tracks.height(&points[i][2]), time: tracks.time[i] };
+            least = Some(least.map_or(here, |least| least.min(here)));
         }
     }
     least.ok_or(NoValue::NoSwing)

@@ -3,14 +3,14 @@
 use super::stride::{Steps, Stride};
 use super::tracks::Tracks;
 use super::{Metric, MetricsInput, NoValue};
-use crate::measure::steady::{FIRST_PEAK, SECOND_PEAK_FROM, VALLEY_AFTER, VALLEY_TO};
+use crate::measure::peaks::Stance;
 use crate::measure::window::Window;
 use nalgebra::Vector3;
 use solaris_model::ContactTrack;
 
 /// The forces on the stride's foot, in % of body weight.
 struct Pushed<'a> {
-    window: Window<'a>,
+    stance: Stance<'a>,
     stride: Stride,
     track: &'a ContactTrack,
     up: Vector3<f64>,
@@ -28,30 +28,27 @@ pub(super) fn metrics(given: &MetricsInput<'_>, tracks: &Tracks<'_>, steps: &Ste
         row(
             "vertical_first_percent_bw",
             "vertical force, first peak",
-            of(&|p| Ok(p.most(FIRST_PEAK, &p.up))),
+            of(&|p| Ok(p.stance.first_peak(&p.along(p.up)))),
         ),
         row(
             "vertical_valley_percent_bw",
             "vertical force, valley",
-            of(&|p| {
-                let from = p.stride.double_support? + VALLEY_AFTER;
-                Ok(-p.most((from, VALLEY_TO), &-p.up))
-            }),
+            of(&|p| Ok(p.stance.valley(p.stride.double_support?, &p.along(p.up)))),
         ),
         row(
             "vertical_second_percent_bw",
             "vertical force, second peak",
-            of(&|p| Ok(p.most((SECOND_PEAK_FROM, p.stride.toe_off), &p.up))),
+            of(&|p| Ok(p.stance.second_peak(&p.along(p.up)))),
         ),
         row(
             "braking_percent_bw",
             "braking force",
-            of(&|p| Ok(-p.most((0.0, p.stride.toe_off), &-p.stride.heading()?))),
+            of(&|p| Ok(p.stance.braking(&p.along(p.stride.heading()?)))),
         ),
         row(
             "pushing_percent_bw",
             "pushing force",
-            of(&|p| Ok(p.most((0.0, p.stride.toe_off), &p.stride.heading()?))),
+            of(&|p| Ok(p.stance.pushing(&p.along(p.stride.heading()?)))),
         ),
     ]
 }
@@ -64,12 +61,13 @@ fn pushed<'a>(given: &MetricsInput<'a>, tracks: &Tracks<'a>, steps: &Steps) -> R
     let stride = steps.stride?;
     let track = contacts.get(stride.foot).ok_or(NoValue::NoForces)?;
     let window = Window { time: tracks.time, span: stride.span };
-    Ok(Pushed { window, stride, track, up: tracks.up, percent: 100.0 / tracks.weight })
+    let stance = Stance { window, toe_off: stride.toe_off };
+    Ok(Pushed { stance, stride, track, up: tracks.up, percent: 100.0 / tracks.weight })
 }
 
 impl Pushed<'_> {
-    /// The greatest force along an axis in a part of the stride.
-    fn most(&self, part: (f64, f64), axis: &Vector3<f64>) -> f64 {
-        self.window.most(part, &|i| self.percent * self.track.samples[i].force.dot(axis))
+    /// The force along an axis, by sample.
+    fn along(&self, axis: Vector3<f64>) -> impl Fn(usize) -> f64 {
+        move |i| self.percent * self.track.samples[i].force.dot(&axis)
     }
 }

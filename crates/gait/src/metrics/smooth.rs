@@ -1,4 +1,4 @@
-//! How smoothly the centre of mass goes.
+//! Smoothness of the way of the centre of mass.
 
 use super::spectrum::spectral_arc_length;
 use super::stride::Steps;

@@ -2,7 +2,7 @@
 
 use super::tracks::Tracks;
 use super::{Metric, MetricsInput, NoValue};
-use crate::measure::window::Window;
+use crate::measure::window::{Window, middle_stride};
 use nalgebra::Vector3;
 use solaris_analysis::ground::{Stance, Stances};
 
@@ -100,8 +100,7 @@ impl Steps {
         let span = self.stride.map_or(tracks.span(), |stride| stride.span);
         let range = |axis: &Vector3<f64>| {
             let window = Window { time: tracks.time, span };
-            let most = |sign: f64| window.most((0.0, 1.0), &|i| sign * tracks.com[i].dot(axis));
-            100.0 * (most(1.0) + most(-1.0))
+            100.0 * window.range(&|i| tracks.com[i].dot(axis))
         };
         let bob = if tracks.time.len() < 2 { Err(NoValue::TooFewSamples) } else { Ok(range(&tracks.up)) };
         let sway = self.stride.and_then(|stride| Ok(range(&tracks.up.cross(&stride.heading()?))));
@@ -119,10 +118,9 @@ fn middle<'a>(landings: &[&'a Stance]) -> Option<(&'a Stance, &'a Stance)> {
         .map(|stance| stance.foot)
         .filter(|foot| landings.iter().filter(|stance| stance.foot == *foot).count() > 1);
     let foot = foot.min()?;
-    let middle = landings.len() as f64 / 2.0 - 1.5;
     let next = |i: usize| landings[i + 1..].iter().find(|stance| stance.foot == foot);
     let begins = (0..landings.len()).filter(|&i| landings[i].foot == foot && next(i).is_some());
-    let begin = begins.min_by(|a, b| (*a as f64 - middle).abs().total_cmp(&(*b as f64 - middle).abs()))?;
+    let begin = middle_stride(begins, landings.len())?;
     Some((landings[begin], *next(begin)?))
 }
 

@@ -1,7 +1,8 @@
 //! The centre of mass and the points of the soles over the samples.
 
 use super::MetricsInput;
-use crate::error::GaitError;
+use crate::error::{GaitError, MeasureError};
+use crate::measure::window::samples_between;
 use nalgebra::Vector3;
 use solaris_dynamics::{Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
 
@@ -28,10 +29,10 @@ impl<'a> Tracks<'a> {
         let MetricsInput { motion: prepared, soles, .. } = *given;
         let (motion, tree) = (prepared.motion(), prepared.tree());
         let gravity = motion.info.gravity;
-        let up = prepared.up().ok_or(GaitError::NoGravity { gravity: gravity.into() })?;
+        let up = prepared.up().ok_or(MeasureError::NoGravity { gravity: gravity.into() })?;
         let rows = motion.len();
         let fits = |what, found, expected| {
-            if found == expected { Ok(()) } else { Err(GaitError::OtherMotion { what, found, expected }) }
+            if found == expected { Ok(()) } else { Err(MeasureError::OtherMotion { what, found, expected }) }
         };
         fits("the times", rows, rows.max(1))?;
         if let Some(contacts) = given.contacts {
@@ -78,8 +79,7 @@ impl<'a> Tracks<'a> {
     }
 
     /// The samples from one time to another, ends included.
-    pub(super) fn samples(&self, (from, to): (f64, f64)) -> std::ops::Range<usize> {
-        let first = self.time.partition_point(|t| *t < from);
-        first..self.time.partition_point(|t| *t <= to).max(first)
+    pub(super) fn samples(&self, span: (f64, f64)) -> std::ops::Range<usize> {
+        samples_between(self.time, span)
     }
 }

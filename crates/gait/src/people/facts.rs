@@ -1,4 +1,4 @@
-//! What is known of people's walking.
+//! The facts that are known of people's walking.
 
 use crate::measure::{Band, SteadyStride, TEXTBOOK_BANDS};
 

@@ -1,4 +1,4 @@
-//! What a row of a sweep tells of its walk.
+//! The columns of a sweep's row.
 
 use super::Walked;
 use crate::measure::{JointPeaks, SteadyStride};

@@ -1,7 +1,9 @@
 //! What is asked of walks: a walk and its parts, or several with standing in between.
 
 use super::SceneReader;
-use solaris_gait::{Extent, GaitError, PARAMETERS, STEPS, Stage, Unit, WalkPart, WalkRequest};
+use solaris_gait::{
+    Extent, GaitError, PARAMETERS, PlanError, RequestError, STEPS, Unit, WalkPart, WalkRequest, WalkSegment,
+};
 use solaris_model::text::{Fields, Node};
 use std::ops::Range;
 
@@ -11,7 +13,7 @@ const PART: [&str; 5] = ["steps", "step_frequency", "step_length", "speed", "tur
 const WALK: [&str; 2] = ["distance", "then"];
 
 /// A stage, beside where it is written.
-type Written<'n, 'a> = (Fields<'n, 'a>, Stage);
+type Written<'n, 'a> = (Fields<'n, 'a>, WalkSegment);
 
 impl SceneReader<'_> {
     /// `Walk(…)`, or a list of `Walk(…)` and `Stand(time: …)`.
@@ -30,14 +32,14 @@ impl SceneReader<'_> {
             self.reader.only_known(&fields, &["time"]);
             let time = self.reader.required(&fields, "time", "2.0");
             let time = time.and_then(|node| self.reader.number(node, "time"))?;
-            return Some((fields, Stage::Stand(time)));
+            return Some((fields, WalkSegment::Stand(time)));
         }
         let names: Vec<String> = PARAMETERS.iter().map(|parameter| written(parameter.name)).collect();
         let own = PART.into_iter().chain(WALK);
         let known: Vec<&str> = own.chain(names.iter().map(String::as_str)).collect();
         self.reader.only_known(&fields, &known);
         let request = self.request(&fields)?;
-        Some((fields, Stage::Walk(request)))
+        Some((fields, WalkSegment::Walk(request)))
     }
 
     fn request(&mut self, fields: &Fields<'_, '_>) -> Option<WalkRequest> {
@@ -104,7 +106,7 @@ impl SceneReader<'_> {
     /// Why there is no such walk, said of the number that is at fault where it can be told.
     pub(super) fn refuse_walk(&mut self, error: &GaitError, at: &Range<usize>, stages: &[Fields<'_, '_>]) {
         let (place, why) = match error {
-            GaitError::InStage { number, why } => match stages.get(number - 1) {
+            GaitError::InSegment { number, why } => match stages.get(number - 1) {
                 Some(fields) => (place(why, fields), why.as_ref()),
                 None => (at.clone(), error),
             },
@@ -117,13 +119,15 @@ impl SceneReader<'_> {
 /// Where in a stage the number stands that is at fault, or its part.
 fn place(error: &GaitError, fields: &Fields<'_, '_>) -> Range<usize> {
     let found = match error {
-        GaitError::Range { parameter, .. } | GaitError::StepLength { parameter, .. } => {
+        GaitError::Request(
+            RequestError::Range { parameter, .. } | RequestError::StepLength { parameter, .. },
+        ) => {
             // A stand has a time.
             let name = if *parameter == "stand" { "time".to_owned() } else { written(parameter) };
             fields.get(&name).map(|node| node.span.clone())
         }
         // The walk's own steps are its first part.
-        GaitError::InPart { number: part, .. } | GaitError::Sudden { part, .. } => {
+        GaitError::InPart { number: part, .. } | GaitError::Plan(PlanError::AbruptChange { part, .. }) => {
             let items = fields.get("then").and_then(Node::items);
             items.and_then(|items| items.get(part.checked_sub(2)?)).map(Node::place)
         }

@@ -3,7 +3,7 @@
 use super::drives::Given;
 use super::{GRAVITY, SceneReader};
 use crate::scene::Walked;
-use solaris_gait::Journey;
+use solaris_gait::WalkSequence;
 use solaris_model::text::Fields;
 use solaris_model::{Figure, Trajectory};
 use solaris_modes::{Drive, Recorded};
@@ -14,7 +14,7 @@ const RATE: f64 = 480.0;
 
 /// What is walked, and how it begins.
 pub(super) struct Planned {
-    plan: Arc<Journey>,
+    plan: Arc<WalkSequence>,
     recorded: Arc<Recorded>,
     followed: usize,
 }
@@ -63,7 +63,7 @@ impl SceneReader<'_> {
             return None;
         }
         let (written, stages): (Vec<_>, Vec<_>) = stages?.into_iter().unzip();
-        let plan = Journey::new(figure, &stages);
+        let plan = WalkSequence::new(figure, &stages);
         let plan = plan.map_err(|error| self.refuse_walk(&error, &node.place(), &written)).ok()?;
         let motion = plan.motion(figure, RATE);
         let motion = motion.map_err(|error| self.reader.fault(node.place(), error.to_string())).ok()?;

@@ -3,7 +3,7 @@
 use crate::fixtures::fixture;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use solaris_analysis::ground_reactions;
-use solaris_gait::{Extent, FEET, Journey, Stage, WalkPart, WalkRequest};
+use solaris_gait::{Extent, FEET, WalkPart, WalkRequest, WalkSegment, WalkSequence};
 use solaris_model::Trajectory as _;
 use solaris_scene::Simulated;
 
@@ -140,8 +140,8 @@ fn a_walk_with_a_turn_and_a_stand_is_the_librarys() {
     };
     let second =
         WalkRequest { extent: Extent::Distance(2.0), step_frequency: Some(100.0), ..WalkRequest::default() };
-    let stages = [Stage::Walk(first), Stage::Stand(1.5), Stage::Walk(second)];
-    let plan = Journey::new(scene.figure(), &stages).expect("a journey");
+    let stages = [WalkSegment::Walk(first), WalkSegment::Stand(1.5), WalkSegment::Walk(second)];
+    let plan = WalkSequence::new(scene.figure(), &stages).expect("a journey");
     assert!((scene.settings().duration - plan.duration()).abs() < 1e-12);
     assert!(plan.destination().0.x.abs() < 1.0 && plan.destination().1.abs() < 1e-12);
 

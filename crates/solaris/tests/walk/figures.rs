@@ -2,7 +2,7 @@
 
 use crate::cases::{Case, Outcome, run, shaped, steps};
 use crate::worst::Worst;
-use solaris::gait::GaitError;
+use solaris::gait::{BodyError, GaitError, PlanError};
 use solaris::prelude::walk;
 
 /// Lengths at a height of 1.75 m, where thigh, shank, foot and toes are 0.424, 0.436, 0.201 and 0.070 m.
@@ -32,7 +32,9 @@ fn people_of_other_proportions_walk_or_are_told_why_not() {
     for (case, outcome) in cases.iter().zip(run(&cases)) {
         match outcome {
             Outcome::Walked(found) => worst.merge(&case.name, &found),
-            Outcome::Refused(GaitError::Friction { .. } | GaitError::NotWalkable { .. }) => refused += 1,
+            Outcome::Refused(GaitError::Plan(PlanError::Friction { .. } | PlanError::NotWalkable { .. })) => {
+                refused += 1
+            }
             Outcome::Refused(error) => wrong.push(format!("{}: {error}", case.name)),
             Outcome::Failed(what) => wrong.push(format!("{}: {what}", case.name)),
         }
@@ -46,7 +48,7 @@ fn people_of_other_proportions_walk_or_are_told_why_not() {
 fn legs_that_differ_are_refused_by_name() {
     let error =
         walk(&shaped(1.75, &[("left_thigh", 0.44)]), &steps(95.0, 4)).err().expect("legs that differ");
-    assert!(matches!(error, GaitError::LegsDiffer { .. }), "{error}");
+    assert!(matches!(error, GaitError::Body(BodyError::LegsDiffer { .. })), "{error}");
     // The thigh's length is where the knee is.
     assert!(error.to_string().contains("knee"), "{error}");
 }

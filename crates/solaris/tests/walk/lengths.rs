@@ -3,7 +3,7 @@
 use crate::body::frames_at;
 use crate::cases::{Case, Outcome, RATE, assert_all_walk, person, run, steps, walked};
 use crate::worst::Worst;
-use solaris::gait::GaitError;
+use solaris::gait::{GaitError, PlanError, RequestError};
 use solaris::model::SolePart;
 use solaris::prelude::*;
 
@@ -48,7 +48,8 @@ fn the_longest_steps_of_tall_people_hold_or_are_refused() {
     for (case, outcome) in cases.iter().zip(run(&cases)) {
         match outcome {
             Outcome::Walked(found) => worst.merge(&case.name, &found),
-            Outcome::Refused(GaitError::Friction { .. } | GaitError::NotWalkable { .. }) => {}
+            Outcome::Refused(GaitError::Plan(PlanError::Friction { .. } | PlanError::NotWalkable { .. })) => {
+            }
             Outcome::Refused(error) => panic!("{}: {error}", case.name),
             Outcome::Failed(what) => panic!("{}: {what}", case.name),
         }
@@ -62,7 +63,9 @@ fn steps_beyond_are_refused_with_the_interval() {
         for factor in [0.87, most(frequency) + 0.01] {
             let request = longer(frequency, factor);
             let error = walk(&person(HEIGHT), &request).err().expect("too short or too long");
-            let GaitError::StepLength { value, lower, upper, .. } = &error else { panic!("{error}") };
+            let GaitError::Request(RequestError::StepLength { value, lower, upper, .. }) = &error else {
+                panic!("{error}")
+            };
             let default = 0.0037 * HEIGHT * frequency;
             assert!((value - factor * default).abs() < 1e-12);
             assert!(

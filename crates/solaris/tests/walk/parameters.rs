@@ -2,7 +2,7 @@
 
 use crate::cases::{Case, Outcome, person, run, steps};
 use crate::worst::Worst;
-use solaris::gait::{GaitError, PARAMETERS};
+use solaris::gait::{GaitError, PARAMETERS, PlanError, RequestError};
 use solaris::prelude::*;
 
 #[test]
@@ -28,7 +28,9 @@ fn the_ends_of_all_ranges_walk_or_are_told_why_not() {
                 }
                 worst.merge(&case.name, &found);
             }
-            Outcome::Refused(error @ (GaitError::Friction { .. } | GaitError::NotWalkable { .. })) => {
+            Outcome::Refused(
+                error @ GaitError::Plan(PlanError::Friction { .. } | PlanError::NotWalkable { .. }),
+            ) => {
                 println!("{}: refused: {error}", case.name);
             }
             Outcome::Refused(error) => wrong.push(format!("{}: {error}", case.name)),
@@ -46,7 +48,7 @@ fn beyond_its_range_a_parameter_is_refused_by_name() {
         for value in [lower - 0.01, upper + 0.01, f64::NAN] {
             let request = WalkRequest { parameters: vec![(parameter.name, value)], ..steps(95.0, 2) };
             let error = walk(&person(1.75), &request).err().expect("out of range");
-            assert!(matches!(error, GaitError::Range { .. }), "{error}");
+            assert!(matches!(error, GaitError::Request(RequestError::Range { .. })), "{error}");
             assert!(error.to_string().contains(parameter.name), "{error}");
         }
     }

@@ -1,0 +1,77 @@
+//! A whole posture, from pelvis, trunk, arms and legs to the figure's coordinates.
+
+use super::foot::{FootPlane, mirror, mirror_rotation};
+use super::leg::LegPose;
+use super::rotations::{self, Euler};
+use super::segments::{Body, Segment};
+use nalgebra::Vector3;
+
+/// Outward angle of the upper arms against the thorax (rad): 6°.
+pub(crate) const ARM_ABDUCTION: f64 = 6.0 * std::f64::consts::PI / 180.0;
+/// Rotation of the hand about x (rad): the fingers a little forward.
+pub(crate) const HAND_FLEXION: f64 = -0.08;
+
+/// A whole posture: where the pelvis is, how trunk and arms are turned, and both legs' poses (left, right).
+pub(crate) struct Posture {
+    pub(crate) pelvis: Vector3<f64>,
+    pub(crate) trunk: [Euler; 5],
+    pub(crate) arms: [[f64; 2]; 2],
+    pub(crate) legs: [LegPose; 2],
+    /// Which way the body faces, and each foot against it (rad, to the left).
+    pub(crate) heading: f64,
+    pub(crate) feet: [f64; 2],
+}
+
+impl Posture {
+    /// The mirror image in the body's middle plane. Each leg's pose is one of a left leg, whichever side it is on.
+    pub(crate) fn mirrored(self) -> Self {
+        let ([left_arm, right_arm], [left_leg, right_leg]) = (self.arms, self.legs);
+        Self {
+            pelvis: mirror(&self.pelvis),
+            trunk: self.trunk.map(|[z, y, x]| [-z, -y, x]),
+            arms: [right_arm, left_arm],
+            legs: [right_leg, left_leg],
+            heading: -self.heading,
+            feet: [-self.feet[1], -self.feet[0]],
+        }
+    }
+
+    /// Writes the figure's coordinates to `q` (length `nq`).
+    pub(crate) fn write(&self, body: &Body, plane: &FootPlane, q: &mut [f64]) {
+        let root = self.pelvis - body.middle[0].offset;
+        q[body.root..body.root + 3].copy_from_slice(root.as_slice());
+        let mut set = |segment: &Segment, angles: Euler| q[segment.q..segment.q + 3].copy_from_slice(&angles);
+        let rotations = self.trunk.map(rotations::matrix);
+        let facing = if self.heading == 0.0 {
+            self.trunk[0]
+        } else {
+            rotations::euler(&(rotations::about_y(self.heading) * rotations[0]))
+        };
+        set(&body.middle[0], facing);
+        for i in 1..5 {
+            set(&body.middle[i], rotations::euler(&(rotations[i - 1].transpose() * rotations[i])));
+        }
+        for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(self.arms).enumerate() {
+            let abduction = if side == 0 { ARM_ABDUCTION } else { -ARM_ABDUCTION };
+            set(&arm[0], [0.0; 3]);
+            set(&arm[1], [abduction, 0.0, shoulder]);
+            set(&arm[2], [0.0, 0.0, elbow]);
+            set(&arm[3], [0.0, 0.0, HAND_FLEXION]);
+        }
+        for (side, (leg, pose)) in body.legs.iter().zip(&self.legs).enumerate() {
+            let [thigh, shank, foot, _] = plane.frames(pose);
+            let ankle = rotations::euler(&(shank.transpose() * foot));
+            let (thigh, ankle) = if side == 0 {
+                (thigh, ankle)
+            } else {
+                (mirror_rotation(&thigh), [-ankle[0], -ankle[1], ankle[2]])
+            };
+            let turn = self.feet[side];
+            let thigh = if turn == 0.0 { thigh } else { rotations::about_y(turn) * thigh };
+            set(&leg[0], rotations::euler(&(rotations[0].transpose() * thigh)));
+            set(&leg[1], [0.0, 0.0, pose.knee]);
+            set(&leg[2], ankle);
+            set(&leg[3], [0.0, 0.0, pose.toes - pose.pitch]);
+        }
+    }
+}

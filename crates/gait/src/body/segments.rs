@@ -1,0 +1,123 @@
+//! The human body as the planner sees it: segments by role, their masses, the momentum of a posture.
+
+use super::foot::{mirror, mirror_rotation};
+use super::leg::LegGeometry;
+use super::roles::{ARM, LEG, MIDDLE, SIDES};
+use crate::error::BodyError;
+use nalgebra::{Matrix3, Vector3};
+use solaris_model::{AxisKind, Figure, Vector3 as V3};
+
+/// Height of the person that the recipe's lengths were measured on (m).
+pub(crate) const REFERENCE_HEIGHT: f64 = 1.741;
+/// Length of that person's leg over the height, for figures that do not say their own.
+const LEG_OVER_HEIGHT: f64 = 0.934 / REFERENCE_HEIGHT;
+
+/// One segment's constants.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Segment {
+    /// First entry of the joint's three rotations in `q`.
+    pub(crate) q: usize,
+    /// Joint centre in the parent's frame.
+    pub(crate) offset: Vector3<f64>,
+    pub(crate) mass: f64,
+    pub(crate) com: Vector3<f64>,
+    pub(crate) inertia: Matrix3<f64>,
+}
+
+impl Segment {
+    /// The mirror image in the body's middle plane.
+    pub(crate) fn mirrored(self) -> Self {
+        Self {
+            offset: mirror(&self.offset),
+            com: mirror(&self.com),
+            inertia: mirror_rotation(&self.inertia),
+            ..self
+        }
+    }
+}
+
+/// The figure's segments by role.
+#[derive(Clone, Debug)]
+pub(crate) struct Body {
+    /// Of the figure, see [`Figure::fingerprint`].
+    pub(crate) fingerprint: u64,
+    pub(crate) mass: f64,
+    pub(crate) height: f64,
+    /// Number of the figure's coordinates.
+    pub(crate) nq: usize,
+    pub(crate) leg: LegGeometry,
+    /// First entry of the root's translations in `q`.
+    pub(crate) root: usize,
+    pub(crate) middle: [Segment; 5],
+    pub(crate) arms: [[Segment; 4]; 2],
+    pub(crate) legs: [[Segment; 4]; 2],
+}
+
+impl Body {
+    /// Of a figure that misses nothing ([`super::missing::check`]).
+    pub(crate) fn of(figure: &Figure) -> Result<Self, BodyError> {
+        let leg = LegGeometry::of(figure)?;
+        let segment = |name: &str, parent: Option<&str>| segment(figure, name, parent);
+        let middle_of = |i: usize| segment(MIDDLE[i], i.checked_sub(1).map(|p| MIDDLE[p]));
+        let middle = [middle_of(0)?, middle_of(1)?, middle_of(2)?, middle_of(3)?, middle_of(4)?];
+        let limb = |side: &str, names: [&str; 4], from: &str| -> Result<[Segment; 4], BodyError> {
+            let sided = names.map(|name| format!("{side}{name}"));
+            let of = |i: usize| segment(&sided[i], Some(if i == 0 { from } else { &sided[i - 1] }));
+            Ok([of(0)?, of(1)?, of(2)?, of(3)?])
+        };
+        let root = middle[0].q - 3;
+        Ok(Self {
+            fingerprint: figure.fingerprint(),
+            mass: figure.mass(),
+            nq: figure.layout().nq(),
+            height: figure.stature().unwrap_or(leg.length() / LEG_OVER_HEIGHT),
+            leg,
+            root,
+            middle,
+            arms: [limb(SIDES[0], ARM, "thorax")?, limb(SIDES[1], ARM, "thorax")?],
+            legs: [limb(SIDES[0], LEG, "pelvis")?, limb(SIDES[1], LEG, "pelvis")?],
+        })
+    }
+
+    /// Factor of the recipe's lengths.
+    pub(crate) fn scale(&self) -> f64 {
+        self.height / REFERENCE_HEIGHT
+    }
+}
+
+pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, BodyError> {
+    let missing = || BodyError::MissingLinks { figure: figure.name().into(), links: vec![name.into()] };
+    let index = figure.link_index(name).ok_or_else(missing)?;
+    let link = &figure.links()[index];
+    let found = link.parent().map(|parent| figure.links()[parent].name());
+    if found != parent {
+        let show = |parent: Option<&str>| parent.unwrap_or("the world").to_owned();
+        return Err(BodyError::OtherParent { link: name.into(), parent: show(found), wanted: show(parent) });
+    }
+    let wanted: &[(AxisKind, V3<f64>)] = &[
+        (AxisKind::Translation, V3::x()),
+        (AxisKind::Translation, V3::y()),
+        (AxisKind::Translation, V3::z()),
+        (AxisKind::Rotation, V3::z()),
+        (AxisKind::Rotation, V3::y()),
+        (AxisKind::Rotation, V3::x()),
+    ];
+    let wanted = if parent.is_none() { wanted } else { &wanted[3..] };
+    let axes = link.joint().kind().axes();
+    let same = axes.len() == wanted.len()
+        && axes
+            .iter()
+            .zip(wanted)
+            .all(|(dof, (kind, axis))| dof.axis.kind == *kind && dof.axis.direction == *axis);
+    if !same || link.joint().placement().rotation.angle() > 0.0 {
+        return Err(BodyError::OtherJoint { joint: link.joint().name().into() });
+    }
+    let layout = figure.layout().joints()[index];
+    Ok(Segment {
+        q: layout.q + layout.nq - 3,
+        offset: link.joint().placement().translation.vector,
+        mass: link.mass(),
+        com: *link.com(),
+        inertia: *link.inertia(),
+    })
+}

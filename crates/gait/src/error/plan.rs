@@ -1,0 +1,34 @@
+//! Errors of plans: why one does not hold.
+
+/// Why what was planned cannot be walked.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "each message says what its fields are")]
+pub enum PlanError {
+    #[error(
+        "step length {step_length:.3} m at {step_frequency} steps/min: {whose} friction would have to be {friction:.2}, and \
+         soles hold {limit}{longest}"
+    )]
+    Friction {
+        step_length: f64,
+        step_frequency: f64,
+        whose: &'static str,
+        friction: f64,
+        limit: f64,
+        longest: String,
+    },
+    #[error(
+        "step length {step_length:.3} m at {step_frequency} steps/min: {what}; shorten the step or go back to the default \
+         style"
+    )]
+    NotWalkable { step_length: f64, step_frequency: f64, what: String },
+    #[error(
+        "part {part} of the walk, step {step}, at {time:.2} s: {what}; change the pace or turn by less at once, or take more steps \
+         for it"
+    )]
+    AbruptChange { part: usize, step: usize, time: f64, what: String },
+    #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]
+    NoPath,
+    #[error("the walk has no stride that repeats itself; it needs {least} steps at least")]
+    NoStride { least: usize },
+}

@@ -1,0 +1,48 @@
+//! Errors of requests: numbers out of range, too many or too few of them.
+
+/// Why a request is refused before anything is planned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "each message says what its fields are")]
+pub enum RequestError {
+    #[error("{parameter} {value}{unit}: it must be {lower} to {upper}{unit}{why}")]
+    Range { parameter: &'static str, value: f64, unit: &'static str, lower: f64, upper: f64, why: String },
+    #[error("{parameter} {value}{unit}: this figure walks with {lower:.3} to {upper:.3}{unit} {at}{why}")]
+    StepLength {
+        parameter: &'static str,
+        value: f64,
+        unit: &'static str,
+        lower: f64,
+        upper: f64,
+        at: String,
+        why: String,
+    },
+    #[error(
+        "step frequency, step length and speed are all given ({step_frequency} steps/min, {step_length} m, {speed} m/s); any two decide the third: drop one"
+    )]
+    Overdetermined { step_frequency: f64, step_length: f64, speed: f64 },
+    #[error("there is no style parameter '{name}'; there are {known}")]
+    UnknownParameter { name: String, known: String },
+    #[error(
+        "a walk of {distance} m is followed by more steps; say how many steps it has, for a distance is met by the whole walk"
+    )]
+    DistanceThenMore { distance: f64 },
+    #[error(
+        "the walk turns by {turned:.1}° in all; it may turn by {limit}°, for at a quarter turn the root's three angles are \
+         singular"
+    )]
+    TurnInAll { turned: f64, limit: f64 },
+    #[error(
+        "foot-yaw {to:.1}°: the feet stand {from:.1}° outward after the walk before, and standing feet do not turn; give all \
+         walks the same"
+    )]
+    FeetWouldTurn { from: f64, to: f64 },
+    #[error("{nodes} nodes a stride: the planner takes an even number from 20 to 10000")]
+    Nodes { nodes: usize },
+    #[error("{passes} passes for a walk: at least 8 are needed, the last four of which only settle")]
+    Passes { passes: usize },
+    #[error("the style's {name} is {value}; it must be a finite number")]
+    StyleNotFinite { name: &'static str, value: f64 },
+    #[error("a sequence without a walk; give it one, if only of a single step")]
+    NoWalk,
+}

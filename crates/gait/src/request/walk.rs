@@ -1,0 +1,104 @@
+//! The request for a smooth walk, with its ranges.
+
+use super::resolution::Resolution;
+
+/// Numbers of steps.
+pub const STEPS: (usize, usize) = (1, 10_000);
+/// Shortest distance (m).
+pub const SHORTEST_DISTANCE: f64 = 0.1;
+/// The most by which a step may turn (rad).
+pub const TURN: f64 = 30.0 * std::f64::consts::PI / 180.0;
+/// The most by which a walk may turn in all (rad): where the pelvis faces across, the root's angles are singular, and the pelvis
+/// turns by up to 12° of its own.
+pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
+/// Steps of a walk that changes on the way: it is planned whole.
+pub const CHANGING_STEPS: usize = 1000;
+
+/// How far to walk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent {
+    /// So many steps; the other foot then closes beside.
+    Steps(usize),
+    /// So far (m), met exactly, in as few steps as people's step length allows.
+    Distance(f64),
+}
+
+/// What is asked. Of step frequency, step length and speed any two decide the third; what is left open is people's.
+///
+/// A fast walk begins and ends at 110 steps/min; a step gains 20 steps/min over the one before at most, above 110 only 5, and
+/// loses 10 towards the end. A step that is slower for it is shorter by as much.
+///
+/// ```
+/// use solaris_gait::{Extent, WalkPart, WalkRequest, walk};
+///
+/// let ann = solaris_model::human(1.65, 58.0)?;
+/// let request = WalkRequest { step_frequency: Some(100.0), extent: Extent::Distance(5.0), ..WalkRequest::default() };
+/// let plan = walk(&ann, &request)?;
+/// assert!((plan.prints().last().unwrap() - 5.0).abs() < 1e-12);
+///
+/// // Four steps, two slower ones round a corner, and on as before.
+/// let corner = WalkPart { steps: 2, step_frequency: Some(90.0), turn: 0.5, ..WalkPart::default() };
+/// let on = WalkPart { steps: 4, step_frequency: Some(100.0), ..WalkPart::default() };
+/// let request = WalkRequest { extent: Extent::Steps(4), then: vec![corner, on], ..request };
+/// let (_, heading) = walk(&ann, &request)?.destination();
+/// assert!((heading - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "gait parameters")]
+pub struct WalkRequest {
+    /// Steps a minute.
+    #[doc(alias = "cadence")]
+    pub step_frequency: Option<f64>,
+    /// Length of a step (m): the distance of the heel prints of one foot and then the other, which the thesis calls a
+    /// stride. People's is 0.0037·height·frequency.
+    pub step_length: Option<f64>,
+    /// Speed of the steady part (m/s).
+    #[doc(alias = "velocity")]
+    pub speed: Option<f64>,
+    /// How far.
+    pub extent: Extent,
+    /// By how much each step turns to the left (rad).
+    pub turn: f64,
+    /// What is walked next, without standing in between.
+    pub then: Vec<WalkPart>,
+    /// Whether the left foot makes the first step; else the right one.
+    pub left_first: bool,
+    /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
+    pub parameters: Vec<(&'static str, f64)>,
+    /// How finely to plan.
+    pub resolution: Resolution,
+}
+
+impl Default for WalkRequest {
+    fn default() -> Self {
+        Self {
+            step_frequency: None,
+            step_length: None,
+            speed: None,
+            extent: Extent::Steps(10),
+            turn: 0.0,
+            then: Vec::new(),
+            left_first: false,
+            parameters: Vec::new(),
+            resolution: Resolution::default(),
+        }
+    }
+}
+
+/// Some more steps of a walk. Of step frequency, step length and speed any two decide the third; where none is given, the pace is
+/// that of the steps before. A pace changes within its first step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WalkPart {
+    /// How many.
+    pub steps: usize,
+    /// Steps a minute.
+    #[doc(alias = "cadence")]
+    pub step_frequency: Option<f64>,
+    /// Length of a step (m); a short one is a half step.
+    pub step_length: Option<f64>,
+    /// Speed (m/s).
+    pub speed: Option<f64>,
+    /// By how much each step turns to the left (rad).
+    pub turn: f64,
+}

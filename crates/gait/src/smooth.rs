@@ -1,0 +1,23 @@
+//! The smooth walker: forces first, as people walk, and legs that follow.
+
+mod grid;
+mod laws;
+mod limbs;
+mod momentum;
+mod parameter;
+mod plan_check;
+mod prescribed;
+mod route;
+mod sequence;
+mod stride;
+mod style;
+mod walk;
+mod walker;
+
+pub use parameter::{PARAMETERS, Parameter, Unit};
+pub use plan_check::FRICTION;
+pub use sequence::{LONGEST_STAND, WalkSegment, WalkSequence};
+pub use stride::StridePlan;
+pub use style::{Style, StyleTable};
+pub use walk::{WalkNumbers, WalkPlan};
+pub use walker::walk;

@@ -1,0 +1,136 @@
+//! The prescribed laws: height, load share, centre of pressure, trunk and arms.
+//!
+//! `u` is the time since left heel contact over the stride's time; harmonics have the whole body's period of one stride.
+
+use crate::body::rotations::Euler;
+use crate::smooth::style::Style;
+use solaris_profiles::spline::CubicSpline;
+use solaris_profiles::{Clip, ProfileError, step};
+use std::f64::consts::TAU;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Centre of pressure while the foot comes down: when, as a part of the time until it is flat, and where, as a part of the
+/// foot's length from the heel.
+const COP_LOADING: (f64, f64) = (0.6, 0.012);
+/// Where it is (parts of the foot's length) as the foot is flat.
+const COP_FLAT: f64 = 0.035;
+/// Its quick way forward: so long after the flat foot (u), and so far (parts of the foot's length, times the style's factor).
+const COP_QUICK: (f64, f64) = (0.035, 0.33);
+/// When (u) and where it is in single support, likewise.
+const COP_SINGLE: (f64, f64) = (0.20, 0.56);
+/// Where it is (parts of the foot's length) as the roll over the tip begins.
+const COP_TIP_ROLL: f64 = 0.955;
+
+/// Amplitude of the pelvis' forward tilt (rad), twice a stride, and its phase (u).
+const TILT_SWING: (f64, f64) = (1.4 * DEGREE, 0.02);
+/// Third harmonic of the pelvis' obliquity over its first.
+const OBLIQUITY_THIRD: f64 = 0.3;
+/// Part of the way from the one to the other: the abdomen between pelvis and thorax, the neck between the head, which stays
+/// upright, and the thorax.
+const HALFWAY: f64 = 0.5;
+/// Mean of the shoulders' flexion (rad): a little backward.
+const SHOULDER_MEAN: f64 = -3.0 * DEGREE;
+/// Mean and amplitude of the elbows' flexion (rad), and its lag after the shoulder (u).
+const ELBOW: (f64, f64) = (22.0 * DEGREE, 9.0 * DEGREE);
+const ELBOW_LAG: f64 = 0.05;
+
+/// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).
+///
+/// ```text
+/// y(u) = −leg·[a₁ cos 4π(u − u₁) + a₂ cos 8πu + b₂ sin 8πu + a₃ cos 12πu + b₃ sin 12πu]
+/// ```
+pub(crate) fn height(style: &Style, leg: f64, u: f64) -> (f64, f64) {
+    let omega = TAU / style.stride_time;
+    let phase = 2.0 * TAU * style.height1_phase;
+    let terms = [
+        (2.0, style.height1 * phase.cos(), style.height1 * phase.sin()),
+        (4.0, style.height2_cos, style.height2_sin),
+        (6.0, style.height3_cos, style.height3_sin),
+    ];
+    let (mut y, mut acceleration) = (0.0, 0.0);
+    for (n, c, s) in terms {
+        let (sin, cos) = (TAU * u * n).sin_cos();
+        let q = leg * (c * cos + s * sin);
+        y -= q;
+        acceleration += (n * omega).powi(2) * q;
+    }
+    (y, acceleration)
+}
+
+/// Rise of the load share after a contact, `v` after it: S3((v/d)^se).
+pub(crate) fn share_rise(style: &Style, v: f64) -> f64 {
+    step::cubic((v / style.double_support).clamp(0.0, 1.0).powf(style.share_exponent)).position
+}
+
+/// Share of the foot whose contact is at 0, over one stance.
+pub(crate) fn share(style: &Style, u: f64) -> f64 {
+    if u < 0.0 {
+        0.0
+    } else if u < 0.5 {
+        share_rise(style, u)
+    } else {
+        1.0 - share_rise(style, u - 0.5)
+    }
+}
+
+/// Centre of pressure along the foot as a fraction of its length from the heel, by the foot's own clock.
+pub(crate) fn cop(style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
+    let (flat, forward) = (style.foot_flat, style.cop_forward);
+    let keys = [
+        (0.0, 0.0),
+        (COP_LOADING.0 * flat, COP_LOADING.1),
+        (flat, COP_FLAT),
+        (flat + COP_QUICK.0, COP_QUICK.1 * forward),
+        (COP_SINGLE.0, COP_SINGLE.1 * forward),
+        (style.heel_off, style.cop_heel_off),
+        (0.40, style.cop_40),
+        (0.50, style.cop_50),
+        (style.tip_roll_at(), COP_TIP_ROLL),
+        (style.toe_off(), 1.0),
+    ];
+    Ok(CubicSpline::monotone(&keys)?.into_clip())
+}
+
+/// How much of each swings: 0 at rest, 1 in a steady stride.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Swings {
+    pub(crate) pelvis: f64,
+    pub(crate) thorax: f64,
+    pub(crate) arms: f64,
+}
+
+impl Swings {
+    pub(crate) const ALL: Self = Self { pelvis: 1.0, thorax: 1.0, arms: 1.0 };
+    pub(crate) const NONE: Self = Self { pelvis: 0.0, thorax: 0.0, arms: 0.0 };
+}
+
+/// World orientations of pelvis, abdomen, thorax, neck and head.
+pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
+    let sin = |x: f64| (TAU * x).sin();
+    let cos = |x: f64| (TAU * x).cos();
+    let pelvis = [
+        swings.pelvis
+            * style.pelvic_obliquity
+            * (sin(u - style.obliquity_phase) + OBLIQUITY_THIRD * sin(3.0 * (u - style.obliquity_phase))),
+        -swings.pelvis * style.pelvic_rotation * cos(u),
+        style.anterior_tilt + swings.pelvis * TILT_SWING.0 * cos(2.0 * (u - TILT_SWING.1)),
+    ];
+    let thorax = [
+        -swings.thorax * (style.thorax_bend_sin * sin(u) + style.thorax_bend_cos * cos(u)),
+        swings.thorax * style.thorax_yaw * cos(u - style.thorax_yaw_phase),
+        style.thorax_lean,
+    ];
+    let abdomen = std::array::from_fn(|i| HALFWAY * (pelvis[i] + thorax[i]));
+    [pelvis, abdomen, thorax, thorax.map(|x| HALFWAY * x), [0.0; 3]]
+}
+
+/// Rotations about x of shoulders and elbows, left and right: the right arm's are the left one's half a stride later.
+pub(crate) fn arms(style: &Style, u: f64, swings: Swings) -> [[f64; 2]; 2] {
+    [arm(style, u, swings.arms), arm(style, u + 0.5, swings.arms)]
+}
+
+fn arm(style: &Style, u: f64, swing: f64) -> [f64; 2] {
+    let cos = |x: f64| (TAU * (x - 0.5 - style.arm_lag)).cos();
+    [-(SHOULDER_MEAN + swing * style.arm_swing * cos(u)), -(ELBOW.0 + swing * ELBOW.1 * cos(u - ELBOW_LAG))]
+}

@@ -1,0 +1,95 @@
+//! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
+
+use super::parts::Parts;
+use crate::body::{Body, Segment};
+use crate::body::{posture, rotations};
+use crate::smooth::grid::Grid;
+use nalgebra::{Matrix3, Vector3};
+
+/// Trunk and arms over the nodes.
+#[derive(Clone, Debug)]
+pub(crate) struct UpperBody {
+    pelvis: Vec<Matrix3<f64>>,
+    parts: Vec<Parts>,
+}
+
+impl UpperBody {
+    /// Over the nodes of a grid, from the angles of trunk and arms at each of them and which way the body faces.
+    pub(crate) fn new(
+        body: &Body,
+        grid: &Grid,
+        angles: impl Fn(usize) -> ([rotations::Euler; 5], [[f64; 2]; 2], f64),
+    ) -> Self {
+        let segments: Vec<&Segment> = body.middle.iter().chain(body.arms.iter().flatten()).collect();
+        let postures: Vec<_> = (0..grid.count)
+            .map(|i| {
+                let (trunk, arms, heading) = angles(i);
+                let ahead = posture(body, &trunk, &arms);
+                if heading == 0.0 {
+                    return ahead;
+                }
+                let turn = rotations::about_y(heading);
+                ahead.map(|(rotation, com)| (turn * rotation, turn * com))
+            })
+            .collect();
+        let parts = (0..grid.count)
+            .map(|i| {
+                let mut sum = Parts::default();
+                for (s, segment) in segments.iter().enumerate() {
+                    let (rotation, com) = postures[i][s];
+                    let rotation_rate = grid.first(i, |j| postures[j][s].0);
+                    let com_rate = grid.first(i, |j| postures[j][s].1);
+                    sum.add(segment, &rotation, &rotation_rate, &com, &com_rate);
+                }
+                sum
+            })
+            .collect();
+        Self { pelvis: postures.iter().map(|posture| posture[0].0).collect(), parts }
+    }
+
+    /// The pelvis' orientation at a node.
+    pub(crate) fn pelvis(&self, node: usize) -> &Matrix3<f64> {
+        &self.pelvis[node]
+    }
+
+    /// Momentum of trunk and arms at a node.
+    pub(crate) fn parts(&self, node: usize) -> &Parts {
+        &self.parts[node]
+    }
+}
+
+/// Rotations of pelvis … head and of both arms, and their centres of mass against the pelvis' origin, facing along z.
+fn posture(
+    body: &Body,
+    trunk: &[rotations::Euler; 5],
+    arms: &[[f64; 2]; 2],
+) -> [(Matrix3<f64>, Vector3<f64>); 13] {
+    let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 13];
+    let rotations = trunk.map(rotations::matrix);
+    let mut origin = Vector3::zeros();
+    let mut thorax_origin = origin;
+    for (i, (segment, rotation)) in body.middle.iter().zip(&rotations).enumerate() {
+        if i > 0 {
+            origin += rotations[i - 1] * segment.offset;
+        }
+        if i == 2 {
+            thorax_origin = origin;
+        }
+        parts[i] = (*rotation, origin + rotation * segment.com);
+    }
+    for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(arms).enumerate() {
+        let abduction = if side == 0 { posture::ARM_ABDUCTION } else { -posture::ARM_ABDUCTION };
+        let clavicle = rotations[2];
+        let upper = clavicle * rotations::about_z(abduction) * rotations::about_x(*shoulder);
+        let forearm = upper * rotations::about_x(*elbow);
+        let chain = [clavicle, upper, forearm, forearm * rotations::about_x(posture::HAND_FLEXION)];
+        let mut origin = thorax_origin + rotations[2] * arm[0].offset;
+        for (i, (segment, rotation)) in arm.iter().zip(&chain).enumerate() {
+            if i > 0 {
+                origin += chain[i - 1] * segment.offset;
+            }
+            parts[5 + 4 * side + i] = (*rotation, origin + rotation * segment.com);
+        }
+    }
+    parts
+}

@@ -1,0 +1,228 @@
+//! The route: a request's steps, each with its pace.
+
+use crate::body::Body;
+use crate::error::{GaitError, RequestError};
+use crate::request::Resolution;
+use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
+use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
+use crate::smooth::parameter::{PARAMETERS, Parameter};
+use crate::smooth::stride::StridePlan;
+use crate::smooth::style::Style;
+use crate::smooth::walk::{Step, Steps, WalkNumbers, WalkPlan, steps};
+
+/// The fastest first and last step (steps/min).
+const ENDS: f64 = 110.0;
+/// What a step may gain over the one before: up to the frequency of the ends, and above it (steps/min).
+const GAIN: (f64, f64) = (20.0, 5.0);
+/// How much longer than the one before a step above the frequency of the ends may be.
+const LENGTHENING: f64 = 1.12;
+/// What a step above the frequency of the ends may lose to the one after, towards the end (steps/min).
+const LOSS: f64 = 10.0;
+
+/// Some steps of one pace.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    steps: usize,
+    pace: Pace,
+    turn: f64,
+}
+
+/// The parts of a walk, checked for range.
+#[derive(Clone, Debug)]
+pub(crate) struct Route {
+    parts: Vec<Part>,
+}
+
+impl Route {
+    /// For a person of this height (m) that faces `heading` to the left of z (rad).
+    pub(crate) fn of(request: &WalkRequest, height: f64, heading: f64) -> Result<Self, GaitError> {
+        let given = Given {
+            step_frequency: request.step_frequency,
+            step_length: request.step_length,
+            speed: request.speed,
+        };
+        let mut pace = given.settle(height, 1.0 - STEP_LENGTH_MARGIN)?;
+        let mut steps = match request.extent {
+            Extent::Steps(steps) => steps,
+            Extent::Distance(distance) => {
+                let longest = STEPS.1 as f64 * pace.step_length;
+                range("distance", distance, " m", (SHORTEST_DISTANCE, longest.floor()), || {
+                    format!(", {} steps at most", STEPS.1)
+                })?;
+                let lengths = |n: usize| {
+                    let walked = eased(vec![pace; n]).into_iter();
+                    walked.map(|walked| walked.step_length / pace.step_length)
+                };
+                let (steps, length) = steps::for_distance(distance, pace.step_length, lengths);
+                pace.step_length = length;
+                steps
+            }
+        };
+        if let (Extent::Distance(distance), false) = (request.extent, request.then.is_empty()) {
+            return Err(RequestError::DistanceThenMore { distance }.into());
+        }
+        let mut parts = Vec::new();
+        let mut turned = heading;
+        for (number, next) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
+            let turn = next.map_or(request.turn, |next| next.turn);
+            let checked = || -> Result<Part, GaitError> {
+                let (mut steps, mut pace) = (steps, pace);
+                if let Some(next) = next {
+                    let given = Given {
+                        step_frequency: next.step_frequency,
+                        step_length: next.step_length,
+                        speed: next.speed,
+                    };
+                    steps = next.steps;
+                    pace = if given.nothing() { pace } else { given.settle(height, SHORTEST_STEP)? };
+                }
+                let (lower, upper) = (STEPS.0 as f64, STEPS.1 as f64);
+                range("steps", steps as f64, "", (lower, upper), String::new)?;
+                let limit = tidy(TURN.to_degrees());
+                range("turn", turn.to_degrees(), "°", (-limit, limit), || " a step".to_owned())?;
+                Ok(Part { steps, pace, turn })
+            };
+            let part = checked().map_err(|why| match number {
+                0 => why,
+                _ => GaitError::InPart { number: number + 1, why: Box::new(why) },
+            })?;
+            (steps, pace) = (part.steps, part.pace);
+            turned += part.turn * part.steps as f64;
+            let limit = TURN_IN_ALL;
+            if turned.abs() > limit + 1e-12 {
+                let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
+                return Err(RequestError::TurnInAll { turned, limit }.into());
+            }
+            parts.push(part);
+        }
+        let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
+        let route = Self { parts };
+        let most = if route.is_even() { STEPS.1 } else { CHANGING_STEPS };
+        range("steps in all", all as f64, "", (STEPS.0 as f64, most as f64), || {
+            " where pace or direction change on the way".to_owned()
+        })?;
+        Ok(route)
+    }
+
+    /// The pace of the first part.
+    pub(crate) fn pace(&self) -> Pace {
+        self.parts[0].pace
+    }
+
+    /// The number of the part that a step belongs to; both count from 1.
+    pub(crate) fn part_of(&self, step: usize) -> usize {
+        let mut last = 0;
+        let ends = self.parts.iter().map(|part| {
+            last += part.steps;
+            last
+        });
+        ends.take_while(|&end| end < step).count() + 1
+    }
+
+    /// The first part alone, with steps of another length, and no more than `most` of them.
+    pub(crate) fn with_step_length(&self, step_length: f64, most: usize) -> Self {
+        let first = self.parts[0];
+        let pace = Pace { step_length, ..first.pace };
+        Self { parts: vec![Part { pace, steps: first.steps.min(most), ..first }] }
+    }
+
+    /// Whether there is only one part, straight on.
+    pub(crate) fn is_even(&self) -> bool {
+        matches!(self.parts[..], [Part { turn, .. }] if turn == 0.0)
+    }
+
+    /// Plans the walk. `standing` is the style in which the feet stand before it, that of the first step where there is none;
+    /// `mirrored` turns everything the other way.
+    pub(crate) fn plan(
+        &self,
+        body: &Body,
+        standing: Option<&Style>,
+        parameters: &[(&'static str, f64)],
+        mirrored: bool,
+        resolution: Resolution,
+    ) -> Result<WalkPlan, GaitError> {
+        let mut paces = Vec::new();
+        let mut steps_of = |parts: &[Part]| steps_of(parts, mirrored, &mut paces);
+        let whole = steps_of(&self.parts);
+        let planned = Steps::repeated(whole.len()).filter(|_| self.is_even()).map(|steps| {
+            let part = Part { steps, ..self.parts[0] };
+            steps_of(&[part])
+        });
+        let mut strides = Vec::new();
+        for pace in &paces {
+            let mut style = Style::of(&body.leg, body.height, pace.step_frequency, pace.step_length);
+            for (name, value) in parameters {
+                let parameter = Parameter::named(name).ok_or_else(|| {
+                    let known = PARAMETERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
+                    RequestError::UnknownParameter { name: (*name).to_owned(), known }
+                })?;
+                parameter.set(&mut style, *value)?;
+            }
+            strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
+        }
+        // The middle of the first part is what it is called after.
+        let (first, steady) = (whole[0].pace, whole[(self.parts[0].steps - 1) / 2].pace);
+        let standing = match standing {
+            Some(before) => {
+                let next = strides[first].style;
+                let [from, to] = [before.foot_yaw, next.foot_yaw].map(f64::to_degrees);
+                if (from - to).abs() > 1e-9 {
+                    return Err(RequestError::FeetWouldTurn { from, to }.into());
+                }
+                // All that a standing posture depends on.
+                let (step_width, thorax_lean) = (before.step_width, before.thorax_lean);
+                let style = Style { step_width, thorax_lean, anterior_tilt: before.anterior_tilt, ..next };
+                strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
+                strides.len() - 1
+            }
+            None => first,
+        };
+        let steps = Steps {
+            strides: &strides,
+            standing,
+            steady,
+            numbers: WalkNumbers::default(),
+            whole: &whole,
+            planned: planned.as_deref(),
+        };
+        WalkPlan::of_steps(&steps, resolution)
+    }
+}
+
+/// The steps of some parts; paces that are new are added to `paces`.
+fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
+    let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
+    let walked = eased(asked.iter().map(|part| part.pace).collect());
+    let steps = asked.iter().zip(walked).zip(steps::factors(asked.len())).map(|((part, pace), factor)| {
+        let index = paces.iter().position(|known| *known == pace).unwrap_or_else(|| {
+            paces.push(pace);
+            paces.len() - 1
+        });
+        let turn = if mirrored { -part.turn } else { part.turn };
+        Step { pace: index, length: factor * pace.step_length, turn }
+    });
+    steps.collect()
+}
+
+/// The paces of steps that gain and lose no more than they may; a step that is slower is shorter by as much.
+fn eased(mut steps: Vec<Pace>) -> Vec<Pace> {
+    let limit = |pace: &mut Pace, most: f64| {
+        if pace.step_frequency > most {
+            pace.step_length *= most / pace.step_frequency;
+            pace.step_frequency = most;
+        }
+    };
+    let (mut most, mut longest) = (ENDS, f64::INFINITY);
+    for pace in &mut steps {
+        limit(pace, most);
+        if pace.step_frequency > ENDS {
+            pace.step_length = pace.step_length.min(longest);
+        }
+        most = (pace.step_frequency + GAIN.0).min(ENDS).max(pace.step_frequency + GAIN.1);
+        longest = pace.step_length * LENGTHENING;
+    }
+    for (before_last, pace) in steps.iter_mut().rev().enumerate() {
+        limit(pace, ENDS + LOSS * before_last as f64);
+    }
+    steps
+}

@@ -1,0 +1,255 @@
+//! One periodic stride: two steps of steady walking.
+
+mod nodes;
+
+use crate::body::Body;
+use crate::body::foot::{FootPlane, mirror};
+use crate::body::leg::LegPose;
+use crate::body::missing;
+use crate::body::posture::Posture;
+use crate::body::rotations;
+use crate::error::GaitError;
+use crate::request::Resolution;
+use crate::smooth::grid::{Ends, Grid};
+use crate::smooth::laws::{self, Swings};
+use crate::smooth::limbs::jet::LegJet;
+use crate::smooth::limbs::midstance::above_flexion;
+use crate::smooth::limbs::numbers::LANDING_RANGE;
+use crate::smooth::limbs::push::Push;
+use crate::smooth::limbs::stance::{Landing, Stance};
+use crate::smooth::limbs::swing::{Aim, Swing};
+use crate::smooth::momentum::MomentumKernel;
+use crate::smooth::momentum::upper::UpperBody;
+use crate::smooth::prescribed::PrescribedNode;
+use crate::smooth::style::Style;
+use nalgebra::Vector3;
+use nodes::Laws;
+use solaris_analysis::FootSupport;
+use solaris_model::{Contact, Figure};
+use solaris_profiles::{Boundary, UniformSpline};
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// Least flexion of a knee on a flat foot.
+const LEAST_KNEE: f64 = 7.0 * DEGREE;
+/// Instants at which a flat foot's leg is looked at for it.
+const INSTANTS: i32 = 30;
+/// Part of the way to the momentum found that each pass goes but the first, which goes all of it.
+const RELAXATION: f64 = 0.8;
+
+/// A planned stride: left heel contact at u = 0 with its print at z = 0, right at u = ½ with its print one step ahead.
+#[doc(alias = "gait cycle")]
+pub struct StridePlan {
+    pub(crate) body: Body,
+    pub(crate) style: Style,
+    stance: Stance,
+    swing: Swing,
+    /// The pelvis in a frame that moves with the walk.
+    pelvis: UniformSpline<3>,
+    nodes: Vec<PrescribedNode>,
+    /// Centre of mass against the pelvis' origin, by node.
+    pub(crate) com_offset: Vec<Vector3<f64>>,
+    pub(crate) contact: LegJet,
+}
+
+impl StridePlan {
+    /// Plans a stride in this style: any parameters that solve are taken, [`crate::walk`] checks ranges.
+    ///
+    /// # Errors
+    ///
+    /// A figure that the walker does not know, and a stride that does not close.
+    pub fn new(figure: &Figure, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {
+        missing::check(figure)?;
+        Self::plan(Body::of(figure)?, style, resolution)
+    }
+
+    pub(crate) fn plan(body: Body, style: &Style, resolution: Resolution) -> Result<Self, GaitError> {
+        resolution.check()?;
+        style.check()?;
+        let n = resolution.nodes;
+        let half = n / 2;
+        let grid = Grid { count: n, step: style.stride_time / n as f64, ends: Ends::Periodic };
+        let clock = |i: usize| i as f64 / n as f64;
+        let s2 = 2.0 * style.step_length;
+        let leg = body.leg;
+        let laws = Laws::new(&body, style, n)?;
+        let upper = UpperBody::new(&body, &grid, |i| {
+            let (trunk, arms) = angles(style, clock(i));
+            (trunk, arms, 0.0)
+        });
+        let plane = FootPlane::new(style.foot_yaw);
+        let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0);
+        let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();
+        let toe_off = style.toe_off();
+        let swinging = (0..n).filter(|&i| clock(i) > toe_off);
+        let swinging: Vec<usize> = swinging.collect();
+
+        let mut com: Vec<Vector3<f64>> =
+            (0..n).map(|i| Vector3::new(0.0, laws.height[i] + leg.length() * 1.026, 0.0)).collect();
+        let mut offset = vec![Vector3::new(0.0, 0.05, 0.0); n];
+        let mut momentum_rate = vec![Vector3::zeros(); n];
+        let mut last = None;
+        for pass in 0..resolution.stride_passes.max(1) {
+            laws.centre_of_mass(&grid, &momentum_rate, &mut com)?;
+            let hip_nodes: Vec<[f64; 3]> = (0..n).map(|i| (com[i] - offset[i] + hips[i]).into()).collect();
+            let spline = UniformSpline::periodic(0.0, 1.0 / n as f64, &hip_nodes)?;
+            let hip_at =
+                |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, s2 * u);
+            let mut stance = Stance::new(&leg, style, Landing::Heel, Push::of(style));
+            let rise = spare_height(&stance, style, &leg, |u| hip_at(u, 0.0));
+            for com in &mut com {
+                com.y += rise;
+            }
+            let hip = |u: f64| hip_at(u, rise);
+            let knee = if style.flexion > 0.0 {
+                stance.landing_knee(style, -style.heel_strike_angle, LANDING_RANGE, &hip(0.0))
+            } else {
+                Boundary::new(style.knee_contact, style.knee_contact_rate, style.knee_contact_acc)
+            };
+            stance.set_contact(knee, hip)?;
+            stance.set_push(hip)?;
+            let contact = stance.contact_jet(Some(knee), hip);
+            let aim = Aim {
+                thigh: style.thigh_swing,
+                late_knee: style.knee_late_swing + knee.position - style.knee_contact,
+                beside: false,
+                sideways: [0.0; 2],
+            };
+            let mut swing = Swing::new(style, &stance.toe_off_jet(hip), &contact, &aim)?;
+            let heights: Vec<(f64, f64)> =
+                swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
+            swing.clear_ground(&leg, style.clearance, 0.0, &heights);
+            let poses: Vec<LegPose> = (0..n)
+                .map(|i| match clock(i) {
+                    u if u <= toe_off => stance.pose(u, &hip(u)),
+                    u => swing.pose(&leg, u),
+                })
+                .collect();
+            let momentum = kernel.momentum(&upper, |i| [poses[i], poses[(i + half) % n]]);
+            let rate: Vec<Vector3<f64>> = (0..n).map(|i| grid.first(i, |j| momentum.angular[j])).collect();
+            let pelvis: Vec<Vector3<f64>> = (0..n).map(|i| com[i] - offset[i]).collect();
+            let relaxation = if pass == 0 { 1.0 } else { RELAXATION };
+            for (old, new) in momentum_rate.iter_mut().zip(&rate) {
+                *old += (new - *old) * relaxation;
+            }
+            offset = momentum.com;
+            last = Some((stance, swing, contact, pelvis, rate));
+        }
+        let Some((stance, swing, contact, pelvis, rate)) = last else { unreachable!("at least one pass") };
+        let nodes = (0..n)
+            .map(|i| PrescribedNode {
+                com: pelvis[i] + offset[i] + Vector3::new(0.0, 0.0, s2 * clock(i)),
+                vertical: laws.vertical[i],
+                momentum_rate: rate[i],
+                feet: laws.feet[i],
+            })
+            .collect();
+        let pelvis_nodes: Vec<[f64; 3]> = pelvis.iter().map(|&p| p.into()).collect();
+        let pelvis = UniformSpline::periodic(0.0, 1.0 / n as f64, &pelvis_nodes)?;
+        Ok(Self { body, style: *style, stance, swing, pelvis, nodes, com_offset: offset, contact })
+    }
+
+    /// The style that was planned.
+    pub fn style(&self) -> &Style {
+        &self.style
+    }
+
+    /// Nodes a stride.
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Mean height of the centre of mass (m).
+    pub fn mean_height(&self) -> f64 {
+        self.nodes.iter().map(|node| node.com.y).sum::<f64>() / self.nodes.len() as f64
+    }
+
+    /// Writes the figure's coordinates at the clock `u`, any number, to `q` (length `nq`).
+    pub fn configuration(&self, u: f64, q: &mut [f64]) {
+        let (pelvis, legs) = self.place(u);
+        let (trunk, arms) = angles(&self.style, u);
+        Posture { pelvis, trunk, arms, legs, heading: 0.0, feet: [0.0; 2] }.write(
+            &self.body,
+            &self.stance.plane,
+            q,
+        );
+    }
+
+    /// World pitch of foot and toes (rad, toe down), left and right, at the clock `u`.
+    pub fn foot_pitches(&self, u: f64) -> [(f64, f64); 2] {
+        self.place(u).1.map(|pose| (pose.pitch, pose.toes))
+    }
+
+    fn place(&self, u: f64) -> (Vector3<f64>, [LegPose; 2]) {
+        let step = self.style.step_length;
+        let pelvis = Vector3::from(self.pelvis.position(u)) + Vector3::new(0.0, 0.0, 2.0 * step * u);
+        let (trunk, _) = angles(&self.style, u);
+        let rotation = rotations::matrix(trunk[0]);
+        let legs = [0, 1].map(|side| {
+            // Contacts of the left foot at 0, 1, …, of the right one at −½, ½, …
+            let contact = if side == 0 { u.floor() } else { (u + 0.5).floor() - 0.5 };
+            let hip = pelvis + rotation * self.body.legs[side][0].offset;
+            let hip = if side == 0 { hip } else { mirror(&hip) };
+            let v = u - contact;
+            if v <= self.style.toe_off() {
+                self.stance.pose(v, &(hip - Vector3::new(0.0, 0.0, 2.0 * step * contact)))
+            } else {
+                self.swing.pose(&self.body.leg, v)
+            }
+        });
+        (pelvis, legs)
+    }
+
+    /// Centre of mass at a node (m).
+    pub fn com(&self, node: usize) -> Vector3<f64> {
+        self.nodes[node].com
+    }
+
+    /// Rate of the angular momentum about the centre of mass at a node (N m).
+    pub fn momentum_rate(&self, node: usize) -> Vector3<f64> {
+        self.nodes[node].momentum_rate
+    }
+
+    /// Share and centre of pressure of left and right foot at a node.
+    pub fn support(&self, node: usize) -> [FootSupport; 2] {
+        self.nodes[node].feet
+    }
+
+    /// Prescribed wrenches of left and right foot at a node.
+    pub fn forces(&self, node: usize) -> [Contact; 2] {
+        self.nodes[node].feet(self.style.pivot)
+    }
+}
+
+/// Angles of trunk and both arms at the clock `u`.
+fn angles(style: &Style, u: f64) -> ([rotations::Euler; 5], [[f64; 2]; 2]) {
+    (laws::trunk(style, u, Swings::ALL), laws::arms(style, u, Swings::ALL))
+}
+
+/// How far the body must rise until the first leg, at contact or on a flat foot, is as straight as it may be.
+fn spare_height(
+    stance: &Stance,
+    style: &Style,
+    leg: &crate::body::leg::LegGeometry,
+    hip: impl Fn(f64) -> Vector3<f64>,
+) -> f64 {
+    let spare = |u: f64, ankle: Vector3<f64>, knee: f64| {
+        let d = hip(u) - ankle;
+        (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(1e-6).sqrt() - d.y
+    };
+    let contact = spare(0.0, stance.ankle_on_heel(-style.heel_strike_angle), style.knee_contact);
+    let (from, to) = (style.foot_flat, style.heel_off);
+    let flexed = if style.flexion > 0.0 {
+        -above_flexion(leg, stance, style.flexion, (from, to), &hip).1
+    } else {
+        f64::INFINITY
+    };
+    (0..INSTANTS)
+        .map(|i| {
+            spare(
+                from + (to - from) * f64::from(i) / f64::from(INSTANTS - 1),
+                stance.flat_ankle(),
+                LEAST_KNEE,
+            )
+        })
+        .fold(contact.min(flexed), f64::min)
+}

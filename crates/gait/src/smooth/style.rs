@@ -1,0 +1,272 @@
+//! The numbers of a walking style: from a step frequency and a step length, for any figure.
+
+use crate::body::LegGeometry;
+use crate::error::RequestError;
+use crate::request::WALK_RATIO;
+
+/// Middle and spread of S/leg over the speeds that the table was fitted to.
+const SIGMA: (f64, f64) = (0.7586, 0.138);
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Names the numbers of a style, once: as fields, and as rows of the table.
+macro_rules! style_numbers {
+    ($($(#[$doc:meta])* $name:ident: $unit:expr, [$c0:expr, $c1:expr, $c2:expr, $c3:expr];)*) => {
+        /// The numbers of one walking style (rad, m, s; `u` is the time since left heel contact over the stride's time).
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Style {
+            /// Steps a minute.
+            pub step_frequency: f64,
+            /// Length of a step, from one heel print to the next one of the other foot (m); the thesis calls it stride.
+            pub step_length: f64,
+            /// One double support, as a fraction of the stride.
+            #[doc(alias = "dual support")]
+            pub double_support: f64,
+            /// Duration of a stride, two steps (s).
+            #[doc(alias = "gait cycle")]
+            #[doc(alias = "cycle time")]
+            pub stride_time: f64,
+            /// Outward turn of the feet.
+            #[doc(alias = "foot progression angle")]
+            #[doc(alias = "toe-out")]
+            pub foot_yaw: f64,
+            /// Least height of the swinging foot's lowest point in mid-swing (m).
+            pub clearance: f64,
+            /// Mean tilt of the pelvis, forward.
+            pub anterior_tilt: f64,
+            /// Least pitch of the standing shank when the hip is above its ankle (χ): the body is lowered to it.
+            pub flexion: f64,
+            $($(#[$doc])* pub $name: f64,)*
+        }
+
+        impl Style {
+            fn tabulated(table: &StyleTable, basis: &[f64; 4], common: Common) -> Self {
+                let q = |c: [f64; 4]| c.iter().zip(basis).map(|(c, b)| c * b).sum::<f64>();
+                let [$($name,)*] = table.rows;
+                Self {
+                    step_frequency: common.step_frequency,
+                    step_length: common.step_length,
+                    double_support: common.double_support,
+                    stride_time: 120.0 / common.step_frequency,
+                    foot_yaw: 5.0 * DEGREE,
+                    clearance: common.clearance,
+                    anterior_tilt: 4.0 * DEGREE,
+                    flexion: 0.0,
+                    $($name: q($name) * $unit,)*
+                }
+            }
+
+            /// The numbers of the table with their names.
+            fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+                [$((stringify!($name), self.$name),)*].into_iter()
+            }
+        }
+
+        impl StyleTable {
+            /// Name and unit of each row: `DEGREE` or 1.0.
+            pub const NUMBERS: [(&'static str, &'static str); NUMBERS] =
+                [$((stringify!($name), stringify!($unit)),)*];
+        }
+
+        impl Default for StyleTable {
+            /// What ships.
+            fn default() -> Self {
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*] }
+            }
+        }
+
+        const NUMBERS: usize = [$(stringify!($name),)*].len();
+    };
+}
+
+/// The coefficients that styles are made of: each number is the sum of its row's over [`StyleTable::basis`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct StyleTable {
+    /// A row for each of [`StyleTable::NUMBERS`].
+    pub rows: [[f64; 4]; NUMBERS],
+}
+
+impl StyleTable {
+    /// What the coefficients are multiplied by for a leg, a height (m), a step frequency (1/min) and a step length (m):
+    ///
+    /// ```text
+    /// 1, s, s², r      s = (S/leg − .7586)/.138 in [−1.6, 1.1]      r = S/(.0037·H·sf) − 1 in ±.15
+    /// ```
+    pub fn basis(leg: &LegGeometry, height: f64, step_frequency: f64, step_length: f64) -> [f64; 4] {
+        let s = stretch(leg, step_length).clamp(-1.6, 1.1);
+        let r = (step_length / (WALK_RATIO * height * step_frequency) - 1.0).clamp(-0.15, 0.15);
+        [1.0, s, s * s, r]
+    }
+}
+
+/// S/leg against the middle of the fitted speeds, in their spread.
+fn stretch(leg: &LegGeometry, step_length: f64) -> f64 {
+    (step_length / leg.length() - SIGMA.0) / SIGMA.1
+}
+
+struct Common {
+    step_frequency: f64,
+    step_length: f64,
+    double_support: f64,
+    clearance: f64,
+}
+
+// One offline least-squares fit over all speeds at once (docs/walking.md).
+style_numbers! {
+    /// Foot pitch at contact, toe up (θ).
+    heel_strike_angle: DEGREE, [17.42, 3.32, 0.23, 0.55];
+    /// First harmonic of the centre of mass' height over the leg's length.
+    height1: 1.0, [0.01687, 0.00139, 0.00032, 0.00029];
+    /// Its phase.
+    height1_phase: 1.0, [0.0121, -0.0059, 0.0129, 0.0406];
+    /// Second harmonic, cosine.
+    height2_cos: 1.0, [-0.00118, 0.00093, 0.00004, -0.00024];
+    /// Second harmonic, sine.
+    height2_sin: 1.0, [0.00079, -0.00097, -0.00001, -0.00075];
+    /// Third harmonic, cosine.
+    height3_cos: 1.0, [-0.00012, -0.00015, -0.00011, -0.00003];
+    /// Third harmonic, sine.
+    height3_sin: 1.0, [0.00014, 0.00037, -0.00010, -0.00025];
+    /// Amplitude of the pelvis' obliquity (δ).
+    pelvic_obliquity: DEGREE, [3.90, 0.39, 0.02, 0.56];
+    /// Its phase.
+    obliquity_phase: 1.0, [0.0346, 0.0178, -0.0005, 0.0255];
+    /// When the foot is flat.
+    foot_flat: 1.0, [0.0796, -0.0116, -0.0005, 0.0114];
+    /// Knee flexion at contact.
+    knee_contact: DEGREE, [7.38, 0.91, 1.02, -3.24];
+    /// Its rate, by u.
+    knee_contact_rate: DEGREE, [120.5, 39.5, 13.0, -4.9];
+    /// Its second derivative, by u.
+    knee_contact_acc: DEGREE, [2215.0, 3049.0, 1997.0, 2120.0];
+    /// Knee flexion in the push, at u = .46.
+    knee_push: DEGREE, [11.90, -3.54, -0.39, 6.65];
+    /// Knee flexion at toe-off.
+    knee_toe_off: DEGREE, [41.50, -4.82, 1.23, -19.37];
+    /// Its rate.
+    knee_toe_off_rate: DEGREE, [363.1, 20.1, 26.2, -174.8];
+    /// Its second derivative.
+    knee_toe_off_acc: DEGREE, [-656.4, 672.9, 80.0, 784.4];
+    /// Pitch of the toes at toe-off.
+    toe_roll: DEGREE, [34.78, -0.96, -0.14, 36.22];
+    /// Greatest knee flexion in swing.
+    knee_peak: DEGREE, [65.17, -4.87, -1.53, -0.55];
+    /// When it is reached.
+    knee_peak_at: 1.0, [0.7503, -0.0027, -0.0026, 0.0436];
+    /// Forward angle of the thigh at u = .84.
+    thigh_swing: DEGREE, [28.80, -0.61, 1.24, -1.67];
+    /// Dorsiflexion at u = .83.
+    ankle_swing: DEGREE, [6.17, -0.31, -0.41, 1.66];
+    /// Factor of the centre of pressure's way forward.
+    cop_forward: 1.0, [1.0609, 0.2194, -0.0662, 0.6133];
+    /// Centre of pressure when the heel rises, as a fraction of the foot's length.
+    cop_heel_off: 1.0, [0.7494, 0.0063, -0.0016, 0.0387];
+    /// Centre of pressure at u = .40.
+    cop_40: 1.0, [0.7914, 0.0187, -0.0087, 0.0759];
+    /// Centre of pressure at u = .50.
+    cop_50: 1.0, [0.7964, 0.0360, 0.0230, 0.0912];
+    /// When the heel rises.
+    heel_off: 1.0, [0.3248, 0.0146, -0.0038, 0.0421];
+    /// Forward lean of the thorax.
+    thorax_lean: DEGREE, [-0.36, -1.55, 0.08, 0.69];
+    /// Knee flexion at u = .945.
+    knee_late_swing: DEGREE, [4.48, 0.21, 1.76, 1.09];
+    /// Side bend of the thorax, sine.
+    thorax_bend_sin: DEGREE, [5.31, -0.03, 0.17, -0.79];
+    /// Side bend of the thorax, cosine.
+    thorax_bend_cos: DEGREE, [-2.65, -1.71, 0.88, -0.58];
+    /// Turn of the thorax.
+    thorax_yaw: DEGREE, [7.06, 0.15, 0.08, -0.44];
+    /// Amplitude of the shoulder's flexion.
+    arm_swing: DEGREE, [23.80, 7.65, -2.74, -31.84];
+    /// Exponent of the load share.
+    share_exponent: 1.0, [0.7408, -0.0568, 0.0354, -0.2458];
+    /// Distance of the heel prints' lines (for a height of 1.75 m).
+    step_width: 1.0, [0.1117, -0.0016, -0.0056, -0.0858];
+    /// Begin of the roll over the toes' tip, as a fraction of double support.
+    tip_roll: 1.0, [0.4268, -0.1015, 0.0126, 0.2992];
+    /// Turn of the pelvis at contact (τ).
+    pelvic_rotation: DEGREE, [5.82, 1.43, -0.18, -0.59];
+    /// Height of the point that the feet's forces point at, over the height of the centre of mass.
+    pivot: 1.0, [1.4592, -0.0340, -0.0140, 1.8694];
+    /// Lag of the arms.
+    arm_lag: 1.0, [-0.0213, 0.0353, -0.0045, 0.0037];
+    /// Phase of the thorax' turn.
+    thorax_yaw_phase: 1.0, [-0.0076, 0.0293, 0.0768, -0.0143];
+}
+
+impl Style {
+    /// The style of people at this step frequency (1/min) and step length (m), for a figure of this height (m).
+    ///
+    /// No check of ranges: see [`crate::walk`].
+    pub fn of(leg: &LegGeometry, height: f64, step_frequency: f64, step_length: f64) -> Self {
+        Self::from_table(&StyleTable::default(), leg, height, step_frequency, step_length)
+    }
+
+    /// The same, made of other coefficients than those that ship.
+    pub fn from_table(
+        table: &StyleTable,
+        leg: &LegGeometry,
+        height: f64,
+        step_frequency: f64,
+        step_length: f64,
+    ) -> Self {
+        let basis = StyleTable::basis(leg, height, step_frequency, step_length);
+        let common = Common {
+            step_frequency,
+            step_length,
+            double_support: (29.4 - 0.149 * step_frequency) / 100.0,
+            clearance: 0.012 * height / crate::body::REFERENCE_HEIGHT,
+        };
+        let mut style = Self::tabulated(table, &basis, common);
+        if stretch(leg, step_length) < -1.6 {
+            // Steps shorter than any that were fitted: the body rises as they are long squared.
+            let shorter = step_length / leg.length() / (SIGMA.0 - 1.6 * SIGMA.1);
+            for height in [
+                &mut style.height1,
+                &mut style.height2_cos,
+                &mut style.height2_sin,
+                &mut style.height3_cos,
+                &mut style.height3_sin,
+            ] {
+                *height *= shorter * shorter;
+            }
+        }
+        style.step_width *= height / 1.75;
+        style
+    }
+
+    /// Refuses numbers that are none.
+    pub(crate) fn check(&self) -> Result<(), RequestError> {
+        let common = [
+            ("step_frequency", self.step_frequency),
+            ("step_length", self.step_length),
+            ("double_support", self.double_support),
+            ("stride_time", self.stride_time),
+            ("foot_yaw", self.foot_yaw),
+            ("clearance", self.clearance),
+            ("anterior_tilt", self.anterior_tilt),
+            ("flexion", self.flexion),
+        ];
+        match common.into_iter().chain(self.numbers()).find(|(_, value)| !value.is_finite()) {
+            Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether the step is shorter than any that the numbers were fitted to (0.538 of the leg), so that they are held at
+    /// their ends.
+    pub fn is_extrapolated(&self, leg: &LegGeometry) -> bool {
+        self.step_length / leg.length() < SIGMA.0 - 1.6 * SIGMA.1
+    }
+
+    /// Toe-off of the left foot, in u.
+    pub fn toe_off(&self) -> f64 {
+        0.5 + self.double_support
+    }
+
+    /// Begin of the left foot's roll over the tip, in u.
+    pub(crate) fn tip_roll_at(&self) -> f64 {
+        0.5 + self.tip_roll * self.double_support
+    }
+}

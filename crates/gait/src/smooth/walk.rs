@@ -1,0 +1,24 @@
+//! A whole walk: its course and tempo, its laws, the passes that solve it, and the plan that comes of them.
+
+mod band;
+mod check;
+mod course;
+mod feet;
+mod gaits;
+mod laws;
+mod numbers;
+mod passes;
+mod plan;
+mod repeat;
+mod schedule;
+mod solve;
+mod standing;
+pub(crate) mod steps;
+mod tempo;
+mod timeline;
+
+pub(crate) use course::Step;
+pub use numbers::WalkNumbers;
+pub use plan::WalkPlan;
+pub(crate) use schedule::sampled;
+pub(crate) use steps::Steps;

@@ -1,0 +1,130 @@
+//! The paces of a walk, and which of them a clock belongs to.
+
+use super::course::{Episode, Step};
+use super::standing::Standing;
+use super::tempo::{Tempo, smooth_step};
+use crate::error::GaitError;
+use crate::smooth::laws;
+use crate::smooth::stride::StridePlan;
+use crate::smooth::style::Style;
+use nalgebra::Vector3;
+use solaris_profiles::Clip;
+use solaris_profiles::spline::CubicSpline;
+
+/// A pace: its style, and what its steady stride says.
+pub(super) struct Gait {
+    pub(super) style: Style,
+    /// Mean height of the centre of mass (m).
+    pub(super) mean_height: f64,
+    /// The thigh at contact (rad).
+    pub(super) contact_thigh: f64,
+    pub(super) standing: Standing,
+    /// Rate of the angular momentum and centre of mass against the pelvis, by node.
+    momentum_rate: Vec<Vector3<f64>>,
+    com_offset: Vec<Vector3<f64>>,
+}
+
+impl Gait {
+    fn of(stride: &StridePlan) -> Self {
+        let nodes = 0..stride.node_count();
+        Self {
+            style: stride.style,
+            mean_height: stride.mean_height(),
+            contact_thigh: stride.contact.thigh.position,
+            standing: Standing::new(&stride.body, &stride.style),
+            momentum_rate: nodes.map(|node| stride.momentum_rate(node)).collect(),
+            com_offset: stride.com_offset.clone(),
+        }
+    }
+
+    /// Rate of the angular momentum and centre of mass against the pelvis in a steady stride, at the node next to a clock.
+    pub(super) fn steady(&self, u: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let count = self.momentum_rate.len();
+        let node = ((u * count as f64).round() as isize).rem_euclid(count as isize) as usize;
+        (self.momentum_rate[node], self.com_offset[node])
+    }
+}
+
+/// What a foot does on one print: its pace's style with the double support in which it lifts, and where it is pressed.
+pub(super) struct StanceLaw {
+    pub(super) style: Style,
+    pub(super) cop: Clip<CubicSpline>,
+}
+
+/// The paces of a walk.
+pub(super) struct Gaits {
+    paces: Vec<Gait>,
+    /// The pace of each contact, from the standing feet to the closing one.
+    of_contact: Vec<usize>,
+    /// By the contact before which a foot lifts.
+    stances: Vec<StanceLaw>,
+    pub(super) tempo: Tempo,
+    /// Stride time of the fastest pace (s).
+    pub(super) stride_time: f64,
+}
+
+impl Gaits {
+    /// Of some strides and the steps that are taken with them; the feet stand before the first step in the manner of the pace
+    /// `standing`.
+    pub(super) fn new(strides: &[StridePlan], standing: usize, steps: &[Step]) -> Result<Self, GaitError> {
+        let paces: Vec<Gait> = strides.iter().map(Gait::of).collect();
+        let mut of_contact = vec![standing];
+        of_contact.extend(steps.iter().map(|step| step.pace));
+        of_contact.push(of_contact[steps.len()]);
+        let stride_time = paces.iter().map(|pace| pace.style.stride_time).fold(f64::INFINITY, f64::min);
+        let stances = (0..=of_contact.len())
+            .map(|next| {
+                let style_of = |contact: usize| &paces[of_contact[contact.min(of_contact.len() - 1)]].style;
+                let double_support = style_of(next).double_support;
+                let style = Style { double_support, ..*style_of(next.saturating_sub(1)) };
+                Ok(StanceLaw { style, cop: laws::cop(&style)? })
+            })
+            .collect::<Result<_, GaitError>>()?;
+        let tempo = tempo(&paces, stride_time, standing, steps);
+        Ok(Self { paces, of_contact, stances, tempo, stride_time })
+    }
+
+    /// The tempo of other steps of the same paces.
+    pub(super) fn tempo_of(&self, standing: usize, steps: &[Step]) -> Tempo {
+        tempo(&self.paces, self.stride_time, standing, steps)
+    }
+
+    /// The pace of contact `k`.
+    pub(super) fn of_contact(&self, k: usize) -> &Gait {
+        &self.paces[self.of_contact[k.min(self.of_contact.len() - 1)]]
+    }
+
+    /// The law of a foot on a print.
+    pub(super) fn stance(&self, episode: &Episode) -> &StanceLaw {
+        &self.stances[episode.next]
+    }
+
+    /// The style in which a foot swings from one print to the next.
+    pub(super) fn swing(&self, from: &Episode, to: &Episode) -> Style {
+        let double_support = self.stance(from).style.double_support;
+        Style { double_support, ..self.of_contact(to.index).style }
+    }
+
+    /// The pace at a clock, and in a step in which it changes how much of which other one: over step k from that of contact
+    /// k − 1 to that of contact k.
+    pub(super) fn at(&self, u: f64) -> (&Gait, Option<(&Gait, f64)>) {
+        let x = 2.0 * u;
+        let last = self.of_contact.len() - 1;
+        let k = (x.max(0.0) as usize).min(last);
+        let (from, to) = (self.of_contact[k], self.of_contact[(k + 1).min(last)]);
+        let other = (from != to && x > 0.0).then(|| (&self.paces[to], smooth_step(x - k as f64)));
+        (&self.paces[from], other)
+    }
+
+    /// A number of the pace at a clock.
+    pub(super) fn number(&self, u: f64, of: impl Fn(&Gait) -> f64) -> f64 {
+        let (pace, other) = self.at(u);
+        let value = of(pace);
+        other.map_or(value, |(next, part)| value + (of(next) - value) * part)
+    }
+}
+
+fn tempo(paces: &[Gait], stride_time: f64, standing: usize, steps: &[Step]) -> Tempo {
+    let contacts = std::iter::once(standing).chain(steps.iter().map(|step| step.pace));
+    Tempo::new(contacts.map(|pace| paces[pace].style.stride_time / stride_time).collect())
+}

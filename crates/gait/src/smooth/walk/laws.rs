@@ -1,0 +1,273 @@
+//! The laws over a whole walk: height, load share and centre of pressure.
+
+use super::course::{Course, Episode, Kind, Step};
+use super::gaits::Gaits;
+use super::numbers::{
+    CORRECTION_IN, COUNTS_AHEAD, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
+    LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
+};
+use crate::body::Body;
+use crate::body::foot::{FootPlane, turned};
+use crate::body::rotations::Euler;
+use crate::error::GaitError;
+use crate::smooth::laws::{self, Swings};
+use crate::smooth::stride::StridePlan;
+use crate::smooth::style::Style;
+use nalgebra::Vector3;
+use solaris_analysis::FootSupport;
+use solaris_profiles::step;
+
+/// Amplitudes of the shifts of load at both ends, from the solve.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Amplitudes {
+    /// Fore and aft, at the start and at the end (m).
+    pub(crate) sagittal: [f64; 2],
+    /// Sideways, in step widths.
+    pub(crate) lateral: [f64; 2],
+}
+
+/// The laws of a walk.
+pub(crate) struct WalkLaws {
+    pub(crate) course: Course,
+    pub(super) gaits: Gaits,
+    pub(super) numbers: WalkNumbers,
+    pub(super) amplitudes: Amplitudes,
+    /// The plane of the left foot on its print.
+    pub(super) plane: FootPlane,
+    leg_length: f64,
+    foot_length: f64,
+}
+
+impl WalkLaws {
+    /// Of `steps` of some strides, from standing as the pace `standing` does.
+    pub(super) fn new(
+        body: &Body,
+        strides: &[StridePlan],
+        standing: usize,
+        steps: &[Step],
+        numbers: WalkNumbers,
+    ) -> Result<Self, GaitError> {
+        Ok(Self {
+            course: Course::new(steps),
+            gaits: Gaits::new(strides, standing, steps)?,
+            numbers,
+            amplitudes: Amplitudes::default(),
+            plane: FootPlane::new(strides[standing].style.foot_yaw),
+            leg_length: body.leg.length(),
+            foot_length: body.leg.foot_length(),
+        })
+    }
+
+    /// The style of contact `k`.
+    pub(crate) fn style(&self, k: usize) -> &Style {
+        &self.gaits.of_contact(k).style
+    }
+
+    /// 0 while standing, 1 while walking.
+    pub(super) fn walking(&self, u: f64) -> f64 {
+        fade(u, self.course.finish(u), self.numbers.height_in, self.numbers.height_out)
+    }
+
+    /// The envelope of something that swings until a fade on the finish clock.
+    fn swinging(&self, u: f64, out: (f64, f64)) -> f64 {
+        fade(u, self.course.finish(u), self.numbers.swing_in, out)
+    }
+
+    /// The envelope of the height's harmonics.
+    pub(super) fn bobbing(&self, u: f64) -> f64 {
+        self.swinging(u, self.numbers.harmonics_out)
+    }
+
+    fn swings(&self, u: f64) -> Swings {
+        let WalkNumbers { pelvis_out, thorax_out, arms_out, .. } = self.numbers;
+        let [pelvis, thorax, arms] = [pelvis_out, thorax_out, arms_out].map(|out| self.swinging(u, out));
+        Swings { pelvis, thorax, arms }
+    }
+
+    /// Angles of trunk and both arms, against the way the body faces.
+    pub(super) fn angles(&self, u: f64) -> ([Euler; 5], [[f64; 2]; 2]) {
+        let swings = self.swings(u);
+        let of = |style: &Style| (laws::trunk(style, u, swings), laws::arms(style, u, swings));
+        let (pace, other) = self.gaits.at(u);
+        let (mut trunk, mut arms) = of(&pace.style);
+        if let Some((next, part)) = other {
+            let (trunk_after, arms_after) = of(&next.style);
+            let angles = trunk.iter_mut().flatten().chain(arms.iter_mut().flatten());
+            let after = trunk_after.iter().flatten().chain(arms_after.iter().flatten());
+            angles.zip(after).for_each(|(angle, after)| *angle += (after - *angle) * part);
+        }
+        (trunk, arms)
+    }
+
+    /// Height of the centre of mass without corrections (m).
+    pub(super) fn height(&self, u: f64) -> f64 {
+        let (walking, bobbing) = (self.walking(u), self.bobbing(u));
+        self.gaits.number(u, |pace| {
+            let standing = pace.standing.com.y;
+            standing
+                + (pace.mean_height - standing) * walking
+                + bobbing * laws::height(&pace.style, self.leg_length, u).0
+        })
+    }
+
+    /// Height of the point that the feet's forces point at, over the height of the centre of mass.
+    pub(super) fn pivot(&self, u: f64) -> f64 {
+        self.gaits.number(u, |pace| pace.style.pivot)
+    }
+
+    /// How much the correction of contact `k` lowers the body: a partition of unity.
+    pub(super) fn correction(&self, u: f64, k: usize) -> f64 {
+        let at = self.numbers.correction_at;
+        if k == 0 && u < at {
+            return step::quintic((u - self.course.begin) / CORRECTION_IN).position;
+        }
+        let x = 2.0 * (u - 0.5 * k as f64 - at);
+        if x < 0.0 { step::quintic(x + 1.0).position } else { 1.0 - step::quintic(x).position }
+    }
+
+    /// The corrections that are not zero anywhere in `u ± reach`.
+    pub(super) fn corrections_near(&self, u: f64, reach: f64) -> std::ops::RangeInclusive<usize> {
+        let steps = self.course.steps;
+        let number = |u: f64| (2.0 * (u - self.numbers.correction_at)).floor().clamp(-1.0, steps as f64);
+        let (from, to) = (number(u - reach).max(0.0), number(u + reach) + 1.0);
+        from as usize..=(to as usize).min(steps)
+    }
+
+    /// Where a foot lifts off a print, on its own clock.
+    pub(super) fn toe_off(&self, episode: &Episode) -> f64 {
+        self.gaits.stance(episode).style.toe_off()
+    }
+
+    /// Which way a foot's plane points: as its print, in the air from one print to the next.
+    pub(super) fn foot_heading(&self, side: usize, u: f64) -> f64 {
+        let j = self.course.episode_at(side, u);
+        let from = self.course.episode(side, j);
+        let toe_off = self.toe_off(&from);
+        let v = u - from.contact;
+        if v <= toe_off || j + 1 == self.course.episode_count(side) {
+            return from.print.heading;
+        }
+        let to = self.course.episode(side, j + 1).print.heading;
+        from.print.heading
+            + (to - from.print.heading) * step::quintic((v - toe_off) / (1.0 - toe_off)).position
+    }
+
+    /// Load share of the left foot without the shifts.
+    fn share(&self, u: f64) -> f64 {
+        let last = self.course.steps + 1;
+        let k = ((2.0 * u).floor().max(0.0) as usize).min(last);
+        if k == 0 {
+            let (begin, d) = (self.course.begin, self.style(0).double_support);
+            let from = begin + LOAD_SHIFT_FROM * (d - begin);
+            return if u < d { 0.5 + 0.5 * step::cubic((u - from) / (d - from)).position } else { 1.0 };
+        }
+        let v = u - k as f64 / 2.0;
+        let risen = if k < last {
+            laws::share_rise(self.style(k), v)
+        } else {
+            0.5 * step::cubic(v / (LOAD_SETTLES * SETTLE)).position
+        };
+        if k % 2 == 1 { 1.0 - risen } else { risen }
+    }
+
+    /// Centre of pressure of a foot.
+    fn cop(&self, side: usize, u: f64) -> Vector3<f64> {
+        let course = &self.course;
+        let j = course.episode_at(side, u);
+        let episode = course.episode(side, j);
+        let stance = self.gaits.stance(&episode);
+        let v = u - episode.contact;
+        let standing =
+            self.gaits.of_contact(episode.index).standing.com.z / (self.foot_length * self.plane.forward.z);
+        let law = |v: f64| stance.cop.at(v.clamp(0.0, stance.style.toe_off())).position;
+        let mix = |s: f64, a: f64, b: f64| a + (b - a) * step::quintic(s).position;
+        let (flat, toe_off) = (stance.style.foot_flat, stance.style.toe_off());
+        let fraction = match episode.kind {
+            Kind::Step => law(v),
+            Kind::First => {
+                let (from, to) = if side == 0 {
+                    (course.begin, STANDING_COP_UNTIL)
+                } else {
+                    (toe_off - FIRST_COP.0, toe_off - FIRST_COP.1)
+                };
+                if v < to { mix((v - from) / (to - from), standing, law(to)) } else { law(v) }
+            }
+            Kind::Last => {
+                let rolled = mix((v - flat) / LAST_COP_ROLL.0, law(v.min(flat)), LAST_COP_ROLL.1);
+                mix((v - LAST_COP_FROM) / (course.end - episode.contact - LAST_COP_FROM), rolled, standing)
+            }
+            Kind::Close => standing,
+        };
+        // A foot in the air counts for its next print shortly before it lands, where its share is zero.
+        let next = (j + 1 < course.episode_count(side)).then(|| course.episode(side, j + 1));
+        let on = next.filter(|next| u >= next.contact - COUNTS_AHEAD).unwrap_or(episode);
+        let beside = self.style(on.index).step_width / 2.0;
+        let at = Vector3::x() * beside + self.plane.forward * (fraction * self.foot_length);
+        on.print.world(side, &at)
+    }
+
+    /// Share and centre of pressure of both feet without the shifts.
+    pub(super) fn unshifted(&self, u: f64) -> [FootSupport; 2] {
+        let share = self.share(u);
+        [FootSupport { share, cop: self.cop(0, u) }, FootSupport { share: 1.0 - share, cop: self.cop(1, u) }]
+    }
+
+    /// Shapes of the shifts: fore and aft at the start and the end, sideways at the start and the end (m).
+    pub(super) fn shifts(&self, u: f64) -> [f64; 4] {
+        let (n, begin, f) = (self.course.steps, self.course.begin, self.course.finish(u));
+        let (first, last) = (self.style(0), self.style(n));
+        let (d, e) = (first.double_support, last.double_support);
+        let bump = |x: f64| step::bump(x).position;
+        let towards_last = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
+        [
+            -bump((u - begin) / (d + FIRST_SHIFTS.0 - begin)),
+            bump((f - 0.5 - 0.5 * e) / (0.5 + LAST_SHIFT * SETTLE - 0.5 * e)),
+            -bump((u - begin) / (d - begin - FIRST_SHIFTS.1)) * first.step_width,
+            -towards_last * bump((f - 1.0) / SETTLE) * last.step_width,
+        ]
+    }
+
+    /// Directions of the shifts: along and across the way at the start and the end.
+    pub(super) fn shift_axes(&self) -> [Vector3<f64>; 4] {
+        let end = self.course.last().heading;
+        [Vector3::z(), turned(end, &Vector3::z()), Vector3::x(), turned(end, &Vector3::x())]
+    }
+
+    /// Share and centre of pressure of both feet. The sideways shifts are shifts of load between the feet.
+    pub(super) fn support(&self, u: f64) -> [FootSupport; 2] {
+        let mut feet = self.unshifted(u);
+        let (steps, finish) = (self.course.steps, self.course.finish(u));
+        let ([a1, a2], [c1, c2]) = (self.amplitudes.sagittal, self.amplitudes.lateral);
+        let shapes = self.shifts(u);
+        let axes = self.shift_axes();
+        let [start, end, start_across, end_across]: [Vector3<f64>; 4] =
+            std::array::from_fn(|i| axes[i] * ([a1, a2, c1, c2][i] * shapes[i]));
+        let centre = |feet: &[FootSupport; 2]| feet[0].cop * feet[0].share + feet[1].cop * feet[1].share;
+        let solved = centre(&feet) + start_across + end_across + start + end;
+        let last = usize::from(steps % 2 == 1);
+        for (side, foot) in feet.iter_mut().enumerate() {
+            foot.cop += start;
+            if side == last || finish > 0.9 {
+                foot.cop += end;
+            }
+        }
+        let starting = u < self.style(0).double_support;
+        if starting || finish > 1.0 {
+            let across = axes[if starting { 2 } else { 3 }];
+            let between = (feet[0].cop - feet[1].cop).dot(&across);
+            let share = ((solved - feet[1].cop).dot(&across) / between).clamp(0.0, 1.0);
+            (feet[0].share, feet[1].share) = (share, 1.0 - share);
+        }
+        // The solved centre of pressure holds: both feet give way by what their new shares leave.
+        let shift = solved - centre(&feet);
+        for foot in &mut feet {
+            foot.cop += shift;
+        }
+        feet
+    }
+}
+
+/// Rises on one clock and falls on another: begin and duration of each.
+fn fade(u: f64, finish: f64, rise: (f64, f64), fall: (f64, f64)) -> f64 {
+    step::quintic((u - rise.0) / rise.1).position * (1.0 - step::quintic((finish - fall.0) / fall.1).position)
+}

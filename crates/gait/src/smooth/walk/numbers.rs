@@ -1,0 +1,154 @@
+//! The numbers of a whole walk, besides the style of its steady part. Clocks are in u, from the first lift's `u = d`.
+
+use crate::smooth::limbs::numbers::LANDING_RANGE;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Rest before and after the movement, in strides: longer than any difference formula reaches, and long enough for the
+/// splines to have come to rest (they ring by 0.43 a node).
+pub(super) const REST: f64 = 0.2;
+/// Begin of the movement.
+pub(super) const BEGIN: f64 = -0.75;
+/// From the closing contact to rest.
+pub(super) const SETTLE: f64 = 0.71;
+/// Shortening of the first step, the last but one and the last.
+pub(super) const STEP_FACTORS: (f64, f64, f64) = (0.88, 0.80, 0.67);
+/// Knee flexion for which height is kept: at contact, on a flat foot, while still standing.
+pub(super) const KNEE_CONTACT: f64 = 4.0 * DEGREE;
+pub(super) const KNEE_FLAT: f64 = 6.8 * DEGREE;
+pub(super) const KNEE_START: f64 = 4.5 * DEGREE;
+/// Knee flexion when standing.
+pub(super) const KNEE_STANDING: f64 = 4.0 * DEGREE;
+/// Centre of mass ahead of the ankles when standing (m, for the reference height).
+pub(super) const STANDING_AHEAD: f64 = 0.045;
+/// Share of a height need that one pass corrects, the most it corrects, and the range of all corrections (m).
+pub(super) const CORRECTION: (f64, f64, f64, f64) = (0.9, 0.01, -0.05, 0.06);
+
+/// Passes whose heights are kept, at the beginning and at the end, so that the rest can settle.
+pub(super) const KEPT_PASSES: (usize, usize) = (2, 4);
+/// Part of the way to the momentum found that a pass goes: in the first passes, how many these are, and afterwards.
+pub(super) const RELAXATION: (f64, usize, f64) = (0.5, 3, 0.8);
+/// Least weight by which a need is divided: where a correction hardly lowers the body it is not asked for more than twice.
+pub(super) const LEAST_WEIGHT: f64 = 0.5;
+/// Least height of a hip over its ankle that is reckoned with, over the length of thigh and shank.
+pub(super) const LEAST_HEIGHT: f64 = 0.5;
+/// Instants at which a stance is looked at for its height: of a step, of the last step, while the other foot closes, of standing.
+pub(super) const INSTANTS: [i32; 4] = [12, 14, 10, 12];
+/// Until when the last step is flat for its height, and from when to when it stands while the other foot closes (u after its
+/// contact).
+pub(super) const LAST_FLAT_UNTIL: f64 = 0.42;
+pub(super) const CLOSING: (f64, f64) = (0.44, 0.80);
+/// From when the standing feet are looked at for their height (u).
+pub(super) const STANDING_FROM: f64 = -0.6;
+/// Duration of the first height correction's coming in (u).
+pub(super) const CORRECTION_IN: f64 = 0.4;
+/// How much of what the thigh at contact is ahead of its steady place its swing is, too.
+pub(super) const THIGH_FOLLOWS: f64 = 0.8;
+
+/// The foot that stands while the other makes the first step: when its heel rises (u).
+pub(super) const STANDING_HEEL_OFF: f64 = 0.06;
+/// Its knee's waypoint: when (u), and how bent at least (rad).
+pub(super) const STANDING_WAYPOINT: (f64, f64) = (0.40, 12.0 * DEGREE);
+/// How much less its knee is bent at toe-off (rad), and how much slower it bends (rad by u).
+pub(super) const STANDING_TOE_OFF: (f64, f64) = (4.0 * DEGREE, 60.0 * DEGREE);
+/// The foot that makes the first step: how long before toe-off its heel rises, and its toes begin to roll (u).
+pub(super) const FIRST_HEEL_OFF: f64 = 0.22;
+pub(super) const FIRST_TIP_ROLL: f64 = 0.06;
+/// Pitch of its toes at toe-off (rad).
+pub(super) const FIRST_TOE_ROLL: f64 = 12.0 * DEGREE;
+/// Its knee at toe-off (rad), and how fast it bends (rad by u).
+pub(super) const FIRST_TOE_OFF: (f64, f64) = (44.0 * DEGREE, 320.0 * DEGREE);
+
+/// When the load begins to shift to the foot that stands on, between begin and toe-off.
+pub(super) const LOAD_SHIFT_FROM: f64 = 0.45;
+/// Part of the settling after which both feet bear half.
+pub(super) const LOAD_SETTLES: f64 = 0.75;
+/// Until when the pressure under the standing foot has come from its place at rest to where a step has it (u).
+pub(super) const STANDING_COP_UNTIL: f64 = 0.30;
+/// From when to when it does under the foot that makes the first step (u before its toe-off).
+pub(super) const FIRST_COP: (f64, f64) = (0.26, 0.06);
+/// Under the last foot: how long it rolls after it is flat (u), how far (over the foot's length), and from when on it goes
+/// back to its place at rest (u).
+pub(super) const LAST_COP_ROLL: (f64, f64) = (0.30, 0.60);
+pub(super) const LAST_COP_FROM: f64 = 0.45;
+/// How long before it lands a foot in the air counts for its next print (u): its share is zero there.
+pub(super) const COUNTS_AHEAD: f64 = 0.15;
+/// How long after the first toe-off the shift of load fore and aft ends, and how long before it the one sideways (u).
+pub(super) const FIRST_SHIFTS: (f64, f64) = (0.05, 0.02);
+/// Part of the settling in which the last shift fore and aft ends.
+pub(super) const LAST_SHIFT: f64 = 0.55;
+
+/// How a walk begins, ends and lands: what may be tuned without changing where its feet stand, and when.
+///
+/// Fades are (begin, duration); those that end a walk count on its finish clock, 0 one stride before the closing contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WalkNumbers {
+    /// From the standing height to the walking one, and back.
+    pub height_in: (f64, f64),
+    /// See [`Self::height_in`].
+    pub height_out: (f64, f64),
+    /// Begin of everything that swings.
+    pub swing_in: (f64, f64),
+    /// End of the height's harmonics.
+    pub harmonics_out: (f64, f64),
+    /// End of the pelvis' swings.
+    pub pelvis_out: (f64, f64),
+    /// End of the thorax' swings.
+    pub thorax_out: (f64, f64),
+    /// End of the arms' swings.
+    pub arms_out: (f64, f64),
+    /// Middle of a height correction after its contact.
+    pub correction_at: f64,
+    /// Thigh of the closing foot's swing over that of a step.
+    pub closing_thigh: f64,
+    /// Factors of the foot's pitch at the first and at the last contact.
+    pub pitch_first: f64,
+    /// See [`Self::pitch_first`].
+    pub pitch_last: f64,
+    /// A knee that lands so much more bent than the style's does not go on bending (rad); twice as much stretches as fast.
+    pub landing_range: f64,
+    /// Knee flexion of the last stance for which height is kept while the other foot closes (rad); none for 0.
+    pub knee_closing: f64,
+    /// Part of the clearance that a foot keeps late in swing.
+    pub late_clearance: f64,
+}
+
+impl WalkNumbers {
+    /// The numbers of the recipe that the golden walks were made with.
+    pub fn recipe() -> Self {
+        let swing_out = (0.24, 1.01);
+        Self {
+            height_in: (-0.21, 0.60),
+            height_out: (0.09, 1.60),
+            swing_in: (0.18, 0.85),
+            harmonics_out: swing_out,
+            pelvis_out: swing_out,
+            thorax_out: swing_out,
+            arms_out: swing_out,
+            correction_at: 0.22,
+            closing_thigh: 0.85,
+            pitch_first: 0.40,
+            pitch_last: 0.51,
+            landing_range: 15.0 * DEGREE,
+            knee_closing: 0.0,
+            late_clearance: 0.0,
+        }
+    }
+}
+
+impl Default for WalkNumbers {
+    /// What ships: the trunk stops before the arms do, and the closing leg swings less, so that the feet twist the ground less.
+    fn default() -> Self {
+        Self {
+            pelvis_out: (-0.14, 0.84),
+            thorax_out: (0.39, 0.90),
+            arms_out: (0.50, 1.14),
+            correction_at: 0.26,
+            closing_thigh: 0.78,
+            landing_range: LANDING_RANGE,
+            knee_closing: 1.5 * DEGREE,
+            late_clearance: 0.025,
+            ..Self::recipe()
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! The passes in which body and forces come to agree.
+
+use super::feet::{Foot, Hip};
+use super::laws::{Amplitudes, WalkLaws};
+use super::numbers::{CORRECTION, KEPT_PASSES, RELAXATION};
+use super::solve::{Way, factor, rest_to_rest};
+use super::timeline::Timeline;
+use crate::body::Body;
+use crate::body::foot::turned;
+use crate::body::leg::LegPose;
+use crate::error::GaitError;
+use crate::smooth::momentum::MomentumKernel;
+use crate::smooth::momentum::upper::UpperBody;
+use crate::smooth::prescribed::PrescribedNode;
+use crate::walking::G;
+use nalgebra::Vector3;
+use solaris_profiles::UniformSpline;
+
+/// Weight of one height correction at a node, and its second derivative in time.
+struct CorrectionWeight {
+    contact: usize,
+    weight: f64,
+    acceleration: f64,
+}
+
+/// The state that the passes improve.
+pub(super) struct Passes {
+    body: Body,
+    laws: WalkLaws,
+    timeline: Timeline,
+    upper: UpperBody,
+    kernel: MomentumKernel,
+    /// Left and right hip against the pelvis.
+    hips: [Vec<Vector3<f64>>; 2],
+    /// Height without corrections and its second derivative, and the weights of the corrections, by node.
+    height: Vec<(f64, f64)>,
+    weights: Vec<Vec<CorrectionWeight>>,
+    shapes: [Vec<f64>; 4],
+    centre: Vec<Vector3<f64>>,
+    momentum_rate: Vec<Vector3<f64>>,
+    /// Centre of mass against the pelvis' origin.
+    offset: Vec<Vector3<f64>>,
+    corrections: Vec<f64>,
+}
+
+impl Passes {
+    pub(super) fn new(body: Body, laws: WalkLaws, timeline: Timeline) -> Self {
+        let count = timeline.grid.count;
+        let clocks = timeline.clocks();
+        let upper = UpperBody::new(&body, &timeline.grid, |i| {
+            let (trunk, arms) = laws.angles(clocks[i]);
+            (trunk, arms, laws.course.heading(clocks[i]))
+        });
+        let hips =
+            [0, 1].map(|side| (0..count).map(|i| upper.pelvis(i) * body.legs[side][0].offset).collect());
+        let height =
+            (0..count).map(|i| (laws.height(clocks[i]), timeline.second(i, |u| laws.height(u)))).collect();
+        let reach = 3.0 / timeline.rate as f64;
+        let weights = (0..count)
+            .map(|i| {
+                laws.corrections_near(clocks[i], reach)
+                    .map(|contact| CorrectionWeight {
+                        contact,
+                        weight: laws.correction(clocks[i], contact),
+                        acceleration: timeline.second(i, |u| laws.correction(u, contact)),
+                    })
+                    .collect()
+            })
+            .collect();
+        let shift = |shape: usize| clocks.iter().map(|&u| laws.shifts(u)[shape]).collect();
+        let centre = clocks
+            .iter()
+            .map(|&u| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum())
+            .collect();
+        // First guess: the strides' own momentum and offset, faded in and out.
+        let guess = |u: f64| {
+            let (pace, other) = laws.gaits.at(u);
+            let (mut rate, mut offset) = pace.steady(u);
+            if let Some((next, part)) = other {
+                let (rate_after, offset_after) = next.steady(u);
+                (rate, offset) = (rate.lerp(&rate_after, part), offset.lerp(&offset_after, part));
+            }
+            let at_rest = pace.standing.com - pace.standing.pelvis;
+            let heading = laws.course.heading(u);
+            let offset = at_rest.lerp(&offset, laws.walking(u));
+            (turned(heading, &(rate * laws.bobbing(u).powi(2))), turned(heading, &offset))
+        };
+        let (momentum_rate, offset) = clocks.iter().map(|&u| guess(u)).unzip();
+        let heading = |i: usize, side: usize| laws.foot_heading(side, clocks[i]);
+        Self {
+            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, laws.plane, heading),
+            hips,
+            height,
+            weights,
+            shapes: [shift(0), shift(1), shift(2), shift(3)],
+            centre,
+            momentum_rate,
+            offset,
+            corrections: vec![0.0; laws.course.steps + 1],
+            upper,
+            body,
+            laws,
+            timeline,
+        }
+    }
+
+    /// Runs the passes; the last one is the walk.
+    pub(super) fn run(mut self, passes: usize) -> Result<Solved, GaitError> {
+        let passes = passes.max(1);
+        let mut last = None;
+        for pass in 0..passes {
+            last = Some(self.pass(pass, passes)?);
+        }
+        let Some(Pass { feet, pelvis, rate, vertical }) = last else { unreachable!("at least one pass") };
+        let Self { body, laws, timeline, corrections, offset, .. } = self;
+        let nodes = (0..timeline.grid.count)
+            .map(|i| PrescribedNode {
+                com: pelvis[i] + offset[i],
+                vertical: vertical[i],
+                momentum_rate: rate[i],
+                feet: laws.support(timeline.clock(i)),
+            })
+            .collect();
+        Ok(Solved { body, laws, timeline, feet, pelvis, nodes, corrections })
+    }
+
+    fn pass(&mut self, pass: usize, passes: usize) -> Result<Pass, GaitError> {
+        let (count, leg) = (self.timeline.grid.count, self.body.leg);
+        let (com, vertical) = self.centre_of_mass();
+        let pelvis: Vec<Vector3<f64>> =
+            com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
+        let mut need = vec![-9.0_f64; self.laws.course.steps + 1];
+        let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
+            (0..count).map(|i| (pelvis[i] + self.hips[side][i]).into()).collect()
+        });
+        let mut foot = |side: usize| -> Result<Foot, GaitError> {
+            let spacing = 1.0 / self.timeline.rate as f64;
+            let spline = UniformSpline::resting(self.timeline.start(), spacing, &nodes[side])?;
+            let hip = Hip { spline: &spline, nodes: &nodes[side], timeline: &self.timeline };
+            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut need)?)
+        };
+        let feet = [foot(0)?, foot(1)?];
+        let poses: Vec<[LegPose; 2]> = (0..count)
+            .map(|i| {
+                let u = self.timeline.clock(i);
+                [0, 1].map(|side| feet[side].pose(&self.laws, &leg, u, &nodes[side][i].into()))
+            })
+            .collect();
+        let momentum = self.kernel.momentum(&self.upper, |i| poses[i]);
+        let (first, last) = self.timeline.moving;
+        let rate: Vec<Vector3<f64>> = (0..count)
+            .map(|i| match i {
+                i if i < first || i > last => Vector3::zeros(),
+                i => self.timeline.grid.first(i, |j| momentum.angular[j]),
+            })
+            .collect();
+        let relaxation = if pass < RELAXATION.1 { RELAXATION.0 } else { RELAXATION.2 };
+        for (old, new) in self.momentum_rate.iter_mut().zip(&rate) {
+            *old += (new - *old) * relaxation;
+        }
+        self.offset = momentum.com;
+        if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
+            let (share, most, lower, upper) = CORRECTION;
+            for (correction, need) in self.corrections.iter_mut().zip(&need) {
+                *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);
+            }
+        }
+        Ok(Pass { feet, pelvis, rate, vertical })
+    }
+
+    /// The centre of mass and the vertical force at the nodes, for the present guess of the body's own momentum.
+    fn centre_of_mass(&mut self) -> (Vec<Vector3<f64>>, Vec<f64>) {
+        let count = self.timeline.grid.count;
+        let mass = self.body.mass;
+        let (mut heights, mut vertical, mut stiffness) = (Vec::new(), Vec::new(), Vec::new());
+        for i in 0..count {
+            let (mut y, mut acceleration) = self.height[i];
+            for weight in &self.weights[i] {
+                y -= self.corrections[weight.contact] * weight.weight;
+                acceleration -= self.corrections[weight.contact] * weight.acceleration;
+            }
+            let force = mass * (G + acceleration);
+            heights.push(y);
+            vertical.push(force);
+            stiffness.push(force / (mass * y));
+        }
+        let unit = 1.0 / (180.0 * self.timeline.grid.step.powi(2));
+        let moving = self.timeline.moving;
+        let factored = factor(&stiffness, moving, unit);
+        let own: Vec<Vector3<f64>> = self
+            .momentum_rate
+            .iter()
+            .zip(&heights)
+            .map(|(h, y)| Vector3::new(h.z, 0.0, -h.x) / (mass * y))
+            .collect();
+        let [start, end] = [0, self.laws.course.steps].map(|k| self.laws.gaits.of_contact(k).standing.com);
+        let last = self.laws.course.last();
+        let way = Way {
+            centre: &self.centre,
+            own: &own,
+            shapes: [0, 1, 2, 3].map(|i| &self.shapes[i][..]),
+            axes: self.laws.shift_axes(),
+            rest: [start, last.place + turned(last.heading, &end)],
+        };
+        let (mut com, [a1, a2, c1, c2]) = rest_to_rest(&factored, &stiffness, moving, unit, &way);
+        self.laws.amplitudes = Amplitudes { sagittal: [a1, a2], lateral: [c1, c2] };
+        com.iter_mut().zip(&heights).for_each(|(com, &height)| com.y = height);
+        (com, vertical)
+    }
+}
+
+/// A walk whose body and forces agree.
+pub(super) struct Solved {
+    pub(super) body: Body,
+    pub(super) laws: WalkLaws,
+    pub(super) timeline: Timeline,
+    pub(super) feet: [Foot; 2],
+    /// Pelvis at the nodes.
+    pub(super) pelvis: Vec<Vector3<f64>>,
+    pub(super) nodes: Vec<PrescribedNode>,
+    pub(super) corrections: Vec<f64>,
+}
+
+/// What one pass found.
+struct Pass {
+    feet: [Foot; 2],
+    pelvis: Vec<Vector3<f64>>,
+    rate: Vec<Vector3<f64>>,
+    vertical: Vec<f64>,
+}

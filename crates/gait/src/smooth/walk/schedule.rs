@@ -1,0 +1,131 @@
+//! The schedule of the feet: touch-downs, lift-offs, and which points are planted.
+
+use super::course::{Episode, Kind};
+use super::plan::WalkPlan;
+use crate::body::roles::{FEET, TOES};
+use crate::smooth::style::Style;
+use crate::walking::{G, Walking, annotate};
+use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
+use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory};
+
+impl WalkPlan {
+    /// The body's weight (N).
+    pub fn weight(&self) -> f64 {
+        self.body.mass * G
+    }
+
+    /// The walk sampled `rate` times a second, with its events and planted points; forces are found by
+    /// [`solaris_analysis::ground_reactions`], which takes the plan as its law.
+    ///
+    /// # Errors
+    ///
+    /// A rate that is none, and another figure than the plan's.
+    pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
+        sampled(figure, self, self.body.fingerprint, rate)
+    }
+
+    /// The side that a foot of the plan is on.
+    fn seen_side(&self, side: usize) -> usize {
+        if self.left_first { 1 - side } else { side }
+    }
+
+    /// The number among its foot's prints that a print of the whole walk has in the one that was planned.
+    fn planned_print(&self, episode: &Episode) -> usize {
+        // A little after the contact, where rounding does not decide which print it is.
+        self.laws.course.episode_at(episode.side, self.repeat.fold(episode.contact + 0.01).0)
+    }
+
+    /// The style in which a foot stands on a print of the whole walk and lifts from it.
+    fn law(&self, episode: &Episode) -> &Style {
+        let planned = self.laws.course.episode(episode.side, self.planned_print(episode));
+        &self.laws.gaits.stance(&planned).style
+    }
+
+    /// Touch-downs and lift-offs in the order of time.
+    pub fn events(&self) -> Vec<Event> {
+        let mut events = Vec::new();
+        for side in [0, 1] {
+            let link = FEET[self.seen_side(side)];
+            for j in 0..self.whole.episode_count(side) {
+                let episode = self.whole.episode(side, j);
+                let link = link.to_owned();
+                if episode.kind != Kind::First {
+                    let kind = EventKind::TouchDown { link: link.clone() };
+                    events.push(Event { time: self.time(episode.contact), kind });
+                }
+                if matches!(episode.kind, Kind::First | Kind::Step) {
+                    let time = self.time(episode.contact + self.law(&episode).toe_off());
+                    events.push(Event { time, kind: EventKind::LiftOff { link } });
+                }
+            }
+        }
+        events.sort_by(|a, b| a.time.total_cmp(&b.time));
+        events
+    }
+
+    /// When which point of the soles is planted: the heel until it rises, the foot's ball while the foot is flat, the
+    /// toes' ball until they roll, their tip until it lifts.
+    pub fn planted(&self, figure: &Figure) -> Vec<Interval> {
+        let mut planted = Vec::new();
+        let end = self.duration();
+        for side in [0, 1] {
+            for j in 0..self.whole.episode_count(side) {
+                let episode = self.whole.episode(side, j);
+                let stance = &self.feet[side].stances[self.planned_print(&episode)];
+                let style = self.law(&episode);
+                let clock = |v: f64| self.time(episode.contact + v).clamp(0.0, end);
+                let pushes = matches!(episode.kind, Kind::First | Kind::Step);
+                let landed = if matches!(episode.kind, Kind::First) { -1.0 } else { 0.0 };
+                let flat =
+                    if matches!(episode.kind, Kind::Step | Kind::Last) { style.foot_flat } else { landed };
+                let last = |v: f64| if pushes { clock(v) } else { end };
+                let (foot, toes) = (FEET[self.seen_side(side)], TOES[self.seen_side(side)]);
+                let spans = [
+                    (foot, SolePart::Heel, clock(landed), last(stance.heel_off())),
+                    (foot, SolePart::Ball, clock(flat), last(stance.heel_off())),
+                    (toes, SolePart::Ball, clock(flat), last(stance.tip_roll_at())),
+                    (toes, SolePart::ToeTip, clock(flat), last(style.toe_off())),
+                ];
+                for (link, part, start, end) in spans {
+                    let Some(index) = figure.link_index(link) else { continue };
+                    let Some(&point) = figure.links()[index].sole_point(part) else { continue };
+                    planted.push(Interval { link: index, point, start, end });
+                }
+            }
+        }
+        planted.sort_by(|a, b| a.start.total_cmp(&b.start));
+        planted
+    }
+}
+
+/// A walk of the figure with this fingerprint sampled `rate` times a second, with its events and planted points.
+pub(crate) fn sampled(
+    figure: &Figure,
+    walk: &(impl Walking + SupportLaw),
+    fingerprint: u64,
+    rate: f64,
+) -> Result<Motion, ReactionError> {
+    let info = MotionInfo { fingerprint, ..MotionInfo::on_earth(figure, rate) };
+    let mut motion = Motion::sample(figure, walk, info)?;
+    balance_momentum(figure, walk, &mut motion)?;
+    annotate(&mut motion, walk, figure);
+    Ok(motion)
+}
+
+impl SupportLaw for WalkPlan {
+    fn support(&self, t: f64) -> Support {
+        let u = self.clock_at(t);
+        let pivot = self.laws.pivot(self.repeat.fold(u).0);
+        Support { feet: self.support(u), pivot, force: Some(self.force(u)) }
+    }
+}
+
+impl Walking for WalkPlan {
+    fn events(&self) -> Vec<Event> {
+        Self::events(self)
+    }
+
+    fn planted(&self, figure: &Figure) -> Vec<Interval> {
+        Self::planted(self, figure)
+    }
+}

@@ -1,0 +1,36 @@
+//! What walks are held against: closed forms, golden numbers, the thesis's tables, and laws that every walk keeps.
+#![allow(clippy::print_stdout, reason = "tests print what they measured")]
+
+mod changes;
+mod changes_random;
+mod comparison;
+mod five_determinants;
+mod five_determinants_automatic;
+mod five_determinants_closure;
+mod five_determinants_tables;
+mod flexion;
+mod froude;
+mod golden;
+mod golden_stride;
+mod golden_walk;
+mod ground;
+mod isolated_peaks;
+mod layers;
+mod leg_closed_forms;
+mod long_walk;
+mod metrics;
+mod mirror;
+mod people;
+mod posed;
+mod refusals;
+mod sequence;
+mod smooth_laws;
+mod stride_loop;
+mod sweep;
+mod thesis;
+mod thesis_random;
+mod thesis_refusals;
+mod thesis_requests;
+mod three_determinants;
+mod three_determinants_closure;
+mod three_determinants_laws;
