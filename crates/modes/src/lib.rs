@@ -43,10 +43,10 @@ pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use recorded::Recorded;
 pub use report::{
     Counts, Energy, EnergyReport, ErrorEstimate, GroundReport, Impact, Landing, LinkContact, PhaseReport,
-    Run, RunReport, Watch,
+    Remark, Run, RunReport, Watch,
 };
 pub use rooted::{RootReport, reactions_from_feet};
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;
 pub use split::{FootSupport, TotalWrench, split_at_pivot};
-pub use trouble::{Cause, RunError, SetupError, Trouble};
+pub use trouble::{Cause, Remedy, RunError, SetupError, Trouble};

@@ -17,6 +17,7 @@ mod walk;
 
 use crate::loader::Loader;
 use crate::scene::Scene;
+use crate::spelled;
 use nalgebra::Vector3;
 use names::Names;
 use solaris_model::text::{Fields, Node, Reader, parse};
@@ -102,7 +103,7 @@ impl SceneReader<'_> {
 
     /// Adds what the simulation has to say about what stands at `span`.
     fn setup<T>(&mut self, span: &Range<usize>, result: Result<T, SetupError>) -> Option<T> {
-        result.map_err(|error| self.reader.fault(span.clone(), error.to_string())).ok()
+        result.map_err(|error| self.reader.fault(span.clone(), spelled::setup(&error))).ok()
     }
 
     /// The figure, if there is one.
