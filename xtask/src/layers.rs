@@ -18,6 +18,7 @@ pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-dynamics", 2),
     ("solaris-model", 1),
     ("solaris-profiles", 1),
+    ("solaris-text", 0),
 ];
 
 /// The row whose crate may touch files, clocks, environment and output.

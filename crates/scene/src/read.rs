@@ -1,7 +1,5 @@
 //! From a text to a scene, with every fault on the way.
 
-mod blend;
-mod curve;
 mod drive;
 mod drives;
 mod figures;
@@ -20,9 +18,10 @@ use crate::scene::Scene;
 use crate::spelled;
 use nalgebra::Vector3;
 use names::Names;
-use solaris_model::text::{Fields, Node, Reader, parse};
+use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
 use solaris_model::{Figure, TextError};
 use solaris_modes::{SetupError, Simulation};
+use solaris_profiles::Profile;
 use std::ops::Range;
 
 /// The version of the grammar.
@@ -109,6 +108,11 @@ impl SceneReader<'_> {
     /// The figure, if there is one.
     fn figure(&self) -> Option<&Figure> {
         self.simulation.as_ref().map(Simulation::figure)
+    }
+
+    /// A curve of degrees of freedom that turn, or of others.
+    fn profile(&mut self, node: &Node<'_>, turns: bool) -> Option<Profile> {
+        solaris_profiles::text::read_node(&mut self.reader, node, turns)
     }
 
     /// The entries of a field that is a map.
