@@ -151,7 +151,7 @@ fn what_others_call_ron_is_read() {
 #[test]
 fn faults_are_told_in_the_order_of_the_text() {
     let text =
-        "Line(\n    form: 1,\n    to: deg(3),\n    at: [1, \"two\"],\n    to: 0,\n    until: Sune(),\n)";
+        "Line(\n    form: 1,\n    to: deg(3),\n    at: [1, \"two\"],\n    to: 0,\n    until: Soone(),\n)";
     let tree = parse(text, "line", "Line(…)").expect("it is RON");
     let mut reader = Reader::default();
     let fields = reader.fields(&tree, &["Line"], &["from", "to", "at", "until"]).expect("a line");
@@ -167,7 +167,7 @@ fn faults_are_told_in_the_order_of_the_text() {
          line 3, column 9: to is no angle; it must be a plain number, without deg(…)\n\
          line 4, column 13: a number of at must be a number, not a text\n\
          line 5, column 5: Line is given 'to' twice; keep one of them\n\
-         line 6, column 12: 'Sune' is not known here; did you mean 'Soon'?"
+         line 6, column 12: 'Soone' is not known here; did you mean 'Soon'?"
     );
 }
 
