@@ -123,7 +123,8 @@ impl<'a, C: Answers> Piece<'a, C> {
                     core::array::from_fn(|k| (own[k] + own[0] / total[0] * total[k]) / total[0])
                 }
             };
-            if own == [0.0; 4] { 0.0 } else { weighted(weight, largest, all)[order] }
+            let is_absent = own.iter().all(|&x| x <= 0.0);
+            if is_absent { 0.0 } else { weighted(weight, largest, all)[order] }
         });
         ROUNDING * terms.sum::<f64>()
     }
