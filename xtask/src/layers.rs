@@ -20,6 +20,7 @@ pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-model", 2),
     ("solaris-profiles", 2),
     ("solaris-scalar", 1),
+    ("solaris-text", 1),
 ];
 
 /// The row whose crate may touch files, clocks, environment and output.

@@ -14,7 +14,7 @@ use crate::print::print;
 use clap::ArgMatches;
 use facts::Facts;
 use request::Request;
-use solaris::profiles::ProfileCurve;
+use solaris::profiles::{ProfileCurve, text};
 use solaris::view::profile::{Labels, page, svg};
 use std::io::Write;
 use std::path::PathBuf;
@@ -88,11 +88,11 @@ fn write(
     labels: &Labels,
     matches: &ArgMatches,
 ) -> Result<(), CliError> {
-    let text = match format {
+    let written = match format {
         Format::Svg => svg(curve, labels),
         Format::Html => page(curve, labels),
-        Format::Ron => written::write(&request.profile),
+        Format::Ron => text::write(&request.profile),
         Format::Csv => return table::csv(writer, curve, Times::of_file(curve, matches)?),
     };
-    writer.write_all(text.as_bytes()).map_err(CliError::other)
+    writer.write_all(written.as_bytes()).map_err(CliError::other)
 }

@@ -7,10 +7,11 @@ mod watching;
 use crate::error::{CliError, typed};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
-use crate::run::{Loaded, load};
+use crate::run::{Loaded, load, refuse};
 use clap::ArgMatches;
 use solaris::modes::study::{Study, StudyOptions, study};
 use solaris::modes::{Method, Settings};
+use solaris::scene::SceneError;
 use solaris::view::precision::{Against, diagram, page, report, svg};
 use std::io::Write;
 use std::path::PathBuf;
@@ -62,7 +63,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         }
     });
     refused?;
-    let study = found.map_err(CliError::other)?;
+    let study = found.map_err(|error| refuse(&path, SceneError::Run(error)))?;
     outputs.write(|format, writer| write(format, writer, &study, &subject))?;
     drop(watching);
 

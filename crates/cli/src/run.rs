@@ -22,7 +22,7 @@ use clap::ArgMatches;
 use report::Report;
 use solaris::io::bvh::Unit;
 use solaris::model::{Figure, Motion, MotionInfo};
-use solaris::modes::RunError;
+use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
 use solaris::view::{PageOptions, coordinates, page};
 use std::io::Write;
@@ -49,6 +49,9 @@ const MOTION: Formats<Format> = &[
     ("mot", Format::Sto),
 ];
 const REPORT: Formats<Format> = &[("json", Format::Json)];
+
+/// How to come to methods that are not built in.
+const BUILD_STIFF: &str = "build with 'cargo build --release --features stiff'";
 
 /// The most numbers of a motion: about 5 GB.
 const MOST_NUMBERS: f64 = 6e8;
@@ -131,6 +134,9 @@ fn check_size(path: &Path, scene: &Scene) -> Result<(), CliError> {
 pub(crate) fn refuse(path: &Path, error: SceneError) -> CliError {
     match error {
         SceneError::Run(RunError::Cancelled) => CliError::input(path, &"the run was stopped"),
+        SceneError::Run(RunError::Setup(SetupError::NotBuiltIn { .. })) => {
+            CliError::input(path, &format!("{error}, or {BUILD_STIFF}"))
+        }
         error => CliError::input(path, &error),
     }
 }

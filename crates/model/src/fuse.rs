@@ -9,8 +9,8 @@ pub(crate) use assemble::{name_dofs, with_links};
 pub use carried::LinkPlace;
 pub use error::FuseError;
 
-use crate::fault::nearest;
 use crate::figure::Figure;
+use solaris_text::nearest;
 
 /// A figure in which some degrees of freedom stand still for good, with the maps between it and the full figure.
 ///

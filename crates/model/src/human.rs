@@ -3,9 +3,10 @@
 mod build;
 mod segments;
 
-use crate::fault::{FigureError, nearest};
+use crate::fault::FigureError;
 use crate::figure::Figure;
 use segments::SEGMENTS;
+use solaris_text::nearest;
 
 /// Heights that a human figure may have (m).
 const HEIGHT: (f64, f64) = (0.8, 2.3);

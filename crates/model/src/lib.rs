@@ -36,7 +36,7 @@ pub use chains::{Chain, Chains};
 pub use configuration::ConfigurationError;
 pub use curve::Curve;
 pub use euler::{BallState, EulerError, EulerOrder, EulerState, GimbalDistance};
-pub use fault::{Fault, FigureError, Part, nearest};
+pub use fault::{Fault, FigureError, Part};
 pub use figure::Figure;
 pub use follower::Follower;
 pub use fuse::{FuseError, Fused, LinkPlace};
@@ -57,6 +57,7 @@ pub use prune::{PruneError, Pruned};
 
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 pub use scale::{ScaleError, Scaling};
-pub use source::{Finding, FindingKind, Place, SourceMap, TextError, TextFault};
+pub use source::SourceMap;
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
+pub use solaris_text::{Finding, FindingKind, Place, TextError, TextFault, did_you_mean, nearest};

@@ -8,9 +8,9 @@ pub(crate) mod sides;
 use crate::figure::Figure;
 use crate::joint::AxisKind;
 use crate::limits::MANY_TURNS;
-use crate::source::{Finding, FindingKind};
 use nalgebra::Vector3;
 use neutral::Neutral;
+use solaris_text::{Finding, FindingKind};
 
 /// The mass of a figure and its extent at its zero pose: every coordinate zero but those that follow others.
 #[doc(alias = "bounding box")]

@@ -6,10 +6,10 @@ mod reverse;
 
 pub use error::RerootError;
 
-use crate::fault::nearest;
 use crate::figure::Figure;
 use crate::fuse::LinkPlace;
 use nalgebra::Vector3;
+use solaris_text::nearest;
 
 /// The point of a link that becomes the origin of the new root, whose axes are the link's.
 #[derive(Clone, Copy, Debug, PartialEq)]

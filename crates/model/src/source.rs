@@ -1,91 +1,11 @@
-//! Source maps: places in a text that describes a figure, and the findings about them.
+//! Where in a text the parts of a figure are described.
 
 use crate::fault::{Fault, FigureError, Part};
+use solaris_text::TextError;
 use std::collections::HashMap;
-use std::fmt;
 use std::ops::Range;
 
-/// A place in a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// Its bytes.
-    pub span: Range<usize>,
-    /// Its line, from 1.
-    pub line: usize,
-    /// Its first character in that line, from 1.
-    pub column: usize,
-}
-
-impl Place {
-    /// The place of these bytes of `text`; what lies beyond the text is its end.
-    pub fn of(text: &str, span: Range<usize>) -> Self {
-        let mut start = span.start.min(text.len());
-        while !text.is_char_boundary(start) {
-            start -= 1;
-        }
-        let before = &text[..start];
-        let first = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let (line, column) = (before.matches('\n').count() + 1, before[first..].chars().count() + 1);
-        Self { span: start..span.end.clamp(start, text.len()), line, column }
-    }
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}, column {}", self.line, self.column)
-    }
-}
-
-/// One fault of a text, and where it is.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TextFault {
-    /// Where.
-    pub place: Place,
-    /// What is wrong, with its value, and what to do.
-    pub message: String,
-}
-
-/// The error of a text: everything that is wrong with it, in the order of the text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TextError {
-    /// The first [`TextError::MOST`] faults, at least one.
-    pub faults: Vec<TextFault>,
-    /// How many more there are.
-    pub omitted: usize,
-}
-
-impl TextError {
-    /// The most faults that are kept.
-    pub const MOST: usize = 100;
-
-    /// Of faults given by their bytes and messages, in any order.
-    pub fn new(text: &str, mut faults: Vec<(Range<usize>, String)>) -> Self {
-        faults.sort_by_key(|(span, _)| span.start);
-        let omitted = faults.len().saturating_sub(Self::MOST);
-        faults.truncate(Self::MOST);
-        let placed = |(span, message)| TextFault { place: Place::of(text, span), message };
-        Self { faults: faults.into_iter().map(placed).collect(), omitted }
-    }
-
-    /// Of one fault.
-    pub fn one(text: &str, span: Range<usize>, message: impl Into<String>) -> Self {
-        Self::new(text, vec![(span, message.into())])
-    }
-}
-
-impl fmt::Display for TextError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, fault) in self.faults.iter().enumerate() {
-            let newline = if i > 0 { "\n" } else { "" };
-            write!(f, "{newline}{}: {}", fault.place, fault.message)?;
-        }
-        if self.omitted > 0 { write!(f, "\nand {} more", self.omitted) } else { Ok(()) }
-    }
-}
-
-impl std::error::Error for TextError {}
-
-/// The source map of a figure: where in a text its parts are described, down to single fields (`mass`, `inertia`, `parent`, …) where the
+/// Where in a text the parts of a figure are described, down to single fields (`mass`, `inertia`, `parent`, …) where the
 /// reader says so.
 #[derive(Clone, Debug, Default)]
 pub struct SourceMap {
@@ -128,38 +48,5 @@ impl SourceMap {
         let whole = self.get(Part::Figure, "").cloned().unwrap_or(0..0);
         let place = |fault| self.find(fault).unwrap_or_else(|| whole.clone());
         TextError::new(text, error.faults.iter().map(|fault| (place(fault), fault.to_string())).collect())
-    }
-}
-
-/// The kind of a finding: what a reader or a check has to say, short of a fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum FindingKind {
-    /// Something that looks wrong.
-    Suspect,
-    /// Something in the text that has no place in a figure and was left out.
-    Unsupported,
-    /// Something that was done on the way.
-    Note,
-}
-
-/// A finding: something to know about a figure that does not keep it from being one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
-    /// What kind.
-    pub kind: FindingKind,
-    /// What it is about: a link, a joint, an element of the file.
-    pub subject: String,
-    /// What there is to say, with values.
-    pub message: String,
-    /// Where in the text, if it comes from one.
-    pub place: Option<Place>,
-}
-
-impl fmt::Display for Finding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(place) = &self.place {
-            write!(f, "{place}: ")?;
-        }
-        write!(f, "{}: {}", self.subject, self.message)
     }
 }

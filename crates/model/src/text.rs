@@ -62,19 +62,15 @@
 //! Of RON there is all that this needs: comments (`//`, `/* */`), commas at the end, `Some(…)` and `None` around fields,
 //! raw texts, names left out where only one can be meant. Texts end on the line on which they begin.
 
-mod lex;
-mod node;
-mod parse;
 mod read;
-mod reader;
+mod spatial;
 mod write;
 
-pub use node::{Content, Group, Named, Node, Value};
-pub use reader::{Fields, Reader};
+pub use solaris_text::{Content, Fields, Group, Named, Node, Reader, Value, first_word, parse};
+pub use spatial::ReadSpatial;
 
 use crate::figure::Figure;
-use crate::source::TextError;
-use parse::Noun;
+use solaris_text::TextError;
 
 /// The figure that a text describes.
 ///
@@ -86,35 +82,6 @@ use parse::Noun;
 /// beyond 64.
 pub fn read(text: &str) -> Result<Figure, TextError> {
     read::read(text)
-}
-
-/// The tree of a text that is to be something other than a figure: `noun` says what (`scene`), `begins` how one begins
-/// (`Scene(version: 1, …)`), both for messages.
-///
-/// ```
-/// use solaris_model::text::{Reader, parse};
-///
-/// let text = "Tempo(beats: 110, phase: deg(90))";
-/// let tree = parse(text, "tempo", "Tempo(beats: 110)")?;
-/// let mut reader = Reader::default();
-/// let fields = reader.fields(&tree, &["Tempo"], &["beats", "phase"]).expect("a tempo");
-/// let phase = fields.get("phase").and_then(|node| reader.angle(node, "the phase")).expect("an angle");
-/// assert!((phase - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
-/// reader.finish(text)?;
-/// # Ok::<(), solaris_model::TextError>(())
-/// ```
-///
-/// # Errors
-///
-/// [`TextError`] with the one place where the text is no RON.
-pub fn parse<'a>(text: &'a str, noun: &'static str, begins: &'static str) -> Result<Node<'a>, TextError> {
-    parse::parse(text, Noun { name: noun, begins })
-        .map_err(|(span, message)| TextError::one(text, span, message))
-}
-
-/// The word that a text begins with, after comments: `Figure`, `Scene`.
-pub fn first_word(text: &str) -> Option<&str> {
-    parse::first_word(text)
 }
 
 /// The figure of a node `Figure(…)` inside of another text, which need not say its version, or of `Human(…)`; nothing where

@@ -22,8 +22,8 @@ pub use element::{Anchor, LimitLaw, PointSpring};
 pub use recorded::Recorded;
 pub use report::{
     Counts, Energy, EnergyReport, ErrorEstimate, GroundReport, Impact, Landing, LinkContact, PhaseReport,
-    Run, RunReport, Watch,
+    Remark, Run, RunReport, Watch,
 };
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;
-pub use trouble::{Cause, RunError, SetupError, Trouble};
+pub use trouble::{Cause, Remedy, RunError, SetupError, Trouble};

@@ -1,8 +1,10 @@
 //! What a run says of itself.
 
 use crate::drive::Outcome;
+use crate::trouble::RunError;
 use solaris_dynamics::scalar::Operations;
 use solaris_model::Motion;
+use std::fmt;
 
 /// A run: its motion, and what there is to say of it.
 #[derive(Clone, Debug)]
@@ -37,7 +39,49 @@ pub struct RunReport {
     /// What was computed and what was left out, one entry for each time that this changed.
     pub phases: Vec<PhaseReport>,
     /// What is worth knowing though it is no trouble.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Remark>,
+}
+
+/// What is worth knowing about a run though it is no trouble.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Remark {
+    /// A stiff method, behind this crate's feature `stiff`, would take fewer evaluations.
+    StiffNotBuiltIn {
+        /// The stiffest eigenvalue (1/s).
+        eigenvalue: f64,
+    },
+    /// A stiff method was tried and did not come to the end.
+    StiffFailed(Box<RunError>),
+    /// The run could not be compared with another.
+    NoEstimate,
+    /// A degree of freedom starts outside of a hard limit.
+    OutsideLimits {
+        /// Its name.
+        dof: String,
+        /// By how much (rad or m).
+        by: f64,
+    },
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StiffNotBuiltIn { eigenvalue } => write!(
+                f,
+                "the equations are stiff ({eigenvalue:.3e} 1/s): a stiff method, which is not built in, would take fewer \
+                 evaluations"
+            ),
+            Self::StiffFailed(error) => write!(f, "the stiff method did not come to the end: {error}"),
+            Self::NoEstimate => {
+                f.write_str("no other step or tolerance came to the end: there is no error estimate")
+            }
+            Self::OutsideLimits { dof, by } => write!(
+                f,
+                "{dof} starts {by:.4} (rad or m) outside of its limits: they hold it once it has come inside"
+            ),
+        }
+    }
 }
 
 /// What the ground did, as far as dynamics computed what touches it.

@@ -18,11 +18,11 @@ mod watching;
 
 use crate::body::Body;
 use crate::range::check_not_negative;
-use crate::report::{Counts, ErrorEstimate, Run, RunReport, Watch};
+use crate::report::{Counts, ErrorEstimate, Remark, Run, RunReport, Watch};
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
-use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 use crate::{Drive, LimitLaw, Step};
 use pass::{Passed, pass};
 use solaris_dynamics::Wrench;
@@ -42,7 +42,7 @@ struct Chosen {
     why: String,
     /// What other passes took.
     beside: Counts,
-    remarks: Vec<String>,
+    remarks: Vec<Remark>,
 }
 
 impl Simulation {
@@ -158,14 +158,12 @@ fn check_work(settings: &Settings) -> Result<(), Box<Trouble>> {
     let most = settings.guard.evaluations;
     let longer = settings.duration * rule.evaluations() as f64 / most as f64;
     let cause = Cause::Evaluations { evaluations: most };
-    let advice = format!(
-        "the run would take {evaluations:.1e}; take a step above {longer:.1e} s, or allow more (guard: Guard(evaluations: …))"
-    );
-    Err(Box::new(Trouble { time: 0.0, dof: None, cause, advice }))
+    let remedies = vec![Remedy::StepAbove { step: longer, evaluations }, Remedy::MoreEvaluations];
+    Err(Box::new(Trouble { time: 0.0, dof: None, cause, remedies }))
 }
 
 /// What starts outside of a hard limit, which then does not hold it.
-fn outside(simulation: &Simulation) -> Vec<String> {
+fn outside(simulation: &Simulation) -> Vec<Remark> {
     let figure = &simulation.figure;
     let is_hard = |dof: usize| matches!(simulation.limits[dof], LimitLaw::Hard { .. });
     let is_ever_free = |dof: usize| {
@@ -180,12 +178,7 @@ fn outside(simulation: &Simulation) -> Vec<String> {
     let excess = figure.limit_excess(&simulation.q).into_iter();
     excess
         .filter(|excess| is_hard(excess.dof) && is_ever_free(excess.dof) && excess.by > 1e-9)
-        .map(|excess| {
-            let (name, by) = (simulation.name(excess.dof), excess.by);
-            format!(
-                "{name} starts {by:.4} (rad or m) outside of its limits: they hold it once it has come inside"
-            )
-        })
+        .map(|excess| Remark::OutsideLimits { dof: simulation.name(excess.dof).to_owned(), by: excess.by })
         .collect()
 }
 
@@ -239,8 +232,7 @@ fn named(
                     factor,
                 ));
             }
-            None => remarks
-                .push("no other step or tolerance came to the end: there is no error estimate".to_owned()),
+            None => remarks.push(Remark::NoEstimate),
         }
     }
     if !passed.is_dynamic {

@@ -1,5 +1,9 @@
 //! Why there is no result: faults of what was asked, and trouble on the way.
 
+mod remedy;
+
+pub use remedy::Remedy;
+
 use solaris_dynamics::DynamicsError;
 use solaris_model::{ConfigurationError, FuseError, MotionError};
 use solaris_profiles::ProfileError;
@@ -80,7 +84,7 @@ pub enum SetupError {
     /// A figure that cannot be put on the ground.
     #[error(
         "the figure cannot be put on the ground: '{joint}', the joint of its root, does not slide out of it, or nothing of it can \
-         touch the ground; give the root a free joint or a slide, or leave stand out"
+         touch the ground; give the root a free joint or a slide, or place the figure by hand"
     )]
     NoWayDown {
         /// The joint of the root.
@@ -106,11 +110,8 @@ pub enum SetupError {
     /// A motion that is none.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// A method that this program was built without.
-    #[error(
-        "the method '{method}' is not built in; build with the feature 'stiff' (cargo build --release --features stiff), or \
-         take Runge-Kutta 4 with a step"
-    )]
+    /// A method that this program was built without: those that choose their steps are behind this crate's feature `stiff`.
+    #[error("the method '{method}' is not built in; take Runge-Kutta 4 with a step")]
     NotBuiltIn {
         /// The method.
         method: &'static str,
@@ -144,7 +145,7 @@ impl From<Trouble> for RunError {
 
 /// Trouble on the way: when, where, what, and what to do.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{cause} at t = {} s: {advice}", shown(*.time))]
+#[error("{}", self.told(|_| None))]
 pub struct Trouble {
     /// When (s).
     pub time: f64,
@@ -152,13 +153,45 @@ pub struct Trouble {
     pub dof: Option<String>,
     /// What.
     pub cause: Cause,
-    /// What to do.
-    pub advice: String,
+    /// What may help, each by itself, the likeliest first.
+    pub remedies: Vec<Remedy>,
+}
+
+impl Trouble {
+    /// When, where, what, and what to do, with how each remedy is `spelled` where one can be asked for in words of a text or a
+    /// command line:
+    ///
+    /// ```
+    /// use solaris_modes::{Cause, Remedy, Trouble};
+    ///
+    /// let remedies = vec![Remedy::StepOf { step: 1e-4 }, Remedy::ToleranceForStep];
+    /// let trouble = Trouble { time: 0.5, dof: None, cause: Cause::Energy { share: 0.3 }, remedies };
+    /// let told = trouble.told(|remedy| (*remedy == Remedy::ToleranceForStep).then_some("--tolerance 1e-6"));
+    /// assert_eq!(
+    ///     told,
+    ///     "30 % of the energy at play has come from nowhere or gone at t = 0.5 s: take a shorter step, such as a tenth, \
+    ///      1.0e-4 s, or give a tolerance instead of a step (--tolerance 1e-6)"
+    /// );
+    /// ```
+    pub fn told<'a>(&self, spelled: impl Fn(&Remedy) -> Option<&'a str>) -> String {
+        let told = |remedy: &Remedy| match spelled(remedy) {
+            Some(spelled) => format!("{remedy} ({spelled})"),
+            None => remedy.to_string(),
+        };
+        let advice: Vec<String> = self.remedies.iter().map(told).collect();
+        format!("{} at t = {} s: {}", self.cause, shown(self.time), advice.join(", or "))
+    }
 }
 
 /// A magnitude, where there is one.
 fn with(value: f64, unit: &str) -> String {
     if value > 0.0 { format!(" with {value:.1e} {unit}") } else { String::new() }
+}
+
+/// How near the best setting came, where two came to the end.
+fn nearest(estimate: f64) -> String {
+    let within = || format!("; the nearest came within {estimate:.1e}");
+    if estimate.is_finite() { within() } else { " within the evaluations that are allowed".to_owned() }
 }
 
 fn shown(time: f64) -> String {
@@ -269,12 +302,22 @@ pub enum Cause {
         moving: f64,
     },
     /// A tolerance that no setting met.
-    #[error("no setting met the tolerance {tolerance:e}; the nearest came within {estimate:.1e}")]
+    #[error("no setting met the tolerance {tolerance:e}{}", nearest(*.estimate))]
     Tolerance {
         /// The tolerance.
         tolerance: f64,
-        /// The smallest estimate of the error.
+        /// The smallest estimate of the error; infinite where no two settings came to the end.
         estimate: f64,
+    },
+    /// A tolerance that no setting met, as none came to the end.
+    #[error("no setting met the tolerance {tolerance:e}: with a step of {step:.1e} s, {cause}")]
+    NoneFinished {
+        /// The tolerance.
+        tolerance: f64,
+        /// The shortest step that was tried (s).
+        step: f64,
+        /// What came in its way.
+        cause: Box<Cause>,
     },
     /// A state that is none.
     #[error("the state is none: {0}")]

@@ -4,12 +4,11 @@
 mod answers;
 mod breaks;
 mod curve;
-mod enclosure;
 mod fade;
-mod interval;
 mod jet;
 mod keeps;
 mod layer;
+mod piece;
 mod shape;
 mod zeros;
 

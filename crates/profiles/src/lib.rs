@@ -25,6 +25,8 @@ mod sample;
 mod segment;
 pub mod spline;
 pub mod step;
+#[cfg(feature = "text")]
+pub mod text;
 pub mod velocity;
 
 pub use answers::{Answers, Peak, Peaks, Quantity, Stationary, StationaryPoint, Turn};

@@ -30,7 +30,8 @@ macro_rules! profiles {
     ) => {
         /// A curve as it is asked for: which kind, and its parameters. Nothing is checked before [`Profile::curve`].
         ///
-        /// With the feature `serde` it can be written and read; in RON, parameters that are zero may be left out:
+        /// With the feature `text` it can be written and read as a text, with the feature `serde` in other ways too; parameters
+        /// that are zero may be left out:
         ///
         /// ```text
         /// Tension(from: 0.0, to: 1.2, duration: 0.8, stiffness: 3.0, end_velocity: 0.5)

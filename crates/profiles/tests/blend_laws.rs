@@ -328,3 +328,16 @@ fn layers_may_have_lone_weights() {
     assert_eq!(blend.at(0.4), cubic.at(0.4));
     assert_eq!(blend.stationary(), cubic.stationary());
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// All that a stiff fade does, it does within a small part of its window.
+    #[test]
+    fn stationary_points_of_stiff_fades_are_found(
+        a in ends(), b in ends(), stiffness in 8.0..600.0, sinh in any::<bool>(), start in -0.5..1.5, length in 0.1..1.5,
+    ) {
+        let kind = if sinh { FadeKind::Sinh { stiffness } } else { FadeKind::Exponential { stiffness: 0.02 * stiffness } };
+        assert_stationary(&two::<f64>(a, b, Fade::new(kind, start, start + length).expect("a fade"), Leaving::Allow));
+    }
+}

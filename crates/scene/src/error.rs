@@ -1,5 +1,6 @@
 //! Why a scene has no motion.
 
+use crate::spelled;
 use solaris_analysis::ReactionError;
 use solaris_modes::RunError;
 
@@ -7,8 +8,8 @@ use solaris_modes::RunError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// The run: what was asked cannot be run, or trouble on the way.
-    #[error(transparent)]
+    /// The run: what was asked cannot be run, or trouble on the way; told in the words of a scene.
+    #[error("{}", spelled::run(.0))]
     Run(#[from] RunError),
     /// The ground under the feet of a walk.
     #[error("the motion is there, but not what the ground does under its feet: {0}")]

@@ -5,6 +5,7 @@ mod loader;
 mod read;
 mod scene;
 mod soles;
+mod spelled;
 
 pub use error::SceneError;
 pub use loader::{Loader, NoFiles};

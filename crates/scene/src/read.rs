@@ -1,7 +1,5 @@
 //! From a text to a scene, with every fault on the way.
 
-mod blend;
-mod curve;
 mod drive;
 mod drives;
 mod figures;
@@ -17,11 +15,13 @@ mod walk;
 
 use crate::loader::Loader;
 use crate::scene::Scene;
+use crate::spelled;
 use nalgebra::Vector3;
 use names::Names;
-use solaris_model::text::{Fields, Node, Reader, parse};
+use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
 use solaris_model::{Figure, TextError};
 use solaris_modes::{SetupError, Simulation};
+use solaris_profiles::Profile;
 use std::ops::Range;
 
 /// The version of the grammar.
@@ -102,12 +102,17 @@ impl SceneReader<'_> {
 
     /// Adds what the simulation has to say about what stands at `span`.
     fn setup<T>(&mut self, span: &Range<usize>, result: Result<T, SetupError>) -> Option<T> {
-        result.map_err(|error| self.reader.fault(span.clone(), error.to_string())).ok()
+        result.map_err(|error| self.reader.fault(span.clone(), spelled::setup(&error))).ok()
     }
 
     /// The figure, if there is one.
     fn figure(&self) -> Option<&Figure> {
         self.simulation.as_ref().map(Simulation::figure)
+    }
+
+    /// A curve of degrees of freedom that turn, or of others.
+    fn profile(&mut self, node: &Node<'_>, turns: bool) -> Option<Profile> {
+        solaris_profiles::text::read_node(&mut self.reader, node, turns)
     }
 
     /// The entries of a field that is a map.

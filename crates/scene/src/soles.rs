@@ -1,9 +1,9 @@
 //! Soles as text: where the feet of a figure meet the ground.
 
 use nalgebra::{Point3, Vector3};
+use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
+use solaris_model::{Figure, Link, Placement, TextError, did_you_mean};
 use solaris_analysis::ground::Sole;
-use solaris_model::text::{Fields, Node, Reader, parse};
-use solaris_model::{Figure, Link, Placement, TextError, nearest};
 
 /// The version of the grammar.
 const VERSION: u32 = 1;
@@ -62,11 +62,7 @@ impl SolesReader<'_> {
         }
         self.reader.only_known(&fields, &["version", "soles"]);
         let node = self.reader.required(&fields, "soles", EXAMPLE)?;
-        let Some(items) = node.items() else {
-            let message = format!("soles must be a list {EXAMPLE}, not {}", node.describe());
-            self.reader.fault(node.place(), message);
-            return None;
-        };
+        let items = self.reader.items(node, "soles", EXAMPLE)?;
         if items.is_empty() {
             self.reader.fault(node.span.clone(), format!("there are no soles; give one at least: {EXAMPLE}"));
         }
@@ -134,8 +130,7 @@ impl SolesReader<'_> {
         let found = self.figure.locate(name);
         if found.is_none() {
             let frames = self.figure.links().iter().flat_map(Link::frames).map(|frame| frame.name.as_str());
-            let hint = nearest(name, self.figure.links().iter().map(Link::name).chain(frames));
-            let hint = hint.map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+            let hint = did_you_mean(name, self.figure.links().iter().map(Link::name).chain(frames));
             let figure = self.figure.name();
             let message = format!("figure '{figure}' has no link and no frame '{name}'{hint}");
             self.reader.fault(node.span.clone(), message);

@@ -6,7 +6,7 @@ use super::summary::name;
 use super::table::{NAMES, Times, rows};
 use crate::print::write_json;
 use serde_json::{Map, Value, json};
-use solaris::profiles::{Answers, Curve, Peak, ProfileCurve, Range, Turn};
+use solaris::profiles::{Answers, Curve, Peak, ProfileCurve, Range, Turn, text};
 use solaris::view::profile::Labels;
 use std::io::Write;
 use std::ops::Bound;
@@ -45,10 +45,8 @@ impl Facts {
         times: Times,
     ) -> Self {
         let values = request.profile.values();
-        let parameters: Map<String, Value> = values
-            .iter()
-            .map(|(parameter, value)| (parameter.name.replace(' ', "_"), json!(value)))
-            .collect();
+        let parameters: Map<String, Value> =
+            values.iter().map(|(parameter, value)| (parameter.field(), json!(value))).collect();
         let (stationary, peaks) = (curve.stationary(), curve.peaks());
         let points: Vec<Value> = stationary
             .points
@@ -62,7 +60,7 @@ impl Facts {
         let peak = |peak: Peak| json!({ "time": peak.time, "value": peak.value });
         Self(json!({
             "kind": name(&request.profile),
-            "text": super::written::short(&request.profile),
+            "text": text::line(&request.profile),
             "parameters": parameters,
             "keys": labels.keys,
             "times_count_from": labels.keys.first().map_or(0.0, |key| key.0),

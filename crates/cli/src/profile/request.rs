@@ -7,8 +7,8 @@ use crate::error::CliError;
 use crate::input;
 use clap::ArgMatches;
 use solaris::profiles::blend::Fade;
-use solaris::profiles::{Kind, Parameter, Profile, ProfileCurve, ProfileError, ProfileLayer};
-use std::path::{Path, PathBuf};
+use solaris::profiles::{Kind, Parameter, Profile, ProfileCurve, ProfileError};
+use std::path::PathBuf;
 
 /// Stiffness of a fade when none is given.
 const STIFFNESS: f64 = 1.0;
@@ -64,7 +64,7 @@ impl Request {
     fn of_file(matches: &ArgMatches) -> Result<Self, CliError> {
         let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
         let text = input::text(&path)?;
-        let profile: Profile = written::read(&path, &text)?;
+        let profile = written::read(&path, &text)?;
         let parameters: Vec<&'static Parameter> = profile.values().into_iter().map(|(p, _)| p).collect();
         let free = free(matches, &parameters)?;
         let reads = Some(path.clone());
@@ -90,8 +90,8 @@ impl Request {
         let leaving = matches.get_one::<String>("leaving").map_or("", String::as_str);
         let leaving = LEAVING.iter().find(|(name, _)| *name == leaving).unwrap_or(&LEAVING[0]).1;
         let profile = Profile::Blend {
-            first: Box::new(layer(first)?),
-            second: Box::new(layer(second)?),
+            first: Box::new(written::read_layer(first)?),
+            second: Box::new(written::read_layer(second)?),
             fade: Fade::new(kind, start, end).map_err(refuse)?,
             leaving,
         };
@@ -115,40 +115,10 @@ impl Request {
     /// Why there is no such curve: said of the place in the text, or of the option.
     pub(super) fn refuse(&self, error: &ProfileError, matches: &ArgMatches) -> CliError {
         match &self.text {
-            Some((path, text)) => refuse_text(path, text, error),
+            Some((path, text)) => written::refuse(path, text, error),
             None => CliError::of_profile(error, matches),
         }
     }
-}
-
-/// Why there is no such curve, under the number that is at fault where it can be told.
-fn refuse_text(path: &Path, text: &str, error: &ProfileError) -> CliError {
-    let name = match error {
-        ProfileError::NotFinite { what, .. }
-        | ProfileError::NotWhole { what, .. }
-        | ProfileError::OutOfRange { what, .. }
-        | ProfileError::Infeasible { what, .. } => what,
-        ProfileError::Duration { .. } => "duration",
-        ProfileError::Knots { .. } | ProfileError::Count { .. } => "keys",
-        _ => "",
-    };
-    match written::value(text, name) {
-        Some(span) => written::fault(path, text, span, error.to_string()),
-        None => CliError::input(path, error),
-    }
-}
-
-/// A motion of a blend, by itself or with when it begins.
-fn layer(text: &str) -> Result<ProfileLayer, CliError> {
-    let path = Path::new("--curve");
-    let layer = if text.trim_start().starts_with('(') {
-        written::read(path, text)?
-    } else {
-        ProfileLayer::from(written::read::<Profile>(path, text)?)
-    };
-    // Which of the two is at fault is known here only.
-    layer.profile.curve::<f64>().map_err(|error| refuse_text(path, text, &error))?;
-    Ok(layer)
 }
 
 /// The parameters that are to be free, by symbol or name.

@@ -1,5 +1,6 @@
 //! What there is to say of a run, as it is written to JSON.
 
+use super::BUILD_STIFF;
 use super::contact::Contact;
 use super::energy::Energies;
 use super::outcomes::{Hit, Told};
@@ -8,7 +9,7 @@ use crate::print::write_json;
 use serde::Serialize;
 use solaris::analysis::ReactionReport;
 use solaris::dynamics::scalar::Operations;
-use solaris::modes::{PhaseReport, RunReport};
+use solaris::modes::{PhaseReport, Remark, RunReport};
 use solaris::scene::{Scene, Simulated};
 use std::io::Write;
 
@@ -128,12 +129,20 @@ impl Report {
             contact: ground.map(Contact::of),
             ground: simulated.reactions.as_ref().map(Ground::of),
             nearest_limbs: limbs,
-            remarks,
+            remarks: remarks.iter().map(told).collect(),
         }
     }
 
     pub(super) fn write(&self, writer: &mut dyn Write) -> std::io::Result<()> {
         write_json(writer, self)
+    }
+}
+
+/// A remark, with what can be done about it.
+fn told(remark: &Remark) -> String {
+    match remark {
+        Remark::StiffNotBuiltIn { .. } => format!("{remark}; for one, {BUILD_STIFF}"),
+        _ => remark.to_string(),
     }
 }
 

@@ -5,8 +5,6 @@ use solaris_analysis::ground::{
 };
 use solaris_analysis::{InverseOptions, PreparedMotion, ground_reactions, inverse_motion};
 use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
-use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
-use solaris_model::{Figure, Motion, human};
 use solaris_model::{Figure, Motion, human};
 
 struct Walked {

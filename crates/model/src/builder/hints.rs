@@ -1,6 +1,6 @@
 //! Suggestions of nearest names for messages, as far as looking for them takes no time.
 
-use crate::fault::nearest;
+use solaris_text::nearest;
 
 /// How many names may be compared for the hints of one figure.
 const NAMES: usize = 1_000_000;

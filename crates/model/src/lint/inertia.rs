@@ -4,8 +4,8 @@ use super::{short, suspect};
 use crate::figure::Figure;
 use crate::inertia::{Shape, ShapeKind, second_moments};
 use crate::link::Link;
-use crate::source::Finding;
 use nalgebra::{Matrix3, Vector3};
+use solaris_text::Finding;
 
 /// Densities that links have (kg/m³): from loose foam and hollow shells to stone and light metal.
 const DENSITY: (f64, f64) = (300.0, 3000.0);

@@ -5,8 +5,8 @@ use super::sides::{Mates, mates, singles};
 use super::{digits, note, short, suspect};
 use crate::figure::Figure;
 use crate::joint::Placement;
-use crate::source::Finding;
 use nalgebra::{Matrix3, Vector3};
+use solaris_text::Finding;
 
 /// How far from mirror images left and right may be: of the figure's size, the mass, the inertia.
 const TOLERANCE: f64 = 1e-6;

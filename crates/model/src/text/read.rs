@@ -6,15 +6,13 @@ mod joint;
 mod link;
 mod locate;
 
-use super::node::{Content, Node};
-use super::parse::parse_figure;
-use super::reader::Reader;
+use super::spatial::ReadSpatial as _;
 use crate::builder::FigureBuilder;
 use crate::fault::Part;
 use crate::figure::Figure;
-use crate::source::TextError;
 use exact::Exact;
 use locate::Places;
+use solaris_text::{Node, Reader, TextError, parse};
 use std::ops::{Deref, DerefMut};
 
 /// The version of the grammar.
@@ -64,7 +62,7 @@ impl<'r> FigureReader<'r> {
 
 /// The figure that `text` describes.
 pub(super) fn read(text: &str) -> Result<Figure, TextError> {
-    let tree = parse_figure(text).map_err(|(span, message)| TextError::one(text, span, message))?;
+    let tree = parse(text, "figure", "Figure(version: 1, …)")?;
     let mut reader = Reader::default();
     let figure = read_tree(&mut reader, &tree, true);
     reader.finish(text)?;
@@ -144,9 +142,8 @@ impl FigureReader<'_> {
 
     fn links(&mut self, node: &Node<'_>, mut builder: FigureBuilder) -> FigureBuilder {
         self.places.put_field(Part::Figure, "", "links", node.place());
-        let Some(items) = node.items() else {
+        let Some(items) = self.items(node, "links", "[Link(…), …]") else {
             self.lost.links = true;
-            self.fault(node.place(), format!("links must be a list [Link(…), …], not {}", node.describe()));
             return builder;
         };
         for (index, item) in items.iter().enumerate() {
@@ -160,13 +157,8 @@ impl FigureReader<'_> {
 
     /// `{"knee.flexion": "-knee.rx", …}`
     fn angles(&mut self, node: &Node<'_>, mut builder: FigureBuilder) -> FigureBuilder {
-        let Some(Content::Map(entries)) = node.group().map(|group| &group.content) else {
-            let message =
-                format!("angles must be a map {{\"knee.flexion\": \"-knee.rx\"}}, not {}", node.describe());
-            self.fault(node.place(), message);
-            return builder;
-        };
-        for (key, value) in entries {
+        let entries = self.entries(node, "angles", "{\"knee.flexion\": \"-knee.rx\"}");
+        for (key, value) in entries.unwrap_or_default() {
             let name = self.name(key, "the name of an angle");
             let dof = self.name(value, "the degree of freedom of an angle");
             let (Some(name), Some(dof)) = (name, dof) else { continue };

@@ -1,14 +1,13 @@
 //! From a figure to a text that people like to read.
 
 mod joint;
-mod layout;
 mod link;
 mod number;
 
 use super::read::VERSION;
 use crate::figure::Figure;
-use layout::{Doc, field, group};
-use number::{number, quoted, tuple};
+use number::tuple;
+use solaris_text::layout::{Doc, field, group, number, quoted};
 
 const HEADER: &str = "\
 // A figure. Lengths are in m, masses in kg, inertias in kg m², angles in rad or, as deg(30), in degrees.

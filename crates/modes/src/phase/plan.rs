@@ -63,7 +63,7 @@ pub(super) fn total(cost: &Operations) -> u64 {
 /// What was left out of the ground, if anything: `left` of `all` spheres can touch it.
 fn contact(is_there: bool, left: usize, all: usize) -> Option<String> {
     if !is_there {
-        return Some("contact: the scene has no ground".to_owned());
+        return Some("contact: there is no ground".to_owned());
     }
     let without = all - left;
     (without > 0).then(|| {

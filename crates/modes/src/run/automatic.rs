@@ -3,11 +3,11 @@
 use super::kinks::has_kinks;
 use super::pass::{Passed, pass};
 use super::{Chosen, NOTHING, Quiet, compare, describe, scaled};
-use crate::report::{Counts, ErrorEstimate, Watch};
+use crate::report::{Counts, ErrorEstimate, Remark, Watch};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
-use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 
 /// Steps of an explicit rule in a frame that stability may ask for before an implicit method is tried.
 const MANY: f64 = 16.0;
@@ -45,12 +45,11 @@ pub(super) fn choose(
     if let Some(eigenvalue) = eigenvalue.filter(|_| frame > MANY * longest) {
         match stiff(simulation, settings, tolerance, eigenvalue, watch) {
             Ok(chosen) => return Ok(chosen),
-            Err(RunError::Setup(SetupError::NotBuiltIn { .. })) => remarks.push(format!(
-                "the scene is stiff ({eigenvalue:.3e} 1/s): a stiff method would take fewer evaluations; build with the feature \
-                 'stiff' for one"
-            )),
+            Err(RunError::Setup(SetupError::NotBuiltIn { .. })) => {
+                remarks.push(Remark::StiffNotBuiltIn { eigenvalue });
+            }
             Err(RunError::Cancelled) => return Err(RunError::Cancelled),
-            Err(error) => remarks.push(format!("the stiff method did not come to the end: {error}")),
+            Err(error) => remarks.push(Remark::StiffFailed(Box::new(error))),
         }
     }
     Ladder::new(simulation, settings, tolerance, longest.min(frame), None).climb(watch, remarks)
@@ -83,7 +82,7 @@ impl<'a> Ladder<'a> {
         Self { simulation, settings, tolerance, step, last, beside: Counts::default() }
     }
 
-    fn climb(mut self, watch: &mut dyn Watch, remarks: Vec<String>) -> Result<Chosen, RunError> {
+    fn climb(mut self, watch: &mut dyn Watch, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
         let mut best = f64::INFINITY;
         let mut trouble = None;
         let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
@@ -128,24 +127,24 @@ impl<'a> Ladder<'a> {
 
     /// No step met the tolerance within the evaluations that are allowed.
     fn gave_up(&self, best: f64, trouble: Option<Box<Trouble>>) -> RunError {
-        let time = trouble.as_ref().map_or(self.settings.duration, |trouble| trouble.time);
-        let (advice, dof) = match trouble.filter(|_| best.is_infinite()) {
+        let (tolerance, time) = (self.tolerance, trouble.as_ref().map(|trouble| trouble.time));
+        let trouble = match trouble.filter(|_| best.is_infinite()) {
             Some(trouble) => {
-                let last = format!("with a step of {:.1e} s, {}", self.step, trouble.cause);
-                (format!("{last}; a stiff method may pass it, or softer springs"), trouble.dof)
+                let Trouble { time, dof, cause, .. } = *trouble;
+                let cause = Cause::NoneFinished { tolerance, step: self.step, cause: Box::new(cause) };
+                Trouble { time, dof, cause, remedies: vec![Remedy::StiffMethod, Remedy::SofterSprings] }
             }
-            None => (
-                "ask for a larger tolerance or a shorter run; where a small change at the start grows without end, no step \
-                 helps"
-                    .to_owned(),
-                None,
-            ),
+            None => Trouble {
+                time: time.unwrap_or(self.settings.duration),
+                dof: None,
+                cause: Cause::Tolerance { tolerance, estimate: best },
+                remedies: vec![Remedy::LargerTolerance, Remedy::ShorterChaos],
+            },
         };
-        let cause = Cause::Tolerance { tolerance: self.tolerance, estimate: best };
-        Box::new(Trouble { time, dof, cause, advice }).into()
+        Box::new(trouble).into()
     }
 
-    fn done(self, passed: Passed, error: ErrorEstimate, stepping: Stepping, remarks: Vec<String>) -> Chosen {
+    fn done(self, passed: Passed, error: ErrorEstimate, stepping: Stepping, remarks: Vec<Remark>) -> Chosen {
         let why = format!(
             "its error estimate {:.1e} is the first of ever shorter steps to meet the tolerance {:e}",
             error.position, self.tolerance
@@ -205,8 +204,8 @@ fn stiff(
         own *= 0.1;
     }
     let cause = Cause::Tolerance { tolerance, estimate: best };
-    let advice = "ask for a larger tolerance".to_owned();
-    Err(Box::new(Trouble { time: settings.duration, dof: None, cause, advice }).into())
+    let remedies = vec![Remedy::LargerTolerance];
+    Err(Box::new(Trouble { time: settings.duration, dof: None, cause, remedies }).into())
 }
 
 /// Whether a shorter step may help.

@@ -8,7 +8,7 @@ use crate::drive::path::Path;
 use crate::drive::simple::{Begun, analyse, begin};
 use crate::drive::tracking::Tracker;
 use crate::phase::Role;
-use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 use crate::{Drive, OutcomeKind, Target, Until};
 use solaris_model::{Event, EventKind};
 use solaris_profiles::ProfileError;
@@ -240,12 +240,10 @@ impl Pass<'_> {
             return Ok(());
         }
         let dof = self.simulation.name(dof).to_owned();
-        let advice = "let the curve begin there, set the start of the scene to it, or take a Move, which begins where \
-                      it is"
-            .to_owned();
+        let remedies = vec![Remedy::CurveFromThere, Remedy::StartAtCurve, Remedy::MoveInstead];
         let (begins, velocity, found, moving) = (curve.0, curve.1, state.0, state.1);
         let cause = Cause::Jump { dof: dof.clone(), begins, velocity, found, moving };
-        Err(Box::new(Trouble { time: self.t, dof: Some(dof), cause, advice }).into())
+        Err(Box::new(Trouble { time: self.t, dof: Some(dof), cause, remedies }).into())
     }
 
     /// What is prescribed now, with its accelerations, and the drives' forces on the rest.

@@ -11,7 +11,7 @@ use super::pass::Pass;
 use crate::body::Pressed;
 use crate::contact::{Foothold, Surface};
 use crate::phase::Role;
-use crate::trouble::{Cause, RunError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, Trouble};
 use solaris_model::{Event, EventKind};
 use std::collections::HashSet;
 
@@ -174,9 +174,8 @@ impl Pass<'_> {
         let figure = &self.simulation.figure;
         let links: Vec<&str> = links.into_iter().map(|link| figure.links()[link].name()).collect();
         let cause = Cause::Footing { links: links.join(", "), pull: tried.pull, sink: tried.sink };
-        let advice =
-            "take a ground of springs (contact: Spring()), where everything slides a little".to_owned();
-        Err(Trouble { time: self.t, dof: None, cause, advice }.into())
+        let remedies = vec![Remedy::CompliantGround];
+        Err(Trouble { time: self.t, dof: None, cause, remedies }.into())
     }
 
     /// Footholds of these touches, one for each rigid part.

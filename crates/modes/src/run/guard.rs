@@ -4,7 +4,7 @@ use crate::phase::Phase;
 use crate::settings::Guard;
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, System, TimeError};
-use crate::trouble::{Cause, RunError, SetupError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 use nalgebra::{DMatrix, DVector, Schur};
 use solaris_dynamics::DynamicsError;
 use solaris_model::{AxisKind, EulerOrder};
@@ -29,8 +29,8 @@ pub(crate) fn look(
 ) -> Result<(), Box<Trouble>> {
     let figure = &simulation.figure;
     let distances = figure.gimbal_distances(q).map_err(|error| {
-        let (cause, advice) = (Cause::State(error.to_string()), "take a shorter step".to_owned());
-        Box::new(Trouble { time, dof: None, cause, advice })
+        let (cause, remedies) = (Cause::State(error.to_string()), vec![Remedy::ShorterStep]);
+        Box::new(Trouble { time, dof: None, cause, remedies })
     })?;
     for at in distances.filter(|at| at.distance < guard.gimbal) {
         let joint = figure.layout().joints()[at.joint];
@@ -38,22 +38,21 @@ pub(crate) fn look(
             continue;
         }
         let name = figure.links()[at.joint].joint().name().to_owned();
-        let advice = other_order(simulation, at.joint, q);
+        let remedies = vec![Remedy::OtherAxes { order: other_order(simulation, at.joint, q) }];
         let (dof, cause) = (Some(name.clone()), Cause::GimbalLock { joint: name, distance: at.distance });
-        return Err(Box::new(Trouble { time, dof, cause, advice }));
+        return Err(Box::new(Trouble { time, dof, cause, remedies }));
     }
     // A share that is NaN is trouble too.
     if share.partial_cmp(&guard.energy).is_none_or(std::cmp::Ordering::is_gt) {
-        let advice = match stepping {
-            Stepping::Fixed { step, .. } => format!(
-                "take a shorter step, such as a tenth, {:.1e} s, or a tolerance instead of a step (tolerance: 1e-6)",
-                0.1 * step
-            ),
+        let remedies = match stepping {
+            Stepping::Fixed { step, .. } => {
+                vec![Remedy::StepOf { step: 0.1 * step }, Remedy::ToleranceForStep]
+            }
             Stepping::Adaptive { tolerance } | Stepping::Stiff { tolerance } => {
-                format!("take a smaller tolerance, such as a tenth, {:.1e}", 0.1 * tolerance)
+                vec![Remedy::SmallerTolerance { tolerance: 0.1 * tolerance }]
             }
         };
-        return Err(Box::new(Trouble { time, dof: None, cause: Cause::Energy { share }, advice }));
+        return Err(Box::new(Trouble { time, dof: None, cause: Cause::Energy { share }, remedies }));
     }
     Ok(())
 }
@@ -73,9 +72,9 @@ pub(crate) fn look_before(
     let (condition, dof) = phase.condition(time, y).map_err(|error| of_dynamics(time, error))?;
     if condition.partial_cmp(&guard.condition).is_none_or(std::cmp::Ordering::is_gt) {
         let dof = simulation.name(dof).to_owned();
-        let advice = "give what it moves more mass or an armature, or fix it".to_owned();
         let cause = Cause::IllConditioned { condition, dof: dof.clone() };
-        return Err(Box::new(Trouble { time, dof: Some(dof), cause, advice }).into());
+        let remedies = vec![Remedy::MoreInertia];
+        return Err(Box::new(Trouble { time, dof: Some(dof), cause, remedies }).into());
     }
     too_long(simulation, phase, stepping, time, y).map_or(Ok(()), |trouble| Err(trouble.into()))
 }
@@ -95,10 +94,9 @@ fn too_long(
         return None;
     }
     let dof = dof.map_or_else(|| "the figure".to_owned(), |dof| simulation.name(dof).to_owned());
-    let advice =
-        format!("take a step below {longest:.1e} s, or a stiff method (method: Stiff(tolerance: 1e-6))");
+    let remedies = vec![Remedy::StepBelow { step: longest }, Remedy::StiffMethod];
     let cause = Cause::StepTooLong { method: rule.to_string(), step, longest, eigenvalue, dof: dof.clone() };
-    Some(Box::new(Trouble { time, dof: Some(dof), cause, advice }))
+    Some(Box::new(Trouble { time, dof: Some(dof), cause, remedies }))
 }
 
 /// The eigenvalue (1/s) of greatest magnitude of the equations of a phase, its magnitude with the sign of its real part, and
@@ -158,26 +156,26 @@ pub(crate) fn explain(
 }
 
 /// Trouble of a stepper.
-pub(crate) fn of_time(simulation: &Simulation, error: TimeError) -> Result<Trouble, RunError> {
+pub(crate) fn of_time(error: TimeError) -> Result<Trouble, RunError> {
     Ok(match error {
         TimeError::Rate { time, source } => of_rate_at(time, source),
         TimeError::Stuck { time, method, why } => {
-            let advice =
-                "look at the scene there: something is too stiff, or jumps; a larger tolerance may pass it"
-                    .to_owned();
-            Trouble { time, dof: None, cause: Cause::Stuck { method, why }, advice }
+            let remedies = vec![Remedy::LookAtJumps, Remedy::LargerTolerance];
+            Trouble { time, dof: None, cause: Cause::Stuck { method, why }, remedies }
         }
         TimeError::Evaluations { time, evaluations } => {
-            let advice = format!(
-                "ask for a shorter run of '{}', a larger tolerance, or a stiff method; or allow more in Guard::evaluations",
-                simulation.figure.name()
-            );
-            Trouble { time, dof: None, cause: Cause::Evaluations { evaluations }, advice }
+            let remedies = vec![
+                Remedy::ShorterRun,
+                Remedy::LargerTolerance,
+                Remedy::StiffMethod,
+                Remedy::MoreEvaluations,
+            ];
+            Trouble { time, dof: None, cause: Cause::Evaluations { evaluations }, remedies }
         }
         error @ (TimeError::NoPositions { .. } | TimeError::Range { .. }) => {
             let (why, method) = (error.to_string(), "the stepper".to_owned());
-            let advice = "ask for another method or step".to_owned();
-            Trouble { time: 0.0, dof: None, cause: Cause::Stuck { method, why }, advice }
+            let cause = Cause::Stuck { method, why };
+            Trouble { time: 0.0, dof: None, cause, remedies: vec![Remedy::OtherMethod] }
         }
         TimeError::NotBuiltIn { method } => return Err(SetupError::NotBuiltIn { method }.into()),
     })
@@ -189,29 +187,23 @@ pub(crate) fn of_rate(time: f64, error: RateError) -> RunError {
 }
 
 fn of_rate_at(time: f64, error: RateError) -> Trouble {
-    let advice =
-        "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
-    match error {
-        RateError::Dynamics(source) => of_dynamics(time, source),
+    let cause = match error {
+        RateError::Dynamics(source) => Cause::Dynamics(source),
         RateError::NotFinite { value, .. } | RateError::EventNotFinite { value, .. } => {
-            Trouble { time, dof: None, cause: Cause::NotFinite { value }, advice }
+            Cause::NotFinite { value }
         }
-        RateError::Stopped => {
-            let cause = Cause::Stuck { method: "the run".to_owned(), why: "it was stopped".to_owned() };
-            Trouble { time, dof: None, cause, advice }
-        }
-    }
+        RateError::Stopped => Cause::Stuck { method: "the run".to_owned(), why: "it was stopped".to_owned() },
+    };
+    Trouble { time, dof: None, cause, remedies: vec![Remedy::ShorterStep, Remedy::LookAtRequest] }
 }
 
 /// Trouble of the kernel.
 pub(crate) fn of_dynamics(time: f64, error: DynamicsError) -> Trouble {
-    let advice =
-        "take a shorter step; if that does not help, look at what the scene asks for there".to_owned();
-    Trouble { time, dof: None, cause: Cause::Dynamics(error), advice }
+    of_rate_at(time, RateError::Dynamics(error))
 }
 
-/// What to do about a joint in lock: the order of rotations that is farthest from it there.
-fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> String {
+/// The order of rotations that is farthest from lock where a joint is in lock, and how far (rad).
+fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> Option<(EulerOrder, f64)> {
     let figure = &simulation.figure;
     let (joint, at) = (figure.links()[link].joint(), figure.layout().joints()[link]);
     let turns =
@@ -219,17 +211,8 @@ fn other_order(simulation: &Simulation, link: usize, q: &[f64]) -> String {
     let turned = turns.fold(nalgebra::Rotation3::identity(), |turned, (dof, angle)| {
         turned * nalgebra::Rotation3::new(dof.axis.direction * *angle)
     });
-    let from_lock = |order: &EulerOrder| middle(*order, &turned);
-    let best = EulerOrder::ALL.into_iter().max_by(|a, b| from_lock(a).total_cmp(&from_lock(b)));
-    best.map_or_else(
-        || "use a ball joint".to_owned(),
-        |order| {
-            format!(
-                "use a ball joint or order {order}, which is {:.0}° from it there, or leave fewer of its axes free",
-                from_lock(&order).to_degrees()
-            )
-        },
-    )
+    let orders = EulerOrder::ALL.into_iter().map(|order| (order, middle(order, &turned)));
+    orders.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// How far (rad) the order's middle rotation is from lock where it makes up the rotation `R = R_i·R_j·R_k`: `R·e_k` has the

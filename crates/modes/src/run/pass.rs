@@ -12,7 +12,7 @@ use crate::report::{Counts, Impact, Landing, PhaseReport, Watch};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
-use crate::trouble::{Cause, RunError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, Trouble};
 
 /// Rounds of changes at one instant that are still believed.
 const MOST_ROUNDS: usize = 1000;
@@ -213,7 +213,7 @@ impl<'a> Pass<'a> {
                 return Err(RunError::Cancelled);
             }
             (Err(error), None) => {
-                let trouble = guard::of_time(simulation, error)?;
+                let trouble = guard::of_time(error)?;
                 return Err(guard::explain(simulation, phase, stepping, &y, trouble));
             }
         };
@@ -321,8 +321,8 @@ impl<'a> Pass<'a> {
             return Ok(());
         }
         let cause = Cause::Impacts { count: *rounds };
-        let advice = "two limits or drives undo each other; give them room, or soft limits".to_owned();
-        Err(Box::new(Trouble { time: self.t, dof: None, cause, advice }).into())
+        let remedies = vec![Remedy::RoomBetween, Remedy::SoftLimits];
+        Err(Box::new(Trouble { time: self.t, dof: None, cause, remedies }).into())
     }
 
     /// What is watched for may have brought back links that were left out until now.

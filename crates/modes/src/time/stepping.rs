@@ -80,8 +80,8 @@ pub enum TimeError {
         /// What it has to be.
         range: &'static str,
     },
-    /// A method that was not built in.
-    #[error("{method} is not built in: it needs the feature 'stiff'")]
+    /// A method that was not built in: it needs this crate's feature `stiff`.
+    #[error("{method} is not built in")]
     NotBuiltIn {
         /// The method.
         method: &'static str,

@@ -2,19 +2,21 @@
 
 use super::breaks::breaks;
 use super::curve::Blend;
-use super::enclosure::{Piece, resolution};
 use super::fade::{Fade, Side};
+use super::piece::{Piece, resolution};
 use super::zeros::{End, Zeros, zeros};
 use crate::answers::{Answers, Quantity, Stationary, Turn};
 use crate::roots::bracketed;
 use alloc::vec::Vec;
 
-/// Blends have no closed forms: their velocity and acceleration are enclosed by intervals, and spans are discarded, isolated
-/// or halved. None is missing. Where velocity and acceleration vanish together, or nearly so that rounding hides the
-/// difference, one [`Turn::Touch`] or one [`Turn::Reversal`] is reported; and where the velocity cannot be told from zero
-/// over a span, that span is a rest. A motion that turns round across a rest has a reversal where the rest begins.
+/// Blends have no closed forms: their velocity and acceleration are looked at at some instants of each piece within which nothing
+/// jumps, at more of them near its ends, and where the next derivative is zero; each change of sign is brought to the last digits.
+/// Two zeros between neighbouring instants at which no derivative shows them are missed. Where velocity and acceleration vanish
+/// together, or nearly so that rounding hides the difference, one [`Turn::Touch`] or one [`Turn::Reversal`] is reported; and where
+/// the velocity cannot be told from zero over a span, that span is a rest. A motion that turns round across a rest has a reversal
+/// where the rest begins.
 ///
-/// Answers about the jerk come from a search among 64 instants in each piece, refined; they are not proven.
+/// Answers about the jerk come from a search among 64 instants in each piece, refined.
 impl<C: Answers> Answers for Blend<C> {
     fn stationary(&self) -> Stationary {
         let pieces = self.pieces();

@@ -1,54 +1,37 @@
 //! Sums, products and quotients of functions with their first three derivatives.
 
 use crate::Elementary;
-use core::ops::{Add, Div, Mul, Sub};
 
-/// Numbers, and intervals of them.
-pub(super) trait Ring:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
-    fn real(x: f64) -> Self;
-
-    /// The product, of which a factor that is exactly zero leaves nothing, be the other infinite.
-    fn of(self, other: Self) -> Self;
-}
-
-impl<F: Elementary> Ring for F {
-    #[inline]
-    fn real(x: f64) -> Self {
-        F::from_f64(x)
-    }
-
-    #[inline]
-    fn of(self, other: Self) -> Self {
-        let zero = F::from_f64(0.0);
-        if self == zero || other == zero { zero } else { self * other }
-    }
+/// The product, of which a factor that is exactly zero leaves nothing, be the other infinite.
+#[inline]
+fn of<F: Elementary>(x: F, y: F) -> F {
+    let zero = F::from_f64(0.0);
+    if x == zero || y == zero { zero } else { x * y }
 }
 
 /// A function that is `x` everywhere.
-pub(super) fn constant<T: Ring>(x: T) -> [T; 4] {
-    [x, T::real(0.0), T::real(0.0), T::real(0.0)]
+pub(super) fn constant<F: Elementary>(x: F) -> [F; 4] {
+    [x, F::from_f64(0.0), F::from_f64(0.0), F::from_f64(0.0)]
 }
 
 /// 1 − x.
-pub(super) fn complement<T: Ring>(x: [T; 4]) -> [T; 4] {
-    let zero = T::real(0.0);
-    [T::real(1.0) - x[0], zero - x[1], zero - x[2], zero - x[3]]
+pub(super) fn complement<F: Elementary>(x: [F; 4]) -> [F; 4] {
+    let zero = F::from_f64(0.0);
+    [F::from_f64(1.0) - x[0], zero - x[1], zero - x[2], zero - x[3]]
 }
 
 /// x + y.
-pub(super) fn sum<T: Ring>(x: [T; 4], y: [T; 4]) -> [T; 4] {
+pub(super) fn sum<F: Elementary>(x: [F; 4], y: [F; 4]) -> [F; 4] {
     core::array::from_fn(|i| x[i] + y[i])
 }
 
 /// x − y.
-pub(super) fn difference<T: Ring>(x: [T; 4], y: [T; 4]) -> [T; 4] {
+pub(super) fn difference<F: Elementary>(x: [F; 4], y: [F; 4]) -> [F; 4] {
     core::array::from_fn(|i| x[i] - y[i])
 }
 
 /// x·y, by Leibniz' rule.
-pub(super) fn product<T: Ring>(x: [T; 4], y: [T; 4]) -> [T; 4] {
+pub(super) fn product<F: Elementary>(x: [F; 4], y: [F; 4]) -> [F; 4] {
     weighted(x, y, y)
 }
 
@@ -58,13 +41,13 @@ pub(super) fn product<T: Ring>(x: [T; 4], y: [T; 4]) -> [T; 4] {
 /// ```text
 /// W·f    W·f′ + W′·g    W·f″ + 2·W′·g′ + W″·g    W·f‴ + 3·W′·g″ + 3·W″·g′ + W‴·g
 /// ```
-pub(super) fn weighted<T: Ring>(w: [T; 4], f: [T; 4], g: [T; 4]) -> [T; 4] {
-    let (two, three) = (T::real(2.0), T::real(3.0));
+pub(super) fn weighted<F: Elementary>(w: [F; 4], f: [F; 4], g: [F; 4]) -> [F; 4] {
+    let (two, three) = (F::from_f64(2.0), F::from_f64(3.0));
     [
-        w[0].of(f[0]),
-        w[0].of(f[1]) + w[1].of(g[0]),
-        w[0].of(f[2]) + two * w[1].of(g[1]) + w[2].of(g[0]),
-        w[0].of(f[3]) + three * (w[1].of(g[2]) + w[2].of(g[1])) + w[3].of(g[0]),
+        of(w[0], f[0]),
+        of(w[0], f[1]) + of(w[1], g[0]),
+        of(w[0], f[2]) + two * of(w[1], g[1]) + of(w[2], g[0]),
+        of(w[0], f[3]) + three * (of(w[1], g[2]) + of(w[2], g[1])) + of(w[3], g[0]),
     ]
 }
 
@@ -73,8 +56,8 @@ pub(super) fn weighted<T: Ring>(w: [T; 4], f: [T; 4], g: [T; 4]) -> [T; 4] {
 /// ```text
 /// W′ = (w′ − W·S′)/S    W″ = (w″ − 2·W′·S′ − W·S″)/S    W‴ = (w‴ − 3·W″·S′ − 3·W′·S″ − W·S‴)/S
 /// ```
-pub(super) fn quotient<T: Ring>(w: [T; 4], s: [T; 4]) -> [T; 4] {
-    let (two, three) = (T::real(2.0), T::real(3.0));
+pub(super) fn quotient<F: Elementary>(w: [F; 4], s: [F; 4]) -> [F; 4] {
+    let (two, three) = (F::from_f64(2.0), F::from_f64(3.0));
     let value = w[0] / s[0];
     let first = (w[1] - value * s[1]) / s[0];
     let second = (w[2] - two * first * s[1] - value * s[2]) / s[0];

@@ -1,6 +1,6 @@
 //! The zeros of a derivative of a blend within a piece.
 
-use super::enclosure::Piece;
+use super::piece::Piece;
 use crate::answers::{Answers, Turn};
 use crate::roots::bracketed;
 use alloc::vec::Vec;
@@ -33,154 +33,101 @@ pub(super) struct End {
     pub(super) positive: bool,
 }
 
-/// More spans at once than this cannot be told from zero one by one.
-const MANY: usize = 4096;
+/// Spans of the same length in a piece.
+const STEPS: usize = 16;
+/// Ever shorter spans at both ends of a piece, where stiff fades do all that they do: each a quarter of the one before.
+const SHORTER: i32 = 12;
+/// More of a piece than this is no point.
+const WIDE: f64 = 1.5 / STEPS as f64;
 
-/// Finds the zeros of the derivative of some order (1 to 3) within a piece by interval arithmetic: spans in which it cannot be
-/// zero are discarded, those in which it only rises or only falls hold one zero or none, the others are halved until they are
-/// as small as rounding errors allow; what is left then touches zero, or crosses it with a derivative that is zero too.
+/// Finds the zeros of the derivative of some order (1 to 3) within a piece: it is looked at at instants in the piece and where the
+/// next derivative is zero, so that between two of them it rises or falls and each change of its sign holds one zero. Where it
+/// can't be told from zero between two that can, it touches zero or crosses it with a derivative that is zero too.
 pub(super) fn zeros<C: Answers>(piece: &Piece<'_, C>, order: usize) -> Zeros {
-    Search {
-        piece,
-        order,
-        points: Vec::new(),
-        rests: Vec::new(),
-        open: Vec::new(),
-        ends: [piece.from, piece.to].map(|time| End {
-            is_zero: piece.point(time)[order].contains_zero(),
-            clear: time,
-            positive: false,
-        }),
+    let instants = instants(piece, order);
+    let signs: Vec<Option<bool>> = instants.iter().map(|&time| piece.sign(order, time)).collect();
+    let value = |time| piece.value(order, time);
+    let (mut points, mut rests) = (Vec::new(), Vec::new());
+    // The last instant that was not zero.
+    let mut last: Option<usize> = None;
+    let clear = (0..instants.len()).filter(|&i| signs[i].is_some()).map(Some);
+    for next in clear.chain([None]) {
+        let (first, end) = (last.map_or(0, |last| last + 1), next.unwrap_or(instants.len()));
+        if first < end {
+            // Zero from one of these instants to the other.
+            let (from, to) = (instants[first], instants[end - 1]);
+            let is_whole = from <= piece.from && to >= piece.to;
+            let is_exact = || instants[first..end].iter().all(|&time| value(time).abs() <= 0.0);
+            let is_wide = to - from > WIDE * (piece.to - piece.from);
+            if is_wide && (!is_whole || piece.is_long() || is_exact()) {
+                let edge = |clear: usize, zero: f64| border(piece, order, instants[clear], zero);
+                rests.push((last.map_or(from, |i| edge(i, from)), next.map_or(to, |i| edge(i, to))));
+            } else if let (Some(last), Some(next)) = (last, next) {
+                let (low, high) = (instants[last], instants[next]);
+                let crosses = signs[last] != signs[next];
+                let touch = || smallest(value, &instants[first..end]);
+                points.push(if crosses {
+                    (bracketed(value, low, high), Turn::Reversal)
+                } else {
+                    (touch(), Turn::Touch)
+                });
+            }
+        } else if let (Some(last), Some(next)) = (last, next)
+            && signs[last] != signs[next]
+        {
+            points.push((bracketed(value, instants[last], instants[next]), Turn::Reversal));
+        }
+        last = next;
     }
-    .run()
+    let end = |is_zero, clear: Option<usize>, otherwise| End {
+        is_zero,
+        clear: clear.map_or(otherwise, |i| instants[i]),
+        positive: clear.and_then(|i| signs[i]).unwrap_or(false),
+    };
+    let (first, final_) = (signs.iter().position(Option::is_some), signs.iter().rposition(Option::is_some));
+    let ends =
+        [end(first != Some(0), first, piece.to), end(final_ != Some(instants.len() - 1), final_, piece.from)];
+    Zeros { points, rests, ends }
 }
 
-struct Search<'a, 'b, C> {
-    piece: &'a Piece<'b, C>,
-    order: usize,
-    points: Vec<(f64, Turn)>,
-    rests: Vec<(f64, f64)>,
-    /// Spans about which nothing more can be said.
-    open: Vec<(f64, f64)>,
-    ends: [End; 2],
+/// Instants of a piece, its ends among them, between which the derivative of some order only rises or only falls, as far as a
+/// search finds.
+fn instants<C: Answers>(piece: &Piece<'_, C>, order: usize) -> Vec<f64> {
+    let length = piece.to - piece.from;
+    let mut times: Vec<f64> = (1..STEPS).map(|i| piece.from + i as f64 / STEPS as f64 * length).collect();
+    let mut short = length / STEPS as f64;
+    for _ in 0..SHORTER {
+        short *= 0.25;
+        times.extend([piece.from + short, piece.to - short]);
+    }
+    if order < 3 {
+        let slope = |time| piece.value(order + 1, time);
+        let slopes = instants(piece, order + 1);
+        let turns = slopes.windows(2).filter(|pair| (slope(pair[0]) > 0.0) != (slope(pair[1]) > 0.0));
+        times.extend(turns.map(|pair| bracketed(slope, pair[0], pair[1])));
+    }
+    times.retain(|&time| time > piece.from && time < piece.to);
+    times.extend([piece.from, piece.to]);
+    times.sort_by(f64::total_cmp);
+    times.dedup_by(|a, b| *a <= *b);
+    times
 }
 
-impl<C: Answers> Search<'_, '_, C> {
-    fn run(mut self) -> Zeros {
-        let mut spans = alloc::vec![(self.piece.from, self.piece.to)];
-        let mut is_crowded = false;
-        while !spans.is_empty() {
-            is_crowded = is_crowded || spans.len() > MANY;
-            spans = spans.into_iter().flat_map(|span| self.look(span, is_crowded)).flatten().collect();
+/// Where, between a time at which the derivative is not zero and one at which it is, it becomes so.
+fn border<C: Answers>(piece: &Piece<'_, C>, order: usize, mut clear: f64, mut zero: f64) -> f64 {
+    for _ in 0..60 {
+        let middle = 0.5 * (clear + zero);
+        if piece.sign(order, middle).is_some() {
+            clear = middle;
+        } else {
+            zero = middle;
         }
-        self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut together: Vec<(f64, f64)> = Vec::new();
-        for &(from, to) in &self.open {
-            match together.last_mut() {
-                Some(last) if last.1 >= from => last.1 = to,
-                _ => together.push((from, to)),
-            }
-        }
-        // What cannot be told from zero beside a rest is of the rest.
-        let beside = |span: &(f64, f64), rests: &[(f64, f64)]| {
-            rests.iter().any(|rest| rest.0 <= span.1 && span.0 <= rest.1)
-        };
-        for span in together {
-            if beside(&span, &self.rests) {
-                self.rests.push(span);
-            } else {
-                self.settle(span, is_crowded);
-            }
-        }
-        self.points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        self.rests.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for i in 0..2 {
-            self.ends[i].positive = self.is_positive(self.ends[i].clear);
-        }
-        Zeros { points: self.points, rests: self.rests, ends: self.ends }
     }
+    zero
+}
 
-    /// Decides about a span, or halves it.
-    fn look(&mut self, (from, to): (f64, f64), is_crowded: bool) -> [Option<(f64, f64)>; 2] {
-        let enclosure = self.piece.within(from, to);
-        let middle = 0.5 * (from + to);
-        let found = enclosure[self.order];
-        if !found.contains_zero() {
-            return [None; 2];
-        }
-        if found.is_zero() {
-            self.rests.push((from, to));
-            return [None; 2];
-        }
-        if self.order < 3 && !enclosure[self.order + 1].contains_zero() {
-            self.cross(from, to);
-            return [None; 2];
-        }
-        let error = self.piece.point(middle)[self.order];
-        let is_small = error.contains_zero() && found.width() <= 8.0 * error.width();
-        let is_smallest = to - from <= 4.0 * f64::EPSILON * to.max(self.piece.to - self.piece.from);
-        if is_small || is_smallest || is_crowded || middle <= from || middle >= to {
-            self.open.push((from, to));
-            return [None; 2];
-        }
-        [Some((from, middle)), Some((middle, to))]
-    }
-
-    /// A span in which the derivative only rises or only falls.
-    fn cross(&mut self, from: f64, to: f64) {
-        let at_start = from <= self.piece.from && self.ends[0].is_zero;
-        let at_end = to >= self.piece.to && self.ends[1].is_zero;
-        // A zero at the end of the piece is the one of the span.
-        if at_start {
-            self.ends[0].clear = to;
-        }
-        if at_end {
-            self.ends[1].clear = from;
-        }
-        if !at_start && !at_end && self.is_positive(from) != self.is_positive(to) {
-            self.points.push((self.zero(self.order, from, to), Turn::Reversal));
-        }
-    }
-
-    /// A span in which the derivative and the next one may both be zero.
-    fn settle(&mut self, (from, to): (f64, f64), is_crowded: bool) {
-        if is_crowded {
-            let nowhere = |i: u32| {
-                let time = from + f64::from(i) / 16.0 * (to - from);
-                self.piece.point(time)[self.order].contains_zero()
-            };
-            if (0..=16).all(nowhere) {
-                self.rests.push((from, to));
-                return;
-            }
-        }
-        let (at_start, at_end) = (from <= self.piece.from, to >= self.piece.to);
-        if at_start {
-            self.ends[0] = End { is_zero: true, clear: to, positive: false };
-        }
-        if at_end {
-            self.ends[1] = End { is_zero: true, clear: from, positive: false };
-        }
-        if !at_start && !at_end {
-            self.points.push(self.point(from, to));
-        }
-    }
-
-    fn point(&self, from: f64, to: f64) -> (f64, Turn) {
-        if self.is_positive(from) != self.is_positive(to) {
-            return (self.zero(self.order, from, to), Turn::Reversal);
-        }
-        let slope = |time| self.piece.value((self.order + 1).min(3), time);
-        let turns = (slope(from) > 0.0) != (slope(to) > 0.0);
-        let time = if turns { bracketed(slope, from, to) } else { 0.5 * (from + to) };
-        (time, Turn::Touch)
-    }
-
-    fn is_positive(&self, time: f64) -> bool {
-        self.piece.value(self.order, time) > 0.0
-    }
-
-    fn zero(&self, order: usize, from: f64, to: f64) -> f64 {
-        bracketed(|time| self.piece.value(order, time), from, to)
-    }
+/// The one of these times at which a function is smallest.
+fn smallest(f: impl Fn(f64) -> f64, times: &[f64]) -> f64 {
+    let least = times.iter().copied().min_by(|&a, &b| f(a).abs().total_cmp(&f(b).abs()));
+    least.unwrap_or_default()
 }

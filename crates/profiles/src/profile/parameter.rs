@@ -1,6 +1,7 @@
 //! The parameters of all kinds of profiles.
 
 use crate::range::Range;
+use alloc::string::String;
 use core::fmt;
 
 /// The dimension of a parameter, where positions are in some unit (rad, m) and times in s.
@@ -47,6 +48,13 @@ pub struct Parameter {
     pub range: Range,
     /// What it is in a few words.
     pub summary: &'static str,
+}
+
+impl Parameter {
+    /// Its name in texts: "`start_velocity`".
+    pub fn field(&self) -> String {
+        self.name.replace(' ', "_")
+    }
 }
 
 macro_rules! parameters {

@@ -78,7 +78,7 @@ impl SceneReader<'_> {
             }
             "Move" => {
                 let (target, over) = (self.target(fields, turns), self.time(fields, "over"));
-                let along = match self.choice(fields, "by", &["MinimumJerk", "Cubic"])? {
+                let along = match self.reader.choice(fields, "by", &["MinimumJerk", "Cubic"])? {
                     "Cubic" => Shape::Cubic,
                     _ => Shape::MinimumJerk,
                 };
@@ -96,7 +96,7 @@ impl SceneReader<'_> {
             }
             "Intensive" => {
                 let (target, over) = (self.target(fields, turns), self.time(fields, "over"));
-                let law = match self.choice(fields, "law", &["Quintic", "Cubic", "Literal"])? {
+                let law = match self.reader.choice(fields, "law", &["Quintic", "Cubic", "Literal"])? {
                     "Literal" => Law::Literal,
                     "Cubic" => Law::Cubic,
                     _ => Law::Quintic,
@@ -114,7 +114,7 @@ impl SceneReader<'_> {
         let course = match kind {
             "TargetAngle" => Course::TargetAngle,
             "TimeOriented" => Course::TimeOriented { duration: self.time(fields, "over")? },
-            _ => match self.choice(fields, "by", &["BangBang", "HalfCosine", "FullSine"])? {
+            _ => match self.reader.choice(fields, "by", &["BangBang", "HalfCosine", "FullSine"])? {
                 "HalfCosine" => Course::HalfCosine,
                 "FullSine" => Course::FullSine,
                 _ => Course::BangBang,
@@ -139,16 +139,6 @@ impl SceneReader<'_> {
     fn time(&mut self, fields: &Fields<'_, '_>, field: &str) -> Option<f64> {
         let node = self.reader.required(fields, field, "0.6")?;
         self.reader.number(node, "the duration")
-    }
-
-    /// One of some words; the first where the field is not given.
-    fn choice(
-        &mut self,
-        fields: &Fields<'_, '_>,
-        field: &str,
-        words: &[&'static str],
-    ) -> Option<&'static str> {
-        fields.get(field).map_or(Some(words[0]), |node| self.reader.kind(node, words))
     }
 
     fn until(&mut self, node: &Node<'_>) -> Option<Until> {

@@ -2,7 +2,7 @@
 
 use super::SceneReader;
 use nalgebra::{Unit, Vector3};
-use solaris_model::text::{Fields, Node};
+use solaris_model::text::{Fields, Node, ReadSpatial as _};
 use solaris_modes::{ContactLaw, GroundPlane, SetupError, Touch, touches};
 
 const FIELDS: [&str; 6] = ["friction", "height", "up", "contact", "touches", "stand"];
@@ -18,9 +18,8 @@ impl SceneReader<'_> {
             self.reader.fault(walk.span.clone(), message);
         }
         let Some(fields) = self.reader.fields(node, &["Flat"], &FIELDS) else { return };
-        let friction = self.reader.required(&fields, "friction", "0.8");
-        let friction = friction.and_then(|node| self.reader.number(node, "friction"));
-        let height = fields.get("height").map_or(Some(0.0), |node| self.reader.number(node, "height"));
+        let friction = self.reader.required_number(&fields, "friction", "0.8");
+        let height = self.reader.number_or(&fields, "height", 0.0);
         let up = self.up(&fields);
         let law = self.contact(&fields, node);
         let touching = self.touches(&fields);
@@ -31,7 +30,7 @@ impl SceneReader<'_> {
             self.setup(&node.place(), result);
         }
         if let Some(node) = fields.get("stand")
-            && self.reader.kind(node, &["true", "false"]) == Some("true")
+            && self.reader.flag(node) == Some(true)
             && let Some(simulation) = &mut self.simulation
         {
             let result = simulation.stand();
@@ -93,11 +92,7 @@ impl SceneReader<'_> {
     /// `[("foot", (x, y, z), radius), …]`, or what the figure says of itself.
     fn touches(&mut self, fields: &Fields<'_, '_>) -> Option<Vec<Touch>> {
         let Some(node) = fields.get("touches") else { return self.figure().map(touches) };
-        let Some(items) = node.items() else {
-            let message = format!("touches must be a list [{EXAMPLE}, …], not {}", node.describe());
-            self.reader.fault(node.place(), message);
-            return None;
-        };
+        let items = self.reader.items(node, "touches", &format!("[{EXAMPLE}, …]"))?;
         let found: Vec<Option<Touch>> = items.iter().map(|item| self.touch(item)).collect();
         found.into_iter().collect()
     }

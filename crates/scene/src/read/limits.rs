@@ -41,26 +41,15 @@ impl SceneReader<'_> {
         match self.reader.kind(node, &LAWS)? {
             "Hard" => {
                 let fields = self.reader.fields(node, &LAWS, &["restitution"])?;
-                let given = fields.get("restitution");
-                let restitution = given.map_or(Some(0.0), |node| self.reader.number(node, "restitution"))?;
-                Some(LimitLaw::Hard { restitution })
+                Some(LimitLaw::Hard { restitution: self.reader.number_or(&fields, "restitution", 0.0)? })
             }
             "Spring" => {
                 let fields = self.reader.fields(node, &LAWS, &["stiffness", "damping"])?;
-                let stiffness = self.reader.required(&fields, "stiffness", "500");
-                let stiffness = stiffness.and_then(|node| self.reader.number(node, "stiffness"));
-                let damping =
-                    fields.get("damping").map_or(Some(0.0), |node| self.reader.number(node, "damping"));
+                let stiffness = self.reader.required_number(&fields, "stiffness", "500");
+                let damping = self.reader.number_or(&fields, "damping", 0.0);
                 Some(LimitLaw::Spring { stiffness: stiffness?, damping: damping? })
             }
-            _ => {
-                if node.group().is_some() {
-                    self.reader
-                        .fault(node.span.clone(), "Ignore stands alone: there is nothing more to say of it");
-                    return None;
-                }
-                Some(LimitLaw::Ignore)
-            }
+            ignore => self.reader.stands_alone(node, ignore).then_some(LimitLaw::Ignore),
         }
     }
 }

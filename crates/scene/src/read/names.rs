@@ -2,7 +2,7 @@
 
 use super::SceneReader;
 use solaris_model::text::Node;
-use solaris_model::{AxisKind, Figure, JointKind, nearest};
+use solaris_model::{AxisKind, Figure, JointKind, did_you_mean, nearest};
 use std::collections::HashMap;
 
 /// How closely a name says what it means. What says it more closely wins, and among equals the later.
@@ -142,7 +142,7 @@ impl SceneReader<'_> {
             return Some(link);
         }
         let links = figure.links().iter().map(solaris_model::Link::name).chain(besides);
-        let hint = nearest(name, links).map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+        let hint = did_you_mean(name, links);
         let message = format!("figure '{}' has no link '{name}'{hint}", figure.name());
         self.reader.fault(node.span.clone(), message);
         None

@@ -25,29 +25,21 @@ impl SceneReader<'_> {
             (None, None) if fields.get("walk").is_some() => None,
             _ => {
                 let node = self.reader.required(fields, "duration", "3.0");
-                node.and_then(|node| self.positive(node, "the duration", "s"))
+                node.and_then(|node| self.reader.positive(node, "the duration", "s"))
             }
         };
-        let rate =
-            fields.get("rate").map_or(Some(RATE), |node| self.positive(node, "the rate", "frames a second"));
+        let rate = fields
+            .get("rate")
+            .map_or(Some(RATE), |node| self.reader.positive(node, "the rate", "frames a second"));
         let method = self.method(fields);
         let guard = fields.get("guard").map_or(Some(Guard::default()), |node| self.guard(node));
         Some(Settings { method: method?, guard: guard?, ..Settings::new(duration?, rate?) })
     }
 
-    fn positive(&mut self, node: &Node<'_>, what: &str, unit: &str) -> Option<f64> {
-        let value = self.reader.number(node, what)?;
-        if value > 0.0 {
-            return Some(value);
-        }
-        self.reader.fault(node.span.clone(), format!("{what} is {value} {unit}; it must be more than zero"));
-        None
-    }
-
     /// The field `tolerance`, or the field `method`.
     fn method(&mut self, fields: &Fields<'_, '_>) -> Option<Method> {
         let tolerance = fields.get("tolerance");
-        let tolerance = tolerance.map(|node| (node, self.positive(node, "the tolerance", "rad or m")));
+        let tolerance = tolerance.map(|node| (node, self.reader.positive(node, "the tolerance", "rad or m")));
         let Some(node) = fields.get("method") else {
             let tolerance = tolerance.map_or(Some(1e-6), |(_, tolerance)| tolerance)?;
             return Some(Method::Automatic { tolerance });
@@ -65,7 +57,7 @@ impl SceneReader<'_> {
             _ => {
                 let fields = self.reader.fields(node, &METHODS, &["tolerance"])?;
                 let tolerance = self.reader.required(&fields, "tolerance", "1e-8")?;
-                let tolerance = self.positive(tolerance, "the tolerance", "")?;
+                let tolerance = self.reader.positive(tolerance, "the tolerance", "")?;
                 return Some(match kind {
                     "Adaptive" => Method::Adaptive { tolerance },
                     "Stiff" => Method::Stiff { tolerance },
@@ -75,7 +67,7 @@ impl SceneReader<'_> {
         };
         let fields = self.reader.fields(node, &METHODS, &["step"])?;
         let step = self.reader.required(&fields, "step", "1e-3")?;
-        Some(Method::Fixed { rule, step: self.positive(step, "the step", "s")? })
+        Some(Method::Fixed { rule, step: self.reader.positive(step, "the step", "s")? })
     }
 
     /// `Guard(gimbal: deg(0.3), condition: 1e14, energy: 0.2, evaluations: 1e7)`
@@ -87,7 +79,7 @@ impl SceneReader<'_> {
         if let Some(gimbal) = fields.get("gimbal").and_then(|node| self.reader.angle(node, "gimbal")) {
             guard.gimbal = gimbal;
         }
-        let mut number = |field| fields.get(field).and_then(|node| self.positive(node, field, ""));
+        let mut number = |field| fields.get(field).and_then(|node| self.reader.positive(node, field, ""));
         guard.condition = number("condition").unwrap_or(guard.condition);
         guard.energy = number("energy").unwrap_or(guard.energy);
         guard.evaluations = number("evaluations").map_or(guard.evaluations, |count| count as u64);

@@ -1,7 +1,7 @@
 //! Springs and dampers between two points.
 
 use super::SceneReader;
-use solaris_model::text::{Fields, Node};
+use solaris_model::text::{Fields, Node, ReadSpatial as _};
 use solaris_modes::{Anchor, PointSpring};
 
 const EXAMPLE: &str = "((\"world\", (0, 2, 0)), (\"hand\", (0, 0, 0)))";
@@ -11,12 +11,7 @@ impl SceneReader<'_> {
     /// Gives the springs of the scene to the simulation.
     pub(super) fn springs(&mut self, fields: &Fields<'_, '_>) {
         let Some(node) = fields.get("springs") else { return };
-        let Some(items) = node.items() else {
-            let message = format!("springs must be a list [Spring(…), …], not {}", node.describe());
-            self.reader.fault(node.place(), message);
-            return;
-        };
-        for item in items {
+        for item in self.reader.items(node, "springs", "[Spring(…), …]").unwrap_or_default() {
             let Some(spring) = self.spring(item) else { continue };
             if let Some(simulation) = &mut self.simulation {
                 let result = simulation.spring(spring);
@@ -30,10 +25,9 @@ impl SceneReader<'_> {
         let fields = self.reader.fields(node, &["Spring"], &known)?;
         let between = self.reader.required(&fields, "between", EXAMPLE);
         let between = between.and_then(|node| self.two_anchors(node));
-        let stiffness = self.reader.required(&fields, "stiffness", "800");
-        let stiffness = stiffness.and_then(|node| self.reader.number(node, "stiffness"));
-        let mut number = |field| fields.get(field).map_or(Some(0.0), |node| self.reader.number(node, field));
-        let (damping, rest) = (number("damping"), number("rest"));
+        let stiffness = self.reader.required_number(&fields, "stiffness", "800");
+        let damping = self.reader.number_or(&fields, "damping", 0.0);
+        let rest = self.reader.number_or(&fields, "rest", 0.0);
         Some(PointSpring { between: between?, stiffness: stiffness?, damping: damping?, rest: rest? })
     }
 

@@ -30,8 +30,7 @@ impl SceneReader<'_> {
         let fields = self.reader.fields(node, kinds, &[])?;
         if fields.kind == "Stand" {
             self.reader.only_known(&fields, &["time"]);
-            let time = self.reader.required(&fields, "time", "2.0");
-            let time = time.and_then(|node| self.reader.number(node, "time"))?;
+            let time = self.reader.required_number(&fields, "time", "2.0")?;
             return Some((fields, WalkSegment::Stand(time)));
         }
         let names: Vec<String> = PARAMETERS.iter().map(|parameter| written(parameter.name)).collect();
@@ -95,12 +94,7 @@ impl SceneReader<'_> {
     /// What comes next in a walk.
     fn parts<'n, 'a>(&mut self, fields: &Fields<'n, 'a>) -> &'n [Node<'a>] {
         let Some(node) = fields.get("then") else { return &[] };
-        node.items().unwrap_or_else(|| {
-            let message =
-                format!("then must be a list [Part(steps: 2, turn: deg(15)), …], not {}", node.describe());
-            self.reader.fault(node.place(), message);
-            &[]
-        })
+        self.reader.items(node, "then", "[Part(steps: 2, turn: deg(15)), …]").unwrap_or_default()
     }
 
     /// Why there is no such walk, said of the number that is at fault where it can be told.

@@ -4,7 +4,7 @@ use super::SceneReader;
 use super::drives::Given;
 use super::names::{Closeness, Meant, in_order};
 use super::walk::Planned;
-use solaris_model::text::{Fields, Node};
+use solaris_model::text::{Fields, Node, ReadSpatial as _};
 use solaris_model::{JointKind, JointLayout};
 use std::ops::Range;
 

@@ -3,7 +3,7 @@
 use super::SceneReader;
 use super::names::{Meant, in_order};
 use solaris_model::JointKind;
-use solaris_model::text::{Fields, Node};
+use solaris_model::text::{Fields, Node, ReadSpatial as _};
 
 const EXAMPLE: &str = "{\"elbow.rx\": 6.28, \"hip\": (0, 1, 0)}";
 

@@ -4,7 +4,7 @@ use super::FigureReader;
 use crate::fault::Fault;
 use crate::figure::Figure;
 use crate::human::{Human, HumanError};
-use crate::text::node::{Content, Node};
+use solaris_text::Node;
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -70,19 +70,11 @@ impl FigureReader<'_> {
 
     fn is_limp(&mut self, node: &Node<'_>) -> Option<bool> {
         let kind = self.kind(node, &["Angles", "Limp"])?;
-        if node.group().is_some() {
-            self.fault(node.span.clone(), format!("{kind} stands alone: there is nothing more to say of it"));
-            return None;
-        }
-        Some(kind == "Limp")
+        self.stands_alone(node, kind).then_some(kind == "Limp")
     }
 
     fn segments(&mut self, node: &Node<'_>) -> Vec<Segment> {
-        let Some(Content::Map(entries)) = node.group().map(|group| &group.content) else {
-            let message = format!("segments must be a map {{\"thigh\": 0.45}}, not {}", node.describe());
-            self.fault(node.place(), message);
-            return Vec::new();
-        };
+        let entries = self.entries(node, "segments", "{\"thigh\": 0.45}").unwrap_or_default();
         let mut found = Vec::new();
         let mut seen = HashSet::new();
         for (key, value) in entries {

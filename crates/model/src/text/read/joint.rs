@@ -6,9 +6,9 @@ use crate::curve::Curve;
 use crate::fault::Part;
 use crate::joint::{Axis, AxisKind, Joint, JointKind, Passive};
 use crate::layout::velocity_names;
-use crate::text::node::{Content, Node};
-use crate::text::reader::Fields;
+use crate::text::spatial::ReadSpatial as _;
 use nalgebra::Vector3;
+use solaris_text::{Content, Fields, Node};
 use std::ops::Range;
 
 const AXES: [&str; 8] = ["rx", "ry", "rz", "tx", "ty", "tz", "Turn", "Slide"];
@@ -73,9 +73,8 @@ impl FigureReader<'_> {
     ) -> Joint {
         let Some(node) = fields.get("axes") else { return joint };
         self.places.put_field(Part::Joint, joint.name(), "axes", node.span.clone());
-        let Some(items) = node.items() else {
+        let Some(items) = self.items(node, "axes", "[rx, …]") else {
             self.lost.dofs = true;
-            self.fault(node.place(), format!("axes must be a list [rx, …], not {}", node.describe()));
             return joint;
         };
         for item in items {
@@ -195,11 +194,7 @@ impl FigureReader<'_> {
     }
 
     fn pieces(&mut self, node: &Node<'_>) -> Option<Vec<[f64; 4]>> {
-        let Some(items) = node.items() else {
-            let message = format!("pieces must be a list [(c0, c1, c2, c3), …], not {}", node.describe());
-            self.fault(node.place(), message);
-            return None;
-        };
+        let items = self.items(node, "pieces", "[(c0, c1, c2, c3), …]")?;
         let pieces: Vec<_> =
             items.iter().map(|item| self.numbers(item, "a piece", ["c0", "c1", "c2", "c3"])).collect();
         pieces.into_iter().collect()

@@ -6,9 +6,9 @@ use crate::fault::Part;
 use crate::inertia::{Inertia, Shape, ShapeKind};
 use crate::joint::Joint;
 use crate::link::SolePart;
-use crate::text::node::{Content, Node};
-use crate::text::reader::Fields;
+use crate::text::spatial::ReadSpatial as _;
 use nalgebra::{Matrix3, Vector3};
+use solaris_text::{Content, Fields, Node};
 
 const FIELDS: [&str; 11] =
     ["name", "parent", "joint", "mass", "com", "inertia", "solid", "shape", "tip", "sole", "frames"];
@@ -135,12 +135,7 @@ impl FigureReader<'_> {
             }
         }
         let Some(node) = fields.get("frames") else { return link };
-        let Some(Content::Map(entries)) = node.group().map(|group| &group.content) else {
-            let message =
-                format!("frames must be a map {{\"marker\": (at: (x, y, z))}}, not {}", node.describe());
-            self.fault(node.place(), message);
-            return link;
-        };
+        let entries = self.entries(node, "frames", "{\"marker\": (at: (x, y, z))}").unwrap_or_default();
         for (key, value) in entries {
             let name = self.name(key, "the name of a frame");
             let Some(fields) = self.fields(value, &["Frame"], &["at", "turned"]) else { continue };
@@ -155,14 +150,8 @@ impl FigureReader<'_> {
 
     /// `[Heel(x, y, z), …]`
     fn sole(&mut self, node: &Node<'_>) -> Vec<(SolePart, Vector3<f64>)> {
-        let Some(items) = node.items() else {
-            let message = format!(
-                "sole must be a list [Heel(x, y, z), Ball(x, y, z), ToeTip(x, y, z)], not {}",
-                node.describe()
-            );
-            self.fault(node.place(), message);
-            return Vec::new();
-        };
+        let example = "[Heel(x, y, z), Ball(x, y, z), ToeTip(x, y, z)]";
+        let items = self.items(node, "sole", example).unwrap_or_default();
         let mut points = Vec::new();
         for item in items {
             let part = match self.kind(item, &SOLE) {

@@ -1,9 +1,9 @@
 //! A joint as text.
 
-use super::layout::{Doc, field, group};
-use super::number::{coordinate, is_plain_zero, placement, plain, quoted, tuple};
+use super::number::{coordinate, is_plain_zero, placement, plain, tuple};
 use crate::curve::Curve;
 use crate::joint::{AxisKind, Dof, Follow, Joint, JointKind, Passive};
+use solaris_text::layout::{Doc, field, group, quoted};
 
 /// A joint on one line, or a field a line.
 pub(super) fn joint(joint: &Joint) -> Doc {

@@ -1,13 +1,13 @@
 //! A link as text.
 
 use super::joint::joint;
-use super::layout::{Doc, field, group};
-use super::number::{is_plain_zero, number, placement, plain, quoted, tuple};
+use super::number::{is_plain_zero, placement, plain, tuple};
 use crate::builder::{FigureBuilder, LinkSpec};
 use crate::figure::Figure;
 use crate::inertia::{Inertia, Shape, ShapeKind};
 use crate::joint::Joint;
 use crate::link::Link;
+use solaris_text::layout::{Doc, field, group, number, quoted};
 
 /// The paragraph of a link.
 pub(super) fn link(figure: &Figure, link: &Link) -> Doc {

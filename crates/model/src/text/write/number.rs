@@ -1,14 +1,8 @@
 //! Numbers, angles, vectors and names, so that they read back with the same bits.
 
-use super::layout::{Doc, field, group};
 use crate::joint::Placement;
 use nalgebra::{Unit, UnitQuaternion, Vector3};
-use std::fmt::Write as _;
-
-/// The shortest digits that read back equal.
-pub(super) fn number(value: f64) -> String {
-    format!("{value:?}")
-}
+use solaris_text::layout::{Doc, field, group, number};
 
 /// A number as an atom.
 pub(super) fn plain(value: f64) -> Doc {
@@ -50,28 +44,6 @@ pub(super) fn tuple(values: &[f64]) -> Doc {
 /// Whether all of it is `+0.0`, bit for bit.
 pub(super) fn is_plain_zero(values: &[f64]) -> bool {
     values.iter().all(|value| value.to_bits() == 0)
-}
-
-/// A text in quotes.
-pub(super) fn quoted(text: &str) -> String {
-    let mut quoted = String::with_capacity(text.len() + 2);
-    quoted.push('"');
-    for c in text.chars() {
-        match c {
-            '"' => quoted.push_str("\\\""),
-            '\\' => quoted.push_str("\\\\"),
-            '\n' => quoted.push_str("\\n"),
-            '\r' => quoted.push_str("\\r"),
-            '\t' => quoted.push_str("\\t"),
-            c if c.is_control() => {
-                // Writing to a string does not fail.
-                let _ = write!(quoted, "\\u{{{:x}}}", u32::from(c));
-            }
-            c => quoted.push(c),
-        }
-    }
-    quoted.push('"');
-    quoted
 }
 
 /// The fields `at` and `turned`, where they say anything.

@@ -3,7 +3,7 @@
 use crate::contact::{Foothold, Surface};
 use crate::phase::Role;
 use crate::run::pass::Pass;
-use crate::trouble::{Cause, RunError, Trouble};
+use crate::trouble::{Cause, Remedy, RunError, Trouble};
 
 /// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
 const DENIED: f64 = 1e-3;
@@ -35,23 +35,19 @@ impl Pass<'_> {
         let link = holds.get(hold).map_or(0, link_of);
         let (why, first) = match self.obstacles(link, holds.iter().map(link_of)) {
             Some((Obstacle::Moves, names)) => {
-                (format!("what has a motion of its own ({names}) moves it"), "let dynamics move that")
+                (format!("what has a motion of its own ({names}) moves it"), Remedy::Free)
             }
-            Some((Obstacle::Rests, names)) => (
-                format!("what is at its limit ({names}) leaves it no way"),
-                "make that limit a soft one (limits: Spring(stiffness: 500))",
-            ),
+            Some((Obstacle::Rests, names)) => {
+                (format!("what is at its limit ({names}) leaves it no way"), Remedy::SoftLimits)
+            }
             Some((Obstacle::Still, names)) => {
-                (format!("what stands still ({names}) leaves it no way"), "let dynamics move that")
+                (format!("what stands still ({names}) leaves it no way"), Remedy::Free)
             }
-            None => (
-                "the figure cannot keep still all that stands at once".to_owned(),
-                "every joint of what stands is free already; bend what is stretched, give light links more mass",
-            ),
+            None => ("the figure cannot keep still all that stands at once".to_owned(), Remedy::OtherPosture),
         };
         let link = self.simulation.figure.links()[link].name().to_owned();
-        let advice = format!("{first}, or take a ground of springs (contact: Spring())");
-        Err(Trouble { time: self.t, dof: None, cause: Cause::Planted { link, why, missing }, advice }.into())
+        let (cause, remedies) = (Cause::Planted { link, why, missing }, vec![first, Remedy::CompliantGround]);
+        Err(Trouble { time: self.t, dof: None, cause, remedies }.into())
     }
 
     /// What keeps links that stand from going where they have to, between them and the root, by the names of degrees of freedom,

@@ -125,9 +125,8 @@ fn energy_from_a_touch_that_steps_pass_over_is_answered_with_a_step() {
     let error = simulation.run(&fixed(0.5, 100.0, 1e-3)).expect_err("its energy does not balance");
     let RunError::Trouble(trouble) = &error else { panic!("{error}") };
     assert!(matches!(&trouble.cause, Cause::Energy { .. }), "{error}");
-    let said =
-        "a shorter step, such as a tenth, 1.0e-4 s, or a tolerance instead of a step (tolerance: 1e-6)";
-    assert!(trouble.advice.contains(said), "{error}");
+    let said = "a shorter step, such as a tenth, 1.0e-4 s, or give a tolerance instead of a step";
+    assert!(error.to_string().ends_with(said), "{error}");
     // As it says.
     assert!(simulation.run(&fixed(0.5, 100.0, 1e-4)).is_ok());
 }

@@ -1,8 +1,7 @@
 //! Single values: numbers, angles, vectors, names.
 
 use super::Reader;
-use crate::text::node::{Content, Group, Named, Node, Value};
-use nalgebra::Vector3;
+use crate::node::{Content, Group, Named, Node, Value};
 use std::fmt::Display;
 
 impl Reader {
@@ -32,6 +31,22 @@ impl Reader {
                 None
             }
         }
+    }
+
+    /// A number above zero, in `unit`.
+    pub fn positive(&mut self, node: &Node<'_>, what: impl Display, unit: &str) -> Option<f64> {
+        let value = self.number(node, &what)?;
+        if value > 0.0 {
+            return Some(value);
+        }
+        let (blank, place) = (if unit.is_empty() { "" } else { " " }, node.span.clone());
+        self.fault(place, format!("{what} is {value}{blank}{unit}; it must be more than zero"));
+        None
+    }
+
+    /// `true` or `false`.
+    pub fn flag(&mut self, node: &Node<'_>) -> Option<bool> {
+        Some(self.word(node, &["true", "false"])? == "true")
     }
 
     /// A number, or where there may be no bound, `inf` or `-inf`.
@@ -100,20 +115,23 @@ impl Reader {
         complete.then_some(numbers)
     }
 
-    /// A vector.
-    pub fn vector(&mut self, node: &Node<'_>, what: impl Display) -> Option<Vector3<f64>> {
-        self.numbers(node, what, ["x", "y", "z"]).map(Vector3::from)
+    /// The values of a list; `what` it is and an `example` of it begin and end the message.
+    pub fn items<'n, 'a>(
+        &mut self,
+        node: &'n Node<'a>,
+        what: impl Display,
+        example: &str,
+    ) -> Option<&'n [Node<'a>]> {
+        let items = node.items();
+        if items.is_none() {
+            self.fault(node.place(), format!("{what} must be a list {example}, not {}", node.describe()));
+        }
+        items
     }
 
     /// A list of numbers of any length.
     pub fn list(&mut self, node: &Node<'_>, what: impl Display) -> Option<Vec<f64>> {
-        let Some(items) = node.items() else {
-            self.fault(
-                node.place(),
-                format!("{what} must be a list of numbers […], not {}", node.describe()),
-            );
-            return None;
-        };
+        let items = self.items(node, &what, "of numbers […]")?;
         let numbers: Vec<Option<f64>> =
             items.iter().map(|item| self.number(item, format_args!("a number of {what}"))).collect();
         numbers.into_iter().collect()

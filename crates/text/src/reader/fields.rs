@@ -1,8 +1,8 @@
 //! Groups of fields: those that there are, those that there must be, those that nobody knows.
 
 use super::Reader;
-use crate::fault::nearest;
-use crate::text::node::{Content, Group, Named, Node, Value};
+use crate::nearest::nearest;
+use crate::node::{Content, Group, Named, Node, Value};
 use std::ops::Range;
 
 /// The fields of one group.
@@ -77,10 +77,21 @@ impl Reader {
 
     /// Which of the `kinds` the value is.
     pub fn kind(&mut self, node: &Node<'_>, kinds: &[&'static str]) -> Option<&'static str> {
+        self.one_of(node, kinds, "(…)")
+    }
+
+    /// Which of the `words` the value is.
+    pub fn word(&mut self, node: &Node<'_>, words: &[&'static str]) -> Option<&'static str> {
+        self.one_of(node, words, "")
+    }
+
+    /// One of some words, after which a message shows `brackets`.
+    fn one_of(&mut self, node: &Node<'_>, kinds: &[&'static str], brackets: &str) -> Option<&'static str> {
         let wanted = || match kinds {
-            [one] => format!("{one}(…)"),
-            [others @ .., last] => format!("{} or {last}(…)", others.join("(…), ") + "(…)"),
-            [] => String::new(),
+            [others @ .., last] if !others.is_empty() => {
+                format!("{}{brackets} or {last}{brackets}", others.join(&format!("{brackets}, ")))
+            }
+            _ => kinds.concat() + brackets,
         };
         match node.head() {
             Some(head) => {
@@ -137,5 +148,35 @@ impl Reader {
             self.fault(fields.at.clone(), format!("{whose} has no {name}; add {name}: {example}"));
         }
         node
+    }
+
+    /// A finite number that must be there; `example` is what to add.
+    pub fn required_number(&mut self, fields: &Fields<'_, '_>, name: &str, example: &str) -> Option<f64> {
+        let node = self.required(fields, name, example)?;
+        self.number(node, name)
+    }
+
+    /// A finite number, or `default` where the field is not given.
+    pub fn number_or(&mut self, fields: &Fields<'_, '_>, name: &str, default: f64) -> Option<f64> {
+        fields.get(name).map_or(Some(default), |node| self.number(node, name))
+    }
+
+    /// One of some words, the first where the field is not given.
+    pub fn choice(
+        &mut self,
+        fields: &Fields<'_, '_>,
+        name: &str,
+        words: &[&'static str],
+    ) -> Option<&'static str> {
+        fields.get(name).map_or_else(|| words.first().copied(), |node| self.word(node, words))
+    }
+
+    /// Whether `kind` stands alone, as it must where there is nothing more to say of it.
+    pub fn stands_alone(&mut self, node: &Node<'_>, kind: &str) -> bool {
+        let is_alone = node.group().is_none();
+        if !is_alone {
+            self.fault(node.span.clone(), format!("{kind} stands alone: there is nothing more to say of it"));
+        }
+        is_alone
     }
 }

@@ -1,13 +1,19 @@
-//! Curves, written as `solaris profile` writes them.
+//! Curves of every kind.
 
-use super::SceneReader;
-use solaris_model::nearest;
-use solaris_model::text::{Fields, Node};
-use solaris_profiles::{Kind, Measure, Parameter, Profile, ProfileError};
+use crate::error::ProfileError;
+use crate::profile::{Kind, Measure, Parameter, Profile};
+use solaris_text::{Fields, Node, Reader, nearest};
 
-impl SceneReader<'_> {
-    /// A curve; where it moves what turns, positions and their rates may be in degrees.
-    pub(super) fn profile(&mut self, node: &Node<'_>, turns: bool) -> Option<Profile> {
+/// Reads profiles out of a tree.
+pub(super) struct ProfileReader<'r> {
+    pub(super) reader: &'r mut Reader,
+    /// Whether what is moved turns, so that degrees make sense.
+    pub(super) turns: bool,
+}
+
+impl ProfileReader<'_> {
+    /// A curve.
+    pub(super) fn profile(&mut self, node: &Node<'_>) -> Option<Profile> {
         let Some(head) = node.head() else {
             let message = format!(
                 "a curve must stand here, such as MinimumJerk(from: 0, to: 1, duration: 2), not {}",
@@ -17,25 +23,25 @@ impl SceneReader<'_> {
             return None;
         };
         match head.name {
-            "Blend" => return self.blend(node, turns),
-            "Weighted" => return self.weighted(node, turns),
+            "Blend" => return self.blend(node),
+            "Weighted" => return self.weighted(node),
             _ => {}
         }
         let Some(kind) = Profile::KINDS.iter().find(|kind| kind.variant == head.name) else {
-            let names = Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted"]);
-            let hint = match nearest(head.name, names) {
+            let names = || Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted"]);
+            let hint = match nearest(head.name, names()) {
                 Some(near) => format!("did you mean '{near}'?"),
-                None => "'solaris profile list' lists them".to_owned(),
+                None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
             };
             self.reader.fault(head.span, format!("there is no curve '{}'; {hint}", head.name));
             return None;
         };
-        self.of_kind(kind, node, turns)
+        self.of_kind(kind, node)
     }
 
-    fn of_kind(&mut self, kind: &'static Kind, node: &Node<'_>, turns: bool) -> Option<Profile> {
+    fn of_kind(&mut self, kind: &'static Kind, node: &Node<'_>) -> Option<Profile> {
         let before = self.reader.count();
-        let names: Vec<String> = kind.parameters().map(field).collect();
+        let names: Vec<String> = kind.parameters().map(Parameter::field).collect();
         let known: Vec<&str> =
             names.iter().map(String::as_str).chain(kind.has_keys().then_some("keys")).collect();
         let fields = self.reader.fields(node, &[kind.variant], &known)?;
@@ -47,11 +53,11 @@ impl SceneReader<'_> {
             } else {
                 fields.get(name)
             };
-            let angle = turns && !matches!(parameter.measure, Measure::Time | Measure::Number);
+            let angle = self.turns && !matches!(parameter.measure, Measure::Time | Measure::Number);
             let value = given.and_then(|node| self.reader.coordinate(node, angle, parameter.name));
             values.extend(value.map(|value| (parameter.name, value)));
         }
-        let keys = if kind.has_keys() { self.keys(&fields, turns) } else { Vec::new() };
+        let keys = if kind.has_keys() { self.keys(&fields) } else { Vec::new() };
         if self.reader.count() > before {
             return None;
         }
@@ -64,15 +70,11 @@ impl SceneReader<'_> {
     }
 
     /// `[(0, deg(10)), (1, deg(40)), …]`: times and positions.
-    fn keys(&mut self, fields: &Fields<'_, '_>, turns: bool) -> Vec<(f64, f64)> {
+    fn keys(&mut self, fields: &Fields<'_, '_>) -> Vec<(f64, f64)> {
         let Some(node) = self.reader.required(fields, "keys", "[(0, 0), (1, 0.5)]") else {
             return Vec::new();
         };
-        let Some(items) = node.items() else {
-            let message = format!("keys must be a list [(time, position), …], not {}", node.describe());
-            self.reader.fault(node.place(), message);
-            return Vec::new();
-        };
+        let items = self.reader.items(node, "keys", "[(time, position), …]").unwrap_or_default();
         let mut keys = Vec::new();
         for item in items {
             let Some([time, position]) = item.items() else {
@@ -81,7 +83,7 @@ impl SceneReader<'_> {
                 continue;
             };
             let time = self.reader.number(time, "the time of a key");
-            let position = self.reader.coordinate(position, turns, "the position of a key");
+            let position = self.reader.coordinate(position, self.turns, "the position of a key");
             keys.extend(time.zip(position));
         }
         keys
@@ -89,21 +91,25 @@ impl SceneReader<'_> {
 
     /// Why there is no such curve, said of the number that is at fault where it can be told.
     pub(super) fn refuse(&mut self, error: &ProfileError, fields: &Fields<'_, '_>) {
-        let name = match error {
-            ProfileError::NotFinite { what, .. }
-            | ProfileError::NotWhole { what, .. }
-            | ProfileError::OutOfRange { what, .. }
-            | ProfileError::Infeasible { what, .. } => what.replace(' ', "_"),
-            ProfileError::Duration { .. } => "duration".to_owned(),
-            ProfileError::Knots { .. } | ProfileError::Count { .. } => "keys".to_owned(),
-            _ => String::new(),
-        };
-        let place = fields.get(&name).map_or(fields.at.clone(), |node| node.span.clone());
+        let node = culprit(error).and_then(|name| fields.get(&name));
+        let place = node.map_or(fields.at.clone(), |node| node.span.clone());
         self.reader.fault(place, error.to_string());
     }
 }
 
-/// A parameter's name as it is written.
-fn field(parameter: &'static Parameter) -> String {
-    parameter.name.replace(' ', "_")
+/// The field that an error is about.
+pub(super) fn culprit(error: &ProfileError) -> Option<String> {
+    Some(match error {
+        ProfileError::NotFinite { what, .. }
+        | ProfileError::NotWhole { what, .. }
+        | ProfileError::OutOfRange { what, .. }
+        | ProfileError::Infeasible { what, .. } => match *what {
+            "start of the window" => "start".to_owned(),
+            "end of the window" => "end".to_owned(),
+            what => what.replace(' ', "_"),
+        },
+        ProfileError::Duration { .. } => "duration".to_owned(),
+        ProfileError::Knots { .. } | ProfileError::Count { .. } => "keys".to_owned(),
+        _ => return None,
+    })
 }

@@ -1,28 +1,15 @@
-//! From a text to its tree: the part of RON that figures and scenes use.
+//! From a text to its tree: the part of RON that texts for people use.
 
-use super::lex::{Cursor, Stop, parse as parse_number};
-use super::node::{Content, Group, Named, Node, Value};
+use crate::error::TextError;
+use crate::lex::{Cursor, Stop, begins_word, parse as parse_number};
+use crate::node::{Content, Group, Named, Node, Value};
 use std::ops::Range;
 
-/// How deep brackets may stand in each other; a figure needs eleven, in a scene three more.
+/// How deep brackets may stand in each other.
 const DEEPEST: usize = 64;
 
-/// What a text is, in messages.
-#[derive(Clone, Copy)]
-pub(super) struct Noun {
-    /// `figure`
-    pub(super) name: &'static str,
-    /// How one begins.
-    pub(super) begins: &'static str,
-}
-
-/// The tree of a figure.
-pub(super) fn parse_figure(text: &str) -> Result<Node<'_>, Stop> {
-    parse(text, Noun { name: "figure", begins: "Figure(version: 1, …)" })
-}
-
-/// The word that a text begins with, after comments.
-pub(super) fn first_word(text: &str) -> Option<&str> {
+/// The word that a text begins with, after comments: `Figure`, `Scene`.
+pub fn first_word(text: &str) -> Option<&str> {
     let mut cursor = Cursor { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 } };
     cursor.skip().ok()?;
     while cursor.rest().starts_with("#!") {
@@ -31,9 +18,20 @@ pub(super) fn first_word(text: &str) -> Option<&str> {
     Some(cursor.word()).filter(|word| !word.is_empty())
 }
 
+/// The tree of a text: `noun` says what it is (`scene`), `begins` how one begins (`Scene(version: 1, …)`), both for messages.
+///
+/// Of RON there is all that such texts need: comments (`//`, `/* */`), commas at the end, raw texts, names left out. Texts end on
+/// the line on which they begin. Time and memory grow in proportion to the text; brackets in each other are refused beyond 64.
+///
+/// # Errors
+///
+/// [`TextError`] with the one place where the text is no RON.
+pub fn parse<'a>(text: &'a str, noun: &str, begins: &str) -> Result<Node<'a>, TextError> {
+    whole(text, noun, begins).map_err(|(span, message)| TextError::one(text, span, message))
+}
+
 /// The one value that a text is, or the first thing that keeps it from being one.
-pub(super) fn parse(text: &str, noun: Noun) -> Result<Node<'_>, Stop> {
-    let Noun { name, begins } = noun;
+fn whole<'a>(text: &'a str, name: &str, begins: &str) -> Result<Node<'a>, Stop> {
     if let Some(at) = text.find('\0') {
         return Err((at..at + 1, format!("this is no text but binary data; give the text of a {name}")));
     }
@@ -73,9 +71,9 @@ fn value<'a>(cursor: &mut Cursor<'a>, depth: usize) -> Result<Node<'a>, Stop> {
     let value = match cursor.peek() {
         Some('(' | '[' | '{') => group(cursor, None, depth)?,
         Some('"') => cursor.quoted()?,
-        Some('r') if cursor.rest().starts_with("r\"") || cursor.rest().starts_with("r#") => cursor.raw()?,
+        Some('r') if cursor.rest()[1..].trim_start_matches('#').starts_with('"') => cursor.raw()?,
         Some('0'..='9' | '+' | '-' | '.') => cursor.number()?,
-        Some(c) if c.is_alphabetic() || c == '_' => {
+        Some(c) if begins_word(c) => {
             let name = cursor.word();
             let span = start..cursor.at;
             let number = if matches!(name, "inf" | "NaN") { parse_number(name) } else { None };
@@ -117,9 +115,8 @@ fn shown(c: char) -> String {
 fn group<'a>(cursor: &mut Cursor<'a>, name: Option<Named<'a>>, depth: usize) -> Result<Value<'a>, Stop> {
     let open = cursor.next_span();
     if depth == DEEPEST {
-        let message = format!(
-            "brackets stand more than {DEEPEST} deep in each other here; a figure needs fewer than 12"
-        );
+        let message =
+            format!("brackets stand more than {DEEPEST} deep in each other here, deeper than anything needs");
         return Err((open, message));
     }
     let inside = Inside { open, depth: depth + 1 };

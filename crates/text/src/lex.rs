@@ -1,41 +1,41 @@
 //! Words, numbers and texts: the smallest pieces of a text.
 
-use super::node::Value;
+use crate::node::Value;
 use std::borrow::Cow;
 use std::ops::Range;
 
 /// Where in the text the reading is.
-pub(super) struct Cursor<'a> {
-    pub(super) text: &'a str,
-    pub(super) at: usize,
+pub(crate) struct Cursor<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) at: usize,
 }
 
 /// A fault that ends the reading.
-pub(super) type Stop = (Range<usize>, String);
+pub(crate) type Stop = (Range<usize>, String);
 
 impl<'a> Cursor<'a> {
-    pub(super) fn rest(&self) -> &'a str {
+    pub(crate) fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }
 
-    pub(super) fn peek(&self) -> Option<char> {
+    pub(crate) fn peek(&self) -> Option<char> {
         self.rest().chars().next()
     }
 
     /// The next byte.
-    pub(super) fn byte(&self) -> Option<u8> {
+    pub(crate) fn byte(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
     }
 
     /// Takes the sign `expected`, of one byte, if it comes next.
-    pub(super) fn take(&mut self, expected: char) -> bool {
+    pub(crate) fn take(&mut self, expected: char) -> bool {
         let found = self.byte().map(char::from) == Some(expected);
         self.at += usize::from(found);
         found
     }
 
     /// The bytes of the next character, or the empty end.
-    pub(super) fn next_span(&self) -> Range<usize> {
+    pub(crate) fn next_span(&self) -> Range<usize> {
         self.at..self.at + self.peek().map_or(0, char::len_utf8)
     }
 
@@ -47,7 +47,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Passes white space and comments.
-    pub(super) fn skip(&mut self) -> Result<(), Stop> {
+    pub(crate) fn skip(&mut self) -> Result<(), Stop> {
         loop {
             match self.byte() {
                 Some(b' ' | b'\n' | b'\r' | b'\t') => self.at += 1,
@@ -81,16 +81,19 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// A bare word, which may be empty.
-    pub(super) fn word(&mut self) -> &'a str {
+    /// A bare word, which may be empty; `r#` before one says only that it is a word.
+    pub(crate) fn word(&mut self) -> &'a str {
+        if self.rest().strip_prefix("r#").is_some_and(|rest| rest.starts_with(begins_word)) {
+            self.at += 2;
+        }
         match self.peek() {
-            Some(c) if c.is_alphabetic() || c == '_' => self.take_while(|c| c.is_alphanumeric() || c == '_'),
+            Some(c) if begins_word(c) => self.take_while(|c| c.is_alphanumeric() || c == '_'),
             _ => "",
         }
     }
 
     /// A number that begins here.
-    pub(super) fn number(&mut self) -> Result<Value<'a>, Stop> {
+    pub(crate) fn number(&mut self) -> Result<Value<'a>, Stop> {
         let start = self.at;
         let bytes = self.text.as_bytes();
         let mut end = start;
@@ -117,7 +120,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// A text in quotes that begins here.
-    pub(super) fn quoted(&mut self) -> Result<Value<'a>, Stop> {
+    pub(crate) fn quoted(&mut self) -> Result<Value<'a>, Stop> {
         let start = self.at;
         self.at += 1;
         let mut text = Cow::Borrowed("");
@@ -175,7 +178,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// A text between `r"` and `"`, or with as many `#` on both sides as needed, that begins here.
-    pub(super) fn raw(&mut self) -> Result<Value<'a>, Stop> {
+    pub(crate) fn raw(&mut self) -> Result<Value<'a>, Stop> {
         let start = self.at;
         self.at += 1;
         let marks = self.take_while(|c| c == '#');
@@ -191,8 +194,13 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// Whether a word can begin so.
+pub(crate) fn begins_word(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}
+
 /// The number that is written so; RON allows `_` between digits, other bases for whole numbers, and `inf` and `NaN`.
-pub(super) fn parse(written: &str) -> Option<f64> {
+pub(crate) fn parse(written: &str) -> Option<f64> {
     let (sign, size) = match written.as_bytes().first()? {
         b'-' => (-1.0, &written[1..]),
         b'+' => (1.0, &written[1..]),

@@ -1,29 +1,83 @@
-//! Lines: what fits stands on one, the rest is broken at its commas.
+//! Lines of a text that is written: what fits stands on one, the rest is broken at its commas.
+//!
+//! ```
+//! use solaris_text::layout::{Doc, field, group, number};
+//!
+//! let line = group("Line(", vec![field("from", Doc::Atom(number(0.0))), field("to", Doc::Atom(number(1.0)))], ")");
+//! assert_eq!(line.flat(), "Line(from: 0.0, to: 1.0)");
+//! let mut text = String::new();
+//! line.print_broken(0, &mut text);
+//! assert_eq!(text, "Line(\n    from: 0.0,\n    to: 1.0,\n)");
+//! ```
+
+use std::fmt::Write as _;
 
 /// The widest line (characters).
 const WIDEST: usize = 100;
 
 /// A piece of text that can be broken into lines.
-pub(super) enum Doc {
+#[derive(Clone, Debug)]
+pub enum Doc {
     /// Never broken.
     Atom(String),
     /// `name: value`
     Field(String, Box<Doc>),
     /// Values between brackets, separated by commas.
-    Group { open: String, items: Vec<Doc>, close: &'static str },
+    Group {
+        /// What opens it: `Line(`.
+        open: String,
+        /// What stands in it.
+        items: Vec<Doc>,
+        /// What closes it.
+        close: &'static str,
+    },
 }
 
 /// `name: value`
-pub(super) fn field(name: &str, value: Doc) -> Doc {
+pub fn field(name: &str, value: Doc) -> Doc {
     Doc::Field(name.to_owned(), Box::new(value))
 }
 
 /// Values between brackets.
-pub(super) fn group(open: &str, items: Vec<Doc>, close: &'static str) -> Doc {
+pub fn group(open: &str, items: Vec<Doc>, close: &'static str) -> Doc {
     Doc::Group { open: open.to_owned(), items, close }
 }
 
+/// The shortest digits that read back equal.
+pub fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// A text in quotes.
+pub fn quoted(text: &str) -> String {
+    let mut quoted = String::with_capacity(text.len() + 2);
+    quoted.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            '\n' => quoted.push_str("\\n"),
+            '\r' => quoted.push_str("\\r"),
+            '\t' => quoted.push_str("\\t"),
+            c if c.is_control() => {
+                // Writing to a string does not fail.
+                let _ = write!(quoted, "\\u{{{:x}}}", u32::from(c));
+            }
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
 impl Doc {
+    /// All of it on one line.
+    pub fn flat(&self) -> String {
+        let mut text = String::new();
+        self.print_flat(&mut text);
+        text
+    }
+
     /// Characters on one line.
     fn width(&self) -> usize {
         match self {
@@ -37,7 +91,7 @@ impl Doc {
     }
 
     /// Adds it to the text, after what takes `column` characters of the line, with `after` more to come.
-    pub(super) fn print(&self, column: usize, after: usize, text: &mut String) {
+    pub fn print(&self, column: usize, after: usize, text: &mut String) {
         if column + self.width() + after <= WIDEST {
             return self.print_flat(text);
         }
@@ -57,7 +111,7 @@ impl Doc {
     }
 
     /// Adds it, each item of a group on a line of its own, in from `indent`.
-    pub(super) fn print_broken(&self, indent: usize, text: &mut String) {
+    pub fn print_broken(&self, indent: usize, text: &mut String) {
         let Self::Group { open, items, close } = self else { return self.print_flat(text) };
         text.push_str(open);
         text.push('\n');

@@ -1,13 +1,12 @@
 //! Reads a tree piece by piece, and gathers every fault on the way.
 
 mod fields;
-mod rotation;
 mod values;
 
 pub use fields::Fields;
 
-use super::node::Node;
-use crate::source::TextError;
+use crate::error::TextError;
+use crate::node::Node;
 use std::ops::Range;
 
 /// Reads values of a tree, and keeps what is wrong with them.
@@ -39,7 +38,8 @@ impl Reader {
         if self.faults.is_empty() { Ok(()) } else { Err(TextError::new(text, self.faults)) }
     }
 
-    pub(super) fn append(&mut self, other: Self) {
+    /// Adds the faults of another reader.
+    pub fn append(&mut self, other: Self) {
         self.faults.extend(other.faults);
     }
 
