@@ -47,7 +47,7 @@ impl<F: Elementary> Polynomial<F> {
         let mut power = F::from_f64(1.0);
         Self([start.position, v0, n(0.5) * a0, c3, c4, c5].map(|c| {
             let coefficient = c / power;
-            power = power * h;
+            power *= h;
             coefficient
         }))
     }

@@ -51,11 +51,11 @@ pub trait Elementary: Scalar {
         let (mut square, mut rest, mut power) = (self, n, Self::from_f64(1.0));
         while rest > 0 {
             if rest & 1 == 1 {
-                power = power * square;
+                power *= square;
             }
             rest >>= 1;
             if rest > 0 {
-                square = square * square;
+                square *= square;
             }
         }
         power

@@ -118,7 +118,7 @@ impl<F: Elementary> Exponential<F> {
             let (z, p) = (self.z(u, left), self.z.0);
             let (mut sum, mut power) = (one, one);
             for _ in 1..self.terms {
-                power = power * p;
+                power *= p;
                 sum = sum * z + power;
             }
             u * sum

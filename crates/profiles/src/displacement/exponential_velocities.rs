@@ -178,7 +178,7 @@ impl<F: Elementary> Half<F> {
                 + (step + step) * left * powers[1] * q1
                 + step * (step - one) * powers[2] * q2;
             weight = weight * ratio * number(power + 3 - k) / number(k + 1);
-            sum = sum + b * weight;
+            sum += b * weight;
             powers = [powers[0] * self.rest, powers[0], powers[1]];
         }
         sum
