@@ -1,6 +1,8 @@
 //! How children's proportions differ from an adult's: [`crate::Human::age`].
 
-use super::segments::{ABDOMEN, FOOT, HEAD, HIP, LUMBAR, NECK, REFERENCE_HEIGHT, SHANK, STACK, THIGH, THORAX};
+use super::segments::{
+    ABDOMEN, FOOT, HEAD, HIP, LUMBAR, NECK, REFERENCE_HEIGHT, SHANK, STACK, THIGH, THORAX,
+};
 
 /// From when proportions are known, and from when they are an adult's (years).
 pub(super) const AGES: (f64, f64) = (6.0, 18.0);

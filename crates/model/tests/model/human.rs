@@ -239,7 +239,8 @@ fn a_child_has_a_larger_head_and_shorter_legs() {
 fn a_joint_may_have_its_own_limits() {
     let human = Human::new(1.75, 73.0).limits("right_shoulder.rz", -3.0, -0.1);
     let figure = human.clone().build().expect("in range");
-    let axes = |figure: &Figure, link: &str| figure.link(link).expect("a link").joint().kind().axes().to_vec();
+    let axes =
+        |figure: &Figure, link: &str| figure.link(link).expect("a link").joint().kind().axes().to_vec();
     let limits = axes(&figure, "right_upper_arm")[0].limits.expect("limits");
     assert_eq!([limits.lower, limits.upper], [-3.0, -0.1]);
     assert_eq!(axes(&figure, "left_upper_arm"), axes(&ordinary(), "left_upper_arm"));

@@ -21,7 +21,8 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let fields = self.fields(node, &["Human"], &["height", "mass", "age", "segments", "joints", "limits"])?;
+        let fields =
+            self.fields(node, &["Human"], &["height", "mass", "age", "segments", "joints", "limits"])?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
         let height = height_node.and_then(|node| self.number(node, "the height"));
