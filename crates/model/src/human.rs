@@ -1,6 +1,8 @@
 //! The human figure: 21 segments, 66 degrees of freedom, any height and mass.
 
 mod build;
+mod child;
+mod girth;
 mod segments;
 
 use crate::fault::FigureError;
@@ -67,6 +69,20 @@ pub enum HumanError {
         /// Greatest length (m).
         upper: f64,
     },
+    /// Nothing is known of the proportions at this age.
+    #[error("age {age}: proportions are known from {} years on, and from {} on they are an adult's", child::AGES.0, child::AGES.1)]
+    Age {
+        /// What was asked (years).
+        age: f64,
+    },
+    /// No angle with limits has this name.
+    #[error("limits of '{name}': a human has no angle of that name{hint}")]
+    Limits {
+        /// What was asked.
+        name: String,
+        /// The nearest name, as a question.
+        hint: String,
+    },
     /// The figure could not be built.
     #[error(transparent)]
     Figure(#[from] FigureError),
@@ -83,7 +99,11 @@ pub enum HumanError {
 /// Segment masses, centres of mass and radii of gyration: P. de Leva, "Adjustments to Zatsiorsky-Seluyanov's segment
 /// inertia parameters", Journal of Biomechanics 29 (1996) 1223–1230, the values for men (1.741 m, 73.0 kg), with the
 /// upper trunk's mass shared with the clavicles and the foot's with the toes. Lengths scale with the height, masses with
-/// the mass. The numbers are those of the walk's reference figure (`fixtures/reference/smooth`): left and right are
+/// the mass. Trunk, neck and head are stacked so that the vertex stands at the height: published lengths overlap there, and are
+/// taken 0.87 times as long, with the published masses, radii of gyration in metres, and fractions of the length at which
+/// the centres of mass lie. Shapes are as thick as each segment's mass and the density of its tissue (Dempster 1955) ask
+/// for; head, hands and feet go with the height alone, as people's do. But for the stack, the thickness and the height of the
+/// shoulders the numbers are those of the walk's reference figure (`fixtures/reference/smooth`): left and right are
 /// mirror images and principal axes lie along the segments. The 66-dof model on which other engines were timed differs:
 /// there the centres of mass of the trunk lie 1–2 mm off the midline, knee, ankle and toe joints 1–3 mm to the outside,
 /// and the tensors are turned by up to a few degrees, to keep engines from taking short cuts.
@@ -104,7 +124,7 @@ pub fn human(height: f64, mass: f64) -> Result<Figure, HumanError> {
     Human::new(height, mass).build()
 }
 
-/// A human whose single segments may have lengths of their own.
+/// A human with an age, lengths of single segments, or limits of joints of their own.
 ///
 /// ```
 /// let long_thighs = solaris_model::Human::new(1.75, 73.0).segment_length("thigh", 0.46).build()?;
@@ -114,7 +134,9 @@ pub fn human(height: f64, mass: f64) -> Result<Figure, HumanError> {
 pub struct Human {
     height: f64,
     mass: f64,
+    age: Option<f64>,
     lengths: Vec<(String, f64)>,
+    limits: Vec<(String, [f64; 2])>,
     joints: Joints,
 }
 
@@ -130,7 +152,39 @@ enum Joints {
 impl Human {
     /// A human of `height` (m) and `mass` (kg).
     pub fn new(height: f64, mass: f64) -> Self {
-        Self { height, mass, lengths: Vec::new(), joints: Joints::Angles }
+        Self { height, mass, age: None, lengths: Vec::new(), limits: Vec::new(), joints: Joints::Angles }
+    }
+
+    /// Gives the human the proportions of a boy or girl of this age (years, 6 to 18): a longer and heavier head, shorter legs.
+    /// From 18 on they are an adult's, to the bit. Without an age everybody is an adult in small.
+    ///
+    /// # Source
+    ///
+    /// Lengths: R. G. Snyder et al., *Anthropometry of infants, children and youths to age 18 for product safety design*,
+    /// UM-HSRI-77-17 (1977): medians over single children of length to height, relative to those of 17 and older. Trunk and
+    /// neck are what the height leaves. Masses: R. K. Jensen, *Journal of Biomechanics* 19 (1986) 359–368, at 12 years, and 22
+    /// (1989) 529–536, at 6 and 18 years, relative to 18. Centres of mass and radii of gyration stay an adult's fractions of the lengths.
+    ///
+    /// ```
+    /// let child = solaris_model::Human::new(1.15, 21.0).age(6.0).build()?;
+    /// let head = |figure: &solaris_model::Figure| figure.link("head").unwrap().mass() / figure.mass();
+    /// assert!(head(&child) > 2.0 * head(&solaris_model::human(1.15, 21.0)?));
+    /// # Ok::<(), solaris_model::HumanError>(())
+    /// ```
+    pub fn age(mut self, years: f64) -> Self {
+        self.age = Some(years);
+        self
+    }
+
+    /// Gives an angle limits of its own (rad), by the name of its degree of freedom: `right_shoulder.rz`.
+    ///
+    /// ```
+    /// let stiff = solaris_model::Human::new(1.75, 73.0).limits("left_elbow.rx", -1.0, 0.0).build()?;
+    /// # Ok::<(), solaris_model::HumanError>(())
+    /// ```
+    pub fn limits(mut self, dof: impl Into<String>, lower: f64, upper: f64) -> Self {
+        self.limits.push((dof.into(), [lower, upper]));
+        self
     }
 
     /// Gives the human joints that no fall takes into gimbal lock, and the damping of tissue without muscles at work.
@@ -190,20 +244,37 @@ impl Human {
         if !(lower * (1.0 - 1e-9)..=upper * (1.0 + 1e-9)).contains(&mass) {
             return Err(HumanError::Mass { mass, height, lower, upper });
         }
+        let child = match self.age {
+            Some(age) if age.is_nan() || age < child::AGES.0 => return Err(HumanError::Age { age }),
+            age => child::Proportions::at(age.unwrap_or(child::AGES.1)),
+        };
         let mut factors: Vec<(String, f64)> = Vec::new();
         for (name, length) in &self.lengths {
-            factors.push((name.clone(), self.factor(name, *length)?));
+            factors.push((name.clone(), self.factor(name, *length, &child)?));
         }
-        Ok(build::figure(height, mass, self.joints, |segment| {
-            factors
-                .iter()
-                .rev()
-                .find(|(name, _)| name == segment || is_side_of(segment, name))
-                .map_or(1.0, |(_, f)| *f)
-        })?)
+        let figure = build::figure(&build::Body {
+            height,
+            mass,
+            joints: self.joints,
+            share: &|segment| child.mass(segment),
+            factor: &|side, segment| {
+                let own = factors.iter().rev().find(|(name, _)| name == side || name == segment);
+                own.map_or_else(|| child.length(segment), |(_, factor)| *factor)
+            },
+            limits: &|dof| self.limits.iter().rev().find(|(name, _)| name == dof).map(|(_, limits)| *limits),
+        })?;
+        match self.limits.iter().find(|(name, _)| !build::has_limits(&figure, name)) {
+            Some((name, _)) => {
+                let known = figure.layout().v_names().iter().filter(|name| build::has_limits(&figure, name));
+                let hint = nearest(name, known.map(String::as_str));
+                let hint = hint.map_or_else(String::new, |name| format!(" (did you mean '{name}'?)"));
+                Err(HumanError::Limits { name: name.clone(), hint })
+            }
+            None => Ok(figure),
+        }
     }
 
-    fn factor(&self, name: &str, length: f64) -> Result<f64, HumanError> {
+    fn factor(&self, name: &str, length: f64, child: &child::Proportions) -> Result<f64, HumanError> {
         let names = || SEGMENTS.iter().map(|segment| segment.name);
         let Some(segment) =
             SEGMENTS.iter().find(|s| s.name == name || (s.paired && is_side_of(name, s.name)))
@@ -213,13 +284,14 @@ impl Human {
             let known = names().collect::<Vec<_>>().join(", ");
             return Err(HumanError::Segment { name: name.to_owned(), hint, known });
         };
-        let default = segment.length * build::scale(self.height);
+        let of_an_adult = segment.length * build::scale(self.height);
+        let default = of_an_adult * child.length(segment.name);
         let (lower, upper) = (SEGMENT_SCALE.0 * default, SEGMENT_SCALE.1 * default);
         if !(lower..=upper).contains(&length) {
             let (name, height) = (name.to_owned(), self.height);
             return Err(HumanError::SegmentLength { name, length, height, lower, upper });
         }
-        Ok(length / default)
+        Ok(length / of_an_adult)
     }
 }
 

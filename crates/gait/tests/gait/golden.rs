@@ -46,10 +46,12 @@ pub(crate) fn link_name(golden: &str) -> String {
 /// The figure that the golden numbers belong to, unrounded.
 ///
 /// The file prints it with seven decimals. Where a leg is nearly straight its knee magnifies a length's rounding by more
-/// than a hundred, to 3e-3°: so the figure is built from the same definition (the human's segments at 1.75 m and 73 kg),
-/// and held against the printed numbers first.
+/// than a hundred, to 3e-3°: so the figure stands beside it in full (`figure.ron`: the human of 1.75 m and 73 kg as it was
+/// when the numbers were made, head and shoulders too high), and is held against the printed numbers first.
 pub(crate) fn golden_figure(golden: &Value) -> Figure {
-    let figure = solaris_model::human(1.75, 73.0).expect("a human");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/reference/smooth/figure.ron");
+    let text = std::fs::read_to_string(path).expect("the fixture is there");
+    let figure = solaris_model::text::read(&text).expect("a figure");
     for segment in golden["figure"]["segments"].as_array().expect("segments") {
         let link = figure.link(&link_name(segment["name"].as_str().expect("a name"))).expect("a link");
         let near = |a: Vector3<f64>, b: Vector3<f64>, e: f64| {

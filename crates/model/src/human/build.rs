@@ -1,6 +1,7 @@
 //! From the table of segments to a figure.
 
 use super::Joints;
+use super::girth;
 use super::segments::{
     ANGLES, BALL_HEIGHT, DAMPING, Drawn, HEEL_BEHIND, LIMITS, REFERENCE_HEIGHT, REFERENCE_MASS, SEGMENTS,
     Segment,
@@ -19,30 +20,42 @@ pub(super) fn scale(height: f64) -> f64 {
     height / REFERENCE_HEIGHT
 }
 
-/// The figure; `factor` gives a segment's own length factor by its sided name.
-pub(super) fn figure(
-    height: f64,
-    mass: f64,
-    joints: Joints,
-    factor: impl Fn(&str) -> f64,
-) -> Result<Figure, FigureError> {
+/// What a human is built from.
+pub(super) struct Body<'a> {
+    /// Height (m).
+    pub(super) height: f64,
+    /// Mass (kg).
+    pub(super) mass: f64,
+    pub(super) joints: Joints,
+    /// A segment's share of the mass relative to the table, by its name without the side.
+    pub(super) share: &'a dyn Fn(&str) -> f64,
+    /// A segment's length relative to the table at this height, by its names with and without the side.
+    pub(super) factor: &'a dyn Fn(&str, &str) -> f64,
+    /// Limits (rad) in place of the table's, by the name of a degree of freedom.
+    pub(super) limits: &'a dyn Fn(&str) -> Option<[f64; 2]>,
+}
+
+/// The figure.
+pub(super) fn figure(body: &Body<'_>) -> Result<Figure, FigureError> {
+    let Body { height, mass, joints, share, .. } = *body;
     let scale = scale(height);
     let sides = ["", "left_", "right_"];
-    let of = |prefix| Side { prefix, joints, damping: mass / REFERENCE_MASS * scale.powf(1.5) };
-    let total: f64 = SEGMENTS.iter().map(|s| if s.paired { 2.0 * s.mass } else { s.mass }).sum();
+    let of = |prefix| Side { prefix, scale, body, damping: mass / REFERENCE_MASS * scale.powf(1.5) };
+    let share = |segment: &Segment| segment.mass * share(segment.name);
+    let total: f64 = SEGMENTS.iter().map(|s| if s.paired { 2.0 * share(s) } else { share(s) }).sum();
     let segments = || {
         let of_side = |prefix: &'static str| {
             SEGMENTS.iter().filter(move |s| s.paired != prefix.is_empty()).map(move |s| (of(prefix), s))
         };
         sides.into_iter().flat_map(of_side)
     };
-    let mut masses: Vec<f64> = segments().map(|(_, segment)| mass * segment.mass / total).collect();
+    let mut masses: Vec<f64> = segments().map(|(_, segment)| mass * share(segment) / total).collect();
     // The heaviest segment, the abdomen, takes what rounding leaves.
     let is_exact = exact_total(&mut masses, mass);
     debug_assert!(is_exact, "{mass} kg over {} segments", masses.len());
     let mut builder = FigureBuilder::new("human").stature(height);
     for ((side, segment), mass) in segments().zip(masses) {
-        builder = builder.link(side.link(segment, scale, mass, &factor));
+        builder = builder.link(side.link(segment, mass));
     }
     let is_coordinate = |joint: &str| joints == Joints::Angles || !is_quaternion(joint);
     for &(name, joint, axis, left, right) in ANGLES.iter().filter(|(_, joint, ..)| is_coordinate(joint)) {
@@ -56,20 +69,31 @@ pub(super) fn figure(
     builder.build()
 }
 
+/// Whether a human's degree of freedom of this name has limits.
+pub(super) fn has_limits(figure: &Figure, dof: &str) -> bool {
+    figure.links().iter().zip(figure.layout().joints()).any(|(link, at)| {
+        let names = &figure.layout().v_names()[at.v..at.v + at.nv];
+        let mut axes = link.joint().kind().axes().iter().zip(names);
+        axes.any(|(axis, name)| name == dof && axis.limits.is_some())
+    })
+}
+
 /// Whether a limp body has it turn by a quaternion.
 fn is_quaternion(joint: &str) -> bool {
     matches!(joint, "root" | "shoulder")
 }
 
 /// One side of the body; the middle has no prefix.
-struct Side {
+struct Side<'a> {
     prefix: &'static str,
-    joints: Joints,
+    /// Of the lengths of the table.
+    scale: f64,
+    body: &'a Body<'a>,
     /// Of a limp body's joints, relative to the table.
     damping: f64,
 }
 
-impl Side {
+impl Side<'_> {
     fn name(&self, segment: &Segment) -> String {
         if segment.paired { format!("{}{}", self.prefix, segment.name) } else { segment.name.to_owned() }
     }
@@ -83,11 +107,16 @@ impl Side {
         Vector3::new(if self.is_right() { -v[0] } else { v[0] }, v[1], v[2])
     }
 
-    fn link(&self, segment: &Segment, scale: f64, mass: f64, factor: &impl Fn(&str) -> f64) -> LinkSpec {
+    /// What the lengths of the table are scaled by.
+    fn length(&self, segment: &Segment) -> f64 {
+        self.scale * (self.body.factor)(&self.name(segment), segment.name)
+    }
+
+    fn link(&self, segment: &Segment, mass: f64) -> LinkSpec {
         let parent = SEGMENTS.iter().find(|s| s.name == segment.parent);
         let name = self.name(segment);
-        let own = scale * factor(&name);
-        let joint = self.joint(segment, parent.map_or(scale, |parent| scale * factor(&self.name(parent))));
+        let own = self.length(segment);
+        let joint = self.joint(segment, parent.map_or(self.scale, |parent| self.length(parent)));
         let moments = segment.gyration.map(|k| mass * (k * segment.length * own).powi(2));
         let mut link = match parent {
             Some(parent) => LinkSpec::child(name, self.name(parent), joint),
@@ -97,7 +126,7 @@ impl Side {
             .mass(mass)
             .com(self.vector(segment.com) * own)
             .inertia(Inertia::diagonal(moments[0], moments[1], moments[2]))
-            .shape(self.shape(&segment.drawn, own));
+            .shape(self.shape(segment, own, mass));
         let toes_at = SEGMENTS[SEGMENTS.len() - 1].offset;
         match segment.name {
             "foot" => {
@@ -107,7 +136,7 @@ impl Side {
             }
             "toes" => {
                 // The toes stand on the foot's sole: their joint's height is the foot's.
-                let down = -BALL_HEIGHT * scale * factor(&self.name(&SEGMENTS[SEGMENTS.len() - 2]));
+                let down = -BALL_HEIGHT * self.length(&SEGMENTS[SEGMENTS.len() - 2]);
                 let tip = Vector3::new(0.0, down, segment.length * own);
                 link.sole(SolePart::Ball, Vector3::new(0.0, down, 0.0)).sole(SolePart::ToeTip, tip).tip(tip)
             }
@@ -125,7 +154,7 @@ impl Side {
             segment.joint.to_owned()
         };
         let at = self.vector(segment.offset) * parent_scale;
-        let is_limp = self.joints == Joints::Limp;
+        let is_limp = self.body.joints == Joints::Limp;
         let damper = DAMPING.iter().find(|(joint, _)| is_limp && *joint == segment.joint);
         let damping = damper.map_or(0.0, |(_, damping)| damping * self.damping);
         let acts = Passive { damping, ..Passive::default() };
@@ -145,7 +174,9 @@ impl Side {
                 _ => joint.rx(),
             }
             .passive(acts);
-            if let Some(&(.., lower, upper)) =
+            if let Some([lower, upper]) = (self.body.limits)(&format!("{}.{axis}", joint.name())) {
+                joint = joint.limited(lower, upper);
+            } else if let Some(&(.., lower, upper)) =
                 LIMITS.iter().find(|(j, a, ..)| *j == segment.joint && *a == axis)
             {
                 let mirrored = self.is_right() && axis != "rx";
@@ -156,25 +187,33 @@ impl Side {
         joint
     }
 
-    fn shape(&self, drawn: &Drawn, scale: f64) -> Shape {
-        match *drawn {
-            Drawn::Body { centre, radii } => Shape {
-                kind: ShapeKind::Ellipsoid { radii: Vector3::from(radii) * scale },
-                placement: Isometry3::from_parts(
-                    Translation3::from(self.vector(centre) * scale),
-                    UnitQuaternion::identity(),
-                ),
-            },
-            Drawn::Limb { to, radius } => {
-                let to = self.vector(to) * scale;
-                let turn = UnitQuaternion::rotation_between(&Vector3::y(), &to);
+    /// What is drawn: `own` scales the lengths, and `mass` says how thick it is (see [`super::girth`]).
+    fn shape(&self, segment: &Segment, own: f64, mass: f64) -> Shape {
+        let volume = mass / segment.density;
+        let ellipsoid = |centre: [f64; 3], radii: Vector3<f64>| Shape {
+            kind: ShapeKind::Ellipsoid { radii },
+            placement: Isometry3::from_parts(
+                Translation3::from(self.vector(centre) * own),
+                UnitQuaternion::identity(),
+            ),
+        };
+        match segment.drawn {
+            Drawn::Bony { centre, radii } => ellipsoid(centre, Vector3::from(radii) * own),
+            Drawn::Trunk { centre, radii } => {
+                ellipsoid(centre, girth::ellipsoid(Vector3::from(radii) * own, volume))
+            }
+            Drawn::Limb { from, to } => {
+                let (from, to) = (self.vector(from) * own, self.vector(to) * own);
+                let (along, middle) = (to - from, (from + to) / 2.0);
+                let turn = UnitQuaternion::rotation_between(&Vector3::y(), &along);
                 // Straight down is the only direction without a unique turn from "up".
                 let turn = turn.unwrap_or_else(|| {
                     UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
                 });
+                let length = along.norm();
                 Shape {
-                    kind: ShapeKind::Capsule { radius: radius * scale, length: to.norm() },
-                    placement: Isometry3::from_parts(Translation3::from(to / 2.0), turn),
+                    kind: ShapeKind::Capsule { radius: girth::capsule(length, volume), length },
+                    placement: Isometry3::from_parts(Translation3::from(middle), turn),
                 }
             }
         }

@@ -26,58 +26,103 @@ pub(super) struct Segment {
     pub(super) length: f64,
     /// Radii of gyration about the left, up and forward axes.
     pub(super) gyration: [f64; 3],
-    /// Half thickness for drawing: radius across, as a fraction of the length.
+    /// Density of its tissue (kg/m³), which says how thick it is drawn.
+    pub(super) density: f64,
+    /// How it is drawn.
     pub(super) drawn: Drawn,
 }
 
-/// How a segment is drawn (m, for the reference height): a capsule or an ellipsoid between two points.
+/// How a segment is drawn (m, for the reference height and mass).
 pub(super) enum Drawn {
-    /// A capsule from the joint along `to`.
-    Limb { to: [f64; 3], radius: f64 },
-    /// An ellipsoid at `centre` with these semi-axes.
-    Body { centre: [f64; 3], radii: [f64; 3] },
+    /// A capsule between two points, as thick as the mass asks for.
+    Limb { from: [f64; 3], to: [f64; 3] },
+    /// An ellipsoid at `centre` with these semi-axes: upright, and as broad and deep as the mass asks for.
+    Trunk { centre: [f64; 3], radii: [f64; 3] },
+    /// An ellipsoid that goes with the height alone.
+    Bony { centre: [f64; 3], radii: [f64; 3] },
 }
 
-use Drawn::{Body, Limb};
+use Drawn::{Bony, Limb, Trunk};
+
+/// Densities of living tissue by segment (kg/m³): Dempster (1955), as Winter (2005, table 4.1) has them.
+mod density {
+    pub(super) const HEAD: f64 = 1110.0;
+    pub(super) const TRUNK: f64 = 1030.0;
+    pub(super) const UPPER_ARM: f64 = 1070.0;
+    pub(super) const FOREARM: f64 = 1130.0;
+    pub(super) const HAND: f64 = 1160.0;
+    pub(super) const THIGH: f64 = 1050.0;
+    pub(super) const SHANK: f64 = 1090.0;
+    pub(super) const FOOT: f64 = 1100.0;
+}
 
 #[rustfmt::skip]
 #[allow(clippy::too_many_arguments, reason = "a row of the table below")]
 const fn row(
     name: &'static str, parent: &'static str, joint: &'static str, paired: bool, offset: [f64; 3], mass: f64,
-    com: [f64; 3], length: f64, gyration: [f64; 3], drawn: Drawn,
+    com: [f64; 3], length: f64, gyration: [f64; 3], density: f64, drawn: Drawn,
 ) -> Segment {
-    Segment { name, parent, joint, paired, offset, mass, com, length, gyration, drawn }
+    Segment { name, parent, joint, paired, offset, mass, com, length, gyration, density, drawn }
+}
+
+/// Heights (m) from the sole to the pelvis' origin: the ankle's, of shank and thigh, of the origin above the hips.
+pub(super) const FOOT: f64 = 0.078;
+pub(super) const SHANK: f64 = 0.434;
+pub(super) const THIGH: f64 = 0.422;
+pub(super) const HIP: f64 = 0.076;
+
+/// Published lengths (m) from the pelvis' origin to the vertex: they overlap when they are stacked.
+pub(super) const LUMBAR: f64 = 0.070;
+pub(super) const ABDOMEN: f64 = 0.215;
+pub(super) const THORAX: f64 = 0.242;
+pub(super) const NECK: f64 = 0.110;
+pub(super) const HEAD: f64 = 0.203;
+
+/// What lengths of trunk, neck and head are taken of the published ones, so that the vertex stands at the height: 0.87.
+pub(super) const STACK: f64 =
+    (REFERENCE_HEIGHT - (FOOT + SHANK + THIGH + HIP)) / (LUMBAR + ABDOMEN + THORAX + NECK + HEAD);
+
+/// The clavicle's joint above the thorax' (m), before it is stacked.
+const CLAVICLE: f64 = 0.215;
+
+/// The shoulder above the clavicle's joint (m): it lies at 0.818 of the height (Drillis & Contini 1966).
+const SHOULDER: f64 =
+    0.818 * REFERENCE_HEIGHT - (FOOT + SHANK + THIGH + HIP) - STACK * (LUMBAR + ABDOMEN + CLAVICLE);
+
+/// Radii of gyration of a segment that is stacked shorter: as long as published, in metres.
+const fn published(gyration: [f64; 3]) -> [f64; 3] {
+    [gyration[0] / STACK, gyration[1] / STACK, gyration[2] / STACK]
 }
 
 /// Parents before children.
 #[rustfmt::skip]
 pub(super) const SEGMENTS: [Segment; 13] = [
     row("pelvis", "", "root", false, [0.0, 0.0, 0.0], 0.1117, [0.0, -0.010, -0.010], 0.146, [0.615, 0.587, 0.551],
-        Body { centre: [0.0, -0.015, -0.008], radii: [0.150, 0.100, 0.100] }),
-    row("abdomen", "pelvis", "lumbar", false, [0.0, 0.070, -0.020], 0.1633, [0.0, 0.105, 0.006], 0.215, [0.482, 0.468, 0.383],
-        Body { centre: [0.0, 0.100, 0.010], radii: [0.132, 0.150, 0.095] }),
-    row("thorax", "abdomen", "thorax", false, [0.0, 0.215, 0.005], 0.1436, [0.0, 0.130, 0.004], 0.242, [0.320, 0.465, 0.505],
-        Body { centre: [0.0, 0.110, 0.005], radii: [0.158, 0.172, 0.112] }),
-    row("neck", "thorax", "neck", false, [0.0, 0.242, -0.015], 0.0120, [0.0, 0.055, 0.008], 0.110, [0.320, 0.280, 0.320],
-        Limb { to: [0.0, 0.100, 0.010], radius: 0.052 }),
-    row("head", "neck", "head", false, [0.0, 0.110, 0.010], 0.0574, [0.0, 0.090, 0.018], 0.203, [0.376, 0.312, 0.362],
-        Body { centre: [0.0, 0.080, 0.022], radii: [0.080, 0.125, 0.100] }),
-    row("clavicle", "thorax", "clavicle", true, [0.025, 0.215, 0.020], 0.0080, [0.075, 0.006, -0.010], 0.150, [0.120, 0.300, 0.300],
-        Limb { to: [0.150, 0.005, -0.029], radius: 0.048 }),
-    row("upper_arm", "clavicle", "shoulder", true, [0.155, 0.005, -0.030], 0.0271, [0.003, -0.163, 0.004], 0.282, [0.269, 0.158, 0.285],
-        Limb { to: [0.002, -0.282, 0.003], radius: 0.045 }),
+        density::TRUNK, Trunk { centre: [0.0, -0.015, -0.008], radii: [0.150, 0.110, 0.114] }),
+    row("abdomen", "pelvis", "lumbar", false, [0.0, STACK * LUMBAR, -0.020], 0.1633, [0.0, STACK * 0.105, 0.006], STACK * ABDOMEN,
+        published([0.482, 0.468, 0.383]), density::TRUNK, Trunk { centre: [0.0, STACK * 0.100, 0.010], radii: [0.138, 0.165, 0.120] }),
+    row("thorax", "abdomen", "thorax", false, [0.0, STACK * ABDOMEN, 0.005], 0.1436, [0.0, STACK * 0.130, 0.004], STACK * THORAX,
+        published([0.320, 0.465, 0.505]), density::TRUNK, Trunk { centre: [0.0, STACK * 0.110, 0.005], radii: [0.155, STACK * 0.172, 0.105] }),
+    row("neck", "thorax", "neck", false, [0.0, STACK * THORAX, -0.015], 0.0120, [0.0, STACK * 0.055, 0.008], STACK * NECK,
+        published([0.320, 0.280, 0.320]), density::HEAD, Limb { from: [0.0, 0.0, 0.0], to: [0.0, STACK * 0.060, 0.010] }),
+    row("head", "neck", "head", false, [0.0, STACK * NECK, 0.010], 0.0574, [0.0, STACK * 0.090, 0.018], STACK * HEAD,
+        published([0.376, 0.312, 0.362]), density::HEAD, Bony { centre: [0.0, STACK * (HEAD - 0.125), 0.022], radii: [0.080, STACK * 0.125, 0.100] }),
+    row("clavicle", "thorax", "clavicle", true, [0.025, STACK * CLAVICLE, 0.020], 0.0080, [0.075, 0.006, -0.010], 0.150, [0.120, 0.300, 0.300],
+        density::TRUNK, Limb { from: [0.0, 0.0, 0.0], to: [0.150, SHOULDER, -0.029] }),
+    row("upper_arm", "clavicle", "shoulder", true, [0.155, SHOULDER, -0.030], 0.0271, [0.003, -0.163, 0.004], 0.282, [0.269, 0.158, 0.285],
+        density::UPPER_ARM, Limb { from: [0.0, 0.0, 0.0], to: [0.002, -0.282, 0.003] }),
     row("forearm", "upper_arm", "elbow", true, [0.002, -0.282, 0.003], 0.0162, [-0.004, -0.123, 0.003], 0.269, [0.265, 0.121, 0.276],
-        Limb { to: [0.001, -0.269, 0.001], radius: 0.034 }),
+        density::FOREARM, Limb { from: [0.0, 0.0, 0.0], to: [0.001, -0.269, 0.001] }),
     row("hand", "forearm", "wrist", true, [0.001, -0.269, 0.001], 0.0061, [0.002, -0.068, 0.006], 0.086, [0.513, 0.401, 0.628],
-        Body { centre: [0.0, -0.085, 0.005], radii: [0.022, 0.095, 0.042] }),
+        density::HAND, Bony { centre: [0.0, -0.085, 0.005], radii: [0.022, 0.095, 0.042] }),
     row("thigh", "pelvis", "hip", true, [0.085, -0.076, 0.006], 0.1416, [0.007, -0.173, 0.005], 0.422, [0.329, 0.149, 0.329],
-        Limb { to: [0.0, -0.422, -0.004], radius: 0.071 }),
+        density::THIGH, Limb { from: [0.002, 0.060, 0.005], to: [0.002, -0.422, 0.001] }), // buttock and hip are the thigh's, too
     row("shank", "thigh", "knee", true, [0.0, -0.422, -0.004], 0.0433, [0.003, -0.193, -0.006], 0.434, [0.246, 0.102, 0.251],
-        Limb { to: [0.0, -0.434, -0.010], radius: 0.047 }),
+        density::SHANK, Limb { from: [0.0, 0.0, 0.0], to: [0.0, -0.434, -0.010] }),
     row("foot", "shank", "ankle", true, [0.0, -0.434, -0.010], 0.0115, [0.004, -0.038, 0.055], 0.200, [0.245, 0.257, 0.124],
-        Body { centre: [0.0, -0.040, 0.045], radii: [0.040, 0.038, 0.105] }),
+        density::FOOT, Bony { centre: [0.0, -0.040, 0.045], radii: [0.040, 0.038, 0.105] }),
     row("toes", "foot", "toes", true, [0.0, -0.060, 0.140], 0.0022, [0.002, -0.004, 0.025], 0.070, [0.300, 0.320, 0.250],
-        Body { centre: [0.0, -0.002, 0.030], radii: [0.042, 0.016, 0.042] }),
+        density::FOOT, Bony { centre: [0.0, -0.002, 0.030], radii: [0.042, 0.016, 0.042] }),
 ];
 
 /// Height of the joint between foot and toes above the sole (m).

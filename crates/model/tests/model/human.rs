@@ -121,6 +121,136 @@ fn the_feet_stand_on_one_plane() {
     }
 }
 
+/// Height of a link's origin above the pelvis' in the neutral posture.
+fn above_pelvis(figure: &Figure, link: &Link) -> f64 {
+    let parent = link.parent().map(|parent| &figure.links()[parent]);
+    parent.map_or(0.0, |parent| above_pelvis(figure, parent) + link.joint().placement().translation.y)
+}
+
+/// From the sole to the head's tip, and to the top of what is drawn.
+fn standing_heights(figure: &Figure) -> [f64; 2] {
+    let (head, foot) = (figure.link("head").expect("a head"), figure.link("left_foot").expect("a foot"));
+    let sole = above_pelvis(figure, foot) + foot.sole_point(SolePart::Heel).expect("a heel").y;
+    let from = above_pelvis(figure, head) - sole;
+    let shape = head.shape().expect("a shape");
+    let top = shape.placement.translation.y + shape.kind.reach(&Vector3::y());
+    [from + head.tip().expect("a tip").y, from + top]
+}
+
+#[test]
+fn the_vertex_stands_at_the_height_that_was_asked_for() {
+    for height in (0..=9).map(|i| 1.2 + 0.1 * f64::from(i)) {
+        for index in [17.0, 23.8, 45.0] {
+            let human = Human::new(height, index * height * height);
+            let ages = [6.0, 7.3, 12.0, 17.9, 18.0, 40.0].map(|age| human.clone().age(age));
+            for human in [human.clone(), human.limp()].iter().chain(&ages) {
+                let figure = human.build().expect("in range");
+                for found in standing_heights(&figure) {
+                    assert!((found - height).abs() < 1e-12, "{height} m stands {found} m: {human:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Joints against heights of landmarks of 4082 men (ANSUR II, means of fractions of the height).
+#[test]
+fn joints_stand_where_peoples_do() {
+    let figure = human(1.0, 22.0).expect("in range");
+    let pelvis = standing_heights(&figure)[0] - {
+        let head = figure.link("head").expect("a head");
+        above_pelvis(&figure, head) + head.tip().expect("a tip").y
+    };
+    for (link, landmark, published, within) in [
+        ("abdomen", "omphalion", 0.6014, 0.015),
+        ("left_clavicle", "suprasternale", 0.8191, 0.012),
+        ("left_upper_arm", "acromion", 0.8203, 0.003),
+        ("neck", "cervicale", 0.8639, 0.021),
+        ("left_shank", "middle of the patella", 0.2780, 0.017),
+        ("left_foot", "lateral malleolus", 0.0415, 0.004),
+    ] {
+        let found = pelvis + above_pelvis(&figure, figure.link(link).expect("a link"));
+        assert!((found - published).abs() < within, "{link} at {found}, {landmark} at {published}");
+    }
+}
+
+/// What is drawn of trunk, neck and limbs weighs what the segment weighs.
+#[test]
+fn volumes_are_those_of_the_mass() {
+    let density = |name: &str| match name.rsplit_once('_').map_or(name, |(_, name)| name) {
+        "pelvis" | "abdomen" | "thorax" | "clavicle" => 1030.0,
+        "neck" => 1110.0,
+        "arm" => 1070.0,
+        "forearm" => 1130.0,
+        "thigh" => 1050.0,
+        "shank" => 1090.0,
+        _ => f64::NAN,
+    };
+    for (height, mass) in bodies().into_iter().filter(|(h, m)| (8.0..=80.0).contains(&(m / (h * h)))) {
+        let figure = human(height, mass).expect("in range");
+        for link in figure.links().iter().filter(|link| !density(link.name()).is_nan()) {
+            let drawn = link.shape().expect("a shape").kind.volume() * density(link.name());
+            assert!((drawn / link.mass() - 1.0).abs() < 1e-12, "{} of {height} m, {mass} kg", link.name());
+        }
+    }
+}
+
+#[test]
+fn the_heavier_is_thicker_and_has_the_same_head() {
+    let [slim, ordinary, heavy] = [55.0, 73.0, 140.0].map(|mass| human(1.75, mass).expect("in range"));
+    let half = |figure: &Figure, link: &str| {
+        let kind = figure.link(link).expect("a link").shape().expect("a shape").kind;
+        [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| kind.reach(&axis))
+    };
+    for link in ["pelvis", "abdomen", "thorax", "neck", "left_thigh", "right_shank", "left_forearm"] {
+        let [slim, ordinary, heavy] = [&slim, &ordinary, &heavy].map(|figure| half(figure, link));
+        assert!(slim[0] < 0.96 * ordinary[0] && heavy[0] > 1.15 * ordinary[0], "{link}");
+        assert!(slim[2] < 0.92 * ordinary[2] && heavy[2] > 1.25 * ordinary[2], "{link}");
+    }
+    for link in ["head", "left_hand", "right_foot", "left_toes"] {
+        assert_eq!(half(&slim, link), half(&heavy, link), "{link}");
+    }
+}
+
+#[test]
+fn a_child_has_a_larger_head_and_shorter_legs() {
+    let body = |age| Human::new(1.15, 21.0).age(age).build().expect("in range");
+    let (six, adult) = (body(6.0), human(1.15, 21.0).expect("in range"));
+    assert_eq!(body(18.0), adult, "to the bit");
+    assert_eq!(body(50.0), adult);
+    let share = |figure: &Figure, link: &str| figure.link(link).expect("a link").mass() / figure.mass();
+    // Jensen's 18.2 % over 7.0 %, and what all of de Leva's shares come to by such factors.
+    assert!((share(&six, "head") / share(&adult, "head") - 18.2 / 7.0).abs() < 0.1);
+    assert!(share(&six, "left_thigh") < 0.8 * share(&adult, "left_thigh"));
+    assert!((six.mass() - 21.0).abs() < 1e-12);
+    let length = |figure: &Figure, link: &str| figure.link(link).expect("a link").tip().expect("a tip").y;
+    assert!((length(&six, "head") / length(&adult, "head") - 0.1601 / 0.1250).abs() < 1e-12);
+    let hips = |figure: &Figure| {
+        let foot = figure.link("left_foot").expect("a foot");
+        let thigh = figure.link("left_thigh").expect("a thigh");
+        let sole = above_pelvis(figure, foot) + foot.sole_point(SolePart::Heel).expect("a heel").y;
+        above_pelvis(figure, thigh) - sole
+    };
+    // The trochanter of Snyder's children of six stands at 0.4865 of the height, that of the grown at 0.5080.
+    assert!((hips(&six) / hips(&adult) - 0.4865 / 0.5080).abs() < 0.01);
+}
+
+#[test]
+fn a_joint_may_have_its_own_limits() {
+    let human = Human::new(1.75, 73.0).limits("right_shoulder.rz", -3.0, -0.1);
+    let figure = human.clone().build().expect("in range");
+    let axes =
+        |figure: &Figure, link: &str| figure.link(link).expect("a link").joint().kind().axes().to_vec();
+    let limits = axes(&figure, "right_upper_arm")[0].limits.expect("limits");
+    assert_eq!([limits.lower, limits.upper], [-3.0, -0.1]);
+    assert_eq!(axes(&figure, "left_upper_arm"), axes(&ordinary(), "left_upper_arm"));
+    let why = |human: Human| human.build().expect_err("refused").to_string();
+    assert!(why(human.clone().limits("right_sholder.rz", 0.0, 1.0)).contains("right_shoulder.rz"));
+    // A limp shoulder is a ball joint: it has no limits.
+    assert!(why(human.limp()).contains("no angle of that name"));
+    assert!(why(Human::new(1.75, 73.0).limits("left_elbow.rx", 1.0, 0.0)).contains("left_elbow"));
+}
+
 #[test]
 fn a_segment_may_have_its_own_length() {
     let long =
@@ -201,6 +331,9 @@ fn what_is_no_human_is_refused_with_the_range() {
         segment("thigh", 0.86),
         segment("left_thigh", 0.2),
         segment("thigh", f64::NAN),
+        Human::new(1.2, 25.0).age(5.9).build(),
+        Human::new(1.2, 25.0).age(f64::NAN).build(),
+        Human::new(1.2, 25.0).limits("left_elbow.xr", 0.0, 1.0).build(),
     ]
     .map(|answer: Result<Figure, HumanError>| answer.expect_err("not a human").to_string());
     insta::assert_snapshot!(answers.join("\n"));

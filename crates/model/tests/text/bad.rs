@@ -151,6 +151,8 @@ fn cases() -> Vec<(&'static str, String)> {
         ("joints that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, joints: Limb))".to_owned()),
         ("joints that say more", "Figure(version: 1, body: Human(height: 1.75, mass: 73, joints: Limp(damping: 1)))".to_owned()),
         ("segments that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, segments: {\"left_thig\": 0.4, \"shank\": 4.3, \"hand\": \"big\"}))".to_owned()),
+        ("an age of nobody", "Figure(version: 1, body: Human(height: 1.1, mass: 20, age: 3))".to_owned()),
+        ("limits that are none", "Figure(version: 1, body: Human(height: 1.75, mass: 73, limits: {\"left_elbow.xr\": (0, 1), \"left_knee.rx\": (1, 0)}))".to_owned()),
         ("a body without height", "Figure(version: 1, body: human(mass: 73))".to_owned()),
         ("several faults in several links", spoilt(&[
             ("mass: 12.0", "mas: 12.0"),

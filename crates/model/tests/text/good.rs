@@ -65,6 +65,14 @@ fn a_solid_is_the_uniform_solid_of_the_links_mass() {
 }
 
 #[test]
+fn a_body_may_have_an_age_and_limits() {
+    let text = "Figure(version: 1, body: Human(height: 1.3, mass: 27, age: 8.5, limits: {\"left_elbow.rx\": (deg(-90), 0)}))";
+    let limit = -std::f64::consts::FRAC_PI_2;
+    let wanted = solaris_model::Human::new(1.3, 27.0).age(8.5).limits("left_elbow.rx", limit, 0.0);
+    assert_eq!(figure(text), wanted.build().expect("a child"));
+}
+
+#[test]
 fn a_body_is_one_word() {
     let found = figure(
         "Figure(version: 1, name: \"ann\", body: Human(height: 1.65, mass: 58, segments: {\"left_thigh\": 0.45}))",

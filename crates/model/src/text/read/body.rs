@@ -9,7 +9,8 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 impl FigureReader<'_> {
-    /// `Human(height: 1.75, mass: 73.0, segments: {"left_thigh": 0.45}, joints: Limp)`
+    /// `Human(height: 1.75, mass: 73.0, age: 9, segments: {"left_thigh": 0.45}, joints: Limp,
+    /// limits: {"left_elbow.rx": (deg(-150), deg(0))})`
     pub(super) fn body(
         &mut self,
         node: &Node<'_>,
@@ -20,12 +21,16 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let fields = self.fields(node, &["Human"], &["height", "mass", "segments", "joints"])?;
+        let fields =
+            self.fields(node, &["Human"], &["height", "mass", "age", "segments", "joints", "limits"])?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
         let height = height_node.and_then(|node| self.number(node, "the height"));
         let mass = mass_node.and_then(|node| self.number(node, "the mass"));
         let segments = fields.get("segments").map(|node| self.segments(node)).unwrap_or_default();
+        let age_node = fields.get("age");
+        let age = age_node.map(|node| self.number(node, "the age"));
+        let limits = fields.get("limits").map(|node| self.own_limits(node)).unwrap_or_default();
         let joints = fields.get("joints").map(|node| self.is_limp(node));
         let (height, mass, is_limp) = (height?, mass?, joints.unwrap_or(Some(false))?);
         let place = |node: Option<&Node<'_>>| node.map_or(fields.at.clone(), |node| node.span.clone());
@@ -33,8 +38,15 @@ impl FigureReader<'_> {
         if is_limp {
             human = human.limp();
         }
+        if let Some(age) = age {
+            human = human.age(age?);
+        }
         if let Err(error) = human.build() {
-            let field = if matches!(error, HumanError::Height { .. }) { height_node } else { mass_node };
+            let field = match error {
+                HumanError::Height { .. } => height_node,
+                HumanError::Age { .. } => age_node,
+                _ => mass_node,
+            };
             self.fault(place(field), error.to_string());
             return None;
         }
@@ -49,6 +61,16 @@ impl FigureReader<'_> {
                 good = false;
             }
             human = human.segment_length(&segment.name, segment.length);
+        }
+        for (dof, [lower, upper], at) in limits {
+            let with = human.clone().limits(dof, lower, upper);
+            match with.build() {
+                Err(error @ HumanError::Limits { .. }) => {
+                    self.fault(at, error.to_string());
+                    good = false;
+                }
+                _ => human = with,
+            }
         }
         if !good {
             return None;
@@ -71,6 +93,28 @@ impl FigureReader<'_> {
     fn is_limp(&mut self, node: &Node<'_>) -> Option<bool> {
         let kind = self.kind(node, &["Angles", "Limp"])?;
         self.stands_alone(node, kind).then_some(kind == "Limp")
+    }
+
+    /// Limits by the name of a degree of freedom, and where the name stands.
+    fn own_limits(&mut self, node: &Node<'_>) -> Vec<(String, [f64; 2], Range<usize>)> {
+        let Some(Content::Map(entries)) = node.group().map(|group| &group.content) else {
+            let message = format!(
+                "limits must be a map {{\"left_elbow.rx\": (deg(-150), deg(0))}}, not {}",
+                node.describe()
+            );
+            self.fault(node.place(), message);
+            return Vec::new();
+        };
+        let mut found: Vec<(String, [f64; 2], Range<usize>)> = Vec::new();
+        for (key, value) in entries {
+            let name = self.name(key, "the name of a degree of freedom");
+            let Some((name, limits)) = name.zip(self.limits(value, true)) else { continue };
+            if found.iter().any(|(known, ..)| known == name) {
+                self.fault(key.span.clone(), format!("the limits of '{name}' are given twice; keep one"));
+            }
+            found.push((name.to_owned(), limits, key.span.clone()));
+        }
+        found
     }
 
     fn segments(&mut self, node: &Node<'_>) -> Vec<Segment> {

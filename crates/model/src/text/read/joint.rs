@@ -125,7 +125,7 @@ impl FigureReader<'_> {
     }
 
     /// `(lower, upper)`
-    fn limits(&mut self, node: &Node<'_>, turns: bool) -> Option<[f64; 2]> {
+    pub(super) fn limits(&mut self, node: &Node<'_>, turns: bool) -> Option<[f64; 2]> {
         let Some([lower, upper]) = node.items() else {
             let message = format!("limits must be two numbers (lower, upper), not {}", node.describe());
             self.fault(node.place(), message);
