@@ -1,9 +1,9 @@
 //! Soles as text: where the feet of a figure meet the ground.
 
 use nalgebra::{Point3, Vector3};
+use solaris_analysis::ground::Sole;
 use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
 use solaris_model::{Figure, Link, Placement, TextError, did_you_mean};
-use solaris_analysis::ground::Sole;
 
 /// The version of the grammar.
 const VERSION: u32 = 1;
