@@ -17,7 +17,7 @@ mod widths;
 
 use super::{page, read, table, write};
 use crate::report::table::Table;
-use crate::workspace::{self, cargo};
+use crate::workspace::cargo;
 
 const PAGE: &str = "docs/trust.md";
 
@@ -28,8 +28,8 @@ pub(super) fn run() -> Result<(), String> {
     text = table::replace(&text, "when", &page::circumstances())?;
     write(PAGE, &filled(text, all()?)?)?;
     eprintln!("report: building and running with the methods that choose their steps");
-    let chore = ["run", "--quiet", "--release", "--package", "xtask", "--features", "stiff", "--"];
-    workspace::run(cargo().args(chore).args(["report", "simulation", "adaptive"]))
+    let build = ["run", "--quiet", "--release", "--package", "solaris-lab", "--features", "stiff", "--"];
+    cargo(&[&build[..], &["report", "simulation", "adaptive"]].concat())
 }
 
 /// The part that needs the feature.
@@ -42,7 +42,7 @@ pub(super) fn adaptive() -> Result<(), String> {
 /// The part that needs the feature.
 #[cfg(not(feature = "stiff"))]
 pub(super) fn adaptive() -> Result<(), String> {
-    Err("this needs the feature 'stiff'; `cargo xtask report simulation` builds it".to_owned())
+    Err("this needs the feature 'stiff'; `cargo lab report simulation` builds it".to_owned())
 }
 
 /// Tables that need no more than the fixed rules.
@@ -74,7 +74,7 @@ mod tests {
             let differences = table.differences(table::block(&page, name).expect("a table"));
             assert!(
                 differences.is_empty(),
-                "{PAGE}, {name}: `cargo xtask report simulation` is due:\n{}",
+                "{PAGE}, {name}: `cargo lab report simulation` is due:\n{}",
                 differences.join("\n")
             );
         }

@@ -116,10 +116,10 @@ mod tests {
     #[test]
     fn a_page_keeps_what_is_around_its_tables() {
         let page =
-            "# Page\n\n<!-- table: x, written by `cargo xtask report` -->\nold\n<!-- end of table -->\n\nold";
+            "# Page\n\n<!-- table: x, written by `cargo lab report` -->\nold\n<!-- end of table -->\n\nold";
         let new = replace(page, "x", "new").expect("marks");
         assert_eq!(block(&new, "x"), Ok("new"));
         assert_eq!(new, page.replacen("old", "new", 1));
-        insta::assert_snapshot!(replace(page, "y", "new").expect_err("no such mark"), @"no line '<!-- table: y, written by `cargo xtask report` -->'");
+        insta::assert_snapshot!(replace(page, "y", "new").expect_err("no such mark"), @"no line '<!-- table: y, written by `cargo lab report` -->'");
     }
 }

@@ -113,7 +113,7 @@ mod tests {
             let differences = table.differences(table::block(&page, name).expect("a table"));
             assert!(
                 differences.is_empty(),
-                "{PAGE}, {name}: `cargo xtask report profiles` is due:\n{}",
+                "{PAGE}, {name}: `cargo lab report profiles` is due:\n{}",
                 differences.join("\n")
             );
         }

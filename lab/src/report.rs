@@ -17,7 +17,7 @@ mod simulation;
 mod speed;
 mod table;
 
-use crate::workspace::{self, cargo};
+use crate::workspace;
 use accuracy::Accuracy;
 use cases::{Case, HARD, ORDINARY};
 use page::{LONG, Measured};
@@ -26,11 +26,8 @@ use solaris_gait::determinants::Determinants;
 use speed::Speed;
 use std::fs;
 
-/// Measures everything and writes the pages, in a release build of its own if this is none.
+/// Measures everything and writes the pages.
 pub(crate) fn run() -> Result<(), String> {
-    if cfg!(debug_assertions) {
-        return in_release(&["report"]);
-    }
     moments()?;
     people()?;
     profiles::run()?;
@@ -73,12 +70,9 @@ pub(crate) fn moments() -> Result<(), String> {
     write("docs/moments.svg", &moments::draw(&curves))
 }
 
-/// Writes how walks compare with people, in a release build of its own if this is none.
+/// Writes how walks compare with people.
 pub(crate) fn people() -> Result<(), String> {
     const PAGE: &str = "docs/people.md";
-    if cfg!(debug_assertions) {
-        return in_release(&["report", "people"]);
-    }
     let mut text = read(PAGE)?;
     let tables = [
         ("five", people::facts(Determinants::Five)?),
@@ -91,25 +85,19 @@ pub(crate) fn people() -> Result<(), String> {
     write(PAGE, &text)
 }
 
-/// Measures the thesis's curves and writes their page, in a release build of its own if this is none.
+/// Measures the thesis's curves and writes their page.
 pub(crate) fn profiles() -> Result<(), String> {
-    if cfg!(debug_assertions) { in_release(&["report", "profiles"]) } else { profiles::run() }
+    profiles::run()
 }
 
-/// Measures simulations where more or less is known of the answer, and writes their page, in a release build of its own if
-/// this is none.
+/// Measures simulations where more or less is known of the answer, and writes their page.
 pub(crate) fn simulation() -> Result<(), String> {
-    if cfg!(debug_assertions) { in_release(&["report", "simulation"]) } else { simulation::run() }
+    simulation::run()
 }
 
 /// The part of that page which needs the methods that choose their steps; built with the feature `stiff`.
 pub(crate) fn adaptive() -> Result<(), String> {
     simulation::adaptive()
-}
-
-fn in_release(chore: &[&str]) -> Result<(), String> {
-    eprintln!("report: building and running in release");
-    workspace::run(cargo().args(["run", "--quiet", "--release", "--package", "xtask", "--"]).args(chore))
 }
 
 /// The accuracy of every case, with the speeds that `speed` finds.
@@ -267,7 +255,7 @@ mod tests {
             let differences = table.differences(table::block(&page, name).expect("a table"));
             assert!(
                 differences.is_empty(),
-                "{path}, {name}: `cargo xtask report` is due:\n{}",
+                "{path}, {name}: `cargo lab report` is due:\n{}",
                 differences.join("\n")
             );
         }

@@ -65,7 +65,7 @@ pub(super) fn replace(page: &str, name: &str, text: &str) -> Result<String, Stri
 }
 
 fn mark(name: &str) -> String {
-    format!("<!-- table: {name}, written by `cargo xtask report` -->\n")
+    format!("<!-- table: {name}, written by `cargo lab report` -->\n")
 }
 
 const END: &str = "\n<!-- end of table -->";

@@ -176,7 +176,7 @@ fn model(figure: &Figure) -> Result<String, String> {
     }
     Ok(format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <!-- A human of 1.75 m and 73 kg in the plane of walking, by `cargo xtask subject`. Segment masses: de Leva (1996). -->\n\
+         <!-- A human of 1.75 m and 73 kg in the plane of walking, by `cargo lab subject`. Segment masses: de Leva (1996). -->\n\
          <OpenSimDocument Version=\"40000\">\n\t<Model name=\"subject\">\n\t\t<gravity>0 -9.80665 0</gravity>\n\
          \t\t<length_units>meters</length_units>\n\t\t<force_units>N</force_units>\n\
          \t\t<BodySet name=\"bodyset\">\n\t\t\t<objects>\n{bodies}\t\t\t</objects>\n\t\t</BodySet>\n\

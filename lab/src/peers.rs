@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 /// The states that are timed come from the first rows: the driver's other programs stop here too.
 const MOST_TIMED: usize = 1024;
 
-/// What `cargo xtask peers` was asked.
+/// What `cargo lab peers` was asked.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Options {
     model: PathBuf,
@@ -68,11 +68,6 @@ fn positive<T: std::str::FromStr + PartialOrd + Default>(option: &str, text: &st
 
 /// Writes what was asked for and prints the times.
 pub(crate) fn run(options: &Options) -> Result<(), String> {
-    if cfg!(debug_assertions) {
-        eprintln!(
-            "peers: these times mean nothing in a debug build; use `cargo run --release -p xtask -- peers …`"
-        );
-    }
     let path = &options.model;
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let model = model::parse(&text).map_err(|error| format!("{}: {error}", path.display()))?;

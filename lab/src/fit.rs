@@ -41,16 +41,8 @@ impl Options {
     }
 }
 
-/// Fits the numbers, or only measures what they come to, in a release build of its own if this is none.
+/// Fits the numbers, or only measures what they come to.
 pub(crate) fn run(options: &Options) -> Result<(), String> {
-    if cfg!(debug_assertions) {
-        eprintln!("fit: building and running in release");
-        let mut again = workspace::cargo();
-        again.args(["run", "--quiet", "--release", "--package", "xtask", "--", "fit"]);
-        again.args(options.measure_only.then_some("--measure"));
-        again.args(options.from_recipe.then_some("--recipe"));
-        return workspace::run(&mut again);
-    }
     let mut table = if options.from_recipe { recipe()? } else { StyleTable::default() };
     if !options.measure_only {
         let recipe = recipe()?;
