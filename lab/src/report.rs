@@ -3,8 +3,6 @@
 //! Errors are the same on every run; a test holds the page to them. Times are what they were on the day that the page
 //! names.
 
-mod accuracy;
-mod cases;
 #[cfg(test)]
 mod currency;
 mod moments;
@@ -12,14 +10,21 @@ mod page;
 mod people;
 mod plot;
 mod profiles;
-mod samples;
 mod simulation;
 mod speed;
 mod table;
 
+// What is measured stands with the kernel's tests, which hold it to what other programs lose.
+#[path = "../../crates/dynamics/tests/dynamics/accuracy/cases.rs"]
+mod cases;
+#[path = "../../crates/dynamics/tests/dynamics/accuracy/measured.rs"]
+mod measured;
+#[path = "../../crates/dynamics/tests/dynamics/accuracy/samples.rs"]
+mod samples;
+
 use crate::workspace;
-use accuracy::Accuracy;
 use cases::{Case, HARD, ORDINARY};
+use measured::Accuracy;
 use page::{LONG, Measured};
 use samples::{Random, chain};
 use solaris_gait::determinants::Determinants;
@@ -105,7 +110,7 @@ fn measure(speed: impl Fn(&Case) -> Result<Speed, String>) -> Result<Measured, S
     let accuracies = |cases: &[Case]| -> Result<Vec<Accuracy>, String> {
         let measure = |case: &Case| {
             eprintln!("report: errors, {}", case.name);
-            accuracy::measure(case)
+            measured::measure(case)
         };
         cases.iter().map(measure).collect()
     };
@@ -139,116 +144,19 @@ fn write(path: &str, text: &str) -> Result<(), String> {
 
 #[cfg(test)]
 mod tests {
-    use super::accuracy::{forward, inverse, inverse_of};
     use super::*;
-    use solaris_dynamics::scalar::DoubleDouble;
-    use solaris_dynamics::{Formulation, Real};
-    use std::sync::LazyLock;
-
-    /// How much more than other programs with the same formulation may be lost.
-    const FACTOR: f64 = 10.0;
-
-    static MEASURED: LazyLock<Measured> = LazyLock::new(|| {
-        let count =
-            |sample: &_| speed::count(sample).map(|operations| Speed { operations, ..Speed::default() });
-        measure(|case| speeds(case, count)).expect("every case has an answer")
-    });
-
-    fn measured() -> impl Iterator<Item = (&'static Case, &'static Accuracy)> {
-        ORDINARY.iter().zip(&MEASURED.ordinary).chain(HARD.iter().zip(&MEASURED.hard))
-    }
-
-    #[test]
-    fn inverse_dynamics_loses_no_more_digits_than_others() {
-        for (case, accuracy) in measured() {
-            let Some(other) = case.inverse else { continue };
-            for (formulation, errors) in Formulation::ALL.into_iter().zip(accuracy.inverse) {
-                let others =
-                    if formulation == Formulation::NewtonEuler { other.local } else { other.lagrangian };
-                for (error, other) in errors.into_iter().zip(others) {
-                    assert!(
-                        error <= FACTOR * other,
-                        "{}, {formulation:?}: {error:e}, others {other:e}",
-                        case.name
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn forward_dynamics_loses_no_more_digits_than_others() {
-        for (case, accuracy) in measured() {
-            let Some(other) = case.forward else { continue };
-            for (error, other) in accuracy.forward.into_iter().zip(other.articulated) {
-                assert!(error <= FACTOR * other, "{}: {error:e}, others {other:e}", case.name);
-            }
-        }
-    }
-
-    /// What nobody has published: inverse dynamics knows no gimbal lock, forward dynamics no speed and no distance.
-    #[test]
-    fn what_is_hard_for_others_is_not_hard() {
-        let [double, single] = [f64::EPSILON, f64::from(f32::EPSILON)];
-        for (case, accuracy) in measured().filter(|(case, _)| case.name.contains("lock")) {
-            for [f64_error, f32_error] in accuracy.inverse {
-                assert!(f64_error < 4.0 * double && f32_error < 4.0 * single, "{}: {accuracy:?}", case.name);
-            }
-        }
-        for (case, accuracy) in measured()
-            .filter(|(case, _)| case.name.starts_with("20, root") || case.name.starts_with("20, speeds"))
-        {
-            assert!(
-                accuracy.forward[0] < 10.0 * double && accuracy.forward[1] < 10.0 * single,
-                "{}: {accuracy:?}",
-                case.name
-            );
-        }
-    }
-
-    /// A factor of the mass matrix loses digits with its condition; the recursion does not.
-    #[test]
-    fn forward_dynamics_keeps_digits_that_the_mass_matrix_loses() {
-        for (case, accuracy) in
-            measured().filter(|(_, accuracy)| accuracy.condition.is_some_and(|condition| condition > 1e6))
-        {
-            let [by_matrix, _] = accuracy.matrix.expect("as large as its condition");
-            assert!(by_matrix > 5.0 * accuracy.forward[0], "{}: {accuracy:?}", case.name);
-        }
-    }
-
-    /// The reference: other recursions give the same digits, and inverse dynamics takes forward dynamics back.
-    #[test]
-    fn the_reference_has_digits_to_spare() {
-        let difference = |found: &[DoubleDouble], right: &[DoubleDouble]| {
-            let largest = right.iter().map(|x| x.abs().to_f64()).fold(0.0, f64::max);
-            found.iter().zip(right).map(|(a, b)| (*a - *b).abs().to_f64() / largest).fold(0.0, f64::max)
-        };
-        for case in ORDINARY.iter().chain(&HARD).filter(|case| !case.name.ends_with("1000")) {
-            let sample = (case.sample)(&mut Random::new(7)).expect("a valid figure");
-            let [chain_wise, tree_wise, newton_euler] = Formulation::ALL
-                .map(|formulation| inverse::<DoubleDouble>(&sample, formulation).expect("a valid state"));
-            // In chains some axes are parallel: the D-H angle between them is no multiple of 90°, and rounded to f64 when
-            // the figure is compiled.
-            let has_parallels = !case.name.contains("human") && !case.name.contains("lock");
-            let tolerance = if has_parallels { 1e-14 } else { 1e-28 };
-            assert!(difference(&chain_wise, &tree_wise) < 1e-25, "{}", case.name);
-            assert!(difference(&tree_wise, &newton_euler) < tolerance, "{}", case.name);
-            let a: Vec<DoubleDouble> = forward(&sample).expect("a valid state");
-            let tau = inverse_of(&sample, Formulation::NewtonEuler, &a).expect("a valid state");
-            let given: Vec<DoubleDouble> = sample.tau.iter().map(|x| Real::from_f64(*x)).collect();
-            assert!(difference(&tau, &given) < 1e-19, "{}", case.name);
-        }
-    }
 
     #[test]
     fn the_pages_say_what_is_measured() {
+        let count =
+            |sample: &_| speed::count(sample).map(|operations| Speed { operations, ..Speed::default() });
+        let measured = measure(|case| speeds(case, count)).expect("every case has an answer");
         let pages = [
-            ("docs/accuracy.md", "calls", MEASURED.calls()),
-            ("docs/accuracy.md", "inverse dynamics", MEASURED.inverse()),
-            ("docs/accuracy.md", "forward dynamics", MEASURED.forward()),
-            ("docs/accuracy.md", "growth", MEASURED.growth()),
-            ("docs/operations.md", "times", MEASURED.times()),
+            ("docs/accuracy.md", "calls", measured.calls()),
+            ("docs/accuracy.md", "inverse dynamics", measured.inverse()),
+            ("docs/accuracy.md", "forward dynamics", measured.forward()),
+            ("docs/accuracy.md", "growth", measured.growth()),
+            ("docs/operations.md", "times", measured.times()),
         ];
         for (path, name, table) in pages {
             let page = read(path).expect("a page");

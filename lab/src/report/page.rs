@@ -1,7 +1,7 @@
 //! The tables of docs/accuracy.md and docs/operations.md.
 
-use super::accuracy::Accuracy;
 use super::cases::{Case, Errors, HARD, ORDINARY};
+use super::measured::Accuracy;
 use super::speed::Speed;
 use super::table::{Cell, Table, number};
 use std::time::{Duration, SystemTime};
