@@ -2,7 +2,7 @@
 
 mod baseline;
 mod solve;
-mod stride;
+pub(crate) mod stride;
 mod targets;
 mod walk;
 
@@ -53,7 +53,7 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
 }
 
 /// The recipe's coefficients. The file has them in the order of the table, but JSON has no order.
-fn recipe() -> Result<StyleTable, String> {
+pub(crate) fn recipe() -> Result<StyleTable, String> {
     #[rustfmt::skip]
     const NAMES: [&str; StyleTable::NUMBERS.len()] = [
         "theta", "a1", "u1", "a2", "b2", "a3", "b3", "delta", "obu", "uff", "kc", "kc1", "kc2", "kp", "kto", "kto1", "kto2",
@@ -73,7 +73,7 @@ fn recipe() -> Result<StyleTable, String> {
 }
 
 /// Decimals that a row is written with, by its unit and its greatest coefficient.
-fn decimals(unit: &str, row: &[f64; 4]) -> usize {
+pub(crate) fn decimals(unit: &str, row: &[f64; 4]) -> usize {
     let most = row.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
     match most {
         m if m >= 1000.0 => 0,

@@ -1,12 +1,14 @@
 //! Measurements, run as `cargo lab CHORE`: what takes minutes, needs all crates, or writes the numbers of a page.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
+mod docs;
 mod falls;
 mod fit;
 mod gaits;
 mod peers;
 mod report;
 mod subject;
+mod table;
 mod timing;
 mod workspace;
 
@@ -15,6 +17,7 @@ use std::process::ExitCode;
 const HELP: &str = "\
 cargo lab CHORE
 
+  docs [--check]                    writes the tables of walks in docs/walking.md and docs/people.md, or says which are out of date
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
                                     or measures the numbers that ship; --recipe: begins with the recipe's
@@ -37,6 +40,7 @@ fn main() -> ExitCode {
         eprintln!("lab: a debug build is slow, and its times mean nothing; `cargo lab` builds for release");
     }
     let done = match args[..] {
+        ["docs", ref options @ ..] => docs::Options::parse(options).and_then(docs::run),
         ["falls"] => falls::run(),
         ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),
         ["gaits"] => gaits::run(),
@@ -45,7 +49,7 @@ fn main() -> ExitCode {
         }
         ["report"] => report::run(),
         ["report", "moments"] => report::moments(),
-        ["report", "people"] => report::people(),
+        ["report", "people"] => docs::people(),
         ["report", "profiles"] => report::profiles(),
         ["report", "simulation"] => report::simulation(),
         ["report", "simulation", "adaptive"] => report::adaptive(),

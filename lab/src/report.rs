@@ -3,16 +3,12 @@
 //! Errors are the same on every run; a test holds the page to them. Times are what they were on the day that the page
 //! names.
 
-#[cfg(test)]
-mod currency;
 mod moments;
 mod page;
-mod people;
 mod plot;
 mod profiles;
 mod simulation;
 mod speed;
-mod table;
 
 // What is measured stands with the kernel's tests, which hold it to what other programs lose.
 #[path = "../../crates/dynamics/tests/dynamics/accuracy/cases.rs"]
@@ -22,19 +18,19 @@ mod measured;
 #[path = "../../crates/dynamics/tests/dynamics/accuracy/samples.rs"]
 mod samples;
 
-use crate::workspace;
+use crate::docs;
+use crate::table;
+use crate::workspace::{read, write};
 use cases::{Case, HARD, ORDINARY};
 use measured::Accuracy;
 use page::{LONG, Measured};
 use samples::{Random, chain};
-use solaris_gait::determinants::Determinants;
 use speed::Speed;
-use std::fs;
 
 /// Measures everything and writes the pages.
 pub(crate) fn run() -> Result<(), String> {
     moments()?;
-    people()?;
+    docs::run(docs::Options::default())?;
     profiles::run()?;
     simulation::run()?;
     let measured = measure(|case| {
@@ -73,21 +69,6 @@ pub(crate) fn moments() -> Result<(), String> {
         .map_err(|error| format!("docs/bodies.md: {error}"))?;
     write("docs/bodies.md", &text)?;
     write("docs/moments.svg", &moments::draw(&curves))
-}
-
-/// Writes how walks compare with people.
-pub(crate) fn people() -> Result<(), String> {
-    const PAGE: &str = "docs/people.md";
-    let mut text = read(PAGE)?;
-    let tables = [
-        ("five", people::facts(Determinants::Five)?),
-        ("three", people::facts(Determinants::Three)?),
-        ("bodies", people::counts()?.markdown()),
-    ];
-    for (name, table) in tables {
-        text = table::replace(&text, name, &table).map_err(|error| format!("{PAGE}: {error}"))?;
-    }
-    write(PAGE, &text)
 }
 
 /// Measures the thesis's curves and writes their page.
@@ -131,15 +112,6 @@ fn speeds<E: ToString>(
 ) -> Result<Speed, String> {
     let sample = (case.sample)(&mut Random::new(1))?;
     find(&sample).map_err(|error| format!("{}: {}", case.name, error.to_string()))
-}
-
-fn read(path: &str) -> Result<String, String> {
-    fs::read_to_string(workspace::root().join(path)).map_err(|error| format!("{path}: {error}"))
-}
-
-fn write(path: &str, text: &str) -> Result<(), String> {
-    eprintln!("report: writing {path}");
-    fs::write(workspace::root().join(path), text).map_err(|error| format!("{path}: {error}"))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
-//! The workspace: where it is, running cargo in it.
+//! The workspace: where it is, its pages, running cargo in it.
 
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 
@@ -16,4 +17,15 @@ pub(crate) fn cargo(args: &[&str]) -> Result<(), String> {
         Ok(status) => Err(format!("`cargo {}` failed ({status})", args.join(" "))),
         Err(error) => Err(format!("`cargo {}` does not start: {error}", args.join(" "))),
     }
+}
+
+/// The text of a file by its path in the workspace.
+pub(crate) fn read(path: &str) -> Result<String, String> {
+    fs::read_to_string(root().join(path)).map_err(|error| format!("{path}: {error}"))
+}
+
+/// Writes a file by its path in the workspace, and says so.
+pub(crate) fn write(path: &str, text: &str) -> Result<(), String> {
+    eprintln!("writing {path}");
+    fs::write(root().join(path), text).map_err(|error| format!("{path}: {error}"))
 }

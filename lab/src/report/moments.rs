@@ -1,6 +1,6 @@
 //! The joint moments of a measured walk beside those that OpenSim finds: the table and the picture of docs/bodies.md.
 
-use super::table::{Cell, Table, number};
+use crate::table::{Cell, Table, number};
 use crate::workspace;
 use solaris_io::{Table as Numbers, opensim, record, sto};
 use solaris_modes::{Filter, InverseOptions, complete, inverse_motion};

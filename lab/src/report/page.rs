@@ -3,7 +3,7 @@
 use super::cases::{Case, Errors, HARD, ORDINARY};
 use super::measured::Accuracy;
 use super::speed::Speed;
-use super::table::{Cell, Table, number};
+use crate::table::{Cell, Table, number};
 use std::time::{Duration, SystemTime};
 
 /// All that is measured.

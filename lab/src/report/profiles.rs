@@ -9,7 +9,9 @@ mod printed;
 mod reference;
 mod speed;
 
-use super::{page as calls, read, table, write};
+use super::page as calls;
+use crate::table;
+use crate::workspace::{read, write};
 use page::Measured;
 
 const PAGE: &str = "docs/profiles-accuracy.md";

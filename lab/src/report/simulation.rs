@@ -15,9 +15,9 @@ mod systems;
 mod tables;
 mod widths;
 
-use super::{page, read, table, write};
-use crate::report::table::Table;
-use crate::workspace::cargo;
+use super::page;
+use crate::table::{self, Table};
+use crate::workspace::{cargo, read, write};
 
 const PAGE: &str = "docs/trust.md";
 

@@ -6,7 +6,7 @@ use super::family::Placed;
 use super::reference::Reference;
 use super::speed::Speed;
 use crate::report::page::duration;
-use crate::report::table::{Cell, Table};
+use crate::table::{Cell, Table};
 
 /// All that is measured.
 pub(super) struct Measured {

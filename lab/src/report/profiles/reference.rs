@@ -1,6 +1,6 @@
 //! The reference numbers of `fixtures/reference/profiles_hard.json`.
 
-use crate::report::read;
+use crate::workspace::read;
 use num_traits::Zero;
 use serde::Deserialize;
 use solaris_dynamics::scalar::DoubleDouble;

@@ -1,6 +1,6 @@
 //! Stiff equations that are no figures, by the same steppers.
 
-use crate::report::table::{Cell, Table};
+use crate::table::{Cell, Table};
 use nalgebra::DMatrix;
 use solaris_modes::Counts;
 use solaris_modes::time::{RateError, Stepping, System, advance};

@@ -4,7 +4,7 @@ use super::between::{self, KINDS, RATES};
 use super::extremes::{self, Spring};
 use super::figures::{Case, closed, conserved, governor, studied};
 use super::widths;
-use crate::report::table::{Cell, Table, number};
+use crate::table::{Cell, Table, number};
 use solaris_modes::study::{Accuracy, Row, method_name, setting};
 use solaris_modes::{Method, Rule, Settings};
 

@@ -3,7 +3,7 @@
 use super::resting::{self, RATIOS};
 use super::scenes;
 use crate::report::simulation::tables::{cell, fixed};
-use crate::report::table::{Cell, Table};
+use crate::table::{Cell, Table};
 use solaris_modes::{Method, Rule};
 
 type Tables = Vec<(&'static str, Table)>;

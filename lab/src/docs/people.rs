@@ -1,6 +1,7 @@
 //! Smooth walks beside people: the tables of docs/people.md.
 
-use super::table::{Cell, Table};
+use super::Tables;
+use crate::table::{Cell, Table};
 use solaris_gait::determinants::Determinants;
 use solaris_gait::people::{Compared, table};
 use solaris_model::{Figure, human};
@@ -14,18 +15,27 @@ fn body((height, mass): (f64, f64)) -> Result<Figure, String> {
     human(height, mass).map_err(|error| error.to_string())
 }
 
+/// The tables of the page.
+pub(super) fn tables(_: &str) -> Result<Tables, String> {
+    Ok(vec![
+        ("five", facts(Determinants::Five)?),
+        ("three", facts(Determinants::Three)?),
+        ("bodies", counts()?.markdown()),
+    ])
+}
+
 /// All facts of the middle body, for five or three determinants.
-pub(super) fn facts(determinants: Determinants) -> Result<String, String> {
+fn facts(determinants: Determinants) -> Result<String, String> {
     Ok(table(&body(BODIES[1])?, determinants, &STEP_FREQUENCIES).markdown().trim_end().to_owned())
 }
 
 /// How many facts lie inside, for all bodies and both numbers of determinants.
-pub(super) fn counts() -> Result<Table, String> {
+fn counts() -> Result<Table, String> {
     let mut rows = Vec::new();
     for (height, mass) in BODIES {
         let figure = body((height, mass))?;
         for determinants in [Determinants::Five, Determinants::Three] {
-            eprintln!("report: beside people, {height} m, {} determinants", determinants.count());
+            eprintln!("docs: beside people, {height} m, {} determinants", determinants.count());
             let mut row =
                 vec![Cell::text(format!("{height} m, {mass} kg, {} determinants", determinants.count()))];
             row.extend(STEP_FREQUENCIES.iter().map(|frequency| {

@@ -1,6 +1,6 @@
 //! Whether a page's tables say what is measured now.
 
-use super::table::{Cell, Table, number};
+use super::{Cell, Table, number};
 
 /// How far a number on a page may be from what is measured now.
 const FACTOR: f64 = 3.0;
@@ -20,7 +20,7 @@ impl Cell {
 
 impl Table {
     /// What of the table in `text` is not as in this one.
-    pub(super) fn differences(&self, text: &str) -> Vec<String> {
+    pub(crate) fn differences(&self, text: &str) -> Vec<String> {
         let mut lines = text.lines();
         let mut differences = Vec::new();
         let expected = self.markdown();
@@ -60,7 +60,7 @@ fn near(found: &str, expected: f64) -> bool {
 
 mod tests {
     use super::*;
-    use crate::report::table::{block, replace};
+    use crate::table::{block, replace};
 
     fn table() -> Table {
         let row = |name: &str, errors: [f64; 2]| {
@@ -115,11 +115,10 @@ mod tests {
 
     #[test]
     fn a_page_keeps_what_is_around_its_tables() {
-        let page =
-            "# Page\n\n<!-- table: x, written by `cargo lab report` -->\nold\n<!-- end of table -->\n\nold";
+        let page = "# Page\n\n<!-- table: x, written by `cargo lab` -->\nold\n<!-- end of table -->\n\nold";
         let new = replace(page, "x", "new").expect("marks");
         assert_eq!(block(&new, "x"), Ok("new"));
         assert_eq!(new, page.replacen("old", "new", 1));
-        insta::assert_snapshot!(replace(page, "y", "new").expect_err("no such mark"), @"no line '<!-- table: y, written by `cargo lab report` -->'");
+        insta::assert_snapshot!(replace(page, "y", "new").expect_err("no such mark"), @"no line '<!-- table: y, written by `cargo lab` -->'");
     }
 }
