@@ -4,7 +4,7 @@ use crate::workspace::{self, cargo};
 use std::time::Instant;
 
 /// The steps: their names, the arguments of `cargo`.
-const STEPS: [(&str, &[&str]); 2] = [
+const STEPS: [(&str, &[&str]); 3] = [
     (
         "ignored tests",
         // One after the other: the long ones take all cores by themselves.
@@ -21,6 +21,20 @@ const STEPS: [(&str, &[&str]); 2] = [
         ],
     ),
     ("steppers that choose their steps", &["test", "--release", "--workspace", "--features", "stiff"]),
+    (
+        "the tables of those steppers",
+        &[
+            "test",
+            "--release",
+            "--package",
+            "solaris-lab",
+            "--features",
+            "stiff",
+            "--",
+            "--ignored",
+            "simulation::",
+        ],
+    ),
 ];
 
 /// Runs all steps, whatever becomes of each; an error names those that failed.

@@ -82,12 +82,14 @@ mod tests {
 
     #[cfg(not(feature = "stiff"))]
     #[test]
+    #[ignore = "all simulations of the page, ten seconds and more: cargo xtask nightly"]
     fn the_page_says_what_is_measured() {
         assert_current(all().expect("every case runs"));
     }
 
     #[cfg(feature = "stiff")]
     #[test]
+    #[ignore = "all simulations of the page, some seconds: cargo xtask nightly"]
     fn the_page_says_what_methods_that_choose_their_steps_come_to() {
         assert_current(all_adaptive().expect("every case runs"));
     }

@@ -4,5 +4,4 @@ mod disk_full;
 mod drives;
 mod inverse;
 mod pictures;
-mod transcripts;
 mod walk;

@@ -9,7 +9,7 @@
 //!
 //! `[..]` stands for any text in a line (run times, last digits, what only the planner decides, and the backslash that
 //! goes on in the next line, which would be read as a slash), `...` for any lines. After a meant change,
-//! `TRYCMD=overwrite cargo test -p solaris-cli --test cli transcripts` writes what is printed now; put the wildcards back and
+//! `TRYCMD=overwrite cargo test -p solaris-cli --test transcripts` writes what is printed now; put the wildcards back and
 //! read the difference before committing it.
 
 use std::path::Path;
@@ -110,7 +110,7 @@ fn transcripts_hold() {
     assert!(count >= 10, "{count} transcripts");
     let folder = tempfile::tempdir().expect("a folder");
     furnish(folder.path());
-    // The only test of this program: nobody else asks for the folder.
+    // The only test of this binary, which therefore stands beside `tests/cli`: nobody else asks for the folder.
     std::env::set_current_dir(folder.path()).expect("entered");
     let cases = trycmd::TestCases::new();
     cases.register_bin("solaris", Path::new(env!("CARGO_BIN_EXE_solaris")));
