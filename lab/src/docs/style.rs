@@ -20,7 +20,7 @@ pub(super) fn fit() -> Result<String, String> {
             tables.each_ref().map(|table| stride::Found::of(&case, table).map(|found| cells(&found)));
         let cells = before?.into_iter().zip(after?).map(|(before, after)| format!(" {before} → {after} |"));
         // Writing into a string does not fail.
-        let _ = write!(text, "\n| {frequency} |{}", cells.collect::<String>());
+        let _ = write!(text, "\n| {frequency} |{}", cells.collect::<Vec<_>>().concat());
     }
     Ok(text)
 }

@@ -2,8 +2,7 @@
 
 use solaris_gait::{Extent, FEET, WalkMeasures, WalkPart, WalkRequest, measure, walk};
 use solaris_model::human;
-use solaris_modes::ReactionReport;
-use solaris_modes::ground_reactions;
+use solaris_modes::{ReactionReport, ground_reactions};
 use std::fmt::Write;
 
 /// Height (m), mass (kg), and frames a second.
