@@ -1,16 +1,10 @@
-//! Chores of the workspace, run as `cargo xtask CHORE`.
+//! Chores of the workspace, run as `cargo xtask CHORE`: what must pass. Measurements stand in `lab`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
 mod ci;
-mod falls;
-mod fit;
-mod gaits;
 mod golden;
 mod layers;
-mod peers;
-mod report;
-mod subject;
-mod timing;
+mod nightly;
 mod workspace;
 
 use std::process::ExitCode;
@@ -19,48 +13,34 @@ const HELP: &str = "\
 cargo xtask CHORE
 
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
-  falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
-  fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
-                                    or measures the numbers that ship; --recipe: begins with the recipe's
-  gaits                             walks a million random requests in the thesis's style, or says why not: about ten minutes
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
-  peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
-                                    times the kernel as other engines are timed; needs `cargo run --release -p xtask`
-  report [moments | profiles | simulation | people]
-                                    measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md,
-                                    moments beside OpenSim's into docs/bodies.md, curves as printed beside the library's into
-                                    docs/profiles-accuracy.md and its picture, and simulations of which the answer is known into
-                                    docs/trust.md and its pictures, walks beside people into docs/people.md; or one of these four alone
-  subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
+  nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff: about an hour
   help                              this list
+
+Measurements and what writes pages is `cargo lab`.
 ";
+
+/// Chores that `cargo lab` has.
+const MOVED: [&str; 6] = ["falls", "fit", "gaits", "peers", "report", "subject"];
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let done = match args[..] {
         ["ci"] => ci::run(),
-        ["falls"] => falls::run(),
-        ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),
-        ["gaits"] => gaits::run(),
         ["golden", ref options @ ..] => {
             golden::Options::parse(options).and_then(|options| golden::run(&options))
         }
         ["layers"] => layers::run(),
-        ["peers", ref options @ ..] => {
-            peers::Options::parse(options).and_then(|options| peers::run(&options))
-        }
-        ["report"] => report::run(),
-        ["report", "moments"] => report::moments(),
-        ["report", "people"] => report::people(),
-        ["report", "profiles"] => report::profiles(),
-        ["report", "simulation"] => report::simulation(),
-        ["report", "simulation", "adaptive"] => report::adaptive(),
-        ["subject"] => subject::run(),
+        ["nightly"] => nightly::run(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())
+        }
+        [chore, ..] if MOVED.contains(&chore) => {
+            eprintln!("cargo xtask {0}: this is `cargo lab {0}` now", args.join(" "));
+            return ExitCode::from(2);
         }
         _ => {
             eprint!("cargo xtask: no such chore: {}\n\n{HELP}", args.join(" "));

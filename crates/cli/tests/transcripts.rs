@@ -110,7 +110,7 @@ fn transcripts_hold() {
     assert!(count >= 10, "{count} transcripts");
     let folder = tempfile::tempdir().expect("a folder");
     furnish(folder.path());
-    // The only test of this program: nobody else asks for the folder.
+    // The only test of this binary, which therefore stands beside `tests/cli`: nobody else asks for the folder.
     std::env::set_current_dir(folder.path()).expect("entered");
     let cases = trycmd::TestCases::new();
     cases.register_bin("solaris", Path::new(env!("CARGO_BIN_EXE_solaris")));

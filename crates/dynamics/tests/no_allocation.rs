@@ -1,4 +1,4 @@
-//! No operation allocates once its workspace is there.
+//! No operation allocates once its workspace is there. A binary of its own: the allocator that counts is that of a whole program.
 
 #![allow(unsafe_code, reason = "counting allocations takes an allocator, and that is an unsafe trait")]
 

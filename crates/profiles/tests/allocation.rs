@@ -1,4 +1,4 @@
-//! To evaluate a curve allocates nothing.
+//! To evaluate a curve allocates nothing. A binary of its own: the allocator that counts is that of a whole program.
 
 #![allow(
     unsafe_code,

@@ -109,7 +109,7 @@ fn what_can_be_walked_obeys_and_what_cannot_answers() {
     assert!(walked > 150 && refused > 150, "{walked} walked, {refused} refused");
 }
 
-/// `cargo xtask gaits`.
+/// `cargo lab gaits`.
 #[test]
 #[ignore = "long: cargo xtask nightly"]
 fn a_million_requests_are_walked_or_answered() {

@@ -1,10 +1,14 @@
-//! Motions through the formats and back.
+//! Figures and motions through the formats and back.
 
 mod bvh;
 mod bvh_reader;
 #[cfg(feature = "csv")]
 mod csv;
 mod csv_tables;
+#[cfg(any(feature = "mjcf", feature = "urdf"))]
+mod data;
+#[cfg(feature = "mjcf")]
+mod mjcf;
 mod motions;
 #[cfg(feature = "opensim")]
 mod opensim;
@@ -16,3 +20,7 @@ mod opensim_laws;
 mod opensim_loads;
 mod records;
 mod sto;
+#[cfg(any(feature = "mjcf", feature = "urdf"))]
+mod table;
+#[cfg(feature = "urdf")]
+mod urdf;

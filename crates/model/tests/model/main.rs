@@ -15,4 +15,5 @@ mod poses;
 mod reroot;
 mod sampling;
 mod scale;
+mod text;
 mod tumbling;

@@ -4,10 +4,9 @@ use solaris_modes::{
     Anchor, Guard, LimitLaw, Method, PointSpring, Rule, Run, RunError, Settings, Simulation, Trouble,
 };
 
-/// Scenes of the sweep.
+/// Scenes of the sweep, and of the one that every run of the tests makes.
 const SCENES: u64 = 200;
-/// Tests that share them.
-const SHARES: usize = 2;
+const FEW: u64 = 60;
 /// How long each lasts (s).
 const DURATION: f64 = 0.1;
 /// How many times its own estimate a result may be off.
@@ -127,6 +126,8 @@ struct Sweep {
     compared: usize,
     /// Farther off than their own estimate.
     beyond: usize,
+    /// The greatest share of the bound, [`FACTOR`] estimates, that an error came to, and its scene.
+    worst: (f64, u64),
     refused: usize,
     evaluations: u64,
 }
@@ -162,6 +163,10 @@ fn check(seed: u64, sweep: &mut Sweep) {
     sweep.compared += 1;
     let error = apart(simulation.figure(), &found.motion, &reference.motion);
     sweep.beyond += usize::from(error > estimate.position + ROUNDING);
+    let share = error / (FACTOR * estimate.position + ROUNDING);
+    if share > sweep.worst.0 {
+        sweep.worst = (share, seed);
+    }
     assert!(
         error <= FACTOR * estimate.position + ROUNDING,
         "scene {seed}, {method:?} ({}): off by {error:e}, said {:e}",
@@ -170,28 +175,34 @@ fn check(seed: u64, sweep: &mut Sweep) {
     );
 }
 
-/// A share of the scenes; the shares run beside each other.
-fn sweep(first: u64) {
+/// Runs the first scenes.
+fn sweep(scenes: u64) {
     let mut sweep = Sweep::default();
-    for seed in (first..SCENES).step_by(SHARES) {
+    for seed in 0..scenes {
         check(seed, &mut sweep);
     }
-    let Sweep { right, compared, beyond, refused, evaluations } = sweep;
+    let Sweep { right, compared, beyond, worst, refused, evaluations } = sweep;
     println!(
-        "{right} came to the end, {compared} of them compared, {beyond} farther off than they say; {refused} were refused with a reason; at most {evaluations} \
-         evaluations"
+        "{right} came to the end, {compared} of them compared, {beyond} farther off than they say, at most {:.2} of the bound in scene {}; \
+         {refused} were refused with a reason; at most {evaluations} evaluations",
+        worst.0, worst.1
     );
-    assert!(right >= 20 && compared >= 15, "{right} right, {compared} compared: the sweep checks too little");
+    let share = |part: usize| part as f64 / scenes as f64;
+    // Of all two hundred 115 come to the end, 104 are compared and 8 are off by more than their own estimate.
+    assert!(share(right) >= 0.55, "{right} of {scenes} scenes are solved");
+    assert!(share(compared) >= 0.5, "{compared} of {scenes} scenes are compared");
+    assert!(share(beyond) <= 0.05, "{beyond} of {scenes} scenes are farther off than they say");
     // Two microseconds each: five seconds at the very most.
     assert!(evaluations <= 2_000_000, "{evaluations}");
 }
 
 #[test]
 fn stiff_and_extreme_scenes_end_right_or_say_why() {
-    sweep(0);
+    sweep(FEW);
 }
 
 #[test]
-fn more_stiff_and_extreme_scenes() {
-    sweep(1);
+#[ignore = "half a minute: cargo xtask nightly"]
+fn many_stiff_and_extreme_scenes_end_right_or_say_why() {
+    sweep(SCENES);
 }

@@ -1,4 +1,4 @@
-//! Against numbers of 60 digits (`fixtures/reference/profiles.json`).
+//! Against numbers of 60 digits (`fixtures/reference/profiles.json`). A binary of its own: it is built without the standard library too.
 
 #![allow(clippy::print_stdout, reason = "`--nocapture` shows how much of the tolerance is used")]
 

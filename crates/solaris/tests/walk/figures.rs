@@ -19,13 +19,13 @@ const SHAPES: [&[(&str, f64)]; 10] = [
     &[("abdomen", 0.25), ("head", 0.24)],
 ];
 
-#[test]
-fn people_of_other_proportions_walk_or_are_told_why_not() {
+/// People of all shapes who walk so many steps.
+fn walk_or_are_told_why_not(n: usize) {
     let mut cases = Vec::new();
     for lengths in SHAPES {
         for frequency in [95.0, 110.0] {
             let name = format!("{lengths:?}, {frequency}/min");
-            cases.push(Case { name, figure: shaped(1.75, lengths), request: steps(frequency, 10) });
+            cases.push(Case { name, figure: shaped(1.75, lengths), request: steps(frequency, n) });
         }
     }
     let (mut worst, mut wrong, mut refused) = (Worst::default(), Vec::new(), 0);
@@ -42,6 +42,17 @@ fn people_of_other_proportions_walk_or_are_told_why_not() {
     worst.show("proportions");
     assert!(wrong.is_empty() && worst.broken().is_empty(), "{}\n{}", wrong.join("\n"), worst.broken());
     assert!(4 * refused <= cases.len(), "{refused} of {} are refused", cases.len());
+}
+
+#[test]
+fn people_of_other_proportions_walk_or_are_told_why_not() {
+    walk_or_are_told_why_not(3);
+}
+
+#[test]
+#[ignore = "ten steps each, some seconds: cargo xtask nightly"]
+fn people_of_other_proportions_walk_far_or_are_told_why_not() {
+    walk_or_are_told_why_not(10);
 }
 
 #[test]

@@ -97,7 +97,7 @@ impl FigureReader<'_> {
 
     /// Limits by the name of a degree of freedom, and where the name stands.
     fn own_limits(&mut self, node: &Node<'_>) -> Vec<(String, [f64; 2], Range<usize>)> {
-        let Some(Content::Map(entries)) = node.group().map(|group| &group.content) else {
+        let Some(entries) = node.entries() else {
             let message = format!(
                 "limits must be a map {{\"left_elbow.rx\": (deg(-150), deg(0))}}, not {}",
                 node.describe()

@@ -189,7 +189,7 @@ fn limp_people_come_to_rest_and_gain_no_energy() {
 }
 
 #[test]
-#[ignore = "takes minutes: cargo xtask falls"]
+#[ignore = "takes minutes: cargo lab falls"]
 fn fifty_limp_people_come_to_rest_and_gain_no_energy() {
     let falls = falls(0..50, 3.0, 2e-5);
     let most = |of: fn(&Fall) -> f64| falls.iter().map(of).fold(0.0, f64::max);
@@ -212,7 +212,7 @@ fn fifty_limp_people_come_to_rest_and_gain_no_energy() {
 /// What is missing from the balance goes away with the step: nothing is left of it once the step resolves friction on the smallest
 /// links.
 #[test]
-#[ignore = "takes minutes: cargo xtask falls"]
+#[ignore = "takes minutes: cargo lab falls"]
 fn the_energy_of_a_fall_balances_as_the_step_falls() {
     let imbalance = |step: f64| falls(0..1, 1.0, step)[0].imbalance;
     let found = [4e-5, 2e-5, 1e-5, 5e-6].map(imbalance);

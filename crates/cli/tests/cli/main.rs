@@ -1,0 +1,7 @@
+//! The program, as people run it.
+
+mod disk_full;
+mod drives;
+mod inverse;
+mod pictures;
+mod walk;

@@ -1,0 +1,8 @@
+//! Denavit-Hartenberg frames: the laws that they obey, the source's tables and matrices, the printed summary, the pictures.
+
+mod appendix_b;
+mod appendix_c;
+mod figures;
+mod laws;
+mod pictures;
+mod summary;

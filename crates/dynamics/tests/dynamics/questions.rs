@@ -1,0 +1,13 @@
+//! What the kernel answers besides forces and accelerations, over figures with joints of every kind.
+
+mod case;
+mod centroidal;
+mod coriolis;
+mod derivatives;
+mod ground;
+mod jacobian;
+mod joints;
+mod reactions;
+mod refusals;
+mod regressor;
+mod scalars;

@@ -1,0 +1,5 @@
+//! Robots read from URDF.
+
+mod bad_text;
+mod models;
+mod robots;

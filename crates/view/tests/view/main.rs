@@ -1,0 +1,5 @@
+//! The page and the tables of a motion.
+
+mod page;
+mod precision;
+mod profile;

@@ -1,0 +1,73 @@
+//! Measurements, run as `cargo lab CHORE`: what takes minutes, needs all crates, or writes the numbers of a page.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
+
+mod docs;
+mod falls;
+mod fit;
+mod gaits;
+mod peers;
+mod report;
+mod subject;
+mod table;
+mod timing;
+mod workspace;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+cargo lab CHORE
+
+  docs [--check]                    writes the tables of walks in docs/walking.md and docs/people.md, or says which are out of date
+  falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
+  fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
+                                    or measures the numbers that ship; --recipe: begins with the recipe's
+  gaits                             walks a million random requests in the thesis's style, or says why not: about ten minutes
+  peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
+                                    times the kernel as other engines are timed
+  report [moments | profiles | simulation | people]
+                                    measures digits and times, and writes them into docs/accuracy.md, its picture and docs/operations.md,
+                                    moments beside OpenSim's into docs/bodies.md, curves as printed beside the library's into
+                                    docs/profiles-accuracy.md and its picture, and simulations of which the answer is known into
+                                    docs/trust.md and its pictures, walks beside people into docs/people.md; or one of these four alone
+  subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
+  help                              this list
+";
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    if cfg!(debug_assertions) {
+        eprintln!("lab: a debug build is slow, and its times mean nothing; `cargo lab` builds for release");
+    }
+    let done = match args[..] {
+        ["docs", ref options @ ..] => docs::Options::parse(options).and_then(docs::run),
+        ["falls"] => falls::run(),
+        ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),
+        ["gaits"] => gaits::run(),
+        ["peers", ref options @ ..] => {
+            peers::Options::parse(options).and_then(|options| peers::run(&options))
+        }
+        ["report"] => report::run(),
+        ["report", "moments"] => report::moments(),
+        ["report", "people"] => docs::people(),
+        ["report", "profiles"] => report::profiles(),
+        ["report", "simulation"] => report::simulation(),
+        ["report", "simulation", "adaptive"] => report::adaptive(),
+        ["subject"] => subject::run(),
+        ["help" | "--help" | "-h"] => {
+            print!("{HELP}");
+            Ok(())
+        }
+        _ => {
+            eprint!("cargo lab: no such chore: {}\n\n{HELP}", args.join(" "));
+            return ExitCode::from(2);
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

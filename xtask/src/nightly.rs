@@ -1,0 +1,52 @@
+//! What is too long for every `cargo test`: ignored tests, and the feature `stiff`, which takes two minutes to build.
+
+use crate::workspace::{self, cargo};
+use std::time::Instant;
+
+/// The steps: their names, the arguments of `cargo`.
+const STEPS: [(&str, &[&str]); 3] = [
+    (
+        "ignored tests",
+        // One after the other: the long ones take all cores by themselves.
+        &[
+            "test",
+            "--release",
+            "--workspace",
+            "--tests",
+            "--",
+            "--ignored",
+            "--nocapture",
+            "--test-threads",
+            "1",
+        ],
+    ),
+    ("steppers that choose their steps", &["test", "--release", "--workspace", "--features", "stiff"]),
+    (
+        "the tables of those steppers",
+        &[
+            "test",
+            "--release",
+            "--package",
+            "solaris-lab",
+            "--features",
+            "stiff",
+            "--",
+            "--ignored",
+            "simulation::",
+        ],
+    ),
+];
+
+/// Runs all steps, whatever becomes of each; an error names those that failed.
+pub(crate) fn run() -> Result<(), String> {
+    let mut failed = Vec::new();
+    for (name, arguments) in STEPS {
+        println!("{name}: cargo {}", arguments.join(" "));
+        let begun = Instant::now();
+        if let Err(error) = workspace::run(cargo().args(arguments)) {
+            failed.push(format!("{name}: {error}"));
+        }
+        println!("{name}: {:.0} s", begun.elapsed().as_secs_f64());
+    }
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
+}
