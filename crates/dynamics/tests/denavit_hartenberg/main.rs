@@ -7,5 +7,4 @@ mod appendix_b;
 mod appendix_c;
 mod figures;
 mod laws;
-mod pictures;
 mod summary;
