@@ -1,4 +1,4 @@
-//! Denavit-Hartenberg frames: the laws that they obey, the source's tables and matrices, the printed summary, the pictures.
+//! Denavit-Hartenberg frames: the laws that they obey, the source's tables and matrices, the printed summary.
 
 #[path = "../support/mod.rs"]
 mod support;
