@@ -71,7 +71,9 @@ pub fn postures(sticks: &[Stick], rooms: &[Room], title: &str) -> String {
     }
     if !rooms.is_empty() {
         picture.heading("Room that the inequalities leave");
-        rooms.iter().for_each(|room| bar(&mut picture, room));
+        for room in rooms {
+            bar(&mut picture, room);
+        }
     }
     picture.finish()
 }
@@ -101,10 +103,12 @@ impl Columns {
         // As large as there is room for.
         let scales = (0..200).map(|i| TALLEST / top * 0.98_f64.powi(i));
         let fits = |scale: &f64| wide(*scale).iter().sum::<f64>() <= free;
-        let scale = scales.clone().find(fits).or(scales.last()).unwrap_or(1.0);
+        let scale = scales.clone().find(fits).or(scales.clone().next_back()).unwrap_or(1.0);
         let mut widths = wide(scale);
         let more = (free - widths.iter().sum::<f64>()).max(0.0) / widths.len() as f64;
-        widths.iter_mut().for_each(|width| *width += more);
+        for width in &mut widths {
+            *width += more;
+        }
         let mut from = left;
         let middles = spans.iter().zip(&widths).map(|((a, b), width)| {
             from += width;

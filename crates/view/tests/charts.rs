@@ -26,15 +26,15 @@ fn points(svg: &str, class: &str) -> Vec<Vec<f64>> {
 }
 
 /// A text of a picture and the box around it.
-struct Text {
-    text: String,
+struct Word {
+    said: String,
     left: f64,
     right: f64,
     top: f64,
     bottom: f64,
 }
 
-fn texts(svg: &str) -> Vec<Text> {
+fn texts(svg: &str) -> Vec<Word> {
     let read = |line: &str| {
         let class = attribute(line, "class");
         let is = |name: &str| class.split(' ').any(|class| class == name);
@@ -58,7 +58,7 @@ fn texts(svg: &str) -> Vec<Text> {
         } else {
             0.0
         };
-        Text { left, right: left + wide, top: y - 0.7 * size, bottom: y + 0.1 * size, text }
+        Word { left, right: left + wide, top: y - 0.7 * size, bottom: y + 0.1 * size, said: text }
     };
     svg.lines().filter(|line| line.starts_with("<text")).map(read).collect()
 }
@@ -70,11 +70,11 @@ fn faults(svg: &str) -> Vec<String> {
     let mut faults = Vec::new();
     for (i, a) in texts.iter().enumerate() {
         if a.left < 0.0 || a.right > WIDTH || a.top < 0.0 || a.bottom > height {
-            faults.push(format!("'{}' at {} {} leaves the picture", a.text, a.left, a.bottom));
+            faults.push(format!("'{}' at {} {} leaves the picture", a.said, a.left, a.bottom));
         }
         for b in &texts[i + 1..] {
             if a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom {
-                faults.push(format!("'{}' at {} {} covers '{}'", a.text, a.left, a.bottom, b.text));
+                faults.push(format!("'{}' at {} {} covers '{}'", a.said, a.left, a.bottom, b.said));
             }
         }
     }

@@ -1,5 +1,7 @@
 //! What the classes of the elements look like.
 
+use std::fmt::Write as _;
+
 /// Class, how it looks, and what is else in the dark.
 type Rule = (&'static str, &'static str, &'static str);
 
@@ -82,13 +84,14 @@ pub(super) fn sheet(body: &str) -> String {
         classes.iter().all(|class| RULES.iter().any(|rule| rule.0 == *class)),
         "a class that is none: {classes:?}"
     );
-    let used = || RULES.iter().filter(|rule| classes.binary_search(&rule.0).is_ok());
-    let light: String =
-        used().map(|(class, look, _)| format!(".solaris-chart .{class}{{{look}}}\n")).collect();
-    let dark: String = used()
-        .filter(|rule| !rule.2.is_empty())
-        .map(|(class, _, look)| format!(".solaris-chart .{class}{{{look}}}\n"))
-        .collect();
+    let (mut light, mut dark) = (String::new(), String::new());
+    for (class, look, in_the_dark) in RULES.iter().filter(|rule| classes.binary_search(&rule.0).is_ok()) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(light, ".solaris-chart .{class}{{{look}}}");
+        if !in_the_dark.is_empty() {
+            let _ = writeln!(dark, ".solaris-chart .{class}{{{in_the_dark}}}");
+        }
+    }
     format!(
         ".solaris-chart{{font:13px \"Helvetica Neue\",Helvetica,Arial,\"Liberation Sans\",sans-serif}}\n\
          .solaris-chart text{{fill:#222}}\n{light}\

@@ -201,7 +201,7 @@ impl Line {
             _ => (self.to, along),
         };
         let place = |i: u32| {
-            let turn = f64::from((i % 12 + 1) / 2) * if i % 2 == 0 { 0.5 } else { -0.5 };
+            let turn = f64::from((i % 12).div_ceil(2)) * if i.is_multiple_of(2) { 0.5 } else { -0.5 };
             let away = Vector2::new(half.0, half.1) + Vector2::repeat(4.0 + f64::from(i / 12) * 6.0);
             let centre = start + (Rotation2::new(turn) * first).component_mul(&away);
             Rect::about((centre.x, centre.y), half)

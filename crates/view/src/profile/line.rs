@@ -35,7 +35,7 @@ pub(super) fn lines(curve: &dyn Answers, order: usize, panel: &Panel) -> Vec<Vec
         let part = (0..=count as usize).map(point);
         match lines.last_mut() {
             Some(line) if line.last().is_some_and(|last| (last.1 - point(0).1).abs() <= jump) => {
-                line.extend(part)
+                line.extend(part);
             }
             _ => lines.push(part.collect()),
         }
