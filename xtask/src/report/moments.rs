@@ -126,7 +126,7 @@ pub(super) fn draw(curves: &[Curve]) -> String {
     let time = Axis::linear(SPAN.0, SPAN.1, 5.0);
     for row in curves.chunks(2) {
         picture.take(PANEL.1);
-        let up = |curve: &Curve| Axis::around(curve.theirs.iter().copied().chain([0.0]), 3.0).padded(0.06);
+        let up = |curve: &Curve| Axis::around(curve.theirs.iter().copied().chain([0.0]), 4.0).padded(0.06);
         let axes = [&row[0], &row[row.len() - 1]].map(|curve| (time.clone(), up(curve)));
         let panels = Panel::row(&mut picture, PANEL.0, axes.into());
         picture.take(PANEL.2);
