@@ -13,13 +13,11 @@
 //! the root. Everything is linear in the number of degrees of freedom.
 
 mod derive;
-mod picture;
 mod rule;
 mod step;
 mod summary;
 mod tables;
 
-pub use picture::{View, picture};
 pub use rule::{Row, rows};
 pub use summary::Summary;
 pub use tables::{about_fixed_axes, heterogeneous, homogeneous};

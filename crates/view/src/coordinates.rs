@@ -1,11 +1,10 @@
 //! Coordinates of a motion over time, as a picture.
 
-use crate::over_time::{BELOW, COLORS, Curve, LEFT, PANEL, TOP, begin, panel};
+use crate::chart::{Axis, Key, Panel, Picture, SERIES};
 use solaris_model::{AxisKind, EventKind, Figure, JointKind, Motion};
-use std::fmt::Write as _;
 
-/// The most lines of a panel.
-const MOST_LINES: usize = 6;
+/// Height of a panel (px).
+const HEIGHT: f64 = 210.0;
 
 /// A coordinate, with how far it goes.
 struct Line<'a> {
@@ -15,61 +14,63 @@ struct Line<'a> {
     high: f64,
 }
 
-/// Coordinates of one kind.
-struct Panel<'a> {
-    /// What the axis says.
-    name: &'static str,
-    /// How many of what is shown there are in a rad or m.
-    unit: f64,
-    lines: Vec<Line<'a>>,
-    /// How many others move, less far.
-    more: usize,
-}
-
-impl Panel<'_> {
-    fn curves<'a>(&'a self, motion: &'a Motion) -> Vec<Curve<'a>> {
-        let curve = |(line, color): (&'a Line<'_>, &'static str)| {
-            let column = (0..motion.len()).map(|frame| self.unit * motion.q(frame)[line.coordinate]);
-            Curve { name: line.name, time: motion.time(), values: column.collect(), color, thin: false }
-        };
-        self.lines.iter().zip(COLORS).map(curve).collect()
-    }
-}
-
 /// The coordinates of `motion` that go farthest, over time: angles (°) in one panel, ways (m) in another, as an SVG.
 /// Orientations of ball and free joints are not drawn. Changes of drives are marked.
 ///
 /// The same motion gives the same text, byte for byte.
 pub fn coordinates(figure: &Figure, motion: &Motion, title: &str) -> String {
-    let panels = [
-        ("angle (°)", 180.0 / std::f64::consts::PI, AxisKind::Rotation),
-        ("way (m)", 1.0, AxisKind::Translation),
-    ]
-    .map(|(name, unit, kind)| {
-        let (lines, more) = farthest(figure, motion, kind);
-        Panel { name, unit, lines, more }
-    });
-    let panels: Vec<Panel<'_>> = panels.into_iter().filter(|panel| !panel.lines.is_empty()).collect();
-    let mut svg = begin(title, panels.len().max(1));
+    let mut picture = Picture::new(title);
     let changes = motion.events.iter().filter(|event| matches!(event.kind, EventKind::DriveChange { .. }));
     let changes: Vec<f64> = changes.map(|event| event.time).collect();
-    for (index, shown) in panels.iter().enumerate() {
-        let top = TOP + index as f64 * (PANEL.1 + BELOW);
-        let _ = writeln!(svg, "<g transform=\"translate({LEFT} {top})\">");
-        panel(&mut svg, shown.name, &shown.curves(motion), &changes);
-        if shown.more > 0 {
-            let (x, y) = (PANEL.0 + 8.0, 18.0 + 16.0 * shown.lines.len() as f64);
-            let _ =
-                writeln!(svg, "<text x=\"{x}\" y=\"{y}\" fill=\"#555\">and {} more that</text>", shown.more);
-            let _ = writeln!(svg, "<text x=\"{x}\" y=\"{}\" fill=\"#555\">go less far</text>", y + 14.0);
+    let mut moves = false;
+    for (name, unit, kind) in [
+        ("angle (°)", 180.0 / std::f64::consts::PI, AxisKind::Rotation),
+        ("way (m)", 1.0, AxisKind::Translation),
+    ] {
+        let (lines, more) = farthest(figure, motion, kind);
+        if !lines.is_empty() {
+            moves = true;
+            panel(&mut picture, name, motion, unit, &lines, more, &changes);
         }
-        svg.push_str("</g>\n");
     }
-    if panels.is_empty() {
-        svg.push_str("<text x=\"16\" y=\"60\">No joint with an axis moves.</text>\n");
+    if !moves {
+        picture.remark("No joint with an axis moves.", 1);
     }
-    svg.push_str("</svg>\n");
-    svg
+    picture.finish()
+}
+
+/// Coordinates of one kind; `unit` is how many of what is shown are in a rad or m, `more` how many others move, less far.
+fn panel(
+    picture: &mut Picture,
+    name: &str,
+    motion: &Motion,
+    unit: f64,
+    lines: &[Line<'_>],
+    more: usize,
+    changes: &[f64],
+) {
+    picture.heading(name);
+    let keys: Vec<Key> =
+        lines.iter().enumerate().map(|(series, line)| Key::line(series, line.name)).collect();
+    picture.legend(&keys);
+    if more > 0 {
+        picture.remark(&format!("and {more} more that go less far"), 1);
+    }
+    let column = |line: &Line<'_>| -> Vec<f64> {
+        (0..motion.len()).map(|frame| unit * motion.q(frame)[line.coordinate]).collect()
+    };
+    let columns: Vec<Vec<f64>> = lines.iter().map(column).collect();
+    let time = Axis::around(motion.time().iter().copied(), 8.0);
+    let values = Axis::around(columns.iter().flatten().copied(), 5.0).padded(0.06);
+    let panel = Panel::below(picture, HEIGHT, time, values);
+    panel.grid(picture);
+    for change in changes {
+        panel.upright(picture, "moment", *change);
+    }
+    for (series, values) in columns.iter().enumerate() {
+        panel.curve(picture, &format!("line s{series}"), motion.time(), values);
+    }
+    panel.foot(picture, "time (s)");
 }
 
 /// The coordinates of a kind that go farthest, in the order of the figure, and how many more move.
@@ -91,8 +92,8 @@ fn farthest<'a>(figure: &'a Figure, motion: &Motion, kind: AxisKind) -> (Vec<Lin
         }
     }
     lines.sort_by(|a, b| (b.high - b.low).total_cmp(&(a.high - a.low)));
-    let more = lines.len().saturating_sub(MOST_LINES);
-    lines.truncate(MOST_LINES);
+    let more = lines.len().saturating_sub(SERIES);
+    lines.truncate(SERIES);
     lines.sort_by_key(|line| line.coordinate);
     (lines, more)
 }

@@ -1,8 +1,10 @@
 //! Forces of the ground over time, as a picture.
 
-use crate::over_time::{BELOW, COLORS, Curve, LEFT, PANEL, TOP, begin, panel};
+use crate::chart::{Axis, Key, Panel, Picture, SERIES};
 use solaris_model::{Contact, Vector3};
-use std::fmt::Write as _;
+
+/// Height of a panel (px).
+const HEIGHT: f64 = 190.0;
 
 /// What the ground does to one foot, or is said to do.
 #[derive(Clone, Copy, Debug)]
@@ -22,29 +24,41 @@ pub struct FootForces<'a> {
 ///
 /// The same forces give the same text, byte for byte.
 pub fn forces(feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)], title: &str) -> String {
-    let mut svg = begin(title, axes.len().max(1));
+    let mut picture = Picture::new(title);
     let mut names: Vec<&str> = Vec::new();
     for foot in feet {
         if !names.contains(&foot.name) {
             names.push(foot.name);
         }
     }
-    for (index, (name, axis)) in axes.iter().enumerate() {
-        let curves = feet.iter().map(|foot| {
-            let color = names.iter().position(|name| *name == foot.name).unwrap_or_default();
-            Curve {
-                name: if foot.is_measured { "plate" } else { foot.name },
-                time: foot.time,
-                values: foot.samples.iter().map(|contact| contact.force.dot(axis)).collect(),
-                color: COLORS[color % COLORS.len()],
-                thin: foot.is_measured,
-            }
-        });
-        let top = TOP + index as f64 * (PANEL.1 + BELOW);
-        let _ = writeln!(svg, "<g transform=\"translate({LEFT} {top})\">");
-        panel(&mut svg, &format!("{name} (N)"), &curves.collect::<Vec<_>>(), &[]);
-        svg.push_str("</g>\n");
+    let class = |foot: &FootForces<'_>| {
+        let series = names.iter().position(|name| *name == foot.name).unwrap_or_default() % SERIES;
+        if foot.is_measured { format!("thin s{series}") } else { format!("line s{series}") }
+    };
+    let name = |foot: &FootForces<'_>| {
+        if foot.is_measured { format!("{}, plate", foot.name) } else { foot.name.to_owned() }
+    };
+    picture.legend(&feet.iter().map(|foot| Key::stroke(class(foot), name(foot))).collect::<Vec<Key>>());
+    let columns: Vec<Vec<Vec<f64>>> = axes
+        .iter()
+        .map(|(_, axis)| {
+            let along =
+                |foot: &FootForces<'_>| foot.samples.iter().map(|contact| contact.force.dot(axis)).collect();
+            feet.iter().map(along).collect()
+        })
+        .collect();
+    let up: Vec<Axis> =
+        columns.iter().map(|feet| Axis::around(feet.iter().flatten().copied(), 5.0).padded(0.06)).collect();
+    let left = Panel::left_of(&up);
+    let time = Axis::around(feet.iter().flat_map(|foot| foot.time.iter().copied()), 8.0);
+    for (((name, _), up), columns) in axes.iter().zip(up).zip(&columns) {
+        picture.heading(&format!("{name} (N)"));
+        let panel = Panel::from_left(&mut picture, left, HEIGHT, time.clone(), up);
+        panel.grid(&mut picture);
+        for (foot, values) in feet.iter().zip(columns) {
+            panel.curve(&mut picture, &class(foot), foot.time, values);
+        }
+        panel.foot(&mut picture, "time (s)");
     }
-    svg.push_str("</svg>\n");
-    svg
+    picture.finish()
 }

@@ -1,15 +1,16 @@
 #![doc = include_str!("../README.md")]
 
 mod camera;
+pub mod chart;
 mod coordinates;
 mod curves;
 mod data;
+pub mod denavit_hartenberg;
 mod draw;
 mod error;
 mod forces;
 mod frames;
 mod html;
-mod over_time;
 mod pack;
 mod postures;
 pub mod precision;
@@ -66,7 +67,8 @@ pub fn picture_page(title: &str, svg: &str) -> String {
     let title = html::escape(title);
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{title}</title>\
-         <style>body{{margin:16px;background:#fff}}svg{{max-width:100%;height:auto}}</style></head>\n<body>\n{svg}</body>\n</html>\n"
+         <meta name=\"viewport\" content=\"width=device-width\">\
+         <style>:root{{color-scheme:light dark}}body{{margin:16px auto;max-width:840px}}body>svg{{width:100%;height:auto}}</style></head>\n<body>\n{svg}</body>\n</html>\n"
     )
 }
 

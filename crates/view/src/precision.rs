@@ -1,7 +1,6 @@
 //! Precision against work: which method, at which step or tolerance, comes how near for how much work. A picture, and a
 //! page with the numbers.
 
-mod axis;
 mod chart;
 mod page;
 mod study;
@@ -28,7 +27,7 @@ pub struct Diagram {
 }
 
 /// The most series that have a colour and a shape of their own.
-pub const MOST_SERIES: usize = 6;
+pub const MOST_SERIES: usize = crate::chart::SERIES;
 
 /// A method at its settings.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,7 +4,7 @@ use crate::table::{Cell, Table, number};
 use crate::workspace;
 use solaris_analysis::{Filter, InverseOptions, Loads, PreparedMotion, differentiate, inverse_motion};
 use solaris_io::{Table as Numbers, opensim, record, sto};
-use std::fmt::Write;
+use solaris_view::chart::{Axis, Key, Panel, Picture};
 use std::fs;
 use std::path::Path;
 
@@ -117,85 +117,49 @@ pub(super) fn table(curves: &[Curve]) -> Table {
     }
 }
 
-/// Size of a panel, and what is around it (pixels).
-const PANEL: (f64, f64) = (330.0, 120.0);
-const LEFT: f64 = 52.0;
-const TOP: f64 = 58.0;
-const GAP: (f64, f64) = (60.0, 40.0);
+/// Height of a panel, and of what is over and below it (px).
+const PANEL: (f64, f64, f64) = (105.0, 40.0, 18.0);
 
 /// A panel for each degree of freedom: OpenSim's a broad band, ours a line on it.
 pub(super) fn draw(curves: &[Curve]) -> String {
-    let rows = curves.len().div_ceil(2);
-    let (width, height) = (LEFT + 2.0 * PANEL.0 + GAP.0 + 20.0, TOP + rows as f64 * (PANEL.1 + GAP.1) + 20.0);
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"11\" fill=\"#222\">\n<title>Joint moments beside OpenSim's</title>\n\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n\
-         <path d=\"M{LEFT} 20h30\" stroke=\"#f0b27a\" stroke-width=\"6\"/><text x=\"{}\" y=\"24\">OpenSim 4.6</text>\n\
-         <path d=\"M{} 20h30\" stroke=\"#0072b2\" stroke-width=\"1.5\"/><text x=\"{}\" y=\"24\">Solaris</text>\n",
-        LEFT + 38.0,
-        LEFT + 150.0,
-        LEFT + 188.0
-    );
-    for (i, curve) in curves.iter().enumerate() {
-        let (column, row) = ((i % 2) as f64, (i / 2) as f64);
-        let corner = (LEFT + column * (PANEL.0 + GAP.0), TOP + row * (PANEL.1 + GAP.1));
-        let _ = writeln!(svg, "<g transform=\"translate({} {})\">", corner.0, corner.1);
-        panel(&mut svg, curve);
-        svg.push_str("</g>\n");
+    let mut picture = Picture::new("Joint moments beside OpenSim's");
+    picture.legend(&[Key::stroke("broad s1", "OpenSim 4.6"), Key::stroke("line s0", "Solaris")]);
+    picture.remark("over time (s), with the root mean square of the difference", 1);
+    let time = Axis::linear(SPAN.0, SPAN.1, 5.0);
+    for row in curves.chunks(2) {
+        picture.take(PANEL.1);
+        let up = |curve: &Curve| Axis::around(curve.theirs.iter().copied().chain([0.0]), 4.0).padded(0.06);
+        let axes = [&row[0], &row[row.len() - 1]].map(|curve| (time.clone(), up(curve)));
+        let panels = Panel::row(&mut picture, PANEL.0, axes.into());
+        picture.take(PANEL.2);
+        for (panel, curve) in panels.iter().zip(row) {
+            picture.text("bold", (panel.left, panel.top - 23.0), &format!("{} ({})", curve.name, curve.unit));
+            picture.text(
+                "soft",
+                (panel.left, panel.top - 7.0),
+                &format!("differs by {}", number(curve.rms())),
+            );
+            panel.grid(&mut picture);
+            panel.numbers(&mut picture);
+            panel.curve(&mut picture, "broad s1", &curve.times, &curve.theirs);
+            panel.curve(&mut picture, "line s0", &curve.times, &curve.ours);
+        }
     }
-    svg.push_str("</svg>\n");
-    svg
+    picture.finish()
 }
 
-fn panel(svg: &mut String, curve: &Curve) {
-    let (low, high) =
-        curve.theirs.iter().fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
-    let margin = 0.06 * (high - low).max(1e-9);
-    let (low, high) = (low - margin, high + margin);
-    let place = |time: f64, value: f64| {
-        let x = PANEL.0 * (time - SPAN.0) / (SPAN.1 - SPAN.0);
-        (x, PANEL.1 * (high - value) / (high - low))
-    };
-    let path = |values: &[f64]| {
-        let mut path = String::new();
-        for (k, (time, value)) in curve.times.iter().zip(values).enumerate() {
-            let (x, y) = place(*time, *value);
-            let _ = write!(path, "{}{x:.1} {y:.1}", if k == 0 { 'M' } else { 'L' });
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With the measured data at hand; `UPDATE_PICTURES=1` draws it anew.
+    #[test]
+    fn the_plot_of_the_page_is_what_is_drawn() {
+        let Some(curves) = measure().expect("a result") else { return };
+        let (kept, drawn) = (workspace::root().join("docs/moments.svg"), draw(&curves));
+        if std::env::var_os("UPDATE_PICTURES").is_some() {
+            fs::write(&kept, &drawn).expect("written");
         }
-        path
-    };
-    let zero = place(SPAN.0, 0.0).1;
-    let [low_label, high_label] = [low + margin, high - margin].map(|value| format!("{value:.0}"));
-    let _ = writeln!(
-        svg,
-        "<text y=\"-8\" font-weight=\"bold\">{} ({})</text>\
-         <text x=\"{}\" y=\"-8\" text-anchor=\"end\">rms of the difference {}</text>\n\
-         <path d=\"M0 {zero:.1}H{}\" stroke=\"#ccc\"/>\n\
-         <rect width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n\
-         <path d=\"{}\" fill=\"none\" stroke=\"#f0b27a\" stroke-width=\"6\" stroke-linejoin=\"round\"/>\n\
-         <path d=\"{}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"1.5\"/>",
-        curve.name,
-        curve.unit,
-        PANEL.0,
-        number(curve.rms()),
-        PANEL.0,
-        PANEL.0,
-        PANEL.1,
-        path(&curve.theirs),
-        path(&curve.ours),
-    );
-    for (value, label) in [(low + margin, low_label), (high - margin, high_label)] {
-        let y = place(SPAN.0, value).1 + 4.0;
-        let _ = writeln!(svg, "<text x=\"-6\" y=\"{y:.1}\" text-anchor=\"end\">{label}</text>");
-    }
-    for time in [0.5, 1.0, 1.5, 2.0] {
-        let (x, _) = place(time, 0.0);
-        let _ = writeln!(
-            svg,
-            "<path d=\"M{x:.1} {0}v4\" stroke=\"#888\"/><text x=\"{x:.1}\" y=\"{1}\" text-anchor=\"middle\">{time} s</text>",
-            PANEL.1,
-            PANEL.1 + 16.0
-        );
+        assert!(fs::read_to_string(kept).unwrap_or_default() == drawn, "UPDATE_PICTURES=1 draws it anew");
     }
 }

@@ -1,7 +1,6 @@
 //! What a whole curve answers, as rows of a table.
 
-use super::text::{number, unit};
-use super::{Labels, ORDER};
+use super::{Labels, ORDER, number, unit};
 use crate::TableRow;
 use solaris_profiles::{Answers, Peak, Stationary, Turn};
 

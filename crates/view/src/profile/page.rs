@@ -1,6 +1,6 @@
 //! A page that shows one curve and its answers.
 
-use super::{Labels, ORDER, answers, picture, text};
+use super::{Labels, ORDER, answers, number, picture, unit};
 use crate::html::{escape, fill, guard, table};
 use serde::Serialize;
 use solaris_profiles::Answers;
@@ -27,7 +27,7 @@ struct Data {
 /// The page: the picture, a table of the answers, and a crosshair that reads the values under the pointer. A whole HTML
 /// file as text, which needs nothing else and says the same without scripts. The same input gives the same text.
 pub fn page(curve: &dyn Answers, labels: &Labels) -> String {
-    let (svg, frames) = picture(curve, labels, "");
+    let (picture, panels) = picture(curve, labels);
     let duration = curve.duration();
     let samples = (0..=SAMPLES).map(|i| {
         let t = duration * i as f64 / SAMPLES as f64;
@@ -36,18 +36,13 @@ pub fn page(curve: &dyn Answers, labels: &Labels) -> String {
         for (order, (_, quantity)) in ORDER.iter().enumerate() {
             let value = quantity.of(&sample);
             row[1 + order] = rounded(value, DIGITS);
-            row[5 + order] = rounded(frames[order].y(value), 5);
+            row[5 + order] = rounded(panels[order].y(value), 5);
         }
         row
     });
     let data = Data {
-        frame: [
-            frames[0].left,
-            frames[0].left + frames[0].width,
-            frames[0].top,
-            frames[3].top + frames[3].height,
-        ],
-        names: std::array::from_fn(|order| (ORDER[order].0.to_owned(), text::unit(&labels.unit, order))),
+        frame: [panels[0].left, panels[0].right(), panels[0].top, panels[3].bottom()],
+        names: std::array::from_fn(|order| (ORDER[order].0.to_owned(), unit(&labels.unit, order))),
         samples: samples.collect(),
     };
     let json = serde_json::to_string(&data).expect("numbers and text are always JSON");
@@ -56,7 +51,7 @@ pub fn page(curve: &dyn Answers, labels: &Labels) -> String {
         &[
             ("title", &escape(&labels.title)),
             ("style", STYLE),
-            ("picture", &svg),
+            ("picture", &picture.on_page("solaris-profile").finish()),
             ("table", &table(&answers(curve, labels))),
             ("data", &guard(&json)),
             ("script", SCRIPT),
@@ -66,5 +61,5 @@ pub fn page(curve: &dyn Answers, labels: &Labels) -> String {
 
 /// A number with so many digits; nothing where it is not finite.
 fn rounded(x: f64, digits: usize) -> Option<f64> {
-    text::number(x, digits).parse().ok().filter(|x: &f64| x.is_finite())
+    number(x, digits).parse().ok().filter(|x: &f64| x.is_finite())
 }

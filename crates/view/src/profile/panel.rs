@@ -1,18 +1,12 @@
-//! One of the four curves: its range, its frame, its lines and marks.
+//! One of the four curves: its range, its panel, its lines and marks.
 
-use super::axis::Axis;
-use super::line::{Frame, lines, path, short};
-use super::{Labels, ORDER, text};
-use crate::html::escape;
-use solaris_profiles::{Answers, Peak, Peaks, Quantity, Stationary, Turn};
-use std::fmt::Write as _;
+use super::line::lines;
+use super::{Labels, ORDER, unit};
+use crate::chart::{Axis, LETTERS, Panel, Picture, joined, path, short, shown, width};
+use solaris_profiles::{Answers, Peak, Peaks, Stationary, Turn};
 
-/// Size of the texts (px).
-pub(super) const SIZE: f64 = 11.0;
 /// The most marks of a kind in a panel; where there are more, none is drawn.
 const MOST_MARKS: usize = 150;
-/// Numbers of a unit in a heading are cut beyond this (px).
-const MOST_UNIT: f64 = 110.0;
 
 /// What was asked of the curve once, for all panels.
 pub(super) struct Asked<'a> {
@@ -58,7 +52,7 @@ impl<'a> Asked<'a> {
         if order > 0 {
             (low, high) = (low.min(0.0), high.max(0.0));
         }
-        Axis::new(low, high, 4.0).padded(0.11)
+        Axis::linear(low, high, 4.0).padded(0.11)
     }
 
     fn peak(&self, order: usize) -> Option<Peak> {
@@ -84,9 +78,9 @@ impl<'a> Asked<'a> {
     fn remark(&self, order: usize, most: f64) -> String {
         let Some(peak) = self.peak(order) else { return self.remark_on_position(most) };
         let (low, _) = self.ranges[order];
-        let unit = text::unit(&self.labels.unit, order);
+        let unit = unit(&self.labels.unit, order);
         if self.is_constant(order) {
-            let value = text::joined(&text::shown(low, 4), &unit);
+            let value = joined(&shown(low, 4), &unit);
             return if low.abs() > 0.0 {
                 format!("{value} throughout")
             } else {
@@ -94,12 +88,12 @@ impl<'a> Asked<'a> {
             };
         }
         let arrow = if self.signed(order, peak) < 0.0 { '▲' } else { '▼' };
-        let (value, time) = (text::shown(peak.value, 4), text::shown(peak.time, 4));
+        let (value, time) = (shown(peak.value, 4), shown(peak.time, 4));
         if !peak.value.is_finite() {
             return format!("unbounded at {time} s");
         }
-        let long = format!("{arrow} peak {} at {time} s", text::joined(&value, &unit));
-        if text::width(&long, SIZE) <= most { long } else { format!("{arrow} peak {value} at {time} s") }
+        let long = format!("{arrow} peak {} at {time} s", joined(&value, &unit));
+        if width(&long, LETTERS) <= most { long } else { format!("{arrow} peak {value} at {time} s") }
     }
 
     fn remark_on_position(&self, most: f64) -> String {
@@ -112,7 +106,7 @@ impl<'a> Asked<'a> {
                 let times: Vec<String> = points
                     .iter()
                     .filter(|point| point.turn == turn)
-                    .map(|point| text::shown(point.time, 4))
+                    .map(|point| shown(point.time, 4))
                     .collect();
                 match times.len() {
                     0 if turn == Turn::Reversal => parts.push("never turns round".to_owned()),
@@ -134,115 +128,60 @@ impl<'a> Asked<'a> {
             parts.join("\u{a0}\u{a0} ")
         };
         let long = say(true);
-        if text::width(&long, SIZE) <= most { long } else { say(false) }
+        if width(&long, LETTERS) <= most { long } else { say(false) }
     }
 }
 
-/// A panel: heading, grid, lines, marks.
-pub(super) fn panel(asked: &Asked, order: usize, frame: &Frame, times: &[(f64, String)]) -> String {
-    let (name, quantity) = ORDER[order];
-    let (left, top) = (frame.left, frame.top);
-    let (right, bottom) = (left + frame.width, top + frame.height);
-    let mut svg = format!("<g class=\"{name}\">");
-    // Writing to a string cannot fail.
-    let mut put = |text: std::fmt::Arguments| {
-        let _ = svg.write_fmt(text);
-    };
-
-    let unit = text::cut(&frame.axis.unit(&text::unit(&asked.labels.unit, order)), SIZE, MOST_UNIT);
-    let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
-    let heading = text::width(&format!("{name}{unit}"), SIZE * 1.1);
-    let remark = asked.remark(order, frame.width - heading - 20.0);
-    let line = short(top - 6.0);
-    put(format_args!(
-        "<text class=\"name\" x=\"{}\" y=\"{line}\">{name}<tspan class=\"soft\">{}</tspan></text>",
-        short(left),
-        escape(&unit)
-    ));
-    put(format_args!(
-        "<text class=\"soft end\" x=\"{}\" y=\"{line}\">{}</text>",
-        short(right),
-        escape(&remark)
-    ));
-
+/// Draws one of the four: heading, rests, grid, lines, marks.
+pub(super) fn draw(picture: &mut Picture, asked: &Asked, order: usize, panel: &Panel) {
+    let name = ORDER[order].0;
+    let unit = panel.up.unit(&unit(&asked.labels.unit, order));
+    let heading = if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") };
+    let remark = asked.remark(order, panel.beside(&heading));
+    panel.heading(picture, &heading, &remark);
     if order < 2 {
         for &(start, end) in few(&asked.stationary.rests) {
-            let (x, width) = (frame.x(start), frame.x(end) - frame.x(start));
-            let (x, width, height) = (short(x), short(width), short(frame.height));
-            put(format_args!(
-                "<rect class=\"rest\" x=\"{x}\" y=\"{}\" width=\"{width}\" height=\"{height}\"/>",
-                short(top)
-            ));
+            let x = panel.x(start);
+            picture.rect("rest", (x, panel.top), (panel.x(end) - x, panel.height));
         }
     }
-    let mut grid = String::new();
-    for (t, _) in times {
-        let _ = write!(grid, "M{} {}V{}", short(frame.x(*t)), short(top), short(bottom));
-    }
-    let ticks = frame.axis.ticks();
-    for (value, _) in &ticks {
-        let _ = write!(grid, "M{} {}H{}", short(left), short(frame.y(*value)), short(right));
-    }
-    put(format_args!("<path class=\"grid\" d=\"{grid}\"/>"));
-    for (value, label) in &ticks {
-        let (x, y) = (short(left - 6.0), short(frame.y(*value) + 3.8));
-        put(format_args!("<text class=\"end\" x=\"{x}\" y=\"{y}\">{label}</text>"));
-    }
-    let zero = frame.y(0.0);
-    if zero > top && zero < bottom {
-        put(format_args!("<path class=\"zero\" d=\"M{} {}H{}\"/>", short(left), short(zero), short(right)));
-    }
-    put(format_args!("{}", curve(asked, quantity, frame)));
-    let rect = [left, top, frame.width, frame.height].map(short);
-    let [x, y, width, height] = &rect;
-    put(format_args!("<rect class=\"box\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/>"));
-    put(format_args!("{}</g>\n", marks(asked, order, frame)));
-    svg
-}
-
-/// The lines, cut off at the frame, and dotted lines where they jump.
-fn curve(asked: &Asked, quantity: Quantity, frame: &Frame) -> String {
-    let lines = lines(asked.curve, quantity, frame);
+    panel.grid(picture);
+    let lines = lines(asked.curve, order, panel);
     let ends = lines.windows(2).filter_map(|pair| Some([*pair[0].last()?, *pair[1].first()?]));
     let jumps: String = ends.map(|pair| path(&pair)).collect();
     let line: String = lines.iter().map(|line| path(line)).collect();
-    let jumps = if jumps.is_empty() { jumps } else { format!("<path class=\"jump\" d=\"{jumps}\"/>") };
-    let [x, y, width, height] = [frame.left - 1.0, frame.top, frame.width + 2.0, frame.height].map(short);
-    format!(
-        "<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" viewBox=\"{x} {y} {width} {height}\" \
-         overflow=\"hidden\">{jumps}<path class=\"line\" d=\"{line}\"/></svg>"
-    )
+    panel.clipped(picture, |picture| {
+        picture.path(&format!("jump s{order}"), &jumps);
+        picture.path(&format!("line s{order}"), &line);
+    });
+    marks(picture, asked, order, panel);
 }
 
 /// Keys, standstills and the peak.
-fn marks(asked: &Asked, order: usize, frame: &Frame) -> String {
-    let mut svg = String::new();
+fn marks(picture: &mut Picture, asked: &Asked, order: usize, panel: &Panel) {
     let value = |t: f64| ORDER[order].1.of(&asked.curve.at(t));
     if order == 0 {
         for &(time, position) in few(&asked.labels.keys) {
             let start = asked.labels.keys.first().map_or(0.0, |first| first.0);
-            let (x, y) = (short(frame.x(time - start) - 2.5), short(frame.y(position) - 2.5));
-            let _ = write!(svg, "<rect class=\"key\" x=\"{x}\" y=\"{y}\" width=\"5\" height=\"5\"/>");
+            picture.rect("ink", (panel.x(time - start) - 3.0, panel.y(position) - 3.0), (6.0, 6.0));
         }
     }
     if order < 2 {
         for point in few(&asked.stationary.points) {
             // A velocity that jumps over zero is marked at zero.
-            let y = frame.y(if order == 0 { value(point.time) } else { 0.0 });
-            let class = if point.turn == Turn::Reversal { "turn" } else { "touch" };
-            let (x, y) = (short(frame.x(point.time)), short(y));
-            let _ = write!(svg, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"3.5\"/>");
+            let y = panel.y(if order == 0 { value(point.time) } else { 0.0 });
+            let class = if point.turn == Turn::Reversal { "ink" } else { "open" };
+            picture.circle(class, (panel.x(point.time), y), 4.0);
         }
     }
     let peak = asked.peak(order).filter(|peak| peak.value.is_finite() && !asked.is_constant(order));
     if let Some(peak) = peak {
         let signed = asked.signed(order, peak);
-        let (x, y) = (short(frame.x(peak.time)), frame.y(signed));
+        let (x, y) = (short(panel.x(peak.time)), panel.y(signed));
         // A triangle that points at the peak from outside.
-        let (y, d) = if signed < 0.0 { (y + 3.5, "l-3.2 5.4h6.4z") } else { (y - 3.5, "l-3.2-5.4h6.4z") };
-        let _ = write!(svg, "<path class=\"peak\" d=\"M{x} {}{d}\"/>", short(y));
+        let (y, d) = if signed < 0.0 { (y + 3.5, "l-3.6 6h7.2z") } else { (y - 3.5, "l-3.6-6h7.2z") };
+        picture.path("peak", &format!("M{x} {}{d}", short(y)));
     }
-    svg
 }
 
 /// All of them, or none where they would cover each other.

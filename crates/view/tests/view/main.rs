@@ -1,5 +1,7 @@
 //! The page and the tables of a motion.
 
+mod charts;
+mod denavit_hartenberg;
 mod page;
 mod precision;
 mod profile;

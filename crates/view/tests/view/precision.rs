@@ -63,6 +63,58 @@ fn sample() -> Report {
     }
 }
 
+/// The lines of the series.
+fn lines(picture: &str) -> Vec<&str> {
+    picture.lines().filter(|line| line.starts_with("<path class=\"line")).collect()
+}
+
+/// The numbers of an element's attribute.
+fn numbers(element: &str, attribute: &str) -> Vec<f64> {
+    let value = element.split(&format!("{attribute}=\"")).nth(1).and_then(|rest| rest.split('"').next());
+    let numbers = value.unwrap_or_default().split(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-')));
+    numbers.filter_map(|number| number.parse().ok()).collect()
+}
+
+/// A tenth of the error is as far down as a tenth of the work is to the left, at the scale of the axes: 10 decades up, 4 across.
+#[test]
+fn both_axes_are_logarithmic() {
+    let points = [(1e2, 1e-1), (1e4, 1e-6), (1e6, 1e-11)];
+    let points = points.map(|(work, error)| point("x", work, Some(error))).into();
+    let diagram = Diagram { series: vec![Series { name: "one".to_owned(), points }], ..Diagram::default() };
+    let picture = svg(&diagram, Against::Evaluations);
+    let line = numbers(lines(&picture)[0], " d");
+    assert!((line[2] - 0.5 * (line[0] + line[4])).abs() < 0.02, "{line:?}");
+    assert!((line[3] - 0.5 * (line[1] + line[5])).abs() < 0.02, "{line:?}");
+    assert!(line[4] > line[0] + 400.0 && line[5] > line[1] + 250.0, "{line:?}");
+}
+
+/// No label covers another one, or a mark.
+#[test]
+fn settings_keep_off_each_other() {
+    let picture = svg(&stiff(), Against::Evaluations);
+    let labels: Vec<(f64, f64, f64)> = picture
+        .lines()
+        .filter(|line| line.contains("class=\"small over t"))
+        .map(|line| {
+            let text = line.split('>').nth(1).and_then(|text| text.split('<').next()).unwrap_or_default();
+            (numbers(line, " x")[0], numbers(line, " y")[0], 5.0 * text.chars().count() as f64)
+        })
+        .collect();
+    assert!(labels.len() > 15, "{}", labels.len());
+    let marks: Vec<(f64, f64)> = picture
+        .lines()
+        .filter(|line| line.starts_with("<path class=\"mark"))
+        .map(|line| numbers(line, "transform"))
+        .map(|at| (at[0], at[1]))
+        .collect();
+    for (i, (x, y, width)) in labels.iter().enumerate() {
+        for (u, v, _) in &labels[i + 1..] {
+            assert!((y - v).abs() > 10.0 || *u > x + width || u + width < *x, "{x} {y} and {u} {v}");
+        }
+        assert!(!marks.iter().any(|(u, v)| (x..=&(x + width)).contains(&u) && (y - 9.0..=*y).contains(v)));
+    }
+}
+
 #[test]
 fn the_picture_is_of_plain_numbers_and_the_same_each_time() {
     for against in [Against::Seconds, Against::Evaluations] {
@@ -84,7 +136,7 @@ fn what_failed_is_crossed_and_not_joined() {
     let picture = svg(&stiff(), Against::Evaluations);
     assert_eq!(picture.matches("class=\"failed").count(), 8);
     assert_eq!(picture.matches("no result</title>").count(), 8);
-    let lines: Vec<&str> = picture.lines().filter(|line| line.starts_with("<path class=\"line")).collect();
+    let lines = lines(&picture);
     assert_eq!(lines.len(), 6);
     assert!(lines.iter().all(|line| line.matches("d=\"M").count() == 1), "{lines:?}");
     let by_rule = lines[3].matches(['M', 'L']).count();
@@ -98,7 +150,7 @@ fn a_gap_in_a_series_is_a_gap_in_its_line() {
     let points = points.map(|(error, work)| point("x", work, error)).collect();
     let diagram = Diagram { series: vec![Series { name: "one".to_owned(), points }], ..Diagram::default() };
     let picture = svg(&diagram, Against::Evaluations);
-    let line = picture.lines().find(|line| line.starts_with("<path class=\"line")).expect("a line");
+    let line = lines(&picture)[0];
     assert_eq!((line.matches('M').count(), line.matches('L').count()), (2, 1), "{line}");
 }
 

@@ -16,7 +16,7 @@ fn quintic() -> Quintic {
 
 /// The points of all lines of a picture, by panel.
 fn lines(svg: &str) -> Vec<&str> {
-    svg.split("class=\"line\" d=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect()
+    svg.split("class=\"line s").skip(1).filter_map(|rest| rest.split('"').nth(2)).collect()
 }
 
 #[test]
@@ -63,14 +63,14 @@ fn jumps_break_the_line() {
     let pieces: Vec<usize> = lines(&svg).iter().map(|line| line.matches('M').count()).collect();
     // Velocity is continuous, acceleration and jerk jump at both inner keys.
     assert_eq!(pieces, [1, 1, 3, 3]);
-    assert_eq!(svg.matches("class=\"jump\"").count(), 2);
-    assert_eq!(svg.matches("class=\"key\"").count(), 3);
+    assert_eq!(svg.matches("class=\"jump s").count(), 2);
+    assert_eq!(svg.matches("<rect class=\"ink\"").count(), 3);
 }
 
 #[test]
 fn standstills_are_marked_in_two_panels() {
     let svg = svg(&quintic(), &labels("", ""));
-    assert_eq!(svg.matches("class=\"turn\"").count(), 2);
+    assert_eq!(svg.matches("<circle class=\"ink\"").count(), 2);
     assert!(svg.contains("● turns round at "), "{svg}");
     let resting = CubicSpline::natural(&[(0.0, 1.5), (2.0, 1.5)]).expect("a curve");
     let svg = crate::profile::svg(&resting, &labels("", ""));
@@ -132,6 +132,8 @@ fn the_same_input_gives_the_same_bytes() {
         page_text.contains(&lines(&svg(&quintic(), &labels))[0].to_owned()),
         "the picture is in the page"
     );
+    // The page's style knows its picture.
+    assert!(page_text.contains("class=\"solaris-chart solaris-profile\""));
     assert!(page_text.len() < 70_000, "{} bytes", page_text.len());
     // No places of the template are left.
     assert!(!page_text.contains("{{"));

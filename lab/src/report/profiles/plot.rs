@@ -3,26 +3,15 @@
 use super::accuracy::Accuracy;
 use super::cases::{HARD, KINDS, Kind};
 use super::page::Measured;
-use crate::report::plot::text;
-use std::fmt::Write;
+use solaris_view::chart::{Axis, Key, Labels, MARGIN, Panel, Picture, Rect, WIDTH};
 
-/// Size of a panel, and what is around it (pixels).
-const PANEL: (f64, f64) = (400.0, 390.0);
-const LEFT: f64 = 74.0;
-const TOP: f64 = 66.0;
-const GAP: f64 = 70.0;
-const BOTTOM: f64 = 132.0;
+/// Height of a panel, and of the rows of numbers above and below its curves (px).
+const PANEL: f64 = 330.0;
+const ROWS: f64 = 60.0;
+const ROW: f64 = 14.0;
 
-/// Space for the numbers of the curves above and below what is drawn, and a row of them.
-const MARGIN: f64 = 74.0;
-const ROW: f64 = 13.0;
-
-/// Colours of the printed and the library's forms that people with any kind of colour vision tell apart (M. Okabe, K. Ito).
-const COLORS: [&str; 2] = ["#d55e00", "#0072b2"];
-const FORMS: [&str; 2] = ["printed", "library"];
-
-/// Times that stand at the axis (ns).
-const TICKS: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
+/// The printed forms and the library's: hollow and filled.
+const FORMS: [(&str, &str); 2] = [("hollow s1", "printed"), ("f0", "library")];
 
 /// The decades of errors of either precision; what is more than all is drawn at the upper end.
 const DECADES: [(i32, i32); 2] = [(-18, 0), (-9, 0)];
@@ -36,45 +25,30 @@ struct Line {
 
 /// A panel for f64 and one for f32.
 pub(super) fn draw(measured: &Measured) -> String {
-    let (width, height) = (LEFT + 2.0 * PANEL.0 + GAP + 24.0, TOP + PANEL.1 + BOTTOM);
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<title>Error of a position against time of an evaluation</title>\n\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n"
-    );
-    for (form, name) in FORMS.iter().enumerate() {
-        let x = LEFT + 100.0 * form as f64;
-        marker(&mut svg, form, (x + 6.0, 20.0), false);
-        text(&mut svg, (x + 18.0, 24.0), "", name);
-    }
-    let explained = "circle: ordinary case, bar: worst of the hard cases";
-    text(&mut svg, (LEFT + 210.0, 24.0), "", explained);
-    let times = (0..2).flat_map(|precision| (0..2).flat_map(move |form| lines(measured, form, precision)));
-    let (least, most) =
-        times.fold((f64::MAX, 0.0_f64), |(least, most), line| (line.time.min(least), line.time.max(most)));
-    let first = TICKS.iter().rposition(|tick| *tick < least).unwrap_or(0);
-    let last = TICKS.iter().position(|tick| *tick > most).unwrap_or(TICKS.len() - 1);
+    panels(&[0, 1].map(|precision| [0, 1].map(|form| lines(measured, form, precision))))
+}
+
+/// Panels of the precisions with lines by form.
+fn panels(precisions: &[[Vec<Line>; 2]; 2]) -> String {
+    let mut picture = Picture::new("Error of a position against time of an evaluation");
+    picture.legend(&FORMS.map(|(class, name)| Key::area(class, name)));
+    picture.remark("circle: ordinary case, bar: worst of the hard cases; at 1 all is lost", 2);
+    let all = || precisions.iter().flatten().flatten();
+    let times = Axis::decimal(all().map(|line| line.time));
     for (precision, name) in ["f64", "f32"].into_iter().enumerate() {
-        let axes = Axes { ticks: &TICKS[first..=last], decades: DECADES[precision] };
-        let _ =
-            writeln!(svg, "<g transform=\"translate({} {TOP})\">", LEFT + precision as f64 * (PANEL.0 + GAP));
-        axes.draw(&mut svg, name);
-        for form in 0..2 {
-            axes.curves(&mut svg, form, &lines(measured, form, precision));
+        picture.heading(&format!("{name}: error"));
+        let (low, high) = DECADES[precision];
+        let share = ROWS / (PANEL - 2.0 * ROWS);
+        let errors = Axis::logarithmic([10f64.powi(low), 10f64.powi(high)], (low, high), 6).padded(share);
+        let panel = Panel::below(&mut picture, PANEL, times.clone(), errors);
+        panel.grid(&mut picture);
+        for (form, lines) in precisions[precision].iter().enumerate() {
+            curves(&mut picture, &panel, form, lines);
         }
-        svg.push_str("</g>\n");
+        panel.foot(&mut picture, "time of an evaluation (ns)");
     }
-    names(&mut svg);
-    let (middle, across) = (LEFT + PANEL.0 + GAP / 2.0, TOP + PANEL.1 / 2.0);
-    text(&mut svg, (middle, TOP + PANEL.1 + 40.0), "text-anchor=\"middle\"", "time of an evaluation");
-    text(
-        &mut svg,
-        (18.0, across),
-        &format!("text-anchor=\"middle\" transform=\"rotate(-90 18 {across})\""),
-        "error of the position",
-    );
-    svg.push_str("</svg>\n");
-    svg
+    names(&mut picture);
+    picture.finish()
 }
 
 /// Every curve in a form and precision.
@@ -89,92 +63,59 @@ fn lines(measured: &Measured, form: usize, precision: usize) -> Vec<Line> {
     KINDS.iter().enumerate().map(line).collect()
 }
 
-/// Logarithmic axes.
-struct Axes {
-    ticks: &'static [f64],
-    decades: (i32, i32),
-}
-
-impl Axes {
-    fn across(&self, time: f64) -> f64 {
-        let (first, last) = (self.ticks[0].log10(), self.ticks[self.ticks.len() - 1].log10());
-        PANEL.0 * (time.log10() - first) / (last - first)
-    }
-
-    /// Errors beyond the decades are at their ends.
-    fn up(&self, error: f64) -> f64 {
-        let (low, high) = (f64::from(self.decades.0), f64::from(self.decades.1));
-        let decade = if error.is_finite() { error.log10().clamp(low, high) } else { high };
-        MARGIN + (PANEL.1 - 2.0 * MARGIN) * (high - decade) / (high - low)
-    }
-
-    fn draw(&self, svg: &mut String, name: &str) {
-        let upright = self.ticks.iter().map(|tick| format!("M{:.1} 0V{} ", self.across(*tick), PANEL.1));
-        let levels: Vec<(i32, f64)> = (self.decades.0..=self.decades.1)
-            .filter(|decade| decade % 3 == 0)
-            .map(|decade| (decade, self.up(10.0_f64.powi(decade))))
-            .collect();
-        let level = levels.iter().map(|(_, y)| format!("M0 {y:.1}H{} ", PANEL.0));
-        let grid: String = upright.chain(level).collect();
-        let _ = writeln!(svg, "<path fill=\"none\" stroke=\"#e3e3e3\" d=\"{grid}\"/>");
-        let _ = writeln!(
-            svg,
-            "<rect width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>",
-            PANEL.0, PANEL.1
-        );
-        text(svg, (0.0, -8.0), "font-weight=\"bold\"", name);
-        for tick in self.ticks {
-            let x = self.across(*tick);
-            text(svg, (x, PANEL.1 + 18.0), "text-anchor=\"middle\"", &format!("{tick} ns"));
-        }
-        for (decade, y) in levels {
-            let label = if decade == 0 { "all lost".to_owned() } else { format!("1e\u{2212}{}", -decade) };
-            text(svg, (-8.0, y + 4.0), "text-anchor=\"end\"", &label);
-        }
-    }
-
-    /// The curves of a form, their numbers above (printed) or below (library), in rows where they are close.
-    fn curves(&self, svg: &mut String, form: usize, lines: &[Line]) {
-        let color = COLORS[form];
-        let mut by_time: Vec<(usize, &Line)> = lines.iter().enumerate().collect();
-        by_time.sort_by(|(_, a), (_, b)| a.time.total_cmp(&b.time));
-        let mut ends = [f64::MIN; 5];
-        for (kind, line) in by_time {
-            let x = self.across(line.time);
-            let (low, high) = (self.up(line.ordinary), self.up(line.worst));
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{x:.1} {low:.1}V{high:.1}M{:.1} {high:.1}h9\" stroke=\"{color}\" stroke-opacity=\"0.7\" \
-                 stroke-width=\"1.6\" fill=\"none\"/>",
-                x - 4.5
-            );
-            marker(svg, form, (x, low), true);
-            let row = ends.iter().position(|end| x - end > 13.0).unwrap_or(ends.len() - 1);
-            ends[row] = x;
-            let offset = ROW * row as f64;
-            let y = if form == 0 { MARGIN - 8.0 - offset } else { PANEL.1 - MARGIN + 16.0 + offset };
-            let style = format!("text-anchor=\"middle\" font-size=\"11\" fill=\"{color}\"");
-            text(svg, (x, y), &style, &(kind + 1).to_string());
+/// The curves of a form, their numbers above (printed) or below (library), in rows where they are close.
+fn curves(picture: &mut Picture, panel: &Panel, form: usize, lines: &[Line]) {
+    let (top, bottom) = (panel.top + ROWS, panel.bottom() - ROWS);
+    let up = |error: f64| if error.is_finite() { panel.y(error).clamp(top, bottom) } else { top };
+    // A number may reach over the side that its curve is at.
+    let beside = Rect { left: panel.left - 10.0, right: panel.right() + 10.0, ..panel.rect() };
+    let mut labels = Labels::within(beside);
+    let mut by_time: Vec<(usize, &Line)> = lines.iter().enumerate().collect();
+    by_time.sort_by(|(_, a), (_, b)| a.time.total_cmp(&b.time));
+    for (kind, line) in by_time {
+        let (x, low, high) = (panel.x(line.time), up(line.ordinary), up(line.worst));
+        let class = ["line s1", "line s0"][form];
+        picture.line(class, &[(x, low), (x, high)]);
+        picture.line(class, &[(x - 4.5, high), (x + 4.5, high)]);
+        picture.circle(FORMS[form].0, (x, low), 4.0);
+        let rows = (0..4).map(|row| {
+            let away = 10.0 + ROW * f64::from(row);
+            Rect::about((x, if form == 0 { top - away } else { bottom + away }), (8.0, 0.5 * ROW))
+        });
+        if let Some(place) = labels.place(rows) {
+            picture.text(["middle t1", "middle t0"][form], (x, place.bottom - 2.5), &(kind + 1).to_string());
         }
     }
 }
 
 /// Which number is which curve, below the panels.
-fn names(svg: &mut String) {
-    for (i, kind) in KINDS.iter().enumerate() {
-        let (column, row) = (i / 3, i % 3);
-        let at = (LEFT + 225.0 * column as f64, TOP + PANEL.1 + 72.0 + 20.0 * row as f64);
-        text(svg, at, "", &format!("{} {}", i + 1, kind.name));
+fn names(picture: &mut Picture) {
+    let names: Vec<String> =
+        KINDS.iter().enumerate().map(|(i, kind)| format!("{} {}", i + 1, kind.name)).collect();
+    for pair in names.chunks(2) {
+        let y = picture.take(18.0) + 13.0;
+        for (column, name) in pair.iter().enumerate() {
+            picture.text("", (MARGIN + 0.5 * WIDTH * column as f64, y), name);
+        }
     }
 }
 
-/// A circle: hollow for what is printed, filled for the library.
-fn marker(svg: &mut String, form: usize, (x, y): (f64, f64), is_small: bool) {
-    let color = COLORS[form];
-    let fill = if form == 0 { "#fff" } else { color };
-    let radius = if is_small { 3.6 } else { 4.5 };
-    let _ = writeln!(
-        svg,
-        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"{fill}\" stroke=\"{color}\" stroke-width=\"1.5\"/>"
-    );
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_curve_has_its_number_in_both_forms() {
+        let line = |i: usize| Line { time: 20.0 + i as f64, ordinary: 1e-16, worst: f64::INFINITY };
+        let lines = || (0..KINDS.len()).map(line).collect::<Vec<Line>>();
+        let svg = panels(&[[lines(), lines()], [lines(), lines()]]);
+        for kind in 1..=KINDS.len() {
+            for class in ["middle t0", "middle t1"] {
+                let number =
+                    svg.lines().filter(|line| line.contains(class) && line.contains(&format!(">{kind}<")));
+                assert_eq!(number.count(), 2, "{kind} {class}");
+            }
+        }
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
 }

@@ -54,8 +54,17 @@ fn a_picture_shows_each_foot_and_its_plate() {
     assert_eq!(printed.matches("beside its plate").count(), 1, "{printed}");
     assert!(printed.contains("beside all plates"), "{printed}");
     let svg = std::fs::read_to_string(folder.path().join("forces.svg")).expect("the picture");
-    for (text, count) in [("along x (N)", 1), ("along z (N)", 1), (">right<", 3), (">plate<", 3), ("NaN", 0)]
-    {
+    for (text, count) in [
+        ("along x (N)", 1),
+        ("along z (N)", 1),
+        (">right<", 1),
+        (">left<", 1),
+        (">left, plate<", 1),
+        // In the legend and in each of the three panels, in the colour of its foot.
+        ("<path class=\"thin s1\"", 4),
+        ("<path class=\"line s1\"", 4),
+        ("NaN", 0),
+    ] {
         assert_eq!(svg.matches(text).count(), count, "{text}");
     }
     // Without plates nothing is held against anything.

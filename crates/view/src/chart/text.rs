@@ -1,4 +1,4 @@
-//! Numbers and words as the picture has them.
+//! Numbers and words as pictures have them.
 
 /// A number with so many significant digits, zeros at the end left out; "unbounded" where it is infinite.
 pub fn number(x: f64, digits: usize) -> String {
@@ -20,7 +20,7 @@ pub fn number(x: f64, digits: usize) -> String {
 }
 
 /// The same for people who look at a picture: with a minus sign and powers of ten.
-pub(super) fn shown(x: f64, digits: usize) -> String {
+pub fn shown(x: f64, digits: usize) -> String {
     let text = number(x, digits).replace('-', "−");
     match text.split_once('e') {
         Some((mantissa, exponent)) if x.is_finite() => format!("{mantissa} · 10{}", superscript(exponent)),
@@ -29,7 +29,7 @@ pub(super) fn shown(x: f64, digits: usize) -> String {
 }
 
 /// Digits of an exponent.
-pub(crate) fn superscript(exponent: &str) -> String {
+pub fn superscript(exponent: &str) -> String {
     let raised = |c: char| match c {
         '1' => '¹',
         '2' => '²',
@@ -40,24 +40,18 @@ pub(crate) fn superscript(exponent: &str) -> String {
     exponent.chars().map(raised).collect()
 }
 
-/// The unit of the derivative of this order: "rad/s²"; nothing where positions have none.
-pub fn unit(unit: &str, order: usize) -> String {
-    let unit = unit.trim();
-    match order {
-        _ if unit.is_empty() => String::new(),
-        0 => unit.to_owned(),
-        1 => format!("{unit}/s"),
-        _ => format!("{unit}/s{}", superscript(&order.to_string())),
-    }
+/// Text for elements and quoted attributes.
+pub fn escape(text: &str) -> String {
+    crate::html::escape(text)
 }
 
 /// Two words with a space between them; one alone where the other is empty.
-pub(super) fn joined(a: &str, b: &str) -> String {
+pub(crate) fn joined(a: &str, b: &str) -> String {
     if a.is_empty() || b.is_empty() { format!("{a}{b}") } else { format!("{a} {b}") }
 }
 
 /// About how wide a text is in the fonts of the picture (px), rather more than less.
-pub(crate) fn width(text: &str, size: f64) -> f64 {
+pub fn width(text: &str, size: f64) -> f64 {
     let em = |c: char| match c {
         'i' | 'j' | 'l' | '\'' | '|' => 0.25,
         ' ' | '.' | ',' | ':' | ';' | 't' | 'f' | 'I' | '(' | ')' | '/' | '-' | 'r' | '·' => 0.36,
@@ -71,7 +65,7 @@ pub(crate) fn width(text: &str, size: f64) -> f64 {
 }
 
 /// A text cut to a width, with an ellipsis where something is missing.
-pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
+pub fn cut(text: &str, size: f64, most: f64) -> String {
     if width(text, size) <= most {
         return text.to_owned();
     }
@@ -86,7 +80,7 @@ pub(crate) fn cut(text: &str, size: f64, most: f64) -> String {
 }
 
 /// A text in lines of a width, at most so many.
-pub(crate) fn lines(text: &str, size: f64, most: f64, count: usize) -> Vec<String> {
+pub fn lines(text: &str, size: f64, most: f64, count: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         let full = lines.len() == count;
