@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::energy::Energies;
 use super::outcomes::{Hit, Told};
-use crate::limbs::Limbs;
+use crate::limbs::{Limbs, Overlap};
 use crate::print::write_json;
 use serde::Serialize;
 use solaris::dynamics::scalar::Operations;
@@ -99,8 +99,9 @@ impl Report {
             impacts,
             ground,
             phases,
-            remarks,
+            mut remarks,
         } = simulated.report.clone();
+        remarks.extend(limbs.iter().flat_map(|limbs| limbs.overlaps.iter().map(Overlap::note)));
         Self {
             version: env!("CARGO_PKG_VERSION"),
             scene: scene.name().to_owned(),
