@@ -125,7 +125,7 @@ impl<'a> Facts<'a> {
         }
         row("mass", format!("{} kg", rounded(self.mass_kg)))?;
         if let Some(stature) = self.stature_m {
-            row("standing height", format!("{stature} m"))?;
+            row("standing height", format!("{} m", rounded(stature)))?;
         }
         row(
             "reaches",

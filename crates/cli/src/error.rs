@@ -23,10 +23,10 @@ pub(crate) enum CliError {
     Usage(#[from] UsageError),
     /// The value of an option, as it was typed.
     #[error("--{option} {value}: {why}")]
-    Option { option: String, value: String, why: Refusal },
+    Option { option: String, value: String, why: Box<Refusal> },
     /// A number that no option gave, but that those given lead to.
-    #[error("{name} {}{unit}, from {from}: {why}", (.value * 1e4).round() / 1e4)]
-    Derived { name: String, value: f64, unit: &'static str, from: String, why: Refusal },
+    #[error("{name} {}{unit}, from {from}: {why}", four(*.value))]
+    Derived { name: String, value: f64, unit: &'static str, from: String, why: Box<Refusal> },
     #[error("{option} {path}: {why}", path = .path.display())]
     Output { option: &'static str, path: PathBuf, why: String },
     #[error(
@@ -70,7 +70,7 @@ impl CliError {
 
     /// The value of an option that is refused for a reason of its own.
     pub(crate) fn option(option: &str, value: impl Into<String>, why: impl Into<Refusal>) -> Self {
-        Self::Option { option: option.to_owned(), value: value.into(), why: why.into() }
+        Self::Option { option: option.to_owned(), value: value.into(), why: Box::new(why.into()) }
     }
 
     /// 2 where the command line cannot be understood, 1 where it cannot be done.
@@ -104,17 +104,19 @@ impl CliError {
 
     /// A walk that cannot be.
     pub(crate) fn of_gait(error: GaitError, asked: &dyn Typed) -> Self {
-        match error {
-            GaitError::Range { parameter, value, unit, lower, upper, why } => {
-                let why = Refusal::Range { lower, upper, unit, more: why };
-                Self::of_value(parameter, value, unit, why, asked)
-            }
-            GaitError::StepLength { parameter, value, unit, lower, upper, at, why } => {
-                let why = Refusal::Pace { lower, upper, unit, at, more: why };
-                Self::of_value(parameter, value, unit, why, asked)
-            }
-            _ => Self::other(error),
+        match out_of_range(error) {
+            Ok(OutOfRange { name, value, unit, why }) => Self::of_value(name, value, unit, why, asked),
+            Err(error) => Self::other(error),
         }
+    }
+
+    /// A part of a walk that cannot be, said of the `--then` that asks for it.
+    pub(crate) fn of_then(error: GaitError, then: String) -> Self {
+        let why = match out_of_range(error) {
+            Ok(OutOfRange { name, value, unit, why }) => format!("{name} {}{unit}: {why}", four(value)),
+            Err(error) => error.to_string(),
+        };
+        Self::option("then", then, why)
     }
 
     /// A value of this name, said of the option of that name as it was typed, or of what led to it.
@@ -126,8 +128,36 @@ impl CliError {
         let given: Vec<String> =
             given.iter().map(|(option, number)| format!("--{option} {}", number.typed)).collect();
         let from = if given.is_empty() { "the defaults".to_owned() } else { given.join(" and ") };
-        Self::Derived { name: name.to_owned(), value, unit, from, why }
+        Self::Derived { name: name.to_owned(), value, unit, from, why: Box::new(why) }
     }
+}
+
+/// A number of a walk that is out of its range.
+struct OutOfRange {
+    name: &'static str,
+    value: f64,
+    unit: &'static str,
+    why: Refusal,
+}
+
+/// What is out of range, if that is what is wrong.
+fn out_of_range(error: GaitError) -> Result<OutOfRange, GaitError> {
+    match error {
+        GaitError::Range { parameter, value, unit, lower, upper, why } => {
+            let why = Refusal::Range { lower, upper, unit, more: why };
+            Ok(OutOfRange { name: parameter, value, unit, why })
+        }
+        GaitError::StepLength { parameter, value, unit, lower, upper, at, why } => {
+            let why = Refusal::Pace { lower, upper, unit, at, more: why };
+            Ok(OutOfRange { name: parameter, value, unit, why })
+        }
+        other => Err(other),
+    }
+}
+
+/// To four decimals.
+fn four(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 /// Prints an error and what to do next. Where that cannot be printed either, the exit code has to do.

@@ -75,6 +75,11 @@ impl Limbs {
         }
     }
 
+    /// Which limbs go into each other by more than a centimetre, how deep, when and how long, if any do.
+    pub(crate) fn overlap_note(&self) -> Option<String> {
+        note(&self.overlaps)
+    }
+
     /// The least distance or the greatest depth, in mm.
     pub(crate) fn millimetres(&self) -> String {
         format!("{:.1}", 1e3 * self.distance_m.abs())
@@ -114,16 +119,15 @@ fn overlaps(frames: &[(f64, Near)], pairs: usize, names: &dyn Fn(usize) -> [Stri
     found
 }
 
-impl Overlap {
-    /// In words: how deep, when, for how long.
-    pub(crate) fn note(&self) -> String {
-        let ([a, b], depth) = (&self.links, 1e3 * self.depth_m);
-        format!(
-            "{a} and {b} go {depth:.0} mm into each other at {:.2} s; they overlap by more than 10 mm for {:.2} s, between \
-             {:.2} and {:.2} s",
-            self.at_s, self.lasts_s, self.from_s, self.to_s
-        )
-    }
+/// What there is to say of overlaps, in one sentence; nothing where there are none.
+fn note(overlaps: &[Overlap]) -> Option<String> {
+    let one = |overlap: &Overlap| {
+        let ([a, b], depth) = (&overlap.links, 1e3 * overlap.depth_m);
+        format!("{a} and {b} by {depth:.0} mm at {:.2} s, {:.2} s in all", overlap.at_s, overlap.lasts_s)
+    };
+    let all = overlaps.iter().map(one).collect::<Vec<_>>().join("; ");
+    (!overlaps.is_empty())
+        .then(|| format!("limbs go into each other by more than {:.0} mm: {all}", 1e3 * TOLD))
 }
 
 #[cfg(test)]
@@ -144,13 +148,13 @@ mod tests {
             frame(7, 0.1, 0),
         ];
         let told = overlaps(&frames, 2, &|pair| [format!("a{pair}"), format!("b{pair}")]);
-        let notes: Vec<String> = told.iter().map(Overlap::note).collect();
         assert_eq!(
-            notes,
-            [
-                "a1 and b1 go 50 mm into each other at 0.40 s; they overlap by more than 10 mm for 0.10 s, between 0.40 and 0.40 s",
-                "a0 and b0 go 30 mm into each other at 0.30 s; they overlap by more than 10 mm for 0.30 s, between 0.20 and 0.60 s",
-            ]
+            note(&told).as_deref(),
+            Some(
+                "limbs go into each other by more than 10 mm: a1 and b1 by 50 mm at 0.40 s, 0.10 s in all; a0 and b0 by 30 mm at \
+                 0.30 s, 0.30 s in all"
+            )
         );
+        assert_eq!(note(&[]), None);
     }
 }

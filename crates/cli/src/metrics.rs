@@ -41,14 +41,16 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
         None => (Body::own(person(&args.person)?), Path::new("the human")),
     };
     let is_guess = figure.is_none();
-    let given = Given::of(body, [of, from], &args.record, &args.frame, &progress).map_err(|error| match error {
-        CliError::Input { path, why } if is_guess && path.is_file() => {
-            let why =
-                format!("{why}; without a FIGURE before it it is taken for the motion of a human of `solaris walk`");
-            CliError::Input { path, why }
-        }
-        other => other,
-    })?;
+    let given =
+        Given::of(body, [of, from], &args.record, &args.frame, &progress).map_err(|error| match error {
+            CliError::Input { path, why } if is_guess && path.is_file() => {
+                let why = format!(
+                    "{why}; with no FIGURE before it, it is taken for the motion of a human of `solaris walk`"
+                );
+                CliError::Input { path, why }
+            }
+            other => other,
+        })?;
     needs_times(&given)?;
     progress.stage("finding the steps");
     let evidence = Evidence::find(args, &given)?;

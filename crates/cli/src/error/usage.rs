@@ -33,7 +33,7 @@ pub(crate) enum UsageError {
     SameAxes,
     #[error("-o writes one curve, and its free parameter has no value; give it one")]
     FreeHasNoValue,
-    #[error("the following required arguments were not provided:{}", .options.iter().map(|option| format!("\n  --{option}")).collect::<String>())]
+    #[error("the following required arguments were not provided:\n  {}", .options.join("\n  "))]
     Missing { options: Vec<String> },
     #[error("--curve is given {found} times; a blend has two curves")]
     Curves { found: usize },

@@ -2,6 +2,7 @@
 
 use crate::args::{BlendArgs, KindArgs, option};
 use crate::error::{CliError, Refusal};
+use crate::words::short;
 use solaris::profiles::{Parameter, ProfileError};
 
 /// Of a curve of one kind.
@@ -23,7 +24,7 @@ pub(super) fn of_blend(error: &ProfileError, args: &BlendArgs) -> CliError {
     let Some((what, value, why)) = at_fault(error) else { return other(error) };
     match what {
         "start of the window" | "end of the window" | "length of the window" => {
-            CliError::option("window", &args.window.typed, why)
+            CliError::option("window", &args.window.typed, format!("{what} is {}; {why}", short(value)))
         }
         "stiffness" => {
             let typed =

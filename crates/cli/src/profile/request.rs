@@ -46,7 +46,7 @@ impl<'a> Request<'a> {
         };
         let value = |parameter: &Parameter| given(parameter).or(stands_in(parameter).then_some(0.0));
         let missing = kind.required.iter().filter(|parameter| value(parameter).is_none());
-        let options: Vec<String> = missing.map(|parameter| option(parameter)).collect();
+        let options: Vec<String> = missing.map(|parameter| format!("--{}", option(parameter))).collect();
         if !options.is_empty() {
             return Err(UsageError::Missing { options }.into());
         }
@@ -158,8 +158,11 @@ fn free(args: &CurveArgs, known: &[&'static Parameter]) -> Result<Vec<&'static P
     args.free.iter().map(find).collect()
 }
 
-/// The keys of a kind that has keys, and the file that they are from.
-fn keys(args: &KindArgs) -> Result<(Vec<(f64, f64)>, Option<PathBuf>), CliError> {
+/// Keys, and the file that they are from.
+type Sourced = (Vec<(f64, f64)>, Option<PathBuf>);
+
+/// The keys of a kind that has keys.
+fn keys(args: &KindArgs) -> Result<Sourced, CliError> {
     match args.keys.as_ref().map(|keys| &keys.source) {
         Some(KeySource::Given(keys)) => Ok((keys.clone(), None)),
         Some(KeySource::File(path)) => {

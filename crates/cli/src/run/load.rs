@@ -19,7 +19,7 @@ pub(crate) fn load(path: &Path) -> Result<Loaded, CliError> {
     refuse_others(path)?;
     let text = input::text(path)?;
     if let Some("Figure") = first_word(&text) {
-        return Err(figure_for_scene(path, "figure"));
+        return Err(figure_for_scene(path, "Solaris figure"));
     }
     let folder = path.parent().map(Path::to_owned).unwrap_or_default();
     let mut files = Files { folder, reads: vec![path.to_owned()] };
@@ -47,8 +47,8 @@ fn refuse_others(path: &Path) -> Result<(), CliError> {
 fn figure_for_scene(path: &Path, what: &str) -> CliError {
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let why = format!(
-        "it is a figure ({what}), and {SCENE}. `solaris check {}` tells what the figure is. Beside it, this scene lets it fall \
-         for two seconds:\n\nScene(version: 1, figures: {{\"it\": File(\"{name}\")}}, duration: 2.0)",
+        "it is a figure ({what}); {SCENE}. `solaris check {}` tells what the figure is. Beside it, this scene lets it go for \
+         two seconds:\n\nScene(version: 1, figures: {{\"it\": File(\"{name}\")}}, duration: 2.0)",
         path.display()
     );
     CliError::input(path, &why)

@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::energy::Energies;
 use super::outcomes::{Hit, Told};
-use crate::limbs::{Limbs, Overlap};
+use crate::limbs::Limbs;
 use crate::print::write_json;
 use serde::Serialize;
 use solaris::dynamics::scalar::Operations;
@@ -101,7 +101,7 @@ impl Report {
             phases,
             mut remarks,
         } = simulated.report.clone();
-        remarks.extend(limbs.iter().flat_map(|limbs| limbs.overlaps.iter().map(Overlap::note)));
+        remarks.extend(limbs.as_ref().and_then(Limbs::overlap_note));
         Self {
             version: env!("CARGO_PKG_VERSION"),
             scene: scene.name().to_owned(),

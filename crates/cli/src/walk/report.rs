@@ -4,7 +4,7 @@ use super::notes::notes;
 use super::numbers::short;
 use super::planned::{Planned, postures, style};
 use super::told::{BesideKeyPostures, Extreme, Forces, KeyPostures};
-use crate::limbs::{Limbs, Overlap};
+use crate::limbs::Limbs;
 use serde::Serialize;
 use solaris::gait::{
     Band, LoneForce, Peak, RECIPE_BANDS, SteadyStride, StyledPlan, TEXTBOOK_BANDS, WALK_RATIO, WalkMeasures,
@@ -140,7 +140,7 @@ impl Report {
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Journey(_));
         let m = measures;
-        let overlaps = limbs.iter().flat_map(|limbs| limbs.overlaps.iter().map(Overlap::note));
+        let overlaps = limbs.as_ref().and_then(Limbs::overlap_note).into_iter();
         let weight = mass * motion.info.gravity.norm();
         let mut notes: Vec<String> = overlaps.chain(notes(&plan, m, lone, weight, repeats)).collect();
         if (step_frequency - asked_frequency).abs() > 1e-6 * asked_frequency {

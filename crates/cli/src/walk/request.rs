@@ -16,8 +16,8 @@ use solaris::gait::{
 
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
 const LOOPED_STEPS: (usize, usize) = (42, 6);
-/// What beginning and ending add to the time of a walk's steps (s).
-const BEGINNING_AND_END: f64 = 1.0;
+/// What standing, the first and the closing step add to the time of a walk's steps (s), at the usual step frequency.
+const BEGINNING_AND_END: f64 = 2.6;
 
 /// A walk as the library takes it.
 pub(crate) struct Asked {
@@ -181,11 +181,11 @@ impl Asked {
         match error {
             GaitError::InStage { number, why } => self.refuse_in(number.saturating_sub(1), *why, args),
             GaitError::InPart { number, why } => match origin(number.saturating_sub(1)) {
-                Some(then) => CliError::option("then", then, why.to_string()),
+                Some(then) => CliError::of_then(*why, then),
                 None => CliError::of_gait(*why, args),
             },
             error => match origin(0) {
-                Some(then) => CliError::option("then", then, error.to_string()),
+                Some(then) => CliError::of_then(error, then),
                 None => CliError::of_gait(error, args),
             },
         }
@@ -203,7 +203,7 @@ impl Typed for WalkArgs {
             "distance" => &self.extent.distance,
             "turn" => &self.changes.turn,
             "sway" => &self.manner.sway,
-            other => return Some(&self.style.0.get(other)?.typed),
+            other => return Some(&self.style.0.get(&other.replace(' ', "-"))?.typed),
         };
         number.as_ref().map(|number| number.typed.as_str())
     }

@@ -97,7 +97,7 @@ fn check(command: &[&str], requests: usize, least: usize) {
 
 #[test]
 fn what_would_do_alone_does_for_postures() {
-    check(&["gait", "explain"], 40, 30);
+    check(&["gait", "explain"], 60, 40);
 }
 
 #[test]

@@ -153,7 +153,11 @@ impl Infeasible {
             let nearest = found.into_iter().flatten().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             Nearest { parameter: *parameter, value: values[i], feasible: nearest }
         });
-        Self { nearest: nearest.collect(), fails }
+        // What has no number follows from what fails before it.
+        let has_numbers = |condition: &Condition| condition.sides.iter().all(|side| side.is_finite());
+        let nearest = nearest.collect();
+        let (told, rest): (Vec<_>, Vec<_>) = fails.into_iter().partition(has_numbers);
+        Self { nearest, fails: if told.is_empty() { rest } else { told } }
     }
 
     /// The same with feasible values as people type them: rounded to the digits that are written, on their feasible side, and

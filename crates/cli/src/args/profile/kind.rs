@@ -113,13 +113,13 @@ fn command(kind: &'static Kind) -> Command {
         args.push(to.conflicts_with(option(amplitude)).conflicts_with("free"));
     }
     let command = Command::new(kind.name)
-        .about(kind.summary)
         .override_usage(usage + " [OPTIONS]")
         .after_help(format!("Example:\n  solaris profile {}", example(kind)))
         .next_help_heading("Parameters (x: the unit of positions)")
         .args(args)
         .next_help_heading(None);
-    CurveArgs::augment_args(command)
+    // What is flattened says what it is itself, too.
+    CurveArgs::augment_args(command).about(kind.summary)
 }
 
 /// The option of a parameter: its name with hyphens.

@@ -54,11 +54,11 @@ fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
 /// What was given that the thesis's style alone has.
 fn key_postures(args: &WalkArgs) -> Option<(&'static str, String)> {
     let manner = &args.manner;
-    let in_betweens = manner.in_betweens.map(|how| ("in-betweens", name(how)));
-    let double_support = manner.double_support.map(|law| ("double-support", name(law)));
+    let in_betweens = manner.in_betweens.map(|how| ("in-betweens", name(&how)));
+    let double_support = manner.double_support.map(|law| ("double-support", name(&law)));
     in_betweens.or(double_support).or_else(|| Some(("sway", manner.sway.as_ref()?.typed.clone())))
 }
 
-fn name(value: impl ValueEnum) -> String {
+fn name(value: &impl ValueEnum) -> String {
     value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
