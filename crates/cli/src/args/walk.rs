@@ -170,8 +170,8 @@ pub(crate) struct MannerArgs {
     pub(crate) first: Side,
     #[arg(long = "loop", value_name = "HOW", value_enum, hide_possible_values = true,
         conflicts_with_all = ["steps", "distance", "duration", "turn", "then"], help = wrap(
-        "One stride that repeats instead of a walk: on the spot (in-place), or going on (moving). Its last frame is the one \
-         before its first. With --rate the step frequency is fitted to whole frames, without it the rate [default: a walk]"
+        "One stride that repeats instead of a walk: on the spot (in-place), or going on (moving); its first frame does not come \
+         again as its last. With --rate the step frequency is fitted to whole frames, without it the rate [default: a walk]"
     ))]
     pub(crate) repeats: Option<Loop>,
     #[arg(long, value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
