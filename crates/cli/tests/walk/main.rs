@@ -4,6 +4,7 @@ mod agreement;
 mod hints;
 mod loops;
 mod manners;
+mod overlaps;
 mod places;
 mod sweep;
 
