@@ -1,4 +1,4 @@
-//! The commands and their options.
+//! The commands, and what each of them is asked: one struct a command, parsed once, here.
 
 mod figure;
 mod gait;
@@ -6,102 +6,109 @@ mod given;
 mod ground;
 mod inverse;
 mod metrics;
+mod parameters;
 mod profile;
 mod report;
 mod run;
 mod sweep;
+mod value;
 mod walk;
 
-pub(crate) use given::{BASES, Gravity};
-pub(crate) use ground::{AskedBelt, AskedPlate};
-pub(crate) use metrics::AskedLevel;
-pub(crate) use profile::{FADES, Keys, LEAVING, amplitude, example, option};
-pub(crate) use sweep::{columns, walk_options};
-pub(crate) use walk::{Then, check, key_options};
+pub(crate) use figure::{CheckArgs, ConvertArgs, FigureCommand, HumanArgs, SizeArgs};
+pub(crate) use gait::{
+    ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
+};
+pub(crate) use given::{FrameArgs, RecordArgs};
+pub(crate) use ground::{AskedBelt, AskedPlate, ConsistentArgs, GroundArgs, GroundCommandArgs};
+pub(crate) use inverse::{ExternalArgs, InverseArgs, Switch};
+pub(crate) use metrics::{AskedLevel, MetricsArgs, StancesFrom};
+pub(crate) use parameters::key_options;
+pub(crate) use profile::{
+    BlendArgs, CurveArgs, KeySource, KindArgs, KindCommand, ListArgs, ProfileCommand, ReadArgs, amplitude,
+    example, option,
+};
+pub(crate) use report::ReportArgs;
+pub(crate) use run::RunArgs;
+pub(crate) use sweep::{SweepArgs, columns, walk_options};
+pub(crate) use value::{Number, ValueError};
+pub(crate) use walk::{
+    DoubleSupportLaw, InBetweens, Loop, PaceArgs, PersonArgs, RootLink, Side, StyleName, Then, Travel,
+    WalkArgs, WhoArgs,
+};
 
-use clap::builder::{Str, ValueParser};
-use clap::{Arg, ArgAction, Command};
-use std::path::PathBuf;
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
 
 /// Height of the person when none is given (m).
 pub(crate) const HEIGHT: f64 = 1.75;
 /// Mass over the squared height when no mass is given (kg/m²).
 pub(crate) const BODY_MASS_INDEX: f64 = 23.8;
+/// Heights of people (m), as the library takes them.
+pub(crate) const HEIGHTS: (f64, f64) = (0.8, 2.3);
+/// Masses of people over their squared heights (kg/m²), as the library takes them.
+pub(crate) const BODY_MASS_INDICES: (f64, f64) = (8.0, 80.0);
 /// Number of steps when neither steps nor a distance are given.
-pub(crate) const DEFAULT_STEPS: i64 = 10;
+pub(crate) const DEFAULT_STEPS: usize = 10;
 /// Samples a second of the motion (1/s): default and range.
 pub(crate) const RATE: (f64, f64, f64) = (120.0, 10.0, 1000.0);
 
-pub(crate) fn command() -> Command {
-    Command::new("solaris")
-        .version(env!("CARGO_PKG_VERSION"))
-        .about("Motion of articulated figures that obeys physics")
-        .after_help(
-            "Examples:
+const EXAMPLES: &str = "Examples:
   solaris walk --height 1.75 --mass 73 --step-frequency 110 --steps 10 -o walk.html
   solaris run scene.ron -o motion.html
   solaris inverse subject.osim walk.mot --external grf.mot --plate calcn_r= --plate calcn_l=1_ -o moments.sto
   solaris check robot.urdf
-  solaris profile minimum-jerk --from 0 --to 1.2 --duration 2 -o curve.svg",
-        )
-        .subcommand_required(true)
-        .arg_required_else_help(true)
-        .subcommands([
-            walk::command(),
-            sweep::command(),
-            run::command(),
-            inverse::command(),
-            ground::command(),
-        ])
-        .subcommand(metrics::command())
-        .subcommands(figure::commands())
-        .subcommand(gait::command())
-        .subcommand(profile::command())
-        .subcommand(report::command())
+  solaris profile minimum-jerk --from 0 --to 1.2 --duration 2 -o curve.svg";
+
+/// What is typed.
+#[derive(Debug, Parser)]
+#[command(
+    name = "solaris",
+    version,
+    about = "Motion of articulated figures that obeys physics",
+    long_about = None,
+    after_help = EXAMPLES
+)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
 }
 
-/// An option that takes a number; it may begin with a hyphen: -1 and -inf are numbers, and out of range.
-fn number(name: impl Into<Str>, value: &'static str, help: &str) -> Arg {
-    let (parser, name) = (ValueParser::new(parse_number), name.into());
-    Arg::new(name.clone())
-        .long(name)
-        .value_name(value)
-        .allow_hyphen_values(true)
-        .value_parser(parser)
-        .help(wrap(help))
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Walk(Box<WalkArgs>),
+    Sweep(SweepArgs),
+    Run(RunArgs),
+    Inverse(Box<InverseArgs>),
+    Ground(Box<GroundCommandArgs>),
+    Metrics(Box<MetricsArgs>),
+    #[command(subcommand)]
+    Figure(FigureCommand),
+    Check(CheckArgs),
+    Convert(ConvertArgs),
+    #[command(subcommand)]
+    Gait(GaitCommand),
+    #[command(subcommand)]
+    Profile(Box<ProfileCommand>),
+    Report(ReportArgs),
 }
 
-/// An option that takes a file.
-fn path(name: &'static str) -> Arg {
-    Arg::new(name).long(name).value_name("FILE").value_parser(clap::value_parser!(PathBuf))
+/// The words of the command among those that were typed: `profile blend`.
+pub(crate) fn command_words(typed: impl Iterator<Item = OsString>) -> String {
+    let (mut at, mut words) = (Cli::command(), Vec::new());
+    for word in typed.skip(1) {
+        let Some(inner) = at.find_subcommand(&word).cloned() else { break };
+        words.push(inner.get_name().to_owned());
+        at = inner;
+    }
+    words.join(" ")
 }
 
-/// The file that a command reads.
-fn input(name: &'static str, value: &'static str, help: &str) -> Arg {
-    Arg::new(name)
-        .value_name(value)
-        .required(true)
-        .value_parser(clap::value_parser!(PathBuf))
-        .help(wrap(help))
-}
-
-/// The option that asks for JSON instead of a table.
-fn json(help: &'static str) -> Arg {
-    Arg::new("json").long("json").action(ArgAction::SetTrue).help(help)
-}
-
-/// The options that make a figure of a person's size, or change one.
-fn size() -> [Arg; 3] {
-    [
-        number("height", "M", "Standing height in m"),
-        number("mass", "KG", "Total mass in kg, met exactly"),
-        Arg::new("segment")
-            .long("segment")
-            .value_name("NAME=LENGTH")
-            .action(ArgAction::Append)
-            .value_parser(ValueParser::new(parse_segment))
-            .help(wrap("A segment's own length in m; several are allowed")),
-    ]
+/// The arguments of `T` out of words without the name of a program.
+pub(crate) fn parse<T: Args + FromArgMatches>(
+    command: &clap::Command,
+    words: impl IntoIterator<Item = String>,
+) -> Result<T, clap::Error> {
+    T::from_arg_matches(&command.clone().try_get_matches_from(words)?)
 }
 
 /// Columns of a help text; with the widest option before it a line has 110.
@@ -127,26 +134,20 @@ fn wrap(text: &str) -> String {
     lines
 }
 
-/// A number; NaN is none.
-fn parse_number(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if !number.is_nan() => Ok(number),
-        _ => Err("it must be a number".to_owned()),
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// A segment and its length.
-fn parse_segment(text: &str) -> Result<(String, f64), String> {
-    let (name, length) = text.split_once('=').ok_or("it must be NAME=LENGTH, such as left_thigh=0.44")?;
-    Ok((name.trim().to_owned(), parse_number(length.trim()).map_err(|why| format!("the length: {why}"))?))
-}
-
-/// A whole number; one too large for any walk is kept as the largest, so that it is out of range and not unreadable.
-fn parse_count(text: &str) -> Result<i64, String> {
-    let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
-    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return Err("it must be a whole number".to_owned());
+    #[test]
+    fn the_commands_are_as_clap_asks() {
+        Cli::command().debug_assert();
     }
-    let largest = if text.starts_with('-') { i64::MIN } else { i64::MAX };
-    Ok(text.parse().unwrap_or(largest))
+
+    #[test]
+    fn the_words_of_a_command_end_where_its_arguments_begin() {
+        let words = |line: &str| command_words(line.split(' ').map(OsString::from));
+        assert_eq!(words("solaris walk --rate 5"), "walk");
+        assert_eq!(words("solaris profile blend --curve walk"), "profile blend");
+        assert_eq!(words("solaris walks"), "");
+    }
 }

@@ -2,33 +2,31 @@
 
 mod scene;
 
+use crate::args::CheckArgs;
 use crate::error::CliError;
 use crate::findings::{heading, list};
 use crate::input::{self, Body};
 use crate::print::{print, write_json};
 use crate::words::rounded;
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
 use solaris::model::{Chains, Figure, Finding, FindingKind, Vector3};
 use std::io::Write;
-use std::path::PathBuf;
 
 /// The most links of a figure whose chains are listed: they may repeat each other as often as there are links.
 const MOST_LINKS: usize = 5000;
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let path = matches.get_one::<PathBuf>("figure").cloned().unwrap_or_default();
-    if scene::is_one(&path) {
-        return scene::run(&path, matches);
+pub(crate) fn run(args: &CheckArgs) -> Result<(), CliError> {
+    if scene::is_one(&args.file) {
+        return scene::run(args);
     }
-    let Body { figure, language, mut findings, gravity, gravity_is_given } = input::body(&path)?;
+    let Body { figure, language, mut findings, gravity, gravity_is_given } = input::body(&args.file)?;
     findings.extend(figure.lint());
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
     // With the rationalised links or without, the chains come first.
     let chains = if figure.links().len() > MOST_LINKS {
         format!("The table of chains is left out: there are more than {MOST_LINKS} links.\n")
-    } else if matches.get_flag("dh") {
+    } else if args.dh {
         let summary = Summary::of(&figure).map_err(CliError::other)?;
         format!("{summary}")
     } else {
@@ -36,15 +34,15 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     };
     let facts = Facts::of(&figure, language.name(), gravity.into(), gravity_is_given, &findings);
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             return write_json(out, &facts);
         }
         facts.write(out)?;
         writeln!(out, "\n{}", chains.trim_end())?;
         list(out, &findings)
     })?;
-    if matches.get_flag("strict") && suspects > 0 {
-        return Err(CliError::Strict { path, count: suspects });
+    if args.strict && suspects > 0 {
+        return Err(CliError::Strict { path: args.file.clone(), count: suspects });
     }
     Ok(())
 }
@@ -127,7 +125,7 @@ impl<'a> Facts<'a> {
         }
         row("mass", format!("{} kg", rounded(self.mass_kg)))?;
         if let Some(stature) = self.stature_m {
-            row("standing height", format!("{stature} m"))?;
+            row("standing height", format!("{} m", rounded(stature)))?;
         }
         row(
             "reaches",

@@ -1,16 +1,15 @@
 //! `solaris convert`: a figure or a motion from one format to another.
 
-use crate::error::CliError;
+use crate::args::ConvertArgs;
+use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
 use crate::findings::list;
-use crate::input::{self, Body, Size, extension};
+use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::words::{rounded, some};
-use clap::ArgMatches;
 use solaris::io::{csv, headings, sto};
 use solaris::model::{Scaling, text};
-use std::path::{Path, PathBuf};
 
 /// What a table is written as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,21 +24,22 @@ pub(crate) enum TableFormat {
 pub(crate) const TABLE: Formats<TableFormat> =
     &[("csv", TableFormat::Csv), ("sto", TableFormat::Sto), ("mot", TableFormat::Sto)];
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let [from, to] = ["from", "to"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
-    let is_table = TABLE.iter().any(|(known, _)| *known == extension(&from));
-    let size = Size::of(matches);
+pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
+    refuse_unread(
+        &args.from,
+        "read are figures (.ron, .urdf, .xml, .mjcf, .osim) and motions (.csv, .mot, .sto)",
+    )?;
+    let is_table = TABLE.iter().any(|(known, _)| *known == extension(&args.from));
     if !is_table {
-        return figure(&from, &to, size);
+        return figure(args);
     }
-    if size.is_asked() {
-        let why = "--height, --mass and --segment change a figure; a motion has no size";
-        return Err(CliError::Usage(why.to_owned()));
+    if args.size.is_asked() {
+        return Err(UsageError::MotionHasNoSize.into());
     }
-    motion(matches, &from, &to)
+    motion(args)
 }
 
-fn figure(from: &Path, to: &PathBuf, size: Size) -> Result<(), CliError> {
+fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliError> {
     if TABLE.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
@@ -47,10 +47,10 @@ fn figure(from: &Path, to: &PathBuf, size: Size) -> Result<(), CliError> {
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
     let Body { mut figure, language, findings, .. } = input::body(from)?;
     if size.is_asked() {
-        let Size { height, mass, segments } = size;
-        figure = figure
-            .scaled(&Scaling { height, mass, segments })
-            .map_err(|error| CliError::input(from, &error))?;
+        let [height, mass] =
+            [&size.height, &size.mass].map(|number| number.as_ref().map(|number| number.value));
+        let scaling = Scaling { height, mass, segments: size.segments.clone() };
+        figure = figure.scaled(&scaling).map_err(|error| CliError::input(from, &error))?;
     }
     let text = text::write(&figure);
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
@@ -59,14 +59,14 @@ fn figure(from: &Path, to: &PathBuf, size: Size) -> Result<(), CliError> {
         let (what, mass) = (language.name(), rounded(figure.mass()));
         writeln!(out, "{what} '{name}': {links} links, {dofs} degrees of freedom, {mass} kg")?;
         list(out, &findings)?;
-        writeln!(out, "wrote {}", to.display())
+        outputs.written().try_for_each(|line| writeln!(out, "{line}"))
     })
 }
 
-fn motion(matches: &ArgMatches, from: &Path, to: &PathBuf) -> Result<(), CliError> {
+fn motion(ConvertArgs { from, to, figure, .. }: &ConvertArgs) -> Result<(), CliError> {
     let outputs = Outputs::new([("OUT", to, TABLE)])?;
     let table = input::table(from)?;
-    let figure = match matches.get_one::<PathBuf>("figure") {
+    let figure = match figure {
         Some(path) => Some(input::body(path)?.figure),
         None => None,
     };
@@ -100,6 +100,6 @@ fn motion(matches: &ArgMatches, from: &Path, to: &PathBuf) -> Result<(), CliErro
         for left_out in [left_out, no_positions].iter().filter(|names| !names.is_empty()) {
             writeln!(out, "left out, as no positions: {}", some(left_out))?;
         }
-        writeln!(out, "wrote {}", to.display())
+        outputs.written().try_for_each(|line| writeln!(out, "{line}"))
     })
 }

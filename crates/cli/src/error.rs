@@ -1,10 +1,16 @@
 //! What can go wrong, in the words of the command line.
 
+mod refusal;
+mod usage;
+
+pub(crate) use refusal::Refusal;
+pub(crate) use usage::UsageError;
+
+use crate::args::{Number, ValueError};
 use crate::underline;
-use clap::ArgMatches;
 use solaris::gait::{GaitError, RequestError};
 use solaris::model::{HumanError, TextError};
-use solaris::profiles::ProfileError;
+use std::error::Error;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -12,14 +18,15 @@ use std::process::ExitCode;
 /// Why a command could not be done.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CliError {
-    /// The options contradict each other.
-    #[error("{0}")]
-    Usage(String),
+    /// The command line cannot be understood.
+    #[error(transparent)]
+    Usage(#[from] UsageError),
+    /// The value of an option, as it was typed.
     #[error("--{option} {value}: {why}")]
-    Option { option: String, value: String, why: String },
+    Option { option: String, value: String, why: Box<Refusal> },
     /// A number that no option gave, but that those given lead to.
-    #[error("{name} {value}, from {from}: {why}")]
-    Derived { name: String, value: String, from: String, why: String },
+    #[error("{name} {}{unit}, from {from}: {why}", four(*.value))]
+    Derived { name: String, value: f64, unit: &'static str, from: String, why: Box<Refusal> },
     #[error("{option} {path}: {why}", path = .path.display())]
     Output { option: &'static str, path: PathBuf, why: String },
     #[error(
@@ -38,12 +45,21 @@ pub(crate) enum CliError {
     #[error("standard output: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]
-    Other(Box<dyn std::error::Error>),
+    Other(Box<dyn Error>),
+}
+
+/// Options that a library's error may be about, by the names that the libraries use.
+pub(crate) trait Typed {
+    /// The value of an option as it was typed.
+    fn typed(&self, name: &str) -> Option<&str>;
+
+    /// What was given of step frequency, step length and speed, with the names of the options.
+    fn pace(&self) -> Vec<(&'static str, &Number)>;
 }
 
 impl CliError {
     /// Anything that is nobody's option.
-    pub(crate) fn other(error: impl std::error::Error + 'static) -> Self {
+    pub(crate) fn other(error: impl Error + 'static) -> Self {
         Self::Other(Box::new(error))
     }
 
@@ -52,84 +68,96 @@ impl CliError {
         Self::Input { path: path.to_owned(), why: why.to_string() }
     }
 
+    /// The value of an option that is refused for a reason of its own.
+    pub(crate) fn option(option: &str, value: impl Into<String>, why: impl Into<Refusal>) -> Self {
+        Self::Option { option: option.to_owned(), value: value.into(), why: Box::new(why.into()) }
+    }
+
     /// 2 where the command line cannot be understood, 1 where it cannot be done.
     pub(crate) fn exit_code(&self) -> ExitCode {
         ExitCode::from(if matches!(self, Self::Usage(_)) { 2 } else { 1 })
     }
 
+    /// A command line that clap refuses: a number that is understood and out of range is for us to say.
+    ///
+    /// # Errors
+    ///
+    /// clap's own, where it knows best; help and version come as such.
+    pub(crate) fn of_clap(error: clap::Error) -> Result<Self, clap::Error> {
+        let value = error.source().and_then(|source| source.downcast_ref::<ValueError>());
+        let Some(ValueError::OutOfRange { option, typed, lower, upper, unit }) = value else {
+            return Err(error);
+        };
+        let why = Refusal::Range { lower: *lower, upper: *upper, unit, more: String::new() };
+        Ok(Self::option(option, typed, why))
+    }
+
     /// A height or a mass of which there is no person.
-    pub(crate) fn of_human(error: HumanError, matches: &ArgMatches) -> Self {
-        match &error {
-            HumanError::Height { height } => Self::of_value("height", *height, "m", &error, matches),
-            HumanError::Mass { mass, .. } => Self::of_value("mass", *mass, "kg", &error, matches),
-            _ => Self::other(error),
-        }
+    pub(crate) fn of_human(error: HumanError, asked: &dyn Typed) -> Self {
+        let (name, value, unit) = match error {
+            HumanError::Height { height } => ("height", height, " m"),
+            HumanError::Mass { mass, .. } => ("mass", mass, " kg"),
+            _ => return Self::other(error),
+        };
+        Self::of_value(name, value, unit, Refusal::Person(error), asked)
     }
 
     /// A walk that cannot be.
-    pub(crate) fn of_gait(error: GaitError, matches: &ArgMatches) -> Self {
-        match &error {
-            GaitError::Request(
-                RequestError::Range { parameter, value, unit, .. }
-                | RequestError::StepLength { parameter, value, unit, .. },
-            ) => Self::of_value(parameter, *value, unit.trim(), &error, matches),
-            _ => Self::other(error),
+    pub(crate) fn of_gait(error: GaitError, asked: &dyn Typed) -> Self {
+        match out_of_range(error) {
+            Ok(OutOfRange { name, value, unit, why }) => Self::of_value(name, value, unit, why, asked),
+            Err(error) => Self::other(error),
         }
     }
 
-    /// A curve that cannot be, in the words of the options that ask for it.
-    pub(crate) fn of_profile(error: &ProfileError, matches: &ArgMatches) -> Self {
-        let text = error.to_string();
-        let (what, value) = match error {
-            ProfileError::NotFinite { what, value }
-            | ProfileError::NotWhole { what, value }
-            | ProfileError::OutOfRange { what, value, .. }
-            | ProfileError::Infeasible { what, value, .. } => (*what, *value),
-            ProfileError::Duration { duration } => ("duration", *duration),
-            ProfileError::Knots { .. } | ProfileError::Count { .. } => ("keys", f64::NAN),
-            _ => return Self::Other(text.into()),
+    /// A part of a walk that cannot be, said of the `--then` that asks for it.
+    pub(crate) fn of_then(error: GaitError, then: String) -> Self {
+        let why = match out_of_range(error) {
+            Ok(OutOfRange { name, value, unit, why }) => format!("{name} {}{unit}: {why}", four(value)),
+            Err(error) => error.to_string(),
         };
-        // The window of a blend is one option.
-        let option = if what.ends_with("the window") { "window".to_owned() } else { what.replace(' ', "-") };
-        let option = if option == "key" { "keys".to_owned() } else { option };
-        // Of options that there are: a text has its parameters inside.
-        if matches.try_get_raw(&option).is_err() {
-            return Self::Other(text.into());
-        }
-        let value = typed(matches, &option).unwrap_or_else(|| value.to_string());
-        let said = [format!("{what} is {value}"), format!("{what} {value}")];
-        let why = said.iter().find_map(|said| text.strip_prefix(said.as_str())).unwrap_or(&text);
-        let why = why.trim_start_matches("keys");
-        Self::Option { option, value, why: why.trim_start_matches([':', ';', ' ']).to_owned() }
+        Self::option("then", then, why)
     }
 
-    /// `error`, whose message begins with a name and a value, said of the option of that name and its value as typed.
-    fn of_value(
-        name: &str,
-        value: f64,
-        unit: &str,
-        error: &dyn std::error::Error,
-        matches: &ArgMatches,
-    ) -> Self {
-        let text = error.to_string();
-        let why = text.split_once(": ").map_or(text.as_str(), |(_, why)| why).to_owned();
-        let option = name.replace(' ', "-");
-        if let Some(value) = typed(matches, &option) {
-            return Self::Option { option, value, why };
+    /// A value of this name, said of the option of that name as it was typed, or of what led to it.
+    fn of_value(name: &str, value: f64, unit: &'static str, why: Refusal, asked: &dyn Typed) -> Self {
+        if let Some(typed) = asked.typed(name) {
+            return Self::option(&name.replace(' ', "-"), typed, why);
         }
-        let pace = ["step-frequency", "step-length", "speed"];
-        let given = pace.iter().filter_map(|o| Some(format!("--{o} {}", typed(matches, o)?)));
-        let from = given.collect::<Vec<_>>().join(" and ");
-        let from = if from.is_empty() { "the defaults".to_owned() } else { from };
-        let value = (value * 1e4).round() / 1e4;
-        Self::Derived { name: name.to_owned(), value: format!("{value} {unit}"), from, why }
+        let given = asked.pace();
+        let given: Vec<String> =
+            given.iter().map(|(option, number)| format!("--{option} {}", number.typed)).collect();
+        let from = if given.is_empty() { "the defaults".to_owned() } else { given.join(" and ") };
+        Self::Derived { name: name.to_owned(), value, unit, from, why: Box::new(why) }
     }
 }
 
-/// The value of an option as it was typed.
-pub(crate) fn typed(matches: &ArgMatches, option: &str) -> Option<String> {
-    let mut values = matches.try_get_raw(option).ok()??;
-    values.next().map(|value| value.to_string_lossy().into_owned())
+/// A number of a walk that is out of its range.
+struct OutOfRange {
+    name: &'static str,
+    value: f64,
+    unit: &'static str,
+    why: Refusal,
+}
+
+/// What is out of range, if that is what is wrong.
+fn out_of_range(error: GaitError) -> Result<OutOfRange, GaitError> {
+    match error {
+        GaitError::Request(RequestError::Range { parameter, value, unit, lower, upper, why }) => {
+            let why = Refusal::Range { lower, upper, unit, more: why };
+            Ok(OutOfRange { name: parameter, value, unit, why })
+        }
+        GaitError::Request(RequestError::StepLength { parameter, value, unit, lower, upper, at, why }) => {
+            let why = Refusal::Pace { lower, upper, unit, at, more: why };
+            Ok(OutOfRange { name: parameter, value, unit, why })
+        }
+        other => Err(other),
+    }
+}
+
+/// To four decimals.
+fn four(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 /// Prints an error and what to do next. Where that cannot be printed either, the exit code has to do.

@@ -1,40 +1,51 @@
 //! `solaris figure`: writes a figure as text.
 
-use crate::args::{BODY_MASS_INDEX, HEIGHT};
-use crate::error::CliError;
-use crate::input::Size;
+use crate::args::{BODY_MASS_INDEX, FigureCommand, HEIGHT, HumanArgs, Number, SizeArgs};
+use crate::error::{CliError, Typed};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
-use clap::ArgMatches;
+use crate::words::rounded;
 use solaris::model::{Human, text};
-use std::path::PathBuf;
 
 /// A figure's text.
 pub(crate) const TEXT: Formats<()> = &[("ron", ())];
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    match matches.subcommand() {
-        Some(("human", matches)) => human(matches),
-        // clap asks for a subcommand.
-        _ => Ok(()),
+pub(crate) fn run(command: &FigureCommand) -> Result<(), CliError> {
+    match command {
+        FigureCommand::Human(args) => human(args),
     }
 }
 
-fn human(matches: &ArgMatches) -> Result<(), CliError> {
-    let path = matches.get_one::<PathBuf>("output");
-    let outputs = Outputs::new(path.map(|path| ("-o", path, TEXT)))?;
-    let Size { height, mass, segments } = Size::of(matches);
-    let height = height.unwrap_or(HEIGHT);
-    let mass = mass.unwrap_or(BODY_MASS_INDEX * height * height);
-    let human = segments
-        .into_iter()
-        .fold(Human::new(height, mass), |human, (name, length)| human.segment_length(name, length));
-    let figure = human.build().map_err(|error| CliError::of_human(error, matches))?;
+fn human(HumanArgs { size, output }: &HumanArgs) -> Result<(), CliError> {
+    let outputs = Outputs::new([("-o", output, TEXT)])?;
+    let height = size.height.as_ref().map_or(HEIGHT, |height| height.value);
+    let mass = size.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
+    let human = size
+        .segments
+        .iter()
+        .fold(Human::new(height, mass), |human, (name, length)| human.segment_length(name.clone(), *length));
+    let figure = human.build().map_err(|error| CliError::of_human(error, size))?;
     let text = text::write(&figure);
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
     let (links, dofs) = (figure.links().len(), figure.layout().nv());
     print(|out| {
-        writeln!(out, "A human of {height} m and {mass} kg: {links} links, {dofs} degrees of freedom")?;
-        outputs.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
+        writeln!(
+            out,
+            "A human of {} m and {} kg: {links} links, {dofs} degrees of freedom",
+            rounded(height),
+            rounded(mass)
+        )?;
+        outputs.written().try_for_each(|line| writeln!(out, "{line}"))
     })
+}
+
+impl Typed for SizeArgs {
+    fn typed(&self, name: &str) -> Option<&str> {
+        let number = if name == "height" { &self.height } else { &self.mass };
+        number.as_ref().map(|number| number.typed.as_str())
+    }
+
+    fn pace(&self) -> Vec<(&'static str, &Number)> {
+        Vec::new()
+    }
 }

@@ -7,16 +7,14 @@ mod picture;
 mod postures;
 mod table;
 
+use crate::args::GaitCommand;
 use crate::error::CliError;
-use clap::ArgMatches;
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    match matches.subcommand() {
-        Some(("table", matches)) => table::run(matches),
-        Some(("map", matches)) => map::run(matches),
-        Some(("explain", matches)) => explain::run(matches),
-        Some(("people", matches)) => people::run(matches),
-        // clap asks for a subcommand.
-        _ => Ok(()),
+pub(crate) fn run(command: &GaitCommand) -> Result<(), CliError> {
+    match command {
+        GaitCommand::Table(args) => table::run(args),
+        GaitCommand::Map(args) => map::run(args),
+        GaitCommand::Explain(args) => explain::run(args),
+        GaitCommand::People(args) => people::run(args),
     }
 }

@@ -5,6 +5,6 @@ mod report;
 mod summary;
 mod units;
 
-pub(crate) use read::Given;
+pub(crate) use read::{Given, in_order};
 pub(crate) use report::GivenReport;
 pub(crate) use units::slides;

@@ -11,24 +11,23 @@ mod summary;
 pub(crate) use files::{Content, outputs, write_motion};
 
 use files::{Written, outputs_or_picture};
-pub(crate) use predicted::{Predicted, needs_times, refused, standing};
+pub(crate) use predicted::{Ground, Predicted, needs_times, refused, standing};
 pub(crate) use report::GroundReport;
 pub(crate) use soles::{From as SolesFrom, find as find_soles, known as known_soles};
 
-use crate::convert::{TABLE, TableFormat};
+use crate::args::GroundCommandArgs;
+use crate::convert::TableFormat;
 use crate::error::CliError;
-use crate::given::{Given, GivenReport};
-use crate::input::extension;
+use crate::given::{Given, GivenReport, in_order};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
 use against::Plates;
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::io::record::{ForceHeadings, force_table};
 use solaris::io::{csv, sto};
 use solaris::model::Vector3;
 use solaris::view::{FootForces, forces};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// What is printed as JSON.
 #[derive(Serialize)]
@@ -38,23 +37,20 @@ struct Report {
     ground: GroundReport,
 }
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let outputs = outputs_or_picture(matches)?;
-    let [mut from, mut of] =
-        ["motion", "figure"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
-    // `solaris inverse` has them the other way round, and their names tell them apart.
-    if is_table(&of) && !is_table(&from) {
-        std::mem::swap(&mut of, &mut from);
-    }
-    let others = ["soles", "against"].map(|name| matches.get_one::<PathBuf>(name));
-    outputs.keep_off([&of, &from].into_iter().chain(others.into_iter().flatten()).map(PathBuf::as_path))?;
+pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
+    let outputs = outputs_or_picture(&args.outputs, &args.consistent.motions)?;
+    let (of, from) = (args.figure.as_path(), args.motion.as_path());
+    in_order("ground", of, from)?;
+    let others = [&args.ground.soles, &args.against];
+    outputs.keep_off([of, from].into_iter().chain(others.into_iter().flatten().map(PathBuf::as_path)))?;
 
     let progress = Progress::new(4);
     progress.stage("reading");
-    let mut given = Given::read(matches, &of, &from, &progress)?;
+    let mut given = Given::read(of, from, &args.record, &args.frame, &progress)?;
     progress.stage("finding the ground's forces");
-    let ground = Predicted::find(matches, &mut given)?;
-    let plates = Plates::read(matches, &ground.soles)?;
+    let asked = Ground { how: &args.ground, frame: &args.frame };
+    let ground = Predicted::find(asked, &args.consistent, &mut given)?;
+    let plates = Plates::read(args.against.as_deref(), &args.plates, &ground.soles)?;
 
     progress.stage("writing");
     let table = |headings| {
@@ -87,13 +83,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
         report.ground.hold_against(feet, whole);
     }
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             return write_json(out, &report);
         }
         report.given.write(out)?;
         report.given.write_doubts(out)?;
         report.ground.write(out)?;
-        outputs.paths().try_for_each(|path| writeln!(out, "\nwrote {}", path.display()))
+        outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
 }
 
@@ -118,8 +114,4 @@ fn picture(ground: &Predicted, given: &Given, plates: Option<&Plates>) -> String
     let axes = [("along x", Vector3::x()), ("along y", Vector3::y()), ("along z", Vector3::z())];
     let title = given.from.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     forces(&feet, &axes, &format!("{title}: forces of the ground"))
-}
-
-fn is_table(path: &Path) -> bool {
-    TABLE.iter().any(|(known, _)| *known == extension(path))
 }

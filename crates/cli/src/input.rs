@@ -1,7 +1,6 @@
 //! Files that are read: figures in any format, tables of numbers.
 
 use crate::error::CliError;
-use clap::ArgMatches;
 use solaris::io::{Import, Table, csv, mjcf, opensim, sto, urdf};
 use solaris::model::{Figure, Finding, TextError, Vector3, text};
 use std::fs::{self, File};
@@ -94,16 +93,50 @@ impl Body {
     }
 }
 
+/// What is known of files that are not read yet, by their extensions.
+const UNREAD: [(&str, &str); 9] = [
+    ("bvh", "motion capture (BVH), which is written but not read yet"),
+    ("c3d", "measured markers (C3D), which are not read yet"),
+    ("trc", "measured markers (TRC), which are not read yet"),
+    ("fbx", "a model of a 3-D program (FBX), which is not read yet"),
+    ("glb", "a model of a 3-D program (glTF), which is not read yet"),
+    ("gltf", "a model of a 3-D program (glTF), which is not read yet"),
+    ("usd", "a model of a 3-D program (USD), which is not read yet"),
+    ("sdf", "a model of a simulator (SDF), which is not read yet"),
+    ("html", "a page, which a browser shows"),
+];
+
+/// Refuses a file of a format that is known and not read; `known` says what is.
+pub(crate) fn refuse_unread(path: &Path, known: &str) -> Result<(), CliError> {
+    let extension = extension(path);
+    match UNREAD.iter().find(|(unread, _)| *unread == extension) {
+        Some((_, what)) => Err(CliError::input(path, &format!("it is {what}; {known}"))),
+        None => Ok(()),
+    }
+}
+
+/// What a figure's file is written in, by its extension alone; none where that does not tell.
+pub(crate) fn foreign(path: &Path) -> Option<Language> {
+    match extension(path).as_str() {
+        "urdf" => Some(Language::Urdf),
+        "mjcf" => Some(Language::Mjcf),
+        "osim" => Some(Language::OpenSim),
+        "xml" => text(path).ok().and_then(|text| Language::of(path, &text)),
+        _ => None,
+    }
+}
+
 /// Reads a figure.
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
-    let text = self::text(path)?;
     let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
+    refuse_unread(path, known)?;
+    let text = self::text(path)?;
     let language = Language::of(path, &text).ok_or_else(|| {
         let why = match extension(path).as_str() {
             "xml" => {
                 "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an OpenSim model".to_owned()
             }
-            "csv" | "mot" | "sto" | "bvh" => format!("it is a motion, and a figure is needed: {known}"),
+            "csv" | "mot" | "sto" => format!("it is a motion, and a figure is needed: {known}"),
             _ => format!("its extension says nothing; {known}"),
         };
         CliError::input(path, &why)
@@ -142,29 +175,17 @@ pub(crate) fn table(path: &Path) -> Result<Table, CliError> {
     let read = match extension(path).as_str() {
         "csv" => csv::read_table,
         "mot" | "sto" => sto::read,
-        _ => return Err(CliError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto")),
+        _ => {
+            refuse_unread(path, "a motion is .csv, .mot or .sto")?;
+            return Err(CliError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto"));
+        }
     };
     read(&text(path)?).map_err(|error| CliError::input(path, &error))
 }
 
-/// What size a figure is to have.
-pub(crate) struct Size {
-    pub(crate) height: Option<f64>,
-    pub(crate) mass: Option<f64>,
-    pub(crate) segments: Vec<(String, f64)>,
-}
-
-impl Size {
-    pub(crate) fn of(matches: &ArgMatches) -> Self {
-        let number = |name: &str| matches.get_one::<f64>(name).copied();
-        let segments = matches.get_many("segment").unwrap_or_default().cloned().collect();
-        Self { height: number("height"), mass: number("mass"), segments }
-    }
-
-    /// Whether any of it was asked for.
-    pub(crate) fn is_asked(&self) -> bool {
-        self.height.is_some() || self.mass.is_some() || !self.segments.is_empty()
-    }
+/// Whether a file is one of motions, by its extension.
+pub(crate) fn is_motion(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "csv" | "mot" | "sto" | "bvh" | "c3d" | "trc")
 }
 
 /// The error of a text with faults.

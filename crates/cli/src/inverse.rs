@@ -5,47 +5,50 @@ mod report;
 mod summary;
 mod tables;
 
+use crate::args::{InverseArgs, Switch};
 use crate::convert::TableFormat;
 use crate::error::CliError;
-use crate::given::Given;
-use crate::ground::{Content, GroundReport, Predicted, outputs, write_motion};
+use crate::given::{Given, in_order};
+use crate::ground::{Content, Ground, GroundReport, Predicted, outputs, write_motion};
 use crate::print::print;
 use crate::progress::Progress;
-use clap::ArgMatches;
 use forces::External;
 use report::{Asked, Report};
 use solaris::analysis::{InverseOptions, Loads, inverse_motion};
 use solaris::io::{csv, sto};
 use std::path::PathBuf;
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let outputs = outputs(matches)?;
-    let [of, from] =
-        ["figure", "motion"].map(|name| matches.get_one::<PathBuf>(name).cloned().unwrap_or_default());
+pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
+    let (predicted, external) = (&args.predicted, &args.external);
+    let outputs = outputs(&args.outputs, &predicted.consistent.motions)?;
+    let (of, from) = (args.figure.as_path(), args.motion.as_path());
+    in_order("inverse", of, from)?;
 
-    let files = ["external", "external-loads", "soles"].map(|name| matches.get_one::<PathBuf>(name));
-    outputs.keep_off([&of, &from].into_iter().chain(files.into_iter().flatten()).map(PathBuf::as_path))?;
+    let files = [&external.forces, &external.loads, &predicted.how.soles];
+    outputs.keep_off([of, from].into_iter().chain(files.into_iter().flatten().map(PathBuf::as_path)))?;
 
     let progress = Progress::new(5);
     progress.stage("reading");
-    let mut given = Given::read(matches, &of, &from, &progress)?;
-    let external = External::read(matches)?;
+    let mut given = Given::read(of, from, &args.record, &args.frame, &progress)?;
+    let external = External::read(external)?;
     let measured = external.records(&given.body.figure)?;
 
     progress.stage("finding the forces");
-    let ground = matches.get_flag("ground").then(|| Predicted::find(matches, &mut given)).transpose()?;
+    let asked = Ground { how: &predicted.how, frame: &args.frame };
+    let find = || Predicted::find(asked, &predicted.consistent, &mut given);
+    let ground = predicted.ground.then(find).transpose()?;
     let figure = &given.body.figure;
     let mut loads = Loads::at_times(figure, &measured, given.motion().time())
-        .map_err(|error| CliError::input(&from, &error))?;
+        .map_err(|error| CliError::input(from, &error))?;
     if let Some(ground) = &ground {
         loads = loads.and(ground.forces.loads());
     }
-    let passive = matches.get_one::<String>("passive").is_none_or(|on| on == "on");
+    let passive = args.passive == Switch::On;
     let rows = progress.rows(given.motion().len());
     let mut count = |done: usize| rows.at(done);
     let options = InverseOptions { passive, progress: Some(&mut count) };
-    let forces = inverse_motion(&given.prepared()?, &loads, options)
-        .map_err(|error| CliError::input(&from, &error))?;
+    let forces =
+        inverse_motion(&given.prepared()?, &loads, options).map_err(|error| CliError::input(from, &error))?;
 
     progress.stage("writing");
     outputs.write(|content, mut writer| {
@@ -72,10 +75,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     };
     let report = Report::new(&given, asked, &forces);
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             return report.write_json(out);
         }
         report.write(out)?;
-        outputs.paths().try_for_each(|path| writeln!(out, "\nwrote {}", path.display()))
+        outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
 }

@@ -15,9 +15,26 @@ pub(crate) struct Limbs {
     pub(crate) pairs: usize,
     /// Pairs that were not, for they overlap with every joint at zero.
     pub(crate) left_out: Vec<[String; 2]>,
+    /// Pairs that go into each other by more than a centimetre, the deepest first.
+    pub(crate) overlaps: Vec<Overlap>,
     /// Which pair was the nearest, one after the other.
     pub(crate) spells: Vec<Spell>,
 }
+
+/// Two limbs in each other; in frames in which another pair is deeper, that one alone counts.
+#[derive(Debug, Serialize)]
+pub(crate) struct Overlap {
+    pub(crate) links: [String; 2],
+    pub(crate) depth_m: f64,
+    pub(crate) at_s: f64,
+    /// When it is first and last deeper than a centimetre, and for how long in all.
+    pub(crate) from_s: f64,
+    pub(crate) to_s: f64,
+    pub(crate) lasts_s: f64,
+}
+
+/// The depth from which on an overlap is told (m): more than what clothes and flesh give way.
+const TOLD: f64 = 0.01;
 
 /// Frames on end in which the same pair is the nearest.
 #[derive(Debug, Serialize)]
@@ -53,8 +70,14 @@ impl Limbs {
             links: found.nearest.links,
             pairs: found.pairs.len(),
             left_out: found.left_out.iter().map(names).collect(),
+            overlaps: overlaps(&frames, found.pairs.len(), &|pair| names(&found.pairs[pair])),
             spells: frames.chunk_by(|a, b| a.1.pair == b.1.pair).map(spell).collect(),
         }
+    }
+
+    /// Which limbs go into each other by more than a centimetre, how deep, when and how long, if any do.
+    pub(crate) fn overlap_note(&self) -> Option<String> {
+        note(&self.overlaps)
     }
 
     /// The least distance or the greatest depth, in mm.
@@ -67,5 +90,71 @@ impl Limbs {
         let ([a, b], at) = (&self.links, self.at_s);
         let overlap = if self.distance_m < 0.0 { "overlap, " } else { "" };
         format!("{overlap}{a} and {b}, at {at:.3} s")
+    }
+}
+
+/// The overlaps that are told, each with how deep it is and when.
+fn overlaps(frames: &[(f64, Near)], pairs: usize, names: &dyn Fn(usize) -> [String; 2]) -> Vec<Overlap> {
+    let mut found: Vec<Option<Overlap>> = (0..pairs).map(|_| None).collect();
+    for (i, (time, near)) in frames.iter().enumerate().filter(|(_, (_, near))| near.distance < -TOLD) {
+        // A frame lasts until the next one.
+        let lasts = frames.get(i + 1).map_or(0.0, |(next, _)| next - time);
+        let (depth, at_s) = (-near.distance, *time);
+        let overlap = found[near.pair].get_or_insert_with(|| Overlap {
+            links: names(near.pair),
+            depth_m: depth,
+            at_s,
+            from_s: at_s,
+            to_s: at_s,
+            lasts_s: 0.0,
+        });
+        if depth > overlap.depth_m {
+            (overlap.depth_m, overlap.at_s) = (depth, at_s);
+        }
+        overlap.to_s = at_s;
+        overlap.lasts_s += lasts;
+    }
+    let mut found: Vec<Overlap> = found.into_iter().flatten().collect();
+    found.sort_by(|a, b| b.depth_m.total_cmp(&a.depth_m));
+    found
+}
+
+/// What there is to say of overlaps, in one sentence; nothing where there are none.
+fn note(overlaps: &[Overlap]) -> Option<String> {
+    let one = |overlap: &Overlap| {
+        let ([a, b], depth) = (&overlap.links, 1e3 * overlap.depth_m);
+        format!("{a} and {b} by {depth:.0} mm at {:.2} s, {:.2} s in all", overlap.at_s, overlap.lasts_s)
+    };
+    let all = overlaps.iter().map(one).collect::<Vec<_>>().join("; ");
+    (!overlaps.is_empty())
+        .then(|| format!("limbs go into each other by more than {:.0} mm: {all}", 1e3 * TOLD))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn overlaps_are_told_from_a_centimetre_on_the_deepest_first() {
+        let frame = |i: usize, distance: f64, pair: usize| (i as f64 * 0.1, Near { distance, pair });
+        let frames = [
+            frame(0, 0.02, 0),
+            frame(1, -0.009, 0),
+            frame(2, -0.02, 0),
+            frame(3, -0.03, 0),
+            frame(4, -0.05, 1),
+            frame(5, 0.0, 1),
+            frame(6, -0.011, 0),
+            frame(7, 0.1, 0),
+        ];
+        let told = overlaps(&frames, 2, &|pair| [format!("a{pair}"), format!("b{pair}")]);
+        assert_eq!(
+            note(&told).as_deref(),
+            Some(
+                "limbs go into each other by more than 10 mm: a1 and b1 by 50 mm at 0.40 s, 0.10 s in all; a0 and b0 by 30 mm at \
+                 0.30 s, 0.30 s in all"
+            )
+        );
+        assert_eq!(note(&[]), None);
     }
 }

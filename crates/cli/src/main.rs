@@ -26,42 +26,39 @@ mod underline;
 mod walk;
 mod words;
 
+use args::{Cli, Command};
+use clap::Parser;
+use error::CliError;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = args::command().get_matches();
-    let result = match matches.subcommand() {
-        Some(("walk", matches)) => walk::run(matches),
-        Some(("sweep", matches)) => sweep::run(matches),
-        Some(("run", matches)) => run::run(matches),
-        Some(("inverse", matches)) => inverse::run(matches),
-        Some(("ground", matches)) => ground::run(matches),
-        Some(("metrics", matches)) => metrics::run(matches),
-        Some(("check", matches)) => check::run(matches),
-        Some(("figure", matches)) => figure::run(matches),
-        Some(("convert", matches)) => convert::run(matches),
-        Some(("gait", matches)) => gait::run(matches),
-        Some(("profile", matches)) => profile::run(matches),
-        Some(("report", matches)) => report::run(matches),
-        // clap asks for a subcommand.
-        _ => Ok(()),
+    let result = match Cli::try_parse() {
+        Ok(cli) => run(&cli.command),
+        // Help and the version come this way, too.
+        Err(error) => Err(CliError::of_clap(error).unwrap_or_else(|error| error.exit())),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            error::show(&error, &command(&matches));
+            error::show(&error, &args::command_words(std::env::args_os()));
             error.exit_code()
         }
     }
 }
 
-/// The words of the command that was typed.
-fn command(matches: &clap::ArgMatches) -> String {
-    let mut words = Vec::new();
-    let mut at = matches.subcommand();
-    while let Some((name, inner)) = at {
-        words.push(name);
-        at = inner.subcommand();
+fn run(command: &Command) -> Result<(), CliError> {
+    match command {
+        Command::Walk(args) => walk::run(args),
+        Command::Sweep(args) => sweep::run(args),
+        Command::Run(args) => run::run(args),
+        Command::Inverse(args) => inverse::run(args),
+        Command::Ground(args) => ground::run(args),
+        Command::Metrics(args) => metrics::run(args),
+        Command::Figure(command) => figure::run(command),
+        Command::Check(args) => check::run(args),
+        Command::Convert(args) => convert::run(args),
+        Command::Gait(command) => gait::run(command),
+        Command::Profile(command) => profile::run(command),
+        Command::Report(args) => report::run(args),
     }
-    words.join(" ")
 }

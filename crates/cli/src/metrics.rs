@@ -3,19 +3,19 @@
 mod evidence;
 mod report;
 
+use crate::args::MetricsArgs;
 use crate::error::CliError;
-use crate::given::{Given, GivenReport};
+use crate::given::{Given, GivenReport, in_order};
 use crate::ground::needs_times;
 use crate::input::{self, Body};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
 use crate::walk::person;
-use clap::ArgMatches;
 use evidence::Evidence;
 use report::Report;
 use solaris::gait::metrics::metrics;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// What a file of metrics is.
 #[derive(Clone, Copy, Debug)]
@@ -26,34 +26,37 @@ enum Format {
 
 const FILES: Formats<Format> = &[("json", Format::Json), ("csv", Format::Csv)];
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let files = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(files.map(|path| ("-o", path, FILES)))?;
-    let from = matches.get_one::<PathBuf>("motion").cloned().unwrap_or_default();
-    let others = ["figure", "soles"].map(|name| matches.get_one::<PathBuf>(name).map(PathBuf::as_path));
-    outputs.keep_off([from.as_path()].into_iter().chain(others.into_iter().flatten()))?;
+pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
+    let outputs = Outputs::new(args.outputs.iter().map(|path| ("-o", path, FILES)))?;
+    let (figure, from) = (args.figure(), args.motion.as_path());
+    if let Some(of) = figure {
+        in_order("metrics", of, from)?;
+    }
+    outputs.keep_off([from].into_iter().chain(figure).chain(args.how.soles.as_deref()))?;
 
     let progress = Progress::new(4);
     progress.stage("reading");
-    let (body, of) = match matches.get_one::<PathBuf>("figure") {
-        Some(path) => (input::body(path)?, path.clone()),
-        None => (Body::own(person(matches)?), PathBuf::from("the human")),
+    let (body, of) = match figure {
+        Some(path) => (input::body(path)?, path),
+        None => (Body::own(person(&args.person)?), Path::new("the human")),
     };
-    let is_guess = !matches.contains_id("figure");
-    let given = Given::of(matches, body, &of, &from, &progress).map_err(|error| match error {
-        CliError::Input { path, why } if is_guess && path.is_file() => {
-            let why =
-                format!("{why}; without --figure it is taken for the motion of a human of `solaris walk`");
-            CliError::Input { path, why }
-        }
-        other => other,
-    })?;
+    let is_guess = figure.is_none();
+    let given =
+        Given::of(body, [of, from], &args.record, &args.frame, &progress).map_err(|error| match error {
+            CliError::Input { path, why } if is_guess && path.is_file() => {
+                let why = format!(
+                    "{why}; with no FIGURE before it, it is taken for the motion of a human of `solaris walk`"
+                );
+                CliError::Input { path, why }
+            }
+            other => other,
+        })?;
     needs_times(&given)?;
     progress.stage("finding the steps");
-    let evidence = Evidence::find(matches, &given)?;
+    let evidence = Evidence::find(args, &given)?;
     progress.stage("measuring");
     let prepared = given.prepared()?;
-    let all = metrics(&evidence.input(&prepared)).map_err(|error| CliError::input(&from, &error))?;
+    let all = metrics(&evidence.input(&prepared)).map_err(|error| CliError::input(from, &error))?;
     let report = Report::new(GivenReport::new(&given), &evidence, &all);
     outputs.write(|format, mut writer| match format {
         Format::Json => report.write_json(writer).map_err(CliError::other),
@@ -61,10 +64,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     })?;
     drop(progress);
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             return report.write_json(out);
         }
         report.write(out)?;
-        outputs.paths().try_for_each(|path: &Path| writeln!(out, "\nwrote {}", path.display()))
+        outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
 }

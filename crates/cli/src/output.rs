@@ -20,6 +20,8 @@ struct Output<F> {
     format: F,
     /// Where the file will stand, links followed.
     place: PathBuf,
+    /// Whether there is a file already, which it replaces.
+    replaces: bool,
 }
 
 impl<F> Output<F> {
@@ -49,7 +51,8 @@ impl<F: Copy + 'static> Outputs<F> {
                 let (option, path) = (other.option, other.path.display());
                 return Err(refuse(format!("{option} {path} is the same file; give each its own")));
             }
-            outputs.push(Output { option, path: path.clone(), format, place });
+            let replaces = place.exists();
+            outputs.push(Output { option, path: path.clone(), format, place, replaces });
         }
         Ok(Self(outputs))
     }
@@ -68,6 +71,14 @@ impl<F: Copy + 'static> Outputs<F> {
     /// The paths, in order.
     pub(crate) fn paths(&self) -> impl Iterator<Item = &Path> {
         self.0.iter().map(|output| output.path.as_path())
+    }
+
+    /// A line for each file that was written, in order; what was replaced is said.
+    pub(crate) fn written(&self) -> impl Iterator<Item = String> {
+        self.0.iter().map(|output| {
+            let replaces = if output.replaces { ", in place of the file that was there" } else { "" };
+            format!("wrote {}{replaces}", output.path.display())
+        })
     }
 
     /// Refuses what cannot be written in a format, as `check` finds.
@@ -220,6 +231,8 @@ mod tests {
         outputs.write(|_, writer| writer.write_all(b"new").map_err(CliError::Stdout)).expect("written");
         assert_eq!(names(folder.path()), ["a.csv", "b.bvh"]);
         assert_eq!(fs::read_to_string(folder.path().join("a.csv")).expect("there"), "new");
+        let told: Vec<bool> = outputs.written().map(|line| line.ends_with("that was there")).collect();
+        assert_eq!(told, [true, false]);
     }
 
     #[test]

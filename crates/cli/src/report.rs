@@ -4,11 +4,11 @@ mod numbers;
 mod summary;
 mod watching;
 
-use crate::error::{CliError, typed};
+use crate::args::ReportArgs;
+use crate::error::CliError;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::run::{Loaded, load, refuse};
-use clap::ArgMatches;
 use solaris::modes::study::{Study, StudyOptions, study};
 use solaris::modes::{Method, Settings};
 use solaris::scene::SceneError;
@@ -27,8 +27,6 @@ enum Format {
 
 const FORMATS: Formats<Format> = &[("html", Format::Html), ("svg", Format::Svg)];
 
-/// Errors that can be wanted (rad or m).
-const WANTED: (f64, f64) = (1e-13, 0.1);
 /// The error that is wanted where neither the command line nor the scene says one.
 const DEFAULT: f64 = 1e-6;
 /// So often files are written while the study goes on: whoever stops it keeps what there is.
@@ -41,14 +39,17 @@ struct Subject {
 }
 
 /// Runs the scene by every method and writes what came of it.
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?;
-    let path = matches.get_one::<PathBuf>("scene").cloned().unwrap_or_default();
-    let Loaded { scene, reads } = load(&path)?;
+pub(crate) fn run(args: &ReportArgs) -> Result<(), CliError> {
+    let outputs = Outputs::new(args.outputs.iter().map(|path| ("-o", path, FORMATS)))?;
+    let path = args.scene.as_path();
+    let Loaded { scene, reads } = load(path)?;
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     let settings = scene.settings().clone();
-    let wanted = wanted(matches, settings.method)?;
+    // What the scene asks for, where the command line does not.
+    let wanted = args.error.unwrap_or(match settings.method {
+        Method::Automatic { tolerance } => tolerance,
+        _ => DEFAULT,
+    });
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let subject = Subject { title: format!("{name}: precision against work"), settings };
 
@@ -67,22 +68,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     outputs.write(|format, writer| write(format, writer, &study, &subject))?;
     drop(watching);
 
-    if matches.get_flag("json") {
+    if args.json {
         return print(|out| numbers::write(out, &study, &subject.settings));
     }
-    print(|out| out.write_all(summary::table(&study, &subject, outputs.paths()).as_bytes()))
-}
-
-/// The error that is asked for, or that the scene asks for.
-fn wanted(matches: &ArgMatches, method: Method) -> Result<f64, CliError> {
-    let Some(&wanted) = matches.get_one::<f64>("error") else {
-        return Ok(if let Method::Automatic { tolerance } = method { tolerance } else { DEFAULT });
-    };
-    if (WANTED.0..=WANTED.1).contains(&wanted) {
-        return Ok(wanted);
-    }
-    let (option, value) = ("error".to_owned(), typed(matches, "error").unwrap_or_default());
-    Err(CliError::Option { option, value, why: "it must be 1e-13 to 0.1 (rad or m)".to_owned() })
+    print(|out| out.write_all(summary::table(&study, &subject, outputs.written()).as_bytes()))
 }
 
 fn write(format: Format, writer: &mut dyn Write, study: &Study, subject: &Subject) -> Result<(), CliError> {

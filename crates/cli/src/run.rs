@@ -13,12 +13,12 @@ mod watch;
 pub(crate) use load::{Loaded, load};
 pub(crate) use table::positions;
 
+use crate::args::RunArgs;
 use crate::error::CliError;
 use crate::input::extension;
 use crate::limbs::Limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
-use clap::ArgMatches;
 use report::Report;
 use solaris::io::bvh::Unit;
 use solaris::model::{Figure, Motion, MotionInfo};
@@ -57,40 +57,36 @@ const BUILD_STIFF: &str = "build with 'cargo build --release --features stiff'";
 const MOST_NUMBERS: f64 = 6e8;
 
 /// Runs the scene, writes its motion, and says what it came to.
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let path = matches.get_one::<PathBuf>("scene").cloned().unwrap_or_default();
-    let motions = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(
-        motions
-            .map(|path| ("-o", path, MOTION))
-            .chain(matches.get_one::<PathBuf>("report").map(|path| ("--report", path, REPORT))),
-    )?;
-    let Loaded { mut scene, reads } = load(&path)?;
+pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
+    let path = args.scene.as_path();
+    let motions = args.outputs.iter().map(|path| ("-o", path, MOTION));
+    let outputs = Outputs::new(motions.chain(args.report.iter().map(|path| ("--report", path, REPORT))))?;
+    let Loaded { mut scene, reads } = load(path)?;
     // Only tables and pages show forces; those of a walk are found with its ground reactions.
     let shows = |path: &Path| matches!(extension(path).as_str(), "csv" | "html");
     scene.settings_mut().forces = scene.walk().is_some() || outputs.paths().any(shows);
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
-    check_size(&path, &scene)?;
+    check_size(path, &scene)?;
 
     check_bvh(&outputs, &scene)?;
 
     let mut watcher = Watcher::new();
-    let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(&path, error))?;
+    let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error))?;
     watcher.writing();
     let limbs = Limbs::of(scene.figure(), &simulated.motion)?;
     let report = Report::new(&scene, &simulated, limbs);
     outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report))?;
     drop(watcher);
 
-    if matches.get_flag("json") {
+    if args.json {
         return print(|out| report.write(out));
     }
     print(|out| {
         out.write_all(summary::text(&report).as_bytes())?;
-        if matches.get_flag("plan") {
+        if args.plan {
             out.write_all(plan::text(&report.phases).as_bytes())?;
         }
-        out.write_all(summary::written(outputs.paths()).as_bytes())
+        out.write_all(summary::written(outputs.written()).as_bytes())
     })
 }
 

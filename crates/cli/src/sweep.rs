@@ -2,20 +2,19 @@
 
 mod rows;
 
-use crate::args::{RATE, columns, walk_options};
-use crate::error::{CliError, typed};
+use crate::args::{SweepArgs, columns, walk_options};
+use crate::error::CliError;
 use crate::input;
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
 use crate::progress::Rows as Bar;
 use crate::words::{row, short, some};
-use clap::ArgMatches;
 use rows::{Done, Walker};
 use serde::Serialize;
 use solaris::gait::sweep::COLUMNS;
 use solaris::io::csv::{Rows, read_rows, write_row};
 use solaris::model::nearest;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 const TABLE: Formats<()> = &[("csv", ())];
@@ -46,19 +45,12 @@ struct Refused {
 /// Refusals that a person reads.
 const SHOWN: usize = 3;
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let from = matches.get_one::<PathBuf>("params").cloned().unwrap_or_default();
-    let outputs = Outputs::new(matches.get_one::<PathBuf>("output").map(|path| ("-o", path, TABLE)))?;
-    outputs.keep_off([from.as_path()])?;
-    let rate = matches.get_one::<f64>("rate").copied().unwrap_or(RATE.0);
-    if !(RATE.1..=RATE.2).contains(&rate) {
-        let why = format!("it must be {} to {} frames/s", RATE.1, RATE.2);
-        let value = typed(matches, "rate").unwrap_or_default();
-        return Err(CliError::Option { option: "rate".to_owned(), value, why });
-    }
-    let table = read(&from)?;
-    let threads = matches.get_one::<u16>("threads").map_or(0, |threads| usize::from(*threads));
-    let walker = Walker::new(&table.columns, rate, threads)?;
+pub(crate) fn run(args: &SweepArgs) -> Result<(), CliError> {
+    let outputs = Outputs::new([("-o", &args.output, TABLE)])?;
+    outputs.keep_off([args.params.as_path()])?;
+    let table = read(&args.params)?;
+    let threads = args.threads.map_or(0, usize::from);
+    let walker = Walker::new(&table.columns, args.rate, threads)?;
 
     let mut summary = Summary {
         rows: table.rows.len(),
@@ -95,11 +87,11 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
     summary.seconds = start.elapsed().as_secs_f64();
     summary.rows_per_second_and_thread = summary.rows as f64 / summary.seconds / summary.threads as f64;
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             return write_json(out, &summary);
         }
         summary.write(out)?;
-        outputs.paths().try_for_each(|path| writeln!(out, "\nwrote {}", path.display()))
+        outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
 }
 
@@ -135,7 +127,8 @@ fn read(path: &Path) -> Result<Rows, CliError> {
     }
     let table = read_rows(&text).map_err(|error| refuse(&error))?;
     let known = columns(&walk_options());
-    let unknown: Vec<&String> = table.columns.iter().filter(|name| !known.contains(name)).collect();
+    let is_known = |name: &&String| known.contains(name) || *name == "cadence";
+    let unknown: Vec<&String> = table.columns.iter().filter(|name| !is_known(name)).collect();
     if !unknown.is_empty() {
         let named = |name: &&String| {
             let near = nearest(name, known.iter().map(String::as_str));

@@ -1,5 +1,6 @@
 //! `solaris walk`: a person walks.
 
+mod looped;
 mod notes;
 mod numbers;
 mod planned;
@@ -8,23 +9,20 @@ mod request;
 mod summary;
 mod told;
 
-use crate::args::{BODY_MASS_INDEX, HEIGHT, RATE, check};
+use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
 use crate::error::CliError;
 use crate::input;
 use crate::limbs::Limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
-use clap::ArgMatches;
 use planned::Planned;
 use report::Report;
-pub(crate) use request::request;
-use request::{looped, number, out_of_range};
+pub(crate) use request::asked;
 use solaris::gait::{isolated_peaks, measure, missing_for_walking};
 use solaris::model::{Figure, Motion, human};
 use solaris::view::{PageOptions, page};
 use std::io::Write;
-use std::path::PathBuf;
 
 /// What a file of a walk holds.
 #[derive(Clone, Copy, Debug)]
@@ -42,44 +40,41 @@ const REPORT: Formats<Format> = &[("json", Format::Json)];
 const MOST_FRAMES: f64 = 1.5e6;
 
 /// Plans the walk, finds its forces, writes it, and says what it came to.
-pub(crate) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    check(matches)?;
-    let motions = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let outputs = Outputs::new(
-        motions
-            .map(|path| ("-o", path, MOTION))
-            .chain(matches.get_one::<PathBuf>("report").map(|path| ("--report", path, REPORT))),
-    )?;
-    outputs.keep_off(matches.get_one::<PathBuf>("figure").map(PathBuf::as_path))?;
-    let rate = number(matches, "rate").unwrap_or(RATE.0);
-    if !(RATE.1..=RATE.2).contains(&rate) {
-        return Err(out_of_range(matches, "rate", format!("it must be {} to {} frames/s", RATE.1, RATE.2)));
-    }
-    let figure = figure(matches)?;
-    let request = request(matches)?;
+pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
+    let files = &args.files;
+    let motions = files.outputs.iter().map(|path| ("-o", path, MOTION));
+    let outputs = Outputs::new(motions.chain(files.report.iter().map(|path| ("--report", path, REPORT))))?;
+    outputs.keep_off(args.who.figure.as_deref())?;
+    let asked = asked(args)?;
+    let figure = figure(&args.who)?;
 
     let progress = Progress::new(4);
-    let planned = Planned::of(&figure, &request, looped(matches), rate, &progress, matches)?;
+    let planned = Planned::of(&figure, &asked, args, &progress)?;
     progress.stage("measuring");
     let measures = measure(&figure, &planned.motion).map_err(CliError::other)?;
     let lone = isolated_peaks(&planned.motion).map_err(CliError::other)?;
     let limbs = Limbs::of(&figure, &planned.motion)?;
     let motion = planned.motion.clone();
+    // A page goes by its time; who plays frame after frame shall not see one twice.
+    let frames = if planned.repeats { looped::without_last(&figure, &motion)? } else { motion.clone() };
     let report = Report::new(figure.mass(), planned, &measures, &lone, limbs);
     progress.stage("writing");
-    outputs.write(|format, writer| write(format, writer, &figure, &motion, &report))?;
+    outputs.write(|format, writer| {
+        let motion = if matches!(format, Format::Html) { &motion } else { &frames };
+        write(format, writer, &figure, motion, &report)
+    })?;
     drop(progress);
 
-    if matches.get_flag("json") {
+    if files.json {
         print(|out| report.write(out))
     } else {
-        print(|out| out.write_all(summary::table(&report, outputs.paths()).as_bytes()))
+        print(|out| out.write_all(summary::table(&report, outputs.written()).as_bytes()))
     }
 }
 
 /// Who walks: the figure of a file that has all that a walk needs, or a human.
-pub(crate) fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
-    if let Some(path) = matches.get_one::<PathBuf>("figure") {
+pub(crate) fn figure(who: &WhoArgs) -> Result<Figure, CliError> {
+    if let Some(path) = &who.figure {
         let figure = input::body(path)?.figure;
         let lacks = missing_for_walking(&figure);
         return if lacks.is_empty() {
@@ -89,14 +84,14 @@ pub(crate) fn figure(matches: &ArgMatches) -> Result<Figure, CliError> {
             Err(CliError::input(path, &format!("figure '{}' cannot walk:{list}", figure.name())))
         };
     }
-    person(matches)
+    person(&who.person)
 }
 
 /// A human of the height and mass that are asked for, or of the usual ones.
-pub(crate) fn person(matches: &ArgMatches) -> Result<Figure, CliError> {
-    let height = number(matches, "height").unwrap_or(HEIGHT);
-    let mass = number(matches, "mass").unwrap_or(BODY_MASS_INDEX * height * height);
-    human(height, mass).map_err(|error| CliError::of_human(error, matches))
+pub(crate) fn person(person: &PersonArgs) -> Result<Figure, CliError> {
+    let height = person.height.as_ref().map_or(HEIGHT, |height| height.value);
+    let mass = person.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
+    human(height, mass).map_err(|error| CliError::of_human(error, person))
 }
 
 /// Refuses a motion for which no memory may be left.

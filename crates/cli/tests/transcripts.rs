@@ -4,7 +4,7 @@
 //! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clip (`dancer.ron`, `dance.csv`), the robot `arm.urdf`, the same with faults
 //! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), walks of a
 //! sweep (`people.csv`), and of curves the keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
-//! the robot, the same with faults (`faulty_scene.ron`), and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
+//! the robot, the same with faults (`faulty_scene.ron`), `falls.ron` of the robot and nothing else, and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
 //! write one file.
 //!
 //! `[..]` stands for any text in a line (run times, last digits, what only the planner decides, and the backslash that
@@ -90,6 +90,7 @@ fn furnish(folder: &Path) {
             "Soles(version: 1, soles: [\n    Sole(name: \"right\", foot: \"calc_r\", heel: (-0.05, -0.08, 0), \
              ball: (0.14, -0.08), tip: (0.21, -0.08, 0), widht: 0.1),\n])\n",
         ),
+        ("falls.ron", "Scene(version: 1, figures: {\"it\": File(\"arm.urdf\")}, duration: 2.0)\n"),
         ("notes", "no folder"),
         ("people.csv", PEOPLE),
         ("keys.csv", "time,position\n0,5\n1,7\n2,-9\n"),

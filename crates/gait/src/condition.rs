@@ -80,7 +80,7 @@ impl fmt::Display for Infeasible {
         let helps = self.nearest.iter().filter_map(|n| n.feasible.map(|value| (n, value)));
         let helps: Vec<String> = helps
             .map(|(n, value)| {
-                let decimals = if n.parameter.unit == "°" { 2 } else { 4 };
+                let decimals = n.decimals();
                 let (name, unit, was) = (n.parameter.name, n.parameter.unit, n.value);
                 format!("{name} {value:.decimals$}{unit} (instead of {was:.decimals$})")
             })
@@ -94,6 +94,29 @@ impl fmt::Display for Infeasible {
 }
 
 impl std::error::Error for Infeasible {}
+
+impl Nearest {
+    /// Decimals with which its values are written.
+    fn decimals(&self) -> usize {
+        if self.parameter.unit == "°" { 2 } else { 4 }
+    }
+
+    /// The feasible value as it is written, and if it does not work so, values a few last digits farther from what failed.
+    fn written(&self) -> impl Iterator<Item = f64> {
+        let unit = 10f64.powi(self.decimals() as i32);
+        let values = self.feasible.into_iter().flat_map(move |feasible| {
+            let (sign, at) = ((feasible - self.value).signum(), feasible * unit);
+            // Rounded away from the value that failed, whatever a bisection left.
+            let first = if sign < 0.0 { (at + 1e-4).floor() } else { (at - 1e-4).ceil() };
+            FARTHER.into_iter().map(move |farther| (first + sign * farther) / unit)
+        });
+        let (lower, upper) = self.parameter.range;
+        values.filter(move |value| (lower..=upper).contains(value))
+    }
+}
+
+/// How many last digits farther a feasible value is tried.
+const FARTHER: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 20.0];
 
 /// Places at which a parameter is tried on its way to its ends.
 const PLACES: usize = 240;
@@ -130,6 +153,22 @@ impl Infeasible {
             let nearest = found.into_iter().flatten().min_by(|a, b| distance(a).total_cmp(&distance(b)));
             Nearest { parameter: *parameter, value: values[i], feasible: nearest }
         });
-        Self { nearest: nearest.collect(), fails }
+        // What has no number follows from what fails before it.
+        let has_numbers = |condition: &Condition| condition.sides.iter().all(|side| side.is_finite());
+        let nearest = nearest.collect();
+        let (told, rest): (Vec<_>, Vec<_>) = fails.into_iter().partition(has_numbers);
+        Self { nearest, fails: if told.is_empty() { rest } else { told } }
+    }
+
+    /// The same with feasible values as people type them: rounded to the digits that are written, on their feasible side, and
+    /// left out where a request with such a value would be refused all the same, as when a choice of the other values depends
+    /// on it. `works` is asked with a parameter's name and value.
+    #[must_use]
+    pub fn checked(mut self, works: impl Fn(&'static str, f64) -> bool) -> Self {
+        for nearest in &mut self.nearest {
+            let found = *nearest;
+            nearest.feasible = found.written().find(|value| works(found.parameter.name, *value));
+        }
+        self
     }
 }

@@ -1,7 +1,9 @@
-//! The commands about figures: `figure`, `check`, `convert`.
+//! What the commands about figures are asked: `figure`, `check`, `convert`.
 
-use super::{BODY_MASS_INDEX, HEIGHT, input, json, path, size};
-use clap::{Arg, ArgAction, Command};
+use super::value::number;
+use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};
+use clap::{Args, Subcommand};
+use std::path::PathBuf;
 
 const FIGURE_EXAMPLES: &str = "Examples:
   solaris figure human --height 1.75 --mass 73 -o human.ron
@@ -27,55 +29,90 @@ const CONVERT_EXAMPLES: &str = "Examples:
   solaris convert ik.mot ik.csv --figure subject.osim
       degrees become radians where the figure says that a coordinate turns";
 
-pub(super) fn commands() -> [Command; 3] {
-    [figure(), check(), convert()]
+/// A figure to be written.
+#[derive(Debug, Subcommand)]
+#[command(about = "Writes a figure as text", after_help = FIGURE_EXAMPLES)]
+pub(crate) enum FigureCommand {
+    Human(HumanArgs),
 }
 
-fn figure() -> Command {
-    let human = Command::new("human")
-        .about("A human of 21 segments and 66 degrees of freedom")
-        .after_help(FIGURE_EXAMPLES)
-        .args(size().map(|arg| match arg.get_id().as_str() {
-            "height" => arg.help(format!("Standing height, 0.8 to 2.3 m [default: {HEIGHT}]")),
-            "mass" => arg.help(format!("Body mass in kg, met exactly [default: {BODY_MASS_INDEX}·height²]")),
-            _ => arg.help("A segment's own length in m (thigh: both, left_thigh: one); several are allowed"),
-        }))
-        .arg(path("output").short('o').required(true).help("Where to write the figure: .ron"));
-    Command::new("figure")
-        .about("Writes a figure as text")
-        .after_help(FIGURE_EXAMPLES)
-        .subcommand_required(true)
-        .arg_required_else_help(true)
-        .subcommand(human)
+/// A human of some size.
+#[derive(Debug, Args)]
+#[command(
+    about = "A human of 21 segments and 66 degrees of freedom",
+    after_help = FIGURE_EXAMPLES,
+    mut_arg("height", |arg| arg.help(format!("Standing height, {} to {} m [default: {HEIGHT}]", HEIGHTS.0, HEIGHTS.1))),
+    mut_arg("mass", |arg| arg.help(format!("Body mass in kg, met exactly [default: {BODY_MASS_INDEX}·height²]"))),
+    mut_arg("segments", |arg| {
+        arg.help("A segment's own length in m (thigh: both, left_thigh: one); several are allowed")
+    })
+)]
+pub(crate) struct HumanArgs {
+    #[command(flatten)]
+    pub(crate) size: SizeArgs,
+    #[arg(short = 'o', long, value_name = "FILE", help = "Where to write the figure: .ron")]
+    pub(crate) output: PathBuf,
 }
 
-fn check() -> Command {
-    let flag = |name: &'static str, help: &'static str| {
-        Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
-    };
-    Command::new("check")
-        .about("Says what a figure or a scene is and what looks wrong with it, or every fault of its text")
-        .after_help(CHECK_EXAMPLES)
-        .arg(input(
-            "figure",
-            "FILE",
-            "A figure or a scene (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model",
-        ))
-        .arg(
-            flag("dh", "Print the rationalised links: the Denavit-Hartenberg table of every chain")
-                .conflicts_with("json"),
-        )
-        .arg(flag("strict", "Exit with 1 if anything looks wrong"))
-        .arg(json("Print the summary as JSON instead of text"))
+/// What makes a figure of a person's size, or changes one.
+#[derive(Debug, Args)]
+pub(crate) struct SizeArgs {
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help = "Standing height in m")]
+    pub(crate) height: Option<Number>,
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, help = "Total mass in kg, met exactly")]
+    pub(crate) mass: Option<Number>,
+    #[arg(long = "segment", value_name = "NAME=LENGTH", value_parser = parse_segment, help = wrap(
+        "A segment's own length in m; several are allowed"
+    ))]
+    pub(crate) segments: Vec<(String, f64)>,
 }
 
-fn convert() -> Command {
-    Command::new("convert")
-        .about("A figure or a motion from one format to another")
-        .after_help(CONVERT_EXAMPLES)
-        .arg(input("from", "IN", "A figure (.ron, .urdf, .xml, .mjcf, .osim) or a motion (.csv, .mot, .sto)"))
-        .arg(input("to", "OUT", "A figure as .ron, or a motion as .csv, .mot or .sto"))
-        .arg(path("figure").help("Whose motion it is; needed where the motion is in degrees"))
-        .next_help_heading("A figure in another size")
-        .args(size())
+impl SizeArgs {
+    /// Whether any of it was asked for.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.height.is_some() || self.mass.is_some() || !self.segments.is_empty()
+    }
+}
+
+/// A segment and its length.
+fn parse_segment(text: &str) -> Result<(String, f64), String> {
+    let (name, length) = text.split_once('=').ok_or("it must be NAME=LENGTH, such as left_thigh=0.44")?;
+    Ok((name.trim().to_owned(), number(length.trim()).map_err(|why| format!("the length: {why}"))?))
+}
+
+/// A figure or a scene to be looked at.
+#[derive(Debug, Args)]
+#[command(
+    about = "Says what a figure or a scene is and what looks wrong with it, or every fault of its text",
+    after_help = CHECK_EXAMPLES
+)]
+pub(crate) struct CheckArgs {
+    #[arg(value_name = "FILE", help = wrap(
+        "A figure or a scene (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model"
+    ))]
+    pub(crate) file: PathBuf,
+    #[arg(
+        long,
+        conflicts_with = "json",
+        help = "Print the rationalised links: the Denavit-Hartenberg table of every chain"
+    )]
+    pub(crate) dh: bool,
+    #[arg(long, help = "Exit with 1 if anything looks wrong")]
+    pub(crate) strict: bool,
+    #[arg(long, help = "Print the summary as JSON instead of text")]
+    pub(crate) json: bool,
+}
+
+/// A file to be written in another format.
+#[derive(Debug, Args)]
+#[command(about = "A figure or a motion from one format to another", after_help = CONVERT_EXAMPLES)]
+pub(crate) struct ConvertArgs {
+    #[arg(value_name = "IN", help = wrap("A figure (.ron, .urdf, .xml, .mjcf, .osim) or a motion (.csv, .mot, .sto)"))]
+    pub(crate) from: PathBuf,
+    #[arg(value_name = "OUT", help = wrap("A figure as .ron, or a motion as .csv, .mot or .sto"))]
+    pub(crate) to: PathBuf,
+    #[arg(long, value_name = "FILE", help = "Whose motion it is; needed where the motion is in degrees")]
+    pub(crate) figure: Option<PathBuf>,
+    #[command(flatten, next_help_heading = "A figure in another size")]
+    pub(crate) size: SizeArgs,
 }

@@ -1,9 +1,13 @@
-//! The options of `solaris gait`: tables, maps and postures of the thesis's models.
+//! What `solaris gait` is asked: tables, maps and postures of the thesis's models.
 
-use super::{HEIGHT, json, number, path, wrap};
-use clap::builder::{PossibleValuesParser, ValueParser};
-use clap::{Arg, ArgAction, Command};
-use solaris::gait::determinants::{KeyParameter, TABLES, five, three};
+use super::parameters::{KeyArgs, key_options};
+use super::value::count;
+use super::walk::{Count, DeterminantCount, PersonArgs};
+use super::{HEIGHT, Number, wrap};
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Subcommand, ValueEnum};
+use solaris::gait::determinants::TABLES;
+use std::path::PathBuf;
 
 const EXAMPLES: &str = "Examples:
   solaris gait table 7.7
@@ -37,98 +41,193 @@ const PEOPLE_EXAMPLES: &str = "Examples:
   solaris gait people --height 1.5 --determinants 3 --format csv
       a smaller one without pelvic rotation, for a spreadsheet";
 
-pub(super) fn command() -> Command {
-    let table = Command::new("table")
-        .about("Tables 7.1 to 7.8 and 8.1 to 8.7 of the thesis, computed anew beside what is printed")
-        .after_help(TABLE_EXAMPLES)
-        .arg(
-            Arg::new("number")
-                .value_name("NUMBER")
-                .value_parser(PossibleValuesParser::new(TABLES))
-                .hide_possible_values(true)
-                .help("7.1 to 7.8, 8.1 to 8.7 [default: all]"),
-        )
-        .arg(format_option());
-    let map = Command::new("map")
-        .about("Where postures exist, over two parameters, and which inequality forbids them elsewhere")
-        .after_help(MAP_EXAMPLES)
-        .arg(axis("x", "across"))
-        .arg(axis("y", "up"))
-        .arg(span("x"))
-        .arg(span("y"))
-        .arg(number(
-            "places",
-            "N",
-            "Places a side at which is looked, 2 to 2000; boundaries are exact whatever it is [default: 160]",
-        ))
-        .arg(picture("map"))
-        .arg(json("Print the places and the boundary as JSON"))
-        .args(body())
-        .args(parameters());
-    let explain = Command::new("explain")
-        .about("The key postures with their angles, and how much room each inequality leaves")
-        .after_help(EXPLAIN_EXAMPLES)
-        .arg(picture("postures"))
-        .arg(json("Print parameters, angles and inequalities as JSON"))
-        .args(body())
-        .args(parameters());
-    let people = Command::new("people")
-        .about("Every fact that is known of people's walking, beside smooth walks at 80 to 130 steps/min")
-        .after_help(PEOPLE_EXAMPLES)
-        .arg(determinants())
-        .args(super::walk::person())
-        .arg(format_option());
-    Command::new("gait")
-        .about("The thesis's walking models: tables, feasible regions, postures; walks beside people")
-        .after_help(EXAMPLES)
-        .subcommand_required(true)
-        .arg_required_else_help(true)
-        .subcommands([table, map, explain, people])
+#[derive(Debug, Subcommand)]
+#[command(
+    about = "The thesis's walking models: tables, feasible regions, postures; walks beside people",
+    after_help = EXAMPLES
+)]
+pub(crate) enum GaitCommand {
+    Table(TableArgs),
+    Map(Box<MapArgs>),
+    Explain(Box<ExplainArgs>),
+    People(PeopleArgs),
 }
 
-fn determinants() -> Arg {
-    Arg::new("determinants")
-        .long("determinants")
-        .value_name("N")
-        .value_parser(["3", "5"])
-        .hide_possible_values(true)
-        .help("Determinants of gait, 3 or 5 [default: 5]")
-}
-
-/// The files of a picture.
-fn picture(what: &str) -> Arg {
-    let help = format!("Write the {what}: .svg picture, .html page; several -o are allowed [default: none]");
-    path("output").short('o').action(ArgAction::Append).help(help)
+/// Tables of the thesis.
+#[derive(Debug, Args)]
+#[command(
+    about = "Tables 7.1 to 7.8 and 8.1 to 8.7 of the thesis, computed anew beside what is printed",
+    after_help = TABLE_EXAMPLES
+)]
+pub(crate) struct TableArgs {
+    #[arg(
+        value_name = "NUMBER", value_parser = PossibleValuesParser::new(TABLES), hide_possible_values = true,
+        help = "7.1 to 7.8, 8.1 to 8.7 [default: all]"
+    )]
+    pub(crate) number: Option<String>,
+    #[command(flatten)]
+    pub(crate) format: FormatArgs,
 }
 
 /// How a table is written.
-fn format_option() -> Arg {
-    Arg::new("format")
-        .long("format")
-        .value_name("FORMAT")
-        .value_parser(PossibleValuesParser::new(["text", "csv", "markdown"]))
-        .hide_possible_values(true)
-        .help("text, csv or markdown [default: text]")
+#[derive(Debug, Args)]
+pub(crate) struct FormatArgs {
+    #[arg(
+        long,
+        value_name = "FORMAT",
+        value_enum,
+        default_value_t,
+        hide_default_value = true,
+        hide_possible_values = true,
+        help = "text, csv or markdown [default: text]"
+    )]
+    pub(crate) format: TableFormat,
 }
 
-fn axis(name: &'static str, where_: &str) -> Arg {
-    Arg::new(name)
-        .long(name)
-        .value_name("PARAMETER")
-        .required(true)
-        .value_parser(PossibleValuesParser::new(super::key_options()))
-        .hide_possible_values(true)
-        .help(format!("The parameter that goes {where_}, by the name of its option"))
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TableFormat {
+    #[default]
+    Text,
+    Csv,
+    Markdown,
 }
 
-fn span(axis: &'static str) -> Arg {
-    let name = if axis == "x" { "x-span" } else { "y-span" };
-    Arg::new(name)
-        .long(name)
-        .value_name("FROM:TO")
-        .allow_hyphen_values(true)
-        .value_parser(ValueParser::new(parse_span))
-        .help(format!("What of the parameter of {axis} is shown, in its unit [default: its range]"))
+/// A map of where postures exist.
+#[derive(Debug, Args)]
+#[command(
+    about = "Where postures exist, over two parameters, and which inequality forbids them elsewhere",
+    after_help = MAP_EXAMPLES
+)]
+pub(crate) struct MapArgs {
+    #[arg(
+        long, value_name = "PARAMETER", value_parser = PossibleValuesParser::new(key_options()), hide_possible_values = true,
+        help = "The parameter that goes across, by the name of its option"
+    )]
+    pub(crate) x: String,
+    #[arg(
+        long, value_name = "PARAMETER", value_parser = PossibleValuesParser::new(key_options()), hide_possible_values = true,
+        help = "The parameter that goes up, by the name of its option"
+    )]
+    pub(crate) y: String,
+    #[arg(
+        long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = parse_span,
+        help = "What of the parameter of x is shown, in its unit [default: its range]"
+    )]
+    pub(crate) x_span: Option<(f64, f64)>,
+    #[arg(
+        long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = parse_span,
+        help = "What of the parameter of y is shown, in its unit [default: its range]"
+    )]
+    pub(crate) y_span: Option<(f64, f64)>,
+    #[arg(
+        long, value_name = "N", allow_hyphen_values = true, value_parser = count("places", 2, 2000), default_value = "160",
+        hide_default_value = true,
+        help = wrap("Places a side at which is looked, 2 to 2000; boundaries are exact whatever it is [default: 160]")
+    )]
+    pub(crate) places: Count,
+    #[arg(
+        short = 'o',
+        long = "output",
+        value_name = "FILE",
+        help = "Write the map: .svg picture, .html page; several -o are allowed [default: none]"
+    )]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[arg(long, help = "Print the places and the boundary as JSON")]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) postures: PosturesArgs,
+}
+
+/// Key postures to be told.
+#[derive(Debug, Args)]
+#[command(
+    about = "The key postures with their angles, and how much room each inequality leaves",
+    after_help = EXPLAIN_EXAMPLES
+)]
+pub(crate) struct ExplainArgs {
+    #[arg(
+        short = 'o',
+        long = "output",
+        value_name = "FILE",
+        help = "Write the postures: .svg picture, .html page; several -o are allowed [default: none]"
+    )]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[arg(long, help = "Print parameters, angles and inequalities as JSON")]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) postures: PosturesArgs,
+}
+
+/// A person beside people.
+#[derive(Debug, Args)]
+#[command(
+    about = "Every fact that is known of people's walking, beside smooth walks at 80 to 130 steps/min",
+    after_help = PEOPLE_EXAMPLES
+)]
+pub(crate) struct PeopleArgs {
+    #[command(flatten)]
+    pub(crate) determinants: DeterminantsArgs,
+    #[command(flatten)]
+    pub(crate) person: PersonArgs,
+    #[command(flatten)]
+    pub(crate) format: FormatArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DeterminantsArgs {
+    #[arg(
+        long = "determinants",
+        value_name = "N",
+        value_enum,
+        default_value_t,
+        hide_default_value = true,
+        hide_possible_values = true,
+        help = "Determinants of gait, 3 or 5 [default: 5]"
+    )]
+    pub(crate) count: DeterminantCount,
+}
+
+/// Whose postures, how fast, and with which parameters.
+#[derive(Debug, Args)]
+pub(crate) struct PosturesArgs {
+    #[command(flatten)]
+    pub(crate) determinants: DeterminantsArgs,
+    #[arg(
+        long, value_name = "WHOSE", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true,
+        help = wrap(
+            "human: a person's own segments and feet; thesis: the ankle on the ground, lengths by Drillis and Contini; fit: the \
+             proportions that give back tables 7.7 and 7.8, in units of the leg, of which --step-length and --speed are then too \
+             [default: human]"
+        )
+    )]
+    pub(crate) body: Whose,
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(&format!(
+        "Standing height in m [default: {HEIGHT}]"
+    )))]
+    pub(crate) height: Option<Number>,
+    #[arg(long, visible_alias = "cadence", value_name = "STEPS/MIN", allow_hyphen_values = true, help = wrap(
+        "Steps a minute [default: 110, or what speed and step length say]"
+    ))]
+    pub(crate) step_frequency: Option<Number>,
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(
+        "S: from heel print to heel print [default: 0.004·height·frequency]"
+    ))]
+    pub(crate) step_length: Option<Number>,
+    #[arg(long, value_name = "M/S", allow_hyphen_values = true, help = wrap(
+        "Speed; two of speed, frequency and length decide the third"
+    ))]
+    pub(crate) speed: Option<Number>,
+    #[command(flatten)]
+    pub(crate) parameters: KeyArgs,
+}
+
+/// Whose proportions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Whose {
+    #[default]
+    Human,
+    Thesis,
+    Fit,
 }
 
 /// From one number to another.
@@ -137,55 +236,4 @@ fn parse_span(text: &str) -> Result<(f64, f64), String> {
     let (from, to) = text.split_once(':').ok_or_else(wrong)?;
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(wrong);
     Ok((number(from)?, number(to)?))
-}
-
-/// Whose postures, and how fast.
-fn body() -> [Arg; 6] {
-    [
-        determinants(),
-        Arg::new("body")
-            .long("body")
-            .value_name("WHOSE")
-            .value_parser(["human", "thesis", "fit"])
-            .hide_possible_values(true)
-            .help(wrap(
-                "human: a person's own segments and feet; thesis: the ankle on the ground, lengths by Drillis and Contini; fit: the \
-                 proportions that give back tables 7.7 and 7.8, in units of the leg, of which --step-length and --speed are then too \
-                 [default: human]",
-            )),
-        number("height", "M", &format!("Standing height in m [default: {HEIGHT}]")),
-        number("step-frequency", "STEPS/MIN", "Steps a minute [default: 110, or what speed and step length say]"),
-        number("step-length", "M", "S: from heel print to heel print [default: 0.004·height·frequency]"),
-        number("speed", "M/S", "Speed; two of speed, frequency and length decide the third"),
-    ]
-}
-
-/// The parameters of both models.
-fn parameters() -> Vec<Arg> {
-    let mut args = Vec::new();
-    for name in super::key_options().into_iter().filter(|name| *name != "step-length") {
-        let of = |parameters: &'static [KeyParameter]| parameters.iter().find(|p| p.name == name);
-        let (five, three) = (of(five::PARAMETERS), of(three::PARAMETERS));
-        let Some(any) = five.or(three) else { continue };
-        let about = |parameter: &KeyParameter| {
-            let (lower, upper) = parameter.range;
-            format!("{}, {lower} to {upper}{}", parameter.help, parameter.unit)
-        };
-        let text = match (five, three) {
-            (Some(five), Some(three)) if five.help != three.help => {
-                format!("{}; of three determinants: {}", about(five), about(three))
-            }
-            (Some(one), Some(_)) => about(one),
-            (Some(one), None) => format!("{} (five determinants)", about(one)),
-            (None, Some(one)) => format!("{} (three determinants)", about(one)),
-            (None, None) => continue,
-        };
-        let value = if any.unit == "°" { "DEGREES" } else { "M" };
-        args.push(number(
-            name,
-            value,
-            &format!("{}: {text} [default: chosen inside its bounds]", any.symbol),
-        ));
-    }
-    args.into_iter().map(|arg| arg.help_heading("Parameters of the postures")).collect()
 }

@@ -1,8 +1,10 @@
-//! The options of `solaris inverse`.
+//! What `solaris inverse` is asked.
 
-use super::{given, ground, input, json, path, wrap};
-use clap::builder::ValueParser;
-use clap::{Arg, ArgAction, Command};
+use super::given::{self, FrameArgs, RecordArgs};
+use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs};
+use super::wrap;
+use clap::{Arg, Args, ValueEnum};
+use std::path::PathBuf;
 
 const EXAMPLES: &str = "Examples:
   solaris inverse subject.osim walk.mot --external grf.mot --plate calcn_r= --plate calcn_l=1_ --filter 6Hz \\
@@ -20,67 +22,82 @@ const EXAMPLES: &str = "Examples:
   solaris inverse human.ron clip.csv --ground --consistent --motion-out moved.csv -o tau.csv
       joint torques of an animation whose root is moved before, by the least after which the ground can bear it";
 
-pub(super) fn command() -> Command {
-    Command::new("inverse")
-        .about("Joint torques of a given motion")
-        .after_help(EXAMPLES)
-        .arg(input("figure", "FIGURE", given::FIGURE))
-        .arg(input("motion", "MOTION", given::MOTION))
-        .arg(path("output").short('o').action(ArgAction::Append).help(wrap(
-            "Write the torques: .csv with columns DOF.tau, or .sto with OpenSim's names [default: none]",
-        )))
-        .arg(json("Print the summary as JSON instead of a table"))
-        .next_help_heading("Forces from outside")
-        .args(forces())
-        .next_help_heading("Forces found from the motion")
-        .arg(predicted())
-        .args(ground::options().map(|option| option.requires("ground")))
-        .args(ground::consistent().map(|option| option.requires("ground")))
-        .next_help_heading("The motion")
-        .args(given::motion())
-        .next_help_heading("The figure")
-        .args(given::figure())
-        .arg(passive())
+/// A figure in a motion, of which the joints' forces are found.
+#[derive(Debug, Args)]
+#[command(about = "Joint torques of a given motion", after_help = EXAMPLES, mut_args(needs_ground))]
+pub(crate) struct InverseArgs {
+    #[arg(value_name = "FIGURE", help = wrap(given::FIGURE))]
+    pub(crate) figure: PathBuf,
+    #[arg(value_name = "MOTION", help = wrap(given::MOTION))]
+    pub(crate) motion: PathBuf,
+    #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
+        "Write the torques: .csv with columns DOF.tau, or .sto with OpenSim's names [default: none]"
+    ))]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[arg(long, help = "Print the summary as JSON instead of a table")]
+    pub(crate) json: bool,
+    #[command(flatten, next_help_heading = "Forces from outside")]
+    pub(crate) external: ExternalArgs,
+    #[command(flatten, next_help_heading = "Forces found from the motion")]
+    pub(crate) predicted: PredictedArgs,
+    #[command(flatten, next_help_heading = "The motion")]
+    pub(crate) record: RecordArgs,
+    #[command(flatten, next_help_heading = "The figure")]
+    pub(crate) frame: FrameArgs,
+    #[arg(
+        long, value_name = "ON|OFF", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true,
+        help = wrap("Whether armature, damping, springs and friction of the joints count [default: on]")
+    )]
+    pub(crate) passive: Switch,
+}
+
+/// Where the ground is not asked for, nothing is asked of it.
+fn needs_ground(arg: Arg) -> Arg {
+    if GROUND_OPTIONS.contains(&arg.get_id().as_str()) { arg.requires("ground") } else { arg }
 }
 
 /// What pushes from outside.
-fn forces() -> [Arg; 3] {
-    [
-        path("external").conflicts_with("external-loads").requires("plate").help(wrap(
-            "Measured forces: .mot, .sto (forces, centre of pressure, free moment) or .csv (as `solaris walk` writes)",
-        )),
-        Arg::new("plate")
-            .long("plate")
-            .value_name("LINK=PREFIX")
-            .action(ArgAction::Append)
-            .requires("external")
-            .conflicts_with("external-loads")
-            .value_parser(ValueParser::new(parse_plate))
-            .help(wrap(
-                "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx; \
-                 LINK may be two, HEEL+TOES: the second once the centre of pressure has passed the ball. Several are allowed",
-            )),
-        path("external-loads").value_name("FILE.xml").help("The same as OpenSim's ExternalLoads file"),
-    ]
+#[derive(Debug, Args)]
+pub(crate) struct ExternalArgs {
+    #[arg(long = "external", value_name = "FILE", conflicts_with = "loads", requires = "plates", help = wrap(
+        "Measured forces: .mot, .sto (forces, centre of pressure, free moment) or .csv (as `solaris walk` writes)"
+    ))]
+    pub(crate) forces: Option<PathBuf>,
+    #[arg(
+        long = "plate", value_name = "LINK=PREFIX", requires = "forces", conflicts_with = "loads", value_parser = parse_plate,
+        help = wrap(
+            "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx; \
+             LINK may be two, HEEL+TOES: the second once the centre of pressure has passed the ball. Several are allowed"
+        )
+    )]
+    pub(crate) plates: Vec<(Vec<String>, String)>,
+    #[arg(
+        long = "external-loads",
+        value_name = "FILE.xml",
+        help = "The same as OpenSim's ExternalLoads file"
+    )]
+    pub(crate) loads: Option<PathBuf>,
 }
 
-/// Whether the ground's forces are found from the motion.
-fn predicted() -> Arg {
-    Arg::new("ground")
-        .long("ground")
-        .action(ArgAction::SetTrue)
-        .conflicts_with_all(["external", "external-loads", "plate"])
-        .help(wrap("Find the ground's forces on the feet from the motion itself, as `solaris ground` does"))
+/// Whether and how the ground's forces are found.
+#[derive(Debug, Args)]
+pub(crate) struct PredictedArgs {
+    #[arg(long, conflicts_with_all = ["forces", "loads", "plates"], help = wrap(
+        "Find the ground's forces on the feet from the motion itself, as `solaris ground` does"
+    ))]
+    pub(crate) ground: bool,
+    #[command(flatten)]
+    pub(crate) how: GroundArgs,
+    #[command(flatten)]
+    pub(crate) consistent: ConsistentArgs,
 }
 
-/// What acts in the joints by itself.
-fn passive() -> Arg {
-    Arg::new("passive")
-        .long("passive")
-        .value_name("ON|OFF")
-        .value_parser(["on", "off"])
-        .hide_possible_values(true)
-        .help(wrap("Whether armature, damping, springs and friction of the joints count [default: on]"))
+/// Whether something counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Switch {
+    #[default]
+    On,
+    Off,
 }
 
 /// The links that a plate pushes, and what its columns begin with.

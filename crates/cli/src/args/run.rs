@@ -1,7 +1,8 @@
-//! The options of `solaris run`.
+//! What `solaris run` is asked.
 
-use super::{input, json, path, wrap};
-use clap::{Arg, ArgAction, Command};
+use super::wrap;
+use clap::Args;
+use std::path::PathBuf;
 
 const EXAMPLES: &str = "Examples:
   solaris run walk_loose_arm.ron -o walk.html
@@ -11,22 +12,27 @@ const EXAMPLES: &str = "Examples:
   solaris run arm_modes.ron --plan
       what is computed in which part of the run, what is left out, and what that saves";
 
-pub(super) fn command() -> Command {
-    Command::new("run")
-        .about("Runs a scene: a figure, what drives it, and for how long")
-        .after_help(EXAMPLES)
-        .arg(input("scene", "SCENE.ron", "The scene; figures that it names as files are sought beside it"))
-        .arg(path("output").short('o').action(ArgAction::Append).help(wrap(
-            "Write the motion: .html page, .svg picture of the coordinates, .csv table, .bvh motion capture, .sto or .mot \
-             coordinates for OpenSim; several -o are allowed [default: none]",
-        )))
-        .arg(
-            path("report")
-                .value_name("FILE.json")
-                .help("Write what there is to say of the run as JSON [default: none]"),
-        )
-        .arg(Arg::new("plan").long("plan").action(ArgAction::SetTrue).help(wrap(
-            "Print what was computed, what was left out, and the cost of one evaluation with and without that",
-        )))
-        .arg(json("Print what there is to say of the run as JSON instead of a table"))
+/// A scene, and what to make of it.
+#[derive(Debug, Args)]
+#[command(about = "Runs a scene: a figure, what drives it, and for how long", after_help = EXAMPLES)]
+pub(crate) struct RunArgs {
+    #[arg(value_name = "SCENE.ron", help = wrap("The scene; figures that it names as files are sought beside it"))]
+    pub(crate) scene: PathBuf,
+    #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
+        "Write the motion: .html page, .svg picture of the coordinates, .csv table, .bvh motion capture, .sto or .mot \
+         coordinates for OpenSim; several -o are allowed [default: none]"
+    ))]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[arg(
+        long,
+        value_name = "FILE.json",
+        help = "Write what there is to say of the run as JSON [default: none]"
+    )]
+    pub(crate) report: Option<PathBuf>,
+    #[arg(long, help = wrap(
+        "Print what was computed, what was left out, and the cost of one evaluation with and without that"
+    ))]
+    pub(crate) plan: bool,
+    #[arg(long, help = "Print what there is to say of the run as JSON instead of a table")]
+    pub(crate) json: bool,
 }

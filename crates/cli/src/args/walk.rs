@@ -1,16 +1,21 @@
-//! The options of `solaris walk`.
+//! What `solaris walk` is asked.
 
-use super::{BODY_MASS_INDEX, DEFAULT_STEPS, HEIGHT, RATE, json, number, parse_count, path, wrap};
-use crate::error::{CliError, typed};
-use clap::builder::{PossibleValuesParser, ValueParser};
-use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command};
-use solaris::gait::determinants::{KeyParameter, THESIS_WALK_RATIO, five, three};
+mod then;
+
+pub(crate) use then::{Then, Travel};
+
+use super::parameters::StyleArgs;
+use super::value::{Number, count, within};
+use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, RATE, wrap};
+use clap::{Args, ValueEnum};
+use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, PARAMETERS, Parameter, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
-    THESIS_STEP_FREQUENCY, TURN, TURN_IN_ALL, Unit, WALK_RATIO, WalkPart,
+    DEFAULT_STEP_FREQUENCY, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, THESIS_STEP_FREQUENCY, TURN,
+    TURN_IN_ALL, WALK_RATIO,
 };
+use std::path::PathBuf;
 
-const WALK_EXAMPLES: &str = "Examples:
+const EXAMPLES: &str = "Examples:
   solaris walk -o walk.html
       a person of 1.75 m walks ten steps; open walk.html in a browser
   solaris walk --height 1.2 --mass 25 --step-frequency 100 --distance 5 -o child.html -o child.csv
@@ -24,267 +29,252 @@ const WALK_EXAMPLES: &str = "Examples:
   solaris walk --loop in-place -o loop.bvh
       one stride that repeats, for a game";
 
-pub(super) fn command() -> Command {
-    let (slowest, fastest) = STEP_FREQUENCY;
-    let speed = |frequency: f64| WALK_RATIO * HEIGHT * frequency * frequency / 60.0;
-    let command = Command::new("walk")
-        .about("A person walks: from standing, some steps, to standing")
-        .after_help(WALK_EXAMPLES)
-        .args(files())
-        .next_help_heading("The person")
-        .arg(path("figure").help(wrap(
-            "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]",
-        )).conflicts_with_all(["height", "mass"]))
-        .args(person())
-        .next_help_heading("The walk")
-        .arg(number(
-            "step-frequency",
-            "STEPS/MIN",
-            &format!(
-                "Steps a minute, {slowest} to {fastest} [default: {DEFAULT_STEP_FREQUENCY}, or what speed and step \
-                 length say]"
-            ),
-        ))
-        .arg(number(
-            "step-length",
-            "M",
-            &format!(
-                "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (2 % \
-                 at {fastest} steps/min) [default: people's, {WALK_RATIO}·height·frequency]"
-            ),
-        ))
-        .arg(number(
-            "speed",
-            "M/S",
-            &format!(
-                "Speed of the steady part, {:.2} to {:.2} m/s at a height of {HEIGHT} m; two of speed, frequency and \
-                 length decide the third [default: frequency·length]",
-                speed(slowest),
-                speed(fastest)
-            ),
-        ))
-        .arg(
-            Arg::new("steps")
-                .long("steps")
-                .value_name("N")
-                .allow_hyphen_values(true)
-                .value_parser(ValueParser::new(parse_count))
-                .help(format!("Number of steps, {} to {} [default: {DEFAULT_STEPS}]", STEPS.0, STEPS.1)),
-        )
-        .arg(number(
-            "distance",
-            "M",
-            &format!(
-                "How far to walk, met exactly, instead of a number of steps: {SHORTEST_DISTANCE} m to {} steps \
-                 [default: as far as the steps go]",
-                STEPS.1
-            ),
-        ))
-        .group(ArgGroup::new("extent").args(["steps", "distance"]))
-        .arg(number(
-            "rate",
-            "FRAMES/S",
-            &format!("Samples a second of the motion, {} to {} [default: {}]", RATE.1, RATE.2, RATE.0),
-        ))
-        .arg(Arg::new("root").long("root").value_name("LINK").value_parser(["pelvis", "foot"]).hide_possible_values(true).help(
-            wrap(
-                "What the forces are computed from: the pelvis outwards, or the foot that stands, as the thesis does; no force \
-                 depends on it [default: pelvis]",
-            ),
-        ))
-        .args(manner())
-        .next_help_heading("Changes on the way (style smooth)")
-        .args(changes())
-        .next_help_heading("Its style (people's: what people do at this frequency and step length)");
-    let command = command.args(PARAMETERS.iter().map(of_style));
-    let command = command.next_help_heading("Key postures of five determinants (--style thesis)");
-    let command = command.args(of_postures(five::PARAMETERS));
-    let command =
-        command.next_help_heading("Key postures of three determinants (--style thesis --determinants 3)");
-    command.args(of_postures(three::PARAMETERS))
-}
-
-/// A parameter of the smooth style; of the thesis's too, where that has one of the same name.
-fn of_style(parameter: &Parameter) -> Arg {
-    let (unit, value) = match parameter.unit {
-        Unit::Degrees => ("°", "DEGREES"),
-        Unit::Metres => (" m", "M"),
-    };
-    let symbol = if parameter.symbol.is_empty() { String::new() } else { format!("{}: ", parameter.symbol) };
-    let (lower, upper) = parameter.range;
-    let thesis = key_parameters().find(|key| key.name == parameter.name);
-    let thesis = thesis.map_or_else(String::new, |key| {
-        let (lower, upper) = key.range;
-        format!("; style thesis: {}, {lower} to {upper}{}", key.help, key.unit)
-    });
-    let default = if thesis.is_empty() { "people's" } else { "people's, or chosen" };
-    let help = format!("{symbol}{}, {lower} to {upper}{unit}{thesis} [default: {default}]", parameter.help);
-    number(parameter.name, value, &help)
-}
-
-/// Parameters of key postures that no other option has.
-fn of_postures(parameters: &'static [KeyParameter]) -> impl Iterator<Item = Arg> {
-    let own = |parameter: &&KeyParameter| {
-        parameter.name != "step-length" && Parameter::named(parameter.name).is_none()
-    };
-    parameters.iter().filter(own).map(|parameter| {
-        let value = if parameter.unit == "°" { "DEGREES" } else { "M" };
-        let (lower, upper) = parameter.range;
-        let (symbol, unit, what) = (parameter.symbol, parameter.unit, parameter.help);
-        let help = format!("{symbol}: {what}, {lower} to {upper}{unit} [default: chosen inside its bounds]");
-        number(parameter.name, value, &help)
-    })
-}
-
-/// All parameters of key postures, those of five determinants first.
-fn key_parameters() -> impl Iterator<Item = &'static KeyParameter> {
-    five::PARAMETERS.iter().chain(three::PARAMETERS)
-}
-
-/// The names of the options that are parameters of key postures.
-pub(crate) fn key_options() -> Vec<&'static str> {
-    let mut names: Vec<&str> = key_parameters().map(|parameter| parameter.name).collect();
-    names.sort_unstable();
-    names.dedup();
-    names
-}
-
-/// In which manner it walks.
-fn manner() -> [Arg; 7] {
-    let choice = |name: &'static str, value: &'static str, of: &'static [&'static str]| {
-        Arg::new(name)
-            .long(name)
-            .value_name(value)
-            .value_parser(PossibleValuesParser::new(of))
-            .hide_possible_values(true)
-    };
-    let (slowest, fastest) = THESIS_STEP_FREQUENCY;
-    [
-        choice("style", "STYLE", &["smooth", "thesis"]).help(wrap(&format!(
-            "smooth: forces first, as people walk; thesis: through key postures, the body stopping at each, {slowest} to {fastest} \
-             steps/min, {THESIS_WALK_RATIO}·height·frequency a step [default: smooth]"
-        ))),
-        choice("determinants", "N", &["3", "5"]).help(wrap(
-            "5: pelvic rotation, pelvic tilt, flexion of the stance knee, the foot's plantar flexion, compass gait; 3: without \
-             the first and the foot's [default: 5]",
-        )),
-        choice("first", "SIDE", &["left", "right"]).help("Which foot makes the first step [default: right]"),
-        choice("loop", "HOW", &["in-place", "moving"]).help(wrap(
-            "One stride that repeats instead of a walk: on the spot, or going on; the rate is fitted to it [default: a walk]",
-        )).conflicts_with_all(["extent", "turn", "then"]),
-        choice("in-betweens", "HOW", &["rest", "linear"]).help(wrap(
-            "Style thesis: from posture to posture by minimum jerk, at rest in each, or at an even pace [default: rest]",
-        )),
-        choice("double-support", "LAW", &["thesis", "measured", "travel"]).help(wrap(
-            "Style thesis: how long both feet stand: the thesis's law, the measured one, or as long as the pelvis takes at an \
-             even pace [default: thesis]",
-        )),
-        number("sway", "M", "Style thesis: amplitude of the pelvis' way to the sides, towards the foot that stands [default: 0]"),
-    ]
-}
-
-/// What changes on the way.
-fn changes() -> [Arg; 2] {
-    let (turn, in_all) = (TURN.to_degrees().round(), TURN_IN_ALL.to_degrees().round());
-    [
-        number(
-            "turn",
-            "DEGREES",
-            &format!(
-                "By how much each step turns to the left, -{turn} to {turn}°, {in_all}° in all [default: 0]"
-            ),
-        ),
-        Arg::new("then")
-            .long("then")
-            .value_name("WHAT")
-            .action(ArgAction::Append)
-            .value_parser(ValueParser::new(parse_then))
-            .help(wrap(
-                "What comes next; several are allowed. steps=4,step-frequency=95,step-length=0.6,speed=1,turn=15: steps of another \
-                 pace or direction (with neither frequency, length nor speed the pace stays; else what is left out is people's); a short \
-                 step-length is a half step. stand=2: stop and \
-                 stand for 2 s; what follows starts anew, and may be distance=3 instead of steps [default: nothing]",
-            )),
-    ]
-}
-
-/// What comes next in a walk.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Then {
-    /// Stop, and stand so long (s).
-    Stand(f64),
-    /// Some steps.
-    Steps(WalkPart),
-    /// As many steps as reach so far (m), from standing.
-    Distance(f64, WalkPart),
-}
-
-/// `stand=2`, or `steps=4,step-frequency=95,turn=15`.
-fn parse_then(text: &str) -> Result<Then, String> {
-    const KEYS: [&str; 7] = ["steps", "distance", "stand", "step-frequency", "step-length", "speed", "turn"];
-    let mut values = [None; KEYS.len()];
-    for item in text.split([',', ' ']).filter(|item| !item.is_empty()) {
-        let example = "such as steps=4,step-frequency=95 or stand=2";
-        let (key, value) = item.split_once('=').ok_or(format!("'{item}' must be KEY=NUMBER, {example}"))?;
-        let index = KEYS.iter().position(|known| *known == key);
-        let index = index.ok_or(format!("there is no '{key}'; there are {}", KEYS.join(", ")))?;
-        let value: f64 = value.parse().map_err(|_| format!("{key} '{value}': it must be a number"))?;
-        if values[index].replace(value).is_some() {
-            return Err(format!("{key} is given twice"));
-        }
-    }
-    let [steps, distance, stand, step_frequency, step_length, speed, turn] = values;
-    if let Some(stand) = stand {
-        let alone = values.iter().flatten().count() == 1;
-        return if alone { Ok(Then::Stand(stand)) } else { Err("stand goes alone".to_owned()) };
-    }
-    let turn = turn.unwrap_or_default().to_radians();
-    let part = WalkPart { steps: 0, step_frequency, step_length, speed, turn };
-    match (steps, distance) {
-        (Some(steps), None) if steps.fract() == 0.0 && steps >= 0.0 && steps <= STEPS.1 as f64 => {
-            Ok(Then::Steps(WalkPart { steps: steps as usize, ..part }))
-        }
-        (Some(steps), None) => {
-            Err(format!("steps {steps}: it must be a whole number, {} to {}", STEPS.0, STEPS.1))
-        }
-        (None, Some(distance)) => Ok(Then::Distance(distance, part)),
-        (None, None) => Err("it needs steps, a distance or stand".to_owned()),
-        (Some(_), Some(_)) => Err("steps and distance: any one of them; drop the other".to_owned()),
-    }
-}
-
-/// The options of a person's size.
-pub(super) fn person() -> [Arg; 2] {
-    [
-        number("height", "M", &format!("Standing height, 0.8 to 2.3 m [default: {HEIGHT}]")),
-        number(
-            "mass",
-            "KG",
-            &format!(
-                "Body mass in kg, 8 to 80 times the squared height [default: {BODY_MASS_INDEX}·height²]"
-            ),
-        ),
-    ]
+/// A walk, and what to make of it.
+#[derive(Debug, Args)]
+#[command(about = "A person walks: from standing, some steps, to standing", after_help = EXAMPLES)]
+pub(crate) struct WalkArgs {
+    #[command(flatten)]
+    pub(crate) files: WalkFiles,
+    #[command(flatten, next_help_heading = "The person")]
+    pub(crate) who: WhoArgs,
+    #[command(flatten, next_help_heading = "The walk")]
+    pub(crate) pace: PaceArgs,
+    #[command(flatten)]
+    pub(crate) extent: ExtentArgs,
+    #[command(flatten)]
+    pub(crate) manner: MannerArgs,
+    #[command(flatten, next_help_heading = "Changes on the way (style smooth)")]
+    pub(crate) changes: ChangeArgs,
+    #[command(flatten)]
+    pub(crate) style: StyleArgs,
 }
 
 /// Where to write what.
-fn files() -> [Arg; 3] {
-    [
-        path("output").short('o').action(ArgAction::Append).help(wrap(
-            "Write the motion: .html page, .csv table, .bvh motion capture; several -o are allowed [default: none]",
-        )),
-        path("report").value_name("FILE.json").help("Write the numbers of the walk as JSON [default: none]"),
-        json("Print the numbers of the walk as JSON instead of a table"),
-    ]
+#[derive(Debug, Args)]
+pub(crate) struct WalkFiles {
+    #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
+        "Write the motion: .html page, .csv table, .bvh motion capture; several -o are allowed [default: none]"
+    ))]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[arg(long, value_name = "FILE.json", help = "Write the numbers of the walk as JSON [default: none]")]
+    pub(crate) report: Option<PathBuf>,
+    #[arg(long, help = "Print the numbers of the walk as JSON instead of a table")]
+    pub(crate) json: bool,
 }
 
-/// Refuses three options of which two decide the third.
-pub(crate) fn check(matches: &ArgMatches) -> Result<(), CliError> {
-    let value = |option| typed(matches, option);
-    match (value("step-frequency"), value("step-length"), value("speed")) {
-        (Some(frequency), Some(length), Some(speed)) => Err(CliError::Usage(format!(
-            "--step-frequency {frequency}, --step-length {length} and --speed {speed}: any two decide the third; drop one"
-        ))),
-        _ => Ok(()),
+/// Who walks.
+#[derive(Debug, Args)]
+pub(crate) struct WhoArgs {
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["height", "mass"], help = wrap(
+        "Who walks: a figure's text (.ron) with the segments of a human [default: a human of this height and mass]"
+    ))]
+    pub(crate) figure: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) person: PersonArgs,
+}
+
+/// A person's size.
+#[derive(Debug, Args)]
+pub(crate) struct PersonArgs {
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(&format!(
+        "Standing height, {} to {} m [default: {HEIGHT}]", HEIGHTS.0, HEIGHTS.1
+    )))]
+    pub(crate) height: Option<Number>,
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, help = wrap(&format!(
+        "Body mass in kg, {} to {} times the squared height [default: {BODY_MASS_INDEX}·height²]", BODY_MASS_INDICES.0, BODY_MASS_INDICES.1
+    )))]
+    pub(crate) mass: Option<Number>,
+}
+
+/// Step frequency, step length and speed, of which two decide the third.
+#[derive(Debug, Args)]
+pub(crate) struct PaceArgs {
+    #[arg(long, visible_alias = "cadence", value_name = "STEPS/MIN", allow_hyphen_values = true, help = wrap(&format!(
+        "Steps a minute, {} to {} [default: {DEFAULT_STEP_FREQUENCY}, or what speed and step length say]",
+        STEP_FREQUENCY.0, STEP_FREQUENCY.1
+    )))]
+    pub(crate) step_frequency: Option<Number>,
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(&format!(
+        "From one heel print to the other foot's next in m, 12 % shorter to 12 % longer than people's (2 % at {} steps/min) \
+         [default: people's, {WALK_RATIO}·height·frequency]",
+        STEP_FREQUENCY.1
+    )))]
+    pub(crate) step_length: Option<Number>,
+    #[arg(long, value_name = "M/S", allow_hyphen_values = true, help = wrap(&format!(
+        "Speed of the steady part, {:.2} to {:.2} m/s at a height of {HEIGHT} m; two of speed, frequency and length decide \
+         the third [default: frequency·length]",
+        speed(STEP_FREQUENCY.0), speed(STEP_FREQUENCY.1)
+    )))]
+    pub(crate) speed: Option<Number>,
+}
+
+/// Speed of people of usual height at a step frequency (steps/min).
+fn speed(frequency: f64) -> f64 {
+    WALK_RATIO * HEIGHT * frequency * frequency / 60.0
+}
+
+/// How far, and how finely.
+#[derive(Debug, Args)]
+pub(crate) struct ExtentArgs {
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = count("steps", STEPS.0, STEPS.1), help = format!(
+        "Number of steps, {} to {} [default: {DEFAULT_STEPS}]", STEPS.0, STEPS.1
+    ))]
+    pub(crate) steps: Option<Count>,
+    #[arg(long, value_name = "M", allow_hyphen_values = true, conflicts_with = "steps", help = wrap(&format!(
+        "How far to walk, met exactly, instead of a number of steps: {SHORTEST_DISTANCE} m to {} steps [default: as far as \
+         the steps go]",
+        STEPS.1
+    )))]
+    pub(crate) distance: Option<Number>,
+    /// Asked for often, and answered with what there is.
+    #[arg(long, value_name = "S", allow_hyphen_values = true, hide = true)]
+    pub(crate) duration: Option<Number>,
+    #[arg(
+        long, value_name = "FRAMES/S", allow_hyphen_values = true, value_parser = within("rate", RATE.1, RATE.2, " frames/s"),
+        help = wrap(&format!("Samples a second of the motion, {} to {} [default: {}]", RATE.1, RATE.2, RATE.0))
+    )]
+    pub(crate) rate: Option<f64>,
+}
+
+/// A number of steps.
+pub(crate) type Count = usize;
+
+/// In which manner it walks.
+#[derive(Debug, Args)]
+pub(crate) struct MannerArgs {
+    #[arg(long, value_name = "LINK", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(
+        "What the forces are computed from: the pelvis outwards, or the foot that stands, as the thesis does; no force \
+         depends on it [default: pelvis]"
+    ))]
+    pub(crate) root: RootLink,
+    #[arg(long, value_name = "STYLE", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(&format!(
+        "smooth: forces first, as people walk; thesis: through key postures, the body stopping at each, {} to {} \
+         steps/min, {THESIS_WALK_RATIO}·height·frequency a step [default: smooth]",
+        THESIS_STEP_FREQUENCY.0, THESIS_STEP_FREQUENCY.1
+    )))]
+    pub(crate) style: StyleName,
+    #[arg(long, value_name = "N", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(
+        "5: pelvic rotation, pelvic tilt, flexion of the stance knee, the foot's plantar flexion, compass gait; 3: without \
+         the first and the foot's [default: 5]"
+    ))]
+    pub(crate) determinants: DeterminantCount,
+    #[arg(
+        long,
+        value_name = "SIDE",
+        value_enum,
+        default_value_t,
+        hide_default_value = true,
+        hide_possible_values = true,
+        help = "Which foot makes the first step [default: right]"
+    )]
+    pub(crate) first: Side,
+    #[arg(long = "loop", value_name = "HOW", value_enum, hide_possible_values = true,
+        conflicts_with_all = ["steps", "distance", "duration", "turn", "then"], help = wrap(
+        "One stride that repeats instead of a walk: on the spot (in-place), or going on (moving); its first frame does not come \
+         again as its last. With --rate the step frequency is fitted to whole frames, without it the rate [default: a walk]"
+    ))]
+    pub(crate) repeats: Option<Loop>,
+    #[arg(long, value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
+        "Style thesis: from posture to posture by minimum jerk, at rest in each, or at an even pace (linear) [default: rest]"
+    ))]
+    pub(crate) in_betweens: Option<InBetweens>,
+    #[arg(long, value_name = "LAW", value_enum, hide_possible_values = true, help = wrap(
+        "Style thesis: how long both feet stand: the thesis's law, the measured one, or as long as the pelvis takes at an \
+         even pace (travel) [default: thesis]"
+    ))]
+    pub(crate) double_support: Option<DoubleSupportLaw>,
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(
+        "Style thesis: amplitude of the pelvis' way to the sides, towards the foot that stands [default: 0]"
+    ))]
+    pub(crate) sway: Option<Number>,
+}
+
+/// Out of which link the forces are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RootLink {
+    #[default]
+    Pelvis,
+    Foot,
+}
+
+/// How a walk is made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum StyleName {
+    #[default]
+    Smooth,
+    Thesis,
+}
+
+impl StyleName {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Smooth => "smooth",
+            Self::Thesis => "thesis",
+        }
     }
+}
+
+/// How many determinants of gait.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DeterminantCount {
+    #[value(name = "3")]
+    Three,
+    #[default]
+    #[value(name = "5")]
+    Five,
+}
+
+impl From<DeterminantCount> for Determinants {
+    fn from(count: DeterminantCount) -> Self {
+        match count {
+            DeterminantCount::Three => Self::Three,
+            DeterminantCount::Five => Self::Five,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Side {
+    Left,
+    #[default]
+    Right,
+}
+
+/// One stride, and whether it stays on the spot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Loop {
+    InPlace,
+    Moving,
+}
+
+/// How a body goes from one key posture to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum InBetweens {
+    Rest,
+    Linear,
+}
+
+/// How long both feet stand between key postures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DoubleSupportLaw {
+    Thesis,
+    Measured,
+    Travel,
+}
+
+/// What changes on the way.
+#[derive(Debug, Args)]
+pub(crate) struct ChangeArgs {
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help = wrap(&format!(
+        "By how much each step turns to the left, -{turn} to {turn}°, {in_all}° in all [default: 0]",
+        turn = TURN.to_degrees().round(), in_all = TURN_IN_ALL.to_degrees().round()
+    )))]
+    pub(crate) turn: Option<Number>,
+    #[arg(long, value_name = "WHAT", value_parser = then::parse, help = wrap(
+        "What comes next; several are allowed. steps=4,step-frequency=95,step-length=0.6,speed=1,turn=15: steps of another \
+         pace or direction (with neither frequency, length nor speed the pace stays; else what is left out is people's); a short \
+         step-length is a half step. stand=2: stop and \
+         stand for 2 s; what follows starts anew, and may be distance=3 instead of steps [default: nothing]"
+    ))]
+    pub(crate) then: Vec<Then>,
 }

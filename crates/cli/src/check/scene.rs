@@ -1,12 +1,12 @@
 //! What a scene is.
 
+use crate::args::CheckArgs;
 use crate::error::CliError;
 use crate::findings::list;
 use crate::input::{self, extension};
 use crate::print::{print, write_json};
 use crate::run::{Loaded, load, refuse};
 use crate::words::{rounded, some};
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
 use solaris::model::{Figure, FindingKind, JointKind};
@@ -21,19 +21,17 @@ pub(super) fn is_one(path: &Path) -> bool {
     extension(path) == "ron" && input::text(path).is_ok_and(|text| is_scene(&text))
 }
 
-pub(super) fn run(path: &Path, matches: &ArgMatches) -> Result<(), CliError> {
+pub(super) fn run(args: &CheckArgs) -> Result<(), CliError> {
+    let path = args.file.as_path();
     let Loaded { scene, .. } = load(path)?;
     scene.check().map_err(|error| refuse(path, error))?;
     let findings = scene.figure().lint();
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
     let facts = Facts::of(&scene);
-    let chains = if matches.get_flag("dh") {
-        Some(Summary::of(scene.figure()).map_err(CliError::other)?.to_string())
-    } else {
-        None
-    };
+    let chains =
+        if args.dh { Some(Summary::of(scene.figure()).map_err(CliError::other)?.to_string()) } else { None };
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             return write_json(out, &facts);
         }
         facts.write(out)?;
@@ -42,7 +40,7 @@ pub(super) fn run(path: &Path, matches: &ArgMatches) -> Result<(), CliError> {
         }
         list(out, &findings)
     })?;
-    if matches.get_flag("strict") && suspects > 0 {
+    if args.strict && suspects > 0 {
         return Err(CliError::Strict { path: path.to_owned(), count: suspects });
     }
     Ok(())

@@ -2,25 +2,25 @@
 
 use super::picture::Picture;
 use super::postures::{Asked, value};
+use crate::args::ExplainArgs;
 use crate::error::CliError;
 use crate::print::{print, write_json};
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::gait::determinants::{Condition, KeyPosture, KeySolution, Proportions};
 use solaris::gait::stick_figures;
 use solaris::view::{Room, Stick, StickLine, StickPart, postures};
 
-pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let picture = Picture::asked(matches)?;
-    let asked = Asked::of(matches)?;
-    let refuse = |error| CliError::of_gait(error, matches);
+pub(super) fn run(args: &ExplainArgs) -> Result<(), CliError> {
+    let picture = Picture::asked(&args.outputs)?;
+    let asked = Asked::of(&args.postures)?;
+    let refuse = |error| CliError::of_gait(error, &args.postures);
     let values = &asked.choice.values;
-    let solution = asked.determinants.solve(&asked.proportions, values, asked.speed()).map_err(refuse)?;
+    let solution = asked.solution().map_err(refuse)?;
     let conditions = asked.determinants.conditions(&asked.proportions, values).map_err(refuse)?;
     let title = format!("Key postures of {}", asked.title().to_lowercase());
     let svg = || postures(&sticks(&asked.proportions, &solution), &rooms(&conditions), &title);
     picture.write(&title, svg)?;
-    if matches.get_flag("json") {
+    if args.json {
         let said = Said::of(&asked, &solution, &conditions);
         return print(|out| write_json(out, &said));
     }

@@ -2,54 +2,45 @@
 
 use super::picture::Picture;
 use super::postures::{Asked, value};
-use crate::error::CliError;
+use crate::args::MapArgs;
+use crate::error::{CliError, UsageError};
 use crate::print::{print, write_json};
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::gait::determinants::KeyParameter;
 use solaris::gait::{FeasibleMap, MapCondition};
 use solaris::view::{Regions, regions};
 
-/// Places a side.
-const PLACES: f64 = 160.0;
-
-pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
-    let files = Picture::asked(matches)?;
-    let asked = Asked::of(matches)?;
-    let axis = |name: &str| {
-        let wanted = matches.get_one::<String>(name).map_or("", String::as_str);
+pub(super) fn run(args: &MapArgs) -> Result<(), CliError> {
+    let files = Picture::asked(&args.outputs)?;
+    let asked = Asked::of(&args.postures)?;
+    let axis = |option: &str, wanted: &str| {
         let index = asked.parameters.iter().position(|parameter| parameter.name == wanted);
-        index.ok_or_else(|| CliError::Option {
-            option: name.to_owned(),
-            value: wanted.to_owned(),
-            why: format!(
-                "{} determinants have no such parameter; they have {}",
-                asked.determinants.count(),
-                asked.parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>().join(", ")
-            ),
+        index.ok_or_else(|| {
+            let names: Vec<&str> = asked.parameters.iter().map(|parameter| parameter.name).collect();
+            let count = asked.determinants.count();
+            let why = format!("{count} determinants have no such parameter; they have {}", names.join(", "));
+            CliError::option(option, wanted, why)
         })
     };
-    let axes = [axis("x")?, axis("y")?];
+    let axes = [axis("x", &args.x)?, axis("y", &args.y)?];
     if axes[0] == axes[1] {
-        return Err(CliError::Usage("--x and --y name the same parameter; a map needs two".to_owned()));
+        return Err(UsageError::SameAxes.into());
     }
-    let span = |option: &str, axis: usize| {
-        matches.get_one::<(f64, f64)>(option).copied().unwrap_or(asked.parameters[axis].range)
-    };
-    let spans = [span("x-span", axes[0]), span("y-span", axes[1])];
-    let places = matches.get_one::<f64>("places").copied().unwrap_or(PLACES) as usize;
+    let span = |span: Option<(f64, f64)>, axis: usize| span.unwrap_or(asked.parameters[axis].range);
+    let spans = [span(args.x_span, axes[0]), span(args.y_span, axes[1])];
     let conditions =
         |values: &[f64]| asked.determinants.conditions(&asked.proportions, values).unwrap_or_default();
-    let map = FeasibleMap::new(&asked.parameters, &asked.choice.values, axes, spans, [places; 2], conditions);
-    let map = map.map_err(|error| CliError::of_gait(error.into(), matches))?;
+    let map =
+        FeasibleMap::new(&asked.parameters, &asked.choice.values, axes, spans, [args.places; 2], conditions);
+    let map = map.map_err(|error| CliError::of_gait(error.into(), &args.postures))?;
     let mark = axes.map(|axis| asked.choice.values[axis]);
     let title = asked.title();
     files.write(&title, || regions(&picture(&map, mark, asked.unit), &title))?;
-    if matches.get_flag("json") {
+    if args.json {
         return print(|out| write_json(out, &Said::of(&map)));
     }
     let marked = asked.determinants.conditions(&asked.proportions, &asked.choice.values);
-    let marked = marked.map_err(|error| CliError::of_gait(error, matches))?;
+    let marked = marked.map_err(|error| CliError::of_gait(error.into(), &args.postures))?;
     print(|out| {
         writeln!(out, "{title}: {} over {}\n", map.axes[1].name, map.axes[0].name)?;
         writeln!(out, "  {:5.1} % of the map hold all inequalities", 100.0 * map.feasible())?;

@@ -2,7 +2,6 @@
 
 use crate::error::CliError;
 use crate::output::{Formats, Outputs};
-use clap::ArgMatches;
 use solaris::view::picture_page;
 use std::io::Write;
 use std::path::PathBuf;
@@ -20,10 +19,9 @@ const FORMATS: Formats<Format> = &[("svg", Format::Svg), ("html", Format::Html)]
 pub(super) struct Picture(Outputs<Format>);
 
 impl Picture {
-    /// Those of `--output`, checked before the work begins.
-    pub(super) fn asked(matches: &ArgMatches) -> Result<Self, CliError> {
-        let paths = matches.get_many::<PathBuf>("output").unwrap_or_default();
-        Ok(Self(Outputs::new(paths.map(|path| ("-o", path, FORMATS)))?))
+    /// Those at these paths, checked before the work begins.
+    pub(super) fn asked(paths: &[PathBuf]) -> Result<Self, CliError> {
+        Ok(Self(Outputs::new(paths.iter().map(|path| ("-o", path, FORMATS)))?))
     }
 
     /// Writes them all, or none; nothing is drawn that nobody asks for.
@@ -43,6 +41,6 @@ impl Picture {
             return writeln!(out, "\nnothing is written; add {add}");
         }
         writeln!(out)?;
-        self.0.paths().try_for_each(|path| writeln!(out, "wrote {}", path.display()))
+        self.0.written().try_for_each(|line| writeln!(out, "{line}"))
     }
 }

@@ -1,10 +1,9 @@
 //! Whose postures are asked for, and with which parameters.
 
-use crate::args::{HEIGHT, key_options};
-use crate::error::{CliError, typed};
-use clap::ArgMatches;
-use solaris::gait::determinants::{Determinants, KeyParameter, Proportions};
-use solaris::gait::{KeyChoice, ThesisRequest};
+use crate::args::{HEIGHT, Number, PosturesArgs, Whose, key_options};
+use crate::error::{CliError, Typed};
+use solaris::gait::determinants::{Determinants, KeyParameter, KeySolution, Proportions};
+use solaris::gait::{GaitError, KeyChoice, ThesisRequest};
 use solaris::model::human;
 
 /// Mass of the person whose lengths are asked: it changes none (kg/m²).
@@ -18,49 +17,43 @@ pub(super) struct Asked {
     pub(super) choice: KeyChoice,
     /// What a length is in.
     pub(super) unit: &'static str,
+    request: ThesisRequest,
 }
 
 impl Asked {
-    pub(super) fn of(matches: &ArgMatches) -> Result<Self, CliError> {
-        let word = |name: &str| matches.get_one::<String>(name).map(String::as_str);
-        let number = |name: &str| matches.get_one::<f64>(name).copied();
-        let determinants =
-            if word("determinants") == Some("3") { Determinants::Three } else { Determinants::Five };
-        let height = number("height");
-        let proportions = match word("body") {
-            Some("fit") if height.is_some() => {
-                let why = "the fitted proportions are in units of the leg and have no height; leave --height or --body fit out";
-                return Err(option(matches, "height", why));
-            }
-            Some("fit") => Proportions::FIT,
-            Some("thesis") => Proportions::drillis_contini(height.unwrap_or(HEIGHT)),
-            _ => {
-                let height = height.unwrap_or(HEIGHT);
-                let person = human(height, BODY_MASS_INDEX * height * height);
-                let person = person.map_err(|error| CliError::of_human(error, matches))?;
-                Proportions::of(&person).map_err(|error| CliError::of_gait(error, matches))?
-            }
-        };
+    pub(super) fn of(args: &PosturesArgs) -> Result<Self, CliError> {
+        let determinants: Determinants = args.determinants.count.into();
+        let proportions = proportions(args)?;
         let parameters = determinants.parameters(&proportions);
-        let own = |name: &&str| parameters.iter().any(|parameter| parameter.name == *name);
-        let given = || key_options().into_iter().filter(|name| typed(matches, name).is_some());
-        if let Some(name) = given().find(|name| !own(name)) {
+        let own = |name: &str| parameters.iter().any(|parameter| parameter.name == name);
+        let given = || args.parameters.0.iter();
+        let length = args.step_length.as_ref().filter(|_| key_options().contains(&"step-length"));
+        let mut all = given().chain(length.map(|length| ("step-length", length)));
+        if let Some((name, number)) = all.find(|(name, _)| !own(name)) {
             let why = format!("{} determinants have no such parameter", determinants.count());
-            return Err(option(matches, name, &why));
+            return Err(CliError::option(name, &number.typed, why));
         }
-        let others = given().filter(|name| *name != "step-length");
+        let value = |number: &Option<Number>| number.as_ref().map(|number| number.value);
         let request = ThesisRequest {
             determinants,
-            step_frequency: number("step-frequency"),
-            step_length: number("step-length"),
-            speed: number("speed"),
-            parameters: others.filter_map(|name| Some((name, number(name)?))).collect(),
+            step_frequency: value(&args.step_frequency),
+            step_length: value(&args.step_length),
+            speed: value(&args.speed),
+            parameters: given().map(|(name, number)| (name, number.value)).collect(),
             ..ThesisRequest::default()
         };
-        let choice =
-            KeyChoice::of(&proportions, &request).map_err(|error| CliError::of_gait(error, matches))?;
-        let unit = if word("body") == Some("fit") { "leg lengths" } else { "m" };
-        Ok(Self { determinants, proportions, parameters, choice, unit })
+        let refuse = |error| CliError::of_gait(error, args);
+        // Of what is refused, the values beside it that would do are tried.
+        let choice = KeyChoice::of(&proportions, &request)
+            .or_else(|_| KeyChoice::solve(&proportions, &request).map(|(choice, _)| choice))
+            .map_err(refuse)?;
+        let unit = if args.body == Whose::Fit { "leg lengths" } else { "m" };
+        Ok(Self { determinants, proportions, parameters, choice, unit, request })
+    }
+
+    /// The postures, or why there are none.
+    pub(super) fn solution(&self) -> Result<KeySolution, GaitError> {
+        KeyChoice::solve(&self.proportions, &self.request).map(|(_, solution)| solution)
     }
 
     /// What is to be said of lengths that are not in metres.
@@ -104,9 +97,41 @@ impl Asked {
     }
 }
 
-fn option(matches: &ArgMatches, option: &str, why: &str) -> CliError {
-    let value = typed(matches, option).unwrap_or_default();
-    CliError::Option { option: option.to_owned(), value, why: why.to_owned() }
+/// Whose postures.
+fn proportions(args: &PosturesArgs) -> Result<Proportions, CliError> {
+    let height = args.height.as_ref().map_or(HEIGHT, |height| height.value);
+    match (args.body, &args.height) {
+        (Whose::Fit, Some(height)) => {
+            let why = "the fitted proportions are in units of the leg and have no height; leave --height or --body fit out";
+            Err(CliError::option("height", &height.typed, why))
+        }
+        (Whose::Fit, None) => Ok(Proportions::FIT),
+        (Whose::Thesis, _) => Ok(Proportions::drillis_contini(height)),
+        (Whose::Human, _) => {
+            let person = human(height, BODY_MASS_INDEX * height * height);
+            let person = person.map_err(|error| CliError::of_human(error, args))?;
+            Proportions::of(&person).map_err(|error| CliError::of_gait(error, args))
+        }
+    }
+}
+
+impl Typed for PosturesArgs {
+    fn typed(&self, name: &str) -> Option<&str> {
+        let number = match name {
+            "height" => &self.height,
+            "step frequency" => &self.step_frequency,
+            "step length" | "step-length" => &self.step_length,
+            "speed" => &self.speed,
+            other => return Some(&self.parameters.0.get(other)?.typed),
+        };
+        number.as_ref().map(|number| number.typed.as_str())
+    }
+
+    fn pace(&self) -> Vec<(&'static str, &Number)> {
+        let Self { step_frequency, step_length, speed, .. } = self;
+        let all = [("step-frequency", step_frequency), ("step-length", step_length), ("speed", speed)];
+        all.into_iter().filter_map(|(name, number)| Some((name, number.as_ref()?))).collect()
+    }
 }
 
 /// A parameter and its value.

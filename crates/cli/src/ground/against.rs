@@ -4,12 +4,11 @@ use crate::args::AskedPlate;
 use crate::error::CliError;
 use crate::input;
 use crate::words::short;
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::analysis::ground::Sole;
 use solaris::io::record;
 use solaris::model::{ContactTrack, MeasuredForce, Vector3, nearest};
-use std::path::PathBuf;
+use std::path::Path;
 
 /// What plates measured under the soles.
 pub(super) struct Plates {
@@ -31,16 +30,16 @@ pub(crate) struct Beside {
 
 impl Plates {
     /// What the options name, for these soles; none without any.
-    pub(super) fn read(matches: &ArgMatches, soles: &[Sole]) -> Result<Option<Self>, CliError> {
-        let Some(path) = matches.get_one::<PathBuf>("against") else { return Ok(None) };
+    pub(super) fn read(
+        against: Option<&Path>,
+        plates: &[AskedPlate],
+        soles: &[Sole],
+    ) -> Result<Option<Self>, CliError> {
+        let Some(path) = against else { return Ok(None) };
         let table = input::table(path)?;
         let mut feet: Vec<(usize, MeasuredForce)> = Vec::new();
-        for AskedPlate { foot, prefix } in matches.get_many("plate").unwrap_or_default() {
-            let fault = |why: String| CliError::Option {
-                option: "plate".to_owned(),
-                value: format!("{foot}={prefix}"),
-                why,
-            };
+        for AskedPlate { foot, prefix } in plates {
+            let fault = |why: String| CliError::option("plate", format!("{foot}={prefix}"), why);
             let Some(sole) = soles.iter().position(|sole| sole.name == *foot) else {
                 let names: Vec<&str> = soles.iter().map(|sole| &*sole.name).collect();
                 let hint = nearest(foot, names.iter().copied())

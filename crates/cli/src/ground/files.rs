@@ -5,7 +5,6 @@ use crate::error::CliError;
 use crate::given::Given;
 use crate::output::{Formats, Outputs};
 use crate::run::positions;
-use clap::ArgMatches;
 use solaris::io::bvh::Unit;
 use solaris::io::{bvh, csv, sto};
 use std::io::Write;
@@ -63,24 +62,26 @@ const MOVED: Formats<Written> = &[
 ];
 
 /// The files that the options of `solaris ground` name.
-pub(super) fn outputs_or_picture(matches: &ArgMatches) -> Result<Outputs<Written>, CliError> {
-    named(matches, FORCES_OR_PICTURE, MOVED)
+pub(super) fn outputs_or_picture(
+    forces: &[PathBuf],
+    motions: &[PathBuf],
+) -> Result<Outputs<Written>, CliError> {
+    named(forces, motions, FORCES_OR_PICTURE, MOVED)
 }
 
 /// The files that the options of `solaris inverse` name.
-pub(crate) fn outputs(matches: &ArgMatches) -> Result<Outputs<Content>, CliError> {
-    named(matches, FORCES, MOTION)
+pub(crate) fn outputs(forces: &[PathBuf], motions: &[PathBuf]) -> Result<Outputs<Content>, CliError> {
+    named(forces, motions, FORCES, MOTION)
 }
 
 fn named<T: Copy + 'static>(
-    matches: &ArgMatches,
+    forces: &[PathBuf],
+    motions: &[PathBuf],
     formats: Formats<T>,
     motion: Formats<T>,
 ) -> Result<Outputs<T>, CliError> {
-    let forces = matches.get_many::<PathBuf>("output").unwrap_or_default();
-    let motions = matches.get_many::<PathBuf>("motion-out").unwrap_or_default();
-    let motions = motions.map(|path| ("--motion-out", path, motion));
-    Outputs::new(forces.map(|path| ("-o", path, formats)).chain(motions))
+    let motions = motions.iter().map(|path| ("--motion-out", path, motion));
+    Outputs::new(forces.iter().map(|path| ("-o", path, formats)).chain(motions))
 }
 
 /// Writes the motion as it is now; its frames are equally far apart.

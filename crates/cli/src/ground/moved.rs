@@ -1,10 +1,10 @@
 //! What `--consistent` makes of a motion: the root's path changed by as little as the ground asks for.
 
 use super::soles::From;
-use crate::error::{CliError, typed};
+use crate::args::ConsistentArgs;
+use crate::error::CliError;
 use crate::given::Given;
 use crate::words::{counted, row, short};
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::analysis::ground::{
     Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, GroundError, ShiftError, Violation,
@@ -12,18 +12,19 @@ use solaris::analysis::ground::{
 use std::io::{Result, Write};
 
 /// How it is to be done, where it is asked for.
-pub(super) fn asked(matches: &ArgMatches) -> std::result::Result<Option<ConsistencyOptions>, CliError> {
-    if !matches.get_flag("consistent") {
+pub(super) fn asked(args: &ConsistentArgs) -> std::result::Result<Option<ConsistencyOptions>, CliError> {
+    if !args.consistent {
         return Ok(None);
     }
     let default = ConsistencyOptions::default();
-    let limit = matches.get_one::<f64>("consistent-limit").copied().unwrap_or(default.limit);
-    if limit > 0.0 {
-        return Ok(Some(ConsistencyOptions { limit, ..default }));
+    match &args.consistent_limit {
+        None => Ok(Some(default)),
+        Some(limit) if limit.value > 0.0 => Ok(Some(ConsistencyOptions { limit: limit.value, ..default })),
+        Some(limit) => {
+            let why = "it must be more than 0 m, or inf for as far as it takes";
+            Err(CliError::option("consistent-limit", &limit.typed, why))
+        }
     }
-    let why = "it must be more than 0 m, or inf for as far as it takes".to_owned();
-    let value = typed(matches, "consistent-limit").unwrap_or_default();
-    Err(CliError::Option { option: "consistent-limit".to_owned(), value, why })
 }
 
 /// Why a motion cannot be made consistent, where the command line has its own words for it.

@@ -2,14 +2,20 @@
 
 use super::moved::{self, Moved};
 use super::soles::{self, From};
-use crate::args::AskedBelt;
-use crate::error::{CliError, typed};
+use crate::args::{AskedBelt, ConsistentArgs, FrameArgs, GroundArgs, Number};
+use crate::error::CliError;
 use crate::given::Given;
-use clap::ArgMatches;
 use solaris::analysis::ground::{
-    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, Split, StanceOptions, Stances,
-    find_stances, ground_forces, make_consistent,
+    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, StanceOptions, Stances, find_stances,
+    ground_forces, make_consistent,
 };
+
+/// What is asked of the ground, and of the figure's frame.
+#[derive(Clone, Copy)]
+pub(crate) struct Ground<'a> {
+    pub(crate) how: &'a GroundArgs,
+    pub(crate) frame: &'a FrameArgs,
+}
 
 /// The ground's forces, and what they are found from.
 pub(crate) struct Predicted {
@@ -24,24 +30,28 @@ pub(crate) struct Predicted {
 
 impl Predicted {
     /// Finds them; with `--consistent` in a motion whose root is moved before.
-    pub(crate) fn find(matches: &ArgMatches, given: &mut Given) -> Result<Self, CliError> {
+    pub(crate) fn find(
+        asked: Ground<'_>,
+        consistent: &ConsistentArgs,
+        given: &mut Given,
+    ) -> Result<Self, CliError> {
         needs_times(given)?;
-        let consistent = moved::asked(matches)?;
-        let (soles, from) = soles::find(matches, given)?;
-        let (stances, stance, belt_from) = standing(matches, given, &soles, &from, 0.0)?;
-        let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
+        let consistent = moved::asked(consistent)?;
+        let (soles, from) = soles::find(asked.how.soles.as_deref(), given)?;
+        let (stances, stance, belt_from) = standing(asked, given, &soles, &from, 0.0)?;
         let mut moved = None;
         if let Some(options) = consistent {
             let (figure, motion) = (&given.body.figure, &mut given.found.motion);
             let found = make_consistent(figure, motion, &soles, &stances, &options);
             let found = found.map_err(|error| {
-                moved::refused(&error, given, &from).unwrap_or_else(|| refused(&error, matches, given, &from))
+                moved::refused(&error, given, &from).unwrap_or_else(|| refused(&error, asked, given, &from))
             })?;
             moved = Some(Moved::new(&found, &options, given.motion().time()));
         }
-        let options = GroundOptions { split: split.unwrap_or_default(), stance, stances: Some(stances) };
+        let options =
+            GroundOptions { split: asked.how.split.unwrap_or_default(), stance, stances: Some(stances) };
         let forces = ground_forces(&given.prepared()?, &soles, &options)
-            .map_err(|error| refused(&error, matches, given, &from))?;
+            .map_err(|error| refused(&error, asked, given, &from))?;
         Ok(Self { soles, from, belt_from, moved, forces })
     }
 }
@@ -58,25 +68,25 @@ pub(crate) fn needs_times(given: &Given) -> Result<(), CliError> {
 /// When which of the soles stands, as the options ask, what counts as standing, and how the ground's own motion is known.
 /// Where nobody says how the ground moves, a belt that is slower than `least` (m/s) is none.
 pub(crate) fn standing(
-    matches: &ArgMatches,
+    asked: Ground<'_>,
     given: &Given,
     soles: &[Sole],
     from: &From,
     least: f64,
 ) -> Result<(Stances, StanceOptions, &'static str), CliError> {
     let default = StanceOptions::default();
-    let number = |option: &str, default| matches.get_one::<f64>(option).copied().unwrap_or(default);
+    let or = |number: &Option<Number>, default| number.as_ref().map_or(default, |number| number.value);
     let mut stance = StanceOptions {
-        height: number("stance-height", default.height),
-        speed: number("stance-speed", default.speed),
-        shortest: number("stance-shortest", default.shortest),
+        height: or(&asked.how.stance_height, default.height),
+        speed: or(&asked.how.stance_speed, default.speed),
+        shortest: or(&asked.how.stance_shortest, default.shortest),
         belt: Belt::Auto,
     };
     let prepared = given.prepared()?;
     let find = |stance: &StanceOptions| {
-        find_stances(&prepared, soles, stance).map_err(|error| refused(&error, matches, given, from))
+        find_stances(&prepared, soles, stance).map_err(|error| refused(&error, asked, given, from))
     };
-    let belt_from = match matches.get_one("belt") {
+    let belt_from = match &asked.how.belt {
         Some(AskedBelt::Auto) => "as the feet on it move",
         None if least <= 0.0 => "as the feet on it move",
         None => {
@@ -92,8 +102,8 @@ pub(crate) fn standing(
             "as asked"
         }
         Some(AskedBelt::Speed(speed)) => {
-            let along = find(&stance)?.belt.try_normalize(0.0).ok_or_else(|| no_belt(matches))?;
-            stance.belt = Belt::Speed(along * *speed);
+            let along = find(&stance)?.belt.try_normalize(0.0).ok_or_else(|| no_belt(speed))?;
+            stance.belt = Belt::Speed(along * speed.value);
             "as fast as asked, along the feet on it"
         }
     };
@@ -101,39 +111,19 @@ pub(crate) fn standing(
 }
 
 /// A belt where there is none.
-fn no_belt(matches: &ArgMatches) -> CliError {
+fn no_belt(speed: &Number) -> CliError {
     let why = format!(
         "the feet do not move with a belt: where they are down they are slower than {} m/s, and nothing says which way it \
          would run; leave --belt out",
         Belt::LEAST
     );
-    CliError::Option { option: "belt".to_owned(), value: typed(matches, "belt").unwrap_or_default(), why }
+    CliError::option("belt", &speed.typed, why)
 }
 
 /// The option or the file that is at fault.
-pub(crate) fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, soles: &From) -> CliError {
-    let of_option = |option: &str, why: String| {
-        let value = typed(matches, option)?;
-        Some(CliError::Option { option: option.to_owned(), value, why })
-    };
-    let (option, why) = match error {
-        GroundError::Option { option, range, .. } => {
-            let option = match option {
-                GroundOption::Height => "stance-height",
-                GroundOption::Speed => "stance-speed",
-                GroundOption::Shortest => "stance-shortest",
-                GroundOption::Belt => "belt",
-                // Nobody types it.
-                _ => "",
-            };
-            (option, format!("it must be {range}"))
-        }
-        GroundError::TooManyFeet { .. } => ("split", error.to_string()),
-        GroundError::NoGravity { .. } => ("gravity", error.to_string()),
-        _ => ("", String::new()),
-    };
-    if let Some(error) = of_option(option, why) {
-        return error;
+pub(crate) fn refused(error: &GroundError, asked: Ground<'_>, given: &Given, soles: &From) -> CliError {
+    if let Some((option, value, why)) = at_fault(error, asked) {
+        return CliError::option(option, value, why);
     }
     let path = match (error, soles) {
         (GroundError::Sole { .. }, From::File(path)) => path,
@@ -147,4 +137,30 @@ pub(crate) fn refused(error: &GroundError, matches: &ArgMatches, given: &Given, 
         _ => &given.from,
     };
     CliError::input(path, error)
+}
+
+/// The option that was given and is at fault, its value, and what is wrong with it.
+fn at_fault(
+    error: &GroundError,
+    Ground { how, frame }: Ground<'_>,
+) -> Option<(&'static str, String, String)> {
+    match error {
+        GroundError::Option { option, range, .. } => {
+            let why = format!("it must be {range}");
+            let (name, number) = match option {
+                GroundOption::Height => ("stance-height", &how.stance_height),
+                GroundOption::Speed => ("stance-speed", &how.stance_speed),
+                GroundOption::Shortest => ("stance-shortest", &how.stance_shortest),
+                GroundOption::Belt => return Some(("belt", how.belt.as_ref()?.typed().to_owned(), why)),
+                // Nobody types it.
+                _ => return None,
+            };
+            Some((name, number.as_ref()?.typed.clone(), why))
+        }
+        GroundError::TooManyFeet { .. } => Some(("split", how.split?.name().to_owned(), error.to_string())),
+        GroundError::NoGravity { .. } => {
+            Some(("gravity", frame.gravity.as_ref()?.typed.clone(), error.to_string()))
+        }
+        _ => None,
+    }
 }

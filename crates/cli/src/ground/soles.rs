@@ -4,11 +4,10 @@ use crate::error::CliError;
 use crate::given::Given;
 use crate::input;
 use crate::words::some;
-use clap::ArgMatches;
 use solaris::analysis::ground::{self, Sole};
 use solaris::model::Figure;
 use solaris::scene::read_soles;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Who says where they are.
 pub(crate) enum From {
@@ -28,17 +27,17 @@ impl From {
 }
 
 /// The soles and who says so.
-pub(crate) fn find(matches: &ArgMatches, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
-    known(matches, given)?.ok_or_else(|| CliError::input(&given.of, &missing(&given.body.figure)))
+pub(crate) fn find(soles: Option<&Path>, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
+    known(soles, given)?.ok_or_else(|| CliError::input(&given.of, &missing(&given.body.figure)))
 }
 
 /// The same of a figure that may have none.
-pub(crate) fn known(matches: &ArgMatches, given: &Given) -> Result<Option<(Vec<Sole>, From)>, CliError> {
+pub(crate) fn known(soles: Option<&Path>, given: &Given) -> Result<Option<(Vec<Sole>, From)>, CliError> {
     let figure = &given.body.figure;
-    if let Some(path) = matches.get_one::<PathBuf>("soles") {
+    if let Some(path) = soles {
         let text = input::text(path)?;
         let soles = read_soles(&text, figure).map_err(|faults| input::faulty(path, &text, faults))?;
-        return Ok(Some((soles, From::File(path.clone()))));
+        return Ok(Some((soles, From::File(path.to_owned()))));
     }
     let own = ground::soles(figure);
     if !own.is_empty() {

@@ -1,8 +1,8 @@
 //! What pushes from outside: plates named one by one, or OpenSim's description of them.
 
+use crate::args::ExternalArgs;
 use crate::error::CliError;
 use crate::input;
-use clap::ArgMatches;
 use solaris::io::{Table, opensim, record};
 use solaris::model::{Figure, Link, MeasuredForce, nearest};
 use std::path::{Path, PathBuf};
@@ -26,10 +26,8 @@ pub(super) enum External {
 }
 
 impl External {
-    pub(super) fn read(matches: &ArgMatches) -> Result<Self, CliError> {
-        if let Some(path) = matches.get_one::<PathBuf>("external") {
-            let plates: Vec<(Vec<String>, String)> =
-                matches.get_many("plate").unwrap_or_default().cloned().collect();
+    pub(super) fn read(ExternalArgs { forces, plates, loads }: &ExternalArgs) -> Result<Self, CliError> {
+        if let Some(path) = forces {
             for (i, (links, prefix)) in plates.iter().enumerate() {
                 if let Some((other, _)) = plates[..i].iter().find(|(_, before)| before == prefix) {
                     let (links, other) = (links.join("+"), other.join("+"));
@@ -38,9 +36,13 @@ impl External {
                     return Err(of_plate(&links, prefix, why));
                 }
             }
-            return Ok(Self::Plates { path: path.clone(), table: input::table(path)?, plates });
+            return Ok(Self::Plates {
+                path: path.clone(),
+                table: input::table(path)?,
+                plates: plates.clone(),
+            });
         }
-        let Some(path) = matches.get_one::<PathBuf>("external-loads") else { return Ok(Self::None) };
+        let Some(path) = loads else { return Ok(Self::None) };
         let text = input::text(path)?;
         let loads = opensim::external_loads(&text).map_err(|faults| input::faulty(path, &text, faults))?;
         // The file of the data is named from where the description stands.
@@ -122,5 +124,5 @@ impl External {
 
 /// What is wrong with a plate, said of the option.
 fn of_plate(links: &str, prefix: &str, why: String) -> CliError {
-    CliError::Option { option: "plate".to_owned(), value: format!("{links}={prefix}"), why }
+    CliError::option("plate", format!("{links}={prefix}"), why)
 }

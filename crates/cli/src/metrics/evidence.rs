@@ -1,12 +1,11 @@
 //! What is known of a motion's feet, and who says so.
 
-use crate::args::AskedLevel;
+use crate::args::{AskedLevel, MetricsArgs, StancesFrom};
 use crate::error::CliError;
 use crate::given::Given;
-use crate::ground::{SolesFrom, find_soles, known_soles, refused, standing};
-use clap::ArgMatches;
+use crate::ground::{Ground, SolesFrom, find_soles, known_soles, refused, standing};
 use solaris::analysis::PreparedMotion;
-use solaris::analysis::ground::{GroundOptions, Sole, Split, StanceOptions, Stances, ground_forces};
+use solaris::analysis::ground::{GroundOptions, Sole, StanceOptions, Stances, ground_forces};
 use solaris::gait::metrics::{MetricsInput, stances_of_contacts};
 use solaris::io::record::{force_prefixes, forces};
 use solaris::model::ContactTrack;
@@ -23,16 +22,20 @@ pub(super) struct Evidence {
 }
 
 impl Evidence {
-    pub(super) fn find(matches: &ArgMatches, given: &Given) -> Result<Self, CliError> {
+    pub(super) fn find(args: &MetricsArgs, given: &Given) -> Result<Self, CliError> {
+        let (feet, how) = (&args.feet, &args.how);
         // Who asks for forces or stances of feet that nobody knows is told what to do.
-        let needs_feet = matches.get_flag("ground") || matches.contains_id("stances");
-        let found = if needs_feet { Some(find_soles(matches, given)?) } else { known_soles(matches, given)? };
+        let needs_feet = feet.ground || feet.stances.is_some();
+        let file = how.soles.as_deref();
+        let found = if needs_feet { Some(find_soles(file, given)?) } else { known_soles(file, given)? };
         let Some((soles, from)) = found else { return Ok(Self::of_no_feet()) };
-        let speed = matches.get_one("stance-speed").copied().unwrap_or(StanceOptions::default().speed);
-        let (mut stances, stance, belt_from) = standing(matches, given, &soles, &from, speed)?;
-        let level_from = match (matches.get_one("level"), &from) {
+        let default = StanceOptions::default().speed;
+        let speed = how.stance_speed.as_ref().map_or(default, |speed| speed.value);
+        let asked = Ground { how, frame: &args.frame };
+        let (mut stances, stance, belt_from) = standing(asked, given, &soles, &from, speed)?;
+        let level_from = match (feet.level, &from) {
             (Some(AskedLevel::At(level)), _) => {
-                stances.level = *level;
+                stances.level = level;
                 "as asked"
             }
             (None, SolesFrom::Figure) => {
@@ -42,21 +45,19 @@ impl Evidence {
             _ => "where the soles are lowest",
         };
         let own = own_contacts(given, &soles)?;
-        let asked = matches.get_one::<String>("stances").map(String::as_str);
-        match (&own, asked) {
-            (None, Some("contacts")) => return Err(no_contacts(&soles)),
-            (Some(own), None | Some("contacts")) => {
+        match (&own, feet.stances) {
+            (None, Some(StancesFrom::Contacts)) => return Err(no_contacts(&soles)),
+            (Some(own), None | Some(StancesFrom::Contacts)) => {
                 let (figure, gravity) = (&given.body.figure, given.body.gravity);
                 stances = stances_of_contacts(figure, gravity, given.motion().time(), own, &stances);
             }
             _ => {}
         }
-        let (contacts, forces_from) = if matches.get_flag("ground") {
-            let split = matches.get_one::<String>("split").and_then(|name| Split::named(name));
-            let split = split.unwrap_or_default();
+        let (contacts, forces_from) = if feet.ground {
+            let split = how.split.unwrap_or_default();
             let options = GroundOptions { split, stance, stances: Some(stances.clone()) };
             let found = ground_forces(&given.prepared()?, &soles, &options)
-                .map_err(|error| refused(&error, matches, given, &from))?;
+                .map_err(|error| refused(&error, asked, given, &from))?;
             (Some(found.contacts), "predicted from the motion")
         } else if own.is_some() {
             (own, "of the motion's file")
@@ -114,5 +115,5 @@ fn own_contacts(given: &Given, soles: &[Sole]) -> Result<Option<Vec<ContactTrack
 fn no_contacts(soles: &[Sole]) -> CliError {
     let names: Vec<String> = soles.iter().map(|sole| format!("{}.fx", sole.name)).collect();
     let why = format!("the motion's file has no forces on its soles ({} …); leave it out", names.join(", "));
-    CliError::Option { option: "stances".to_owned(), value: "contacts".to_owned(), why }
+    CliError::option("stances", "contacts", why)
 }

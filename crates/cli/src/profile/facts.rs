@@ -38,7 +38,7 @@ pub(super) struct Facts(Value);
 
 impl Facts {
     pub(super) fn of(
-        request: &Request,
+        request: &Request<'_>,
         curve: &ProfileCurve,
         labels: &Labels,
         all: &[Feasible],

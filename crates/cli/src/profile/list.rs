@@ -1,9 +1,8 @@
 //! `solaris profile list`: the kinds of curves.
 
-use crate::args::{amplitude, example, option};
+use crate::args::{ListArgs, amplitude, example, option};
 use crate::error::CliError;
 use crate::print::{print, write_json};
-use clap::ArgMatches;
 use serde::Serialize;
 use solaris::profiles::{Kind, Profile};
 use std::io::Write;
@@ -59,9 +58,9 @@ impl Said {
     }
 }
 
-pub(super) fn run(matches: &ArgMatches) -> Result<(), CliError> {
+pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
     print(|out| {
-        if matches.get_flag("json") {
+        if args.json {
             let kinds: Vec<Said> = Profile::KINDS.iter().map(Said::of).collect();
             return write_json(out, &kinds);
         }
@@ -83,25 +82,21 @@ fn text(out: &mut dyn Write) -> std::io::Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::request::Request;
     use super::*;
-    use crate::args::command;
+    use crate::args::{Cli, Command, KindCommand, ProfileCommand};
+    use clap::Parser;
 
     #[test]
     fn the_example_of_each_kind_works() {
         assert!(Profile::KINDS.len() >= 24);
         for kind in Profile::KINDS {
             let line = format!("solaris profile {}", example(kind).replace('\'', "").replace(", ", ","));
-            let matches = command().try_get_matches_from(line.split(' ')).expect(&line);
-            let matches = matches.subcommand_matches("profile").and_then(|m| m.subcommand_matches(kind.name));
-            let matches = matches.expect("its command");
-            let request = super::super::Request::of(kind.name, matches).expect(&line);
-            request.curve(matches).expect(&line);
+            let cli = Cli::try_parse_from(line.split(' ')).expect(&line);
+            let Command::Profile(command) = cli.command else { panic!("{line}") };
+            let ProfileCommand::Kind(KindCommand(args)) = *command else { panic!("{line}") };
+            Request::of_kind(&args).and_then(|request| request.curve()).expect(&line);
         }
-    }
-
-    #[test]
-    fn options_and_their_symbols_do_not_collide() {
-        command().debug_assert();
     }
 
     #[test]

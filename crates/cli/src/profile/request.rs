@@ -1,129 +1,117 @@
 //! Which curve is asked for.
 
 use super::feasible::Feasible;
+use super::refused::{of_blend, of_kind};
 use super::written;
-use crate::args::{FADES, Keys, LEAVING, amplitude, option};
-use crate::error::CliError;
+use crate::args::{BlendArgs, CurveArgs, KeySource, KindArgs, ReadArgs, amplitude, option};
+use crate::error::{CliError, UsageError};
 use crate::input;
-use clap::ArgMatches;
-use solaris::profiles::blend::Fade;
-use solaris::profiles::{Kind, Parameter, Profile, ProfileCurve, ProfileError};
+use solaris::profiles::blend::{Fade, Leaving};
+use solaris::profiles::{Parameter, Profile, ProfileCurve, ProfileError};
 use std::path::PathBuf;
 
 /// Stiffness of a fade when none is given.
 const STIFFNESS: f64 = 1.0;
 
 /// A curve that is asked for.
-pub(super) struct Request {
+pub(super) struct Request<'a> {
     pub(super) profile: Profile,
     pub(super) free: Vec<&'static Parameter>,
     /// Whether all of its parameters have values; else only what the free ones may be can be said.
     pub(super) is_complete: bool,
     /// The file that it is read from.
     pub(super) reads: Option<PathBuf>,
-    /// The text that it is read from, and its name.
-    text: Option<(PathBuf, String)>,
+    from: Source<'a>,
 }
 
-impl Request {
-    pub(super) fn of(name: &str, matches: &ArgMatches) -> Result<Self, CliError> {
-        match Kind::named(name) {
-            Some(kind) => Self::of_kind(kind, matches),
-            None if name == "read" => Self::of_file(matches),
-            None => Self::of_blend(matches),
-        }
-    }
+/// Who says what the curve is.
+enum Source<'a> {
+    Kind(&'a KindArgs),
+    Blend(&'a BlendArgs),
+    /// A text, and its name.
+    Text(PathBuf, String),
+}
 
-    fn of_kind(kind: &'static Kind, matches: &ArgMatches) -> Result<Self, CliError> {
-        let free = free(matches, &kind.parameters().collect::<Vec<_>>())?;
-        let (keys, reads) = keys(kind, matches)?;
-        let given = |parameter: &Parameter| matches.get_one::<f64>(&option(parameter)).copied();
-        let to = amplitude(kind).and_then(|_| matches.get_one::<f64>("to").copied());
+impl<'a> Request<'a> {
+    pub(super) fn of_kind(args: &'a KindArgs) -> Result<Self, CliError> {
+        let kind = args.kind;
+        let free = free(&args.curve, &kind.parameters().collect::<Vec<_>>())?;
+        let (keys, reads) = keys(args)?;
+        let given = |parameter: &Parameter| args.value(parameter.name).map(|number| number.value);
         // A free parameter without a value is not looked at.
         let stands_in = |parameter: &Parameter| {
             free.iter().any(|free| free.name == parameter.name)
-                || (to.is_some() && amplitude(kind).is_some_and(|follows| follows.name == parameter.name))
+                || (args.to.is_some()
+                    && amplitude(kind).is_some_and(|follows| follows.name == parameter.name))
         };
         let value = |parameter: &Parameter| given(parameter).or(stands_in(parameter).then_some(0.0));
         let missing = kind.required.iter().filter(|parameter| value(parameter).is_none());
-        let missing: Vec<String> = missing.map(|parameter| format!("\n  --{}", option(parameter))).collect();
-        if !missing.is_empty() {
-            let missing = missing.concat();
-            let why = format!("the following required arguments were not provided:{missing}");
-            return Err(CliError::Usage(why));
+        let options: Vec<String> = missing.map(|parameter| format!("--{}", option(parameter))).collect();
+        if !options.is_empty() {
+            return Err(UsageError::Missing { options }.into());
         }
-        let refuse = |error: ProfileError| CliError::of_profile(&error, matches);
+        let refuse = |error: ProfileError| of_kind(&error, args);
         let mut profile = kind.profile(value, keys).map_err(refuse)?;
-        if let Some(to) = to {
-            profile = profile.reach(to).map_err(refuse)?;
+        if let Some(to) = &args.to {
+            profile = profile.reach(to.value).map_err(refuse)?;
         }
         let is_complete = free.iter().all(|parameter| given(parameter).is_some());
-        Ok(Self { profile, free, is_complete, reads, text: None })
+        Ok(Self { profile, free, is_complete, reads, from: Source::Kind(args) })
     }
 
-    fn of_file(matches: &ArgMatches) -> Result<Self, CliError> {
-        let path = matches.get_one::<PathBuf>("file").cloned().unwrap_or_default();
-        let text = input::text(&path)?;
-        let profile = written::read(&path, &text)?;
+    pub(super) fn of_file(args: &ReadArgs) -> Result<Self, CliError> {
+        let path = &args.file;
+        let text = input::text(path)?;
+        let profile = written::read(path, &text)?;
         let parameters: Vec<&'static Parameter> = profile.values().into_iter().map(|(p, _)| p).collect();
-        let free = free(matches, &parameters)?;
-        let reads = Some(path.clone());
-        Ok(Self { profile, free, is_complete: true, reads, text: Some((path, text)) })
+        let free = free(&args.curve, &parameters)?;
+        let (reads, from) = (Some(path.clone()), Source::Text(path.clone(), text));
+        Ok(Self { profile, free, is_complete: true, reads, from })
     }
 
-    fn of_blend(matches: &ArgMatches) -> Result<Self, CliError> {
-        let texts: Vec<&String> = matches.get_many("curve").unwrap_or_default().collect();
-        let [first, second] = texts[..] else {
-            let why = format!("--curve is given {} times; a blend has two curves", texts.len());
-            return Err(CliError::Usage(why));
+    pub(super) fn of_blend(args: &'a BlendArgs) -> Result<Self, CliError> {
+        let [first, second] = &args.curves[..] else {
+            return Err(UsageError::Curves { found: args.curves.len() }.into());
         };
-        let refuse = |error: ProfileError| CliError::of_profile(&error, matches);
-        let fade = matches.get_one::<String>("fade").map_or("", String::as_str);
         // Unless asked for, no stiffness that makes a fade leave 0 to 1.
-        let most = FADES
-            .iter()
-            .find(|(name, _)| *name == fade)
-            .map_or(STIFFNESS, |(_, make)| make(STIFFNESS).largest_stiffness_within().min(STIFFNESS));
-        let stiffness = matches.get_one::<f64>("stiffness").copied().unwrap_or(most);
-        let &(start, end) = matches.get_one::<(f64, f64)>("window").unwrap_or(&(0.0, 0.0));
-        let kind = FADES.iter().find(|(name, _)| *name == fade).unwrap_or(&FADES[0]).1(stiffness);
-        let leaving = matches.get_one::<String>("leaving").map_or("", String::as_str);
-        let leaving = LEAVING.iter().find(|(name, _)| *name == leaving).unwrap_or(&LEAVING[0]).1;
+        let most = args.fade.kind(STIFFNESS).largest_stiffness_within().min(STIFFNESS);
+        let stiffness = args.stiffness.as_ref().map_or(most, |stiffness| stiffness.value);
+        let fade = Fade::new(args.fade.kind(stiffness), args.window.start, args.window.end);
         let profile = Profile::Blend {
             first: Box::new(written::read_layer(first)?),
             second: Box::new(written::read_layer(second)?),
-            fade: Fade::new(kind, start, end).map_err(refuse)?,
-            leaving,
+            fade: fade.map_err(|error| of_blend(&error, args))?,
+            leaving: args.leaving.map_or(Leaving::Refuse, Leaving::from),
         };
-        let free = free(matches, &[])?;
-        Ok(Self { profile, free, is_complete: true, reads: None, text: None })
+        let free = free(&args.curve, &[])?;
+        Ok(Self { profile, free, is_complete: true, reads: None, from: Source::Blend(args) })
     }
 
-    pub(super) fn curve(&self, matches: &ArgMatches) -> Result<ProfileCurve, CliError> {
-        self.profile.curve().map_err(|error| self.refuse(&error, matches))
+    pub(super) fn curve(&self) -> Result<ProfileCurve, CliError> {
+        self.profile.curve().map_err(|error| self.refuse(&error))
     }
 
     /// What the free parameters may be.
-    pub(super) fn feasible(&self, matches: &ArgMatches) -> Result<Vec<Feasible>, CliError> {
+    pub(super) fn feasible(&self) -> Result<Vec<Feasible>, CliError> {
         let one = |&parameter: &&'static Parameter| {
-            let ranges = self.profile.feasible(parameter).map_err(|error| self.refuse(&error, matches))?;
+            let ranges = self.profile.feasible(parameter).map_err(|error| self.refuse(&error))?;
             Ok(Feasible { parameter, ranges })
         };
         self.free.iter().map(one).collect()
     }
 
     /// Why there is no such curve: said of the place in the text, or of the option.
-    pub(super) fn refuse(&self, error: &ProfileError, matches: &ArgMatches) -> CliError {
-        match &self.text {
-            Some((path, text)) => written::refuse(path, text, error),
-            None => CliError::of_profile(error, matches),
+    pub(super) fn refuse(&self, error: &ProfileError) -> CliError {
+        match &self.from {
+            Source::Kind(args) => of_kind(error, args),
+            Source::Blend(args) => of_blend(error, args),
+            Source::Text(path, text) => written::refuse(path, text, error),
         }
     }
 }
 
 /// The parameters that are to be free, by symbol or name.
-fn free(matches: &ArgMatches, known: &[&'static Parameter]) -> Result<Vec<&'static Parameter>, CliError> {
-    let asked = matches.get_many::<String>("free").unwrap_or_default();
+fn free(args: &CurveArgs, known: &[&'static Parameter]) -> Result<Vec<&'static Parameter>, CliError> {
     let find = |name: &String| {
         let said = name.trim_start_matches('-').replace(['-', '_'], " ");
         let found = known.iter().find(|parameter| parameter.symbol == *name || parameter.name == said);
@@ -134,23 +122,20 @@ fn free(matches: &ArgMatches, known: &[&'static Parameter]) -> Result<Vec<&'stat
             } else {
                 format!("there is no such parameter; there are {}", symbols.join(", "))
             };
-            CliError::Option { option: "free".to_owned(), value: name.clone(), why }
+            CliError::option("free", name, why)
         })
     };
-    asked.map(find).collect()
+    args.free.iter().map(find).collect()
 }
 
 /// Keys, and the file that they are from.
-type Source = (Vec<(f64, f64)>, Option<PathBuf>);
+type Sourced = (Vec<(f64, f64)>, Option<PathBuf>);
 
 /// The keys of a kind that has keys.
-fn keys(kind: &Kind, matches: &ArgMatches) -> Result<Source, CliError> {
-    if !kind.has_keys() {
-        return Ok((Vec::new(), None));
-    }
-    match matches.get_one::<Keys>("keys") {
-        Some(Keys::Given(keys)) => Ok((keys.clone(), None)),
-        Some(Keys::File(path)) => {
+fn keys(args: &KindArgs) -> Result<Sourced, CliError> {
+    match args.keys.as_ref().map(|keys| &keys.source) {
+        Some(KeySource::Given(keys)) => Ok((keys.clone(), None)),
+        Some(KeySource::File(path)) => {
             let text = input::text(path)?;
             let first = text.lines().next().unwrap_or_default();
             if first.split(',').all(|field| field.trim().parse::<f64>().is_ok()) {

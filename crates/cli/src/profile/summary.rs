@@ -2,7 +2,7 @@
 
 use super::feasible::Feasible;
 use super::request::Request;
-use clap::ArgMatches;
+use crate::args::CurveArgs;
 use solaris::profiles::{Measure, Parameter, Profile, ProfileCurve};
 use solaris::view::TableRow;
 use solaris::view::profile::{Labels, answers as rows, number, unit};
@@ -14,10 +14,9 @@ const DIGITS: usize = 7;
 const MOST_KEYS: usize = 8;
 
 /// What stands beside the curves in a picture.
-pub(super) fn labels(request: &Request, matches: &ArgMatches, feasible: &[Feasible]) -> Labels {
-    let text = |name: &str| matches.get_one::<String>(name).cloned();
-    let unit = text("unit").unwrap_or_default();
-    let title = text("title").unwrap_or_else(|| title(&request.profile));
+pub(super) fn labels(request: &Request<'_>, args: &CurveArgs, feasible: &[Feasible]) -> Labels {
+    let unit = args.unit.clone().unwrap_or_default();
+    let title = args.title.clone().unwrap_or_else(|| title(&request.profile));
     let keys = keys_of(&request.profile).to_vec();
     let rows = feasible.iter().map(|feasible| TableRow::new(feasible.label(), "", "", feasible.short()));
     Labels { title, parameters: parameters(&request.profile, &unit), unit, keys, rows: rows.collect() }
@@ -104,7 +103,7 @@ fn keys(keys: &[(f64, f64)]) -> String {
 }
 
 /// What it is, in two lines.
-pub(super) fn heading(out: &mut dyn Write, request: &Request, labels: &Labels) -> std::io::Result<()> {
+pub(super) fn heading(out: &mut dyn Write, request: &Request<'_>, labels: &Labels) -> std::io::Result<()> {
     let name = name(&request.profile);
     match request.profile.kind() {
         Some(kind) => writeln!(out, "{name}: {}", kind.summary)?,

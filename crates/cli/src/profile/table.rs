@@ -1,8 +1,8 @@
 //! A curve as rows of numbers.
 
-use crate::args::RATE;
-use crate::error::{CliError, typed};
-use clap::ArgMatches;
+use crate::args::{CurveArgs, RATE};
+use crate::error::{CliError, Refusal};
+use crate::words::short;
 use solaris::profiles::{Curve, ProfileCurve, Sample};
 use solaris::view::profile::{number, unit};
 use std::io::Write;
@@ -36,33 +36,32 @@ enum Spacing {
 
 impl Times {
     /// Of the table that is printed.
-    pub(super) fn of_table(curve: &ProfileCurve, matches: &ArgMatches) -> Result<Self, CliError> {
-        Self::new(curve, matches, Spacing::Count(ROWS))
+    pub(super) fn of_table(curve: &ProfileCurve, args: &CurveArgs) -> Result<Self, CliError> {
+        Self::new(curve, args, Spacing::Count(ROWS))
     }
 
     /// Of the table in a file.
-    pub(super) fn of_file(curve: &ProfileCurve, matches: &ArgMatches) -> Result<Self, CliError> {
-        Self::new(curve, matches, Spacing::Rate(RATE.0))
+    pub(super) fn of_file(curve: &ProfileCurve, args: &CurveArgs) -> Result<Self, CliError> {
+        Self::new(curve, args, Spacing::Rate(RATE.0))
     }
 
-    fn new(curve: &ProfileCurve, matches: &ArgMatches, default: Spacing) -> Result<Self, CliError> {
-        let count = matches.get_one::<u32>("samples").copied();
-        let rate = matches.get_one::<f64>("rate").copied();
-        let spacing = count.map(Spacing::Count).or(rate.map(Spacing::Rate)).unwrap_or(default);
-        let times = Self { duration: curve.duration(), spacing };
-        let Spacing::Rate(rate) = spacing else { return Ok(times) };
-        let refuse = |why: String| {
-            let value = typed(matches, "rate").unwrap_or_else(|| rate.to_string());
-            Err(CliError::Option { option: "rate".to_owned(), value, why })
-        };
-        if !(rate > 0.0 && rate.is_finite()) {
-            return refuse("it must be a finite number above zero".to_owned());
+    fn new(curve: &ProfileCurve, args: &CurveArgs, default: Spacing) -> Result<Self, CliError> {
+        let duration = curve.duration();
+        if let Some(count) = args.samples {
+            return Ok(Self { duration, spacing: Spacing::Count(count) });
         }
-        let rows = times.duration * rate;
+        let Some(rate) = &args.rate else { return Ok(Self { duration, spacing: default }) };
+        let refuse = |why: Refusal| Err(CliError::option("rate", &rate.typed, why));
+        if !(rate.value > 0.0 && rate.value.is_finite()) {
+            return refuse("it must be a finite number above zero".into());
+        }
+        let rows = duration * rate.value;
         if rows > MOST_ROWS {
-            return refuse(format!("{} s make {rows:.0} rows, more than {MOST_ROWS:.0}", times.duration));
+            return refuse(
+                format!("{} s make {rows:.0} rows, more than {MOST_ROWS:.0}", short(duration)).into(),
+            );
         }
-        Ok(times)
+        Ok(Self { duration, spacing: Spacing::Rate(rate.value) })
     }
 
     fn iter(self) -> impl Iterator<Item = f64> {

@@ -4,13 +4,12 @@ use super::Subject;
 use solaris::modes::study::Study;
 use solaris::view::precision::{Table, report};
 use std::fmt::Write;
-use std::path::Path;
 
 /// Columns of the sentences.
 const WIDTH: usize = 100;
 
 /// What was found, and the tables.
-pub(super) fn table<'a>(study: &Study, subject: &Subject, written: impl Iterator<Item = &'a Path>) -> String {
+pub(super) fn table(study: &Study, subject: &Subject, written: impl Iterator<Item = String>) -> String {
     let Subject { title, settings } = subject;
     let all = report(study, title, settings.duration, settings.rate);
     let mut text = format!("{}\n{}\n\n", all.diagram.title, all.diagram.subtitle);
@@ -20,8 +19,8 @@ pub(super) fn table<'a>(study: &Study, subject: &Subject, written: impl Iterator
     for table in &all.tables {
         let _ = write!(text, "\n{}\n{}\n{}", table.title, wrapped(&table.note), columns(table));
     }
-    for (i, path) in written.enumerate() {
-        let _ = writeln!(text, "{}wrote {}", if i == 0 { "\n" } else { "" }, path.display());
+    for (i, line) in written.enumerate() {
+        let _ = writeln!(text, "{}{line}", if i == 0 { "\n" } else { "" });
     }
     text
 }

@@ -3,6 +3,7 @@
 use crate::error::CliError;
 use crate::input;
 use solaris::model::Figure;
+use solaris::model::text::first_word;
 use solaris::scene::{Loader, Scene, read};
 use std::path::{Path, PathBuf};
 
@@ -14,11 +15,43 @@ pub(crate) struct Loaded {
 
 /// Reads a scene; its files are relative to it.
 pub(crate) fn load(path: &Path) -> Result<Loaded, CliError> {
+    input::refuse_unread(path, SCENE)?;
+    refuse_others(path)?;
     let text = input::text(path)?;
+    if let Some("Figure") = first_word(&text) {
+        return Err(figure_for_scene(path, "Solaris figure"));
+    }
     let folder = path.parent().map(Path::to_owned).unwrap_or_default();
     let mut files = Files { folder, reads: vec![path.to_owned()] };
     let scene = read(&text, &mut files).map_err(|faults| input::faulty(path, &text, faults))?;
     Ok(Loaded { scene, reads: files.reads })
+}
+
+const SCENE: &str = "a scene is .ron: a figure, what drives it, and for how long";
+
+/// Refuses a figure of another program, and a motion.
+fn refuse_others(path: &Path) -> Result<(), CliError> {
+    if input::is_motion(path) {
+        let why = format!(
+            "it is a motion, and it has run already: solaris convert, metrics, inverse and ground take motions; {SCENE}"
+        );
+        return Err(CliError::input(path, &why));
+    }
+    match input::foreign(path) {
+        Some(language) => Err(figure_for_scene(path, language.name())),
+        None => Ok(()),
+    }
+}
+
+/// A figure where a scene goes, and the least scene with it.
+fn figure_for_scene(path: &Path, what: &str) -> CliError {
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let why = format!(
+        "it is a figure ({what}); {SCENE}. `solaris check {}` tells what the figure is. Beside it, this scene lets it go for \
+         two seconds:\n\nScene(version: 1, figures: {{\"it\": File(\"{name}\")}}, duration: 2.0)",
+        path.display()
+    );
+    CliError::input(path, &why)
 }
 
 /// Files in the folder of a scene.

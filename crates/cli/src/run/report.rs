@@ -103,6 +103,7 @@ impl Report {
             phases,
             remarks,
         } = simulated.report.clone();
+        let remarks = remarks.iter().map(told).chain(limbs.as_ref().and_then(Limbs::overlap_note)).collect();
         Self {
             version: env!("CARGO_PKG_VERSION"),
             scene: scene.name().to_owned(),
@@ -129,7 +130,7 @@ impl Report {
             contact: ground.map(Contact::of),
             ground: simulated.reactions.as_ref().map(Ground::of),
             nearest_limbs: limbs,
-            remarks: remarks.iter().map(told).collect(),
+            remarks,
         }
     }
 

@@ -5,7 +5,6 @@ use super::outcomes;
 use super::report::Report;
 use solaris::view::TableRow;
 use std::fmt::Write;
-use std::path::Path;
 
 /// The most impacts that are listed.
 const MANY: usize = 12;
@@ -131,10 +130,10 @@ pub(super) fn text(report: &Report) -> String {
 }
 
 /// Which files were written.
-pub(super) fn written<'a>(paths: impl Iterator<Item = &'a Path>) -> String {
-    let mut paths = paths.peekable();
-    if paths.peek().is_none() {
+pub(super) fn written(lines: impl Iterator<Item = String>) -> String {
+    let mut lines = lines.peekable();
+    if lines.peek().is_none() {
         return "\nnothing is written; add -o motion.html to see it\n".to_owned();
     }
-    paths.fold("\n".to_owned(), |text, path| text + &format!("wrote {}\n", path.display()))
+    lines.fold("\n".to_owned(), |text, line| text + &line + "\n")
 }

@@ -1,8 +1,8 @@
 //! Rows of a table to walks, on all cores.
 
-use crate::args::{check, walk_options};
+use crate::args::{WalkArgs, parse, walk_options};
 use crate::error::CliError;
-use crate::walk::{figure, request};
+use crate::walk::{asked, figure};
 use clap::Command;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -75,11 +75,17 @@ impl Walker {
         }
         let given = self.columns.iter().zip(&row.fields).filter(|(_, field)| !field.is_empty());
         let words = given.map(|(column, field)| format!("--{column}={field}"));
-        let matches = self.options.clone().try_get_matches_from(words).map_err(|error| first_line(&error))?;
+        let args: WalkArgs = match parse(&self.options, words) {
+            Ok(args) => args,
+            Err(error) => {
+                return Err(
+                    CliError::of_clap(error).map_or_else(|clap| first_line(&clap), |own| own.to_string())
+                );
+            }
+        };
         let walked = || -> Result<_, CliError> {
-            check(&matches)?;
-            let (figure, request) = (figure(&matches)?, request(&matches)?);
-            metrics_of(&figure, &request, self.rate).map_err(|error| CliError::of_gait(error, &matches))
+            let (asked, figure) = (asked(&args)?, figure(&args.who)?);
+            metrics_of(&figure, &asked.request, self.rate).map_err(|error| asked.refuse(error, &args))
         };
         walked().map_err(|error| error.to_string().split_whitespace().collect::<Vec<_>>().join(" "))
     }

@@ -1,10 +1,11 @@
 //! A planned walk with its forces, whatever its style.
 
-use super::request::{Looped, determinants};
+use super::looped;
+use super::request::Asked;
 use super::told::{BesideKeyPostures, BesidePosture, Forces, KeyPostures, Pull, roots};
+use crate::args::{Loop, RATE, RootLink, WalkArgs};
 use crate::error::CliError;
 use crate::progress::Progress;
-use clap::ArgMatches;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
 use solaris::gait::{FEET, PostureComparison, StyledPlan, StyledRequest, WalkForces, on_the_spot};
@@ -18,6 +19,8 @@ pub(super) struct Planned {
     pub(super) forces: Forces,
     /// Whether it is one stride that repeats itself.
     pub(super) repeats: bool,
+    /// Steps a minute that were asked for; a stride of whole frames may have others.
+    pub(super) asked_frequency: f64,
     /// Whether pace or direction change on the way.
     pub(super) changes: bool,
     pub(super) beside: Option<BesideKeyPostures>,
@@ -53,16 +56,22 @@ impl Planned {
     /// Plans, samples, and finds the forces.
     pub(super) fn of(
         figure: &Figure,
-        request: &StyledRequest,
-        looped: Option<Looped>,
-        rate: f64,
+        asked: &Asked,
+        args: &WalkArgs,
         progress: &Progress,
-        matches: &ArgMatches,
     ) -> Result<Self, CliError> {
+        let (looped, rate) = (args.manner.repeats, args.extent.rate.unwrap_or(RATE.0));
         let start = Instant::now();
         progress.stage("planning the walk");
-        let refuse = |error| CliError::of_gait(error, matches);
-        let plan = StyledPlan::of(figure, request).map_err(refuse)?;
+        let plan_of = |request: &StyledRequest| {
+            StyledPlan::of(figure, request).map_err(|error| asked.refuse(error, args))
+        };
+        let mut plan = plan_of(&asked.request)?;
+        let asked_frequency = plan.step_frequency();
+        let in_step = || looped::in_step(&asked.request, asked_frequency, rate);
+        if let Some(request) = looped.and(args.extent.rate).and_then(|_| in_step()) {
+            plan = plan_of(&request)?;
+        }
         let planning = start.elapsed();
         super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
         progress.stage("finding the forces");
@@ -71,22 +80,27 @@ impl Planned {
             Some(_) => plan.loaded_stride(figure, rate),
         };
         let (mut motion, found) = found.map_err(CliError::other)?;
+        // As it was asked for, but for rounding.
+        if (motion.info.rate / rate - 1.0).abs() < 1e-9 {
+            motion.info.rate = rate;
+        }
         let mut forces = forces(&found);
-        if matches.get_one::<String>("root").is_some_and(|root| root == "foot") {
+        if args.manner.root == RootLink::Foot {
             let rooted = reactions_from_feet(figure, &mut motion, FEET).map_err(CliError::other)?;
             forces.roots = Some(roots(&rooted));
         }
-        if looped == Some(Looped::InPlace) {
+        if looped == Some(Loop::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
         // One stride has its own clock.
-        let beside = if looped.is_none() { beside(&plan, determinants(matches)) } else { None };
+        let beside = if looped.is_none() { beside(&plan, args.manner.determinants.into()) } else { None };
         Ok(Self {
             plan,
             motion,
             forces,
             repeats: looped.is_some(),
-            changes: match request {
+            asked_frequency,
+            changes: match &asked.request {
                 StyledRequest::Smooth(walk) => !walk.then.is_empty(),
                 StyledRequest::Sequence(_) => true,
                 StyledRequest::Thesis(_) => false,

@@ -1,6 +1,7 @@
 //! The numbers of a walk, as they are written to JSON.
 
 use super::notes::notes;
+use super::numbers::short;
 use super::planned::{Planned, postures, style};
 use super::told::{BesideKeyPostures, Extreme, Forces, KeyPostures};
 use crate::limbs::Limbs;
@@ -133,11 +134,24 @@ impl Report {
         lone: &[IsolatedPeak],
         limbs: Option<Limbs>,
     ) -> Self {
-        let Planned { plan, motion, forces, repeats, changes, beside, planning, solving } = planned;
+        let Planned { plan, motion, forces, repeats, asked_frequency, changes, beside, planning, solving } =
+            planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));
         let m = measures;
+        let overlaps = limbs.as_ref().and_then(Limbs::overlap_note).into_iter();
+        let weight = mass * motion.info.gravity.norm();
+        let mut notes: Vec<String> = overlaps.chain(notes(&plan, m, lone, weight, repeats)).collect();
+        if (step_frequency - asked_frequency).abs() > 1e-6 * asked_frequency {
+            notes.push(format!(
+                "{:.1} steps/min in place of {:.1}: so the stride lasts {} frames of {} a second",
+                step_frequency,
+                asked_frequency,
+                motion.len() - 1,
+                short(motion.info.rate)
+            ));
+        }
         let joint = |joint: &solaris::gait::JointPeaks| JointPeaks {
             joint: joint.joint,
             extension: extreme(joint.extension),
@@ -165,7 +179,8 @@ impl Report {
                 speed_m_s: step_length * step_frequency / 60.0,
                 distance_m: m.distance,
                 duration_s: m.duration,
-                frames: motion.len(),
+                // The last frame of a stride is its first.
+                frames: if repeats { motion.len() - 1 } else { motion.len() },
                 rate_per_s: motion.info.rate,
                 // Not where feet stand between two walks.
                 double_supports_percent: if stands { Vec::new() } else { m.double_supports.clone() },
@@ -190,7 +205,7 @@ impl Report {
             beside_key_postures: beside,
             forces,
             run_time: RunTime { planning_s: planning.as_secs_f64(), with_forces_s: solving.as_secs_f64() },
-            notes: notes(&plan, m, lone, mass * motion.info.gravity.norm(), repeats),
+            notes,
         }
     }
 

@@ -1,80 +1,113 @@
 //! What is asked of a walk, out of the options.
 
-use crate::args::{DEFAULT_STEPS, Then, key_options};
-use crate::error::{CliError, typed};
-use clap::ArgMatches;
-use solaris::gait::determinants::{Determinants, DoubleSupport, five, three};
-use solaris::gait::{
-    Extent, InBetween, PARAMETERS, Parameter, STEPS, StyledRequest, ThesisRequest, WalkPart, WalkRequest,
-    WalkSegment,
-};
+mod refused;
 
-/// One stride, and whether it stays on the spot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Looped {
-    InPlace,
-    Moving,
-}
+use crate::args::{
+    DEFAULT_STEPS, DoubleSupportLaw, InBetweens, Loop, Number, PaceArgs, PersonArgs, Side, StyleName, Then,
+    Travel, WalkArgs,
+};
+use crate::error::{CliError, Typed, UsageError};
+use refused::refuse_others;
+use solaris::gait::determinants::{Determinants, DoubleSupport};
+use solaris::gait::{
+    DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, PARAMETERS, STEPS, StyledRequest, ThesisRequest,
+    WalkPart, WalkRequest, WalkSegment,
+};
 
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
 const LOOPED_STEPS: (usize, usize) = (42, 6);
+/// What standing, the first and the closing step add to the time of a walk's steps (s), at the usual step frequency.
+const BEGINNING_AND_END: f64 = 2.6;
+
+/// A walk as the library takes it.
+pub(crate) struct Asked {
+    pub(crate) request: StyledRequest,
+    /// Of each stage, and of each part of it, the `--then` that asked for it; none of what stands before the first.
+    origins: Vec<Vec<Option<String>>>,
+}
 
 /// What is asked of the walk.
-pub(crate) fn request(matches: &ArgMatches) -> Result<StyledRequest, CliError> {
-    let thesis = word(matches, "style") == Some("thesis");
-    let determinants = determinants(matches);
-    let extent = extent(matches, if thesis { LOOPED_STEPS.1 } else { LOOPED_STEPS.0 })?;
-    let left_first = word(matches, "first") == Some("left");
-    refuse_others(matches, thesis, determinants)?;
-    let [step_frequency, step_length, speed] =
-        ["step-frequency", "step-length", "speed"].map(|name| number(matches, name));
-    if thesis {
-        let names = determinants_options(determinants);
-        let given = names.filter(|name| *name != "step-length");
-        let parameters = given.filter_map(|name| number(matches, name).map(|value| (name, value)));
-        let double_support = match word(matches, "double-support") {
-            Some("measured") => Some(DoubleSupport::Measured),
-            Some("travel") => None,
-            _ => Some(DoubleSupport::Thesis),
-        };
-        let linear = word(matches, "in-betweens") == Some("linear");
-        return Ok(StyledRequest::Thesis(ThesisRequest {
-            determinants,
-            step_frequency,
-            step_length,
-            speed,
-            extent,
-            parameters: parameters.collect(),
-            double_support,
-            in_between: if linear { InBetween::Linear } else { InBetween::Rest },
-            step_width: number(matches, "step-width"),
-            sway: number(matches, "sway").unwrap_or_default(),
-            left_first,
-        }));
+pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
+    check(args)?;
+    let determinants: Determinants = args.manner.determinants.into();
+    refuse_others(args, determinants)?;
+    if args.manner.style == StyleName::Thesis {
+        let request = StyledRequest::Thesis(thesis(args, determinants));
+        return Ok(Asked { request, origins: Vec::new() });
     }
-    let given = PARAMETERS.iter().filter_map(|p| number(matches, p.name).map(|value| (p.name, value)));
-    let mut parameters: Vec<(&'static str, f64)> = given.collect();
+    let pace = &args.pace;
+    let mut parameters: Vec<(&'static str, f64)> =
+        PARAMETERS.iter().filter_map(|p| Some((p.name, args.style.0.get(p.name)?.value))).collect();
     if determinants == Determinants::Three {
         // The determinant that is missing: the pelvis does not turn.
         parameters.push(("rotation", 0.0));
     }
-    let turn = number(matches, "turn").unwrap_or_default().to_radians();
     let first = WalkRequest {
-        step_frequency,
-        step_length,
-        speed,
-        extent,
-        turn,
-        left_first,
+        step_frequency: value(pace.step_frequency.as_ref()),
+        step_length: value(pace.step_length.as_ref()),
+        speed: value(pace.speed.as_ref()),
+        extent: extent(args, LOOPED_STEPS.0),
+        turn: value(args.changes.turn.as_ref()).unwrap_or_default().to_radians(),
+        left_first: args.manner.first == Side::Left,
         parameters,
         ..WalkRequest::default()
     };
-    let then = matches.try_get_many::<Then>("then").ok().flatten().unwrap_or_default();
-    smooth(&first, then.copied())
+    smooth(&first, &args.changes.then)
+}
+
+/// Refuses options that contradict each other.
+fn check(args: &WalkArgs) -> Result<(), UsageError> {
+    let (pace, extent) = (&args.pace, &args.extent);
+    if let (Some(frequency), Some(length), Some(speed)) =
+        (&pace.step_frequency, &pace.step_length, &pace.speed)
+    {
+        let [step_frequency, step_length, speed] = [frequency, length, speed].map(|n| n.typed.clone());
+        return Err(UsageError::Overdetermined { step_frequency, step_length, speed });
+    }
+    if let Some(duration) = &extent.duration {
+        let step_frequency = value(pace.step_frequency.as_ref()).unwrap_or(DEFAULT_STEP_FREQUENCY);
+        let steps = ((duration.value - BEGINNING_AND_END) * step_frequency / 60.0).round();
+        let steps = steps.clamp(STEPS.0 as f64, STEPS.1 as f64) as usize;
+        return Err(UsageError::Duration { typed: duration.typed.clone(), step_frequency, steps });
+    }
+    // Until a body stands, more steps follow.
+    let next = args.changes.then.first().filter(|then| !matches!(then.what, Travel::Stand(_)));
+    if let (Some(distance), Some(then)) = (&extent.distance, next) {
+        let (distance, then) = (distance.typed.clone(), then.typed.clone());
+        return Err(UsageError::DistanceThenMore { distance, then });
+    }
+    Ok(())
+}
+
+/// A walk through key postures.
+fn thesis(args: &WalkArgs, determinants: Determinants) -> ThesisRequest {
+    let (pace, manner) = (&args.pace, &args.manner);
+    let names = refused::key_parameters(determinants).iter().map(|parameter| parameter.name);
+    let given = names.filter(|name| *name != "step-length");
+    ThesisRequest {
+        determinants,
+        step_frequency: value(pace.step_frequency.as_ref()),
+        step_length: value(pace.step_length.as_ref()),
+        speed: value(pace.speed.as_ref()),
+        extent: extent(args, LOOPED_STEPS.1),
+        parameters: given.filter_map(|name| Some((name, args.style.0.get(name)?.value))).collect(),
+        double_support: match manner.double_support {
+            None | Some(DoubleSupportLaw::Thesis) => Some(DoubleSupport::Thesis),
+            Some(DoubleSupportLaw::Measured) => Some(DoubleSupport::Measured),
+            Some(DoubleSupportLaw::Travel) => None,
+        },
+        in_between: match manner.in_betweens {
+            None | Some(InBetweens::Rest) => InBetween::Rest,
+            Some(InBetweens::Linear) => InBetween::Linear,
+        },
+        step_width: value(args.style.0.get("step-width")),
+        sway: value(manner.sway.as_ref()).unwrap_or_default(),
+        left_first: manner.first == Side::Left,
+    }
 }
 
 /// A walk and what comes next: one walk, or several with standing still in between.
-fn smooth(first: &WalkRequest, then: impl Iterator<Item = Then>) -> Result<StyledRequest, CliError> {
+fn smooth(first: &WalkRequest, then: &[Then]) -> Result<Asked, CliError> {
     let WalkRequest { step_frequency, step_length, speed, .. } = *first;
     // What is left out stays as it was.
     let mut pace = WalkPart { step_frequency, step_length, speed, ..WalkPart::default() };
@@ -83,106 +116,112 @@ fn smooth(first: &WalkRequest, then: impl Iterator<Item = Then>) -> Result<Style
         Some(WalkRequest { step_frequency, step_length, speed, extent, turn, ..first.clone() })
     };
     let (mut stages, mut walk) = (Vec::new(), Some(first.clone()));
-    for next in then {
-        if let Then::Steps(part) | Then::Distance(_, part) = next
+    let mut origins = vec![vec![None]];
+    for Then { what, typed } in then {
+        if let Travel::Steps(part) | Travel::Distance(_, part) = *what
             && part.step_frequency.or(part.step_length).or(part.speed).is_some()
         {
             pace = part;
         }
-        match (next, &mut walk) {
-            (Then::Stand(time), _) => {
+        let origin = Some(typed.clone());
+        match (*what, &mut walk) {
+            (Travel::Stand(time), _) => {
                 stages.extend(walk.take().map(WalkSegment::Walk));
                 stages.push(WalkSegment::Stand(time));
+                origins.push(vec![origin]);
             }
-            (Then::Steps(part), Some(walk)) => walk.then.push(part),
-            (Then::Steps(part), None) => walk = anew(Extent::Steps(part.steps), part.turn, &pace),
-            (Then::Distance(distance, part), None) => {
+            (Travel::Steps(part), Some(walk)) => {
+                walk.then.push(part);
+                if let Some(parts) = origins.last_mut() {
+                    parts.push(origin);
+                }
+            }
+            (Travel::Steps(part), None) => {
+                walk = anew(Extent::Steps(part.steps), part.turn, &pace);
+                origins.push(vec![origin]);
+            }
+            (Travel::Distance(distance, part), None) => {
                 walk = anew(Extent::Distance(distance), part.turn, &pace);
+                origins.push(vec![origin]);
             }
-            (Then::Distance(distance, _), Some(_)) => {
-                return Err(CliError::Usage(format!(
-                    "--then distance={distance}: a distance is met from standing to standing; say --then stand=1 before it, or count \
-                     steps"
-                )));
+            (Travel::Distance(..), Some(_)) => {
+                return Err(UsageError::DistanceOnTheWay { typed: typed.clone() }.into());
             }
         }
     }
     stages.extend(walk.map(WalkSegment::Walk));
-    Ok(match stages.pop() {
+    let request = match stages.pop() {
         Some(WalkSegment::Walk(walk)) if stages.is_empty() => StyledRequest::Smooth(walk),
         last => StyledRequest::Sequence(stages.into_iter().chain(last).collect()),
-    })
-}
-
-/// How one stride is to be repeated, if it is.
-pub(super) fn looped(matches: &ArgMatches) -> Option<Looped> {
-    word(matches, "loop").map(|how| if how == "in-place" { Looped::InPlace } else { Looped::Moving })
-}
-
-/// How many determinants are asked for.
-pub(super) fn determinants(matches: &ArgMatches) -> Determinants {
-    if word(matches, "determinants") == Some("3") { Determinants::Three } else { Determinants::Five }
-}
-
-fn determinants_options(determinants: Determinants) -> impl Iterator<Item = &'static str> {
-    let parameters = match determinants {
-        Determinants::Three => three::PARAMETERS,
-        Determinants::Five => &five::PARAMETERS[..],
     };
-    parameters.iter().map(|parameter| parameter.name)
+    Ok(Asked { request, origins })
 }
 
-fn extent(matches: &ArgMatches, looped_steps: usize) -> Result<Extent, CliError> {
-    if looped(matches).is_some() {
-        return Ok(Extent::Steps(looped_steps));
+fn extent(args: &WalkArgs, looped_steps: usize) -> Extent {
+    match (args.manner.repeats, &args.extent.distance) {
+        (Some(Loop::InPlace | Loop::Moving), _) => Extent::Steps(looped_steps),
+        (None, Some(distance)) => Extent::Distance(distance.value),
+        (None, None) => Extent::Steps(args.extent.steps.unwrap_or(DEFAULT_STEPS)),
     }
-    if let Some(distance) = number(matches, "distance") {
-        return Ok(Extent::Distance(distance));
-    }
-    let steps = matches.get_one::<i64>("steps").copied().unwrap_or(DEFAULT_STEPS);
-    let in_range = usize::try_from(steps).ok().filter(|steps| (STEPS.0..=STEPS.1).contains(steps));
-    let why = || format!("it must be {} to {}", STEPS.0, STEPS.1);
-    Ok(Extent::Steps(in_range.ok_or_else(|| out_of_range(matches, "steps", why()))?))
 }
 
-/// Refuses options of the other style and of the other number of determinants.
-fn refuse_others(matches: &ArgMatches, thesis: bool, determinants: Determinants) -> Result<(), CliError> {
-    let own: Vec<&str> = determinants_options(determinants).collect();
-    let style = if thesis { "thesis" } else { "smooth" };
-    let has = |name: &str| {
-        if thesis {
-            own.contains(&name) || name == "step-width"
-        } else {
-            (Parameter::named(name).is_some() || name == "step-length")
-                && !(determinants == Determinants::Three && name == "rotation")
+fn value(number: Option<&Number>) -> Option<f64> {
+    number.map(|number| number.value)
+}
+
+impl Asked {
+    /// Why there is no such walk, said of the options or of the `--then` that asks for it.
+    pub(crate) fn refuse(&self, error: GaitError, args: &WalkArgs) -> CliError {
+        self.refuse_in(0, error, args)
+    }
+
+    fn refuse_in(&self, stage: usize, error: GaitError, args: &WalkArgs) -> CliError {
+        let origin =
+            |part: usize| self.origins.get(stage).and_then(|parts| parts.get(part)).cloned().flatten();
+        match error {
+            GaitError::InSegment { number, why } => self.refuse_in(number.saturating_sub(1), *why, args),
+            GaitError::InPart { number, why } => match origin(number.saturating_sub(1)) {
+                Some(then) => CliError::of_then(*why, then),
+                None => CliError::of_gait(*why, args),
+            },
+            error => match origin(0) {
+                Some(then) => CliError::of_then(error, then),
+                None => CliError::of_gait(error, args),
+            },
         }
-    };
-    let all = PARAMETERS.iter().map(|parameter| parameter.name).chain(key_options());
-    let count = determinants.count();
-    let mut given = all.filter(|name| typed(matches, name).is_some());
-    if let Some(name) = given.find(|name| !has(name)) {
-        let why = format!("the style '{style}' of {count} determinants has no such parameter");
-        return Err(out_of_range(matches, name, why));
-    }
-    let (others, other) = if thesis {
-        (&["turn", "then"][..], "smooth")
-    } else {
-        (&["in-betweens", "double-support", "sway"][..], "thesis")
-    };
-    match others.iter().find(|name| typed(matches, name).is_some()) {
-        Some(name) => Err(out_of_range(matches, name, format!("only --style {other} has this"))),
-        None => Ok(()),
     }
 }
 
-pub(super) fn number(matches: &ArgMatches, name: &str) -> Option<f64> {
-    matches.try_get_one::<f64>(name).ok().flatten().copied()
+impl Typed for WalkArgs {
+    fn typed(&self, name: &str) -> Option<&str> {
+        let number = match name {
+            "height" => &self.who.person.height,
+            "mass" => &self.who.person.mass,
+            "step frequency" => &self.pace.step_frequency,
+            "step length" => &self.pace.step_length,
+            "speed" => &self.pace.speed,
+            "distance" => &self.extent.distance,
+            "turn" => &self.changes.turn,
+            "sway" => &self.manner.sway,
+            other => return Some(&self.style.0.get(&other.replace(' ', "-"))?.typed),
+        };
+        number.as_ref().map(|number| number.typed.as_str())
+    }
+
+    fn pace(&self) -> Vec<(&'static str, &Number)> {
+        let PaceArgs { step_frequency, step_length, speed } = &self.pace;
+        let all = [("step-frequency", step_frequency), ("step-length", step_length), ("speed", speed)];
+        all.into_iter().filter_map(|(name, number)| Some((name, number.as_ref()?))).collect()
+    }
 }
 
-fn word<'a>(matches: &'a ArgMatches, name: &str) -> Option<&'a str> {
-    matches.try_get_one::<String>(name).ok().flatten().map(String::as_str)
-}
+impl Typed for PersonArgs {
+    fn typed(&self, name: &str) -> Option<&str> {
+        let number = if name == "height" { &self.height } else { &self.mass };
+        number.as_ref().map(|number| number.typed.as_str())
+    }
 
-pub(super) fn out_of_range(matches: &ArgMatches, option: &str, why: String) -> CliError {
-    CliError::Option { option: option.to_owned(), value: typed(matches, option).unwrap_or_default(), why }
+    fn pace(&self) -> Vec<(&'static str, &Number)> {
+        Vec::new()
+    }
 }

@@ -5,7 +5,6 @@ use super::report::{BandList, Check, Report};
 use super::told::{BesideKeyPostures, BesidePosture, Extreme, KeyPostures};
 use solaris::view::TableRow;
 use std::fmt::Write;
-use std::path::Path;
 
 /// Columns of the lists of bands.
 const WIDTH: usize = 100;
@@ -56,7 +55,7 @@ pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
 }
 
 /// The table as it is printed.
-pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>) -> String {
+pub(super) fn table(report: &Report, written: impl Iterator<Item = String>) -> String {
     let mut text = format!("{}\n\n{}", title(report), lines(&walk_rows(report)));
     if let Some(postures) = &report.key_postures {
         let _ = writeln!(text, "\nIts key postures, of {} determinants\n", postures.determinants);
@@ -91,8 +90,8 @@ pub(super) fn table<'a>(report: &Report, written: impl Iterator<Item = &'a Path>
     let hint =
         if written.peek().is_some() { "\n" } else { "\nnothing is written; add -o walk.html to see it\n" };
     text.push_str(hint);
-    for path in written {
-        let _ = writeln!(text, "wrote {}", path.display());
+    for line in written {
+        let _ = writeln!(text, "{line}");
     }
     text
 }
@@ -123,12 +122,17 @@ fn walk_rows(report: &Report) -> Vec<Row> {
     let millimetres = |extreme: &Extreme, decimals| fixed(1e3 * extreme.value, decimals);
     let ratio = walk.step_length_over_peoples;
     let people = if (ratio - 1.0).abs() < 5e-4 { String::new() } else { format!("{ratio:.2} of ") };
+    let frames = if walk.repeats {
+        format!("{} frames, {} a second; after the last comes the first", walk.frames, short(walk.rate_per_s))
+    } else {
+        format!("{} frames", walk.frames)
+    };
     let mut rows = vec![
         row("step length", fixed(walk.step_length_m, 3), "m", format!("{people}people's at this pace")),
         row("speed", fixed(walk.speed_m_s, 2), "m/s", ""),
         row("cadence", fixed(walk.step_frequency_per_min, 1), "steps/min", ""),
         row("distance", fixed(walk.distance_m, 2), "m", ""),
-        row("time", fixed(walk.duration_s, 2), "s", format!("{} frames", walk.frames)),
+        row("time", fixed(walk.duration_s, 2), "s", frames),
     ];
     rows.extend(double_support_row(&walk.double_supports_percent));
     rows.extend([

@@ -1,7 +1,10 @@
 //! The program as a whole: its files, its manners, its exit codes. What it prints stands in the transcripts.
 
 mod agreement;
+mod hints;
+mod loops;
 mod manners;
+mod overlaps;
 mod places;
 mod sweep;
 

@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::body::missing;
-use crate::error::{GaitError, RequestError};
+use crate::error::{GaitError, PostureError, RequestError};
 use crate::request::pace;
 use crate::request::{Extent, SHORTEST_DISTANCE, STEPS};
 use crate::thesis::determinants::{
@@ -151,6 +151,42 @@ impl KeyChoice {
         };
         Ok(Self { step_frequency, step_length, values })
     }
+
+    /// The values and their postures; what is refused comes with nearest values that are not.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::of`] and [`Determinants::solve`].
+    pub fn solve(p: &Proportions, request: &ThesisRequest) -> Result<(Self, KeySolution), GaitError> {
+        let solved = |request: &ThesisRequest| -> Result<(Self, KeySolution), GaitError> {
+            let choice = Self::of(p, request)?;
+            let speed = choice.step_length * choice.step_frequency / 60.0;
+            let postures = request.determinants.solve(p, &choice.values, speed)?;
+            Ok((choice, postures))
+        };
+        solved(request).map_err(|error| request.with_hints(error, |changed| solved(changed).is_ok()))
+    }
+}
+
+impl ThesisRequest {
+    /// The error with those nearest values alone that `works` accepts in place of what was asked.
+    fn with_hints(&self, error: GaitError, works: impl Fn(&Self) -> bool) -> GaitError {
+        let (determinants, why) = match error {
+            GaitError::Posture(PostureError::Infeasible { determinants, why }) => (determinants, why),
+            other => return other,
+        };
+        let why = why.checked(|name, value| {
+            let mut changed = self.clone();
+            changed.parameters.retain(|(known, _)| *known != name);
+            if name == STEP_LENGTH {
+                changed.step_length = Some(value);
+            } else {
+                changed.parameters.push((name, value));
+            }
+            works(&changed)
+        });
+        PostureError::Infeasible { determinants, why: Box::new(why) }.into()
+    }
 }
 
 /// Plans a walk in the thesis's style, from standing to standing.
@@ -160,6 +196,12 @@ impl KeyChoice {
 /// [`GaitError`] for a figure that the walker does not know, for values out of range, and [`PostureError::Infeasible`] for
 /// parameters that no posture fits, with the inequality that fails and the nearest values that do.
 pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWalk, GaitError> {
+    let refuse = |error| request.with_hints(error, |changed| planned(figure, changed).is_ok());
+    planned(figure, request).map_err(refuse)
+}
+
+/// The walk, or why there is none, with nearest values that nobody has tried.
+fn planned(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWalk, GaitError> {
     missing::check(figure)?;
     let body = Body::of(figure)?;
     let proportions = Proportions::of_leg(&body.leg, body.height);

@@ -8,7 +8,7 @@ fn same(found: f64, expected: f64, room: f64) {
     assert!((found - expected).abs() <= room, "{found} is not {expected}");
 }
 
-const FILES: &str = "ground walk.mot subject.osim --soles soles.ron --filter 6Hz --against grf.mot";
+const FILES: &str = "ground subject.osim walk.mot --soles soles.ron --filter 6Hz --against grf.mot";
 
 /// What is said is what the two files differ by, the measured forces linear between their samples.
 #[test]
@@ -68,7 +68,7 @@ fn a_picture_shows_each_foot_and_its_plate() {
         assert_eq!(svg.matches(text).count(), count, "{text}");
     }
     // Without plates nothing is held against anything.
-    let alone = "ground walk.mot subject.osim --soles soles.ron --filter 6Hz -o alone.svg";
+    let alone = "ground subject.osim walk.mot --soles soles.ron --filter 6Hz -o alone.svg";
     let printed = succeeded(&solaris(folder.path(), alone));
     assert!(!printed.contains("plate"), "{printed}");
 }

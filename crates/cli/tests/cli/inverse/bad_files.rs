@@ -113,7 +113,7 @@ fn a_text_of_the_wrong_kind_is_told_what_it_is() {
     for (line, why) in [
         ("check walk.mot", "it is a motion, and a figure is needed"),
         ("check loads.xml", "loads.xml"),
-        ("inverse walk.mot subject.osim", "it is a motion, and a figure is needed"),
+        ("inverse walk.mot walk.mot", "it is a motion, and a figure is needed"),
         ("inverse subject.osim subject.osim", "a table is .csv, .mot or .sto"),
         ("inverse subject.osim note.txt", "a table is .csv, .mot or .sto"),
         ("inverse subject.osim walk.mot --external-loads walk.mot", "walk.mot"),

@@ -38,7 +38,7 @@ fn what_is_reported_is_what_the_files_differ_by() {
     let clip = trembling(&table(folder.path(), "walk.csv"));
     save(folder.path(), "clip.csv", &clip);
     let files = "--motion-out moved.csv --motion-out moved.mot --motion-out moved.bvh -o grf.csv";
-    let line = format!("ground clip.csv human.ron --consistent --consistent-limit inf {files} --json");
+    let line = format!("ground human.ron clip.csv --consistent --consistent-limit inf {files} --json");
     let report = json(&succeeded(&solaris(folder.path(), &line)));
     let at = |pointer: &str| number(&report, &format!("/ground/consistent/{pointer}"));
     assert_eq!(report["ground"]["consistent"]["outcome"], "reached");
@@ -93,11 +93,11 @@ fn what_was_moved_goes_on_as_it_was_reported() {
     assert!(difference(&one, &two) < 1e-9 * largest(&one), "{:e}", difference(&one, &two));
     assert!(difference(&one, &three) > 1.0, "nothing was changed");
     // What is possible needs no change.
-    let still = json(&succeeded(&solaris(folder.path(), "ground moved.csv dancer.ron --consistent --json")));
+    let still = json(&succeeded(&solaris(folder.path(), "ground dancer.ron moved.csv --consistent --json")));
     assert!(number(&still, "/ground/consistent/greatest/mm") < 1e-2);
     assert!(number(&still, "/ground/consistent/before/frames") < 1.0);
     // A limit that does not suffice is told, with when and by how much.
-    let line = "ground dance.csv dancer.ron --consistent --consistent-limit 0.01 --json";
+    let line = "ground dancer.ron dance.csv --consistent --consistent-limit 0.01 --json";
     let short = json(&succeeded(&solaris(folder.path(), line)));
     let at = |pointer: &str| number(&short, &format!("/ground/consistent/{pointer}"));
     assert_eq!(short["ground"]["consistent"]["outcome"], "short");
@@ -111,7 +111,7 @@ fn what_cannot_be_moved_is_refused_with_what_to_do_and_nothing_is_written() {
     let folder = subject();
     let run = |options: &str| {
         let line = format!(
-            "ground walk.mot subject.osim --filter 6Hz --consistent --motion-out moved.csv {options}"
+            "ground subject.osim walk.mot --filter 6Hz --consistent --motion-out moved.csv {options}"
         );
         refused(&solaris(folder.path(), &line))
     };
@@ -140,7 +140,7 @@ fn what_cannot_be_moved_is_refused_with_what_to_do_and_nothing_is_written() {
     for line in [
         "inverse subject.osim walk.mot --consistent",
         "inverse subject.osim walk.mot --ground --consistent-limit 0.1",
-        "ground walk.mot subject.osim --motion-out moved.csv",
+        "ground subject.osim walk.mot --motion-out moved.csv",
     ] {
         failed(&solaris(folder.path(), line), 2);
     }
@@ -154,7 +154,7 @@ fn a_root_that_is_fixed_is_told_of_the_base() {
     write(folder.path(), "swing.csv", &format!("time,shoulder.q,elbow.q\n{rows}"));
     let sole = "Sole(name: \"hand\", foot: \"forearm\", heel: (0, 0, -0.5), ball: (0.1, 0, -0.5), tip: (0.2, 0, -0.5), width: 0.1)";
     write(folder.path(), "soles.ron", &format!("Soles(version: 1, soles: [{sole}])"));
-    let line = "ground swing.csv arm.urdf --soles soles.ron --stance-height 9 --stance-speed 9 --consistent";
+    let line = "ground arm.urdf swing.csv --soles soles.ron --stance-height 9 --stance-speed 9 --consistent";
     let said = refused(&solaris(folder.path(), line));
     assert!(said.contains("--base floating or --base free lets it go"), "{said}");
 }
@@ -173,7 +173,7 @@ fn a_clip_with_a_gap_or_of_two_frames_is_refused() {
         (lines[..2].to_vec(), "gap.csv: the motion has too few frames for accelerations: 1; give 3 or more"),
     ] {
         write(folder.path(), "gap.csv", &(kept.join("\n") + "\n"));
-        let said = refused(&solaris(folder.path(), "ground gap.csv dancer.ron --consistent"));
+        let said = refused(&solaris(folder.path(), "ground dancer.ron gap.csv --consistent"));
         assert!(said.contains(why), "{said}");
     }
 }

@@ -1,0 +1,40 @@
+//! Command lines that cannot be understood: exit code 2.
+
+use std::path::PathBuf;
+
+/// Options that contradict each other, or that say too little.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum UsageError {
+    #[error(
+        "--step-frequency {step_frequency}, --step-length {step_length} and --speed {speed}: any two decide the third; drop one"
+    )]
+    Overdetermined { step_frequency: String, step_length: String, speed: String },
+    #[error(
+        "--duration {typed}: a walk is as long as its steps; at {step_frequency} steps/min it takes about {typed} s with --steps {steps}"
+    )]
+    Duration { typed: String, step_frequency: f64, steps: usize },
+    #[error(
+        "--then {typed}: a distance is met from standing to standing; say --then stand=1 before it, or count steps"
+    )]
+    DistanceOnTheWay { typed: String },
+    #[error(
+        "--distance {distance}: it is met by a whole walk, from standing to standing, and more follows; count the steps before \
+         --then {then} (--steps N), or stop in between: --distance {distance} --then stand=1 --then {then}"
+    )]
+    DistanceThenMore { distance: String, then: String },
+    #[error(
+        "{motion} is a motion and {figure} is a figure: swap them, give the figure first: solaris {command} {figure} {motion}",
+        motion = .motion.display(), figure = .figure.display()
+    )]
+    Swapped { command: &'static str, figure: PathBuf, motion: PathBuf },
+    #[error("--height, --mass and --segment change a figure; a motion has no size")]
+    MotionHasNoSize,
+    #[error("--x and --y name the same parameter; a map needs two")]
+    SameAxes,
+    #[error("-o writes one curve, and its free parameter has no value; give it one")]
+    FreeHasNoValue,
+    #[error("the following required arguments were not provided:\n  {}", .options.join("\n  "))]
+    Missing { options: Vec<String> },
+    #[error("--curve is given {found} times; a blend has two curves")]
+    Curves { found: usize },
+}

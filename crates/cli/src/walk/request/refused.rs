@@ -1,0 +1,64 @@
+//! Options of the other style, and of the other number of determinants.
+
+use crate::args::{StyleName, WalkArgs, key_options};
+use crate::error::CliError;
+use clap::ValueEnum;
+use solaris::gait::Parameter;
+use solaris::gait::determinants::{Determinants, KeyParameter, five, three};
+
+/// The parameters of key postures.
+pub(super) fn key_parameters(determinants: Determinants) -> &'static [KeyParameter] {
+    match determinants {
+        Determinants::Three => three::PARAMETERS,
+        Determinants::Five => five::PARAMETERS,
+    }
+}
+
+/// Refuses options of the other style and of the other number of determinants.
+pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Result<(), CliError> {
+    let style = args.manner.style;
+    let has = |name: &str| match style {
+        StyleName::Thesis => {
+            name == "step-width" || key_parameters(determinants).iter().any(|own| own.name == name)
+        }
+        StyleName::Smooth => {
+            (Parameter::named(name).is_some() || name == "step-length")
+                && !(determinants == Determinants::Three && name == "rotation")
+        }
+    };
+    let length = args.pace.step_length.as_ref().filter(|_| key_options().contains(&"step-length"));
+    let mut given = args.style.0.iter().chain(length.map(|length| ("step-length", length)));
+    if let Some((name, number)) = given.find(|(name, _)| !has(name)) {
+        let (style, count) = (style.name(), determinants.count());
+        let why = format!("the style '{style}' of {count} determinants has no such parameter");
+        return Err(CliError::option(name, &number.typed, why));
+    }
+    let of_other = match style {
+        StyleName::Thesis => changes(args),
+        StyleName::Smooth => key_postures(args),
+    };
+    let Some((option, typed)) = of_other else { return Ok(()) };
+    let other = match style {
+        StyleName::Thesis => StyleName::Smooth,
+        StyleName::Smooth => StyleName::Thesis,
+    };
+    Err(CliError::option(option, typed, format!("only --style {} has this", other.name())))
+}
+
+/// What was given that the smooth style alone has.
+fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
+    let turn = args.changes.turn.as_ref().map(|turn| ("turn", turn.typed.clone()));
+    turn.or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
+}
+
+/// What was given that the thesis's style alone has.
+fn key_postures(args: &WalkArgs) -> Option<(&'static str, String)> {
+    let manner = &args.manner;
+    let in_betweens = manner.in_betweens.map(|how| ("in-betweens", name(&how)));
+    let double_support = manner.double_support.map(|law| ("double-support", name(&law)));
+    in_betweens.or(double_support).or_else(|| Some(("sway", manner.sway.as_ref()?.typed.clone())))
+}
+
+fn name(value: &impl ValueEnum) -> String {
+    value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
