@@ -15,17 +15,24 @@ pub use solaris_view as view;
 
 /// What a first program needs.
 pub mod prelude {
-    pub use solaris_analysis::ground_reactions;
+    pub use solaris_analysis::ground::{GroundOptions, ground_forces, soles};
+    pub use solaris_analysis::{
+        Filter, InverseOptions, Loads, PreparedMotion, differentiate, ground_reactions, inverse_motion,
+    };
     pub use solaris_dynamics::{
         ContactConstraint, Contacts, DMatrix, Derivatives, DynamicsError, Formulation, Frame,
         InverseDynamics, JacobianAxes, RootView, Tree, Workspace, Wrench, bias_forces, center_of_mass,
         contact_dynamics, coriolis_matrix, forward_dynamics, forward_kinematics, hybrid_dynamics,
         inverse_dynamics, inverse_mass_matrix, jacobian, mass_matrix, velocities,
     };
-    pub use solaris_gait::{Extent, WalkRequest, measure, walk};
+    pub use solaris_gait::{Extent, StrideLoop, WalkPlan, WalkRequest, measure, walk};
     pub use solaris_model::{
-        Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, MotionInfo, Placement, RootAt, Trajectory,
-        Vector3, human,
+        Figure, FigureBuilder, Human, Inertia, Joint, Known, LinkSpec, Motion, MotionInfo, Placement, RootAt,
+        Trajectory, Vector3, human,
+    };
+    pub use solaris_modes::{
+        ContactLaw, Course, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Run, Settings, Shape,
+        Simulation, Step, Target,
     };
 }
 

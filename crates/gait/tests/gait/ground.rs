@@ -105,9 +105,8 @@ fn what_is_found_carries_the_walk() {
 /// How early and how late (ms) stances begin and end that are found with these options, against the planned ones.
 fn lateness(walked: &Walked, stance: StanceOptions) -> [(f64, f64); 2] {
     let options = GroundOptions { stance, ..GroundOptions::default() };
-    let (soles, gravity) = (soles(&walked.figure), walked.motion.info.gravity);
-    let found =
-        ground_forces(&walked.figure, gravity, &walked.states, &soles, &options).expect("forces").stances;
+    let soles = soles(&walked.figure);
+    let found = ground_forces(&walked.prepared(), &soles, &options).expect("forces").stances;
     assert_eq!((found.belt.norm(), found.level.abs() < 1e-6), (0.0, true));
     assert_eq!(found.list.len(), walked.planted.list.len());
     let mut range = [(0.0_f64, 0.0_f64); 2];
