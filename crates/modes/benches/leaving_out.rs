@@ -34,7 +34,7 @@ fn kinematic_only(bencher: Bencher<'_, '_>, leave_out: bool) {
 fn scene(others: &Drive, loose: &[&str]) -> Simulation {
     let figure = human(1.75, 73.0).expect("within range");
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
-    simulation.limits(LimitLaw::Ignore).expect("no numbers");
+    simulation.set_limits(LimitLaw::Ignore).expect("no numbers");
     for link in figure.links() {
         let joint = link.joint().name();
         let is_loose = loose.contains(&joint);

@@ -6,10 +6,10 @@ mod planted;
 mod points;
 mod touching;
 
-use crate::contact::{Foothold, Surface};
+use crate::contact::{ContactPatch, Surface};
 use crate::element::{LimitLaw, PointSpring};
+use crate::failure::SetupError;
 use crate::report::Energy;
-use crate::trouble::SetupError;
 use joints::JointElements;
 use limits::Stop;
 use nalgebra::{DMatrix, Vector3};
@@ -109,9 +109,9 @@ impl<T: Elementary> Body<T> {
     }
 
     /// From now on these stand on the ground and stay where they are, until others take their place.
-    pub(crate) fn plant(&mut self, footholds: &[Foothold]) {
-        let ground = self.ground.as_ref().filter(|_| !footholds.is_empty());
-        self.planted = ground.map(|ground| Planted::new(&self.tree, ground, footholds));
+    pub(crate) fn plant(&mut self, patches: &[ContactPatch]) {
+        let ground = self.ground.as_ref().filter(|_| !patches.is_empty());
+        self.planted = ground.map(|ground| Planted::new(&self.tree, ground, patches));
     }
 
     /// Hybrid dynamics: where `prescribed[k]`, `a[k]` is read and the drive's force `tau[k]` written, else the other way round.
@@ -209,7 +209,7 @@ impl<T: Elementary> Body<T> {
 
     /// What the ground does to each foothold (N, N m, about the world's origin), as the last call of [`hybrid`](Self::hybrid), or of
     /// [`impact`](Self::impact) (N s, N m s), found it.
-    pub(crate) fn footing(&self) -> impl Iterator<Item = Wrench<T>> {
+    pub(crate) fn patch_wrenches(&self) -> impl Iterator<Item = Wrench<T>> {
         self.planted.iter().flat_map(Planted::wrenches)
     }
 

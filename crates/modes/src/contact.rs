@@ -1,13 +1,13 @@
 //! The ground, and where links can touch it.
 
-mod foothold;
-mod touches;
+mod patch;
+mod points;
 
-pub(crate) use foothold::{CALM, Foothold};
-pub use touches::touches;
+pub(crate) use patch::{CALM, ContactPatch};
+pub use points::contact_points;
 
+use crate::failure::SetupError;
 use crate::range::{check_not_negative, check_positive};
-use crate::trouble::SetupError;
 use nalgebra::{Unit, Vector3};
 use solaris_model::Figure;
 
@@ -44,7 +44,7 @@ pub enum ContactLaw {
     ///
     /// K. H. Hunt, F. R. E. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact", Journal of Applied
     /// Mechanics 42 (1975), with a linear spring.
-    Spring {
+    Compliant {
         /// `k` (N/m).
         stiffness: f64,
         /// `b` (s/m): at the speed `1/b` the damper doubles the force.
@@ -63,7 +63,7 @@ pub enum ContactLaw {
     /// Nothing sinks in, and nothing slides while it can be held: where friction would not hold what is asked of it, the report
     /// says how much it would take. A part that would be pulled where it is held and sink where it is let go (Painlevé's paradox:
     /// its friction would have given way before) slides without friction until it leaves the ground or comes to rest.
-    Planted,
+    Rigid,
 }
 
 impl ContactLaw {
@@ -91,7 +91,7 @@ impl GroundPlane {
     pub fn under(figure: &Figure, gravity: &Vector3<f64>, friction: f64) -> Result<Self, SetupError> {
         let up = Unit::try_new(-gravity, 0.0).ok_or(SetupError::NoGround)?;
         let stiffness = ContactLaw::stiffness_for(figure, gravity).ok_or(SetupError::NoGround)?;
-        let law = ContactLaw::Spring { stiffness, damping: ContactLaw::DAMPING, slip: ContactLaw::SLIP };
+        let law = ContactLaw::Compliant { stiffness, damping: ContactLaw::DAMPING, slip: ContactLaw::SLIP };
         Ok(Self { up, height: 0.0, friction, law })
     }
 
@@ -107,7 +107,7 @@ impl GroundPlane {
             return Err(SetupError::Range { what, value: *value, range: "finite numbers" });
         }
         check_not_negative(|| "the friction of the ground".to_owned(), self.friction)?;
-        let ContactLaw::Spring { stiffness, damping, slip } = self.law else { return Ok(()) };
+        let ContactLaw::Compliant { stiffness, damping, slip } = self.law else { return Ok(()) };
         check_not_negative(|| "the damping of the ground".to_owned(), damping)?;
         check_positive(|| "the stiffness of the ground".to_owned(), stiffness)?;
         check_positive(|| "the slip of the ground".to_owned(), slip)
@@ -116,7 +116,7 @@ impl GroundPlane {
 
 /// A sphere of a link that can touch the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
+pub struct ContactPoint {
     /// Index of the link.
     pub link: usize,
     /// Its centre in the link's frame (m).
@@ -129,24 +129,28 @@ pub struct Touch {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Surface {
     pub(crate) plane: GroundPlane,
-    pub(crate) touches: Vec<Touch>,
+    pub(crate) contact_points: Vec<ContactPoint>,
 }
 
 /// How many spheres can touch a ground.
 pub(crate) fn count(surface: Option<&Surface>) -> usize {
-    surface.map_or(0, |surface| surface.touches.len())
+    surface.map_or(0, |surface| surface.contact_points.len())
 }
 
 impl Surface {
     /// Whether what comes to the ground stays there.
     pub(crate) fn plants(&self) -> bool {
-        self.plane.law == ContactLaw::Planted
+        self.plane.law == ContactLaw::Rigid
     }
 
     /// Refuses numbers that are none, and links that `figure` does not have.
-    pub(crate) fn new(figure: &Figure, plane: GroundPlane, touches: Vec<Touch>) -> Result<Self, SetupError> {
+    pub(crate) fn new(
+        figure: &Figure,
+        plane: GroundPlane,
+        contact_points: Vec<ContactPoint>,
+    ) -> Result<Self, SetupError> {
         plane.check()?;
-        for Touch { link, center, radius } in &touches {
+        for ContactPoint { link, center, radius } in &contact_points {
             let Some(link) = figure.links().get(*link) else {
                 let (figure, name) = (figure.name().to_owned(), format!("number {link}"));
                 return Err(SetupError::UnknownLink { figure, name, nearest: None });
@@ -157,6 +161,6 @@ impl Surface {
             }
             check_not_negative(|| format!("the radius of a sphere of '{}'", link.name()), *radius)?;
         }
-        Ok(Self { plane, touches })
+        Ok(Self { plane, contact_points })
     }
 }

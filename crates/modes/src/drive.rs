@@ -9,7 +9,7 @@ pub(crate) mod tracking;
 use solaris_profiles::Profile;
 use std::sync::Arc;
 
-use crate::recorded::Recorded;
+use crate::recorded::RecordedMotion;
 
 /// What drives one degree of freedom.
 ///
@@ -41,7 +41,7 @@ pub enum Drive {
         along: Shape,
     },
     /// Follows a recorded motion of the figure, by its own clock.
-    Recorded(Arc<Recorded>),
+    Recorded(Arc<RecordedMotion>),
     /// A force (N m or N) over the time since the drive began; after its end, that of its end.
     Torque(Profile),
     /// One dynamic analysis of a target, then a motion in closed form.
@@ -138,19 +138,19 @@ pub struct Step {
     /// What drives.
     pub drive: Drive,
     /// Until when.
-    pub until: Until,
+    pub until: EndCondition,
 }
 
 impl From<Drive> for Step {
     fn from(drive: Drive) -> Self {
-        Self { drive, until: Until::Done }
+        Self { drive, until: EndCondition::Done }
     }
 }
 
 /// When a drive gives way to the next one.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Until {
+pub enum EndCondition {
     /// When it is done by itself: a curve at its end, a target reached. [`Drive::Free`] and [`Drive::Frozen`] never are.
     Done,
     /// At a time of the run (s).

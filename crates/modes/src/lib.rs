@@ -4,6 +4,7 @@ mod body;
 mod contact;
 mod drive;
 mod element;
+mod failure;
 mod impact;
 mod phase;
 mod range;
@@ -14,16 +15,15 @@ mod settings;
 mod simulation;
 pub mod study;
 pub mod time;
-mod trouble;
 
-pub use contact::{ContactLaw, GroundPlane, Touch, touches};
-pub use drive::{Course, Drive, Law, Outcome, OutcomeKind, Shape, Step, Target, Until};
+pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
+pub use drive::{Course, Drive, EndCondition, Law, Outcome, OutcomeKind, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};
-pub use recorded::Recorded;
+pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
+pub use recorded::RecordedMotion;
 pub use report::{
-    Counts, Energy, EnergyReport, ErrorEstimate, GroundReport, Impact, Landing, LinkContact, PhaseReport,
-    Remark, Run, RunReport, Watch,
+    ContactReport, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
+    PhaseReport, Remark, Run, RunReport,
 };
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;
-pub use trouble::{Cause, Remedy, RunError, SetupError, Trouble};

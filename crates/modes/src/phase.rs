@@ -8,13 +8,13 @@ mod small;
 mod state;
 mod watched;
 
-use crate::contact::Foothold;
+use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
+use crate::failure::SetupError;
 use crate::report::{Energy, PhaseReport};
 use crate::simulation::Simulation;
 use crate::time::{RateError, System};
-use crate::trouble::SetupError;
 use nalgebra::DMatrix;
 use prescribed::Prescribed;
 use reduction::Source;
@@ -58,7 +58,7 @@ pub(crate) struct Phase {
     /// The drives' forces on degrees of freedom that are held: what a limit adds to them is all that it pushes.
     held: Vec<(usize, Force)>,
     /// What stands on the ground and stays there.
-    planted: Vec<Foothold>,
+    planted: Vec<ContactPatch>,
     small: Option<Small>,
 }
 
@@ -113,9 +113,9 @@ impl Phase {
     }
 
     /// From now on these stand on the ground, with links that dynamics move.
-    pub(crate) fn plant(&mut self, footholds: &[Foothold]) {
-        if self.planted != footholds {
-            self.planted = footholds.to_vec();
+    pub(crate) fn plant(&mut self, patches: &[ContactPatch]) {
+        if self.planted != patches {
+            self.planted = patches.to_vec();
             if let Some(small) = &mut self.small {
                 small.plant(&self.planted);
             }
@@ -124,8 +124,8 @@ impl Phase {
 
     /// What the ground does to each of them (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were
     /// found last.
-    pub(crate) fn footing(&self) -> impl Iterator<Item = Wrench<f64>> {
-        self.small.iter().flat_map(Small::footing)
+    pub(crate) fn patch_wrenches(&self) -> impl Iterator<Item = Wrench<f64>> {
+        self.small.iter().flat_map(Small::patch_wrenches)
     }
 
     /// What is watched for from here on, and on which side of zero it belongs where it begins there (1, −1, or 0 for either).

@@ -1,6 +1,6 @@
 //! Numbers of a set-up that are out of their range.
 
-use crate::trouble::SetupError;
+use crate::failure::SetupError;
 
 pub(crate) fn check_not_negative(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
     if value.is_finite() && value >= 0.0 {

@@ -1,6 +1,6 @@
 //! A recorded motion as a drive: curves through its samples.
 
-use crate::trouble::SetupError;
+use crate::failure::SetupError;
 use solaris_model::Motion;
 use solaris_profiles::Sample;
 
@@ -9,18 +9,18 @@ use solaris_profiles::Sample;
 ///
 /// Before its first sample and after its last it stands still there.
 #[derive(Clone, Debug)]
-pub struct Recorded {
+pub struct RecordedMotion {
     motion: Motion,
 }
 
-impl PartialEq for Recorded {
+impl PartialEq for RecordedMotion {
     /// The same motion object, not one with equal numbers.
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
     }
 }
 
-impl Recorded {
+impl RecordedMotion {
     /// The curves of `motion`.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn a_polynomial_of_degree_five_comes_back_between_uneven_samples() {
         let curve = |t: f64| [t.powi(5) - 2.0 * t, 5.0 * t.powi(4) - 2.0, 20.0 * t.powi(3)];
-        let recorded = Recorded::new(motion(vec![-0.5, 0.1, 0.25, 1.0], curve)).expect("has samples");
+        let recorded = RecordedMotion::new(motion(vec![-0.5, 0.1, 0.25, 1.0], curve)).expect("has samples");
         for t in [-0.5, -0.2, 0.1, 0.2, 0.25, 0.7, 1.0] {
             let (found, [x, v, a]) = (recorded.at(0, 0, t), curve(t));
             assert_abs_diff_eq!(found.position, x, epsilon = 1e-14);
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn before_and_after_it_stands_still_and_nan_stays_nan() {
-        let recorded = Recorded::new(motion(vec![1.0, 2.0], |t| [t, 1.0, 0.0])).expect("has samples");
+        let recorded = RecordedMotion::new(motion(vec![1.0, 2.0], |t| [t, 1.0, 0.0])).expect("has samples");
         assert_eq!(recorded.span(), (1.0, 2.0));
         assert_eq!(recorded.at(0, 0, 0.5), Sample::rest(1.0));
         assert_eq!(recorded.at(0, 0, 2.5), Sample::rest(2.0));
@@ -131,9 +131,9 @@ mod tests {
 
     #[test]
     fn one_sample_is_a_pose_and_none_is_refused() {
-        let pose = Recorded::new(motion(vec![1.0], |_| [0.3, 2.0, 5.0])).expect("has a sample");
+        let pose = RecordedMotion::new(motion(vec![1.0], |_| [0.3, 2.0, 5.0])).expect("has a sample");
         assert_eq!(pose.at(0, 0, 1.0), Sample::rest(0.3));
-        let refused = Recorded::new(motion(Vec::new(), |_| [0.0; 3])).expect_err("empty");
+        let refused = RecordedMotion::new(motion(Vec::new(), |_| [0.0; 3])).expect_err("empty");
         assert_eq!(
             refused.to_string(),
             "the number of samples of a recorded motion is 0; it must be 1 or more"

@@ -1,7 +1,7 @@
 //! What a run says of itself.
 
 use crate::drive::Outcome;
-use crate::trouble::RunError;
+use crate::failure::RunError;
 use solaris_dynamics::scalar::Operations;
 use solaris_model::Motion;
 use std::fmt;
@@ -35,7 +35,7 @@ pub struct RunReport {
     /// Every impact, in the order of time.
     pub impacts: Vec<Impact>,
     /// What the ground did, where there is one.
-    pub ground: Option<GroundReport>,
+    pub ground: Option<ContactReport>,
     /// What was computed and what was left out, one entry for each time that this changed.
     pub phases: Vec<PhaseReport>,
     /// What is worth knowing though it is no trouble.
@@ -86,7 +86,7 @@ impl fmt::Display for Remark {
 
 /// What the ground did, as far as dynamics computed what touches it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct GroundReport {
+pub struct ContactReport {
     /// The impulse of the ground along the world's axes (N s). With it `impulse + m·g·T` is the change of momentum where dynamics
     /// move the whole figure.
     pub impulse: [f64; 3],
@@ -96,9 +96,9 @@ pub struct GroundReport {
     pub friction: f64,
     /// Every link that touches the ground in a frame, in the order of the figure.
     pub links: Vec<LinkContact>,
-    /// Whether the ground [plants](crate::ContactLaw::Planted) what touches it.
+    /// Whether the ground [plants](crate::ContactLaw::Rigid) what touches it.
     pub planted: bool,
-    /// What came down on a ground that [plants](crate::ContactLaw::Planted) what touches it, in the order of time.
+    /// What came down on a ground that [plants](crate::ContactLaw::Rigid) what touches it, in the order of time.
     pub landings: Vec<Landing>,
 }
 
@@ -109,14 +109,14 @@ pub struct Landing {
     pub time: f64,
     /// The links that came down.
     pub links: Vec<String>,
-    /// The impulse of the ground on all that stands on it, along the world's axes (N s); part of [`GroundReport::impulse`].
+    /// The impulse of the ground on all that stands on it, along the world's axes (N s); part of [`ContactReport::impulse`].
     pub impulse: [f64; 3],
     /// The kinetic energy that was lost (J); part of [`EnergyReport::impacts`]. Drives that keep their motion do work on it: it can be
     /// negative.
     pub loss: f64,
 }
 
-impl GroundReport {
+impl ContactReport {
     /// The link that went deepest.
     pub fn deepest(&self) -> Option<&LinkContact> {
         self.links.iter().max_by(|a, b| a.depth.total_cmp(&b.depth))
@@ -282,7 +282,7 @@ pub struct PhaseReport {
 }
 
 /// Looks on while a simulation runs. Nothing below the command line has a clock of its own.
-pub trait Watch {
+pub trait Observer {
     /// Seconds since some instant.
     fn now(&self) -> Option<f64> {
         None
@@ -300,4 +300,4 @@ pub trait Watch {
 }
 
 /// Nobody looks on.
-impl Watch for () {}
+impl Observer for () {}

@@ -1,11 +1,11 @@
 //! A simulation from its beginning to its end.
 
+mod active_contacts;
 mod automatic;
 mod compare;
 mod contacts;
 mod driven;
 mod drives;
-mod footing;
 mod guard;
 mod impacts;
 mod kinks;
@@ -17,12 +17,12 @@ mod tracks;
 mod watching;
 
 use crate::body::Body;
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
-use crate::report::{Counts, ErrorEstimate, Remark, Run, RunReport, Watch};
+use crate::report::{Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
-use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 use crate::{Drive, LimitLaw, Step};
 use pass::{Passed, pass};
 use solaris_dynamics::Wrench;
@@ -73,13 +73,13 @@ impl Simulation {
     /// # Errors
     ///
     /// [`RunError`].
-    pub fn run_watched(&self, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
+    pub fn run_watched(&self, settings: &Settings, watch: &mut dyn Observer) -> Result<Run, RunError> {
         run(self, settings, watch)
     }
 }
 
 /// Runs a simulation.
-fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Watch) -> Result<Run, RunError> {
+fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Observer) -> Result<Run, RunError> {
     check_settings(settings)?;
     check_work(settings)?;
     let begun = watch.now();
@@ -149,7 +149,7 @@ fn check_settings(settings: &Settings) -> Result<(), SetupError> {
 }
 
 /// Refuses steps so short that the run cannot come to its end.
-fn check_work(settings: &Settings) -> Result<(), Box<Trouble>> {
+fn check_work(settings: &Settings) -> Result<(), Box<RunFailure>> {
     let Method::Fixed { rule, step } = settings.method else { return Ok(()) };
     let evaluations = settings.duration / step * rule.evaluations() as f64;
     if evaluations <= settings.guard.evaluations as f64 {
@@ -157,9 +157,9 @@ fn check_work(settings: &Settings) -> Result<(), Box<Trouble>> {
     }
     let most = settings.guard.evaluations;
     let longer = settings.duration * rule.evaluations() as f64 / most as f64;
-    let cause = Cause::Evaluations { evaluations: most };
+    let cause = FailureKind::Evaluations { evaluations: most };
     let remedies = vec![Remedy::StepAbove { step: longer, evaluations }, Remedy::MoreEvaluations];
-    Err(Box::new(Trouble { time: 0.0, dof: None, cause, remedies }))
+    Err(Box::new(RunFailure { time: 0.0, dof: None, cause, remedies }))
 }
 
 /// What starts outside of a hard limit, which then does not hold it.
@@ -206,7 +206,7 @@ fn named(
     simulation: &Simulation,
     settings: &Settings,
     stepping: Stepping,
-    watch: &mut dyn Watch,
+    watch: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
     let passed = pass(simulation, settings, stepping, watch)?;
     let (mut beside, mut remarks, mut error) = (Counts::default(), Vec::new(), None);
@@ -302,9 +302,9 @@ fn add_forces(
 }
 
 /// Somebody who looks on and is told nothing of the progress.
-struct Quiet<'a>(&'a mut dyn Watch);
+struct Quiet<'a>(&'a mut dyn Observer);
 
-impl Watch for Quiet<'_> {
+impl Observer for Quiet<'_> {
     fn now(&self) -> Option<f64> {
         self.0.now()
     }

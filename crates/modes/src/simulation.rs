@@ -1,11 +1,11 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
 use crate::body::Body;
-use crate::contact::{GroundPlane, Surface, Touch};
-use crate::drive::{Drive, Step, Until};
+use crate::contact::{ContactPoint, GroundPlane, Surface};
+use crate::drive::{Drive, EndCondition, Step};
 use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::failure::SetupError;
 use crate::range::check_not_negative;
-use crate::trouble::SetupError;
 use nalgebra::Vector3;
 use solaris_model::{Figure, nearest};
 
@@ -66,7 +66,7 @@ impl Simulation {
     /// # Errors
     ///
     /// Wrong lengths, numbers that are not finite, quaternions that are none.
-    pub fn start(&mut self, q: &[f64], v: &[f64]) -> Result<(), SetupError> {
+    pub fn set_start(&mut self, q: &[f64], v: &[f64]) -> Result<(), SetupError> {
         let mut own = q.to_vec();
         self.figure.normalize(&mut own)?;
         if v.len() != self.v.len() {
@@ -125,7 +125,7 @@ impl Simulation {
     /// # Errors
     ///
     /// [`SetupError::UnknownLink`], [`SetupError::Range`].
-    pub fn spring(&mut self, spring: PointSpring) -> Result<(), SetupError> {
+    pub fn add_spring(&mut self, spring: PointSpring) -> Result<(), SetupError> {
         let links = self.figure.links().len();
         for Anchor { link, point } in &spring.between {
             if let Some(link) = link.filter(|link| *link >= links) {
@@ -151,7 +151,7 @@ impl Simulation {
         &self.springs
     }
 
-    /// Lays a ground under the figure, which `touches` can touch, [`touches`](crate::touches) for all that the figure says of
+    /// Lays a ground under the figure, which `contact_points` can touch, [`contact_points`](crate::contact_points) for all that the figure says of
     /// itself; in place of the one that there was.
     ///
     /// It acts on what dynamics move.
@@ -159,8 +159,12 @@ impl Simulation {
     /// # Errors
     ///
     /// [`SetupError::UnknownLink`], [`SetupError::Range`].
-    pub fn ground(&mut self, plane: GroundPlane, touches: Vec<Touch>) -> Result<(), SetupError> {
-        self.surface = Some(Surface::new(&self.figure, plane, touches)?);
+    pub fn set_ground(
+        &mut self,
+        plane: GroundPlane,
+        contact_points: Vec<ContactPoint>,
+    ) -> Result<(), SetupError> {
+        self.surface = Some(Surface::new(&self.figure, plane, contact_points)?);
         Ok(())
     }
 
@@ -177,7 +181,7 @@ impl Simulation {
         let mut body = Body::<f64>::new(&self.figure, self.gravity, &[], &self.limits)?.on(Some(surface));
         let mut lowest = |q: &[f64]| {
             body.place(q)?;
-            let gaps = (0..surface.touches.len()).map(|touch| body.gap(touch));
+            let gaps = (0..surface.contact_points.len()).map(|touch| body.gap(touch));
             Ok::<_, SetupError>(gaps.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(_, gap)| gap))
         };
         let gap = lowest(&self.q)?.ok_or_else(none)?;
@@ -200,8 +204,8 @@ impl Simulation {
     }
 
     /// The ground, if there is one, and what can touch it.
-    pub fn grounded(&self) -> Option<(&GroundPlane, &[Touch])> {
-        self.surface.as_ref().map(|surface| (&surface.plane, &*surface.touches))
+    pub fn grounded(&self) -> Option<(&GroundPlane, &[ContactPoint])> {
+        self.surface.as_ref().map(|surface| (&surface.plane, &*surface.contact_points))
     }
 
     /// What forces are weighed against: that of gravity on the figure (N), its mass (kg) where there is none, 1 without mass.
@@ -220,7 +224,7 @@ impl Simulation {
     /// # Errors
     ///
     /// [`SetupError::Range`].
-    pub fn limits(&mut self, law: LimitLaw) -> Result<(), SetupError> {
+    pub fn set_limits(&mut self, law: LimitLaw) -> Result<(), SetupError> {
         check_limit(&law)?;
         self.limits.fill(law);
         Ok(())
@@ -231,7 +235,7 @@ impl Simulation {
     /// # Errors
     ///
     /// [`SetupError::UnknownDof`], [`SetupError::Range`].
-    pub fn limit(&mut self, name: &str, law: LimitLaw) -> Result<(), SetupError> {
+    pub fn set_limit(&mut self, name: &str, law: LimitLaw) -> Result<(), SetupError> {
         check_limit(&law)?;
         for dof in self.dofs(name)? {
             self.limits[dof] = law;
@@ -273,16 +277,16 @@ impl Simulation {
             }
             drive.check(self.name(dof))?;
             match until {
-                Until::Done => {}
-                Until::Time(value) | Until::Lasting(value) => {
+                EndCondition::Done => {}
+                EndCondition::Time(value) | EndCondition::Lasting(value) => {
                     check_not_negative(|| format!("the time until which '{}' has a drive", owned()), *value)?;
                 }
-                Until::Position { dof: name, value } | Until::Velocity { dof: name, value } => {
+                EndCondition::Position { dof: name, value } | EndCondition::Velocity { dof: name, value } => {
                     let [watched] = self.dofs(name)?[..] else {
                         let (figure, name) = (self.figure.name().to_owned(), name.clone());
                         return Err(SetupError::UnknownDof { figure, name, nearest: None });
                     };
-                    if matches!(until, Until::Position { .. })
+                    if matches!(until, EndCondition::Position { .. })
                         && self.figure.layout().coordinate(watched).is_none()
                     {
                         let (joint, drive) = (name.clone(), "until a position");

@@ -20,10 +20,10 @@ pub use rows::Row;
 pub use savings::Savings;
 pub use sensitivity::Sensitivity;
 
-use crate::report::Watch;
+use crate::failure::RunError;
+use crate::report::Observer;
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
-use crate::trouble::RunError;
 use compare::Answer;
 use outlook::Outlook;
 use solaris_model::Motion;
@@ -120,7 +120,7 @@ pub fn study(
     simulation: &Simulation,
     settings: &Settings,
     options: &StudyOptions<'_>,
-    watch: &mut dyn Watch,
+    watch: &mut dyn Observer,
     on_row: &mut dyn FnMut(&Study),
 ) -> Result<Study, RunError> {
     let mut settings = Settings { forces: false, estimate: false, ..settings.clone() };

@@ -47,7 +47,7 @@ static ALLOCATOR: Counting = Counting;
 fn scene() -> Simulation {
     let figure = human(1.75, 73.0).expect("within range");
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
-    simulation.limits(LimitLaw::Spring { stiffness: 50.0, damping: 1.0 }).expect("valid");
+    simulation.set_limits(LimitLaw::Spring { stiffness: 50.0, damping: 1.0 }).expect("valid");
     let drive = Drive::Move { to: 0.2, over: 1.0, along: Shape::MinimumJerk };
     for link in figure.links() {
         let joint = link.joint().name();
@@ -60,7 +60,7 @@ fn scene() -> Simulation {
     }
     let end = |link: &str| Anchor { link: figure.link_index(link), point: Vector3::zeros() };
     let between = [end("left_hand"), end("left_foot")];
-    simulation.spring(PointSpring { between, stiffness: 5.0, damping: 1.0, rest: 0.1 }).expect("valid");
+    simulation.add_spring(PointSpring { between, stiffness: 5.0, damping: 1.0, rest: 0.1 }).expect("valid");
     simulation
 }
 

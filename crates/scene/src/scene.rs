@@ -4,7 +4,7 @@ use crate::error::SceneError;
 use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion};
-use solaris_modes::{Run, RunReport, Settings, Simulation, Watch};
+use solaris_modes::{Observer, Run, RunReport, Settings, Simulation};
 use std::fmt;
 use std::sync::Arc;
 
@@ -91,7 +91,7 @@ impl Scene {
     /// # Errors
     ///
     /// [`SceneError`].
-    pub fn simulate(&self, watch: &mut dyn Watch) -> Result<Simulated, SceneError> {
+    pub fn simulate(&self, watch: &mut dyn Observer) -> Result<Simulated, SceneError> {
         let Run { mut motion, report } = self.simulation.run_watched(&self.settings, watch)?;
         let Some(walk) = &self.walk else { return Ok(Simulated { motion, report, reactions: None }) };
         let end = motion.time().last().copied().unwrap_or_default();

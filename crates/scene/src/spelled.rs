@@ -30,7 +30,7 @@ pub(crate) fn setup(error: &SetupError) -> String {
 pub(crate) fn run(error: &RunError) -> String {
     match error {
         RunError::Setup(error) => setup(error),
-        RunError::Trouble(trouble) => trouble.told(remedy),
+        RunError::RunFailure(trouble) => trouble.told(remedy),
         _ => error.to_string(),
     }
 }
@@ -38,13 +38,13 @@ pub(crate) fn run(error: &RunError) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use solaris_modes::{Cause, Trouble};
+    use solaris_modes::{FailureKind, RunFailure};
 
     #[test]
     fn trouble_says_what_to_write() {
         let remedies = vec![Remedy::StepBelow { step: 1e-4 }, Remedy::StiffMethod];
-        let cause = Cause::Energy { share: 0.5 };
-        let error = RunError::from(Trouble { time: 1.0, dof: None, cause, remedies });
+        let cause = FailureKind::Energy { share: 0.5 };
+        let error = RunError::from(RunFailure { time: 1.0, dof: None, cause, remedies });
         let said = ": take a step below 1.0e-4 s, or take a stiff method (method: Stiff(tolerance: 1e-6))";
         assert!(run(&error).ends_with(said), "{}", run(&error));
         assert!(!error.to_string().contains("method:"), "{error}");

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arm = ann.layout().dof_index("left_shoulder.rx").ok_or("the human has shoulders")?;
     let (mut q, v) = (vec![0.0; ann.layout().nq()], vec![0.0; ann.layout().nv()]);
     q[arm] = -1.0;
-    simulation.start(&q, &v)?;
+    simulation.set_start(&q, &v)?;
     // What has no drive is free: hold all joints, then let go of this one.
     for dof in ann.layout().v_names() {
         simulation.drive(dof, [Drive::Frozen])?;

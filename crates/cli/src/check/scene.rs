@@ -10,7 +10,7 @@ use crate::words::{rounded, some};
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
 use solaris::model::{Figure, FindingKind, JointKind};
-use solaris::modes::{ContactLaw, GroundPlane, LimitLaw, Method, Step, Touch, Until};
+use solaris::modes::{ContactLaw, ContactPoint, EndCondition, GroundPlane, LimitLaw, Method, Step};
 use solaris::scene::{Scene, is_scene};
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -159,13 +159,13 @@ impl Facts {
 }
 
 impl Ground {
-    fn of(plane: &GroundPlane, touches: &[Touch]) -> Self {
+    fn of(plane: &GroundPlane, touches: &[ContactPoint]) -> Self {
         let links: BTreeSet<usize> = touches.iter().map(|touch| touch.link).collect();
         let contact = match plane.law {
-            ContactLaw::Spring { stiffness, damping, slip } => {
+            ContactLaw::Compliant { stiffness, damping, slip } => {
                 format!("spring {stiffness:.4e} N/m, damping {damping} s/m, slip {slip} m/s")
             }
-            ContactLaw::Planted => "planted: what touches stays until the ground would pull".to_owned(),
+            ContactLaw::Rigid => "planted: what touches stays until the ground would pull".to_owned(),
             _ => "another".to_owned(),
         };
         Self {
@@ -206,10 +206,10 @@ fn grouped(count: usize, text: impl Fn(usize) -> String) -> Vec<(String, Vec<usi
 fn told(steps: &[Step]) -> String {
     let step = |Step { drive, until }: &Step| {
         let until = match until {
-            Until::Time(time) => format!(" until {time} s"),
-            Until::Lasting(time) => format!(" for {time} s"),
-            Until::Position { dof, .. } => format!(" until {dof} passes"),
-            Until::Velocity { dof, .. } => format!(" until the speed of {dof} passes"),
+            EndCondition::Time(time) => format!(" until {time} s"),
+            EndCondition::Lasting(time) => format!(" for {time} s"),
+            EndCondition::Position { dof, .. } => format!(" until {dof} passes"),
+            EndCondition::Velocity { dof, .. } => format!(" until the speed of {dof} passes"),
             _ => String::new(),
         };
         format!("{}{until}", drive.name())

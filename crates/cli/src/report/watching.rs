@@ -1,7 +1,7 @@
 //! Looks on while a study goes on: a clock, and a bar on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use solaris::modes::Watch;
+use solaris::modes::Observer;
 use std::time::{Duration, Instant};
 
 /// Steps of the bar.
@@ -25,7 +25,7 @@ impl Watching {
     }
 }
 
-impl Watch for Watching {
+impl Observer for Watching {
     fn now(&self) -> Option<f64> {
         Some(self.begun.elapsed().as_secs_f64())
     }

@@ -2,7 +2,7 @@
 
 use super::energy::digits;
 use serde::Serialize;
-use solaris::modes::{GroundReport, Landing, LinkContact};
+use solaris::modes::{ContactReport, Landing, LinkContact};
 
 /// The most links that are named.
 const MANY: usize = 3;
@@ -19,7 +19,7 @@ pub(super) struct Contact {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) landings: Vec<Landed>,
     #[serde(skip)]
-    report: GroundReport,
+    report: ContactReport,
 }
 
 /// How one link touched it.
@@ -49,8 +49,8 @@ pub(super) struct Landed {
 }
 
 impl Contact {
-    pub(super) fn of(report: GroundReport) -> Self {
-        let GroundReport { impulse, damping, friction, links, landings, .. } = report.clone();
+    pub(super) fn of(report: ContactReport) -> Self {
+        let ContactReport { impulse, damping, friction, links, landings, .. } = report.clone();
         Self {
             impulse_n_s: impulse,
             damping_j: damping,

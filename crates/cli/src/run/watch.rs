@@ -1,7 +1,7 @@
 //! Looks on while a scene runs: a clock, and a bar on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use solaris::modes::Watch;
+use solaris::modes::Observer;
 use std::time::{Duration, Instant};
 
 /// Parts of the bar.
@@ -31,7 +31,7 @@ impl Watcher {
     }
 }
 
-impl Watch for Watcher {
+impl Observer for Watcher {
     fn now(&self) -> Option<f64> {
         Some(self.begun.elapsed().as_secs_f64())
     }

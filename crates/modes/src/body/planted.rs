@@ -1,7 +1,7 @@
 //! What stands on the ground and stays there.
 
 use super::touching::{GroundElement, Lowest};
-use crate::contact::{CALM, Foothold};
+use crate::contact::{CALM, ContactPatch};
 use nalgebra::Vector3;
 use solaris_dynamics::{ContactConstraint, Contacts, Scalar, Tree, Workspace, Wrench};
 use solaris_profiles::Elementary;
@@ -32,19 +32,19 @@ impl Hold {
 
 impl<T: Elementary> Planted<T> {
     /// Those on this ground.
-    pub(super) fn new(tree: &Tree<T>, ground: &GroundElement<T>, footholds: &[Foothold]) -> Self {
-        let (mut holds, mut list) = (Vec::with_capacity(footholds.len()), Vec::new());
-        for foothold in footholds {
-            let rows = match (foothold.is_whole(), foothold.slides) {
+    pub(super) fn new(tree: &Tree<T>, ground: &GroundElement<T>, patches: &[ContactPatch]) -> Self {
+        let (mut holds, mut list) = (Vec::with_capacity(patches.len()), Vec::new());
+        for patch in patches {
+            let rows = match (patch.is_whole(), patch.slides) {
                 (true, _) => 6,
                 (false, false) => 3,
                 (false, true) => 1,
             };
-            let (corners, whole) = (foothold.corners.clone(), foothold.is_whole());
+            let (corners, whole) = (patch.corners.clone(), patch.is_whole());
             let hold = Hold { corners, whole, first: list.len(), rows };
             for corner in &hold.corners[..hold.len()] {
                 let link = ground.spheres()[*corner].link;
-                list.push(match (hold.whole, foothold.slides) {
+                list.push(match (hold.whole, patch.slides) {
                     (true, _) => ContactConstraint::fixed(link, Vector3::zeros()),
                     (false, false) => ContactConstraint::point(link, Vector3::zeros()),
                     (false, true) => ContactConstraint::along(link, Vector3::zeros(), *ground.up()),

@@ -1,6 +1,6 @@
 //! Random figures and scenes, for tests.
 
-use crate::contact::{ContactLaw, GroundPlane, Surface, Touch};
+use crate::contact::{ContactLaw, ContactPoint, GroundPlane, Surface};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, Limits, LinkSpec, Passive, Placement};
@@ -130,7 +130,7 @@ pub(crate) fn springs(random: &mut Random, figure: &Figure) -> Vec<PointSpring> 
 
 /// A slope through the middle of things, in two of three cases, and spheres of any links that can touch it.
 pub(crate) fn ground(random: &mut Random, figure: &Figure) -> Option<Surface> {
-    let law = ContactLaw::Spring {
+    let law = ContactLaw::Compliant {
         stiffness: random.between(50.0, 500.0),
         damping: random.between(0.0, 2.0),
         slip: random.between(0.1, 1.0),
@@ -138,13 +138,13 @@ pub(crate) fn ground(random: &mut Random, figure: &Figure) -> Option<Surface> {
     let up = Unit::new_normalize(random.vector(1.0));
     let plane =
         GroundPlane { up, height: random.between(-0.5, 0.5), friction: random.between(0.0, 1.0), law };
-    let touch = |_| Touch {
+    let touch = |_| ContactPoint {
         link: random.below(figure.links().len()),
         center: random.vector(0.5),
         radius: if random.chance(0.5) { random.between(0.0, 0.2) } else { 0.0 },
     };
-    let touches = (0..6).map(touch).collect();
-    random.chance(0.67).then(|| Surface::new(figure, plane, touches).expect("valid"))
+    let contact_points = (0..6).map(touch).collect();
+    random.chance(0.67).then(|| Surface::new(figure, plane, contact_points).expect("valid"))
 }
 
 /// What the limits do, by degree of freedom.

@@ -12,7 +12,7 @@ pub(super) struct GroundElement<T> {
     height: T,
     friction: T,
     law: Law<T>,
-    touches: Vec<Sphere<T>>,
+    contact_points: Vec<Sphere<T>>,
 }
 
 #[derive(Clone, Debug)]
@@ -115,14 +115,14 @@ impl<T: Elementary> GroundElement<T> {
         let number = T::from_f64;
         let plane = &surface.plane;
         let law = match plane.law {
-            ContactLaw::Spring { stiffness, damping, slip } => Law::Spring {
+            ContactLaw::Compliant { stiffness, damping, slip } => Law::Spring {
                 stiffness: number(stiffness),
                 damping: number(damping),
                 slip: number(slip * slip),
             },
-            ContactLaw::Planted => Law::Planted,
+            ContactLaw::Rigid => Law::Planted,
         };
-        let sphere = |touch: &crate::contact::Touch| Sphere {
+        let sphere = |touch: &crate::contact::ContactPoint| Sphere {
             link: touch.link,
             center: touch.center.map(number),
             down: (plane.up.into_inner() * -touch.radius).map(number),
@@ -132,13 +132,13 @@ impl<T: Elementary> GroundElement<T> {
             height: number(plane.height),
             friction: number(plane.friction),
             law,
-            touches: surface.touches.iter().map(sphere).collect(),
+            contact_points: surface.contact_points.iter().map(sphere).collect(),
         }
     }
 
     /// How many spheres can touch it.
     pub(super) fn len(&self) -> usize {
-        self.touches.len()
+        self.contact_points.len()
     }
 
     /// Adds to `external` what acts on the links, at the poses and velocities in `workspace`.
@@ -151,7 +151,7 @@ impl<T: Elementary> GroundElement<T> {
         if matches!(self.law, Law::Planted) {
             return all;
         }
-        for sphere in &self.touches {
+        for sphere in &self.contact_points {
             let pressed = self.pressed(sphere, workspace);
             if pressed.depth.value() > 0.0 {
                 let Pressed { point, force, damping, friction, .. } = pressed;
@@ -166,7 +166,7 @@ impl<T: Elementary> GroundElement<T> {
 
     /// What it does at each touch, by its index, at the poses and velocities in `workspace`.
     pub(super) fn each(&self, workspace: &Workspace<T>) -> impl Iterator<Item = Pressed<T>> {
-        self.touches.iter().map(|sphere| self.pressed(sphere, workspace))
+        self.contact_points.iter().map(|sphere| self.pressed(sphere, workspace))
     }
 
     /// Out of the ground, of length 1.
@@ -176,23 +176,23 @@ impl<T: Elementary> GroundElement<T> {
 
     /// The spheres.
     pub(super) fn spheres(&self) -> &[Sphere<T>] {
-        &self.touches
+        &self.contact_points
     }
 
     /// How far above the ground the lowest point of a sphere is (m), at the poses in `workspace`.
     pub(super) fn gap(&self, touch: usize, workspace: &Workspace<T>) -> T {
-        self.touches[touch].lowest(workspace).dot(&self.up) - self.height
+        self.contact_points[touch].lowest(workspace).dot(&self.up) - self.height
     }
 
     /// The accelerations (m/s²) of all lowest points away from the ground, at the accelerations in `workspace`.
     pub(super) fn rises(&self, workspace: &Workspace<T>) -> impl Iterator<Item = T> {
-        self.touches.iter().map(|sphere| sphere.rise(workspace, &self.up))
+        self.contact_points.iter().map(|sphere| sphere.rise(workspace, &self.up))
     }
 
     /// What is in the springs (J), at the poses in `workspace`.
     pub(super) fn energy(&self, workspace: &Workspace<T>) -> T {
         let Law::Spring { stiffness, .. } = self.law else { return T::zero() };
-        let squares = self.touches.iter().map(|sphere| {
+        let squares = self.contact_points.iter().map(|sphere| {
             let depth = self.height - sphere.lowest(workspace).dot(&self.up);
             if depth.value() > 0.0 { depth * depth } else { T::zero() }
         });

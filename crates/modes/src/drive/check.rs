@@ -1,8 +1,8 @@
 //! What a drive is called, and whether its numbers can be used.
 
 use super::{Course, Drive, Law, Target};
+use crate::failure::SetupError;
 use crate::range::{check_not_negative, check_positive};
-use crate::trouble::SetupError;
 
 impl Drive {
     /// What it is called.

@@ -1,7 +1,7 @@
 //! The prescribed motion of one degree of freedom, in the time of the run.
 
 use super::Shape;
-use crate::recorded::Recorded;
+use crate::recorded::RecordedMotion;
 use solaris_profiles::{
     Answers, Boundary, Clip, CubicHermite, Curve, Profile, ProfileError, Quantity, Quintic, Sample,
 };
@@ -20,7 +20,7 @@ pub(crate) enum Path {
     /// The same with the times of the run, inside of the curve, at which its acceleration jumps.
     Pieces { clip: CurveClip, inner: Arc<[f64]> },
     /// As in a record; the degree of freedom by its index in `v` and in `q`.
-    Recorded { recorded: Arc<Recorded>, dof: usize, coordinate: usize },
+    Recorded { recorded: Arc<RecordedMotion>, dof: usize, coordinate: usize },
     /// A path over a stretch without breaks inside: at its ends what holds inside of it.
     During { path: Box<Path>, from: f64, to: f64 },
 }

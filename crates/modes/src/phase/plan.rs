@@ -105,7 +105,7 @@ fn cost(source: &Source, figure: &Figure, acting: (usize, usize), roles: &[Role]
 fn evaluate(
     source: &Source,
     figure: &Figure,
-    (springs, touches): (usize, usize),
+    (springs, contact_points): (usize, usize),
     roles: &[Role],
     q: &[f64],
 ) -> Result<(), DynamicsError> {
@@ -116,9 +116,9 @@ fn evaluate(
     let zeros = vec![Counted::default(); roles.len()];
     let (v, mut a, mut tau) = (zeros.clone(), zeros.clone(), zeros);
     let none = Wrench { force: Vector3::zeros(), moment: Vector3::zeros() };
-    let external = vec![(0, none); 2 * springs + touches];
+    let external = vec![(0, none); 2 * springs + contact_points];
     let mut evaluate = || {
-        if springs + touches > 0 {
+        if springs + contact_points > 0 {
             velocities(&tree, &mut workspace, &q, &v)?;
         }
         hybrid_dynamics(&tree, &mut workspace, &q, &v, &prescribed, &external, &mut a, &mut tau)

@@ -1,10 +1,10 @@
 //! What is left of a figure when what nothing depends on is left out.
 
 use super::Role;
-use crate::contact::{Surface, Touch, count};
+use crate::contact::{ContactPoint, Surface, count};
 use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::failure::SetupError;
 use crate::simulation::Simulation;
-use crate::trouble::SetupError;
 use nalgebra::Vector3;
 use solaris_dynamics::DynamicsError;
 use solaris_model::{Figure, FuseError, LinkPlace};
@@ -113,7 +113,7 @@ impl Source {
         let full = |kept: &[usize], of: &[usize]| kept.iter().map(|k| of[*k]).collect::<Vec<_>>();
         let kept_v = full(fused.kept_v(), pruned.kept_v());
         let place = |link: usize| pruned.links()[link].map(|link| fused.links()[link]);
-        let springs = self.springs.iter().filter(|spring| touches(spring, &moved));
+        let springs = self.springs.iter().filter(|spring| contact_points(spring, &moved));
         let surface = self.surface.as_ref().and_then(|surface| under(surface, &moved, place));
         let (surface, kept_touches) = surface.unzip();
         Ok(Some(Reduction {
@@ -158,7 +158,7 @@ impl Source {
     /// that carries them.
     fn needed(&self, moved: &[bool]) -> Vec<bool> {
         let mut needed = moved.to_vec();
-        for spring in self.springs.iter().filter(|spring| touches(spring, moved)) {
+        for spring in self.springs.iter().filter(|spring| contact_points(spring, moved)) {
             for link in spring.between.iter().filter_map(|anchor| anchor.link) {
                 needed[link] = true;
             }
@@ -174,7 +174,7 @@ impl Source {
 }
 
 /// Whether a spring acts on something that is moved.
-fn touches(spring: &PointSpring, moved: &[bool]) -> bool {
+fn contact_points(spring: &PointSpring, moved: &[bool]) -> bool {
     spring.between.iter().any(|anchor| anchor.link.is_some_and(|link| moved[link]))
 }
 
@@ -197,11 +197,14 @@ fn under(
     moved: &[bool],
     place: impl Fn(usize) -> Option<LinkPlace>,
 ) -> Option<(Surface, Vec<usize>)> {
-    let touch = |(i, touch): (usize, &Touch)| {
+    let touch = |(i, touch): (usize, &ContactPoint)| {
         let LinkPlace { link, placement } = place(touch.link).filter(|_| moved[touch.link])?;
-        Some((Touch { link, center: placement.transform_point(&touch.center.into()).coords, ..*touch }, i))
+        Some((
+            ContactPoint { link, center: placement.transform_point(&touch.center.into()).coords, ..*touch },
+            i,
+        ))
     };
-    let (touches, kept): (Vec<Touch>, Vec<usize>) =
-        surface.touches.iter().enumerate().filter_map(touch).unzip();
-    (!touches.is_empty()).then_some((Surface { plane: surface.plane, touches }, kept))
+    let (contact_points, kept): (Vec<ContactPoint>, Vec<usize>) =
+        surface.contact_points.iter().enumerate().filter_map(touch).unzip();
+    (!contact_points.is_empty()).then_some((Surface { plane: surface.plane, contact_points }, kept))
 }

@@ -5,10 +5,10 @@ use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{StateMap, unit};
 use crate::body::{Body, Pressure};
-use crate::contact::{Foothold, count};
+use crate::contact::{ContactPatch, count};
+use crate::failure::SetupError;
 use crate::report::Energy;
 use crate::time::RateError;
-use crate::trouble::SetupError;
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics::scalar::Dual;
 use solaris_dynamics::{DynamicsError, Wrench};
@@ -25,7 +25,7 @@ pub(super) struct Small {
     /// With derivatives; made when the first Jacobian is asked for.
     duals: Option<Box<Side<Dual<COLUMNS>>>>,
     /// What stands on the ground, with the touches of the small figure.
-    planted: Vec<Foothold>,
+    planted: Vec<ContactPatch>,
 }
 
 /// Where the entries of the state are in the small figure.
@@ -81,15 +81,15 @@ impl Small {
     }
 
     /// From now on these stand on the ground; touches are those of the full figure, on links that dynamics move.
-    pub(super) fn plant(&mut self, footholds: &[Foothold]) {
+    pub(super) fn plant(&mut self, patches: &[ContactPatch]) {
         let place = |touch: &usize| self.touch(*touch);
-        let small = |foothold: &Foothold| Foothold {
-            touches: foothold.touches.iter().filter_map(place).collect(),
-            corners: foothold.corners.iter().filter_map(place).collect(),
+        let small = |patch: &ContactPatch| ContactPatch {
+            contact_points: patch.contact_points.iter().filter_map(place).collect(),
+            corners: patch.corners.iter().filter_map(place).collect(),
             levers: Vec::new(),
-            slides: foothold.slides,
+            slides: patch.slides,
         };
-        self.planted = footholds.iter().map(small).collect();
+        self.planted = patches.iter().map(small).collect();
         self.numbers.body.plant(&self.planted);
         if let Some(duals) = &mut self.duals {
             duals.body.plant(&self.planted);
@@ -102,8 +102,8 @@ impl Small {
     }
 
     /// What the ground does to each foothold (N, N m, about the world's origin), in the state that was [solved](Self::solve) last.
-    pub(super) fn footing(&self) -> impl Iterator<Item = Wrench<f64>> {
-        self.numbers.body.footing()
+    pub(super) fn patch_wrenches(&self) -> impl Iterator<Item = Wrench<f64>> {
+        self.numbers.body.patch_wrenches()
     }
 
     /// Where the lowest point of a touch of the full figure is (m), and how far above the ground, in that state; none where it was

@@ -68,7 +68,7 @@ impl Phase {
         let Some(surface) = &self.source.surface else { return f64::NAN };
         let arm = self.planted[hold].levers[lever].arm;
         let at = |touch| small.lowest(touch).map_or_else(Vector3::zeros, |(point, _)| point);
-        let wrench = small.footing().nth(hold);
+        let wrench = small.patch_wrenches().nth(hold);
         wrench.map_or(f64::NAN, |wrench| arm.force(&wrench, at, &surface.plane.up) / self.weight)
     }
 }

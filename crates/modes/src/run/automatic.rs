@@ -3,11 +3,11 @@
 use super::kinks::has_kinks;
 use super::pass::{Passed, pass};
 use super::{Chosen, NOTHING, Quiet, compare, describe, scaled};
-use crate::report::{Counts, ErrorEstimate, Remark, Watch};
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
+use crate::report::{Counts, ErrorEstimate, Observer, Remark};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
-use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 
 /// Steps of an explicit rule in a frame that stability may ask for before an implicit method is tried.
 const MANY: f64 = 16.0;
@@ -20,7 +20,7 @@ pub(super) fn choose(
     simulation: &Simulation,
     settings: &Settings,
     tolerance: f64,
-    watch: &mut dyn Watch,
+    watch: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
     let frame = settings.rate.recip();
     let first = Stepping::Fixed { rule: Rule::RungeKutta4, step: frame };
@@ -34,8 +34,8 @@ pub(super) fn choose(
         Ok(passed) => {
             return Ladder::new(simulation, settings, tolerance, frame, Some(passed)).climb(watch, remarks);
         }
-        Err(RunError::Trouble(trouble)) => match trouble.cause {
-            Cause::StepTooLong { longest, eigenvalue, .. } => (longest, Some(eigenvalue)),
+        Err(RunError::RunFailure(trouble)) => match trouble.cause {
+            FailureKind::StepTooLong { longest, eigenvalue, .. } => (longest, Some(eigenvalue)),
             _ if is_of_the_step(&trouble) => (0.5 * frame, None),
             _ => return Err(trouble.into()),
         },
@@ -82,7 +82,7 @@ impl<'a> Ladder<'a> {
         Self { simulation, settings, tolerance, step, last, beside: Counts::default() }
     }
 
-    fn climb(mut self, watch: &mut dyn Watch, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
+    fn climb(mut self, watch: &mut dyn Observer, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
         let mut best = f64::INFINITY;
         let mut trouble = None;
         let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
@@ -97,7 +97,7 @@ impl<'a> Ladder<'a> {
             let stepping = Stepping::Fixed { rule: Rule::RungeKutta4, step: self.step };
             let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(watch)) {
                 Ok(passed) => passed,
-                Err(RunError::Trouble(found)) if is_of_the_step(&found) => {
+                Err(RunError::RunFailure(found)) if is_of_the_step(&found) => {
                     (self.last, trouble, before) = (None, Some(found), f64::NAN);
                     continue;
                 }
@@ -126,18 +126,18 @@ impl<'a> Ladder<'a> {
     }
 
     /// No step met the tolerance within the evaluations that are allowed.
-    fn gave_up(&self, best: f64, trouble: Option<Box<Trouble>>) -> RunError {
+    fn gave_up(&self, best: f64, trouble: Option<Box<RunFailure>>) -> RunError {
         let (tolerance, time) = (self.tolerance, trouble.as_ref().map(|trouble| trouble.time));
         let trouble = match trouble.filter(|_| best.is_infinite()) {
             Some(trouble) => {
-                let Trouble { time, dof, cause, .. } = *trouble;
-                let cause = Cause::NoneFinished { tolerance, step: self.step, cause: Box::new(cause) };
-                Trouble { time, dof, cause, remedies: vec![Remedy::StiffMethod, Remedy::SofterSprings] }
+                let RunFailure { time, dof, cause, .. } = *trouble;
+                let cause = FailureKind::NoneFinished { tolerance, step: self.step, cause: Box::new(cause) };
+                RunFailure { time, dof, cause, remedies: vec![Remedy::StiffMethod, Remedy::SofterSprings] }
             }
-            None => Trouble {
+            None => RunFailure {
                 time: time.unwrap_or(self.settings.duration),
                 dof: None,
-                cause: Cause::Tolerance { tolerance, estimate: best },
+                cause: FailureKind::Tolerance { tolerance, estimate: best },
                 remedies: vec![Remedy::LargerTolerance, Remedy::ShorterChaos],
             },
         };
@@ -176,7 +176,7 @@ fn stiff(
     settings: &Settings,
     tolerance: f64,
     eigenvalue: f64,
-    watch: &mut dyn Watch,
+    watch: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
     let mut beside = Counts::default();
     let mut last: Option<Passed> = None;
@@ -203,20 +203,20 @@ fn stiff(
         last = Some(passed);
         own *= 0.1;
     }
-    let cause = Cause::Tolerance { tolerance, estimate: best };
+    let cause = FailureKind::Tolerance { tolerance, estimate: best };
     let remedies = vec![Remedy::LargerTolerance];
-    Err(Box::new(Trouble { time: settings.duration, dof: None, cause, remedies }).into())
+    Err(Box::new(RunFailure { time: settings.duration, dof: None, cause, remedies }).into())
 }
 
 /// Whether a shorter step may help.
-fn is_of_the_step(trouble: &Trouble) -> bool {
+fn is_of_the_step(trouble: &RunFailure) -> bool {
     matches!(
         trouble.cause,
-        Cause::StepTooLong { .. }
-            | Cause::Energy { .. }
-            | Cause::NotFinite { .. }
-            | Cause::Stuck { .. }
-            | Cause::State(_)
-            | Cause::Dynamics(_)
+        FailureKind::StepTooLong { .. }
+            | FailureKind::Energy { .. }
+            | FailureKind::NotFinite { .. }
+            | FailureKind::Stuck { .. }
+            | FailureKind::State(_)
+            | FailureKind::Dynamics(_)
     )
 }

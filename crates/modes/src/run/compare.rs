@@ -1,8 +1,8 @@
 //! How far two passes are apart.
 
 use super::record::Record;
+use crate::failure::SetupError;
 use crate::report::ErrorEstimate;
-use crate::trouble::SetupError;
 use solaris_model::Figure;
 
 /// The greatest difference of positions and of velocities over the frames that both have.

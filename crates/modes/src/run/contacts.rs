@@ -3,10 +3,10 @@
 use super::guard;
 use crate::body::{Body, Pressed};
 use crate::contact::{GroundPlane, Surface};
+use crate::failure::RunError;
 use crate::phase::GROUND;
-use crate::report::{GroundReport, LinkContact};
+use crate::report::{ContactReport, LinkContact};
 use crate::simulation::Simulation;
-use crate::trouble::RunError;
 use nalgebra::Vector3;
 use solaris_dynamics::Wrench;
 use solaris_model::{Contact, ContactTrack, Event, EventKind, Ground, Motion};
@@ -44,14 +44,14 @@ pub(super) fn add(
     motion: &mut Motion,
     sums: &[f64; GROUND],
     planted: &[(usize, usize, Wrench<f64>)],
-) -> Result<Option<GroundReport>, RunError> {
+) -> Result<Option<ContactReport>, RunError> {
     let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
-    let Some(ground @ Surface { plane, touches }) = surface else { return Ok(None) };
+    let Some(ground @ Surface { plane, contact_points }) = surface else { return Ok(None) };
     let surface_plants = ground.plants();
     let mut body = Body::<f64>::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
     let mut feet: Vec<Foot> = Vec::new();
     for (link, spec) in figure.links().iter().enumerate() {
-        if touches.iter().any(|touch| touch.link == link) {
+        if contact_points.iter().any(|touch| touch.link == link) {
             feet.push(Foot::new(link, spec.name(), motion.len()));
         }
     }
@@ -61,7 +61,8 @@ pub(super) fn add(
         let step = frame.checked_sub(1).map_or(0.0, |before| time - motion.time()[before]);
         let found = body.touching(motion.q(frame), motion.v(frame));
         let found = found.map_err(|error| guard::of_dynamics(time, error))?;
-        let pressed: Vec<(usize, Pressed<f64>)> = touches.iter().map(|touch| touch.link).zip(found).collect();
+        let pressed: Vec<(usize, Pressed<f64>)> =
+            contact_points.iter().map(|touch| touch.link).zip(found).collect();
         let stands = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let stands = &stands[..stands.partition_point(|(of, ..)| *of == frame)];
         for foot in &mut feet {
@@ -94,7 +95,7 @@ pub(super) fn add(
     let (tracks, links) = feet.into_iter().map(|foot| (foot.track, foot.told)).unzip();
     motion.contacts = tracks;
     let [x, y, z, damping, friction] = *sums;
-    Ok(Some(GroundReport {
+    Ok(Some(ContactReport {
         impulse: [x, y, z],
         damping,
         friction,
@@ -105,10 +106,10 @@ pub(super) fn add(
 }
 
 impl State {
-    fn of<'a>(touches: impl Iterator<Item = &'a Pressed<f64>>, up: &Vector3<f64>) -> Self {
+    fn of<'a>(contact_points: impl Iterator<Item = &'a Pressed<f64>>, up: &Vector3<f64>) -> Self {
         let none = Self { wrench: Wrench::zero(), depth: f64::NEG_INFINITY, slip: 0.0, sliding: 0.0 };
         let (mut state, mut pressure) = (none, 0.0);
-        for Pressed { depth, point, slip, force, .. } in touches {
+        for Pressed { depth, point, slip, force, .. } in contact_points {
             state.depth = state.depth.max(*depth);
             state.wrench.force += force;
             state.wrench.moment += point.cross(force);

@@ -3,7 +3,7 @@
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::drive::tracking::Tracker;
-use crate::drive::{Drive, Step, Until};
+use crate::drive::{Drive, EndCondition, Step};
 use crate::phase::Role;
 
 pub(crate) use crate::impact::Side;
@@ -24,7 +24,7 @@ pub(crate) enum Mode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meaning {
     /// The drive of a degree of freedom gives way.
-    Until(usize),
+    EndCondition(usize),
     /// A degree of freedom passes its lower or upper limit.
     Limit(usize, Side),
     /// A limit lets go.
@@ -32,7 +32,7 @@ pub(crate) enum Meaning {
     /// A force changes its law.
     Kink,
     /// Something that can touch the ground does, by its index.
-    Touch(usize),
+    ContactPoint(usize),
     /// A lever of a foothold gives way, by their indices.
     Pull(usize, usize),
 }
@@ -46,7 +46,7 @@ pub(crate) struct Driven {
     pub(crate) mode: Mode,
     /// When it will be done by itself (s).
     pub(crate) end: f64,
-    /// Done by itself, and waiting for what its [`Until`] says.
+    /// Done by itself, and waiting for what its [`EndCondition`] says.
     pub(crate) waits: bool,
     /// Whether the force has been at its limit.
     pub(crate) limited: bool,
@@ -87,8 +87,8 @@ impl Driven {
     /// When it ends by the clock (s).
     pub(crate) fn ends(&self, steps: &[Step]) -> f64 {
         let until = match steps.get(self.step).map(|step| &step.until) {
-            Some(Until::Time(time)) => *time,
-            Some(Until::Lasting(time)) => self.start + time,
+            Some(EndCondition::Time(time)) => *time,
+            Some(EndCondition::Lasting(time)) => self.start + time,
             _ => f64::INFINITY,
         };
         if self.waits { until } else { self.end.min(until) }

@@ -7,9 +7,9 @@ use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::drive::simple::{Begun, analyse, begin};
 use crate::drive::tracking::Tracker;
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Role;
-use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
-use crate::{Drive, OutcomeKind, Target, Until};
+use crate::{Drive, EndCondition, OutcomeKind, Target};
 use solaris_model::{Event, EventKind};
 use solaris_profiles::ProfileError;
 use std::sync::Arc;
@@ -97,10 +97,10 @@ impl Pass<'_> {
             }
             let steps = &self.simulation.drives[dof];
             let (driven, due) = (&self.driven[dof], self.t + near(self.t));
-            let over = events.contains(&Meaning::Until(dof))
+            let over = events.contains(&Meaning::EndCondition(dof))
                 || steps.get(driven.step).is_some_and(|step| match step.until {
-                    Until::Time(time) => time <= due,
-                    Until::Lasting(time) => driven.start + time <= due,
+                    EndCondition::Time(time) => time <= due,
+                    EndCondition::Lasting(time) => driven.start + time <= due,
                     _ => false,
                 });
             let done = !driven.waits && driven.end <= due;
@@ -111,7 +111,8 @@ impl Pass<'_> {
                 let lasts = driven.end.is_infinite();
                 self.outcome(dof, if lasts { OutcomeKind::Ended } else { OutcomeKind::Interrupted });
             }
-            let until_done = steps.get(self.driven[dof].step).is_none_or(|step| step.until == Until::Done);
+            let until_done =
+                steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
             if over || (done && until_done) {
                 next.push((dof, self.driven[dof].step + 1));
             } else if done {
@@ -150,7 +151,7 @@ impl Pass<'_> {
         for (i, &(dof, target)) in targets.iter().enumerate() {
             let step = self.driven[dof].step;
             let begins = self.analysed(dof, &target, analysis.force[i], analysis.acceleration[i]);
-            if !begins && self.simulation.drives[dof][step].until == Until::Done {
+            if !begins && self.simulation.drives[dof][step].until == EndCondition::Done {
                 next.push((dof, step + 1));
             }
         }
@@ -242,8 +243,8 @@ impl Pass<'_> {
         let dof = self.simulation.name(dof).to_owned();
         let remedies = vec![Remedy::CurveFromThere, Remedy::StartAtCurve, Remedy::MoveInstead];
         let (begins, velocity, found, moving) = (curve.0, curve.1, state.0, state.1);
-        let cause = Cause::Jump { dof: dof.clone(), begins, velocity, found, moving };
-        Err(Box::new(Trouble { time: self.t, dof: Some(dof), cause, remedies }).into())
+        let cause = FailureKind::Jump { dof: dof.clone(), begins, velocity, found, moving };
+        Err(Box::new(RunFailure { time: self.t, dof: Some(dof), cause, remedies }).into())
     }
 
     /// What is prescribed now, with its accelerations, and the drives' forces on the rest.

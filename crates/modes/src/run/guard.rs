@@ -1,10 +1,10 @@
 //! What is watched over while a pass is on its way, and what is said when it goes wrong.
 
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Phase;
 use crate::settings::Guard;
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, System, TimeError};
-use crate::trouble::{Cause, Remedy, RunError, SetupError, Trouble};
 use nalgebra::{DMatrix, DVector, Schur};
 use solaris_dynamics::DynamicsError;
 use solaris_model::{AxisKind, EulerOrder};
@@ -26,11 +26,11 @@ pub(crate) fn look(
     stepping: Stepping,
     (time, q): (f64, &[f64]),
     share: f64,
-) -> Result<(), Box<Trouble>> {
+) -> Result<(), Box<RunFailure>> {
     let figure = &simulation.figure;
     let distances = figure.gimbal_distances(q).map_err(|error| {
-        let (cause, remedies) = (Cause::State(error.to_string()), vec![Remedy::ShorterStep]);
-        Box::new(Trouble { time, dof: None, cause, remedies })
+        let (cause, remedies) = (FailureKind::State(error.to_string()), vec![Remedy::ShorterStep]);
+        Box::new(RunFailure { time, dof: None, cause, remedies })
     })?;
     for at in distances.filter(|at| at.distance < guard.gimbal) {
         let joint = figure.layout().joints()[at.joint];
@@ -39,8 +39,9 @@ pub(crate) fn look(
         }
         let name = figure.links()[at.joint].joint().name().to_owned();
         let remedies = vec![Remedy::OtherAxes { order: other_order(simulation, at.joint, q) }];
-        let (dof, cause) = (Some(name.clone()), Cause::GimbalLock { joint: name, distance: at.distance });
-        return Err(Box::new(Trouble { time, dof, cause, remedies }));
+        let (dof, cause) =
+            (Some(name.clone()), FailureKind::GimbalLock { joint: name, distance: at.distance });
+        return Err(Box::new(RunFailure { time, dof, cause, remedies }));
     }
     // A share that is NaN is trouble too.
     if share.partial_cmp(&guard.energy).is_none_or(std::cmp::Ordering::is_gt) {
@@ -52,7 +53,7 @@ pub(crate) fn look(
                 vec![Remedy::SmallerTolerance { tolerance: 0.1 * tolerance }]
             }
         };
-        return Err(Box::new(Trouble { time, dof: None, cause: Cause::Energy { share }, remedies }));
+        return Err(Box::new(RunFailure { time, dof: None, cause: FailureKind::Energy { share }, remedies }));
     }
     Ok(())
 }
@@ -72,9 +73,9 @@ pub(crate) fn look_before(
     let (condition, dof) = phase.condition(time, y).map_err(|error| of_dynamics(time, error))?;
     if condition.partial_cmp(&guard.condition).is_none_or(std::cmp::Ordering::is_gt) {
         let dof = simulation.name(dof).to_owned();
-        let cause = Cause::IllConditioned { condition, dof: dof.clone() };
+        let cause = FailureKind::IllConditioned { condition, dof: dof.clone() };
         let remedies = vec![Remedy::MoreInertia];
-        return Err(Box::new(Trouble { time, dof: Some(dof), cause, remedies }).into());
+        return Err(Box::new(RunFailure { time, dof: Some(dof), cause, remedies }).into());
     }
     too_long(simulation, phase, stepping, time, y).map_or(Ok(()), |trouble| Err(trouble.into()))
 }
@@ -86,7 +87,7 @@ fn too_long(
     stepping: Stepping,
     time: f64,
     y: &[f64],
-) -> Option<Box<Trouble>> {
+) -> Option<Box<RunFailure>> {
     let Stepping::Fixed { rule, step } = stepping else { return None };
     let (eigenvalue, dof) = stiffest(phase, time, y)?;
     let longest = rule.stability() / eigenvalue.abs();
@@ -95,8 +96,9 @@ fn too_long(
     }
     let dof = dof.map_or_else(|| "the figure".to_owned(), |dof| simulation.name(dof).to_owned());
     let remedies = vec![Remedy::StepBelow { step: longest }, Remedy::StiffMethod];
-    let cause = Cause::StepTooLong { method: rule.to_string(), step, longest, eigenvalue, dof: dof.clone() };
-    Some(Box::new(Trouble { time, dof: Some(dof), cause, remedies }))
+    let cause =
+        FailureKind::StepTooLong { method: rule.to_string(), step, longest, eigenvalue, dof: dof.clone() };
+    Some(Box::new(RunFailure { time, dof: Some(dof), cause, remedies }))
 }
 
 /// The eigenvalue (1/s) of greatest magnitude of the equations of a phase, its magnitude with the sign of its real part, and
@@ -138,16 +140,19 @@ pub(crate) fn explain(
     phase: &mut Phase,
     stepping: Stepping,
     y: &[f64],
-    trouble: Trouble,
+    trouble: RunFailure,
 ) -> RunError {
     let suspect = matches!(
         trouble.cause,
-        Cause::Energy { .. } | Cause::Stuck { .. } | Cause::Dynamics(_) | Cause::NotFinite { .. }
+        FailureKind::Energy { .. }
+            | FailureKind::Stuck { .. }
+            | FailureKind::Dynamics(_)
+            | FailureKind::NotFinite { .. }
     );
     let state = y.iter().all(|x| x.is_finite());
     // A state that has run away has eigenvalues that say nothing.
-    let is_believed = |found: &Trouble| match found.cause {
-        Cause::StepTooLong { step, longest, .. } => longest > BELIEVED * step,
+    let is_believed = |found: &RunFailure| match found.cause {
+        FailureKind::StepTooLong { step, longest, .. } => longest > BELIEVED * step,
         _ => true,
     };
     let found = (suspect && state).then(|| too_long(simulation, phase, stepping, trouble.time, y)).flatten();
@@ -156,12 +161,12 @@ pub(crate) fn explain(
 }
 
 /// Trouble of a stepper.
-pub(crate) fn of_time(error: TimeError) -> Result<Trouble, RunError> {
+pub(crate) fn of_time(error: TimeError) -> Result<RunFailure, RunError> {
     Ok(match error {
         TimeError::Rate { time, source } => of_rate_at(time, source),
         TimeError::Stuck { time, method, why } => {
             let remedies = vec![Remedy::LookAtJumps, Remedy::LargerTolerance];
-            Trouble { time, dof: None, cause: Cause::Stuck { method, why }, remedies }
+            RunFailure { time, dof: None, cause: FailureKind::Stuck { method, why }, remedies }
         }
         TimeError::Evaluations { time, evaluations } => {
             let remedies = vec![
@@ -170,12 +175,12 @@ pub(crate) fn of_time(error: TimeError) -> Result<Trouble, RunError> {
                 Remedy::StiffMethod,
                 Remedy::MoreEvaluations,
             ];
-            Trouble { time, dof: None, cause: Cause::Evaluations { evaluations }, remedies }
+            RunFailure { time, dof: None, cause: FailureKind::Evaluations { evaluations }, remedies }
         }
         error @ (TimeError::NoPositions { .. } | TimeError::Range { .. }) => {
             let (why, method) = (error.to_string(), "the stepper".to_owned());
-            let cause = Cause::Stuck { method, why };
-            Trouble { time: 0.0, dof: None, cause, remedies: vec![Remedy::OtherMethod] }
+            let cause = FailureKind::Stuck { method, why };
+            RunFailure { time: 0.0, dof: None, cause, remedies: vec![Remedy::OtherMethod] }
         }
         TimeError::NotBuiltIn { method } => return Err(SetupError::NotBuiltIn { method }.into()),
     })
@@ -186,19 +191,21 @@ pub(crate) fn of_rate(time: f64, error: RateError) -> RunError {
     of_rate_at(time, error).into()
 }
 
-fn of_rate_at(time: f64, error: RateError) -> Trouble {
+fn of_rate_at(time: f64, error: RateError) -> RunFailure {
     let cause = match error {
-        RateError::Dynamics(source) => Cause::Dynamics(source),
+        RateError::Dynamics(source) => FailureKind::Dynamics(source),
         RateError::NotFinite { value, .. } | RateError::EventNotFinite { value, .. } => {
-            Cause::NotFinite { value }
+            FailureKind::NotFinite { value }
         }
-        RateError::Stopped => Cause::Stuck { method: "the run".to_owned(), why: "it was stopped".to_owned() },
+        RateError::Stopped => {
+            FailureKind::Stuck { method: "the run".to_owned(), why: "it was stopped".to_owned() }
+        }
     };
-    Trouble { time, dof: None, cause, remedies: vec![Remedy::ShorterStep, Remedy::LookAtRequest] }
+    RunFailure { time, dof: None, cause, remedies: vec![Remedy::ShorterStep, Remedy::LookAtRequest] }
 }
 
 /// Trouble of the kernel.
-pub(crate) fn of_dynamics(time: f64, error: DynamicsError) -> Trouble {
+pub(crate) fn of_dynamics(time: f64, error: DynamicsError) -> RunFailure {
     of_rate_at(time, RateError::Dynamics(error))
 }
 

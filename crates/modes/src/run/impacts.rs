@@ -3,11 +3,11 @@
 use super::driven::{Meaning, Mode};
 use super::guard;
 use super::pass::Pass;
+use crate::failure::RunError;
 use crate::impact::{Side, strike};
 use crate::phase::Role;
 use crate::report::Impact;
-use crate::trouble::RunError;
-use crate::{LimitLaw, OutcomeKind, Until};
+use crate::{EndCondition, LimitLaw, OutcomeKind};
 
 /// A flight shorter than this (s) is none: the degree of freedom rests at its limit.
 const SHORTEST_FLIGHT: f64 = 1e-6;
@@ -122,8 +122,8 @@ impl Pass<'_> {
             .enumerate()
             .filter_map(|(dof, driven)| {
                 let stops = inelastic || self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 };
-                let touches = || self.meets_limit(dof, events).filter(|_| stops);
-                Some((dof, driven.held.or_else(touches)?.0))
+                let contact_points = || self.meets_limit(dof, events).filter(|_| stops);
+                Some((dof, driven.held.or_else(contact_points)?.0))
             })
             .filter(|(dof, _)| wanted.iter().all(|(other, ..)| other != dof))
             .collect();
@@ -151,12 +151,12 @@ impl Pass<'_> {
         }
         for (dof, driven) in self.driven.iter().enumerate() {
             let step = self.simulation.drives[dof].get(driven.step);
-            if let Some(Until::Velocity { dof: name, value }) = step.map(|step| &step.until)
+            if let Some(EndCondition::Velocity { dof: name, value }) = step.map(|step| &step.until)
                 && let Some(of) = self.simulation.figure.layout().dof_index(name)
                 && (self.v[of] - value) * (struck.v[of] - value) <= 0.0
                 && self.v[of].to_bits() != struck.v[of].to_bits()
             {
-                self.leapt.push(Meaning::Until(dof));
+                self.leapt.push(Meaning::EndCondition(dof));
             }
         }
         self.v.copy_from_slice(&struck.v);

@@ -3,8 +3,8 @@
 use super::guard;
 use super::pass::Passed;
 use crate::body::Body;
+use crate::failure::RunError;
 use crate::simulation::Simulation;
-use crate::trouble::RunError;
 
 /// Whether something met a ground of springs in a pass, or left it: its force begins at zero, so that nothing is located, and a step
 /// over the beginning has an error that does not fall with the rule's order but by chance.
@@ -25,6 +25,6 @@ pub(crate) fn has_kinks(simulation: &Simulation, passed: &Passed) -> Result<bool
         }
         before = Some(now);
     }
-    let touches = before.is_some_and(|last| last.contains(&true));
-    Ok(!touches && passed.ground.iter().any(|sum| *sum != 0.0))
+    let contact_points = before.is_some_and(|last| last.contains(&true));
+    Ok(!contact_points && passed.ground.iter().any(|sum| *sum != 0.0))
 }

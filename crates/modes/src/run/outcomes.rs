@@ -2,7 +2,7 @@
 
 use super::driven::name;
 use super::pass::Pass;
-use crate::{Drive, Outcome, OutcomeKind, Until};
+use crate::{Drive, EndCondition, Outcome, OutcomeKind};
 
 /// How near (rad or m) a target counts as reached.
 const REACHED: f64 = 1e-3;
@@ -67,7 +67,7 @@ impl Pass<'_> {
             let Some(step) = steps.get(at).filter(|_| !follows) else { continue };
             // A record may go on for as long as it likes.
             let is_recorded = matches!(step.drive, Drive::Recorded(_));
-            let lasts = driven.end.is_infinite() && step.until == Until::Done;
+            let lasts = driven.end.is_infinite() && step.until == EndCondition::Done;
             if !(lasts || driven.waits || is_recorded) {
                 self.outcome(dof, OutcomeKind::Unfinished);
             }

@@ -1,18 +1,18 @@
 //! One pass through a simulation, by one method.
 
+use super::active_contacts::state::ActiveContacts;
 use super::driven::{Driven, Meaning, Mode};
-use super::footing::state::Footing;
 use super::guard;
 use super::ledger::Ledger;
 use super::record::{Record, near};
 use crate::Outcome;
 use crate::body::Body;
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::{GROUND, Phase, Role};
-use crate::report::{Counts, Impact, Landing, PhaseReport, Watch};
+use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
-use crate::trouble::{Cause, Remedy, RunError, Trouble};
 
 /// Rounds of changes at one instant that are still believed.
 const MOST_ROUNDS: usize = 1000;
@@ -50,7 +50,7 @@ pub(crate) struct Pass<'a> {
     /// Where the next stretch has to end at the latest (s).
     pub(crate) cap: f64,
     /// What stands on the ground and stays there.
-    pub(crate) footing: Footing,
+    pub(crate) active: ActiveContacts,
     /// What an impact has leapt over: drives that wait for a velocity.
     pub(crate) leapt: Vec<Meaning>,
     pub(crate) passed: Passed,
@@ -83,7 +83,7 @@ pub(crate) fn pass(
     simulation: &Simulation,
     settings: &Settings,
     stepping: Stepping,
-    watch: &mut dyn Watch,
+    watch: &mut dyn Observer,
 ) -> Result<Passed, RunError> {
     let mut pass = Pass::new(simulation, settings, stepping)?;
     pass.begin_all()?;
@@ -114,7 +114,7 @@ impl<'a> Pass<'a> {
             a,
             body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()),
             cap: f64::INFINITY,
-            footing: Footing::default(),
+            active: ActiveContacts::default(),
             leapt: Vec::new(),
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
@@ -136,7 +136,7 @@ impl<'a> Pass<'a> {
     }
 
     /// From now to the next change.
-    fn stretch(&mut self, watch: &mut dyn Watch) -> Result<(), RunError> {
+    fn stretch(&mut self, watch: &mut dyn Observer) -> Result<(), RunError> {
         self.check_rounds()?;
         let end = self.next_stop();
         self.track(end)?;
@@ -153,16 +153,16 @@ impl<'a> Pass<'a> {
     }
 
     /// Steps the phase, frames and all.
-    fn step(&mut self, phase: &mut Phase, end: f64, watch: &mut dyn Watch) -> Result<Stopped, RunError> {
+    fn step(&mut self, phase: &mut Phase, end: f64, watch: &mut dyn Observer) -> Result<Stopped, RunError> {
         let (simulation, settings) = (self.simulation, self.settings);
-        let Self { passed, q, v, a, t, footing, .. } = self;
+        let Self { passed, q, v, a, t, active, .. } = self;
         let mut y = phase.pack(q, v, self.work, self.heat);
         let at = |error| guard::of_rate(*t, error);
         if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
             phase.accelerations(*t, &y, a).map_err(at)?;
             passed.counts.evaluations += 1;
             passed.record.push(q, v, a);
-            passed.record.press(footing.links.iter().copied().zip(phase.footing()));
+            passed.record.press(active.links.iter().copied().zip(phase.patch_wrenches()));
         }
         let dynamic = phase.is_dynamic();
         let (work, heat) = (phase.accounts(), phase.accounts() + 1);
@@ -178,7 +178,7 @@ impl<'a> Pass<'a> {
         };
         let frames = passed.record.before(end).to_vec();
         let frames = &frames[frames.partition_point(|frame| *frame <= *t + near(*t))..];
-        let mut trouble: Option<Box<Trouble>> = None;
+        let mut trouble: Option<Box<RunFailure>> = None;
         let Passed { record, ledger, counts, .. } = passed;
         let mut spent = 0;
         let mut frame = |phase: &mut Phase, time: f64, y: &[f64]| -> Result<(), RateError> {
@@ -186,7 +186,7 @@ impl<'a> Pass<'a> {
             phase.accelerations(time, y, a)?;
             spent += 1;
             record.push(q, v, a);
-            record.press(footing.links.iter().copied().zip(phase.footing()));
+            record.press(active.links.iter().copied().zip(phase.patch_wrenches()));
             watch.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
@@ -320,9 +320,9 @@ impl<'a> Pass<'a> {
         if *rounds <= MOST_ROUNDS {
             return Ok(());
         }
-        let cause = Cause::Impacts { count: *rounds };
+        let cause = FailureKind::Impacts { count: *rounds };
         let remedies = vec![Remedy::RoomBetween, Remedy::SoftLimits];
-        Err(Box::new(Trouble { time: self.t, dof: None, cause, remedies }).into())
+        Err(Box::new(RunFailure { time: self.t, dof: None, cause, remedies }).into())
     }
 
     /// What is watched for may have brought back links that were left out until now.
@@ -349,7 +349,7 @@ impl<'a> Pass<'a> {
             let found = compiled.phase.accelerations(self.t, &y, &mut self.a);
             found.map_err(|error| guard::of_rate(self.t, error))?;
             self.passed.record.push(&self.q, &self.v, &self.a);
-            self.passed.record.press(self.footing.links.iter().copied().zip(compiled.phase.footing()));
+            self.passed.record.press(self.active.links.iter().copied().zip(compiled.phase.patch_wrenches()));
         }
         self.end_phase();
         self.note_unfinished();

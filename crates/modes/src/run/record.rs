@@ -1,6 +1,6 @@
 //! The frames of a pass.
 
-use crate::trouble::SetupError;
+use crate::failure::SetupError;
 use nalgebra::Vector3;
 use solaris_dynamics::Wrench;
 use solaris_model::{Event, Figure, Motion, MotionInfo};
@@ -54,9 +54,9 @@ impl Record {
     }
 
     /// What the ground does, in the frame that was added last, to links that stand on it.
-    pub(crate) fn press(&mut self, footing: impl Iterator<Item = (usize, Wrench<f64>)>) {
+    pub(crate) fn press(&mut self, active: impl Iterator<Item = (usize, Wrench<f64>)>) {
         let frame = self.done - 1;
-        self.planted.extend(footing.map(|(link, wrench)| (frame, link, wrench)));
+        self.planted.extend(active.map(|(link, wrench)| (frame, link, wrench)));
     }
 
     /// The positions of a frame.

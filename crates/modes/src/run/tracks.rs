@@ -4,7 +4,7 @@ use super::driven::Mode;
 use super::pass::Pass;
 use crate::drive::simple::analyse;
 use crate::drive::tracking::frame_forces;
-use crate::trouble::RunError;
+use crate::failure::RunError;
 use crate::{Drive, Law};
 
 impl Pass<'_> {

@@ -1,14 +1,14 @@
 //! What a phase is given before a stretch, and what is watched for on the way.
 
+use super::active_contacts::SLACK;
 use super::driven::{Meaning, Mode};
-use super::footing::SLACK;
 use super::pass::Pass;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
+use crate::failure::SetupError;
 use crate::impact::Side;
 use crate::phase::{Phase, Role, Watched};
-use crate::trouble::SetupError;
-use crate::{LimitLaw, Until};
+use crate::{EndCondition, LimitLaw};
 
 impl Pass<'_> {
     /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.
@@ -22,8 +22,8 @@ impl Pass<'_> {
             sides.push(match meaning {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
-                Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
-                Meaning::Until(_) | Meaning::Kink => 0.0,
+                Meaning::ContactPoint(_) | Meaning::Pull(..) => 1.0,
+                Meaning::EndCondition(_) | Meaning::Kink => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -44,27 +44,27 @@ impl Pass<'_> {
             }
             let steps = &self.simulation.drives[dof];
             match steps.get(driven.step).map(|step| &step.until) {
-                Some(Until::Position { dof: name, value }) => {
+                Some(EndCondition::Position { dof: name, value }) => {
                     if let Some(of) = figure.layout().dof_index(name) {
-                        watch(Watched::Position { dof: of, value: *value }, Meaning::Until(dof));
+                        watch(Watched::Position { dof: of, value: *value }, Meaning::EndCondition(dof));
                     }
                 }
-                Some(Until::Velocity { dof: name, value }) => {
+                Some(EndCondition::Velocity { dof: name, value }) => {
                     if let Some(of) = figure.layout().dof_index(name) {
-                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::Until(dof));
+                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::EndCondition(dof));
                     }
                 }
                 _ => {}
             }
         }
-        phase.plant(&self.footing.holds);
-        for (hold, foothold) in self.footing.holds.iter().enumerate() {
-            for lever in 0..foothold.levers.len() {
+        phase.plant(&self.active.holds);
+        for (hold, patch) in self.active.holds.iter().enumerate() {
+            for lever in 0..patch.levers.len() {
                 watch(Watched::Lever { hold, lever, slack: SLACK }, Meaning::Pull(hold, lever));
             }
         }
-        for &(touch, below) in &self.footing.open {
-            watch(Watched::Gap { touch, below }, Meaning::Touch(touch));
+        for &(touch, below) in &self.active.open {
+            watch(Watched::Gap { touch, below }, Meaning::ContactPoint(touch));
         }
         phase.watch(watched, sides)?;
         Ok(meanings)

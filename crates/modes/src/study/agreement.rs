@@ -41,7 +41,7 @@ impl Frames {
         let frames = (0..FRAMES).filter_map(|index| {
             let sample = index * motion.len().saturating_sub(1) / FRAMES;
             let mut from = simulation.clone();
-            from.start(motion.q(sample), motion.v(sample)).ok()?;
+            from.set_start(motion.q(sample), motion.v(sample)).ok()?;
             let run = from.run(&settings).ok()?;
             Some((from, run.motion))
         });

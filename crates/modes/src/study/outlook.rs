@@ -1,23 +1,23 @@
 //! Looking on for somebody who wants to see the whole study as one.
 
-use crate::report::Watch;
+use crate::report::Observer;
 
 /// Passes on to a watch, with the progress of a part as a span of the whole.
 pub(super) struct Outlook<'a> {
-    watch: &'a mut dyn Watch,
+    watch: &'a mut dyn Observer,
     from: f64,
     to: f64,
     progress: f64,
 }
 
 impl<'a> Outlook<'a> {
-    pub(super) fn new(watch: &'a mut dyn Watch, from: f64, to: f64) -> Self {
+    pub(super) fn new(watch: &'a mut dyn Observer, from: f64, to: f64) -> Self {
         watch.progress(from);
         Self { watch, from, to, progress: from }
     }
 }
 
-impl Watch for Outlook<'_> {
+impl Observer for Outlook<'_> {
     fn now(&self) -> Option<f64> {
         self.watch.now()
     }

@@ -3,10 +3,10 @@
 use super::compare::{Answer, each};
 use super::outlook::Outlook;
 use super::{StudyOptions, method_name, setting};
+use crate::failure::{RunError, SetupError};
 use crate::report::ErrorEstimate;
 use crate::settings::{Method, Rule, Settings};
 use crate::simulation::Simulation;
-use crate::trouble::{RunError, SetupError};
 use solaris_model::{Figure, Motion};
 
 /// Two right motions may be this far apart (rad or m) by rounding alone, and be the same.

@@ -4,10 +4,10 @@ use super::agreement::Agreement;
 use super::compare::Accuracy;
 use super::outlook::Outlook;
 use super::{method_name, momentum, setting};
-use crate::report::{Counts, Run, Watch};
+use crate::failure::{RunError, SetupError};
+use crate::report::{Counts, Observer, Run};
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
-use crate::trouble::{RunError, SetupError};
 use solaris_model::Motion;
 use std::fmt;
 
@@ -95,7 +95,7 @@ pub(super) fn timed(
     simulation: &Simulation,
     settings: &Settings,
     repeats: usize,
-    watch: &mut dyn Watch,
+    watch: &mut dyn Observer,
 ) -> Result<(Run, Option<f64>), RunError> {
     let before = watch.now();
     let run = simulation.run_watched(settings, watch)?;
@@ -113,6 +113,6 @@ pub(super) fn timed(
     Ok((run, Some(best)))
 }
 
-fn elapsed(before: Option<f64>, watch: &dyn Watch) -> Option<f64> {
+fn elapsed(before: Option<f64>, watch: &dyn Observer) -> Option<f64> {
     Some((watch.now()? - before?).max(0.0))
 }

@@ -4,9 +4,9 @@ use super::compare::{Answer, compare};
 use super::outlook::Outlook;
 use super::reference::{Beside, Found};
 use crate::drive::Drive;
+use crate::failure::RunError;
 use crate::settings::Settings;
 use crate::simulation::Simulation;
-use crate::trouble::RunError;
 use solaris_model::Motion;
 
 /// What a small change at the beginning comes to, and how long motions can be compared.
@@ -78,6 +78,6 @@ fn changed(simulation: &Simulation) -> Option<Simulation> {
     let mut start = vec![0.0; q.len()];
     figure.integrate(q, &step, &mut start).ok()?;
     let mut changed = simulation.clone();
-    changed.start(&start, v).ok()?;
+    changed.set_start(&start, v).ok()?;
     Some(changed)
 }

@@ -19,7 +19,7 @@ pub(super) fn advance<S: System + ?Sized>(
 ) -> Result<Stopped, TimeError> {
     let (from, to) = course.span;
     let mut stepper = Stepper::new(rule, &*evaluator.system, y)?;
-    let mut watch = Watch::new(&mut evaluator, from, y)?;
+    let mut watch = Observer::new(&mut evaluator, from, y)?;
     let (mut time, mut index) = (from, 0);
     while time < to {
         let (next, frame) = course.next(index, time);
@@ -169,7 +169,7 @@ impl Stepper {
 }
 
 /// What is needed to see events.
-struct Watch {
+struct Observer {
     sides: Sides,
     values: Vec<f64>,
     /// The state at the event.
@@ -177,7 +177,7 @@ struct Watch {
     scratch: Vec<f64>,
 }
 
-impl Watch {
+impl Observer {
     fn new<S: System + ?Sized>(
         evaluator: &mut Evaluator<'_, S>,
         t: f64,

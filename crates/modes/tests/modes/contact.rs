@@ -10,7 +10,7 @@ mod stiffness;
 
 use nalgebra::Unit;
 use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, Vector3};
-use solaris_modes::{ContactLaw, GroundPlane, Method, Rule, Settings, Simulation, Touch};
+use solaris_modes::{ContactLaw, ContactPoint, GroundPlane, Method, Rule, Settings, Simulation};
 
 const G: f64 = 9.81;
 
@@ -21,20 +21,25 @@ fn point() -> Figure {
 }
 
 /// Its only touch, or that of any first link.
-fn at(center: Vector3<f64>, radius: f64) -> Touch {
-    Touch { link: 0, center, radius }
+fn at(center: Vector3<f64>, radius: f64) -> ContactPoint {
+    ContactPoint { link: 0, center, radius }
 }
 
 /// A floor at height 0.
 fn floor(friction: f64, stiffness: f64, damping: f64, slip: f64) -> GroundPlane {
     let up = Unit::new_unchecked(Vector3::y());
-    GroundPlane { up, height: 0.0, friction, law: ContactLaw::Spring { stiffness, damping, slip } }
+    GroundPlane { up, height: 0.0, friction, law: ContactLaw::Compliant { stiffness, damping, slip } }
 }
 
 /// Under gravity along −y or none.
-fn simulation(figure: &Figure, gravity: f64, plane: GroundPlane, touches: Vec<Touch>) -> Simulation {
+fn simulation(
+    figure: &Figure,
+    gravity: f64,
+    plane: GroundPlane,
+    contact_points: Vec<ContactPoint>,
+) -> Simulation {
     let mut simulation = Simulation::new(figure, Vector3::new(0.0, -gravity, 0.0));
-    simulation.ground(plane, touches).expect("valid");
+    simulation.set_ground(plane, contact_points).expect("valid");
     simulation
 }
 

@@ -44,9 +44,9 @@ fn settings(duration: f64, rate: f64, step: f64) -> Settings {
 /// A run of one degree of freedom from a state, limits ignored, at 100 frames and 1000 steps a second.
 fn run(mut simulation: Simulation, state: (f64, f64), steps: Vec<Step>, duration: f64) -> Run {
     let name = simulation.figure().layout().v_names()[0].clone();
-    simulation.start(&[state.0], &[state.1]).expect("valid");
+    simulation.set_start(&[state.0], &[state.1]).expect("valid");
     simulation.drive(&name, steps).expect("valid");
-    simulation.limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
     simulation.run(&settings(duration, 100.0, 1e-3)).expect("runs")
 }
 

@@ -4,7 +4,9 @@
 //! The positions of the slider were computed by other programs, Radau at 1e-12 against BDF at 1e-11, and hold to 6e-10.
 
 use solaris_model::{Axis, FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
-use solaris_modes::{Anchor, Cause, Method, PointSpring, Remedy, Rule, Run, RunError, Settings, Simulation};
+use solaris_modes::{
+    Anchor, FailureKind, Method, PointSpring, Remedy, Rule, Run, RunError, Settings, Simulation,
+};
 
 /// Time (s) and position of the slider (m).
 const POSITIONS: [(f64, f64); 7] = [
@@ -61,12 +63,12 @@ fn governor() -> Simulation {
     let mut simulation = Simulation::new(&figure, Vector3::new(0.0, 0.0, -9.81));
     let third = 60_f64.to_radians();
     let q = [0.0, 0.5, third, third];
-    simulation.start(&q, &[std::f64::consts::TAU, 0.0, 0.0, 0.0]).expect("a state");
+    simulation.set_start(&q, &[std::f64::consts::TAU, 0.0, 0.0, 0.0]).expect("a state");
     for (link, side) in [(2, 1.0), (3, -1.0)] {
         let on_base = Anchor { link: Some(1), point: Vector3::new(side * 0.05, 0.0, 0.0) };
         let on_rod = Anchor { link: Some(link), point: Vector3::new(0.0, 0.0, -0.5) };
         let spring = PointSpring { between: [on_base, on_rod], stiffness: 8e5, damping: 4e4, rest: 0.5 };
-        simulation.spring(spring).expect("a spring");
+        simulation.add_spring(spring).expect("a spring");
     }
     simulation
 }
@@ -98,10 +100,10 @@ fn a_step_beyond_stability_ends_in_advice() {
     // −8117 1/s at the start: 2.785/8117 s and 2/8117 s.
     for (rule, step, stable) in [(Rule::RungeKutta4, 3.6e-4, 3.43e-4), (Rule::ExplicitEuler, 2.6e-4, 2.46e-4)]
     {
-        let Err(RunError::Trouble(trouble)) = run(Method::Fixed { rule, step }) else {
+        let Err(RunError::RunFailure(trouble)) = run(Method::Fixed { rule, step }) else {
             panic!("{rule} at {step} s has to be refused")
         };
-        let Cause::StepTooLong { longest, eigenvalue, .. } = trouble.cause else { panic!("{trouble}") };
+        let FailureKind::StepTooLong { longest, eigenvalue, .. } = trouble.cause else { panic!("{trouble}") };
         assert!((longest - stable).abs() < 0.01 * stable, "{longest}");
         assert!((eigenvalue + 8117.0).abs() < 2.0, "{eigenvalue}");
         assert_eq!(trouble.remedies, [Remedy::StepBelow { step: longest }, Remedy::StiffMethod], "{trouble}");

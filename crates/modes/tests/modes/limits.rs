@@ -12,7 +12,7 @@ fn block(height: f64, velocity: f64) -> Simulation {
     let joint = Joint::new("slide").ty().limited(0.0, 100.0);
     let figure = FigureBuilder::new("block").link(LinkSpec::root("block", joint).mass(2.0));
     let mut simulation = Simulation::new(&figure.build().expect("valid"), Vector3::new(0.0, -G, 0.0));
-    simulation.start(&[height], &[velocity]).expect("valid");
+    simulation.set_start(&[height], &[velocity]).expect("valid");
     simulation
 }
 
@@ -29,7 +29,7 @@ fn run(simulation: &Simulation, duration: f64) -> Run {
 fn a_block_bounces_at_the_times_and_heights_of_the_parabola() {
     // From 1 m with e = 0.7: the first fall takes √(2h/g), each flight 2·v/g, each bounce leaves 0.7 of v.
     let mut simulation = block(1.0, 0.0);
-    simulation.limits(LimitLaw::Hard { restitution: 0.7 }).expect("valid");
+    simulation.set_limits(LimitLaw::Hard { restitution: 0.7 }).expect("valid");
     let found = run(&simulation, 2.0);
     let (mut time, mut speed) = ((2.0 / G).sqrt(), (2.0 * G).sqrt());
     let impacts = &found.report.impacts;
@@ -58,7 +58,7 @@ fn a_block_bounces_at_the_times_and_heights_of_the_parabola() {
 #[test]
 fn without_loss_it_bounces_for_ever_and_keeps_its_height() {
     let mut simulation = block(1.0, 0.0);
-    simulation.limits(LimitLaw::Hard { restitution: 1.0 }).expect("valid");
+    simulation.set_limits(LimitLaw::Hard { restitution: 1.0 }).expect("valid");
     let found = run(&simulation, 100.0);
     let energy = |frame: usize| G * found.motion.q(frame)[0] + 0.5 * found.motion.v(frame)[0].powi(2);
     let worst = (0..found.motion.len()).map(|frame| (energy(frame) - G).abs()).fold(0.0, f64::max);
@@ -71,7 +71,7 @@ fn without_loss_it_bounces_for_ever_and_keeps_its_height() {
 fn ever_shorter_bounces_end_at_rest() {
     // e = 0.5: all flights together take 2·v/g·(1/2 + 1/4 + …) = 2·v/g.
     let mut simulation = block(1.0, 0.0);
-    simulation.limits(LimitLaw::Hard { restitution: 0.5 }).expect("valid");
+    simulation.set_limits(LimitLaw::Hard { restitution: 0.5 }).expect("valid");
     let found = run(&simulation, 2.0);
     let rest = 3.0 * (2.0 / G).sqrt();
     let last = found.report.impacts.last().expect("bounced");
@@ -129,7 +129,7 @@ fn a_block_with_no_restitution_stays_where_it_fell() {
 #[test]
 fn a_limit_that_is_ignored_is_fallen_through() {
     let mut simulation = block(1.0, 0.0);
-    simulation.limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
     let found = run(&simulation, 1.0);
     assert_abs_diff_eq!(found.motion.q(100)[0], 1.0 - 0.5 * G, epsilon = 1e-11);
     assert!(found.report.impacts.is_empty());
@@ -141,8 +141,8 @@ fn a_soft_limit_throws_back_by_half_a_period_of_its_spring() {
     let joint = Joint::new("slide").ty().limited(0.0, 100.0);
     let figure = FigureBuilder::new("block").link(LinkSpec::root("block", joint).mass(2.0));
     let mut simulation = Simulation::new(&figure.build().expect("valid"), Vector3::zeros());
-    simulation.start(&[0.5], &[-1.0]).expect("valid");
-    simulation.limits(LimitLaw::Spring { stiffness: 200.0, damping: 0.0 }).expect("valid");
+    simulation.set_start(&[0.5], &[-1.0]).expect("valid");
+    simulation.set_limits(LimitLaw::Spring { stiffness: 200.0, damping: 0.0 }).expect("valid");
     let method = Method::Fixed { rule: Rule::RungeKutta4, step: 1e-3 };
     let found = simulation.run(&Settings { method, ..settings(1.5) }).expect("runs");
     for (frame, t) in found.motion.time().iter().enumerate() {
@@ -165,8 +165,8 @@ fn pair(velocities: [f64; 2], restitution: f64) -> Run {
         .build()
         .expect("valid");
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
-    simulation.start(&[0.0, 1.0], &[velocities[0], velocities[1] - velocities[0]]).expect("valid");
-    simulation.limits(LimitLaw::Hard { restitution }).expect("valid");
+    simulation.set_start(&[0.0, 1.0], &[velocities[0], velocities[1] - velocities[0]]).expect("valid");
+    simulation.set_limits(LimitLaw::Hard { restitution }).expect("valid");
     run(&simulation, 1.0)
 }
 
@@ -201,8 +201,8 @@ fn a_row_of_resting_blocks_moves_off_one_after_the_other() {
         builder = builder.link(LinkSpec::child(format!("b{k}"), format!("b{}", k - 1), joint).mass(1.0));
     }
     let mut simulation = Simulation::new(&builder.build().expect("valid"), Vector3::new(0.0, -G, 0.0));
-    simulation.start(&[0.0, 0.1, 0.1, 0.1], &[3.0, 0.0, 0.0, 0.0]).expect("valid");
-    simulation.limits(LimitLaw::Hard { restitution: 0.0 }).expect("valid");
+    simulation.set_start(&[0.0, 0.1, 0.1, 0.1], &[3.0, 0.0, 0.0, 0.0]).expect("valid");
+    simulation.set_limits(LimitLaw::Hard { restitution: 0.0 }).expect("valid");
     let found = run(&simulation, 1.5);
     for frame in 0..found.motion.len() {
         let q = found.motion.q(frame);
@@ -224,8 +224,8 @@ fn elastic_blocks_hand_their_velocity_through_a_row() {
         builder = builder.link(LinkSpec::child(format!("b{k}"), format!("b{}", k - 1), joint).mass(1.0));
     }
     let mut simulation = Simulation::new(&builder.build().expect("valid"), Vector3::zeros());
-    simulation.start(&[0.0, 0.6, 0.1, 0.1, 0.1], &[2.0, -2.0, 0.0, 0.0, 0.0]).expect("valid");
-    simulation.limits(LimitLaw::Hard { restitution: 1.0 }).expect("valid");
+    simulation.set_start(&[0.0, 0.6, 0.1, 0.1, 0.1], &[2.0, -2.0, 0.0, 0.0, 0.0]).expect("valid");
+    simulation.set_limits(LimitLaw::Hard { restitution: 1.0 }).expect("valid");
     let found = run(&simulation, 1.0);
     let mut v = 0.0;
     for (found, expected) in found.motion.v(100).iter().zip([0.0, 0.0, 0.0, 0.0, 2.0]) {
@@ -250,7 +250,7 @@ fn a_knee_that_snaps_straight_takes_the_thigh_along() {
         .build()
         .expect("valid");
     let mut simulation = Simulation::new(&figure, Vector3::new(0.0, -G, 0.0));
-    simulation.start(&[-0.9, 1.4], &[0.0, 0.0]).expect("valid");
+    simulation.set_start(&[-0.9, 1.4], &[0.0, 0.0]).expect("valid");
     let found = simulation.run(&Settings { rate: 1000.0, ..settings(1.5) }).expect("runs");
     let first = &found.report.impacts[0];
     assert_eq!(first.dof, 1);

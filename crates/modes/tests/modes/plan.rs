@@ -15,7 +15,7 @@ fn ann() -> Figure {
 /// Floating, its joints without limits.
 fn floating(figure: &Figure) -> Simulation {
     let mut simulation = Simulation::new(figure, Vector3::zeros());
-    simulation.limits(LimitLaw::Ignore).expect("no numbers");
+    simulation.set_limits(LimitLaw::Ignore).expect("no numbers");
     simulation
 }
 
@@ -85,13 +85,13 @@ fn a_loose_arm_on_a_moving_body() {
 #[test]
 fn a_leg_on_a_frozen_body() {
     let mut simulation = Simulation::new(&ann(), Vector3::new(0.0, -9.81, 0.0));
-    simulation.limits(LimitLaw::Ignore).expect("no numbers");
+    simulation.set_limits(LimitLaw::Ignore).expect("no numbers");
     drive_all(&mut simulation, &Drive::Frozen, &LEG);
     let (mut q, v) = (simulation.state().0.to_vec(), simulation.state().1.to_vec());
     for dof in ["left_hip.rx", "left_knee.rx", "right_knee.rx"] {
         q[simulation.figure().layout().dof_index(dof).expect("a dof")] = 0.3;
     }
-    simulation.start(&q, &v).expect("valid");
+    simulation.set_start(&q, &v).expect("valid");
     let [left, whole] = runs(&simulation, 0.2);
     assert!(difference(&left.motion, &whole.motion) < 1e-10);
     insta::assert_snapshot!(plan(&left.report.phases[0]));
@@ -128,7 +128,7 @@ fn a_prescribed_link_that_pulls_by_a_spring_stays() {
     let anchor = |link: &str| Anchor { link: figure.link_index(link), point: Vector3::new(0.0, -0.5, 0.0) };
     let spring =
         PointSpring { between: [anchor("bob"), anchor("tug")], stiffness: 30.0, damping: 1.0, rest: 0.2 };
-    simulation.spring(spring).expect("valid");
+    simulation.add_spring(spring).expect("valid");
     simulation.drive("cart slide", [Drive::Frozen]).expect("valid");
     for name in ["tug slide", "ornament hinge"] {
         simulation.drive(name, [Drive::Move { to: 0.7, over: 0.4, along: Shape::Cubic }]).expect("valid");

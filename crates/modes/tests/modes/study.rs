@@ -2,7 +2,7 @@
 
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
 use solaris_modes::study::{Study, StudyOptions, study};
-use solaris_modes::{Drive, Method, Rule, Settings, Simulation, Watch};
+use solaris_modes::{Drive, Method, Observer, Rule, Settings, Simulation};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 
@@ -24,7 +24,7 @@ fn pendulum(rods: usize) -> Figure {
 
 fn released(figure: &Figure, angles: &[f64]) -> Simulation {
     let mut simulation = Simulation::new(figure, GRAVITY);
-    simulation.start(angles, &vec![0.0; angles.len()]).expect("a state");
+    simulation.set_start(angles, &vec![0.0; angles.len()]).expect("a state");
     simulation
 }
 
@@ -132,7 +132,7 @@ fn momentum_is_what_gravity_makes_of_it() {
     let mut simulation = Simulation::new(&figure, GRAVITY);
     let mut q = simulation.state().0.to_vec();
     q[7] = 0.4;
-    simulation.start(&q, &[1.0, 3.0, 0.5, 0.3, -0.2, 2.0, -1.0]).expect("a state");
+    simulation.set_start(&q, &[1.0, 3.0, 0.5, 0.3, -0.2, 2.0, -1.0]).expect("a state");
     let methods = [fixed(Rule::RungeKutta4, 1e-3), fixed(Rule::ExplicitEuler, 1e-3)];
     let study = silent(&simulation, 1.0, &options(&methods));
     let drift =
@@ -163,7 +163,7 @@ struct Clock {
     progress: Vec<f64>,
 }
 
-impl Watch for Clock {
+impl Observer for Clock {
     fn now(&self) -> Option<f64> {
         self.now.set(self.now.get() + 1.0);
         Some(self.now.get())

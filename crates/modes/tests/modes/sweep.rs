@@ -1,7 +1,7 @@
 //! Stiff and extreme scenes at random: each ends right, as right as it says, or in an error that says why.
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, Passive, Vector3};
 use solaris_modes::{
-    Anchor, Guard, LimitLaw, Method, PointSpring, Rule, Run, RunError, Settings, Simulation, Trouble,
+    Anchor, Guard, LimitLaw, Method, PointSpring, Rule, Run, RunError, RunFailure, Settings, Simulation,
 };
 
 /// Scenes of the sweep, and of the one that every run of the tests makes.
@@ -74,20 +74,20 @@ fn scene(random: &mut Random) -> Simulation {
     let layout = figure.layout();
     let q: Vec<f64> = (0..layout.nq()).map(|_| random.between(-0.25, 0.25)).collect();
     let v: Vec<f64> = (0..layout.nv()).map(|_| random.between(-2.0, 2.0)).collect();
-    simulation.start(&q, &v).expect("a state");
+    simulation.set_start(&q, &v).expect("a state");
     if random.below(2) == 0 {
         let point = Vector3::new(0.05, -0.1, 0.02);
         let world = Anchor { link: None, point: Vector3::new(0.4, -0.5, 0.3) };
         let between = [Anchor { link: Some(links - 1), point }, world];
         let (stiffness, damping) = (random.decades(0.0, 9.0), random.decades(-3.0, 4.0));
-        simulation.spring(PointSpring { between, stiffness, damping, rest: 0.3 }).expect("a spring");
+        simulation.add_spring(PointSpring { between, stiffness, damping, rest: 0.3 }).expect("a spring");
     }
     let law = match random.below(3) {
         0 => LimitLaw::Hard { restitution: random.unit() },
         1 => LimitLaw::Spring { stiffness: random.decades(2.0, 7.0), damping: random.decades(0.0, 3.0) },
         _ => LimitLaw::Ignore,
     };
-    simulation.limits(law).expect("a law");
+    simulation.set_limits(law).expect("a law");
     simulation
 }
 
@@ -113,8 +113,8 @@ fn apart(figure: &Figure, one: &Motion, other: &Motion) -> f64 {
     })
 }
 
-/// Trouble says when, and what to do.
-fn check_trouble(scene: u64, trouble: &Trouble) {
+/// The failure says when, and what to do.
+fn check_trouble(scene: u64, trouble: &RunFailure) {
     assert!(trouble.time.is_finite() && (0.0..=DURATION).contains(&trouble.time), "scene {scene}: {trouble}");
     assert!(!trouble.remedies.is_empty(), "scene {scene}: {trouble}");
 }
@@ -139,7 +139,7 @@ fn check(seed: u64, sweep: &mut Sweep) {
     let method = method(&mut random);
     let found = match run(&simulation, method) {
         Ok(found) => found,
-        Err(RunError::Trouble(trouble)) => {
+        Err(RunError::RunFailure(trouble)) => {
             check_trouble(seed, &trouble);
             sweep.refused += 1;
             return;

@@ -4,7 +4,7 @@ use super::SceneReader;
 use super::drives::Placed;
 use super::names::Meant;
 use solaris_model::text::{Fields, Node};
-use solaris_modes::{Course, Drive, Law, Shape, Step, Target, Until};
+use solaris_modes::{Course, Drive, EndCondition, Law, Shape, Step, Target};
 
 const DRIVES: [&str; 11] = [
     "Free",
@@ -48,7 +48,7 @@ impl SceneReader<'_> {
                     return None;
                 };
                 let time = self.reader.number(time, "the time to wait")?;
-                return Some((place, Step { drive: Drive::Frozen, until: Until::Lasting(time) }));
+                return Some((place, Step { drive: Drive::Frozen, until: EndCondition::Lasting(time) }));
             }
             ("Kinematic", Some([curve])) => {
                 let drive = Drive::Kinematic(self.profile(curve, turns)?);
@@ -63,7 +63,7 @@ impl SceneReader<'_> {
         let fields = self.reader.fields(node, &DRIVES, known(kind))?;
         let until = fields.get("until").map(|node| self.until(node));
         let drive = self.drive(kind, &fields, turns);
-        Some((place, Step { drive: drive?, until: until.unwrap_or(Some(Until::Done))? }))
+        Some((place, Step { drive: drive?, until: until.unwrap_or(Some(EndCondition::Done))? }))
     }
 
     fn drive(&mut self, kind: &str, fields: &Fields<'_, '_>, turns: bool) -> Option<Drive> {
@@ -141,12 +141,12 @@ impl SceneReader<'_> {
         self.reader.number(node, "the duration")
     }
 
-    fn until(&mut self, node: &Node<'_>) -> Option<Until> {
+    fn until(&mut self, node: &Node<'_>) -> Option<EndCondition> {
         let kind = self.reader.kind(node, &UNTIL)?;
         match (kind, node.tuple()) {
-            ("Done", None) => Some(Until::Done),
-            ("At", Some([time])) => self.reader.number(time, "the time").map(Until::Time),
-            ("Lasting", Some([time])) => self.reader.number(time, "the time").map(Until::Lasting),
+            ("Done", None) => Some(EndCondition::Done),
+            ("At", Some([time])) => self.reader.number(time, "the time").map(EndCondition::Time),
+            ("Lasting", Some([time])) => self.reader.number(time, "the time").map(EndCondition::Lasting),
             ("Passes" | "PassesSpeed", Some([name, value])) => {
                 let before = self.reader.count();
                 let dof = self.meant_one(name);
@@ -165,9 +165,9 @@ impl SceneReader<'_> {
                 // Without a figure the name means nothing yet.
                 let dof = dof.map_or_else(String::new, |dof| self.names.name(dof).to_owned());
                 Some(if kind == "Passes" {
-                    Until::Position { dof, value }
+                    EndCondition::Position { dof, value }
                 } else {
-                    Until::Velocity { dof, value }
+                    EndCondition::Velocity { dof, value }
                 })
             }
             _ => {

@@ -3,7 +3,7 @@
 use super::SceneReader;
 use nalgebra::{Unit, Vector3};
 use solaris_model::text::{Fields, Node, ReadSpatial as _};
-use solaris_modes::{ContactLaw, GroundPlane, SetupError, Touch, touches};
+use solaris_modes::{ContactLaw, ContactPoint, GroundPlane, SetupError, contact_points};
 
 const FIELDS: [&str; 6] = ["friction", "height", "up", "contact", "touches", "stand"];
 const LAWS: [&str; 2] = ["Spring", "Planted"];
@@ -26,7 +26,7 @@ impl SceneReader<'_> {
         if let (Some(friction), Some(height), Some(up), Some(law), Some(touching), Some(simulation)) =
             (friction, height, up, law, touching, &mut self.simulation)
         {
-            let result = simulation.ground(GroundPlane { up, height, friction, law }, touching);
+            let result = simulation.set_ground(GroundPlane { up, height, friction, law }, touching);
             self.setup(&node.place(), result);
         }
         if let Some(node) = fields.get("stand")
@@ -63,7 +63,7 @@ impl SceneReader<'_> {
                 let fields = self.reader.fields(node, &[kind], known)?;
                 if kind == "Planted" {
                     let flawed = self.reader.only_known(&fields, known);
-                    return (!flawed).then_some(ContactLaw::Planted);
+                    return (!flawed).then_some(ContactLaw::Rigid);
                 }
                 Some(fields)
             }
@@ -86,19 +86,19 @@ impl SceneReader<'_> {
                 stiffness.ok_or(SetupError::NoGround),
             )
         };
-        Some(ContactLaw::Spring { stiffness: stiffness?, damping: damping?, slip: slip? })
+        Some(ContactLaw::Compliant { stiffness: stiffness?, damping: damping?, slip: slip? })
     }
 
     /// `[("foot", (x, y, z), radius), …]`, or what the figure says of itself.
-    fn touches(&mut self, fields: &Fields<'_, '_>) -> Option<Vec<Touch>> {
-        let Some(node) = fields.get("touches") else { return self.figure().map(touches) };
+    fn touches(&mut self, fields: &Fields<'_, '_>) -> Option<Vec<ContactPoint>> {
+        let Some(node) = fields.get("touches") else { return self.figure().map(contact_points) };
         let items = self.reader.items(node, "touches", &format!("[{EXAMPLE}, …]"))?;
-        let found: Vec<Option<Touch>> = items.iter().map(|item| self.touch(item)).collect();
+        let found: Vec<Option<ContactPoint>> = items.iter().map(|item| self.touch(item)).collect();
         found.into_iter().collect()
     }
 
     /// `("foot", (x, y, z), radius)`, the radius as needed.
-    fn touch(&mut self, node: &Node<'_>) -> Option<Touch> {
+    fn touch(&mut self, node: &Node<'_>) -> Option<ContactPoint> {
         let (name_node, point, radius) = match node.items() {
             Some([name, point]) => (name, point, None),
             Some([name, point, radius]) => (name, point, Some(radius)),
@@ -115,6 +115,6 @@ impl SceneReader<'_> {
         let center = self.reader.vector(point, "the point");
         let radius = radius.map_or(Some(0.0), |node| self.reader.number(node, "the radius"));
         let link = self.link(name_node, name?, None);
-        Some(Touch { link: link?, center: center?, radius: radius? })
+        Some(ContactPoint { link: link?, center: center?, radius: radius? })
     }
 }

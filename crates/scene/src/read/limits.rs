@@ -14,7 +14,7 @@ impl SceneReader<'_> {
         let Some(entries) = node.entries() else {
             let law = self.law(node);
             if let (Some(law), Some(simulation)) = (law, &mut self.simulation) {
-                let result = simulation.limits(law);
+                let result = simulation.set_limits(law);
                 self.setup(&node.place(), result);
             }
             return;
@@ -28,7 +28,7 @@ impl SceneReader<'_> {
         for (meant, (law, place)) in in_order(found) {
             for dof in meant.dofs {
                 let Some(simulation) = &mut self.simulation else { return };
-                let result = simulation.limit(self.names.name(dof), law);
+                let result = simulation.set_limit(self.names.name(dof), law);
                 // The law is at fault, for one as for all.
                 if self.setup(&place, result).is_none() {
                     break;

@@ -14,7 +14,7 @@ impl SceneReader<'_> {
         for item in self.reader.items(node, "springs", "[Spring(…), …]").unwrap_or_default() {
             let Some(spring) = self.spring(item) else { continue };
             if let Some(simulation) = &mut self.simulation {
-                let result = simulation.spring(spring);
+                let result = simulation.add_spring(spring);
                 self.setup(&item.place(), result);
             }
         }

@@ -56,7 +56,7 @@ impl SceneReader<'_> {
             return;
         }
         if let Some(simulation) = &mut self.simulation {
-            let result = simulation.start(&q, &v);
+            let result = simulation.set_start(&q, &v);
             self.setup(&place, result);
         }
     }

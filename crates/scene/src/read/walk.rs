@@ -6,7 +6,7 @@ use crate::scene::Walked;
 use solaris_gait::WalkSequence;
 use solaris_model::text::Fields;
 use solaris_model::{Figure, Trajectory};
-use solaris_modes::{Drive, Recorded};
+use solaris_modes::{Drive, RecordedMotion};
 use std::sync::Arc;
 
 /// Samples a second of the walk that is followed; between them it follows curves of degree five.
@@ -15,7 +15,7 @@ const RATE: f64 = 480.0;
 /// What is walked, and how it begins.
 pub(super) struct Planned {
     plan: Arc<WalkSequence>,
-    recorded: Arc<Recorded>,
+    recorded: Arc<RecordedMotion>,
     followed: usize,
 }
 
@@ -67,7 +67,7 @@ impl SceneReader<'_> {
         let plan = plan.map_err(|error| self.refuse_walk(&error, &node.place(), &written)).ok()?;
         let motion = plan.motion(figure, RATE);
         let motion = motion.map_err(|error| self.reader.fault(node.place(), error.to_string())).ok()?;
-        let recorded = self.setup(&node.place(), Recorded::new(motion))?;
+        let recorded = self.setup(&node.place(), RecordedMotion::new(motion))?;
         let recorded = Arc::new(recorded);
         let simulation = self.simulation.as_mut()?;
         let free: Vec<usize> = (0..figure.layout().nv()).filter(|dof| !given.contains_key(dof)).collect();

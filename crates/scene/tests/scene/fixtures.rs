@@ -1,6 +1,6 @@
 //! The scenes of the fixtures.
 
-use solaris_modes::{Method, Until};
+use solaris_modes::{EndCondition, Method};
 use solaris_scene::{NoFiles, Scene, is_scene, read};
 use std::path::Path;
 
@@ -98,5 +98,5 @@ fn every_mode_is_there() {
             "free"
         ]
     );
-    assert!((0..13).all(|dof| scene.simulation().driven_by(dof)[0].until == Until::Done));
+    assert!((0..13).all(|dof| scene.simulation().driven_by(dof)[0].until == EndCondition::Done));
 }

@@ -2,8 +2,8 @@
 
 use solaris_model::Vector3;
 use solaris_modes::{
-    Anchor, ContactLaw, Course, Drive, Law, LimitLaw, Method, Rule, Shape, Step, Target, Touch, Until,
-    touches,
+    Anchor, ContactLaw, ContactPoint, Course, Drive, EndCondition, Law, LimitLaw, Method, Rule, Shape, Step,
+    Target, contact_points,
 };
 use solaris_profiles::Profile;
 use solaris_scene::{NoFiles, Scene, read};
@@ -86,18 +86,18 @@ fn every_drive_can_be_said() {
 fn every_end_of_a_drive_can_be_said() {
     let named = "elbow.ry".to_owned();
     for (text, until) in [
-        ("Done", Until::Done),
-        ("At(2)", Until::Time(2.0)),
-        ("Lasting(0.5)", Until::Lasting(0.5)),
+        ("Done", EndCondition::Done),
+        ("At(2)", EndCondition::Time(2.0)),
+        ("Lasting(0.5)", EndCondition::Lasting(0.5)),
         (
             "Passes(\"elbow.ry\", deg(180))",
-            Until::Position { dof: named.clone(), value: std::f64::consts::PI },
+            EndCondition::Position { dof: named.clone(), value: std::f64::consts::PI },
         ),
-        ("PassesSpeed(\"elbow.ry\", -1)", Until::Velocity { dof: named, value: -1.0 }),
+        ("PassesSpeed(\"elbow.ry\", -1)", EndCondition::Velocity { dof: named, value: -1.0 }),
     ] {
         assert_eq!(one(&format!("Free(until: {text})")), Step { drive: Drive::Free, until }, "{text}");
     }
-    assert_eq!(one("Wait(0.5)"), Step { drive: Drive::Frozen, until: Until::Lasting(0.5) });
+    assert_eq!(one("Wait(0.5)"), Step { drive: Drive::Frozen, until: EndCondition::Lasting(0.5) });
 }
 
 #[test]
@@ -106,9 +106,9 @@ fn what_names_a_dof_more_closely_wins() {
         "drives: {\"elbow.rx\": Frozen, \"elbow\": Wait(1), \"*\": Free, \"shoulder.*\": Frozen, \"reach.*\": Wait(2), \"r*.t*\": Wait(3)}",
     );
     assert_eq!(steps(&scene, "elbow.rx"), [Drive::Frozen.into()]);
-    assert_eq!(steps(&scene, "elbow.ry")[0].until, Until::Lasting(1.0));
+    assert_eq!(steps(&scene, "elbow.ry")[0].until, EndCondition::Lasting(1.0));
     assert_eq!(steps(&scene, "shoulder.wy"), [Drive::Frozen.into()]);
-    assert_eq!(steps(&scene, "reach.ty")[0].until, Until::Lasting(3.0));
+    assert_eq!(steps(&scene, "reach.ty")[0].until, EndCondition::Lasting(3.0));
     assert_eq!(steps(&scene, "root.vx"), [Drive::Free.into()]);
 }
 
@@ -156,10 +156,10 @@ fn a_ground_is_the_one_said_or_fits_the_figure() {
     let figure = plain.figure();
     // The scene's gravity is (0, 0, −1.62): up is against it, and the weight on one point sinks in by 2 mm.
     assert!((plane.up.into_inner() - Vector3::z()).norm() < 1e-15 && plane.height == 0.0);
-    let ContactLaw::Spring { stiffness, damping, slip } = plane.law else { panic!("a spring") };
+    let ContactLaw::Compliant { stiffness, damping, slip } = plane.law else { panic!("a spring") };
     assert!((stiffness * 2e-3 / (figure.mass() * 1.62) - 1.0).abs() < 1e-12);
     assert_eq!((plane.friction, damping, slip), (0.5, 1.0, 0.01));
-    assert_eq!(found, touches(figure));
+    assert_eq!(found, contact_points(figure));
 
     let told = scene(
         "ground: Flat(friction: 0, height: -2, up: (0, 3, 4), contact: Spring(stiffness: 5e3, damping: 0, slip: 0.1),
@@ -168,8 +168,8 @@ fn a_ground_is_the_one_said_or_fits_the_figure() {
     let (plane, found) = told.simulation().grounded().expect("a ground");
     assert!((plane.up.into_inner() - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-15);
     assert_eq!((plane.height, plane.friction), (-2.0, 0.0));
-    assert_eq!(plane.law, ContactLaw::Spring { stiffness: 5e3, damping: 0.0, slip: 0.1 });
-    let touch = |center, radius| Touch { link: 2, center, radius };
+    assert_eq!(plane.law, ContactLaw::Compliant { stiffness: 5e3, damping: 0.0, slip: 0.1 });
+    let touch = |center, radius| ContactPoint { link: 2, center, radius };
     assert_eq!(found, [touch(Vector3::z(), 0.1), touch(Vector3::y(), 0.0)]);
 }
 

@@ -195,7 +195,7 @@ fn a_study_is_told_with_its_recommendation_first() {
     let link = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(1.0).com(bob);
     let figure = FigureBuilder::new("pendulum").link(link).build().expect("a figure");
     let mut simulation = Simulation::new(&figure, Vector3::new(0.0, -9.81, 0.0));
-    simulation.start(&[1.0], &[0.0]).expect("a state");
+    simulation.set_start(&[1.0], &[0.0]).expect("a state");
     let fixed = |rule, step| Method::Fixed { rule, step };
     let methods = vec![
         fixed(Rule::ExplicitEuler, 1e-3),

@@ -110,7 +110,7 @@ pub(super) fn pendulum() -> Result<Simulation, Faulty> {
     let bob = Vector3::new(0.0, -1.0, 0.0);
     let figure = built("pendulum", [LinkSpec::root("bob", Joint::new("pivot").rx()).mass(1.0).com(bob)])?;
     let mut simulation = Simulation::new(&figure, DOWN);
-    simulation.start(&[FRAC_PI_2], &[0.0])?;
+    simulation.set_start(&[FRAC_PI_2], &[0.0])?;
     Ok(simulation)
 }
 
@@ -118,7 +118,7 @@ fn top(spin: Vector3<f64>) -> Result<Simulation, Faulty> {
     let body =
         LinkSpec::root("body", Joint::ball("pivot")).mass(1.0).inertia(Inertia::diagonal(0.02, 0.02, 0.03));
     let mut simulation = Simulation::new(&built("top", [body])?, Vector3::zeros());
-    simulation.start(&[0.0, 0.0, 0.0, 1.0], spin.as_slice())?;
+    simulation.set_start(&[0.0, 0.0, 0.0, 1.0], spin.as_slice())?;
     Ok(simulation)
 }
 
@@ -127,7 +127,7 @@ fn thrown(velocity: Vector3<f64>) -> Result<Simulation, Faulty> {
         LinkSpec::root("body", Joint::free("root")).mass(2.0).inertia(Inertia::diagonal(0.02, 0.025, 0.03));
     let mut simulation = Simulation::new(&built("thrown", [body])?, DOWN);
     let [x, y, z] = velocity.into();
-    simulation.start(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], &[x, y, z, 0.0, 0.0, 6.0])?;
+    simulation.set_start(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], &[x, y, z, 0.0, 0.0, 6.0])?;
     Ok(simulation)
 }
 
@@ -136,7 +136,7 @@ fn damped() -> Result<Simulation, Faulty> {
     let passive = Passive { stiffness: 200.0, damping: 2.0, ..Passive::default() };
     let mass = LinkSpec::root("mass", Joint::new("slide").tx().passive(passive)).mass(2.0);
     let mut simulation = Simulation::new(&built("spring", [mass])?, Vector3::zeros());
-    simulation.start(&[0.1], &[0.0])?;
+    simulation.set_start(&[0.1], &[0.0])?;
     Ok(simulation)
 }
 
@@ -153,15 +153,15 @@ fn chain(angles: &[f64]) -> Result<Simulation, Faulty> {
         link.mass(0.1).com(thread)
     });
     let mut simulation = Simulation::new(&built("chain", links)?, DOWN);
-    simulation.start(angles, &vec![0.0; angles.len()])?;
+    simulation.set_start(angles, &vec![0.0; angles.len()])?;
     Ok(simulation)
 }
 
 fn bouncing() -> Result<Simulation, Faulty> {
     let mass = LinkSpec::root("mass", Joint::new("fall").ty().limited(0.0, 10.0)).mass(1.0);
     let mut simulation = Simulation::new(&built("bouncing", [mass])?, DOWN);
-    simulation.limits(LimitLaw::Hard { restitution: 0.8 })?;
-    simulation.start(&[1.0], &[0.0])?;
+    simulation.set_limits(LimitLaw::Hard { restitution: 0.8 })?;
+    simulation.set_start(&[1.0], &[0.0])?;
     Ok(simulation)
 }
 
@@ -170,7 +170,7 @@ fn tumbling() -> Result<Simulation, Faulty> {
     let body =
         LinkSpec::root("body", Joint::free("root")).mass(1.0).inertia(Inertia::diagonal(0.02, 0.03, 0.04));
     let mut simulation = Simulation::new(&built("tumbling", [body])?, Vector3::zeros());
-    simulation.start(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0, 0.0, 0.0, 5e-3, 5.0, 0.0])?;
+    simulation.set_start(&[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0, 0.0, 0.0, 5e-3, 5.0, 0.0])?;
     Ok(simulation)
 }
 
@@ -227,9 +227,14 @@ pub(super) fn governor() -> Result<Case, Faulty> {
     for (side, name) in [(1.0, "right_rod"), (-1.0, "left_rod")] {
         let base = Anchor { link: Some(link("base")?), point: Vector3::new(0.05 * side, 0.0, 0.0) };
         let rod = Anchor { link: Some(link(name)?), point: middle };
-        simulation.spring(PointSpring { between: [base, rod], stiffness: 8e5, damping: 4e4, rest: 0.5 })?;
+        simulation.add_spring(PointSpring {
+            between: [base, rod],
+            stiffness: 8e5,
+            damping: 4e4,
+            rest: 0.5,
+        })?;
     }
-    simulation.start(&[0.0, 0.5, FRAC_PI_3, FRAC_PI_3], &[TAU, 0.0, 0.0, 0.0])?;
+    simulation.set_start(&[0.0, 0.5, FRAC_PI_3, FRAC_PI_3], &[TAU, 0.0, 0.0, 0.0])?;
     Ok(Case { name: "governor, 10 s", simulation, duration: 10.0, rate: 100.0, solution: None })
 }
 
@@ -244,7 +249,7 @@ pub(super) fn ratio(ratio: f64) -> Result<Simulation, Faulty> {
         rod(LinkSpec::child("lower", "upper", Joint::new("elbow").at(bob).rx()), ratio),
     ];
     let mut simulation = Simulation::new(&built("two rods", links)?, DOWN);
-    simulation.start(&[1.0, 1.0], &[0.0, 0.0])?;
+    simulation.set_start(&[1.0, 1.0], &[0.0, 0.0])?;
     Ok(simulation)
 }
 
@@ -253,6 +258,6 @@ pub(super) fn spring(stiffness: f64) -> Result<Simulation, Faulty> {
     let passive = Passive { stiffness, damping: 0.4 * stiffness.sqrt(), ..Passive::default() };
     let mass = LinkSpec::root("mass", Joint::new("slide").tx().passive(passive)).mass(1.0);
     let mut simulation = Simulation::new(&built("spring", [mass])?, Vector3::zeros());
-    simulation.start(&[0.1], &[0.0])?;
+    simulation.set_start(&[0.1], &[0.0])?;
     Ok(simulation)
 }

@@ -12,7 +12,7 @@ use super::figures::{DOWN, Faulty};
 use super::solutions::Solution;
 use nalgebra::Unit;
 use solaris_model::{Figure, Vector3};
-use solaris_modes::{ContactLaw, GroundPlane, Method, Run, Settings, Simulation, Touch};
+use solaris_modes::{ContactLaw, ContactPoint, GroundPlane, Method, Run, Settings, Simulation};
 
 /// Frames a second of all scenes on a ground.
 const RATE: f64 = 100.0;
@@ -63,12 +63,12 @@ fn run(simulation: &Simulation, method: Method, duration: f64) -> Result<Run, so
 
 /// A law of springs.
 const fn springs(stiffness: f64, damping: f64) -> ContactLaw {
-    ContactLaw::Spring { stiffness, damping, slip: ContactLaw::SLIP }
+    ContactLaw::Compliant { stiffness, damping, slip: ContactLaw::SLIP }
 }
 
 /// Points, or spheres of a radius (m), of one link.
-fn touches(link: usize, points: &[[f64; 2]], radius: f64) -> Vec<Touch> {
-    let touch = |&[x, y]: &[f64; 2]| Touch { link, center: Vector3::new(x, y, 0.0), radius };
+fn touches(link: usize, points: &[[f64; 2]], radius: f64) -> Vec<ContactPoint> {
+    let touch = |&[x, y]: &[f64; 2]| ContactPoint { link, center: Vector3::new(x, y, 0.0), radius };
     points.iter().map(touch).collect()
 }
 
@@ -76,12 +76,12 @@ fn touches(link: usize, points: &[[f64; 2]], radius: f64) -> Vec<Touch> {
 fn over(
     figure: &Figure,
     (law, friction): (ContactLaw, f64),
-    touches: Vec<Touch>,
+    touches: Vec<ContactPoint>,
     (q, v): (&[f64], &[f64]),
 ) -> Result<Simulation, Faulty> {
     let mut simulation = Simulation::new(figure, DOWN);
     let plane = GroundPlane { up: Unit::new_unchecked(Vector3::y()), height: 0.0, friction, law };
-    simulation.ground(plane, touches)?;
-    simulation.start(q, v)?;
+    simulation.set_ground(plane, touches)?;
+    simulation.set_start(q, v)?;
     Ok(simulation)
 }

@@ -4,7 +4,7 @@ use super::figures::{self, Case};
 use super::{ground, solutions};
 use crate::report::write;
 use solaris_modes::study::{StudyOptions, study};
-use solaris_modes::{Settings, Watch};
+use solaris_modes::{Observer, Settings};
 use solaris_view::precision::{Against, diagram, svg};
 use std::f64::consts::FRAC_PI_2;
 use std::fs;
@@ -13,7 +13,7 @@ use std::time::Instant;
 /// A clock.
 struct Clock(Instant);
 
-impl Watch for Clock {
+impl Observer for Clock {
     fn now(&self) -> Option<f64> {
         Some(self.0.elapsed().as_secs_f64())
     }

@@ -36,14 +36,14 @@ fn governor() -> Simulation {
     }
     let figure = builder.build().expect("valid");
     let mut simulation = Simulation::new(&figure, Vector3::new(0.0, 0.0, -GRAVITY));
-    simulation.start(&[0.0, 0.5, FRAC_PI_3, FRAC_PI_3], &[TAU, 0.0, 0.0, 0.0]).expect("valid");
-    simulation.limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_start(&[0.0, 0.5, FRAC_PI_3, FRAC_PI_3], &[TAU, 0.0, 0.0, 0.0]).expect("valid");
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
     for (name, side) in [("left", 1.0), ("right", -1.0)] {
         let anchor = |name, point| Anchor { link: figure.link_index(name), point };
         let base = anchor("base", Vector3::new(0.05 * side, 0.0, 0.0));
         let rod = anchor(name, Vector3::new(0.0, 0.0, -0.5));
         let spring = PointSpring { between: [base, rod], stiffness: 8e5, damping: 4e4, rest: 0.5 };
-        simulation.spring(spring).expect("valid");
+        simulation.add_spring(spring).expect("valid");
     }
     simulation
 }

@@ -4,10 +4,10 @@ use super::{Scene, curve, largest, rate};
 use crate::body::random::Random;
 use crate::drive::path::Path;
 use crate::element::{Anchor, PointSpring};
+use crate::failure::SetupError;
 use crate::phase::{Phase, Role, Watched};
 use crate::simulation::Simulation;
 use crate::time::System;
-use crate::trouble::SetupError;
 use approx::assert_relative_eq;
 use nalgebra::Vector3;
 use solaris_dynamics::DynamicsError;
@@ -126,8 +126,8 @@ fn springs_keep_what_they_hang_from() {
         damping: 0.0,
         rest: 0.1,
     };
-    simulation.spring(spring("left_hand", "left_foot")).expect("valid");
-    simulation.spring(spring("right_hand", "head")).expect("valid");
+    simulation.add_spring(spring("left_hand", "left_foot")).expect("valid");
+    simulation.add_spring(spring("right_hand", "head")).expect("valid");
     let names = figure.layout().v_names();
     let role = |name: &String| if name.starts_with("left_elbow") { Role::Dynamic } else { Role::Prescribed };
     let roles: Vec<Role> = names.iter().map(role).collect();

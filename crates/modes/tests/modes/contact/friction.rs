@@ -23,7 +23,7 @@ fn a_block_slides_to_rest_where_friction_says() {
     let (speed, friction, slip) = (2.0_f64, 0.4, 1e-2);
     let mut simulation =
         simulation(&point(), G, floor(friction, STIFFNESS, 1.0, slip), vec![at(Vector3::zeros(), 0.0)]);
-    simulation.start(&[0.0, -REST], &[speed, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, -REST], &[speed, 0.0]).expect("valid");
     let run = simulation.run(&Settings::new(1.0, 1000.0)).expect("runs");
     let (motion, ground) = (&run.motion, run.report.ground.expect("a ground"));
     let deceleration = friction * G;
@@ -62,7 +62,7 @@ fn what_sticks_creeps_as_slowly_as_is_told() {
     let mut simulation = simulation(&point(), G, plane, vec![at(Vector3::zeros(), 0.0)]);
     // As deep as the part of its weight that presses on the slope makes it.
     let sunk = up.into_inner() * (-REST * angle.cos());
-    simulation.start(&[sunk.x, sunk.y], &[0.0, 0.0]).expect("valid");
+    simulation.set_start(&[sunk.x, sunk.y], &[0.0, 0.0]).expect("valid");
     let run = simulation.run(&fixed(0.5, 100.0, 1e-4)).expect("runs");
     let v = run.motion.v(50);
     let share = angle.tan() / friction;
@@ -79,9 +79,9 @@ fn a_ball_slides_until_it_rolls() {
     let ball = LinkSpec::root("ball", Joint::new("root").tx().ty().rz()).mass(2.0);
     let ball = ball.inertia(Inertia::diagonal(inertia, inertia, inertia));
     let figure = FigureBuilder::new("ball").link(ball).build().expect("valid");
-    let touches = vec![at(Vector3::zeros(), radius)];
-    let mut simulation = simulation(&figure, G, floor(friction, STIFFNESS, 1.0, 1e-3), touches);
-    simulation.start(&[0.0, radius - REST, 0.0], &[speed, 0.0, 0.0]).expect("valid");
+    let contact_points = vec![at(Vector3::zeros(), radius)];
+    let mut simulation = simulation(&figure, G, floor(friction, STIFFNESS, 1.0, 1e-3), contact_points);
+    simulation.set_start(&[0.0, radius - REST, 0.0], &[speed, 0.0, 0.0]).expect("valid");
     let run = simulation.run(&Settings::new(1.0, 1000.0)).expect("runs");
     let motion = &run.motion;
     let rolls = 2.0 * speed / (7.0 * friction * G);

@@ -6,7 +6,9 @@ use approx::assert_abs_diff_eq;
 use solaris_model::{
     EventKind, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Placement, ShapeKind, Vector3,
 };
-use solaris_modes::{Drive, Run, Settings, Shape, Simulation, Step, Touch, Until, touches};
+use solaris_modes::{
+    ContactPoint, Drive, EndCondition, Run, Settings, Shape, Simulation, Step, contact_points,
+};
 use solaris_profiles::Profile;
 
 /// An upright trunk on a bent leg that a torque of the knee straightens: the ground lets go when it would pull, what flies keeps
@@ -23,10 +25,10 @@ fn jumper() -> Simulation {
         .link(link(LinkSpec::child("shank", "thigh", knee), 6.0, -0.2))
         .build()
         .expect("valid");
-    let toe = Touch { link: 2, center: below(-0.4), radius: 0.04 };
+    let toe = ContactPoint { link: 2, center: below(-0.4), radius: 0.04 };
     let mut simulation = simulation(&figure, G, ground(0.8), vec![toe]);
     let straight =
-        |drive: Drive| Step { drive, until: Until::Position { dof: "knee".to_owned(), value: 0.25 } };
+        |drive: Drive| Step { drive, until: EndCondition::Position { dof: "knee".to_owned(), value: 0.25 } };
     let bend = |to: f64| Step::from(Drive::Move { to, over: 0.15, along: Shape::default() });
     let push = Drive::Torque(Profile::Line { from: -300.0, to: -300.0, duration: 5.0 });
     let hold = || Step::from(Drive::Frozen);
@@ -34,7 +36,7 @@ fn jumper() -> Simulation {
     simulation.drive("knee", [straight(push), bend(0.7), hold()]).expect("valid");
     let (hip, knee) = (-0.7_f64, 1.4_f64);
     let height = 0.4 * hip.cos() + 0.4 * (hip + knee).cos() + 0.04;
-    simulation.start(&[0.0, height, hip, knee], &[0.0; 4]).expect("valid");
+    simulation.set_start(&[0.0, height, hip, knee], &[0.0; 4]).expect("valid");
     simulation
 }
 
@@ -125,13 +127,13 @@ fn what_is_thrown_loses_energy_only() {
             .link(rod(LinkSpec::child("second", "first", hinge), ratio))
             .build()
             .expect("valid");
-        let mut simulation = simulation(&figure, G, ground(0.8), touches(&figure));
+        let mut simulation = simulation(&figure, G, ground(0.8), contact_points(&figure));
         let turn = [0.3 * angle.sin(), 0.2, 0.1 * angle, 0.9];
         let length = turn.iter().map(|x| x * x).sum::<f64>().sqrt();
         let turn = turn.map(|x| x / length);
         let q = [0.0, 1.5, 0.0, turn[0], turn[1], turn[2], turn[3], 0.4, -0.2];
         let v = [1.0, 0.5, -0.4, angle.cos(), -1.0, 2.0, 1.0, 0.5];
-        simulation.start(&q, &v).expect("valid");
+        simulation.set_start(&q, &v).expect("valid");
         let settings = Settings { forces: false, ..fixed(1.0, 200.0, 5e-4) };
         let run = simulation.run(&settings).unwrap_or_else(|error| panic!("chain {seed}: {error}"));
         let (ground, energy) = (run.report.ground.as_ref().expect("a ground"), &run.report.energy);

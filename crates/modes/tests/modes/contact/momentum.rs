@@ -4,7 +4,7 @@ use crate::contact::G;
 use approx::assert_abs_diff_eq;
 use solaris_dynamics::{Tree, Workspace, momentum};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Placement, Shape, ShapeKind, Vector3};
-use solaris_modes::{ContactLaw, GroundPlane, Method, Rule, Settings, Simulation, touches};
+use solaris_modes::{ContactLaw, GroundPlane, Method, Rule, Settings, Simulation, contact_points};
 
 /// Three thick rods of 1 kg, hinged to each other, free in space.
 fn chain() -> Figure {
@@ -34,16 +34,16 @@ fn thrown(friction: f64) -> Simulation {
     let gravity = Vector3::new(0.0, -G, 0.0);
     let mut simulation = Simulation::new(&figure, gravity);
     let plane = GroundPlane::under(&figure, &gravity, friction).expect("gravity");
-    let ContactLaw::Spring { stiffness, damping, .. } = plane.law else { panic!("a spring") };
+    let ContactLaw::Compliant { stiffness, damping, .. } = plane.law else { panic!("a spring") };
     // Softer friction than usual, so that an explicit rule is exact.
-    let plane = GroundPlane { law: ContactLaw::Spring { stiffness, damping, slip: 0.1 }, ..plane };
-    simulation.ground(plane, touches(&figure)).expect("valid");
+    let plane = GroundPlane { law: ContactLaw::Compliant { stiffness, damping, slip: 0.1 }, ..plane };
+    simulation.set_ground(plane, contact_points(&figure)).expect("valid");
     let (mut q, mut v) = (simulation.state().0.to_vec(), simulation.state().1.to_vec());
     q[..7].copy_from_slice(&[0.0, 1.6, 0.0, 0.1, 0.2, 0.3, 0.9]);
     q[7..].copy_from_slice(&[0.4, -0.2, -0.5, 0.3]);
     v[..6].copy_from_slice(&[1.0, 0.5, -0.4, 1.0, -2.0, 3.0]);
     v[6..].copy_from_slice(&[1.0, 0.5, -2.0, 0.0]);
-    simulation.start(&q, &v).expect("valid");
+    simulation.set_start(&q, &v).expect("valid");
     simulation
 }
 
@@ -91,10 +91,10 @@ fn in_flight_momentum_is_exact() {
     let figure = simulation.figure();
     let run = simulation.run(&settings(5e-5)).expect("runs");
     let (motion, mut flights) = (&run.motion, 0);
-    let touches =
+    let contact_points =
         |frame: usize| motion.contacts.iter().any(|track| track.samples[frame].force != Vector3::zeros());
     for frame in 1..motion.len() {
-        if touches(frame - 1) || touches(frame) {
+        if contact_points(frame - 1) || contact_points(frame) {
             continue;
         }
         let [before, after] =
@@ -124,13 +124,13 @@ fn energy_never_grows() {
         moving + solaris_dynamics::potential_energy(&tree, &mut workspace, q).expect("finite")
     };
     let stiffness = ContactLaw::stiffness_for(figure, &gravity).expect("gravity");
-    let all = touches(figure);
+    let all = contact_points(figure);
     let mut before = f64::INFINITY;
     for frame in 0..run.motion.len() {
         let tree = Tree::<f64>::new(figure, gravity).expect("valid");
         let mut placed = Workspace::new(&tree);
         solaris_dynamics::forward_kinematics(&tree, &mut placed, run.motion.q(frame)).expect("finite");
-        let depth = |touch: &solaris_modes::Touch| {
+        let depth = |touch: &solaris_modes::ContactPoint| {
             (touch.radius - placed.pose(touch.link).transform(&touch.center).y).max(0.0)
         };
         let elastic: f64 = all.iter().map(|touch| 0.5 * stiffness * depth(touch).powi(2)).sum();

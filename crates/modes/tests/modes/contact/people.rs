@@ -4,7 +4,7 @@ use crate::contact::G;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics, kinetic_energy, potential_energy};
 use solaris_model::{Figure, Human, Vector3};
 use solaris_modes::{
-    ContactLaw, GroundPlane, LimitLaw, Method, Rule, Run, Settings, Simulation, Touch, touches,
+    ContactLaw, ContactPoint, GroundPlane, LimitLaw, Method, Rule, Run, Settings, Simulation, contact_points,
 };
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -33,7 +33,7 @@ impl Numbers {
 struct Meter {
     tree: Tree<f64>,
     workspace: Workspace<f64>,
-    touches: Vec<Touch>,
+    contact_points: Vec<ContactPoint>,
     figure: Figure,
 }
 
@@ -42,14 +42,15 @@ impl Meter {
         let figure = Human::new(1.75, 73.0).limp().build().expect("within range");
         let tree = Tree::new(&figure, Vector3::new(0.0, -G, 0.0)).expect("valid");
         let workspace = Workspace::new(&tree);
-        Self { tree, workspace, touches: touches(&figure), figure }
+        Self { tree, workspace, contact_points: contact_points(&figure), figure }
     }
 
     /// Heights (m) of the lowest points.
     fn heights(&mut self, q: &[f64]) -> Vec<f64> {
         forward_kinematics(&self.tree, &mut self.workspace, q).expect("finite");
-        let pose = |touch: &Touch| self.workspace.pose(touch.link).transform(&touch.center).y - touch.radius;
-        self.touches.iter().map(pose).collect()
+        let pose =
+            |touch: &ContactPoint| self.workspace.pose(touch.link).transform(&touch.center).y - touch.radius;
+        self.contact_points.iter().map(pose).collect()
     }
 
     /// Of motion, and all mechanical energy (J): of motion, in gravity, in the springs of ground and limits.
@@ -67,7 +68,7 @@ impl Meter {
     fn dropped(&mut self, seed: u64) -> Simulation {
         let gravity = Vector3::new(0.0, -G, 0.0);
         let mut simulation = Simulation::new(&self.figure, gravity);
-        simulation.limits(LimitLaw::Spring { stiffness: LIMITS, damping: 0.0 }).expect("valid");
+        simulation.set_limits(LimitLaw::Spring { stiffness: LIMITS, damping: 0.0 }).expect("valid");
         let mut numbers = Numbers(seed);
         for _ in 0..10 {
             numbers.next();
@@ -76,10 +77,11 @@ impl Meter {
         self.figure.random(&mut q, || numbers.next()).expect("a valid source");
         q[..3].fill(0.0);
         q[1] = 1.0 - self.heights(&q).into_iter().fold(f64::INFINITY, f64::min);
-        simulation.start(&q, &vec![0.0; self.figure.layout().nv()]).expect("valid");
+        simulation.set_start(&q, &vec![0.0; self.figure.layout().nv()]).expect("valid");
         let mut plane = GroundPlane::under(&self.figure, &gravity, FRICTION.0).expect("gravity");
-        plane.law = ContactLaw::Spring { stiffness: GROUND, damping: ContactLaw::DAMPING, slip: FRICTION.1 };
-        simulation.ground(plane, self.touches.clone()).expect("valid");
+        plane.law =
+            ContactLaw::Compliant { stiffness: GROUND, damping: ContactLaw::DAMPING, slip: FRICTION.1 };
+        simulation.set_ground(plane, self.contact_points.clone()).expect("valid");
         simulation
     }
 }

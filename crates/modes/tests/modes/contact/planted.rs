@@ -6,12 +6,14 @@ use nalgebra::Unit;
 use solaris_model::{
     Event, EventKind, Figure, FigureBuilder, Inertia, Joint, LinkSpec, Motion, Placement, ShapeKind, Vector3,
 };
-use solaris_modes::{Cause, ContactLaw, Drive, GroundPlane, RunError, Simulation, Touch, touches};
+use solaris_modes::{
+    ContactLaw, ContactPoint, Drive, FailureKind, GroundPlane, RunError, Simulation, contact_points,
+};
 use solaris_profiles::Profile;
 
 /// A floor at height 0, with a coefficient of friction that is only reported.
 pub(crate) fn ground(friction: f64) -> GroundPlane {
-    GroundPlane { up: Unit::new_unchecked(Vector3::y()), height: 0.0, friction, law: ContactLaw::Planted }
+    GroundPlane { up: Unit::new_unchecked(Vector3::y()), height: 0.0, friction, law: ContactLaw::Rigid }
 }
 
 pub(crate) fn kinds(events: &[Event]) -> Vec<(bool, &str)> {
@@ -43,8 +45,8 @@ fn a_box_that_falls_flat_loses_all_and_stays() {
     let link =
         LinkSpec::root("box", Joint::free("root")).mass(3.0).inertia(Inertia::Uniform(shape)).shape(shape);
     let figure = FigureBuilder::new("box").link(link).build().expect("valid");
-    let mut simulation = simulation(&figure, G, ground(0.5), touches(&figure));
-    simulation.start(&[0.0, 0.6, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0; 6]).expect("valid");
+    let mut simulation = simulation(&figure, G, ground(0.5), contact_points(&figure));
+    simulation.set_start(&[0.0, 0.6, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0; 6]).expect("valid");
     let run = simulation.run(&fixed(1.0, 100.0, 1e-2)).expect("runs");
     let ground = run.report.ground.as_ref().expect("a ground");
     let time = (2.0 * 0.5 / G).sqrt();
@@ -74,7 +76,7 @@ fn a_block_rocks_to_rest_as_housner_says() {
     // Turned about its right corner, to the right.
     let tilt = 0.5 * alpha;
     let (x, y) = (r * (alpha - tilt).sin(), r * (alpha - tilt).cos());
-    simulation.start(&[-x, y, -tilt], &[0.0; 3]).expect("valid");
+    simulation.set_start(&[-x, y, -tilt], &[0.0; 3]).expect("valid");
     let run = simulation.run(&fixed(12.0, 100.0, 1e-3)).expect("runs");
     let landings = &run.report.ground.as_ref().expect("a ground").landings;
     let left = 1.0 - 1.5 * alpha.sin().powi(2);
@@ -103,7 +105,7 @@ fn a_rod_that_tips_over_presses_as_by_hand() {
     let (l, mass, tilt) = (0.5, 1.5, 0.2_f64);
     let figure = flat(mass, mass * l * l / 3.0);
     let mut simulation = simulation(&figure, G, ground(0.3), vec![at(Vector3::new(0.0, -l, 0.0), 0.0)]);
-    simulation.start(&[l * tilt.sin(), l * tilt.cos(), -tilt], &[0.0; 3]).expect("valid");
+    simulation.set_start(&[l * tilt.sin(), l * tilt.cos(), -tilt], &[0.0; 3]).expect("valid");
     let run = simulation.run(&fixed(0.6, 500.0, 1e-3)).expect("runs");
     let found = forces(&run.motion, "body");
     let mut greatest = (0.0, 0.0);
@@ -138,7 +140,7 @@ fn a_ball_rolls_down_a_slope() {
     let plane = GroundPlane { up, ..ground(0.5) };
     let mut simulation = simulation(&figure, G, plane, vec![at(Vector3::zeros(), radius)]);
     let start = up.into_inner() * radius;
-    simulation.start(&[start.x, start.y, 0.0], &[0.0; 3]).expect("valid");
+    simulation.set_start(&[start.x, start.y, 0.0], &[0.0; 3]).expect("valid");
     let run = simulation.run(&fixed(1.0, 100.0, 1e-2)).expect("runs");
     let last = run.motion.len() - 1;
     let down = Vector3::new(angle.cos(), -angle.sin(), 0.0);
@@ -164,7 +166,7 @@ fn table(hips: &Drive) -> Simulation {
         .build()
         .expect("valid");
     let corners = |link| {
-        [[-0.1, -0.2], [-0.1, 0.2], [0.1, -0.2], [0.1, 0.2]].map(|[x, z]| Touch {
+        [[-0.1, -0.2], [-0.1, 0.2], [0.1, -0.2], [0.1, 0.2]].map(|[x, z]| ContactPoint {
             link,
             center: Vector3::new(x, -0.5, z),
             radius: 0.0,
@@ -174,7 +176,7 @@ fn table(hips: &Drive) -> Simulation {
     for name in ["left", "right"] {
         simulation.drive(name, [hips.clone()]).expect("valid");
     }
-    simulation.start(&[0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0], &[0.0; 8]).expect("valid");
+    simulation.set_start(&[0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0], &[0.0; 8]).expect("valid");
     simulation
 }
 
@@ -207,11 +209,11 @@ fn two_feet_of_a_stiff_table_bear_its_weight_together() {
 fn a_start_that_cannot_be_kept_is_stopped() {
     let figure = flat(2.0, 0.1);
     let mut simulation = simulation(&figure, G, ground(0.5), vec![at(Vector3::zeros(), 0.0)]);
-    simulation.start(&[0.0, 0.0, 0.0], &[1.5, 0.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, 0.0, 0.0], &[1.5, 0.0, 0.0]).expect("valid");
     let run = simulation.run(&fixed(0.2, 100.0, 1e-2)).expect("runs");
     assert_abs_diff_eq!(run.motion.v(0)[0], 0.0, epsilon = 1e-15);
     assert_relative_eq!(run.report.energy.impacts, 2.25, max_relative = 1e-12);
-    simulation.start(&[0.0, 0.0, 0.0], &[1.5, 1.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, 0.0, 0.0], &[1.5, 1.0, 0.0]).expect("valid");
     let run = simulation.run(&fixed(0.1, 100.0, 1e-2)).expect("runs");
     assert_relative_eq!(run.motion.v(10)[0], 1.5, max_relative = 1e-12);
     assert!(run.report.ground.as_ref().expect("a ground").landings.is_empty());
@@ -232,8 +234,8 @@ fn a_figure_is_put_on_the_ground() {
         (of(Joint::free("root")), vec![0.4, 2.0, -1.0, 0.1, 0.7, 0.1, 0.7]),
         (of(Joint::new("root").rz().tx().ty().rx()), vec![0.6, 0.3, -0.4, 0.2]),
     ] {
-        let mut simulation = simulation(&figure, G, plane, touches(&figure));
-        simulation.start(&q, &vec![0.0; figure.layout().nv()]).expect("valid");
+        let mut simulation = simulation(&figure, G, plane, contact_points(&figure));
+        simulation.set_start(&q, &vec![0.0; figure.layout().nv()]).expect("valid");
         let before = simulation.state().0.to_vec();
         let lifted = simulation.stand().expect("it slides");
         assert!(lifted.abs() > 0.1, "{lifted}");
@@ -241,16 +243,17 @@ fn a_figure_is_put_on_the_ground() {
         let tree = solaris_dynamics::Tree::<f64>::new(&figure, Vector3::zeros()).expect("valid");
         let workspace = &mut solaris_dynamics::Workspace::new(&tree);
         solaris_dynamics::forward_kinematics(&tree, workspace, run.motion.q(0)).expect("finite");
-        let gap =
-            |touch: &Touch| workspace.pose(0).transform(&touch.center).dot(&up) - touch.radius - plane.height;
-        let least = touches(&figure).iter().map(gap).fold(f64::INFINITY, f64::min);
+        let gap = |touch: &ContactPoint| {
+            workspace.pose(0).transform(&touch.center).dot(&up) - touch.radius - plane.height
+        };
+        let least = contact_points(&figure).iter().map(gap).fold(f64::INFINITY, f64::min);
         assert_abs_diff_eq!(least, 0.0, epsilon = 1e-14);
         // Again it is there already.
         assert_abs_diff_eq!(simulation.stand().expect("it slides"), 0.0, epsilon = 1e-14);
         assert_ne!(before, simulation.state().0);
     }
     let welded = of(Joint::new("root").rz());
-    let mut simulation = simulation(&welded, G, plane, touches(&welded));
+    let mut simulation = simulation(&welded, G, plane, contact_points(&welded));
     let error = simulation.stand().expect_err("it does not slide").to_string();
     assert!(error.contains("'root'") && error.contains("give the root a free joint"), "{error}");
 }
@@ -264,14 +267,14 @@ fn a_foot_that_a_curve_drags_along_is_refused() {
     let field = LinkSpec::root("field", Joint::new("place"));
     let figure =
         FigureBuilder::new("plough").link(field).link(block).link(cart).link(foot).build().expect("valid");
-    let touches = [1, 3].map(|link| Touch { link, ..at(Vector3::zeros(), 0.0) });
-    let mut simulation = simulation(&figure, G, ground(0.5), touches.to_vec());
+    let contact_points = [1, 3].map(|link| ContactPoint { link, ..at(Vector3::zeros(), 0.0) });
+    let mut simulation = simulation(&figure, G, ground(0.5), contact_points.to_vec());
     let along = Profile::Line { from: 0.0, to: 1.0, duration: 1.0 };
     simulation.drive("rail", [Drive::Kinematic(along)]).expect("valid");
-    simulation.start(&[0.0, 0.0, 0.0, 0.1], &[0.0, 0.0, 1.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, 0.0, 0.0, 0.1], &[0.0, 0.0, 1.0, 0.0]).expect("valid");
     let error = simulation.run(&fixed(0.5, 100.0, 1e-2)).expect_err("it cannot stay");
-    let RunError::Trouble(trouble) = &error else { panic!("{error}") };
-    assert!(matches!(&trouble.cause, Cause::Planted { link, .. } if link == "foot"), "{error}");
+    let RunError::RunFailure(trouble) = &error else { panic!("{error}") };
+    assert!(matches!(&trouble.cause, FailureKind::Planted { link, .. } if link == "foot"), "{error}");
     let error = error.to_string();
     assert!(error.contains("a motion of its own ('rail.tx') moves it"), "{error}");
     assert!(error.ends_with("a ground of springs, where everything slides a little"), "{error}");
@@ -286,12 +289,13 @@ fn what_no_free_joint_can_keep_still_is_told_from_what_a_curve_drags() {
     let knee = Joint::new("knee").at(Vector3::new(0.5, 0.0, 0.0)).rz();
     let lower = LinkSpec::child("lower", "upper", knee).mass(1.0).inertia(small);
     let figure = FigureBuilder::new("stretched").link(upper).link(lower).build().expect("valid");
-    let touches = [at(Vector3::zeros(), 0.0), Touch { link: 1, ..at(Vector3::new(0.5, 0.0, 0.0), 0.0) }];
-    let mut simulation = simulation(&figure, G, ground(0.5), touches.to_vec());
-    simulation.start(&[0.0; 4], &[0.0, 0.0, 1.0, -2.0]).expect("valid");
+    let contact_points =
+        [at(Vector3::zeros(), 0.0), ContactPoint { link: 1, ..at(Vector3::new(0.5, 0.0, 0.0), 0.0) }];
+    let mut simulation = simulation(&figure, G, ground(0.5), contact_points.to_vec());
+    simulation.set_start(&[0.0; 4], &[0.0, 0.0, 1.0, -2.0]).expect("valid");
     let error = simulation.run(&fixed(0.1, 100.0, 1e-3)).expect_err("it cannot stay");
-    let RunError::Trouble(trouble) = &error else { panic!("{error}") };
-    assert!(matches!(&trouble.cause, Cause::Planted { .. }), "{error}");
+    let RunError::RunFailure(trouble) = &error else { panic!("{error}") };
+    assert!(matches!(&trouble.cause, FailureKind::Planted { .. }), "{error}");
     let error = error.to_string();
     assert!(
         error.contains("free already")

@@ -3,7 +3,7 @@
 use crate::contact::{G, at, fixed, floor, point, simulation};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use solaris_model::{EventKind, Vector3};
-use solaris_modes::{Cause, RunError, Settings};
+use solaris_modes::{FailureKind, RunError, Settings};
 
 /// The speed with which a mass that meets the ground at `u` leaves it, without gravity. From `m·v·v′ = −k·x·(1 + b·v)`,
 ///
@@ -28,7 +28,7 @@ fn a_mass_leaves_with_the_speed_that_the_law_gives_whatever_the_stiffness() {
         for stiffness in [1e3, 1e5] {
             let plane = floor(0.5, stiffness, b, 1e-2);
             let mut simulation = simulation(&point(), 0.0, plane, vec![at(Vector3::zeros(), 0.0)]);
-            simulation.start(&[0.0, 0.1 * u], &[0.0, -u]).expect("valid");
+            simulation.set_start(&[0.0, 0.1 * u], &[0.0, -u]).expect("valid");
             // There, half a period of the spring and more for a slow way out.
             let way_out = 20.0 * (2.0 / stiffness).sqrt();
             let run =
@@ -74,7 +74,7 @@ fn a_ball_under_gravity_bounces_as_a_fine_integration_says() {
     }
     let radius = 0.05;
     let mut simulation = simulation(&point(), G, floor(0.5, k, b, 1e-2), vec![at(Vector3::zeros(), radius)]);
-    simulation.start(&[0.0, h + radius], &[0.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, h + radius], &[0.0, 0.0]).expect("valid");
     let run = simulation.run(&Settings::new(1.0, 100.0)).expect("runs");
     let error = run.report.error.expect("an estimate").position;
     assert!(error < 1e-6, "{error:e}");
@@ -92,7 +92,7 @@ fn a_ball_under_gravity_bounces_as_a_fine_integration_says() {
 #[test]
 fn without_damping_it_comes_back_to_where_it_fell_from() {
     let mut simulation = simulation(&point(), G, floor(0.0, 1e4, 0.0, 1e-2), vec![at(Vector3::zeros(), 0.0)]);
-    simulation.start(&[0.0, 0.5], &[0.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, 0.5], &[0.0, 0.0]).expect("valid");
     let run = simulation.run(&Settings::new(3.0, 500.0)).expect("runs");
     let report = &run.report;
     assert!(report.energy.heat.abs() < 1e-9 && report.energy.imbalance < 1e-5 * report.energy.scale);
@@ -107,7 +107,7 @@ fn what_is_said_of_a_fall_on_springs_is_no_less_than_what_is_true() {
     for stiffness in [1e3, 1e4, 1e5] {
         let plane = floor(0.0, stiffness, 10.0, 1e-2);
         let mut simulation = simulation(&point(), G, plane, vec![at(Vector3::zeros(), 0.0)]);
-        simulation.start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
+        simulation.set_start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
         let run = simulation.run(&Settings::new(0.5, 100.0)).expect("runs");
         let fine = simulation.run(&fixed(0.5, 100.0, 1e-5)).expect("runs");
         let off = (0..run.motion.len()).map(|frame| (run.motion.q(frame)[1] - fine.motion.q(frame)[1]).abs());
@@ -121,10 +121,10 @@ fn what_is_said_of_a_fall_on_springs_is_no_less_than_what_is_true() {
 fn energy_from_a_touch_that_steps_pass_over_is_answered_with_a_step() {
     let plane = floor(0.0, 1e7, 10.0, 1e-2);
     let mut simulation = simulation(&point(), G, plane, vec![at(Vector3::zeros(), 0.0)]);
-    simulation.start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
     let error = simulation.run(&fixed(0.5, 100.0, 1e-3)).expect_err("its energy does not balance");
-    let RunError::Trouble(trouble) = &error else { panic!("{error}") };
-    assert!(matches!(&trouble.cause, Cause::Energy { .. }), "{error}");
+    let RunError::RunFailure(trouble) = &error else { panic!("{error}") };
+    assert!(matches!(&trouble.cause, FailureKind::Energy { .. }), "{error}");
     let said = "a shorter step, such as a tenth, 1.0e-4 s, or give a tolerance instead of a step";
     assert!(error.to_string().ends_with(said), "{error}");
     // As it says.

@@ -2,12 +2,12 @@
 
 use crate::contact::{G, at, fixed, floor, point, simulation};
 use solaris_model::{Vector3, human};
-use solaris_modes::{ContactLaw, Drive, GroundPlane, SetupError, Simulation, Touch, touches};
+use solaris_modes::{ContactLaw, ContactPoint, Drive, GroundPlane, SetupError, Simulation, contact_points};
 
 #[test]
 fn numbers_that_are_none_are_refused_by_name() {
     let figure = point();
-    let law = |stiffness, damping, slip| ContactLaw::Spring { stiffness, damping, slip };
+    let law = |stiffness, damping, slip| ContactLaw::Compliant { stiffness, damping, slip };
     let good = floor(0.5, 1e4, 1.0, 1e-2);
     let planes = [
         ("friction", GroundPlane { friction: -0.1, ..good }),
@@ -18,17 +18,21 @@ fn numbers_that_are_none_are_refused_by_name() {
         ("slip", GroundPlane { law: law(1e4, 1.0, 0.0), ..good }),
     ];
     for (what, plane) in planes {
-        let error =
-            Simulation::new(&figure, Vector3::zeros()).ground(plane, Vec::new()).expect_err("it is refused");
+        let error = Simulation::new(&figure, Vector3::zeros())
+            .set_ground(plane, Vec::new())
+            .expect_err("it is refused");
         assert!(matches!(&error, SetupError::Range { what: named, .. } if named.contains(what)), "{error}");
     }
-    let touches = [
-        Touch { link: 1, center: Vector3::zeros(), radius: 0.0 },
+    let contact_points = [
+        ContactPoint { link: 1, center: Vector3::zeros(), radius: 0.0 },
         at(Vector3::new(0.0, f64::NAN, 0.0), 0.0),
         at(Vector3::zeros(), -1.0),
     ];
-    for touch in touches {
-        assert!(Simulation::new(&figure, Vector3::zeros()).ground(good, vec![touch]).is_err(), "{touch:?}");
+    for touch in contact_points {
+        assert!(
+            Simulation::new(&figure, Vector3::zeros()).set_ground(good, vec![touch]).is_err(),
+            "{touch:?}"
+        );
     }
 }
 
@@ -36,7 +40,7 @@ fn numbers_that_are_none_are_refused_by_name() {
 fn the_default_is_as_stiff_as_the_figure_is_heavy() {
     let figure = point();
     let plane = GroundPlane::under(&figure, &Vector3::new(0.0, -G, 0.0), 0.7).expect("gravity");
-    let ContactLaw::Spring { stiffness, .. } = plane.law else { panic!("a spring") };
+    let ContactLaw::Compliant { stiffness, .. } = plane.law else { panic!("a spring") };
     assert!(
         (stiffness - 2.0 * G / 2e-3).abs() < 1e-9
             && (plane.up.y - 1.0).abs() < 1e-15
@@ -55,13 +59,13 @@ fn the_plan_says_which_touches_are_left_out() {
     let gravity = Vector3::new(0.0, -G, 0.0);
     let mut simulation = Simulation::new(&figure, gravity);
     let plane = GroundPlane::under(&figure, &gravity, 0.8).expect("gravity");
-    let all = touches(&figure);
+    let all = contact_points(&figure);
     let of = |link: &str| {
         let link = figure.link_index(link);
         all.iter().filter(|touch| Some(touch.link) == link).count()
     };
     let loose = of("left_forearm") + of("left_hand");
-    simulation.ground(GroundPlane { height: -1.1, ..plane }, all.clone()).expect("valid");
+    simulation.set_ground(GroundPlane { height: -1.1, ..plane }, all.clone()).expect("valid");
     for link in figure.links() {
         let drive = if link.name() == "left_forearm" { Drive::Free } else { Drive::Frozen };
         simulation.drive(link.joint().name(), [drive]).expect("a joint");
@@ -81,9 +85,9 @@ fn leaving_out_changes_no_contact() {
     let gravity = Vector3::new(0.0, -G, 0.0);
     let mut simulation = Simulation::new(&figure, gravity);
     let plane = GroundPlane::under(&figure, &gravity, 0.8).expect("gravity");
-    let softer = ContactLaw::Spring { stiffness: 1e5, damping: 1.0, slip: 0.1 };
+    let softer = ContactLaw::Compliant { stiffness: 1e5, damping: 1.0, slip: 0.1 };
     simulation
-        .ground(GroundPlane { height: -1.0135, law: softer, ..plane }, touches(&figure))
+        .set_ground(GroundPlane { height: -1.0135, law: softer, ..plane }, contact_points(&figure))
         .expect("valid");
     for link in figure.links() {
         let drive = if link.name() == "left_thigh" { Drive::Free } else { Drive::Frozen };
@@ -92,7 +96,7 @@ fn leaving_out_changes_no_contact() {
     let (mut q, mut v) = (simulation.state().0.to_vec(), simulation.state().1.to_vec());
     let hip = figure.layout().dof_index("left_hip.rx").expect("a dof");
     (q[hip], v[hip]) = (0.2, -1.0);
-    simulation.start(&q, &v).expect("valid");
+    simulation.set_start(&q, &v).expect("valid");
     let settings = fixed(0.3, 100.0, 5e-5);
     let mut whole = settings.clone();
     whole.leave_out = false;
@@ -110,9 +114,9 @@ fn leaving_out_changes_no_contact() {
 #[test]
 fn a_ground_far_below_changes_nothing() {
     let mut with = simulation(&point(), G, floor(0.5, 1e4, 1.0, 1e-2), vec![at(Vector3::zeros(), 0.0)]);
-    with.start(&[0.0, 100.0], &[1.0, 0.0]).expect("valid");
+    with.set_start(&[0.0, 100.0], &[1.0, 0.0]).expect("valid");
     let mut without = Simulation::new(&point(), Vector3::new(0.0, -G, 0.0));
-    without.start(&[0.0, 100.0], &[1.0, 0.0]).expect("valid");
+    without.set_start(&[0.0, 100.0], &[1.0, 0.0]).expect("valid");
     let [with, without] =
         [with, without].map(|simulation| simulation.run(&fixed(1.0, 100.0, 1e-2)).expect("runs"));
     for frame in 0..with.motion.len() {

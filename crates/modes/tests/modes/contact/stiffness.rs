@@ -3,7 +3,7 @@
 use crate::contact::{G, at, fixed, floor, point, simulation};
 use approx::assert_relative_eq;
 use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
-use solaris_modes::{Settings, Touch};
+use solaris_modes::{ContactPoint, Settings};
 
 /// From sand to steel: it comes to rest as deep as its weight presses it.
 #[test]
@@ -12,7 +12,7 @@ fn a_mass_comes_to_rest_at_the_depth_of_its_weight() {
         let damping = 20.0;
         let mut simulation =
             simulation(&point(), G, floor(0.8, stiffness, damping, 1e-2), vec![at(Vector3::zeros(), 0.0)]);
-        simulation.start(&[0.0, 1e-3], &[0.3, 0.0]).expect("valid");
+        simulation.set_start(&[0.0, 1e-3], &[0.3, 0.0]).expect("valid");
         let run = simulation.run(&fixed(3.0, 100.0, 0.01 * (2.0 / stiffness).sqrt())).expect("runs");
         let last = run.motion.len() - 1;
         assert_relative_eq!(-run.motion.q(last)[1], 2.0 * G / stiffness, max_relative = 1e-2);
@@ -30,7 +30,7 @@ fn a_light_foot_carries_a_heavy_body() {
         let mut figure = FigureBuilder::new("pogo").link(body).link(foot);
         figure = figure.gravity(Vector3::new(0.0, -G, 0.0));
         let figure = figure.build().expect("valid");
-        let touch = Touch { link: 1, center: Vector3::zeros(), radius: 0.0 };
+        let touch = ContactPoint { link: 1, center: Vector3::zeros(), radius: 0.0 };
         let mut simulation = simulation(&figure, G, floor(0.5, 2e4, 1.0, 1e-2), vec![touch]);
         let spring = solaris_modes::PointSpring {
             between: [0, 1].map(|link| solaris_modes::Anchor { link: Some(link), point: Vector3::zeros() }),
@@ -38,8 +38,8 @@ fn a_light_foot_carries_a_heavy_body() {
             damping: 30.0,
             rest: 0.4,
         };
-        simulation.spring(spring).expect("valid");
-        simulation.start(&[0.45, -0.4], &[0.0, 0.0]).expect("valid");
+        simulation.add_spring(spring).expect("valid");
+        simulation.set_start(&[0.45, -0.4], &[0.0, 0.0]).expect("valid");
         let run = simulation.run(&Settings::new(4.0, 50.0)).expect("runs");
         let last = run.motion.len() - 1;
         let contact = run.motion.contact("foot").expect("it stands").samples[last];

@@ -3,10 +3,10 @@
 use super::{double_pendulum, pendulum, run, settings, slider};
 use approx::assert_abs_diff_eq;
 use solaris_model::{EventKind, Vector3};
-use solaris_modes::{Drive, LimitLaw, OutcomeKind, Run, Shape, Simulation, Step, Until};
+use solaris_modes::{Drive, EndCondition, LimitLaw, OutcomeKind, Run, Shape, Simulation, Step};
 use solaris_profiles::Profile;
 
-fn until(drive: Drive, until: Until) -> Step {
+fn until(drive: Drive, until: EndCondition) -> Step {
     Step { drive, until }
 }
 
@@ -46,10 +46,10 @@ fn a_drive_gives_way_at_a_time_after_a_time_and_where_something_passes() {
     let slide = "slide".to_owned();
     let table = [
         // v = t, x = t²/2.
-        (Until::Time(0.3), 0.3),
-        (Until::Lasting(0.45), 0.45),
-        (Until::Position { dof: slide.clone(), value: 0.08 }, 0.4),
-        (Until::Velocity { dof: slide, value: 0.65 }, 0.65),
+        (EndCondition::Time(0.3), 0.3),
+        (EndCondition::Lasting(0.45), 0.45),
+        (EndCondition::Position { dof: slide.clone(), value: 0.08 }, 0.4),
+        (EndCondition::Velocity { dof: slide, value: 0.65 }, 0.65),
     ];
     for (condition, time) in table {
         let steps = vec![until(force(2.0, 5.0), condition.clone()), Drive::Free.into()];
@@ -67,9 +67,9 @@ fn a_drive_gives_way_at_a_time_after_a_time_and_where_something_passes() {
 fn an_event_of_one_joint_hands_over_another() {
     // The lower hinge is free until the upper passes 30°, and is then brought to rest at 0.
     let mut simulation = Simulation::new(&double_pendulum(), Vector3::new(0.0, -9.81, 0.0));
-    simulation.limits(LimitLaw::Ignore).expect("valid");
-    simulation.start(&[1.0, 0.4], &[0.0, 0.0]).expect("valid");
-    let passes = Until::Position { dof: "upper_hinge".to_owned(), value: 30_f64.to_radians() };
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_start(&[1.0, 0.4], &[0.0, 0.0]).expect("valid");
+    let passes = EndCondition::Position { dof: "upper_hinge".to_owned(), value: 30_f64.to_radians() };
     let calm = Drive::Move { to: 0.0, over: 0.4, along: Shape::MinimumJerk };
     simulation.drive("lower_hinge", [until(Drive::Free, passes), calm.into()]).expect("valid");
     let found = simulation.run(&settings(1.0, 1000.0, 1e-3)).expect("runs");
@@ -96,7 +96,7 @@ fn an_event_of_one_joint_hands_over_another() {
 #[test]
 fn a_curve_that_is_let_go_falls_on_with_its_velocity() {
     let raise = Drive::Move { to: 1.0, over: 0.6, along: Shape::Cubic };
-    let steps = vec![until(raise, Until::Time(0.3)), Drive::Free.into()];
+    let steps = vec![until(raise, EndCondition::Time(0.3)), Drive::Free.into()];
     let found = run(pendulum(9.81), (0.0, 0.0), steps, 0.6);
     let energy = |frame: usize| {
         let (q, v) = (found.motion.q(frame)[0], found.motion.v(frame)[0]);

@@ -14,7 +14,7 @@ fn intensive(target: Target, duration: f64, law: Law) -> Drive {
 fn leg(law: Law, rate: f64, gravity: f64) -> (f64, f64) {
     let figure = human(1.75, 73.0).expect("in range");
     let mut simulation = Simulation::new(&figure, Vector3::new(0.0, -gravity, 0.0));
-    simulation.limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
     let mut targets = Vec::new();
     for link in figure.links() {
         match link.joint().name() {
@@ -78,7 +78,7 @@ fn a_target_with_a_velocity_is_met_with_it() {
 fn a_force_of_the_next_joint_and_a_free_one_are_reckoned_with() {
     // The upper hinge tracks while the lower swings freely.
     let mut simulation = Simulation::new(&double_pendulum(), Vector3::new(0.0, -9.81, 0.0));
-    simulation.start(&[0.0, 1.2], &[0.0, 0.0]).expect("valid");
+    simulation.set_start(&[0.0, 1.2], &[0.0, 0.0]).expect("valid");
     simulation.drive("upper_hinge", [intensive(Target::at(0.8), 1.0, Law::Quintic)]).expect("valid");
     let found = simulation.run(&settings(1.0, 240.0, 1.0 / 480.0)).expect("runs");
     assert_abs_diff_eq!(found.report.outcomes[0].position, 0.8, epsilon = 2e-6);

@@ -8,8 +8,8 @@ use solaris_profiles::Profile;
 /// The free lower hinge after a second, in which the upper is driven and something jumps at times that no step hits.
 fn lower(drive: &Drive, step: f64) -> f64 {
     let mut simulation = Simulation::new(&double_pendulum(), Vector3::new(0.0, -9.81, 0.0));
-    simulation.limits(LimitLaw::Ignore).expect("valid");
-    simulation.start(&[0.0, 0.5], &[0.0, 0.0]).expect("valid");
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_start(&[0.0, 0.5], &[0.0, 0.0]).expect("valid");
     simulation.drive("upper_hinge", [drive.clone()]).expect("valid");
     let run = simulation.run(&settings(1.0, 10.0, step)).expect("runs");
     run.motion.q(10)[1]

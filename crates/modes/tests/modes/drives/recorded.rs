@@ -3,16 +3,16 @@
 use super::{double_pendulum, settings};
 use approx::assert_abs_diff_eq;
 use solaris_model::Vector3;
-use solaris_modes::{Drive, LimitLaw, OutcomeKind, Recorded, Simulation};
+use solaris_modes::{Drive, LimitLaw, OutcomeKind, RecordedMotion, Simulation};
 use std::sync::Arc;
 
 #[test]
 fn what_swings_freely_swings_the_same_with_its_carrier_on_record() {
     let mut simulation = Simulation::new(&double_pendulum(), Vector3::new(0.0, -9.81, 0.0));
-    simulation.limits(LimitLaw::Ignore).expect("valid");
-    simulation.start(&[0.9, -0.4], &[0.0, 0.5]).expect("valid");
+    simulation.set_limits(LimitLaw::Ignore).expect("valid");
+    simulation.set_start(&[0.9, -0.4], &[0.0, 0.5]).expect("valid");
     let free = simulation.run(&settings(1.0, 500.0, 1e-3)).expect("runs");
-    let recorded = Arc::new(Recorded::new(free.motion.clone()).expect("has samples"));
+    let recorded = Arc::new(RecordedMotion::new(free.motion.clone()).expect("has samples"));
     assert_eq!(recorded.span(), (0.0, 1.0));
     simulation.drive("upper_hinge", [Drive::Recorded(recorded)]).expect("valid");
     let again = simulation.run(&settings(1.0, 500.0, 1e-3)).expect("runs");

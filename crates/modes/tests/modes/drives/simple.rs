@@ -121,7 +121,7 @@ fn eulers_rules_miss_by_half_a_step_of_the_velocity_and_the_exact_one_does_not()
         let mut simulation: Simulation = slider();
         let force = Profile::Line { from: 4.0, to: 4.0, duration: 1.0 };
         simulation.drive("slide", [Drive::Torque(force)]).expect("valid");
-        simulation.limits(LimitLaw::Ignore).expect("valid");
+        simulation.set_limits(LimitLaw::Ignore).expect("valid");
         let method = Method::Fixed { rule, step: 0.04 };
         // What Euler's rules do to the energy is what the guard is for.
         let guard = Guard { energy: f64::INFINITY, ..Guard::default() };

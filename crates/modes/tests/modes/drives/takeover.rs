@@ -2,7 +2,7 @@
 
 use solaris_model::{Curve, EventKind, FigureBuilder, Joint, LinkSpec, Vector3};
 use solaris_modes::{
-    Course, Drive, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation, Step, Target, Until,
+    Course, Drive, EndCondition, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation, Step, Target,
 };
 use solaris_profiles::Profile;
 
@@ -18,7 +18,7 @@ fn run(simulation: &Simulation, duration: f64) -> Run {
     simulation.run(&Settings::new(duration, 100.0)).expect("it comes to the end")
 }
 
-fn until(drive: Drive, until: Until) -> Step {
+fn until(drive: Drive, until: EndCondition) -> Step {
     Step { drive, until }
 }
 
@@ -31,7 +31,7 @@ fn a_limit_holds_what_starts_at_it_without_any_acceleration() {
     for sign in [-1.0, 1.0] {
         let mut simulation = block();
         let limit = if sign < 0.0 { 0.0 } else { 5.0 };
-        simulation.start(&[limit], &[0.0]).expect("a state");
+        simulation.set_start(&[limit], &[0.0]).expect("a state");
         // The force is zero at first.
         simulation.drive("slide", [Drive::Torque(line(0.0, 80.0 * sign, 1.0))]).expect("a drive");
         let run = run(&simulation, 1.0);
@@ -54,24 +54,24 @@ fn a_limit_does_not_pull_what_is_led_away_from_it() {
 fn drives_that_are_over_at_once_give_way_at_once() {
     let over = |first: Step| {
         let mut simulation = block();
-        simulation.start(&[1.0], &[0.0]).expect("a state");
+        simulation.set_start(&[1.0], &[0.0]).expect("a state");
         let next = Step::from(Drive::Move { to: 2.0, over: 0.5, along: solaris_modes::Shape::MinimumJerk });
         simulation.drive("slide", [first, next]).expect("drives");
         run(&simulation, 1.0).motion.q(50)[0]
     };
     for first in [
-        until(Drive::Frozen, Until::Lasting(0.0)),
-        until(Drive::Free, Until::Time(0.0)),
-        until(Drive::Free, Until::Lasting(0.0)),
+        until(Drive::Frozen, EndCondition::Lasting(0.0)),
+        until(Drive::Free, EndCondition::Time(0.0)),
+        until(Drive::Free, EndCondition::Lasting(0.0)),
     ] {
         assert!((over(first) - 2.0).abs() < 1e-9);
     }
     // A time that is past when the drive begins.
     let mut simulation = block();
-    simulation.start(&[1.0], &[0.0]).expect("a state");
+    simulation.set_start(&[1.0], &[0.0]).expect("a state");
     let go = |to| Drive::Move { to, over: 0.4, along: solaris_modes::Shape::Cubic };
     simulation
-        .drive("slide", [go(2.0).into(), until(Drive::Free, Until::Time(0.2)), go(3.0).into()])
+        .drive("slide", [go(2.0).into(), until(Drive::Free, EndCondition::Time(0.2)), go(3.0).into()])
         .expect("drives");
     assert!((run(&simulation, 1.0).motion.q(90)[0] - 3.0).abs() < 1e-9);
 }
@@ -80,7 +80,9 @@ fn drives_that_are_over_at_once_give_way_at_once() {
 fn a_torque_goes_on_as_it_ended_until_the_next_drive() {
     let mut simulation = block();
     let torque = Drive::Torque(line(4.0, 4.0, 0.1));
-    simulation.drive("slide", [until(torque, Until::Lasting(1.0)), Drive::Free.into()]).expect("drives");
+    simulation
+        .drive("slide", [until(torque, EndCondition::Lasting(1.0)), Drive::Free.into()])
+        .expect("drives");
     let run = run(&simulation, 1.0);
     // 2 m/s² for a second.
     assert!((run.motion.q(100)[0] - 1.0).abs() < 1e-9, "{:?}", run.motion.q(100));
@@ -90,9 +92,9 @@ fn a_torque_goes_on_as_it_ended_until_the_next_drive() {
 #[test]
 fn an_impact_that_leaps_over_a_velocity_has_passed_it() {
     let mut simulation = block();
-    simulation.limits(LimitLaw::Hard { restitution: 0.5 }).expect("a law");
-    simulation.start(&[1.0], &[-2.0]).expect("a state");
-    let turned = Until::Velocity { dof: "slide".to_owned(), value: 0.0 };
+    simulation.set_limits(LimitLaw::Hard { restitution: 0.5 }).expect("a law");
+    simulation.set_start(&[1.0], &[-2.0]).expect("a state");
+    let turned = EndCondition::Velocity { dof: "slide".to_owned(), value: 0.0 };
     simulation.drive("slide", [until(Drive::Free, turned), Drive::Frozen.into()]).expect("drives");
     let method = Method::Fixed { rule: Rule::RungeKutta4, step: 0.01 };
     let settings = Settings { method, estimate: false, ..Settings::new(1.0, 100.0) };
@@ -105,7 +107,7 @@ fn an_impact_that_leaps_over_a_velocity_has_passed_it() {
 #[test]
 fn what_only_lies_at_a_limit_has_not_hit_it() {
     let mut simulation = block();
-    simulation.start(&[5.0], &[-1.0]).expect("a state");
+    simulation.set_start(&[5.0], &[-1.0]).expect("a state");
     let run = run(&simulation, 1.0);
     assert!(run.report.outcomes.is_empty(), "{:?}", run.report.outcomes);
     assert!((run.motion.q(100)[0] - 4.0).abs() < 1e-9);
@@ -114,12 +116,12 @@ fn what_only_lies_at_a_limit_has_not_hit_it() {
 #[test]
 fn a_step_longer_than_a_frame_is_a_frame() {
     let mut simulation = block();
-    simulation.start(&[1.0], &[0.1]).expect("a state");
+    simulation.set_start(&[1.0], &[0.1]).expect("a state");
     let anchor = |link, x| solaris_modes::Anchor { link, point: Vector3::new(x, 0.0, 0.0) };
     let between = [anchor(Some(0), 0.0), anchor(None, 3.0)];
     // 50 1/s: a tenth of a second would be unstable, a frame is not.
     let spring = solaris_modes::PointSpring { between, stiffness: 5000.0, damping: 0.0, rest: 2.0 };
-    simulation.spring(spring).expect("a spring");
+    simulation.add_spring(spring).expect("a spring");
     let method = Method::Fixed { rule: Rule::RungeKutta4, step: 0.1 };
     let run = simulation.run(&Settings { method, ..Settings::new(1.0, 100.0) }).expect("stable");
     assert!(run.report.method.contains("1.000e-2"), "{}", run.report.method);
@@ -134,7 +136,7 @@ fn what_follows_a_leader_is_stopped_with_it() {
     let bob = LinkSpec::child("bob", "lift", Joint::new("on").ty()).mass(1.0);
     let figure = FigureBuilder::new("lift").link(cart).link(lift).link(bob).build().expect("valid");
     let mut simulation = Simulation::new(&figure, Vector3::zeros());
-    simulation.start(&[0.0; 3], &[1.0, 2.0, 0.0]).expect("a state");
+    simulation.set_start(&[0.0; 3], &[1.0, 2.0, 0.0]).expect("a state");
     simulation.drive("x", [Drive::Kinematic(line(0.0, 0.5, 0.5))]).expect("a drive");
     let run = run(&simulation, 1.0);
     // The lift stops; what lies on it keeps its 2 m/s upwards.
@@ -161,10 +163,10 @@ fn what_follows_has_no_drive_of_its_own() {
 #[test]
 fn what_does_not_begin_or_end_is_said() {
     let mut simulation = block();
-    let over = |drive: Drive, time| until(drive, Until::Lasting(time));
+    let over = |drive: Drive, time| until(drive, EndCondition::Lasting(time));
     // Nothing pushes the block, so that the target gives no acceleration: the next drive comes at once.
     let target = Drive::Simple { target: Target::at(0.0), course: Course::BangBang };
-    simulation.start(&[1.0], &[0.0]).expect("a state");
+    simulation.set_start(&[1.0], &[0.0]).expect("a state");
     let steps = [target.into(), over(Drive::Frozen, 0.5), over(Drive::Free, 2.0), Drive::Frozen.into()];
     simulation.drive("slide", steps).expect("drives");
     let run = run(&simulation, 1.0);

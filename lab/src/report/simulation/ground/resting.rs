@@ -32,7 +32,7 @@ pub(super) fn grounds() -> Result<Vec<Ground>, Faulty> {
             all.push(on_springs(pogo, 10_f64.powi(power))?);
         }
         let solution: Solution = if pogo { Box::new(planted) } else { Box::new(stopped) };
-        let (name, simulation) = (format!("{}, Planted", what(pogo)), falling(pogo, ContactLaw::Planted)?);
+        let (name, simulation) = (format!("{}, Planted", what(pogo)), falling(pogo, ContactLaw::Rigid)?);
         let scene = Scene { name, simulation, duration: DURATION, solution };
         all.push(Ground { scene, longest: None });
     }
@@ -71,9 +71,9 @@ fn falling(pogo: bool, law: ContactLaw) -> Result<Simulation, Faulty> {
     if pogo {
         let mut simulation = stilt(FOOT, |simulation, touch| {
             let up = nalgebra::Unit::new_unchecked(Vector3::y());
-            simulation.ground(GroundPlane { up, height: 0.0, friction: 0.0, law }, touch)
+            simulation.set_ground(GroundPlane { up, height: 0.0, friction: 0.0, law }, touch)
         })?;
-        simulation.start(&[REST + HEIGHT, -REST], &[0.0; 2])?;
+        simulation.set_start(&[REST + HEIGHT, -REST], &[0.0; 2])?;
         return Ok(simulation);
     }
     let figure = built("mass", [LinkSpec::root("mass", Joint::new("fall").ty()).mass(1.0)])?;
@@ -83,7 +83,7 @@ fn falling(pogo: bool, law: ContactLaw) -> Result<Simulation, Faulty> {
 /// A body of 2 kg on a springy leg with a foot of a mass (kg).
 fn stilt(
     foot: f64,
-    lay: impl FnOnce(&mut Simulation, Vec<solaris_modes::Touch>) -> Result<(), solaris_modes::SetupError>,
+    lay: impl FnOnce(&mut Simulation, Vec<solaris_modes::ContactPoint>) -> Result<(), solaris_modes::SetupError>,
 ) -> Result<Simulation, Faulty> {
     let links = [
         LinkSpec::root("body", Joint::new("up").ty()).mass(BODY),
@@ -92,7 +92,7 @@ fn stilt(
     let figure = built("pogo", links)?;
     let mut simulation = Simulation::new(&figure, Vector3::new(0.0, -G, 0.0));
     let between = [0, 1].map(|link| Anchor { link: Some(link), point: Vector3::zeros() });
-    simulation.spring(PointSpring { between, stiffness: LEG[0], damping: LEG[1], rest: REST })?;
+    simulation.add_spring(PointSpring { between, stiffness: LEG[0], damping: LEG[1], rest: REST })?;
     lay(&mut simulation, touches(1, &[[0.0; 2]], 0.0))?;
     Ok(simulation)
 }
@@ -174,12 +174,12 @@ pub(super) fn foot(ratio: f64, planted: bool, method: Method) -> Result<Stood, S
     let mut simulation = stilt(ratio * BODY, |simulation, touch| {
         let mut plane = GroundPlane::under(simulation.figure(), simulation.gravity(), 0.0)?;
         if planted {
-            plane.law = ContactLaw::Planted;
+            plane.law = ContactLaw::Rigid;
         }
-        simulation.ground(plane, touch)
+        simulation.set_ground(plane, touch)
     })?;
     // The leg presses all the time: nothing leaves the ground.
-    simulation.start(&[0.33, -0.33], &[0.0; 2]).map_err(|error| error.to_string())?;
+    simulation.set_start(&[0.33, -0.33], &[0.0; 2]).map_err(|error| error.to_string())?;
     let mut settings = Settings { method, forces: false, ..Settings::new(2.0, RATE) };
     settings.guard.evaluations = MOST;
     let run: Result<Run, RunError> = simulation.run(&settings);

@@ -76,7 +76,7 @@ fn bouncing() -> Result<Simulation, Faulty> {
 
 fn dropped() -> Result<Simulation, Faulty> {
     let corners = touches(0, &[[-0.2, -0.1], [0.2, -0.1]], 0.0);
-    over(&flat(3.0, 0.05)?, (ContactLaw::Planted, 0.5), corners, (&[0.0, 0.6, 0.0], &[0.0; 3]))
+    over(&flat(3.0, 0.05)?, (ContactLaw::Rigid, 0.5), corners, (&[0.0, 0.6, 0.0], &[0.0; 3]))
 }
 
 /// A slim rod of 1 m on its lower end.
@@ -85,7 +85,7 @@ fn rod() -> Result<Simulation, Faulty> {
     let start = [l * tilt.sin(), l * tilt.cos(), -tilt];
     over(
         &flat(1.5, 1.5 * l * l / 3.0)?,
-        (ContactLaw::Planted, 0.5),
+        (ContactLaw::Rigid, 0.5),
         touches(0, &[[0.0, -l]], 0.0),
         (&start, &[0.0; 3]),
     )
@@ -97,5 +97,5 @@ fn rocking() -> Result<Simulation, Faulty> {
     let (alpha, r) = (b.atan2(h), b.hypot(h));
     let start = [-r * (alpha - TILT).sin(), r * (alpha - TILT).cos(), -TILT];
     let corners = touches(0, &[[-b, -h], [b, -h]], 0.0);
-    over(&flat(2.0, 2.0 / 3.0 * r * r)?, (ContactLaw::Planted, 1.0), corners, (&start, &[0.0; 3]))
+    over(&flat(2.0, 2.0 / 3.0 * r * r)?, (ContactLaw::Rigid, 1.0), corners, (&start, &[0.0; 3]))
 }

@@ -131,41 +131,41 @@ pub enum RunError {
     Setup(#[from] SetupError),
     /// A run that got into trouble.
     #[error(transparent)]
-    Trouble(#[from] Box<Trouble>),
+    RunFailure(#[from] Box<RunFailure>),
     /// Whoever looked on stopped it.
     #[error("the run was stopped")]
     Cancelled,
 }
 
-impl From<Trouble> for RunError {
-    fn from(trouble: Trouble) -> Self {
-        Self::Trouble(Box::new(trouble))
+impl From<RunFailure> for RunError {
+    fn from(trouble: RunFailure) -> Self {
+        Self::RunFailure(Box::new(trouble))
     }
 }
 
-/// Trouble on the way: when, where, what, and what to do.
+/// The failure of a run: when, where, what, and what to do.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}", self.told(|_| None))]
-pub struct Trouble {
+pub struct RunFailure {
     /// When (s).
     pub time: f64,
     /// The degree of freedom or joint where it shows most.
     pub dof: Option<String>,
     /// What.
-    pub cause: Cause,
+    pub cause: FailureKind,
     /// What may help, each by itself, the likeliest first.
     pub remedies: Vec<Remedy>,
 }
 
-impl Trouble {
+impl RunFailure {
     /// When, where, what, and what to do, with how each remedy is `spelled` where one can be asked for in words of a text or a
     /// command line:
     ///
     /// ```
-    /// use solaris_modes::{Cause, Remedy, Trouble};
+    /// use solaris_modes::{FailureKind, Remedy, RunFailure};
     ///
     /// let remedies = vec![Remedy::StepOf { step: 1e-4 }, Remedy::ToleranceForStep];
-    /// let trouble = Trouble { time: 0.5, dof: None, cause: Cause::Energy { share: 0.3 }, remedies };
+    /// let trouble = RunFailure { time: 0.5, dof: None, cause: FailureKind::Energy { share: 0.3 }, remedies };
     /// let told = trouble.told(|remedy| (*remedy == Remedy::ToleranceForStep).then_some("--tolerance 1e-6"));
     /// assert_eq!(
     ///     told,
@@ -202,7 +202,7 @@ fn shown(time: f64) -> String {
 /// What the trouble is.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Cause {
+pub enum FailureKind {
     /// A joint near gimbal lock.
     #[error("{joint} is {:.1}° from gimbal lock", .distance.to_degrees())]
     GimbalLock {
@@ -277,7 +277,7 @@ pub enum Cause {
         with(*.pull, "N or N s"),
         with(*.sink, "m/s² or m/s")
     )]
-    Footing {
+    UnresolvedContact {
         /// The links that were held and let go in turn.
         links: String,
         /// What held them at most (N, or N s in an impact).
@@ -317,7 +317,7 @@ pub enum Cause {
         /// The shortest step that was tried (s).
         step: f64,
         /// What came in its way.
-        cause: Box<Cause>,
+        cause: Box<FailureKind>,
     },
     /// A state that is none.
     #[error("the state is none: {0}")]

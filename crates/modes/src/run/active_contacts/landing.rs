@@ -3,11 +3,11 @@
 use super::{REST, ROUNDING, Scene, Tried};
 use crate::body::Pressed;
 use crate::contact::Surface;
+use crate::failure::RunError;
 use crate::phase::Role;
 use crate::report::Landing;
 use crate::run::guard;
 use crate::run::pass::Pass;
-use crate::trouble::RunError;
 
 impl Pass<'_> {
     /// The impact of these touches, which are on the ground, as a plastic one: those that the ground would have to pull are let
@@ -25,19 +25,19 @@ impl Pass<'_> {
         let time = self.t;
         let failed = |error| RunError::from(guard::of_dynamics(time, error));
         let stops = |touch: &Pressed<f64>| touch.rate > REST || touch.slip.norm() > REST;
-        let moved: Vec<bool> = scene.touches.iter().map(stops).collect();
-        let down: Vec<bool> = scene.touches.iter().map(|touch| touch.rate > REST).collect();
+        let moved: Vec<bool> = scene.contact_points.iter().map(stops).collect();
+        let down: Vec<bool> = scene.contact_points.iter().map(|touch| touch.rate > REST).collect();
         let speed =
-            scene.touches.iter().map(|touch| touch.slip.norm() + touch.rate.abs()).fold(0.0, f64::max);
+            scene.contact_points.iter().map(|touch| touch.slip.norm() + touch.rate.abs()).fold(0.0, f64::max);
         let nv = self.v.len();
         let (mut jump, mut impulse) = (vec![0.0; nv], vec![0.0; nv]);
         let (mut tried, mut last) = (Tried::default(), None);
         let comes =
             |part: usize| (0..down.len()).any(|i| down[i] && scene.closed[i] && scene.parts[i] == Some(part));
-        self.footing.sliding.retain(|part| !comes(*part));
+        self.active.sliding.retain(|part| !comes(*part));
         let holds = loop {
             tried.check(&mut held, last, self, (surface, scene))?;
-            let holds = self.footholds(surface, scene, &held);
+            let holds = self.patches(surface, scene, &held);
             self.body.plant(&holds);
             jump.fill(0.0);
             impulse.fill(0.0);
@@ -73,7 +73,7 @@ impl Pass<'_> {
             held.push(sinks);
             last = Some(sinks);
         };
-        let total = self.body.footing().fold([0.0; 3], |mut sum, wrench| {
+        let total = self.body.patch_wrenches().fold([0.0; 3], |mut sum, wrench| {
             sum.iter_mut().zip(wrench.force.iter()).for_each(|(sum, force)| *sum += force);
             sum
         });
@@ -86,8 +86,8 @@ impl Pass<'_> {
             *sum += part;
         }
         let mut links: Vec<String> = Vec::new();
-        for touch in holds.iter().flat_map(|hold| &hold.touches).filter(|touch| moved[**touch]) {
-            let name = self.simulation.figure.links()[surface.touches[*touch].link].name();
+        for touch in holds.iter().flat_map(|hold| &hold.contact_points).filter(|touch| moved[**touch]) {
+            let name = self.simulation.figure.links()[surface.contact_points[*touch].link].name();
             if !links.iter().any(|other| other == name) {
                 links.push(name.to_owned());
             }

@@ -6,7 +6,7 @@ use std::fmt;
 /// What may help against trouble.
 ///
 /// Its [`Display`](fmt::Display) is a request in words of mechanics and numerics (`take a step below 1.0e-4 s`). How to ask for it in a
-/// text or on a command line is known to whoever reads that: see [`crate::Trouble::told`].
+/// text or on a command line is known to whoever reads that: see [`crate::RunFailure::told`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Remedy {

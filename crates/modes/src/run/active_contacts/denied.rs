@@ -1,9 +1,9 @@
 //! What stands and is denied what it asks for: it is named, with what keeps it.
 
-use crate::contact::{Foothold, Surface};
+use crate::contact::{ContactPatch, Surface};
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::Role;
 use crate::run::pass::Pass;
-use crate::trouble::{Cause, Remedy, RunError, Trouble};
 
 /// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
 const DENIED: f64 = 1e-3;
@@ -23,7 +23,7 @@ impl Pass<'_> {
     /// Refuses footholds that the body could not give what they ask for.
     pub(super) fn check_denied(
         &self,
-        holds: &[Foothold],
+        holds: &[ContactPatch],
         surface: &Surface,
         scale: f64,
     ) -> Result<(), RunError> {
@@ -31,7 +31,7 @@ impl Pass<'_> {
         if missing <= DENIED * scale {
             return Ok(());
         }
-        let link_of = |hold: &Foothold| surface.touches[hold.touches[0]].link;
+        let link_of = |hold: &ContactPatch| surface.contact_points[hold.contact_points[0]].link;
         let link = holds.get(hold).map_or(0, link_of);
         let (why, first) = match self.obstacles(link, holds.iter().map(link_of)) {
             Some((Obstacle::Moves, names)) => {
@@ -46,8 +46,9 @@ impl Pass<'_> {
             None => ("the figure cannot keep still all that stands at once".to_owned(), Remedy::OtherPosture),
         };
         let link = self.simulation.figure.links()[link].name().to_owned();
-        let (cause, remedies) = (Cause::Planted { link, why, missing }, vec![first, Remedy::CompliantGround]);
-        Err(Trouble { time: self.t, dof: None, cause, remedies }.into())
+        let (cause, remedies) =
+            (FailureKind::Planted { link, why, missing }, vec![first, Remedy::CompliantGround]);
+        Err(RunFailure { time: self.t, dof: None, cause, remedies }.into())
     }
 
     /// What keeps links that stand from going where they have to, between them and the root, by the names of degrees of freedom,

@@ -2,9 +2,9 @@
 
 use super::{REST, ROUNDING, SHORTEST_FLIGHT, Scene, Tried};
 use crate::contact::{CALM, Surface};
+use crate::failure::RunError;
 use crate::run::guard;
 use crate::run::pass::Pass;
-use crate::trouble::RunError;
 
 /// Rounds at one instant after which there is no end to be expected, for each touch.
 const MOST_ROUNDS: usize = 50;
@@ -23,12 +23,12 @@ impl Pass<'_> {
         let mut last = None;
         // What slid and has come to rest may stay.
         let slides = |part: usize| {
-            held.iter().any(|&i| scene.parts[i] == Some(part) && scene.touches[i].slip.norm() > REST)
+            held.iter().any(|&i| scene.parts[i] == Some(part) && scene.contact_points[i].slip.norm() > REST)
         };
-        self.footing.sliding.retain(|part| slides(*part));
-        for _ in 0..MOST_ROUNDS * (1 + surface.touches.len()) {
+        self.active.sliding.retain(|part| slides(*part));
+        for _ in 0..MOST_ROUNDS * (1 + surface.contact_points.len()) {
             tried.check(&mut held, last, self, (surface, scene))?;
-            let holds = self.footholds(surface, scene, &held);
+            let holds = self.patches(surface, scene, &held);
             self.body.plant(&holds);
             let (prescribed, mut a, mut tau) = self.given();
             let failed = |error| RunError::from(guard::of_dynamics(self.t, error));
@@ -45,15 +45,15 @@ impl Pass<'_> {
             let open = |i: &usize| scene.closed[*i] && !held.contains(i) && !scene.is_shut(&holds, *i);
             let mut next: Option<(f64, usize)> = None;
             for touch in (0..rises.len()).filter(open) {
-                let (away, rise) = (-scene.touches[touch].rate, rises[touch]);
+                let (away, rise) = (-scene.contact_points[touch].rate, rises[touch]);
                 // What stands does so with a velocity that dies out.
                 if rise >= -ROUNDING * scale - REST / CALM {
                     continue;
                 }
                 let flight = 2.0 * away.max(0.0) / -rise;
                 // What comes back at once has not left: what velocity it has dies out.
-                let stays =
-                    away <= REST || (flight < SHORTEST_FLIGHT && scene.touches[touch].slip.norm() <= REST);
+                let stays = away <= REST
+                    || (flight < SHORTEST_FLIGHT && scene.contact_points[touch].slip.norm() <= REST);
                 if !stays {
                     // The next step has to see it off the ground.
                     self.cap = self.cap.min(self.t + 0.5 * flight);
@@ -65,8 +65,8 @@ impl Pass<'_> {
             tried.sink = tried.sink.max(-rise);
             held.push(touch);
             last = Some(touch);
-            let slides = scene.parts[touch].is_some_and(|part| self.footing.sliding.contains(&part));
-            if !slides && scene.touches[touch].slip.norm() > REST {
+            let slides = scene.parts[touch].is_some_and(|part| self.active.sliding.contains(&part));
+            if !slides && scene.contact_points[touch].slip.norm() > REST {
                 // It has a velocity that it must not keep, unless to stop it the ground would have to pull.
                 held = self.land(surface, scene, held)?;
                 *scene = self.scene(surface, &[])?;

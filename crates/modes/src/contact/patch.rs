@@ -12,9 +12,9 @@ const NARROW: f64 = 1e-6;
 
 /// Touches of one rigid part of a figure that are held where they are on the ground.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Foothold {
+pub(crate) struct ContactPatch {
     /// All of them, by their indices, in ascending order.
-    pub(crate) touches: Vec<usize>,
+    pub(crate) contact_points: Vec<usize>,
     /// Those that hold it: one, the two ends of a line, or the corners of an area, which holds the part as a whole.
     pub(crate) corners: Vec<usize>,
     /// What keeps it as it is.
@@ -42,24 +42,29 @@ pub(crate) enum Arm {
     Edge { from: usize, to: usize, reach: f64 },
 }
 
-impl Foothold {
+impl ContactPatch {
     /// One that is held by these touches, which are `at` these places of the world (m); none without any. `up` has length 1.
     pub(crate) fn new(
-        mut touches: Vec<usize>,
+        mut contact_points: Vec<usize>,
         at: impl Fn(usize) -> Vector3<f64>,
         up: &Vector3<f64>,
     ) -> Option<Self> {
-        touches.sort_unstable();
-        touches.dedup();
+        contact_points.sort_unstable();
+        contact_points.dedup();
         let ground = GroundAxes::new(up);
-        let flat: Vec<Vector2<f64>> = touches.iter().map(|touch| ground.flat(&at(*touch))).collect();
+        let flat: Vec<Vector2<f64>> = contact_points.iter().map(|touch| ground.flat(&at(*touch))).collect();
         let corners = convex_hull(&flat);
         let &first = corners.first()?;
         let distance = |i: usize| (flat[i] - flat[first]).norm();
         let far = (0..flat.len()).max_by(|i, j| distance(*i).total_cmp(&distance(*j)))?;
         if distance(far) < NARROW {
             let levers = vec![Lever { arm: Arm::Point, left: Vec::new() }];
-            return Some(Self { corners: vec![touches[first]], touches, levers, slides: false });
+            return Some(Self {
+                corners: vec![contact_points[first]],
+                contact_points,
+                levers,
+                slides: false,
+            });
         }
         // Of each edge of the hull: how far inside each point is.
         let edge = |k: usize| {
@@ -74,19 +79,20 @@ impl Foothold {
             // The hull of what is nearly in a line may have corners beside its ends.
             let from = (0..flat.len())
                 .max_by(|i, j| (flat[*i] - flat[far]).norm().total_cmp(&(flat[*j] - flat[far]).norm()))?;
-            let ends = [touches[from], touches[far]];
+            let ends = [contact_points[from], contact_points[far]];
             let end = |from: usize, to: usize| Lever { arm: Arm::End { from, to }, left: vec![from] };
             let levers = vec![end(ends[0], ends[1]), end(ends[1], ends[0])];
-            return Some(Self { touches, corners: ends.to_vec(), levers, slides: false });
+            return Some(Self { contact_points, corners: ends.to_vec(), levers, slides: false });
         }
         let lever = |(from, to, inside): &(usize, usize, Vec<f64>)| {
             let on = inside.iter().enumerate().filter(|(_, inside)| **inside < NARROW);
-            let arm = Arm::Edge { from: touches[*from], to: touches[*to], reach: reach(inside) };
-            Lever { arm, left: on.map(|(i, _)| touches[i]).collect() }
+            let arm =
+                Arm::Edge { from: contact_points[*from], to: contact_points[*to], reach: reach(inside) };
+            Lever { arm, left: on.map(|(i, _)| contact_points[i]).collect() }
         };
         let levers = edges.iter().map(lever).collect();
-        let corners = corners.iter().map(|i| touches[*i]).collect();
-        Some(Self { corners, touches, levers, slides: false })
+        let corners = corners.iter().map(|i| contact_points[*i]).collect();
+        Some(Self { corners, contact_points, levers, slides: false })
     }
 
     /// Whether none of the part's points can come nearer to the ground.
@@ -152,8 +158,8 @@ mod tests {
         Vector3::from(CORNERS[touch])
     }
 
-    fn hold(touches: &[usize]) -> Foothold {
-        Foothold::new(touches.to_vec(), at, &Vector3::y()).expect("touches")
+    fn hold(contact_points: &[usize]) -> ContactPatch {
+        ContactPatch::new(contact_points.to_vec(), at, &Vector3::y()).expect("touches")
     }
 
     /// 100 N that press, and push along the ground, at a place of it.
@@ -164,7 +170,7 @@ mod tests {
     #[test]
     fn an_area_stays_while_its_centre_of_pressure_is_inside() {
         let hold = hold(&[0, 1, 2, 3, 4, 5]);
-        assert!(hold.is_whole() && !Foothold { slides: true, ..hold.clone() }.is_whole());
+        assert!(hold.is_whole() && !ContactPatch { slides: true, ..hold.clone() }.is_whole());
         assert_eq!(hold.corners.len(), 4);
         let least = |x: f64, z: f64| {
             let forces = hold.levers.iter().map(|lever| lever.arm.force(&pressed(x, z), at, &Vector3::y()));
@@ -203,6 +209,6 @@ mod tests {
         assert_eq!(hold.corners, [1]);
         assert_abs_diff_eq!(hold.levers[0].arm.force(&pressed(0.0, 0.3), at, &Vector3::y()), 100.0);
         assert!(hold.levers[0].left.is_empty());
-        assert!(Foothold::new(Vec::new(), at, &Vector3::y()).is_none());
+        assert!(ContactPatch::new(Vec::new(), at, &Vector3::y()).is_none());
     }
 }

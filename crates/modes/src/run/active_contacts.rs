@@ -1,4 +1,4 @@
-//! What comes to the ground, stands on it, and leaves it, where the ground [plants](crate::ContactLaw::Planted) what it touches.
+//! What comes to the ground, stands on it, and leaves it, where the ground [plants](crate::ContactLaw::Rigid) what it touches.
 
 mod denied;
 mod landing;
@@ -9,9 +9,9 @@ use super::driven::Meaning;
 use super::guard;
 use super::pass::Pass;
 use crate::body::Pressed;
-use crate::contact::{Foothold, Surface};
+use crate::contact::{ContactPatch, Surface};
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::Role;
-use crate::trouble::{Cause, Remedy, RunError, Trouble};
 use solaris_model::{Event, EventKind};
 use std::collections::HashSet;
 
@@ -41,7 +41,7 @@ struct Scene {
     /// By touch, the first link of the rigid part that it belongs to; none where dynamics do not move it.
     parts: Vec<Option<usize>>,
     /// By touch, what there is without a force.
-    touches: Vec<Pressed<f64>>,
+    contact_points: Vec<Pressed<f64>>,
     /// By touch, whether it is on the ground and on something that dynamics move.
     closed: Vec<bool>,
 }
@@ -64,14 +64,14 @@ impl Pass<'_> {
         let Some(surface) = self.simulation.surface.as_ref().filter(|surface| surface.plants()) else {
             return Ok(());
         };
-        let before = std::mem::take(&mut self.footing.holds);
+        let before = std::mem::take(&mut self.active.holds);
         let (mut held, mut tried): (Vec<usize>, Tried) = Default::default();
-        for (hold, foothold) in before.iter().enumerate() {
+        for (hold, patch) in before.iter().enumerate() {
             let given_way = events.iter().find_map(|event| match event {
                 Meaning::Pull(of, lever) if *of == hold => Some(*lever),
                 _ => None,
             });
-            let left = given_way.map_or(&foothold.touches, |lever| &foothold.levers[lever].left);
+            let left = given_way.map_or(&patch.contact_points, |lever| &patch.levers[lever].left);
             held.extend(left);
             if given_way.is_some() {
                 // What stood until now is no way to stand any more, however near it is to one.
@@ -82,40 +82,41 @@ impl Pass<'_> {
         held.retain(|touch| scene.closed[*touch]);
         // What has come down so slowly that nothing has to be stopped.
         let brought = events.iter().filter_map(|event| match event {
-            Meaning::Touch(touch) if scene.closed[*touch] => Some(*touch),
+            Meaning::ContactPoint(touch) if scene.closed[*touch] => Some(*touch),
             _ => None,
         });
-        held.extend(brought.filter(|touch| scene.touches[*touch].rate.abs() <= REST));
+        held.extend(brought.filter(|touch| scene.contact_points[*touch].rate.abs() <= REST));
         let let_go: Vec<usize> = all_of(&before).into_iter().filter(|touch| !held.contains(touch)).collect();
         if self.comes_down(&scene, &[&held[..], &let_go].concat()) {
-            let stands = |touch: &usize| scene.closed[*touch] && scene.touches[*touch].rate >= -REST;
-            let all = held.iter().copied().chain((0..surface.touches.len()).filter(stands));
+            let stands = |touch: &usize| scene.closed[*touch] && scene.contact_points[*touch].rate >= -REST;
+            let all = held.iter().copied().chain((0..surface.contact_points.len()).filter(stands));
             held = self.land(surface, &scene, all.collect())?;
             self.settle(&[])?;
             scene = self.scene(surface, events)?;
-        } else if !self.footing.begun {
-            held = (0..surface.touches.len())
-                .filter(|touch| scene.closed[*touch] && scene.touches[*touch].rate >= -REST)
+        } else if !self.active.begun {
+            held = (0..surface.contact_points.len())
+                .filter(|touch| scene.closed[*touch] && scene.contact_points[*touch].rate >= -REST)
                 .collect();
         }
-        self.footing.begun = true;
+        self.active.begun = true;
         let held = self.stand(surface, &mut scene, held, tried)?;
-        self.take_footing(surface, &scene, &held, &before);
+        self.take_contacts(surface, &scene, &held, &before);
         Ok(())
     }
 
     /// The touches now, but for those that an event has brought to the ground or below: these are on it.
     fn scene(&mut self, surface: &Surface, events: &[Meaning]) -> Result<Scene, RunError> {
         let links = self.parts();
-        let parts: Vec<Option<usize>> = surface.touches.iter().map(|touch| links[touch.link]).collect();
-        let touches = self.body.touching(&self.q, &self.v);
-        let touches: Vec<Pressed<f64>> =
-            touches.map_err(|error| guard::of_dynamics(self.t, error))?.collect();
-        let closed = touches.iter().enumerate().map(|(i, touch)| {
-            let there = touch.depth >= -NEAR || events.contains(&Meaning::Touch(i));
+        let parts: Vec<Option<usize>> =
+            surface.contact_points.iter().map(|touch| links[touch.link]).collect();
+        let contact_points = self.body.touching(&self.q, &self.v);
+        let contact_points: Vec<Pressed<f64>> =
+            contact_points.map_err(|error| guard::of_dynamics(self.t, error))?.collect();
+        let closed = contact_points.iter().enumerate().map(|(i, touch)| {
+            let there = touch.depth >= -NEAR || events.contains(&Meaning::ContactPoint(i));
             there && parts[i].is_some()
         });
-        Ok(Scene { closed: closed.collect(), touches, parts })
+        Ok(Scene { closed: closed.collect(), contact_points, parts })
     }
 
     /// The rigid parts of what dynamics move: links whose joints stand still are one with the link that carries them.
@@ -134,10 +135,10 @@ impl Pass<'_> {
 
     /// Whether something is on the ground with a velocity that it cannot keep, but for what has `stood` until now.
     fn comes_down(&self, scene: &Scene, stood: &[usize]) -> bool {
-        let mut touches = scene.touches.iter().enumerate().filter(|(i, _)| scene.closed[*i]);
-        touches.any(|(i, touch)| {
+        let mut contact_points = scene.contact_points.iter().enumerate().filter(|(i, _)| scene.closed[*i]);
+        contact_points.any(|(i, touch)| {
             let slides = touch.slip.norm() > REST && touch.rate >= -REST;
-            !stood.contains(&i) && (touch.rate > REST || (slides && !self.footing.begun))
+            !stood.contains(&i) && (touch.rate > REST || (slides && !self.active.begun))
         })
     }
 
@@ -149,8 +150,8 @@ impl Pass<'_> {
         (surface, scene): (&Surface, &Scene),
     ) -> Result<(), RunError> {
         let part = touch.and_then(|touch| scene.parts[touch]);
-        if let Some(part) = part.filter(|part| !self.footing.sliding.contains(part)) {
-            self.footing.sliding.push(part);
+        if let Some(part) = part.filter(|part| !self.active.sliding.contains(part)) {
+            self.active.sliding.push(part);
             return Ok(());
         }
         self.no_footing(tried, touch, (surface, scene))
@@ -163,31 +164,34 @@ impl Pass<'_> {
         last: Option<usize>,
         (surface, scene): (&Surface, &Scene),
     ) -> Result<T, RunError> {
-        let mut touches = tried.contested();
-        touches.extend(last);
-        if touches.is_empty() {
-            touches.extend((0..scene.closed.len()).filter(|touch| scene.closed[*touch]));
+        let mut contact_points = tried.contested();
+        contact_points.extend(last);
+        if contact_points.is_empty() {
+            contact_points.extend((0..scene.closed.len()).filter(|touch| scene.closed[*touch]));
         }
-        let mut links: Vec<usize> = touches.iter().map(|touch| surface.touches[*touch].link).collect();
+        let mut links: Vec<usize> =
+            contact_points.iter().map(|touch| surface.contact_points[*touch].link).collect();
         links.sort_unstable();
         links.dedup();
         let figure = &self.simulation.figure;
         let links: Vec<&str> = links.into_iter().map(|link| figure.links()[link].name()).collect();
-        let cause = Cause::Footing { links: links.join(", "), pull: tried.pull, sink: tried.sink };
+        let cause =
+            FailureKind::UnresolvedContact { links: links.join(", "), pull: tried.pull, sink: tried.sink };
         let remedies = vec![Remedy::CompliantGround];
-        Err(Trouble { time: self.t, dof: None, cause, remedies }.into())
+        Err(RunFailure { time: self.t, dof: None, cause, remedies }.into())
     }
 
     /// Footholds of these touches, one for each rigid part.
-    fn footholds(&self, surface: &Surface, scene: &Scene, held: &[usize]) -> Vec<Foothold> {
+    fn patches(&self, surface: &Surface, scene: &Scene, held: &[usize]) -> Vec<ContactPatch> {
         let mut parts: Vec<usize> = held.iter().filter_map(|touch| scene.parts[*touch]).collect();
         parts.sort_unstable();
         parts.dedup();
-        let at = |touch: usize| scene.touches[touch].point;
+        let at = |touch: usize| scene.contact_points[touch].point;
         let of = |own: usize| {
-            let touches = held.iter().copied().filter(|touch| scene.parts[*touch] == Some(own)).collect();
-            let foothold = Foothold::new(touches, at, &surface.plane.up)?;
-            Some(Foothold { slides: self.footing.sliding.contains(&own), ..foothold })
+            let contact_points =
+                held.iter().copied().filter(|touch| scene.parts[*touch] == Some(own)).collect();
+            let patch = ContactPatch::new(contact_points, at, &surface.plane.up)?;
+            Some(ContactPatch { slides: self.active.sliding.contains(&own), ..patch })
         };
         parts.into_iter().filter_map(of).collect()
     }
@@ -198,11 +202,11 @@ impl Pass<'_> {
         &self,
         surface: &Surface,
         scene: &Scene,
-        holds: &[Foothold],
+        holds: &[ContactPatch],
         least: f64,
     ) -> Option<(f64, Vec<usize>)> {
-        let at = |touch: usize| scene.touches[touch].point;
-        let wrenches: Vec<_> = self.body.footing().collect();
+        let at = |touch: usize| scene.contact_points[touch].point;
+        let wrenches: Vec<_> = self.body.patch_wrenches().collect();
         let greatest = wrenches.iter().map(|wrench| wrench.force.norm()).fold(least, f64::max);
         let mut worst = (-PULL * greatest, None);
         for (hold, wrench) in holds.iter().zip(&wrenches) {
@@ -214,17 +218,19 @@ impl Pass<'_> {
             }
         }
         worst.1.map(|(hold, lever)| {
-            let released = hold.touches.iter().copied().filter(|touch| !lever.left.contains(touch));
+            let released = hold.contact_points.iter().copied().filter(|touch| !lever.left.contains(touch));
             (-worst.0, released.collect())
         })
     }
 
     /// Takes these as what stands on the ground, and tells what has changed.
-    fn take_footing(&mut self, surface: &Surface, scene: &Scene, held: &[usize], before: &[Foothold]) {
-        let holds = self.footholds(surface, scene, held);
+    fn take_contacts(&mut self, surface: &Surface, scene: &Scene, held: &[usize], before: &[ContactPatch]) {
+        let holds = self.patches(surface, scene, held);
         self.body.plant(&holds);
-        let stands = |holds: &[Foothold], link: usize| {
-            holds.iter().any(|hold| hold.touches.iter().any(|touch| surface.touches[*touch].link == link))
+        let stands = |holds: &[ContactPatch], link: usize| {
+            holds.iter().any(|hold| {
+                hold.contact_points.iter().any(|touch| surface.contact_points[*touch].link == link)
+            })
         };
         for (link, spec) in self.simulation.figure.links().iter().enumerate() {
             let (was, is) = (stands(before, link), stands(&holds, link));
@@ -240,26 +246,27 @@ impl Pass<'_> {
             scene.parts[*touch].is_some() && !held.contains(touch) && !scene.is_shut(&holds, *touch)
         };
         let below = |touch: usize| {
-            let depth = scene.touches[touch].depth;
+            let depth = scene.contact_points[touch].depth;
             (touch, if depth < -NEAR { 0.0 } else { BELOW + depth.max(0.0) })
         };
-        self.footing.open = (0..surface.touches.len()).filter(is_open).map(below).collect();
-        self.footing.links = holds.iter().map(|hold| surface.touches[hold.touches[0]].link).collect();
-        self.footing.holds = holds;
+        self.active.open = (0..surface.contact_points.len()).filter(is_open).map(below).collect();
+        self.active.links =
+            holds.iter().map(|hold| surface.contact_points[hold.contact_points[0]].link).collect();
+        self.active.holds = holds;
     }
 }
 
 /// All touches of these footholds, in ascending order.
-fn all_of(holds: &[Foothold]) -> Vec<usize> {
-    let mut all: Vec<usize> = holds.iter().flat_map(|hold| &hold.touches).copied().collect();
+fn all_of(holds: &[ContactPatch]) -> Vec<usize> {
+    let mut all: Vec<usize> = holds.iter().flat_map(|hold| &hold.contact_points).copied().collect();
     all.sort_unstable();
     all
 }
 
 impl Scene {
     /// Whether a touch belongs to a part none of whose points can come nearer to the ground.
-    fn is_shut(&self, holds: &[Foothold], touch: usize) -> bool {
-        holds.iter().any(|hold| hold.is_area() && self.parts[hold.touches[0]] == self.parts[touch])
+    fn is_shut(&self, holds: &[ContactPatch], touch: usize) -> bool {
+        holds.iter().any(|hold| hold.is_area() && self.parts[hold.contact_points[0]] == self.parts[touch])
     }
 }
 

@@ -1,6 +1,6 @@
 //! Where a figure can touch the ground.
 
-use super::Touch;
+use super::ContactPoint;
 use nalgebra::Vector3;
 use solaris_model::{Figure, Link, Shape, ShapeKind};
 
@@ -18,11 +18,11 @@ const ONE_POINT: f64 = 1e-9;
 /// | a tip, and nothing of the above | its tip |
 ///
 /// What a link has of a higher row it does not have of a lower one. Links without any of these touch nothing.
-pub fn touches(figure: &Figure) -> Vec<Touch> {
+pub fn contact_points(figure: &Figure) -> Vec<ContactPoint> {
     let links = figure.links().iter().enumerate();
     links
         .flat_map(|(i, link)| {
-            of_link(link).into_iter().map(move |(center, radius)| Touch { link: i, center, radius })
+            of_link(link).into_iter().map(move |(center, radius)| ContactPoint { link: i, center, radius })
         })
         .collect()
 }
@@ -136,13 +136,13 @@ mod tests {
     #[test]
     fn a_person_stands_on_the_corners_of_both_soles_and_touches_with_all_links() {
         let figure = human(1.75, 73.0).expect("within range");
-        let touches = touches(&figure);
+        let contact_points = contact_points(&figure);
         for (i, link) in figure.links().iter().enumerate() {
-            assert!(touches.iter().any(|touch| touch.link == i), "{}", link.name());
+            assert!(contact_points.iter().any(|touch| touch.link == i), "{}", link.name());
         }
         let foot = figure.link_index("left_foot").expect("a link");
         let corners: Vec<Vector3<f64>> =
-            touches.iter().filter(|touch| touch.link == foot).map(|touch| touch.center).collect();
+            contact_points.iter().filter(|touch| touch.link == foot).map(|touch| touch.center).collect();
         assert_eq!(corners.len(), 4);
         // The row of the table: 4 cm to each side, for 1.741 m; all as deep as the sole.
         let sole = figure.links()[foot].sole()[0].position;

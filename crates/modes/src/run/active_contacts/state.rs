@@ -1,11 +1,11 @@
 //! What a run keeps of what stands on the ground.
 
-use crate::contact::Foothold;
+use crate::contact::ContactPatch;
 
 /// What stands on the ground.
 #[derive(Default)]
-pub(crate) struct Footing {
-    pub(crate) holds: Vec<Foothold>,
+pub(crate) struct ActiveContacts {
+    pub(crate) holds: Vec<ContactPatch>,
     /// For each of them the link that it counts as on: of a rigid part, the one nearest to the root that touches.
     pub(crate) links: Vec<usize>,
     /// What is not held but could come down: touches, each with how far below the ground (m) it is seen.
