@@ -15,6 +15,7 @@ use solaris_model::{AxisKind, DifferenceStep, Figure, Motion, Trajectory};
 /// # Errors
 ///
 /// A root that does not begin with slides along three axes, and what the kernel refuses.
+#[doc(alias = "residual reduction")]
 pub fn balance_momentum(
     figure: &Figure,
     trajectory: &impl Trajectory,

@@ -9,6 +9,9 @@ use solaris_model::{Contact, Figure, MeasuredForce};
 const SAME_TIME: f64 = 1e-9;
 
 /// What acts on a figure from outside, at the times of its motion.
+#[doc(alias = "external loads")]
+#[doc(alias = "external forces")]
+#[doc(alias = "wrench")]
 #[derive(Clone, Debug, Default)]
 pub struct Loads {
     tracks: Vec<Track>,

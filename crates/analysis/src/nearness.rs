@@ -73,6 +73,9 @@ pub enum NearnessError {
 /// # Errors
 ///
 /// [`NearnessError`]: a motion of another figure, and what the kernel refuses.
+#[doc(alias = "self-collision")]
+#[doc(alias = "collision")]
+#[doc(alias = "minimum distance")]
 pub fn nearness(figure: &Figure, motion: &Motion) -> Result<Option<Nearness>, NearnessError> {
     motion.check_figure(figure)?;
     let candidates = pairs::pairs(figure.links());

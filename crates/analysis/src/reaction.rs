@@ -73,6 +73,8 @@ impl Foot {
 /// # Errors
 ///
 /// A motion of another figure, links that are no feet, and a motion that needs a ground that pulls.
+#[doc(alias = "grf")]
+#[doc(alias = "ground reaction forces")]
 pub fn ground_reactions(
     figure: &Figure,
     motion: &mut Motion,

@@ -33,6 +33,7 @@ pub struct RootReport {
 /// # Errors
 ///
 /// A motion of another figure or without forces and contacts of these feet, links that are no feet or cannot be the root.
+#[doc(alias = "reroot")]
 pub fn reactions_from_feet(
     figure: &Figure,
     motion: &mut Motion,

@@ -29,6 +29,8 @@ pub struct FootSupport {
 /// of pressure do not add up to the wrench's, both are moved by the difference.
 ///
 /// `None` where nothing presses on the ground.
+#[doc(alias = "load sharing")]
+#[doc(alias = "double support")]
 pub fn split_at_pivot(
     total: &Wrench<f64>,
     com: &Vector3<f64>,

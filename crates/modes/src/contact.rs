@@ -12,6 +12,8 @@ use nalgebra::{Unit, Vector3};
 use solaris_model::Figure;
 
 /// What bodies touch: a plane.
+#[doc(alias = "floor")]
+#[doc(alias = "terrain")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundPlane {
     /// Out of the ground, in the world's axes. Against gravity for a floor; any other direction is a slope.
@@ -25,6 +27,9 @@ pub struct GroundPlane {
 }
 
 /// How the ground pushes what touches it.
+#[doc(alias = "contact model")]
+#[doc(alias = "hunt-crossley")]
+#[doc(alias = "penalty")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ContactLaw {

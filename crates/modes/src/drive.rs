@@ -21,6 +21,9 @@ use crate::recorded::RecordedMotion;
 /// | intensive | a target and a duration | integrated | found anew each frame, within limits |
 /// | torque | a curve of the force | integrated | the curve |
 /// | free | nothing | integrated | none |
+#[doc(alias = "actuator")]
+#[doc(alias = "motor")]
+#[doc(alias = "joint control")]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Drive {
@@ -148,6 +151,8 @@ impl From<Drive> for Step {
 }
 
 /// When a drive gives way to the next one.
+#[doc(alias = "until")]
+#[doc(alias = "termination")]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EndCondition {

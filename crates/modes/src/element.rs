@@ -18,6 +18,8 @@ pub struct Anchor {
 /// ```
 ///
 /// pulls the two towards each other along the line between them, `l` being their distance.
+#[doc(alias = "spring-damper")]
+#[doc(alias = "linear spring")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointSpring {
     /// The two points.
@@ -31,6 +33,8 @@ pub struct PointSpring {
 }
 
 /// What a joint's limits do to a degree of freedom that dynamics move.
+#[doc(alias = "joint limit")]
+#[doc(alias = "joint stop")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LimitLaw {

@@ -144,6 +144,7 @@ impl From<RunFailure> for RunError {
 }
 
 /// The failure of a run: when, where, what, and what to do.
+#[doc(alias = "trouble")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}", self.told(|_| None))]
 pub struct RunFailure {
@@ -200,6 +201,7 @@ fn shown(time: f64) -> String {
 }
 
 /// What the trouble is.
+#[doc(alias = "cause")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FailureKind {

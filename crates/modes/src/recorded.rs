@@ -8,6 +8,8 @@ use solaris_profiles::Sample;
 /// velocity and acceleration of both.
 ///
 /// Before its first sample and after its last it stands still there.
+#[doc(alias = "motion capture")]
+#[doc(alias = "playback")]
 #[derive(Clone, Debug)]
 pub struct RecordedMotion {
     motion: Motion,

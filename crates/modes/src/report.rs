@@ -282,6 +282,9 @@ pub struct PhaseReport {
 }
 
 /// Looks on while a simulation runs. Nothing below the command line has a clock of its own.
+#[doc(alias = "watch")]
+#[doc(alias = "callback")]
+#[doc(alias = "progress")]
 pub trait Observer {
     /// Seconds since some instant.
     fn now(&self) -> Option<f64> {

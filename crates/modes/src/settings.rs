@@ -40,6 +40,8 @@ impl Settings {
 }
 
 /// A method of stepping through time.
+#[doc(alias = "integrator")]
+#[doc(alias = "solver")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
@@ -68,6 +70,10 @@ pub enum Method {
 }
 
 /// A rule for one step of fixed length `h`.
+#[doc(alias = "runge-kutta")]
+#[doc(alias = "rk4")]
+#[doc(alias = "euler")]
+#[doc(alias = "semi-implicit euler")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Rule {

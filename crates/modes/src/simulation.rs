@@ -13,6 +13,8 @@ use solaris_model::{Figure, nearest};
 /// other, and passive elements.
 ///
 /// To begin with every degree of freedom is free, at zero and at rest, and joint limits stop what dynamics move.
+#[doc(alias = "integrate")]
+#[doc(alias = "world")]
 #[derive(Clone, Debug)]
 pub struct Simulation {
     pub(crate) figure: Figure,

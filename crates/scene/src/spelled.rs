@@ -11,7 +11,7 @@ fn remedy(remedy: &Remedy) -> Option<&'static str> {
         Remedy::StartAtCurve => "start: {…}, velocities: {…}",
         Remedy::MoveInstead => "Move(…)",
         Remedy::SoftLimits => "limits: Spring(stiffness: 500)",
-        Remedy::CompliantGround => "contact: Spring()",
+        Remedy::CompliantGround => "contact: Compliant()",
         _ => return None,
     })
 }
@@ -19,7 +19,7 @@ fn remedy(remedy: &Remedy) -> Option<&'static str> {
 /// What a setup is refused for, in the words of a scene.
 pub(crate) fn setup(error: &SetupError) -> String {
     match error {
-        SetupError::NoGround => format!("{error} (contact: Spring(stiffness: 1e5), up: (0, 1, 0))"),
+        SetupError::NoGround => format!("{error} (contact: Compliant(stiffness: 1e5), up: (0, 1, 0))"),
         SetupError::NoWayDown { .. } => format!("{error} (start: {{…}}, without stand)"),
         SetupError::NotBuiltIn { .. } => format!("{error} (method: RungeKutta4(step: 1e-3))"),
         _ => error.to_string(),

@@ -65,6 +65,7 @@ pub struct Unsupported {
 ///
 /// No gravity, no mass, soles or stances that are none, contacts or a total of other
 /// frames, and the first state that the kernel refuses.
+#[doc(alias = "check")]
 pub fn judge(
     prepared: &PreparedMotion<'_>,
     soles: &[Sole],

@@ -20,6 +20,9 @@ const EVEN: f64 = 1e-2;
 ///
 /// What [`balance`] and [`consistent`] refuse, soles without breadth, frames that are not equally far apart, and roots that
 /// cannot be moved ([`shift_root`]). The motion is then as it was.
+#[doc(alias = "residual reduction")]
+#[doc(alias = "rra")]
+#[doc(alias = "zmp")]
 pub fn make_consistent(
     figure: &Figure,
     motion: &mut Motion,

@@ -22,6 +22,8 @@ use solaris_model::Contact;
 /// where nothing presses on the ground, rise and fall as `3x² − 2x³` of the time until the first of those that stand
 /// when a foot comes has left, and since the last of those came that stay when it leaves, but not beyond the middle of
 /// its stance, and are made to add up to 1.
+#[doc(alias = "load sharing")]
+#[doc(alias = "smooth transition assumption")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Split {

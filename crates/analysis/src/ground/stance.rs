@@ -129,6 +129,8 @@ impl Stances {
 /// # Errors
 ///
 /// No gravity, no mass, no soles or soles that are none, options out of their range, and the first state that the kernel refuses.
+#[doc(alias = "gait events")]
+#[doc(alias = "foot contact")]
 pub fn find_stances(
     prepared: &PreparedMotion<'_>,
     soles: &[Sole],

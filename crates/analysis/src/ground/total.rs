@@ -6,6 +6,9 @@ use nalgebra::Vector3;
 use solaris_dynamics::{Wrench, center_of_mass, inverse_dynamics};
 
 /// What the ground must do to the figure at one time, and where its centre of mass is; world axes.
+#[doc(alias = "zmp")]
+#[doc(alias = "cop")]
+#[doc(alias = "com")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BalanceFrame {
     /// When (s).

@@ -6,7 +6,8 @@ use solaris_model::text::{Fields, Node, ReadSpatial as _};
 use solaris_modes::{ContactLaw, ContactPoint, GroundPlane, SetupError, contact_points};
 
 const FIELDS: [&str; 6] = ["friction", "height", "up", "contact", "touches", "stand"];
-const LAWS: [&str; 2] = ["Spring", "Planted"];
+/// Laws of contact, and the words that older scenes have for them.
+const LAWS: [&str; 4] = ["Compliant", "Rigid", "Spring", "Planted"];
 const EXAMPLE: &str = "(\"foot\", (0, -0.08, 0.1), 0.02)";
 
 impl SceneReader<'_> {
@@ -53,15 +54,16 @@ impl SceneReader<'_> {
         unit
     }
 
-    /// `Spring(stiffness: 3e5, damping: 1, slip: 0.01)`, each as needed, or `Planted`.
+    /// `Compliant(stiffness: 3e5, damping: 1, slip: 0.01)`, each as needed, or `Rigid`; `Spring` and `Planted` mean the same.
     fn contact(&mut self, fields: &Fields<'_, '_>, ground: &Node<'_>) -> Option<ContactLaw> {
         let node = fields.get("contact");
         let given = match node {
             Some(node) => {
                 let kind = self.reader.kind(node, &LAWS)?;
-                let known: &[&str] = if kind == "Spring" { &["stiffness", "damping", "slip"] } else { &[] };
+                let is_rigid = matches!(kind, "Rigid" | "Planted");
+                let known: &[&str] = if is_rigid { &[] } else { &["stiffness", "damping", "slip"] };
                 let fields = self.reader.fields(node, &[kind], known)?;
-                if kind == "Planted" {
+                if is_rigid {
                     let flawed = self.reader.only_known(&fields, known);
                     return (!flawed).then_some(ContactLaw::Rigid);
                 }

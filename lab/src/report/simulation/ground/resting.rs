@@ -32,7 +32,7 @@ pub(super) fn grounds() -> Result<Vec<Ground>, Faulty> {
             all.push(on_springs(pogo, 10_f64.powi(power))?);
         }
         let solution: Solution = if pogo { Box::new(planted) } else { Box::new(stopped) };
-        let (name, simulation) = (format!("{}, Planted", what(pogo)), falling(pogo, ContactLaw::Rigid)?);
+        let (name, simulation) = (format!("{}, Rigid", what(pogo)), falling(pogo, ContactLaw::Rigid)?);
         let scene = Scene { name, simulation, duration: DURATION, solution };
         all.push(Ground { scene, longest: None });
     }

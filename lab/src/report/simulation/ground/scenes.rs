@@ -37,9 +37,9 @@ pub(super) fn all() -> Result<Vec<Scene>, Faulty> {
             answers::rolling(2.0, 0.3 * G, slip, RADIUS, RADIUS - G / STIFFNESS),
         ),
         scene("springs: a mass bounces", 0.4, bouncing()?, answers::springing(HEIGHT, STIFFNESS.sqrt(), G)),
-        scene("Planted: a box drops", 0.4, dropped()?, answers::dropping(0.5, 0.1, G)),
-        scene("Planted: a rod tips over", 0.4, rod()?, answers::tipping(0.5, 0.2, G)),
-        scene("Planted: a block rocks", 0.8, rocking()?, answers::rocking(BLOCK[0], BLOCK[1], TILT, G)),
+        scene("Rigid: a box drops", 0.4, dropped()?, answers::dropping(0.5, 0.1, G)),
+        scene("Rigid: a rod tips over", 0.4, rod()?, answers::tipping(0.5, 0.2, G)),
+        scene("Rigid: a block rocks", 0.8, rocking()?, answers::rocking(BLOCK[0], BLOCK[1], TILT, G)),
     ])
 }
 

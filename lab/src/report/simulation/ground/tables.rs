@@ -90,7 +90,7 @@ fn stiffness(methods: &[Method], header: Vec<&'static str>) -> Result<Table, Str
 /// Feet from light to heavy.
 fn feet(method: Method) -> Table {
     let row = |(ratio, planted): (f64, bool)| {
-        let name = format!("{ratio:e} : 1, {}", if planted { "Planted" } else { "springs" });
+        let name = format!("{ratio:e} : 1, {}", if planted { "Rigid" } else { "springs" });
         let mut row = vec![Cell::text(name)];
         match resting::foot(ratio, planted, method) {
             Ok(stood) => {
