@@ -115,8 +115,7 @@ pub fn stances_of_contacts(
 ///
 /// # Errors
 ///
-/// No gravity, tracks or stances that do not fit it, and the first state that the kernel
-/// refuses.
+/// No gravity, tracks or stances that do not fit it, and the first state that the kernel refuses.
 ///
 /// # Examples
 ///
@@ -124,8 +123,8 @@ pub fn stances_of_contacts(
 ///
 /// ```
 /// use solaris_gait::metrics::{MetricsInput, NoValue, metrics};
-/// use solaris_model::{Vector3, human};
 /// use solaris_analysis::PreparedMotion;
+/// use solaris_model::{Motion, MotionInfo, human};
 ///
 /// let ann = human(1.65, 58.0)?;
 /// let (nq, nv) = (ann.layout().nq(), ann.layout().nv());
