@@ -14,7 +14,7 @@ mod sweep;
 mod value;
 mod walk;
 
-pub(crate) use figure::{CheckArgs, ConvertArgs, FigureCommand, HumanArgs, SizeArgs};
+pub(crate) use figure::{CheckArgs, ConvertArgs, FigureCommand, HumanArgs};
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
 };

@@ -97,6 +97,7 @@ impl CliError {
         let (name, value, unit) = match error {
             HumanError::Height { height } => ("height", height, " m"),
             HumanError::Mass { mass, .. } => ("mass", mass, " kg"),
+            HumanError::Age { age } => ("age", age, " years"),
             _ => return Self::other(error),
         };
         Self::of_value(name, value, unit, Refusal::Person(error), asked)

@@ -1,6 +1,6 @@
 //! `solaris figure`: writes a figure as text.
 
-use crate::args::{BODY_MASS_INDEX, FigureCommand, HEIGHT, HumanArgs, Number, SizeArgs};
+use crate::args::{BODY_MASS_INDEX, FigureCommand, HEIGHT, HumanArgs, Number};
 use crate::error::{CliError, Typed};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
@@ -16,15 +16,18 @@ pub(crate) fn run(command: &FigureCommand) -> Result<(), CliError> {
     }
 }
 
-fn human(HumanArgs { size, output }: &HumanArgs) -> Result<(), CliError> {
+fn human(args: &HumanArgs) -> Result<(), CliError> {
+    let HumanArgs { size, age, output } = args;
     let outputs = Outputs::new([("-o", output, TEXT)])?;
     let height = size.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = size.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
+    let person = Human::new(height, mass);
+    let person = age.as_ref().map_or(person.clone(), |age| person.age(age.value));
     let human = size
         .segments
         .iter()
-        .fold(Human::new(height, mass), |human, (name, length)| human.segment_length(name.clone(), *length));
-    let figure = human.build().map_err(|error| CliError::of_human(error, size))?;
+        .fold(person, |human, (name, length)| human.segment_length(name.clone(), *length));
+    let figure = human.build().map_err(|error| CliError::of_human(error, args))?;
     let text = text::write(&figure);
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
     let (links, dofs) = (figure.links().len(), figure.layout().nv());
@@ -39,9 +42,13 @@ fn human(HumanArgs { size, output }: &HumanArgs) -> Result<(), CliError> {
     })
 }
 
-impl Typed for SizeArgs {
+impl Typed for HumanArgs {
     fn typed(&self, name: &str) -> Option<&str> {
-        let number = if name == "height" { &self.height } else { &self.mass };
+        let number = match name {
+            "height" => &self.size.height,
+            "age" => &self.age,
+            _ => &self.size.mass,
+        };
         number.as_ref().map(|number| number.typed.as_str())
     }
 

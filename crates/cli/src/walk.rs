@@ -20,7 +20,7 @@ use planned::Planned;
 use report::Report;
 pub(crate) use request::asked;
 use solaris::gait::{isolated_peaks, measure, missing_for_walking};
-use solaris::model::{Figure, Motion, human};
+use solaris::model::{Figure, Human, Motion};
 use solaris::view::{PageOptions, page};
 use std::io::Write;
 
@@ -91,7 +91,9 @@ pub(crate) fn figure(who: &WhoArgs) -> Result<Figure, CliError> {
 pub(crate) fn person(person: &PersonArgs) -> Result<Figure, CliError> {
     let height = person.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = person.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
-    human(height, mass).map_err(|error| CliError::of_human(error, person))
+    let human = Human::new(height, mass);
+    let human = person.age.as_ref().map_or(human.clone(), |age| human.age(age.value));
+    human.build().map_err(|error| CliError::of_human(error, person))
 }
 
 /// Refuses a motion for which no memory may be left.

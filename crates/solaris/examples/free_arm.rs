@@ -8,7 +8,7 @@ use solaris::prelude::*;
 use std::error::Error;
 
 #[allow(clippy::print_stdout, reason = "what it comes to")]
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let ann = human(1.65, 58.0)?;
     let mut simulation = Simulation::new(&ann, Vector3::new(0.0, -9.80665, 0.0));
     let arm = ann.layout().dof_index("left_shoulder.rx").ok_or("the human has shoulders")?;

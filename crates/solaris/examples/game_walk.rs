@@ -9,16 +9,18 @@ use std::error::Error;
 
 /// A walk at this many steps a minute, planned once.
 fn walk_at(figure: &Figure, step_frequency: f64) -> Result<WalkPlan, Box<dyn Error>> {
-    let request = WalkRequest { step_frequency: Some(step_frequency), ..WalkRequest::default() };
+    // Long enough for a stride in the middle that repeats.
+    let extent = Extent::Steps(60);
+    let request = WalkRequest { step_frequency: Some(step_frequency), extent, ..WalkRequest::default() };
     Ok(walk(figure, &request)?)
 }
 
 #[allow(clippy::print_stdout, reason = "what a game would draw")]
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let ann = human(1.65, 58.0)?;
     let plans = [walk_at(&ann, 80.0)?, walk_at(&ann, 110.0)?];
     let [slow, fast] =
-        plans.each_ref().map(|plan| plan.stride_loop().ok_or("a walk of ten steps has a stride"));
+        plans.each_ref().map(|plan| plan.stride_loop().ok_or("a walk of 42 steps has a stride that repeats"));
     let (slow, fast) = (slow?, fast?);
     let length = |of: &StrideLoop<'_, WalkPlan>| of.duration();
 

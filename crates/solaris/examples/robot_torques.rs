@@ -10,7 +10,7 @@ use std::error::Error;
 const ARM: &str = include_str!("../../../fixtures/figures/arm.urdf");
 
 #[allow(clippy::print_stdout, reason = "what it comes to")]
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let arm = solaris::io::urdf::read(ARM)?;
     let tree = Tree::<f64>::new(&arm.figure, arm.gravity)?;
     let mut workspace = Workspace::new(&tree);

@@ -11,7 +11,7 @@ use std::error::Error;
 const SCENE: &str = include_str!("../../../fixtures/scenes/pendulum.ron");
 
 #[allow(clippy::print_stdout, reason = "what it comes to")]
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let scene = scene::read(SCENE, &mut NoFiles)?;
     let simulated = scene.simulate(&mut ())?;
     let (motion, report) = (&simulated.motion, &simulated.report);

@@ -13,7 +13,7 @@ const MOTION: &str = include_str!("../../../fixtures/subject/walk.mot");
 const PLATES: &str = include_str!("../../../fixtures/subject/grf.mot");
 
 #[allow(clippy::print_stdout, reason = "what it comes to")]
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let subject = opensim::read(MODEL)?;
     let figure = &subject.figure;
     let recorded = record::read(figure, subject.gravity, &sto::read(MOTION)?)?.motion;

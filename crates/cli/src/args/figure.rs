@@ -50,6 +50,10 @@ pub(crate) enum FigureCommand {
 pub(crate) struct HumanArgs {
     #[command(flatten)]
     pub(crate) size: SizeArgs,
+    #[arg(long, value_name = "YEARS", allow_hyphen_values = true, help = wrap(
+        "Age in years, from 6 on: a child's proportions; from 18 on an adult's [default: an adult]"
+    ))]
+    pub(crate) age: Option<Number>,
     #[arg(short = 'o', long, value_name = "FILE", help = "Where to write the figure: .ron")]
     pub(crate) output: PathBuf,
 }

@@ -84,6 +84,10 @@ pub(crate) struct PersonArgs {
         "Body mass in kg, {} to {} times the squared height [default: {BODY_MASS_INDEX}·height²]", BODY_MASS_INDICES.0, BODY_MASS_INDICES.1
     )))]
     pub(crate) mass: Option<Number>,
+    #[arg(long, value_name = "YEARS", allow_hyphen_values = true, help = wrap(
+        "Age in years, from 6 on: a child's proportions; from 18 on an adult's [default: an adult]"
+    ))]
+    pub(crate) age: Option<Number>,
 }
 
 /// Step frequency, step length and speed, of which two decide the third.

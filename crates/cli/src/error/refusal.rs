@@ -71,6 +71,7 @@ fn person(error: &HumanError) -> String {
             BODY_MASS_INDICES.0,
             BODY_MASS_INDICES.1
         ),
+        HumanError::Age { .. } => "a child's proportions are known from 6 years on".to_owned(),
         other => other.to_string(),
     }
 }

@@ -217,7 +217,11 @@ impl Typed for WalkArgs {
 
 impl Typed for PersonArgs {
     fn typed(&self, name: &str) -> Option<&str> {
-        let number = if name == "height" { &self.height } else { &self.mass };
+        let number = match name {
+            "height" => &self.height,
+            "age" => &self.age,
+            _ => &self.mass,
+        };
         number.as_ref().map(|number| number.typed.as_str())
     }
 

@@ -8,6 +8,7 @@ mod broken;
 mod cases;
 mod criteria;
 mod derivatives;
+mod examples;
 mod figures;
 mod grid;
 mod lengths;

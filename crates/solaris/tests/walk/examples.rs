@@ -1,0 +1,26 @@
+//! The examples run, and come to what they assert.
+
+#[path = "../../examples/free_arm.rs"]
+mod free_arm;
+#[path = "../../examples/game_walk.rs"]
+mod game_walk;
+#[path = "../../examples/robot_torques.rs"]
+mod robot_torques;
+#[path = "../../examples/scene_text.rs"]
+mod scene_text;
+#[path = "../../examples/subject_moments.rs"]
+mod subject_moments;
+
+#[test]
+fn all_examples_run() {
+    for (name, run) in [
+        ("free_arm", free_arm::main as fn() -> _),
+        ("game_walk", game_walk::main),
+        ("robot_torques", robot_torques::main),
+        ("scene_text", scene_text::main),
+        ("subject_moments", subject_moments::main),
+    ] {
+        let done: Result<(), Box<dyn std::error::Error>> = run();
+        done.unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
