@@ -1,4 +1,4 @@
-//! Falls of many people, too long for every `cargo test`: the ignored tests of `crates/modes/tests/contact/people.rs`.
+//! Falls of many people, too long for every `cargo test`: the ignored tests of `crates/modes/tests/modes/contact/people.rs`.
 
 use crate::workspace::cargo;
 

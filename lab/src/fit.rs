@@ -93,7 +93,7 @@ fn rounded(table: &StyleTable) -> StyleTable {
     rounded
 }
 
-/// The rows as `crates/gait/src/style.rs` has them, without what they mean.
+/// The rows as `crates/gait/src/smooth/style.rs` has them, without what they mean.
 fn rows(table: &StyleTable) -> String {
     let mut text = String::new();
     for ((name, unit), row) in StyleTable::NUMBERS.iter().zip(&table.rows) {

@@ -159,7 +159,7 @@ impl<L: SupportLaw> Scene<'_, L> {
         let contacts = split_at_pivot(&total, &com, up, support.pivot, &support.feet)
             .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(up) })?;
         let nominal: Vector3<f64> = support.feet.iter().map(|foot| foot.cop * foot.share).sum();
-        let centre = total.centre_of_pressure(up, nominal.dot(up)).unwrap_or(nominal);
+        let centre = total.center_of_pressure(up, nominal.dot(up)).unwrap_or(nominal);
         let wrench = |side: usize| {
             let contact = contacts[side];
             let link = self.feet[side].carrier.link(workspace, &contact.cop);

@@ -76,7 +76,7 @@ pub fn reactions_from_feet(
         let first = tau.len();
         tau.resize(first + tree.nv(), 0.0);
         let base = view.solve((motion.q(row), motion.v(row), motion.a(row)), other, &mut tau[first..])?;
-        let cop = base.centre_of_pressure(&up, level).unwrap_or(contacts[on].cop);
+        let cop = base.center_of_pressure(&up, level).unwrap_or(contacts[on].cop);
         new[on][row] = Contact { force: base.force, moment: base.moment, cop };
         report.compare(&contacts[on], &base, motion.tau(row), &tau[first..]);
     }

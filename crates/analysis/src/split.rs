@@ -39,7 +39,7 @@ pub fn split_at_pivot(
     feet: &[FootSupport; 2],
 ) -> Option<[Contact; 2]> {
     let height = feet[0].cop.dot(up) * feet[0].share + feet[1].cop.dot(up) * feet[1].share;
-    let centre = total.centre_of_pressure(up, height)?;
+    let centre = total.center_of_pressure(up, height)?;
     let shift = centre - feet[0].cop * feet[0].share - feet[1].cop * feet[1].share;
     let mut parts = [Wrench::zero(); 2];
     pivot_parts(total, up, 1.0 / (pivot * (com.dot(up) - height)), feet, &mut parts);

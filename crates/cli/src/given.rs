@@ -1,4 +1,4 @@
-//! What is given to find forces: a figure and its motion, read and completed, and what is to be said of them.
+//! What is given to find forces: a figure and its motion, read and differentiated, and what is to be said of them.
 
 mod read;
 mod report;

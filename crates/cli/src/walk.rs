@@ -76,11 +76,11 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
 pub(crate) fn figure(who: &WhoArgs) -> Result<Figure, CliError> {
     if let Some(path) = &who.figure {
         let figure = input::body(path)?.figure;
-        let lacks = missing_for_walking(&figure);
-        return if lacks.is_empty() {
+        let missing = missing_for_walking(&figure);
+        return if missing.is_empty() {
             Ok(figure)
         } else {
-            let list = lacks.iter().map(|lack| format!("\n  - {lack}")).collect::<Vec<_>>().concat();
+            let list = missing.iter().map(|lack| format!("\n  - {lack}")).collect::<Vec<_>>().concat();
             Err(CliError::input(path, &format!("figure '{}' cannot walk:{list}", figure.name())))
         };
     }

@@ -120,7 +120,7 @@ impl Wrench<f64> {
     ///
     /// with the moment `M` about the world's origin. `None` where nothing presses on the ground.
     #[doc(alias = "cop")]
-    pub fn centre_of_pressure(&self, up: &Vector3<f64>, height: f64) -> Option<Vector3<f64>> {
+    pub fn center_of_pressure(&self, up: &Vector3<f64>, height: f64) -> Option<Vector3<f64>> {
         let normal = self.force.dot(up);
         (normal > 0.0).then(|| (up.cross(&self.moment) + self.force * height) / normal)
     }

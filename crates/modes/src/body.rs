@@ -207,14 +207,14 @@ impl<T: Elementary> Body<T> {
         &self.pressure
     }
 
-    /// What the ground does to each foothold (N, N m, about the world's origin), as the last call of [`hybrid`](Self::hybrid), or of
+    /// What the ground does to each contact patch (N, N m, about the world's origin), as the last call of [`hybrid`](Self::hybrid), or of
     /// [`impact`](Self::impact) (N s, N m s), found it.
     pub(crate) fn patch_wrenches(&self) -> impl Iterator<Item = Wrench<T>> {
         self.planted.iter().flat_map(Planted::wrenches)
     }
 
-    /// The greatest acceleration (m/s², rad/s²) that a foothold asks for and the last call of [`hybrid`](Self::hybrid) could not give
-    /// it, or velocity (m/s, rad/s) in an [`impact`](Self::impact), after the index of that foothold.
+    /// The greatest acceleration (m/s², rad/s²) that a contact patch asks for and the last call of [`hybrid`](Self::hybrid) could not give
+    /// it, or velocity (m/s, rad/s) in an [`impact`](Self::impact), after the index of that contact patch.
     pub(crate) fn missing(&self) -> (usize, f64) {
         self.planted.as_ref().map_or((0, 0.0), Planted::most_missing)
     }

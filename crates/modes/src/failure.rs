@@ -1,4 +1,4 @@
-//! Why there is no result: faults of what was asked, and trouble on the way.
+//! Why there is no result: faults of what was asked, and failures of runs.
 
 mod remedy;
 
@@ -129,17 +129,17 @@ pub enum RunError {
     /// What was asked cannot be run.
     #[error(transparent)]
     Setup(#[from] SetupError),
-    /// A run that got into trouble.
+    /// A run that failed.
     #[error(transparent)]
-    RunFailure(#[from] Box<RunFailure>),
-    /// Whoever looked on stopped it.
+    Failed(#[from] Box<RunFailure>),
+    /// The observer cancelled it.
     #[error("the run was stopped")]
     Cancelled,
 }
 
 impl From<RunFailure> for RunError {
-    fn from(trouble: RunFailure) -> Self {
-        Self::RunFailure(Box::new(trouble))
+    fn from(failure: RunFailure) -> Self {
+        Self::Failed(Box::new(failure))
     }
 }
 
@@ -166,8 +166,8 @@ impl RunFailure {
     /// use solaris_modes::{FailureKind, Remedy, RunFailure};
     ///
     /// let remedies = vec![Remedy::StepOf { step: 1e-4 }, Remedy::ToleranceForStep];
-    /// let trouble = RunFailure { time: 0.5, dof: None, cause: FailureKind::Energy { share: 0.3 }, remedies };
-    /// let told = trouble.told(|remedy| (*remedy == Remedy::ToleranceForStep).then_some("--tolerance 1e-6"));
+    /// let failure = RunFailure { time: 0.5, dof: None, cause: FailureKind::Energy { share: 0.3 }, remedies };
+    /// let told = failure.told(|remedy| (*remedy == Remedy::ToleranceForStep).then_some("--tolerance 1e-6"));
     /// assert_eq!(
     ///     told,
     ///     "30 % of the energy at play has come from nowhere or gone at t = 0.5 s: take a shorter step, such as a tenth, \
@@ -200,7 +200,7 @@ fn shown(time: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// What the trouble is.
+/// What went wrong.
 #[doc(alias = "cause")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -265,7 +265,7 @@ pub enum FailureKind {
     },
     /// What stands on the ground cannot stay.
     #[error("{link} cannot stay where it stands: {why}, by {missing:.1e} m/s² or m/s at least")]
-    Planted {
+    ContactLost {
         /// The link.
         link: String,
         /// Why: "what has a motion of its own ('hip.rx') moves it".

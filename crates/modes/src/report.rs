@@ -38,11 +38,11 @@ pub struct RunReport {
     pub ground: Option<ContactReport>,
     /// What was computed and what was left out, one entry for each time that this changed.
     pub phases: Vec<PhaseReport>,
-    /// What is worth knowing though it is no trouble.
+    /// What is worth knowing though nothing failed.
     pub remarks: Vec<Remark>,
 }
 
-/// What is worth knowing about a run though it is no trouble.
+/// What is worth knowing about a run though nothing failed.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Remark {
@@ -281,7 +281,7 @@ pub struct PhaseReport {
     pub omitted: Vec<String>,
 }
 
-/// Looks on while a simulation runs. Nothing below the command line has a clock of its own.
+/// Receives progress, keeps the clock and may cancel a run. Nothing below the command line has a clock of its own.
 #[doc(alias = "watch")]
 #[doc(alias = "callback")]
 #[doc(alias = "progress")]
@@ -302,5 +302,5 @@ pub trait Observer {
     }
 }
 
-/// Nobody looks on.
+/// No observer.
 impl Observer for () {}

@@ -65,7 +65,7 @@ impl Simulation {
     ///
     /// [`RunError`].
     pub fn run(&self, settings: &Settings) -> Result<Run, RunError> {
-        self.run_watched(settings, &mut ())
+        self.run_observed(settings, &mut ())
     }
 
     /// Runs it while somebody looks on.
@@ -73,27 +73,27 @@ impl Simulation {
     /// # Errors
     ///
     /// [`RunError`].
-    pub fn run_watched(&self, settings: &Settings, watch: &mut dyn Observer) -> Result<Run, RunError> {
-        run(self, settings, watch)
+    pub fn run_observed(&self, settings: &Settings, observer: &mut dyn Observer) -> Result<Run, RunError> {
+        run(self, settings, observer)
     }
 }
 
 /// Runs a simulation.
-fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Observer) -> Result<Run, RunError> {
+fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer) -> Result<Run, RunError> {
     check_settings(settings)?;
     check_work(settings)?;
-    let begun = watch.now();
+    let begun = observer.now();
     let chosen = match settings.method {
-        Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, watch)?,
+        Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, observer)?,
         Method::Fixed { rule, step } => {
             // The step that is taken: no longer than a frame, and so many to a frame.
             let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
-            named(simulation, settings, Stepping::Fixed { rule, step }, watch)?
+            named(simulation, settings, Stepping::Fixed { rule, step }, observer)?
         }
         Method::Adaptive { tolerance } => {
-            named(simulation, settings, Stepping::Adaptive { tolerance }, watch)?
+            named(simulation, settings, Stepping::Adaptive { tolerance }, observer)?
         }
-        Method::Stiff { tolerance } => named(simulation, settings, Stepping::Stiff { tolerance }, watch)?,
+        Method::Stiff { tolerance } => named(simulation, settings, Stepping::Stiff { tolerance }, observer)?,
     };
     let Chosen { passed, error, method, why, beside, mut remarks } = chosen;
     remarks.extend(outside(simulation));
@@ -114,7 +114,7 @@ fn run(simulation: &Simulation, settings: &Settings, watch: &mut dyn Observer) -
             phase.omitted.push(omitted.to_owned());
         }
     }
-    let seconds = begun.zip(watch.now()).map(|(begun, ended)| ended - begun);
+    let seconds = begun.zip(observer.now()).map(|(begun, ended)| ended - begun);
     let energy = ledger.report;
     let report =
         RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, ground, phases, remarks };
@@ -206,20 +206,20 @@ fn named(
     simulation: &Simulation,
     settings: &Settings,
     stepping: Stepping,
-    watch: &mut dyn Observer,
+    observer: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
-    let passed = pass(simulation, settings, stepping, watch)?;
+    let passed = pass(simulation, settings, stepping, observer)?;
     let (mut beside, mut remarks, mut error) = (Counts::default(), Vec::new(), None);
     if settings.estimate && passed.is_dynamic {
         let coarser = coarser(stepping, settings.rate)
-            .map(|coarser| pass(simulation, settings, coarser, &mut Quiet(watch)));
+            .map(|coarser| pass(simulation, settings, coarser, &mut Quiet(observer)));
         // Where there is no coarser run, or it comes to grief, a finer one tells as much.
         let (other, factor) = match coarser {
             Some(Err(RunError::Cancelled)) => return Err(RunError::Cancelled),
             Some(Ok(other)) => (Some(other), 1.0),
             _ => {
                 let finer =
-                    pass(simulation, settings, finer(stepping, settings.rate), &mut Quiet(watch)).ok();
+                    pass(simulation, settings, finer(stepping, settings.rate), &mut Quiet(observer)).ok();
                 // The finer run has at least half of the error.
                 (finer, 2.0)
             }

@@ -16,7 +16,7 @@ pub struct Settings {
     pub forces: bool,
     /// Whether the run also tells how far off it may be, by a coarser run beside it. [`Method::Automatic`] always does.
     pub estimate: bool,
-    /// What counts as trouble.
+    /// When a run is ended.
     pub guard: Guard,
     /// Whether what stands still, and what nothing that is computed depends on, is left out of the dynamics; no result
     /// changes by more than rounding. For measurements of what that saves.
@@ -120,7 +120,7 @@ impl fmt::Display for Rule {
     }
 }
 
-/// What counts as trouble.
+/// When a run is ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guard {
     /// The least distance from gimbal lock (rad) of a joint that dynamics move.

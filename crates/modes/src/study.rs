@@ -111,7 +111,7 @@ impl Study {
 ///
 /// Duration, rate and guard are those of `settings`; joint forces are left out. Where the answer is not known beforehand
 /// it is found by the finest runs there are, and the difference between two of them is its uncertainty. Trouble of a row
-/// is its result, not that of the study. Where `watch` stops, the study ends with what it has.
+/// is its result, not that of the study. Where `observer` stops, the study ends with what it has.
 ///
 /// # Errors
 ///
@@ -120,13 +120,13 @@ pub fn study(
     simulation: &Simulation,
     settings: &Settings,
     options: &StudyOptions<'_>,
-    watch: &mut dyn Observer,
+    observer: &mut dyn Observer,
     on_row: &mut dyn FnMut(&Study),
 ) -> Result<Study, RunError> {
     let mut settings = Settings { forces: false, estimate: false, ..settings.clone() };
     settings.guard.evaluations = settings.guard.evaluations.min(options.evaluations);
     // The reference and the sensitivity count as a fifth, the savings as a twentieth.
-    let mut outlook = Outlook::new(watch, 0.0, 0.2);
+    let mut outlook = Outlook::new(observer, 0.0, 0.2);
     let found = reference::find(simulation, &settings, options, &mut outlook)?;
     let sensitivity = sensitivity::of(simulation, &settings, &found, &mut outlook)?;
     let frames = agreement::Frames::of(simulation, &found, &sensitivity);
@@ -142,7 +142,7 @@ pub fn study(
     let methods = ladder::fitted(&options.methods, settings.rate);
     let share = |index: usize| 0.2 + 0.75 * index as f64 / methods.len().max(1) as f64;
     for (index, method) in methods.iter().enumerate() {
-        let mut outlook = Outlook::new(watch, share(index), share(index + 1));
+        let mut outlook = Outlook::new(observer, share(index), share(index + 1));
         let row = rows::measure(simulation, &settings, *method, options.repeats, &mut outlook, compare);
         let Some(mut row) = row else { return Ok(study) };
         // What this program was built without is no row.
@@ -154,7 +154,7 @@ pub fn study(
         on_row(&study);
     }
     let method = study.cheapest(options.wanted).map(|row| row.method);
-    let mut outlook = Outlook::new(watch, 0.95, 1.0);
+    let mut outlook = Outlook::new(observer, 0.95, 1.0);
     study.savings = savings::measure(simulation, &settings, method, options.repeats, &mut outlook);
     study.is_complete = true;
     Ok(study)

@@ -85,14 +85,14 @@ impl Scene {
         Ok(self.simulation.check(&self.settings)?)
     }
 
-    /// Runs the scene while `watch` looks on. In a scene with a walk, what the ground does under the feet is found from the
+    /// Runs the scene reporting to `observer`. In a scene with a walk, what the ground does under the feet is found from the
     /// whole motion, with what dynamics have made of the parts that do not follow the walk.
     ///
     /// # Errors
     ///
     /// [`SceneError`].
-    pub fn simulate(&self, watch: &mut dyn Observer) -> Result<Simulated, SceneError> {
-        let Run { mut motion, report } = self.simulation.run_watched(&self.settings, watch)?;
+    pub fn simulate(&self, observer: &mut dyn Observer) -> Result<Simulated, SceneError> {
+        let Run { mut motion, report } = self.simulation.run_observed(&self.settings, observer)?;
         let Some(walk) = &self.walk else { return Ok(Simulated { motion, report, reactions: None }) };
         let end = motion.time().last().copied().unwrap_or_default();
         let planted = walk.planted.iter().filter(|planted| planted.start < end).cloned();

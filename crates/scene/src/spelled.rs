@@ -30,7 +30,7 @@ pub(crate) fn setup(error: &SetupError) -> String {
 pub(crate) fn run(error: &RunError) -> String {
     match error {
         RunError::Setup(error) => setup(error),
-        RunError::RunFailure(trouble) => trouble.told(remedy),
+        RunError::Failed(failure) => failure.told(remedy),
         _ => error.to_string(),
     }
 }

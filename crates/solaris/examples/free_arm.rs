@@ -11,7 +11,7 @@ use std::error::Error;
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let ann = human(1.65, 58.0)?;
     let mut simulation = Simulation::new(&ann, Vector3::new(0.0, -9.80665, 0.0));
-    let arm = ann.layout().dof_index("left_shoulder.rx").ok_or("the human has shoulders")?;
+    let arm = ann.layout().dof_index("left_shoulder.rx").ok_or("the figure has no left_shoulder.rx")?;
     let (mut q, v) = (vec![0.0; ann.layout().nq()], vec![0.0; ann.layout().nv()]);
     q[arm] = -1.0;
     simulation.set_start(&q, &v)?;
@@ -25,7 +25,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     for frame in (0..run.motion.len()).step_by(12) {
         println!("{:.1} s  {:6.1}°", run.motion.time()[frame], run.motion.q(frame)[arm].to_degrees());
     }
-    let error = run.report.error.ok_or("a run is compared with a coarser one")?;
+    let error = run.report.error.ok_or("the run has no error estimate")?;
     println!("by {}: off by {:.0e} rad at most", run.report.method, error.position);
     assert!(error.position < 1e-3);
     Ok(())

@@ -20,7 +20,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let ann = human(1.65, 58.0)?;
     let plans = [walk_at(&ann, 80.0)?, walk_at(&ann, 110.0)?];
     let [slow, fast] =
-        plans.each_ref().map(|plan| plan.stride_loop().ok_or("a walk of 42 steps has a stride that repeats"));
+        plans.each_ref().map(|plan| plan.stride_loop().ok_or("the walk has no stride that repeats"));
     let (slow, fast) = (slow?, fast?);
     let length = |of: &StrideLoop<'_, WalkPlan>| of.duration();
 
@@ -34,7 +34,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         slow.configuration(phase * length(&slow), &mut a);
         fast.configuration(phase * length(&fast), &mut b);
         ann.interpolate(&a, &b, blend, &mut pose)?;
-        // Both strides go on the spot in the game's eyes: the way along z is added up.
+        // Each stride starts again at z = 0, so that the distance walked is summed here.
         speed = slow.speed() + blend * (fast.speed() - slow.speed());
         travelled += speed * dt;
         pose[2] = travelled;

@@ -16,6 +16,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let simulated = scene.simulate(&mut ())?;
     let (motion, report) = (&simulated.motion, &simulated.report);
     let angle = motion.q(motion.len() - 1)[0];
+    // By elliptic functions, as the scene says.
     let place = [angle.sin(), -angle.cos()];
     println!(
         "{} frames by {}; at the end at {:.6}, {:.6} m",

@@ -31,7 +31,7 @@ pub mod prelude {
         Trajectory, Vector3, human,
     };
     pub use solaris_modes::{
-        ContactLaw, Course, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Run, Settings, Shape,
+        ContactLaw, Course, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Run, Settings,
         Simulation, Step, Target,
     };
 }

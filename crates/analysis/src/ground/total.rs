@@ -69,7 +69,7 @@ pub fn balance(prepared: &PreparedMotion<'_>, level: f64) -> Result<Vec<BalanceF
             force: total.force,
             moment: total.moment,
             com: center_of_mass(tree, workspace, q)?,
-            cop: total.centre_of_pressure(&prepared.up, level),
+            cop: total.center_of_pressure(&prepared.up, level),
         })
     })?;
     Ok(frames)

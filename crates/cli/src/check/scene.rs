@@ -165,7 +165,7 @@ impl Ground {
             ContactLaw::Compliant { stiffness, damping, slip } => {
                 format!("spring {stiffness:.4e} N/m, damping {damping} s/m, slip {slip} m/s")
             }
-            ContactLaw::Rigid => "planted: what touches stays until the ground would pull".to_owned(),
+            ContactLaw::Rigid => "rigid: what touches stays until the ground would pull".to_owned(),
             _ => "another".to_owned(),
         };
         Self {

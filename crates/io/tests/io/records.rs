@@ -148,7 +148,7 @@ const GRF: &str = "time,ground_force_vx,ground_force_vy,ground_force_vz,ground_f
     ground_torque_x,ground_torque_y,ground_torque_z,1_ground_torque_x,1_ground_torque_y,1_ground_torque_z";
 
 #[test]
-fn torques_of_opensim_are_about_the_centre_of_pressure() {
+fn torques_of_opensim_are_about_the_center_of_pressure() {
     let text = format!(
         "{GRF}\n0,1,2,3,4,5,6,0,0,0,0,0,0,10,20,30,0,0,0\n0.1,0,700,0,0.5,0,-0.1,7,8,9,0,1,0,0,1,0,0,0,0\n"
     );

@@ -13,7 +13,7 @@ pub(super) struct Planted<T> {
     holds: Vec<Hold>,
 }
 
-/// A foothold: its corners, by the indices of the touches, and its first condition.
+/// A contact patch: its corners, by the indices of the touches, and its first condition.
 #[derive(Clone, Debug)]
 struct Hold {
     corners: Vec<usize>,
@@ -102,7 +102,7 @@ impl<T: Elementary> Planted<T> {
         &mut self.contacts
     }
 
-    /// What the ground does to each foothold, about the world's origin, as was found last.
+    /// What the ground does to each contact patch, about the world's origin, as was found last.
     pub(super) fn wrenches(&self) -> impl Iterator<Item = Wrench<T>> {
         self.holds.iter().map(|hold| {
             let found = &self.contacts.wrenches()[hold.first..][..hold.len()];
@@ -114,7 +114,7 @@ impl<T: Elementary> Planted<T> {
         })
     }
 
-    /// The foothold of which most is missing of what was asked for in the last call, by its index, and how much.
+    /// The contact patch of which most is missing of what was asked for in the last call, by its index, and how much.
     pub(super) fn most_missing(&self) -> (usize, f64) {
         let (mut most, mut rest) = ((0, 0.0), self.contacts.residuals());
         for (index, hold) in self.holds.iter().enumerate() {

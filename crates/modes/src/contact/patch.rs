@@ -23,7 +23,7 @@ pub(crate) struct ContactPatch {
     pub(crate) slides: bool,
 }
 
-/// A force that must not fall below zero for a foothold to stay as it is.
+/// A force that must not fall below zero for a contact patch to stay as it is.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Lever {
     pub(crate) arm: Arm,
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn an_area_stays_while_its_centre_of_pressure_is_inside() {
+    fn an_area_stays_while_its_center_of_pressure_is_inside() {
         let hold = hold(&[0, 1, 2, 3, 4, 5]);
         assert!(hold.is_whole() && !ContactPatch { slides: true, ..hold.clone() }.is_whole());
         assert_eq!(hold.corners.len(), 4);

@@ -3,7 +3,7 @@
 use solaris_model::EulerOrder;
 use std::fmt;
 
-/// What may help against trouble.
+/// What may help after a failure.
 ///
 /// Its [`Display`](fmt::Display) is a request in words of mechanics and numerics (`take a step below 1.0e-4 s`). How to ask for it in a
 /// text or on a command line is known to whoever reads that: see [`crate::RunFailure::told`].

@@ -101,7 +101,7 @@ impl Small {
         self.reduction.kept_touches.binary_search(&full).ok()
     }
 
-    /// What the ground does to each foothold (N, N m, about the world's origin), in the state that was [solved](Self::solve) last.
+    /// What the ground does to each contact patch (N, N m, about the world's origin), in the state that was [solved](Self::solve) last.
     pub(super) fn patch_wrenches(&self) -> impl Iterator<Item = Wrench<f64>> {
         self.numbers.body.patch_wrenches()
     }

@@ -15,7 +15,7 @@ pub(crate) enum Watched {
     Hold { dof: usize },
     /// How far a sphere that can touch the ground is above it (m), and `below` (m).
     Gap { touch: usize, below: f64 },
-    /// The force of a lever of a foothold, by their indices, as a part of the weight, and `slack`.
+    /// The force of a lever of a contact patch, by their indices, as a part of the weight, and `slack`.
     Lever { hold: usize, lever: usize, slack: f64 },
 }
 

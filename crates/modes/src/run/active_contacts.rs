@@ -60,7 +60,7 @@ struct Tried {
 impl Pass<'_> {
     /// Finds what stands on the ground from now on; what comes down loses its velocity, and what the ground would have to pull
     /// is let go.
-    pub(crate) fn find_footing(&mut self, events: &[Meaning]) -> Result<(), RunError> {
+    pub(crate) fn find_contacts(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let Some(surface) = self.simulation.surface.as_ref().filter(|surface| surface.plants()) else {
             return Ok(());
         };
@@ -82,7 +82,7 @@ impl Pass<'_> {
         held.retain(|touch| scene.closed[*touch]);
         // What has come down so slowly that nothing has to be stopped.
         let brought = events.iter().filter_map(|event| match event {
-            Meaning::ContactPoint(touch) if scene.closed[*touch] => Some(*touch),
+            Meaning::Touch(touch) if scene.closed[*touch] => Some(*touch),
             _ => None,
         });
         held.extend(brought.filter(|touch| scene.contact_points[*touch].rate.abs() <= REST));
@@ -113,7 +113,7 @@ impl Pass<'_> {
         let contact_points: Vec<Pressed<f64>> =
             contact_points.map_err(|error| guard::of_dynamics(self.t, error))?.collect();
         let closed = contact_points.iter().enumerate().map(|(i, touch)| {
-            let there = touch.depth >= -NEAR || events.contains(&Meaning::ContactPoint(i));
+            let there = touch.depth >= -NEAR || events.contains(&Meaning::Touch(i));
             there && parts[i].is_some()
         });
         Ok(Scene { closed: closed.collect(), contact_points, parts })
@@ -154,11 +154,11 @@ impl Pass<'_> {
             self.active.sliding.push(part);
             return Ok(());
         }
-        self.no_footing(tried, touch, (surface, scene))
+        self.no_contacts(tried, touch, (surface, scene))
     }
 
     /// There is no way to stand, after what was `tried`, with a `last` touch that can neither be held nor be let go.
-    fn no_footing<T>(
+    fn no_contacts<T>(
         &self,
         tried: &Tried,
         last: Option<usize>,
@@ -256,7 +256,7 @@ impl Pass<'_> {
     }
 }
 
-/// All touches of these footholds, in ascending order.
+/// All touches of these contact patches, in ascending order.
 fn all_of(holds: &[ContactPatch]) -> Vec<usize> {
     let mut all: Vec<usize> = holds.iter().flat_map(|hold| &hold.contact_points).copied().collect();
     all.sort_unstable();

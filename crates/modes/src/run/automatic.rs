@@ -20,30 +20,31 @@ pub(super) fn choose(
     simulation: &Simulation,
     settings: &Settings,
     tolerance: f64,
-    watch: &mut dyn Observer,
+    observer: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
     let frame = settings.rate.recip();
     let first = Stepping::Fixed { rule: Rule::RungeKutta4, step: frame };
     let mut remarks = Vec::new();
-    let stable = match pass(simulation, settings, first, &mut Quiet(watch)) {
+    let stable = match pass(simulation, settings, first, &mut Quiet(observer)) {
         Ok(passed) if !passed.is_dynamic => {
             let (error, why) = (Some(ErrorEstimate::default()), "every motion is given".to_owned());
             let (method, beside) = (NOTHING.to_owned(), Counts::default());
             return Ok(Chosen { passed, error, method, why, beside, remarks });
         }
         Ok(passed) => {
-            return Ladder::new(simulation, settings, tolerance, frame, Some(passed)).climb(watch, remarks);
+            return Ladder::new(simulation, settings, tolerance, frame, Some(passed))
+                .climb(observer, remarks);
         }
-        Err(RunError::RunFailure(trouble)) => match trouble.cause {
+        Err(RunError::Failed(failure)) => match failure.cause {
             FailureKind::StepTooLong { longest, eigenvalue, .. } => (longest, Some(eigenvalue)),
-            _ if is_of_the_step(&trouble) => (0.5 * frame, None),
-            _ => return Err(trouble.into()),
+            _ if is_of_the_step(&failure) => (0.5 * frame, None),
+            _ => return Err(failure.into()),
         },
         Err(error) => return Err(error),
     };
     let (longest, eigenvalue) = stable;
     if let Some(eigenvalue) = eigenvalue.filter(|_| frame > MANY * longest) {
-        match stiff(simulation, settings, tolerance, eigenvalue, watch) {
+        match stiff(simulation, settings, tolerance, eigenvalue, observer) {
             Ok(chosen) => return Ok(chosen),
             Err(RunError::Setup(SetupError::NotBuiltIn { .. })) => {
                 remarks.push(Remark::StiffNotBuiltIn { eigenvalue });
@@ -52,7 +53,7 @@ pub(super) fn choose(
             Err(error) => remarks.push(Remark::StiffFailed(Box::new(error))),
         }
     }
-    Ladder::new(simulation, settings, tolerance, longest.min(frame), None).climb(watch, remarks)
+    Ladder::new(simulation, settings, tolerance, longest.min(frame), None).climb(observer, remarks)
 }
 
 /// Runge and Kutta's rule with ever shorter steps.
@@ -82,9 +83,9 @@ impl<'a> Ladder<'a> {
         Self { simulation, settings, tolerance, step, last, beside: Counts::default() }
     }
 
-    fn climb(mut self, watch: &mut dyn Observer, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
+    fn climb(mut self, observer: &mut dyn Observer, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
         let mut best = f64::INFINITY;
-        let mut trouble = None;
+        let mut failure = None;
         let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
         for _ in 0..MOST_TRIALS {
             let spent =
@@ -95,10 +96,10 @@ impl<'a> Ladder<'a> {
             }
             self.step *= 0.5;
             let stepping = Stepping::Fixed { rule: Rule::RungeKutta4, step: self.step };
-            let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(watch)) {
+            let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(observer)) {
                 Ok(passed) => passed,
-                Err(RunError::RunFailure(found)) if is_of_the_step(&found) => {
-                    (self.last, trouble, before) = (None, Some(found), f64::NAN);
+                Err(RunError::Failed(found)) if is_of_the_step(&found) => {
+                    (self.last, failure, before) = (None, Some(found), f64::NAN);
                     continue;
                 }
                 Err(error) => return Err(error),
@@ -119,18 +120,18 @@ impl<'a> Ladder<'a> {
                     break;
                 }
             }
-            watch.progress(0.0);
+            observer.progress(0.0);
             self.last = Some(passed);
         }
-        Err(self.gave_up(best, trouble))
+        Err(self.gave_up(best, failure))
     }
 
     /// No step met the tolerance within the evaluations that are allowed.
-    fn gave_up(&self, best: f64, trouble: Option<Box<RunFailure>>) -> RunError {
-        let (tolerance, time) = (self.tolerance, trouble.as_ref().map(|trouble| trouble.time));
-        let trouble = match trouble.filter(|_| best.is_infinite()) {
-            Some(trouble) => {
-                let RunFailure { time, dof, cause, .. } = *trouble;
+    fn gave_up(&self, best: f64, failure: Option<Box<RunFailure>>) -> RunError {
+        let (tolerance, time) = (self.tolerance, failure.as_ref().map(|failure| failure.time));
+        let failure = match failure.filter(|_| best.is_infinite()) {
+            Some(failure) => {
+                let RunFailure { time, dof, cause, .. } = *failure;
                 let cause = FailureKind::NoneFinished { tolerance, step: self.step, cause: Box::new(cause) };
                 RunFailure { time, dof, cause, remedies: vec![Remedy::StiffMethod, Remedy::SofterSprings] }
             }
@@ -141,7 +142,7 @@ impl<'a> Ladder<'a> {
                 remedies: vec![Remedy::LargerTolerance, Remedy::ShorterChaos],
             },
         };
-        Box::new(trouble).into()
+        Box::new(failure).into()
     }
 
     fn done(self, passed: Passed, error: ErrorEstimate, stepping: Stepping, remarks: Vec<Remark>) -> Chosen {
@@ -176,7 +177,7 @@ fn stiff(
     settings: &Settings,
     tolerance: f64,
     eigenvalue: f64,
-    watch: &mut dyn Observer,
+    observer: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
     let mut beside = Counts::default();
     let mut last: Option<Passed> = None;
@@ -185,7 +186,7 @@ fn stiff(
     let mut best = f64::INFINITY;
     while own >= 1e-13 {
         let stepping = Stepping::Stiff { tolerance: own };
-        let passed = pass(simulation, settings, stepping, &mut Quiet(watch))?;
+        let passed = pass(simulation, settings, stepping, &mut Quiet(observer))?;
         if let Some(last) = last.take() {
             beside.add(&last.counts);
             let error = compare::difference(&simulation.figure, &passed.record, &last.record)?;
@@ -209,9 +210,9 @@ fn stiff(
 }
 
 /// Whether a shorter step may help.
-fn is_of_the_step(trouble: &RunFailure) -> bool {
+fn is_of_the_step(failure: &RunFailure) -> bool {
     matches!(
-        trouble.cause,
+        failure.cause,
         FailureKind::StepTooLong { .. }
             | FailureKind::Energy { .. }
             | FailureKind::NotFinite { .. }

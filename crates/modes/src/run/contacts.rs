@@ -81,7 +81,7 @@ pub(super) fn add(
             foot.weigh(&state, plane, time, step);
             if let Some(contact) = foot.track.samples.last_mut() {
                 let total = Wrench { force: contact.force, moment: contact.moment };
-                contact.cop = total.centre_of_pressure(&plane.up, plane.height).unwrap_or_default();
+                contact.cop = total.center_of_pressure(&plane.up, plane.height).unwrap_or_default();
             }
         }
     }

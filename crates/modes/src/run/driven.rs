@@ -24,7 +24,7 @@ pub(crate) enum Mode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meaning {
     /// The drive of a degree of freedom gives way.
-    EndCondition(usize),
+    DriveEnds(usize),
     /// A degree of freedom passes its lower or upper limit.
     Limit(usize, Side),
     /// A limit lets go.
@@ -32,8 +32,8 @@ pub(crate) enum Meaning {
     /// A force changes its law.
     Kink,
     /// Something that can touch the ground does, by its index.
-    ContactPoint(usize),
-    /// A lever of a foothold gives way, by their indices.
+    Touch(usize),
+    /// A lever of a contact patch gives way, by their indices.
     Pull(usize, usize),
 }
 

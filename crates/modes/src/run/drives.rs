@@ -41,7 +41,7 @@ impl Pass<'_> {
         self.begin(&all)?;
         self.take_over(&[])?;
         self.settle(&[])?;
-        self.find_footing(&[])?;
+        self.find_contacts(&[])?;
         self.leap()
     }
 
@@ -62,7 +62,7 @@ impl Pass<'_> {
         }
         self.take_over(events)?;
         self.settle(events)?;
-        self.find_footing(events)?;
+        self.find_contacts(events)?;
         self.leap()
     }
 
@@ -97,7 +97,7 @@ impl Pass<'_> {
             }
             let steps = &self.simulation.drives[dof];
             let (driven, due) = (&self.driven[dof], self.t + near(self.t));
-            let over = events.contains(&Meaning::EndCondition(dof))
+            let over = events.contains(&Meaning::DriveEnds(dof))
                 || steps.get(driven.step).is_some_and(|step| match step.until {
                     EndCondition::Time(time) => time <= due,
                     EndCondition::Lasting(time) => driven.start + time <= due,

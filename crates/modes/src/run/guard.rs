@@ -15,7 +15,7 @@ const MOST_STATES: usize = 160;
 /// Sweeps for each eigenvalue, of which two or three are usual.
 const MOST_SWEEPS: usize = 30;
 
-/// The least part of a step that advice after trouble may come down to.
+/// The least part of a step that advice after failure may come down to.
 const BELIEVED: f64 = 1e-2;
 
 /// Looks at a frame of a run by `stepping`: `share` is the part of the energy that has come from nowhere.
@@ -43,7 +43,7 @@ pub(crate) fn look(
             (Some(name.clone()), FailureKind::GimbalLock { joint: name, distance: at.distance });
         return Err(Box::new(RunFailure { time, dof, cause, remedies }));
     }
-    // A share that is NaN is trouble too.
+    // A share that is NaN is failure too.
     if share.partial_cmp(&guard.energy).is_none_or(std::cmp::Ordering::is_gt) {
         let remedies = match stepping {
             Stepping::Fixed { step, .. } => {
@@ -77,7 +77,7 @@ pub(crate) fn look_before(
         let remedies = vec![Remedy::MoreInertia];
         return Err(Box::new(RunFailure { time, dof: Some(dof), cause, remedies }).into());
     }
-    too_long(simulation, phase, stepping, time, y).map_or(Ok(()), |trouble| Err(trouble.into()))
+    too_long(simulation, phase, stepping, time, y).map_or(Ok(()), |failure| Err(failure.into()))
 }
 
 /// Whether a fixed step is beyond stability: `h·|λ|` more than the rule allows.
@@ -134,16 +134,16 @@ pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, 
     Some((magnitude.copysign(stiffest.re), phase.dof_of(entry)))
 }
 
-/// Says more of trouble that a step too long may have caused.
+/// Says more of failure that a step too long may have caused.
 pub(crate) fn explain(
     simulation: &Simulation,
     phase: &mut Phase,
     stepping: Stepping,
     y: &[f64],
-    trouble: RunFailure,
+    failure: RunFailure,
 ) -> RunError {
     let suspect = matches!(
-        trouble.cause,
+        failure.cause,
         FailureKind::Energy { .. }
             | FailureKind::Stuck { .. }
             | FailureKind::Dynamics(_)
@@ -155,9 +155,9 @@ pub(crate) fn explain(
         FailureKind::StepTooLong { step, longest, .. } => longest > BELIEVED * step,
         _ => true,
     };
-    let found = (suspect && state).then(|| too_long(simulation, phase, stepping, trouble.time, y)).flatten();
+    let found = (suspect && state).then(|| too_long(simulation, phase, stepping, failure.time, y)).flatten();
     let found = found.filter(|found| is_believed(found));
-    found.unwrap_or_else(|| Box::new(trouble)).into()
+    found.unwrap_or_else(|| Box::new(failure)).into()
 }
 
 /// Trouble of a stepper.

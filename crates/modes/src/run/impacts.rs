@@ -156,7 +156,7 @@ impl Pass<'_> {
                 && (self.v[of] - value) * (struck.v[of] - value) <= 0.0
                 && self.v[of].to_bits() != struck.v[of].to_bits()
             {
-                self.leapt.push(Meaning::EndCondition(dof));
+                self.leapt.push(Meaning::DriveEnds(dof));
             }
         }
         self.v.copy_from_slice(&struck.v);

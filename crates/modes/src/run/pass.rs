@@ -83,15 +83,15 @@ pub(crate) fn pass(
     simulation: &Simulation,
     settings: &Settings,
     stepping: Stepping,
-    watch: &mut dyn Observer,
+    observer: &mut dyn Observer,
 ) -> Result<Passed, RunError> {
     let mut pass = Pass::new(simulation, settings, stepping)?;
     pass.begin_all()?;
     while pass.t < settings.duration - near(settings.duration) {
-        if watch.is_cancelled() {
+        if observer.is_cancelled() {
             return Err(RunError::Cancelled);
         }
-        pass.stretch(watch)?;
+        pass.stretch(observer)?;
     }
     pass.finish()
 }
@@ -136,14 +136,14 @@ impl<'a> Pass<'a> {
     }
 
     /// From now to the next change.
-    fn stretch(&mut self, watch: &mut dyn Observer) -> Result<(), RunError> {
+    fn stretch(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.check_rounds()?;
         let end = self.next_stop();
         self.track(end)?;
         let mut compiled = self.compile()?;
         let meanings = self.load(&mut compiled.phase, end)?;
         self.note_phase(&compiled.phase);
-        let result = self.step(&mut compiled.phase, end, watch);
+        let result = self.step(&mut compiled.phase, end, observer);
         self.compiled = Some(compiled);
         let stopped = result?;
         self.cap = f64::INFINITY;
@@ -153,7 +153,12 @@ impl<'a> Pass<'a> {
     }
 
     /// Steps the phase, frames and all.
-    fn step(&mut self, phase: &mut Phase, end: f64, watch: &mut dyn Observer) -> Result<Stopped, RunError> {
+    fn step(
+        &mut self,
+        phase: &mut Phase,
+        end: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Stopped, RunError> {
         let (simulation, settings) = (self.simulation, self.settings);
         let Self { passed, q, v, a, t, active, .. } = self;
         let mut y = phase.pack(q, v, self.work, self.heat);
@@ -178,7 +183,7 @@ impl<'a> Pass<'a> {
         };
         let frames = passed.record.before(end).to_vec();
         let frames = &frames[frames.partition_point(|frame| *frame <= *t + near(*t))..];
-        let mut trouble: Option<Box<RunFailure>> = None;
+        let mut failure: Option<Box<RunFailure>> = None;
         let Passed { record, ledger, counts, .. } = passed;
         let mut spent = 0;
         let mut frame = |phase: &mut Phase, time: f64, y: &[f64]| -> Result<(), RateError> {
@@ -187,13 +192,13 @@ impl<'a> Pass<'a> {
             spent += 1;
             record.push(q, v, a);
             record.press(active.links.iter().copied().zip(phase.patch_wrenches()));
-            watch.progress(time / settings.duration);
+            observer.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
-                trouble = guard::look(simulation, &settings.guard, phase, stepping, (time, q), share).err();
+                failure = guard::look(simulation, &settings.guard, phase, stepping, (time, q), share).err();
             }
-            // Any error ends the stretch; the trouble says which it is.
-            if trouble.is_some() || watch.is_cancelled() { Err(RateError::Stopped) } else { Ok(()) }
+            // Any error ends the stretch; the failure says which it is.
+            if failure.is_some() || observer.is_cancelled() { Err(RateError::Stopped) } else { Ok(()) }
         };
         let result = advance(
             phase,
@@ -206,15 +211,15 @@ impl<'a> Pass<'a> {
             counts,
         );
         counts.evaluations += spent;
-        let stopped = match (result, trouble) {
+        let stopped = match (result, failure) {
             (Ok(stopped), None) => stopped,
-            (_, Some(trouble)) => return Err(guard::explain(simulation, phase, stepping, &y, *trouble)),
+            (_, Some(failure)) => return Err(guard::explain(simulation, phase, stepping, &y, *failure)),
             (Err(TimeError::Rate { source: RateError::Stopped, .. }), None) => {
                 return Err(RunError::Cancelled);
             }
             (Err(error), None) => {
-                let trouble = guard::of_time(error)?;
-                return Err(guard::explain(simulation, phase, stepping, &y, trouble));
+                let failure = guard::of_time(error)?;
+                return Err(guard::explain(simulation, phase, stepping, &y, failure));
             }
         };
         *t = stopped.time;
@@ -226,8 +231,8 @@ impl<'a> Pass<'a> {
         if dynamic {
             let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(*t, error.into()))?;
             let share = passed.ledger.check(energy, y[work], y[heat]);
-            if let Err(trouble) = guard::look(simulation, &settings.guard, phase, stepping, (*t, q), share) {
-                return Err(guard::explain(simulation, phase, stepping, &y, *trouble));
+            if let Err(failure) = guard::look(simulation, &settings.guard, phase, stepping, (*t, q), share) {
+                return Err(guard::explain(simulation, phase, stepping, &y, *failure));
             }
             passed.ledger.end(energy, y[work], y[heat]);
         }
@@ -294,9 +299,9 @@ impl<'a> Pass<'a> {
         if self.driven.iter().any(tracks) {
             self.rest(&[], &[])?;
         }
-        // And make a foothold give way.
+        // And make a contact patch give way.
         let is_new = self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..)));
-        if is_new { self.find_footing(&[]) } else { Ok(()) }
+        if is_new { self.find_contacts(&[]) } else { Ok(()) }
     }
 
     /// When the next stretch has to end (s).

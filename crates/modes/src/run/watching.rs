@@ -22,8 +22,8 @@ impl Pass<'_> {
             sides.push(match meaning {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
-                Meaning::ContactPoint(_) | Meaning::Pull(..) => 1.0,
-                Meaning::EndCondition(_) | Meaning::Kink => 0.0,
+                Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
+                Meaning::DriveEnds(_) | Meaning::Kink => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -46,12 +46,12 @@ impl Pass<'_> {
             match steps.get(driven.step).map(|step| &step.until) {
                 Some(EndCondition::Position { dof: name, value }) => {
                     if let Some(of) = figure.layout().dof_index(name) {
-                        watch(Watched::Position { dof: of, value: *value }, Meaning::EndCondition(dof));
+                        watch(Watched::Position { dof: of, value: *value }, Meaning::DriveEnds(dof));
                     }
                 }
                 Some(EndCondition::Velocity { dof: name, value }) => {
                     if let Some(of) = figure.layout().dof_index(name) {
-                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::EndCondition(dof));
+                        watch(Watched::Velocity { dof: of, value: *value }, Meaning::DriveEnds(dof));
                     }
                 }
                 _ => {}
@@ -64,7 +64,7 @@ impl Pass<'_> {
             }
         }
         for &(touch, below) in &self.active.open {
-            watch(Watched::Gap { touch, below }, Meaning::ContactPoint(touch));
+            watch(Watched::Gap { touch, below }, Meaning::Touch(touch));
         }
         phase.watch(watched, sides)?;
         Ok(meanings)

@@ -48,17 +48,17 @@ impl Frames {
         Some(Self(frames.collect()))
     }
 
-    /// How far a method is off; nothing where a frame came to trouble.
+    /// How far a method is off; nothing where a frame failed.
     pub(super) fn agreement(
         &self,
         settings: &Settings,
         method: Method,
-        watch: &mut Outlook<'_>,
+        observer: &mut Outlook<'_>,
     ) -> Option<Agreement> {
         let settings = Settings { method, duration: 1.0 / settings.rate, ..settings.clone() };
         let mut worst = Agreement { frames: self.0.len(), ..Agreement::default() };
         for (simulation, right) in &self.0 {
-            let run = simulation.run_watched(&settings, watch).ok()?;
+            let run = simulation.run_observed(&settings, observer).ok()?;
             let answer = Answer::Motion(right);
             let (position, velocity) = compare(simulation.figure(), &run.motion, &answer, f64::INFINITY);
             worst.position = worst.position.max(position);

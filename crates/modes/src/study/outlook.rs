@@ -2,24 +2,24 @@
 
 use crate::report::Observer;
 
-/// Passes on to a watch, with the progress of a part as a span of the whole.
+/// Passes on to a observer, with the progress of a part as a span of the whole.
 pub(super) struct Outlook<'a> {
-    watch: &'a mut dyn Observer,
+    observer: &'a mut dyn Observer,
     from: f64,
     to: f64,
     progress: f64,
 }
 
 impl<'a> Outlook<'a> {
-    pub(super) fn new(watch: &'a mut dyn Observer, from: f64, to: f64) -> Self {
-        watch.progress(from);
-        Self { watch, from, to, progress: from }
+    pub(super) fn new(observer: &'a mut dyn Observer, from: f64, to: f64) -> Self {
+        observer.progress(from);
+        Self { observer, from, to, progress: from }
     }
 }
 
 impl Observer for Outlook<'_> {
     fn now(&self) -> Option<f64> {
-        self.watch.now()
+        self.observer.now()
     }
 
     /// Never backwards: of several runs in a part the first one shows.
@@ -27,11 +27,11 @@ impl Observer for Outlook<'_> {
         let progress = self.from + (self.to - self.from) * share.clamp(0.0, 1.0);
         if progress > self.progress {
             self.progress = progress;
-            self.watch.progress(progress);
+            self.observer.progress(progress);
         }
     }
 
     fn is_cancelled(&self) -> bool {
-        self.watch.is_cancelled()
+        self.observer.is_cancelled()
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn find(
     simulation: &Simulation,
     settings: &Settings,
     options: &StudyOptions<'_>,
-    watch: &mut Outlook<'_>,
+    observer: &mut Outlook<'_>,
 ) -> Result<Found, RunError> {
     if options.solution.is_some() {
         let name = "the closed form".to_owned();
@@ -78,18 +78,18 @@ pub(super) fn find(
     let figure = simulation.figure();
     let mut candidates: Vec<Candidate> = Vec::new();
     let mut nearest: Option<Pair> = None;
-    let mut trouble = None;
+    let mut failure = None;
     for ladder in ladders(settings, options) {
         let first = candidates.len();
         let mut last: Option<Pair> = None;
         for method in ladder {
-            match simulation.run_watched(&Settings { method, ..settings.clone() }, watch) {
+            match simulation.run_observed(&Settings { method, ..settings.clone() }, observer) {
                 Ok(run) => candidates.push(Candidate { method, motion: run.motion }),
                 Err(RunError::Cancelled) => return Err(RunError::Cancelled),
                 Err(RunError::Setup(SetupError::NotBuiltIn { .. })) => break,
                 Err(error @ RunError::Setup(_)) => return Err(error),
                 Err(error) => {
-                    trouble = Some(error);
+                    failure = Some(error);
                     continue;
                 }
             }
@@ -117,7 +117,7 @@ pub(super) fn find(
     let Some(pair) = nearest else {
         // A single run is no reference: nothing says how well it is known.
         let Candidate { method, motion } =
-            candidates.pop().ok_or_else(|| trouble.unwrap_or(RunError::Cancelled))?;
+            candidates.pop().ok_or_else(|| failure.unwrap_or(RunError::Cancelled))?;
         let uncertainty = ErrorEstimate { position: f64::INFINITY, velocity: f64::INFINITY };
         let reference = Reference { name: named(method), beside: String::new(), uncertainty };
         return Ok(Found { reference, motion: Some(motion), beside: None, until: f64::INFINITY });

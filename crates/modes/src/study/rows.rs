@@ -16,11 +16,11 @@ use std::fmt;
 pub struct Row {
     /// The method with its step or tolerance.
     pub method: Method,
-    /// What it took; zero throughout where it came to trouble.
+    /// What it took; zero throughout where it failed.
     pub counts: Counts,
     /// How long it took (s), the best of the repeats; nothing without a clock.
     pub seconds: Option<f64>,
-    /// How far off it was, or the trouble that ended it.
+    /// How far off it was, or the failure that ended it.
     pub result: Result<Accuracy, String>,
     /// Where the motion cannot be compared to its end: single frames, each from the reference's state.
     pub agreement: Option<Agreement>,
@@ -28,7 +28,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The evaluations that it took, or, of a fixed step that came to trouble over `duration` (s), would have taken.
+    /// The evaluations that it took, or, of a fixed step that failed over `duration` (s), would have taken.
     pub fn evaluations(&self, duration: f64) -> Option<u64> {
         match (self.counts.evaluations, self.method) {
             (0, Method::Fixed { rule, step }) => {
@@ -52,7 +52,7 @@ pub(super) fn measure(
     settings: &Settings,
     method: Method,
     repeats: usize,
-    watch: &mut Outlook<'_>,
+    observer: &mut Outlook<'_>,
     compare: impl FnOnce(&Motion) -> (f64, f64),
 ) -> Option<Row> {
     let settings = Settings { method, ..settings.clone() };
@@ -64,10 +64,10 @@ pub(super) fn measure(
         agreement: None,
         is_built_in: true,
     };
-    if watch.is_cancelled() {
+    if observer.is_cancelled() {
         return None;
     }
-    match timed(simulation, &settings, repeats, watch) {
+    match timed(simulation, &settings, repeats, observer) {
         Ok((Run { motion, report }, seconds)) => {
             let (position, velocity) = compare(&motion);
             let energy = report.energy;
@@ -95,24 +95,24 @@ pub(super) fn timed(
     simulation: &Simulation,
     settings: &Settings,
     repeats: usize,
-    watch: &mut dyn Observer,
+    observer: &mut dyn Observer,
 ) -> Result<(Run, Option<f64>), RunError> {
-    let before = watch.now();
-    let run = simulation.run_watched(settings, watch)?;
-    let Some(mut best) = elapsed(before, watch) else { return Ok((run, None)) };
+    let before = observer.now();
+    let run = simulation.run_observed(settings, observer)?;
+    let Some(mut best) = elapsed(before, observer) else { return Ok((run, None)) };
     let mut spent = best;
     for _ in 1..repeats {
-        if spent > 1.0 || watch.is_cancelled() {
+        if spent > 1.0 || observer.is_cancelled() {
             break;
         }
-        let before = watch.now();
-        simulation.run_watched(settings, watch)?;
-        let Some(seconds) = elapsed(before, watch) else { break };
+        let before = observer.now();
+        simulation.run_observed(settings, observer)?;
+        let Some(seconds) = elapsed(before, observer) else { break };
         (best, spent) = (best.min(seconds), spent + seconds);
     }
     Ok((run, Some(best)))
 }
 
-fn elapsed(before: Option<f64>, watch: &dyn Observer) -> Option<f64> {
-    Some((watch.now()? - before?).max(0.0))
+fn elapsed(before: Option<f64>, observer: &dyn Observer) -> Option<f64> {
+    Some((observer.now()? - before?).max(0.0))
 }

@@ -21,18 +21,18 @@ pub struct Savings {
     pub difference: f64,
 }
 
-/// Measures by `method`, or as the settings say; nothing where a run came to trouble.
+/// Measures by `method`, or as the settings say; nothing where a run failed.
 pub(super) fn measure(
     simulation: &Simulation,
     settings: &Settings,
     method: Option<Method>,
     repeats: usize,
-    watch: &mut Outlook<'_>,
+    observer: &mut Outlook<'_>,
 ) -> Option<Savings> {
     let method = method.unwrap_or(settings.method);
     let mut run = |leave_out: bool| {
         let settings = Settings { method, leave_out, ..settings.clone() };
-        timed(simulation, &settings, repeats, watch).ok()
+        timed(simulation, &settings, repeats, observer).ok()
     };
     let (whole, with_all) = run(false)?;
     let (left, with_less) = run(true)?;

@@ -13,7 +13,7 @@ use solaris_model::Motion;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivity {
     /// By how much a change of [`Sensitivity::CHANGE`] at the beginning is greater at the worst frame; nothing where
-    /// dynamics move nothing from the beginning, or where the changed run came to trouble.
+    /// dynamics move nothing from the beginning, or where the changed run failed.
     pub growth: Option<f64>,
     /// The time (s) up to which errors are given: the last frame at which the reference is known to a tenth of the wanted
     /// error; later, rounding and the last digits of the start decide where the figure is.
@@ -31,7 +31,7 @@ pub(super) fn of(
     simulation: &Simulation,
     settings: &Settings,
     found: &Found,
-    watch: &mut Outlook<'_>,
+    observer: &mut Outlook<'_>,
 ) -> Result<Sensitivity, RunError> {
     let end = settings.duration;
     let Some(Beside { method, motion }) = &found.beside else {
@@ -40,7 +40,7 @@ pub(super) fn of(
     let growth = match changed(simulation) {
         None => None,
         Some(changed) => {
-            match changed.run_watched(&Settings { method: *method, ..settings.clone() }, watch) {
+            match changed.run_observed(&Settings { method: *method, ..settings.clone() }, observer) {
                 Ok(run) => Some(apart(simulation, &run.motion, motion) / Sensitivity::CHANGE),
                 Err(RunError::Cancelled) => return Err(RunError::Cancelled),
                 Err(_) => None,

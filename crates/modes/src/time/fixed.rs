@@ -19,7 +19,7 @@ pub(super) fn advance<S: System + ?Sized>(
 ) -> Result<Stopped, TimeError> {
     let (from, to) = course.span;
     let mut stepper = Stepper::new(rule, &*evaluator.system, y)?;
-    let mut watch = Observer::new(&mut evaluator, from, y)?;
+    let mut detector = EventDetector::new(&mut evaluator, from, y)?;
     let (mut time, mut index) = (from, 0);
     while time < to {
         let (next, frame) = course.next(index, time);
@@ -34,16 +34,16 @@ pub(super) fn advance<S: System + ?Sized>(
             stepper.begin(&mut evaluator, time, y)?;
             stepper.step(&mut evaluator, time, length, y)?;
             evaluator.counts.steps += 1;
-            if let Some(watch) = &mut watch
-                && let Some(fraction) = watch.look(&mut evaluator, &mut stepper, (time, end), y)?
+            if let Some(detector) = &mut detector
+                && let Some(fraction) = detector.look(&mut evaluator, &mut stepper, (time, end), y)?
             {
                 time = if fraction < 1.0 { (time + length * fraction).min(end) } else { end };
-                y.copy_from_slice(&watch.state);
-                evaluator.counts.events += watch.sides.crossed.len() as u64;
+                y.copy_from_slice(&detector.state);
+                evaluator.counts.events += detector.sides.crossed.len() as u64;
                 if frame.is_some_and(|frame| frame <= time) {
                     course.show(evaluator.system, time, y)?;
                 }
-                return Ok(Stopped { time, events: watch.sides.crossed.clone() });
+                return Ok(Stopped { time, events: detector.sides.crossed.clone() });
             }
             y.copy_from_slice(&stepper.next);
             time = end;
@@ -169,7 +169,7 @@ impl Stepper {
 }
 
 /// What is needed to see events.
-struct Observer {
+struct EventDetector {
     sides: Sides,
     values: Vec<f64>,
     /// The state at the event.
@@ -177,7 +177,7 @@ struct Observer {
     scratch: Vec<f64>,
 }
 
-impl Observer {
+impl EventDetector {
     fn new<S: System + ?Sized>(
         evaluator: &mut Evaluator<'_, S>,
         t: f64,

@@ -100,14 +100,14 @@ fn a_step_beyond_stability_ends_in_advice() {
     // −8117 1/s at the start: 2.785/8117 s and 2/8117 s.
     for (rule, step, stable) in [(Rule::RungeKutta4, 3.6e-4, 3.43e-4), (Rule::ExplicitEuler, 2.6e-4, 2.46e-4)]
     {
-        let Err(RunError::RunFailure(trouble)) = run(Method::Fixed { rule, step }) else {
+        let Err(RunError::Failed(failure)) = run(Method::Fixed { rule, step }) else {
             panic!("{rule} at {step} s has to be refused")
         };
-        let FailureKind::StepTooLong { longest, eigenvalue, .. } = trouble.cause else { panic!("{trouble}") };
+        let FailureKind::StepTooLong { longest, eigenvalue, .. } = failure.cause else { panic!("{failure}") };
         assert!((longest - stable).abs() < 0.01 * stable, "{longest}");
         assert!((eigenvalue + 8117.0).abs() < 2.0, "{eigenvalue}");
-        assert_eq!(trouble.remedies, [Remedy::StepBelow { step: longest }, Remedy::StiffMethod], "{trouble}");
-        assert!(trouble.to_string().contains("a step below"), "{trouble}");
+        assert_eq!(failure.remedies, [Remedy::StepBelow { step: longest }, Remedy::StiffMethod], "{failure}");
+        assert!(failure.to_string().contains("a step below"), "{failure}");
     }
 }
 

@@ -114,9 +114,9 @@ fn apart(figure: &Figure, one: &Motion, other: &Motion) -> f64 {
 }
 
 /// The failure says when, and what to do.
-fn check_trouble(scene: u64, trouble: &RunFailure) {
-    assert!(trouble.time.is_finite() && (0.0..=DURATION).contains(&trouble.time), "scene {scene}: {trouble}");
-    assert!(!trouble.remedies.is_empty(), "scene {scene}: {trouble}");
+fn check_failure(scene: u64, failure: &RunFailure) {
+    assert!(failure.time.is_finite() && (0.0..=DURATION).contains(&failure.time), "scene {scene}: {failure}");
+    assert!(!failure.remedies.is_empty(), "scene {scene}: {failure}");
 }
 
 /// What came of some of the scenes.
@@ -139,8 +139,8 @@ fn check(seed: u64, sweep: &mut Sweep) {
     let method = method(&mut random);
     let found = match run(&simulation, method) {
         Ok(found) => found,
-        Err(RunError::RunFailure(trouble)) => {
-            check_trouble(seed, &trouble);
+        Err(RunError::Failed(failure)) => {
+            check_failure(seed, &failure);
             sweep.refused += 1;
             return;
         }

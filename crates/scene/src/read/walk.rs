@@ -49,7 +49,7 @@ impl SceneReader<'_> {
     ) -> Option<Planned> {
         let node = fields.get("walk")?;
         let before = self.reader.count();
-        let stages = self.stages(node);
+        let segments = self.segments(node);
         let figure = figure?;
         let gravity = *self.simulation.as_ref()?.gravity();
         if (gravity - GRAVITY).norm() > 1e-6 {
@@ -62,8 +62,8 @@ impl SceneReader<'_> {
         if self.reader.count() > before {
             return None;
         }
-        let (written, stages): (Vec<_>, Vec<_>) = stages?.into_iter().unzip();
-        let plan = WalkSequence::new(figure, &stages);
+        let (written, segments): (Vec<_>, Vec<_>) = segments?.into_iter().unzip();
+        let plan = WalkSequence::new(figure, &segments);
         let plan = plan.map_err(|error| self.refuse_walk(&error, &node.place(), &written)).ok()?;
         let motion = plan.motion(figure, RATE);
         let motion = motion.map_err(|error| self.reader.fault(node.place(), error.to_string())).ok()?;

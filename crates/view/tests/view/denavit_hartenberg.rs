@@ -1,6 +1,6 @@
 //! The pictures of the documentation are those that the code draws.
 //!
-//! `UPDATE_PICTURES=1 cargo test -p solaris-view --test denavit_hartenberg` draws them anew.
+//! `UPDATE_PICTURES=1 cargo test -p solaris-view --test view denavit_hartenberg` draws them anew.
 
 use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, Vector3, human};
 use solaris_view::ViewError;

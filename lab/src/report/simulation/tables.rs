@@ -25,7 +25,7 @@ const PLAIN: [Method; 6] = [
 /// The tolerances of those that choose.
 const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
-/// The error of a row, infinite where it came to trouble.
+/// The error of a row, infinite where it failed.
 fn error(row: &Row) -> f64 {
     row.result.as_ref().map_or(f64::INFINITY, |accuracy| accuracy.position)
 }

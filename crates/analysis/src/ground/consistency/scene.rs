@@ -119,7 +119,7 @@ impl Scene<'_> {
             let moment = moment - com.cross(force) + (com + shift).cross(&total);
             let normal = total.dot(self.ground.up());
             let wrench = Wrench { force: total, moment };
-            let centre = wrench.centre_of_pressure(self.ground.up(), self.level);
+            let centre = wrench.center_of_pressure(self.ground.up(), self.level);
             let out = centre.map_or(0.0, |centre| {
                 let corners = edges.iter().map(|edge| edge.point);
                 outside(corners, &self.ground.flat(&(centre - shift)))

@@ -51,7 +51,7 @@ impl Release {
         let (_, to) = between(sharing, double.end);
         let travel = to - from - belt * (double.end - double.start);
         let travel = travel - up * travel.dot(up);
-        let cop = wrench.centre_of_pressure(up, sharing.stances.level)?;
+        let cop = wrench.center_of_pressure(up, sharing.stances.level)?;
         Some(Self {
             double: *double,
             force: wrench.force,

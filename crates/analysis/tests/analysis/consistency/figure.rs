@@ -40,7 +40,7 @@ fn worst(balances: &[BalanceFrame], outlines: &[Vec<Vector3<f64>>], level: f64) 
     for (balance, outline) in balances.iter().zip(outlines) {
         worst.1 = worst.1.min(balance.force.y);
         let wrench = Wrench { force: balance.force, moment: balance.moment };
-        let cop = wrench.centre_of_pressure(&Vector3::y(), level);
+        let cop = wrench.center_of_pressure(&Vector3::y(), level);
         worst.0 = worst.0.max(cop.map_or(f64::INFINITY, |cop| beyond(outline, &cop)));
     }
     worst

@@ -5,7 +5,7 @@ use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::Role;
 use crate::run::pass::Pass;
 
-/// As much (a part of gravity and of the greatest acceleration) may footholds be denied of what they ask for.
+/// As much (a part of gravity and of the greatest acceleration) may contact patches be denied of what they ask for.
 const DENIED: f64 = 1e-3;
 
 /// Names of degrees of freedom in a message.
@@ -20,7 +20,7 @@ enum Obstacle {
 }
 
 impl Pass<'_> {
-    /// Refuses footholds that the body could not give what they ask for.
+    /// Refuses contact patches that the body could not give what they ask for.
     pub(super) fn check_denied(
         &self,
         holds: &[ContactPatch],
@@ -47,7 +47,7 @@ impl Pass<'_> {
         };
         let link = self.simulation.figure.links()[link].name().to_owned();
         let (cause, remedies) =
-            (FailureKind::Planted { link, why, missing }, vec![first, Remedy::CompliantGround]);
+            (FailureKind::ContactLost { link, why, missing }, vec![first, Remedy::CompliantGround]);
         Err(RunFailure { time: self.t, dof: None, cause, remedies }.into())
     }
 

@@ -77,6 +77,6 @@ impl Pass<'_> {
                 (tried, last) = (Tried::default(), None);
             }
         }
-        self.no_footing(&tried, last, (surface, scene))
+        self.no_contacts(&tried, last, (surface, scene))
     }
 }

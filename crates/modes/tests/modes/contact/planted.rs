@@ -273,8 +273,8 @@ fn a_foot_that_a_curve_drags_along_is_refused() {
     simulation.drive("rail", [Drive::Kinematic(along)]).expect("valid");
     simulation.set_start(&[0.0, 0.0, 0.0, 0.1], &[0.0, 0.0, 1.0, 0.0]).expect("valid");
     let error = simulation.run(&fixed(0.5, 100.0, 1e-2)).expect_err("it cannot stay");
-    let RunError::RunFailure(trouble) = &error else { panic!("{error}") };
-    assert!(matches!(&trouble.cause, FailureKind::Planted { link, .. } if link == "foot"), "{error}");
+    let RunError::Failed(failure) = &error else { panic!("{error}") };
+    assert!(matches!(&failure.cause, FailureKind::ContactLost { link, .. } if link == "foot"), "{error}");
     let error = error.to_string();
     assert!(error.contains("a motion of its own ('rail.tx') moves it"), "{error}");
     assert!(error.ends_with("a ground of springs, where everything slides a little"), "{error}");
@@ -294,8 +294,8 @@ fn what_no_free_joint_can_keep_still_is_told_from_what_a_curve_drags() {
     let mut simulation = simulation(&figure, G, ground(0.5), contact_points.to_vec());
     simulation.set_start(&[0.0; 4], &[0.0, 0.0, 1.0, -2.0]).expect("valid");
     let error = simulation.run(&fixed(0.1, 100.0, 1e-3)).expect_err("it cannot stay");
-    let RunError::RunFailure(trouble) = &error else { panic!("{error}") };
-    assert!(matches!(&trouble.cause, FailureKind::Planted { .. }), "{error}");
+    let RunError::Failed(failure) = &error else { panic!("{error}") };
+    assert!(matches!(&failure.cause, FailureKind::ContactLost { .. }), "{error}");
     let error = error.to_string();
     assert!(
         error.contains("free already")

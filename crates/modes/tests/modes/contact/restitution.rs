@@ -123,8 +123,8 @@ fn energy_from_a_touch_that_steps_pass_over_is_answered_with_a_step() {
     let mut simulation = simulation(&point(), G, plane, vec![at(Vector3::zeros(), 0.0)]);
     simulation.set_start(&[0.0, 0.01], &[0.0, 0.0]).expect("valid");
     let error = simulation.run(&fixed(0.5, 100.0, 1e-3)).expect_err("its energy does not balance");
-    let RunError::RunFailure(trouble) = &error else { panic!("{error}") };
-    assert!(matches!(&trouble.cause, FailureKind::Energy { .. }), "{error}");
+    let RunError::Failed(failure) = &error else { panic!("{error}") };
+    assert!(matches!(&failure.cause, FailureKind::Energy { .. }), "{error}");
     let said = "a shorter step, such as a tenth, 1.0e-4 s, or give a tolerance instead of a step";
     assert!(error.to_string().ends_with(said), "{error}");
     // As it says.

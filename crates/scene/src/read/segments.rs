@@ -12,21 +12,22 @@ const PART: [&str; 5] = ["steps", "step_frequency", "step_length", "speed", "tur
 /// What only walks have, besides their style.
 const WALK: [&str; 2] = ["distance", "then"];
 
-/// A stage, beside where it is written.
+/// A segment, beside where it is written.
 type Written<'n, 'a> = (Fields<'n, 'a>, WalkSegment);
 
 impl SceneReader<'_> {
     /// `Walk(…)`, or a list of `Walk(…)` and `Stand(time: …)`.
-    pub(super) fn stages<'n, 'a>(&mut self, node: &'n Node<'a>) -> Option<Vec<Written<'n, 'a>>> {
+    pub(super) fn segments<'n, 'a>(&mut self, node: &'n Node<'a>) -> Option<Vec<Written<'n, 'a>>> {
         let Some(items) = node.items() else {
-            return Some(vec![self.stage(node, &["Walk"])?]);
+            return Some(vec![self.segment(node, &["Walk"])?]);
         };
         // All of them are read, for their faults, before any is missed.
-        let stages: Vec<Option<_>> = items.iter().map(|item| self.stage(item, &["Walk", "Stand"])).collect();
-        stages.into_iter().collect()
+        let segments: Vec<Option<_>> =
+            items.iter().map(|item| self.segment(item, &["Walk", "Stand"])).collect();
+        segments.into_iter().collect()
     }
 
-    fn stage<'n, 'a>(&mut self, node: &'n Node<'a>, kinds: &[&'static str]) -> Option<Written<'n, 'a>> {
+    fn segment<'n, 'a>(&mut self, node: &'n Node<'a>, kinds: &[&'static str]) -> Option<Written<'n, 'a>> {
         let fields = self.reader.fields(node, kinds, &[])?;
         if fields.kind == "Stand" {
             self.reader.only_known(&fields, &["time"]);
@@ -98,9 +99,9 @@ impl SceneReader<'_> {
     }
 
     /// Why there is no such walk, said of the number that is at fault where it can be told.
-    pub(super) fn refuse_walk(&mut self, error: &GaitError, at: &Range<usize>, stages: &[Fields<'_, '_>]) {
+    pub(super) fn refuse_walk(&mut self, error: &GaitError, at: &Range<usize>, segments: &[Fields<'_, '_>]) {
         let (place, why) = match error {
-            GaitError::InSegment { number, why } => match stages.get(number - 1) {
+            GaitError::InSegment { number, why } => match segments.get(number - 1) {
                 Some(fields) => (place(why, fields), why.as_ref()),
                 None => (at.clone(), error),
             },
@@ -110,7 +111,7 @@ impl SceneReader<'_> {
     }
 }
 
-/// Where in a stage the number stands that is at fault, or its part.
+/// Where in a segment the number stands that is at fault, or its part.
 fn place(error: &GaitError, fields: &Fields<'_, '_>) -> Range<usize> {
     let found = match error {
         GaitError::Request(
