@@ -1,4 +1,4 @@
-//! How many digits are right and how long they take: the numbers and the picture of docs/accuracy.md.
+//! Right digits and times: the numbers and the picture of docs/accuracy.md.
 //!
 //! Errors are the same on every run; a test holds the page to them. Times are what they were on the day that the page
 //! names.

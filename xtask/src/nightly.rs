@@ -1,4 +1,4 @@
-//! What is too long for every `cargo test`: ignored tests, and the feature `stiff`, which takes two minutes to build.
+//! The chore for what is too long for every `cargo test`: ignored tests, and the feature `stiff`, which takes two minutes to build.
 
 use crate::workspace::{self, cargo};
 use std::time::Instant;

@@ -1,4 +1,4 @@
-//! Which link of a foot carries what acts on it.
+//! The carrier of a force on a foot: the foot's link or its toes'.
 
 use nalgebra::Vector3;
 use solaris_dynamics::Workspace;

@@ -1,4 +1,4 @@
-//! Why there are no ground reactions.
+//! Errors of ground reactions.
 
 use crate::prepared::PrepareError;
 use solaris_dynamics::{DynamicsError, RootViewError};

@@ -1,4 +1,4 @@
-//! What acts on a figure from outside, at the times of its motion.
+//! Loads: what acts on a figure from outside, at the times of its motion.
 
 use crate::carrier::Carrier;
 use nalgebra::Vector3;

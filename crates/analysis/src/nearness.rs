@@ -1,4 +1,4 @@
-//! How near the parts of a figure come to each other in a motion.
+//! Nearness: the least distance between links of a figure in a motion.
 
 mod fill;
 mod pairs;

@@ -1,4 +1,4 @@
-//! How two feet share the ground's reaction while both stand on it.
+//! The pivot split of the ground's reaction between two feet.
 //!
 //! The laws of motion give the sum of the two wrenches and nothing else. The split here is an assumption with a name, the
 //! **pivot split**: each foot bears a given share of the vertical force, and points its force at one point above the

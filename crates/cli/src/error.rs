@@ -1,4 +1,4 @@
-//! What can go wrong, in the words of the command line.
+//! Errors of the program, in the words of the command line.
 
 mod refusal;
 mod usage;

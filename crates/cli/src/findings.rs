@@ -1,4 +1,4 @@
-//! What was found in a figure that was read, by kind.
+//! Findings about a figure that was read, by kind.
 
 use solaris::model::{Finding, FindingKind};
 use std::io::Write;

@@ -1,4 +1,4 @@
-//! What is given to find forces: a figure and its motion, read and differentiated, and what is to be said of them.
+//! A figure in a given motion, read and differentiated, and what is to be said of both.
 
 mod read;
 mod report;

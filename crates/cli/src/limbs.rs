@@ -1,4 +1,4 @@
-//! How near a figure's limbs came to each other, as numbers and in words.
+//! Distances and overlaps of a figure's limbs, as numbers and in words.
 
 use crate::error::CliError;
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! Why a motion cannot be written or a text cannot be read.
+//! Errors of writing motions and reading texts.
 
 use crate::sto::StoFault;
 use solaris_model::{MotionError, Vector3};

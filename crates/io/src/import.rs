@@ -1,4 +1,4 @@
-//! What a model file of another program becomes.
+//! The result of reading a model file of another program.
 
 use solaris_model::{Figure, Finding, Vector3};
 

@@ -1,4 +1,4 @@
-//! From the bodies of a model file to a figure.
+//! The tree of bodies of a model file, made into a figure.
 //!
 //! A [`Body`] says what the file says; [`assemble`] makes links of them: bodies that cannot move against their parent
 //! become part of its link, and their frames are kept by name.

@@ -1,4 +1,4 @@
-//! What drives a degree of freedom: the modes of the thesis, and what has been added to them.
+//! Drives of a degree of freedom: the modes of the thesis, and what has been added to them.
 
 mod check;
 pub(crate) mod force;

@@ -1,4 +1,4 @@
-//! Why there is no result: faults of what was asked, and failures of runs.
+//! Failures: faults of what was asked, and failures of runs.
 
 mod remedy;
 

@@ -1,4 +1,4 @@
-//! What a run says of itself.
+//! The report of a run.
 
 use crate::drive::Outcome;
 use crate::failure::RunError;

@@ -1,4 +1,4 @@
-//! How a simulation is to be run.
+//! Settings of a run.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Why a scene has no motion.
+//! Errors of scenes.
 
 use crate::spelled;
 use solaris_analysis::ReactionError;

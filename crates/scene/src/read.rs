@@ -1,4 +1,4 @@
-//! From a text to a scene, with every fault on the way.
+//! The reader of scenes, with every fault on the way.
 
 mod drive;
 mod drives;

@@ -1,4 +1,4 @@
-//! How what a simulation asks for is spelled in a scene.
+//! Remedies of a simulation spelled in the words of a scene.
 
 use solaris_modes::{Remedy, RunError, SetupError};
 

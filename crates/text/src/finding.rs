@@ -1,4 +1,4 @@
-//! What there is to say of a text, short of a fault.
+//! Findings: what there is to say of a text, short of a fault.
 
 use crate::place::Place;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! From a text to its tree: the part of RON that texts for people use.
+//! The parser: the part of RON that texts for people use, to a tree.
 
 use crate::error::TextError;
 use crate::lex::{Cursor, Stop, begins_word, parse as parse_number};

@@ -1,4 +1,4 @@
-//! What the camera looks at, so that the whole figure is in view at any time of the motion.
+//! The camera's path and box, so that the whole figure is in view at any time of the motion.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! What the links look like.
+//! Drawn shapes of links.
 
 use crate::camera::Bounds;
 use glam::{DMat3, DQuat, DVec3};

@@ -1,4 +1,4 @@
-//! What can keep a motion from being shown.
+//! Errors of showing a motion.
 
 use solaris_dynamics::DynamicsError;
 use solaris_model::MotionError;

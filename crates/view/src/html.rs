@@ -1,4 +1,4 @@
-//! From data to the text of the page.
+//! The text of the page.
 
 use crate::data::Data;
 use crate::{PageOptions, TableRow};

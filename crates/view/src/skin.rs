@@ -1,4 +1,4 @@
-//! Which links have a common skin, so that a trunk of several ellipsoids is one body.
+//! Common skins of links, so that a trunk of several ellipsoids is one body.
 
 use nalgebra::UnitQuaternion;
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! From the motion's world to the page's: x left, y up, z forward.
+//! The page's world: x left, y up, z forward.
 
 use glam::{DMat3, DQuat, DVec3};
 use nalgebra::{Matrix3, Vector3};

@@ -1,4 +1,4 @@
-//! What whole walks come to, on docs/walking.md.
+//! Tables of whole walks, on docs/walking.md.
 
 use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{Extent, FEET, WalkMeasures, WalkPart, WalkRequest, measure, walk};

@@ -1,4 +1,4 @@
-//! What the fit asks of strides and walks: people's bands and what the bands do not see, as residuals that are zero inside.
+//! Targets of the fit: people's bands and what the bands do not see, as residuals that are zero inside.
 
 use super::stride::{Case, Found};
 use super::walk;

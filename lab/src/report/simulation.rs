@@ -1,4 +1,4 @@
-//! How far simulations can be trusted: the tables and the pictures of docs/trust.md.
+//! Trust in simulations: the tables and the pictures of docs/trust.md.
 //!
 //! The methods that choose their steps come with a feature that costs two minutes of building; their tables are written
 //! by a build of its own, so that all others are those of the ordinary one.

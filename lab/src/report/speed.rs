@@ -1,4 +1,4 @@
-//! What one call takes: time, and operations.
+//! The cost of one call: time, and operations.
 
 use super::samples::{GRAVITY, Sample};
 use crate::timing::{self, Operation};

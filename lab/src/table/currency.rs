@@ -1,4 +1,4 @@
-//! Whether a page's tables say what is measured now.
+//! Checks that a page's tables say what is measured now.
 
 use super::{Cell, Table, number};
 

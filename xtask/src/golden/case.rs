@@ -1,4 +1,4 @@
-//! What a golden case says about itself.
+//! A golden case, as its file says it.
 
 use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, Visitor};

@@ -1,4 +1,4 @@
-//! What library sources must not mention: a plain scan of the text.
+//! The scan of library sources for what they must not mention.
 //!
 //! Comments, and `#[cfg(test)]` modules as rustfmt lays them out, are left out. A scan is no proof (an alias fools it),
 //! but it finds what slips in.

@@ -1,4 +1,4 @@
-//! How a quaternion's rates turn a link.
+//! Angular velocity and acceleration from a quaternion's rates.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector4};
 use solaris_profiles::Boundary;

@@ -1,4 +1,4 @@
-//! Which links of a sole carry what acts on it.
+//! Carriers of the forces on soles: the links that bear them.
 
 use crate::carrier::Carrier;
 use crate::ground::{GroundError, Sole, soles};

@@ -1,4 +1,4 @@
-//! Why the ground's forces of a motion are not found.
+//! Errors of finding the ground's forces in a motion.
 
 use super::{ConsistencyError, ShiftError};
 use crate::prepared::{PrepareError, StateError};

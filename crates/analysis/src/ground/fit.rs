@@ -1,4 +1,4 @@
-//! Whether a motion and soles are ones that the ground can be asked about.
+//! Checks that a motion and soles are ones that the ground can be asked about.
 
 use crate::ground::{GroundError, Sole};
 use crate::prepared::PreparedMotion;

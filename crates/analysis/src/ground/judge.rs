@@ -1,4 +1,4 @@
-//! What is wrong with forces that were found.
+//! Checks of predicted ground forces: friction, pull, centre of pressure, frames without support.
 
 use crate::ground::outline::outside;
 use crate::ground::{BalanceFrame, GroundError, Sole, Stances};

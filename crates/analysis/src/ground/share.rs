@@ -1,4 +1,4 @@
-//! How the feet that stand share the ground's wrench.
+//! Splits of the ground's wrench between the feet that stand.
 
 mod effort;
 mod load;

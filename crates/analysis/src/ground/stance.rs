@@ -1,4 +1,4 @@
-//! When which foot stands.
+//! Stances: when which foot stands.
 
 mod edges;
 mod track;

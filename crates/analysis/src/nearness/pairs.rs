@@ -1,4 +1,4 @@
-//! Which links are measured against each other.
+//! The pairs of links that are measured against each other.
 
 use solaris_model::Link;
 

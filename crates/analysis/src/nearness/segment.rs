@@ -1,4 +1,4 @@
-//! How far two segments are apart.
+//! The distance of two segments.
 
 use nalgebra::Vector3;
 

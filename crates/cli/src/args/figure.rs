@@ -1,4 +1,4 @@
-//! What the commands about figures are asked: `figure`, `check`, `convert`.
+//! Requests of the commands about figures: `figure`, `check`, `convert`.
 
 use super::value::number;
 use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};

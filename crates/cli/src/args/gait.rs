@@ -1,4 +1,4 @@
-//! What `solaris gait` is asked: tables, maps and postures of the thesis's models.
+//! Requests of `solaris gait`: tables, maps and postures of the thesis's models.
 
 use super::parameters::{KeyArgs, key_options};
 use super::value::count;

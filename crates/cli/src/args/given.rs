@@ -1,4 +1,4 @@
-//! What is given to find forces: a figure, its motion, and how both are taken.
+//! Options for a figure in a motion: how both are taken.
 
 use super::wrap;
 use clap::{Args, ValueEnum};

@@ -1,4 +1,4 @@
-//! What `solaris ground` is asked, and what `solaris inverse` and `solaris metrics` are asked of the ground as well.
+//! The request of `solaris ground`, and its options that `solaris inverse` and `solaris metrics` have as well.
 
 use super::given::{self, FrameArgs, RecordArgs};
 use super::{Number, wrap};

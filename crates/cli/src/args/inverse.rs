@@ -1,4 +1,4 @@
-//! What `solaris inverse` is asked.
+//! The request of `solaris inverse`.
 
 use super::given::{self, FrameArgs, RecordArgs};
 use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs};

@@ -1,4 +1,4 @@
-//! What `solaris metrics` is asked.
+//! The request of `solaris metrics`.
 
 use super::given::{self, FrameArgs, RecordArgs};
 use super::ground::GroundArgs;

@@ -1,4 +1,4 @@
-//! What `solaris profile` is asked: a command for each kind of curve, made from the table of kinds.
+//! Requests of `solaris profile`: a command for each kind of curve, made from the table of kinds.
 
 mod kind;
 

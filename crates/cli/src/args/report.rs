@@ -1,4 +1,4 @@
-//! What `solaris report` is asked.
+//! The request of `solaris report`.
 
 use super::value::within;
 use super::wrap;

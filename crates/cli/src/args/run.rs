@@ -1,4 +1,4 @@
-//! What `solaris run` is asked.
+//! The request of `solaris run`.
 
 use super::wrap;
 use clap::Args;

@@ -1,4 +1,4 @@
-//! What `solaris sweep` is asked, and those options of `solaris walk` that can head its columns.
+//! The request of `solaris sweep`, and those options of `solaris walk` that can head its columns.
 
 use super::value::within;
 use super::{RATE, WalkArgs, wrap};

@@ -1,4 +1,4 @@
-//! What `solaris walk` is asked.
+//! The request of `solaris walk`.
 
 mod then;
 

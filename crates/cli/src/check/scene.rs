@@ -1,4 +1,4 @@
-//! What a scene is.
+//! The summary of a scene.
 
 use crate::args::CheckArgs;
 use crate::error::CliError;

@@ -1,4 +1,4 @@
-//! What is wrong with a value that can be read.
+//! Refusals of values that can be read.
 
 use crate::args::{BODY_MASS_INDICES, HEIGHTS};
 use crate::words::{at_least, at_most, ranges};

@@ -1,4 +1,4 @@
-//! What was given, and how it was taken.
+//! The report on a given figure and motion, and how they were taken.
 
 use super::read::Given;
 use super::units::slides;

@@ -1,4 +1,4 @@
-//! What was given, for people.
+//! The summary of a given figure and motion, for people.
 
 use super::report::{FilterReport, GivenReport};
 use crate::words::{counted, row, short, some};

@@ -1,4 +1,4 @@
-//! What the forces of a figure's degrees of freedom are in.
+//! Units of the forces of a figure's degrees of freedom.
 
 use solaris::model::{AxisKind, Figure, JointKind};
 

@@ -1,4 +1,4 @@
-//! What `--consistent` makes of a motion: the root's path changed by as little as the ground asks for.
+//! The motion of `--consistent`: the root's path changed by as little as the ground asks for.
 
 use super::soles::From;
 use crate::args::ConsistentArgs;

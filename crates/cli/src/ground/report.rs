@@ -1,4 +1,4 @@
-//! What was found of the ground, as numbers.
+//! The report on the ground's forces, as numbers.
 
 use super::against::Beside;
 use super::moved::Moved;

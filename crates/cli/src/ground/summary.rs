@@ -1,4 +1,4 @@
-//! What was found of the ground, for people.
+//! The summary of the ground's forces, for people.
 
 use super::report::{Extreme, Foot, GroundReport};
 use crate::words::{row, short, some};

@@ -1,4 +1,4 @@
-//! What pushes from outside: plates named one by one, or OpenSim's description of them.
+//! External forces: plates named one by one, or OpenSim's description of them.
 
 use crate::args::ExternalArgs;
 use crate::error::CliError;

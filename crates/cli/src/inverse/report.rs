@@ -1,4 +1,4 @@
-//! What inverse dynamics came to, as text and as JSON.
+//! The report of inverse dynamics, as text and as JSON.
 
 use crate::given::{Given, GivenReport, slides};
 use crate::ground::GroundReport;

@@ -1,4 +1,4 @@
-//! What inverse dynamics came to, for people.
+//! The summary of inverse dynamics, for people.
 
 use super::report::{Load, Report};
 use crate::words::{row, short};

@@ -1,4 +1,4 @@
-//! What is known of a motion's feet, and who says so.
+//! Evidence about a motion's feet: soles, stances, forces, and who says so.
 
 use crate::args::{AskedLevel, MetricsArgs, StancesFrom};
 use crate::error::CliError;

@@ -1,4 +1,4 @@
-//! What is told of a motion: for people, as JSON, as a table.
+//! The report on a motion's metrics: for people, as JSON, as a table.
 
 use super::evidence::Evidence;
 use crate::given::GivenReport;

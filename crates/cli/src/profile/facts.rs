@@ -1,4 +1,4 @@
-//! What a curve is and what it answers, for programs.
+//! Facts of a curve and its answers, for programs.
 
 use super::feasible::Feasible;
 use super::request::Request;

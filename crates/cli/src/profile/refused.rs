@@ -1,4 +1,4 @@
-//! Why there is no such curve, in the words of the options that ask for it.
+//! Refusals of curves, in the words of the options that ask for them.
 
 use crate::args::{BlendArgs, KindArgs, option};
 use crate::error::{CliError, Refusal};

@@ -1,4 +1,4 @@
-//! Which curve is asked for.
+//! The curve that is asked for.
 
 use super::feasible::Feasible;
 use super::refused::{of_blend, of_kind};

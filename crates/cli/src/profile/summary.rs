@@ -1,4 +1,4 @@
-//! What a curve is and what it answers, for people.
+//! The summary of a curve and its answers, for people.
 
 use super::feasible::Feasible;
 use super::request::Request;

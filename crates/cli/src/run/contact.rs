@@ -1,4 +1,4 @@
-//! What the ground did, as numbers and in words.
+//! The report on contact in a run, as numbers and in words.
 
 use super::energy::digits;
 use serde::Serialize;

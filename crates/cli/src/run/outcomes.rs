@@ -1,4 +1,4 @@
-//! What became of drives, and impacts, in words.
+//! Outcomes of drives, and impacts, in words.
 
 use super::energy::digits;
 use crate::words::some;

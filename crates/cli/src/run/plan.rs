@@ -1,4 +1,4 @@
-//! What was computed, and what was left out.
+//! The plan of a run: computed, and left out.
 
 use super::report::Phase;
 use crate::words::some;

@@ -1,4 +1,4 @@
-//! What there is to say of a run, as it is written to JSON.
+//! The report of a run, as it is written to JSON.
 
 use super::BUILD_STIFF;
 use super::contact::Contact;

@@ -1,4 +1,4 @@
-//! What is known to be wrong with a walk, said where it shows.
+//! Notes on what is known to be wrong with a walk, said where it shows.
 
 use solaris::gait::{FRICTION, InBetween, IsolatedPeak, Peak, StyledPlan, WalkMeasures};
 

@@ -1,4 +1,4 @@
-//! What is asked of a walk, out of the options.
+//! The walk that is asked for, out of the options.
 
 mod refused;
 

@@ -1,4 +1,4 @@
-//! What of a figure fits BVH: offsets, and for each joint its channels.
+//! The skeleton of a BVH file: offsets, and for each joint its channels.
 
 use crate::error::{BvhFault, IoError};
 use solaris_model::{AxisKind, EulerOrder, Figure, JointKind, Link, Vector3};

@@ -1,4 +1,4 @@
-//! What a joint of OpenSim does, as a joint of a figure.
+//! Axes of OpenSim's joints, as those of a figure.
 
 use super::coordinate::Coordinate;
 use super::couplers::Couplers;

@@ -1,4 +1,4 @@
-//! What an element's text says.
+//! Readers of an element's text.
 
 use crate::xml::{Node, Reader, element, shown, tag};
 use solaris_model::{Placement, UnitQuaternion, Vector3};

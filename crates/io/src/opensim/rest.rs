@@ -1,4 +1,4 @@
-//! What of a model is not read, by name.
+//! The parts of a model that are not read, by name.
 
 use super::element::{child_words, objects};
 use crate::xml::{Node, Reader, element, elements, elements_called, shown, tag};

@@ -1,4 +1,4 @@
-//! What a link looks like.
+//! Shapes of links.
 
 use super::origin;
 use crate::xml::{Node, Reader, element, elements, elements_called, tag};

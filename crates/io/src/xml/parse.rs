@@ -1,4 +1,4 @@
-//! From text to a tree of nodes, within bounds of memory, time and depth.
+//! The parser: text to a tree of nodes, within bounds of memory, time and depth.
 
 use super::tag;
 use roxmltree::{Document, Error, ParsingOptions, TextPos};

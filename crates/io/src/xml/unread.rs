@@ -1,4 +1,4 @@
-//! What a reader does not understand, listed by name.
+//! The list of what a reader does not understand, by name.
 
 use super::{Node, Reader, tag};
 use solaris_model::{Finding, FindingKind};

@@ -1,4 +1,4 @@
-//! From the table of segments to a figure.
+//! The human built: from the table of segments to a figure.
 
 use super::Joints;
 use super::girth;

@@ -1,4 +1,4 @@
-//! How children's proportions differ from an adult's: [`crate::Human::age`].
+//! Proportions of children beside an adult's: [`crate::Human::age`].
 
 use super::segments::{
     ABDOMEN, FOOT, HEAD, HIP, LUMBAR, NECK, REFERENCE_HEIGHT, SHANK, STACK, THIGH, THORAX,

@@ -1,4 +1,4 @@
-//! How thick the segments of a person are drawn: as their mass and the density of tissue say.
+//! Girths of a person's drawn segments: as their mass and the density of tissue say.
 
 use crate::inertia::ShapeKind;
 use nalgebra::Vector3;

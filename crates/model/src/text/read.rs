@@ -1,4 +1,4 @@
-//! From the tree of a text to a figure, with every fault on the way.
+//! The reader of figures: from the tree of a text, with every fault on the way.
 
 mod body;
 mod exact;

@@ -1,4 +1,4 @@
-//! From a figure to a text that people like to read.
+//! The writer of figures: a text that people like to read.
 
 mod joint;
 mod link;

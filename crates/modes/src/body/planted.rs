@@ -1,4 +1,4 @@
-//! What stands on the ground and stays there.
+//! Rigid contact: wrenches that hold what stands on the ground.
 
 use super::touching::{GroundElement, Lowest};
 use crate::contact::{CALM, ContactPatch};

@@ -1,4 +1,4 @@
-//! What the ground does to links that touch it.
+//! Compliant contact: forces of the ground on links that touch it.
 
 use crate::contact::{ContactLaw, Surface};
 use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! What stands on the ground as one rigid part, and what must not happen for it to stay so.
+//! Contact patches: points that stand on the ground as one rigid part, and what must not happen for them to stay so.
 
 use nalgebra::{Vector2, Vector3};
 use solaris_dynamics::Wrench;

@@ -1,4 +1,4 @@
-//! What a drive is called, and whether its numbers can be used.
+//! Names of drives, and checks of their numbers.
 
 use super::{Course, Drive, Law, Target};
 use crate::failure::SetupError;

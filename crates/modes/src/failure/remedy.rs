@@ -1,4 +1,4 @@
-//! What may help, in words of mechanics and numerics.
+//! Remedies, in words of mechanics and numerics.
 
 use solaris_model::EulerOrder;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! What was left out, and what that saves.
+//! The report on what was left out, and what that saves.
 
 use super::Role;
 use super::reduction::{Reduction, Source};

@@ -1,4 +1,4 @@
-//! What is given: the motion of what has one of its own, and the forces of drives on what dynamics move.
+//! Prescribed motions, and forces of drives on what dynamics move.
 
 use super::Role;
 use crate::drive::force::Force;

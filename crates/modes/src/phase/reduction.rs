@@ -1,4 +1,4 @@
-//! What is left of a figure when what nothing depends on is left out.
+//! The reduced figure: what is left when what nothing depends on is left out.
 
 use super::Role;
 use crate::contact::{ContactPoint, Surface, count};

@@ -1,4 +1,4 @@
-//! What is watched for while a phase lasts.
+//! Event functions of a phase.
 
 use super::Phase;
 use super::small::Small;

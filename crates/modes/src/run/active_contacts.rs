@@ -1,4 +1,4 @@
-//! What comes to the ground, stands on it, and leaves it, where the ground [plants](crate::ContactLaw::Rigid) what it touches.
+//! Active contacts with [rigid](crate::ContactLaw::Rigid) ground: touching down, standing, leaving.
 
 mod denied;
 mod landing;

@@ -1,4 +1,4 @@
-//! Which method and which step meet a tolerance.
+//! The choice of method and step that meet a tolerance.
 
 use super::kinks::has_kinks;
 use super::pass::{Passed, pass};

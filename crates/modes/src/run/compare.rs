@@ -1,4 +1,4 @@
-//! How far two passes are apart.
+//! The difference of two passes.
 
 use super::record::Record;
 use crate::failure::SetupError;

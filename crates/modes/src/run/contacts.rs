@@ -1,4 +1,4 @@
-//! What the ground does to each link in every frame, and what there is to say of it.
+//! Contacts of every frame, and the report on them.
 
 use super::guard;
 use crate::body::{Body, Pressed};

@@ -1,4 +1,4 @@
-//! What drives one degree of freedom at the moment.
+//! The state of the drive of one degree of freedom.
 
 use crate::drive::force::Force;
 use crate::drive::path::Path;

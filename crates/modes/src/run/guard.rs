@@ -1,4 +1,4 @@
-//! What is watched over while a pass is on its way, and what is said when it goes wrong.
+//! The guard of a pass: condition, stiffness, energy, and the failures it names.
 
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Phase;

@@ -1,4 +1,4 @@
-//! Whether forces had kinks within steps.
+//! Kinks of forces within steps.
 
 use super::guard;
 use super::pass::Passed;

@@ -1,4 +1,4 @@
-//! What came of drives.
+//! Outcomes of drives.
 
 use super::driven::name;
 use super::pass::Pass;

@@ -1,4 +1,4 @@
-//! What a phase is given before a stretch, and what is watched for on the way.
+//! Preparation of a stretch: motions, forces and events that a phase is given.
 
 use super::active_contacts::SLACK;
 use super::driven::{Meaning, Mode};

@@ -1,4 +1,4 @@
-//! How far a motion is from the answer.
+//! Errors of a motion against the answer.
 
 use super::Solution;
 use solaris_model::{Figure, Motion};

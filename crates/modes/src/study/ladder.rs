@@ -1,4 +1,4 @@
-//! Which settings are tried, and what they are called.
+//! The settings that are tried, and their names.
 
 use crate::settings::{Method, Rule};
 

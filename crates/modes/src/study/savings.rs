@@ -1,4 +1,4 @@
-//! What it saves to leave out what nothing depends on.
+//! Savings by leaving out what nothing depends on.
 
 use super::compare::{Answer, compare};
 use super::outlook::Outlook;

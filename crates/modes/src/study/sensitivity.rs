@@ -1,4 +1,4 @@
-//! Whether a motion can be compared to its end.
+//! The test of whether a motion can be compared to its end.
 
 use super::compare::{Answer, compare};
 use super::outlook::Outlook;

@@ -1,4 +1,4 @@
-//! How a stretch of time is stepped through, and how it may end.
+//! Ways to step through a stretch of time, and how it may end.
 
 use super::RateError;
 use crate::settings::Rule;

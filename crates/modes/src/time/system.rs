@@ -1,4 +1,4 @@
-//! What a stepper asks of what it steps.
+//! The interface of what a stepper steps.
 
 use nalgebra::DMatrix;
 use solaris_dynamics::DynamicsError;

@@ -1,4 +1,4 @@
-//! From a profile to its text.
+//! The writer of profiles.
 
 use crate::blend::{Fade, FadeKind};
 use crate::profile::{Profile, ProfileLayer};

@@ -1,4 +1,4 @@
-//! What drives which degree of freedom.
+//! Drives by degree of freedom.
 
 use super::SceneReader;
 use super::names::{Closeness, Meant, in_order};

@@ -1,4 +1,4 @@
-//! What the limits of joints do.
+//! Laws of the joints' limits.
 
 use super::SceneReader;
 use super::names::in_order;

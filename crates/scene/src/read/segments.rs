@@ -1,4 +1,4 @@
-//! What is asked of walks: a walk and its parts, or several with standing in between.
+//! Walks: one and its parts, or several with standing in between.
 
 use super::SceneReader;
 use solaris_gait::{

@@ -1,4 +1,4 @@
-//! How long, how finely, and by which method.
+//! Settings: how long, how finely, and by which method.
 
 use super::SceneReader;
 use solaris_model::text::{Fields, Node};

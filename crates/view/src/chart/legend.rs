@@ -1,4 +1,4 @@
-//! What stands for what.
+//! Legends.
 
 use super::picture::LINE;
 use super::{LETTERS, MARGIN, Mark, Picture, WIDTH, cut, width};

@@ -1,4 +1,4 @@
-//! What the classes of the elements look like.
+//! Styles of the classes of elements.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! What a study has found, ready to be read.
+//! Tables of a study, ready to be read.
 
 use super::{Diagram, Point, Report, Series, Table};
 use crate::profile::number;

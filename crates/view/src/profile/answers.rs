@@ -1,4 +1,4 @@
-//! What a whole curve answers, as rows of a table.
+//! Answers of a whole curve, as rows of a table.
 
 use super::{Labels, ORDER, number, unit};
 use crate::TableRow;

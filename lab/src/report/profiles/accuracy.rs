@@ -1,4 +1,4 @@
-//! How many digits of a position are right, in either form and either precision.
+//! Right digits of a position, in either form and either precision.
 
 use super::family::{Family, Stable};
 use super::printed::{Number, Printed};

@@ -1,4 +1,4 @@
-//! What is measured, and what is claimed of it.
+//! The cases that are measured, and what is claimed of them.
 
 use super::accuracy::{self, Accuracy};
 use super::family::{

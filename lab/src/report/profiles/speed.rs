@@ -1,4 +1,4 @@
-//! What either form takes, measured in blocks that take turns.
+//! Times of either form, measured in blocks that take turns.
 
 use super::family::{Family, Stable};
 use super::printed::{Number, Printed};

@@ -1,4 +1,4 @@
-//! What lies between the frames of a motion, and how well it is found again.
+//! Positions between the frames of a motion, and how well they are found again.
 
 use super::solutions::{self, Solution};
 use solaris_profiles::{Boundary, CubicHermite, Curve, Quintic};

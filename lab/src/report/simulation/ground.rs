@@ -1,4 +1,4 @@
-//! What slides, drops, tips over and stands on a ground, by both laws of contact.
+//! Scenes that slide, drop, tip over and stand on a ground, by both laws of contact.
 
 mod answers;
 mod fine;

@@ -1,4 +1,4 @@
-//! Why a motion's balance cannot be set right.
+//! Errors of making a motion's balance possible.
 
 use solaris_model::MotionError;
 

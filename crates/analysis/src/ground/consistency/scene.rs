@@ -1,4 +1,4 @@
-//! What a motion asks of the two stages: from balances and outlines to bounds of second differences.
+//! The problem behind a consistent motion: from balances and outlines to bounds of second differences.
 
 use crate::ground::BalanceFrame;
 use crate::ground::consistency::interior::{Of, Problem, Side, Solution};

@@ -1,4 +1,4 @@
-//! How a foot takes weight over, bears it and gives it back.
+//! The loading curve of a stance: a foot takes weight over, bears it and gives it back.
 
 use crate::ground::Stance;
 use solaris_profiles::step::cubic;

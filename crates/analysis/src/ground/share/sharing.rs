@@ -1,4 +1,4 @@
-//! What every split knows: the frames, the soles in the world, the smooth shares and nominal centres of pressure.
+//! The data that every split uses: the frames, the soles in the world, the smooth shares and nominal centres of pressure.
 
 use super::load::Load;
 use crate::ground::{BalanceFrame, GroundError, Sole, Stance, Stances};

@@ -1,4 +1,4 @@
-//! From a number that decides to the times at which it changes its mind.
+//! Spans in which a signal is below zero, short gaps and short spans left out.
 
 /// Spans of time (s) in which `decides` is less than zero, put between frames by straight lines. Gaps shorter than
 /// `shortest` (s) are closed, then shorter spans are dropped, unless an end of the motion cuts them off.

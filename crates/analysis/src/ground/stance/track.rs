@@ -1,4 +1,4 @@
-//! How the points of the soles move, and what that says of the ground.
+//! Tracks of the points of the soles, and the ground that they tell of.
 
 use super::{Belt, StanceOptions};
 use crate::ground::{GroundError, Sole};

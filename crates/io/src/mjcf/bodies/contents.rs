@@ -1,4 +1,4 @@
-//! What stands in a body, through all `<frame>`s.
+//! Contents of a body, through all `<frame>`s.
 
 use crate::mjcf::compiler::Compiler;
 use crate::mjcf::defaults::SPECIFIERS;

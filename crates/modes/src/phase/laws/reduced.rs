@@ -1,4 +1,4 @@
-//! What is left out changes nothing but by rounding.
+//! The law that leaving out changes nothing but by rounding.
 
 use super::{Scene, curve, largest, rate};
 use crate::body::random::Random;

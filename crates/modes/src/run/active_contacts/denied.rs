@@ -1,4 +1,4 @@
-//! What stands and is denied what it asks for: it is named, with what keeps it.
+//! Contacts that can neither stay nor leave: named, with what keeps them.
 
 use crate::contact::{ContactPatch, Surface};
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure};

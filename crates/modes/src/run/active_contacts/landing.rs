@@ -1,4 +1,4 @@
-//! What comes down on the ground in an instant.
+//! Landings: plastic impacts of what comes down.
 
 use super::{REST, ROUNDING, Scene, Tried};
 use crate::body::Pressed;

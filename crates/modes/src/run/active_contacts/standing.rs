@@ -1,4 +1,4 @@
-//! What stays on the ground, by the forces that it takes.
+//! Standing: which patches stay, by the forces that this takes.
 
 use super::{REST, ROUNDING, SHORTEST_FLIGHT, Scene, Tried};
 use crate::contact::{CALM, Surface};

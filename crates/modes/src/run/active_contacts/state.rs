@@ -1,4 +1,4 @@
-//! What a run keeps of what stands on the ground.
+//! The state of the active contacts in a run.
 
 use crate::contact::ContactPatch;
 

@@ -1,4 +1,4 @@
-//! What comes to rest: grounds from soft to hard, and feet from light to heavy.
+//! Scenes that come to rest: grounds from soft to hard, and feet from light to heavy.
 
 use super::fine::{DAMPING, Drop, LEG, REST};
 use super::{MOST, RATE, Scene, answers, over, springs, touches};
