@@ -41,7 +41,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         phase = (phase + dt / (length(&slow) + blend * (length(&fast) - length(&slow)))).fract();
         // … here a game gives `pose` to its skeleton.
     }
-    println!("after 3 s at {:.2} m, walking at {speed:.2} m/s", travelled);
+    println!("after 3 s at {travelled:.2} m, walking at {speed:.2} m/s");
     assert!(pose.iter().all(|x| x.is_finite()) && (speed - fast.speed()).abs() < 1e-12);
     assert!((2.5..4.5).contains(&travelled));
     Ok(())

@@ -80,7 +80,9 @@ fn read_all(reader: &mut Reader, node: &Node<'_>) {
     match node.group().map(|group| &group.content) {
         Some(Content::Fields(fields)) => fields.iter().for_each(|(_, node)| read_all(reader, node)),
         Some(Content::Tuple(items) | Content::List(items)) => {
-            items.iter().for_each(|node| read_all(reader, node));
+            for node in items {
+                read_all(reader, node);
+            }
         }
         Some(Content::Map(entries)) => entries.iter().for_each(|(key, value)| {
             read_all(reader, key);

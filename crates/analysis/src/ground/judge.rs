@@ -88,7 +88,7 @@ pub fn judge(
         let of = |(sole, contacts): (&Sole, &Vec<Contact>)| {
             let outline = sole.outline(workspace, &prepared.up, stances.level);
             let corners = outline.iter().map(|corner| ground.flat(corner));
-            (!outline.is_empty()).then(|| outside(corners, &ground.flat(&contacts[row].cop)))
+            (!outline.is_empty()).then(|| outside(&corners, &ground.flat(&contacts[row].cop)))
         };
         Ok(soles.iter().zip(contacts).map(of).collect::<Vec<_>>())
     })?;

@@ -79,7 +79,7 @@ pub(super) fn has_room(outline: &[Vector2<f64>], edges: &[Edge], margin: f64) ->
 }
 
 /// How far (m) a point is outside of a convex outline with these corners, counter-clockwise; zero inside.
-pub(super) fn outside(corners: impl Iterator<Item = Vector2<f64>> + Clone, point: &Vector2<f64>) -> f64 {
+pub(super) fn outside(corners: &(impl Iterator<Item = Vector2<f64>> + Clone), point: &Vector2<f64>) -> f64 {
     let (mut nearest, mut inside) = (f64::INFINITY, true);
     for (a, b) in corners.clone().zip(corners.clone().cycle().skip(1)) {
         let (edge, to) = (b - a, point - a);
@@ -108,7 +108,7 @@ mod tests {
             [([0.1, 0.05], 0.0), ([0.3, 0.1], 0.0), ([0.34, 0.05], 0.04), ([-0.03, -0.04], 0.05)]
         {
             assert_relative_eq!(
-                outside(edges.iter().map(|edge| edge.point), &Vector2::from(point)),
+                outside(&edges.iter().map(|edge| edge.point), &Vector2::from(point)),
                 distance,
                 epsilon = 1e-15
             );

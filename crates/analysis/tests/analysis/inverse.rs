@@ -1,7 +1,7 @@
 //! From records to joint forces: laws, closed forms, and measured data where it is present.
 
-mod complete;
-mod inverse;
+mod differentiate;
+mod forces;
 mod loads;
 mod measured;
 mod passive;

@@ -40,7 +40,7 @@ pub(super) fn run(args: &MapArgs) -> Result<(), CliError> {
         return print(|out| write_json(out, &Said::of(&map)));
     }
     let marked = asked.determinants.conditions(&asked.proportions, &asked.choice.values);
-    let marked = marked.map_err(|error| CliError::of_gait(error.into(), &args.postures))?;
+    let marked = marked.map_err(|error| CliError::of_gait(error, &args.postures))?;
     print(|out| {
         writeln!(out, "{title}: {} over {}\n", map.axes[1].name, map.axes[0].name)?;
         writeln!(out, "  {:5.1} % of the map hold all inequalities", 100.0 * map.feasible())?;

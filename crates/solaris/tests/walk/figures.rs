@@ -33,7 +33,7 @@ fn walk_or_are_told_why_not(n: usize) {
         match outcome {
             Outcome::Walked(found) => worst.merge(&case.name, &found),
             Outcome::Refused(GaitError::Plan(PlanError::Friction { .. } | PlanError::NotWalkable { .. })) => {
-                refused += 1
+                refused += 1;
             }
             Outcome::Refused(error) => wrong.push(format!("{}: {error}", case.name)),
             Outcome::Failed(what) => wrong.push(format!("{}: {what}", case.name)),

@@ -122,7 +122,7 @@ impl Scene<'_> {
             let centre = wrench.center_of_pressure(self.ground.up(), self.level);
             let out = centre.map_or(0.0, |centre| {
                 let corners = edges.iter().map(|edge| edge.point);
-                outside(corners, &self.ground.flat(&(centre - shift)))
+                outside(&corners, &self.ground.flat(&(centre - shift)))
             });
             if !out.is_finite() || !normal.is_finite() {
                 return Err(ConsistencyError::NotFinite { frame, what: "the centre of pressure" });

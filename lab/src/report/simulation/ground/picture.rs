@@ -35,7 +35,7 @@ pub(in crate::report::simulation) fn diagrams() -> Result<[(&'static str, Diagra
         tolerances.map(|tolerance| Method::Stiff { tolerance }).to_vec(),
     ];
     let by_method = |methods: &Vec<Method>| Series {
-        name: method_name(methods[0]).to_owned(),
+        name: method_name(methods[0]).clone(),
         points: methods
             .iter()
             .map(|method| point(&scene, *method, &setting(*method).replace(" s", "")))
