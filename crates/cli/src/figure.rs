@@ -22,7 +22,10 @@ fn human(args: &HumanArgs) -> Result<(), CliError> {
     let height = size.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = size.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
     let person = Human::new(height, mass);
-    let person = age.as_ref().map_or(person.clone(), |age| person.age(age.value));
+    let person = match age {
+        Some(age) => person.age(age.value),
+        None => person,
+    };
     let human = size
         .segments
         .iter()

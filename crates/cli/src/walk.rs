@@ -92,7 +92,10 @@ pub(crate) fn person(person: &PersonArgs) -> Result<Figure, CliError> {
     let height = person.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = person.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
     let human = Human::new(height, mass);
-    let human = person.age.as_ref().map_or(human.clone(), |age| human.age(age.value));
+    let human = match &person.age {
+        Some(age) => human.age(age.value),
+        None => human,
+    };
     human.build().map_err(|error| CliError::of_human(error, person))
 }
 

@@ -159,7 +159,7 @@ pub struct LinkContact {
     pub friction_time: f64,
     /// How long it took more than the ground's coefficient of friction (s): it ought to have slipped.
     pub slipping: f64,
-    /// How far it slid while it touched (m): the mean of its touches, each with the weight of its pressure, added up over the time.
+    /// How far it slid while it touched (m): the mean of its contact points, each with the weight of its pressure, added up over the time.
     pub slid: f64,
 }
 

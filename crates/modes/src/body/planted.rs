@@ -13,7 +13,7 @@ pub(super) struct Planted<T> {
     holds: Vec<Hold>,
 }
 
-/// A contact patch: its corners, by the indices of the touches, and its first condition.
+/// A contact patch: its corners, by the indices of the contact points, and its first condition.
 #[derive(Clone, Debug)]
 struct Hold {
     corners: Vec<usize>,

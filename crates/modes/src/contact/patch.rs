@@ -27,7 +27,7 @@ pub(crate) struct ContactPatch {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Lever {
     pub(crate) arm: Arm,
-    /// The touches that are left where it has fallen.
+    /// The contact points that are left where it has fallen.
     pub(crate) left: Vec<usize>,
 }
 
@@ -43,7 +43,7 @@ pub(crate) enum Arm {
 }
 
 impl ContactPatch {
-    /// One that is held by these touches, which are `at` these places of the world (m); none without any. `up` has length 1.
+    /// One that is held by these contact points, which are `at` these places of the world (m); none without any. `up` has length 1.
     pub(crate) fn new(
         mut contact_points: Vec<usize>,
         at: impl Fn(usize) -> Vector3<f64>,
@@ -110,7 +110,7 @@ impl Arm {
     /// Its force (N) where `wrench` (world axes, about the world's origin) is what the ground does to the part, whose touches
     /// are `at` these places (m).
     ///
-    /// With `F`, `M` the wrench, `A` and `B` the touches, `u` from `A` to `B` with length 1, `n` = `up` and `M_A = M − A×F`,
+    /// With `F`, `M` the wrench, `A` and `B` the contact points, `u` from `A` to `B` with length 1, `n` = `up` and `M_A = M − A×F`,
     ///
     /// ```text
     /// point   n·F            end   M_A·(u × n)/|B − A|            edge   M_A·u/reach

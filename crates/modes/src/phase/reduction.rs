@@ -29,9 +29,9 @@ pub(super) struct Reduction {
     pub(super) springs: Vec<PointSpring>,
     /// By degree of freedom of the small figure.
     pub(super) limits: Vec<LimitLaw>,
-    /// With the links of the small figure; none where none of these touches it.
+    /// With the links of the small figure; none where none of these can touch it.
     pub(super) surface: Option<Surface>,
-    /// For each of its touches, the index in the full figure's.
+    /// For each of its contact points, the index in the full figure's.
     pub(super) kept_touches: Vec<usize>,
     /// For each entry of the small figure's `q`, its index in the full one's.
     pub(super) kept_q: Vec<usize>,
@@ -190,7 +190,7 @@ fn placed(spring: &PointSpring, place: impl Fn(usize) -> Option<LinkPlace>) -> O
     (between[0].link != between[1].link).then_some(PointSpring { between, ..*spring })
 }
 
-/// The ground under what is moved, with the links that carry the touches, and which touches these are; none where nothing of it can
+/// The ground under what is moved, with the links that carry the contact points, and which these are; none where nothing of it can
 /// touch the ground.
 fn under(
     surface: &Surface,

@@ -24,7 +24,7 @@ pub(super) struct Small {
     numbers: Side<f64>,
     /// With derivatives; made when the first Jacobian is asked for.
     duals: Option<Box<Side<Dual<COLUMNS>>>>,
-    /// What stands on the ground, with the touches of the small figure.
+    /// What stands on the ground, with the contact points of the small figure.
     planted: Vec<ContactPatch>,
 }
 
@@ -80,7 +80,7 @@ impl Small {
         Ok(Self { reduction, maps, numbers, duals: None, planted: Vec::new() })
     }
 
-    /// From now on these stand on the ground; touches are those of the full figure, on links that dynamics move.
+    /// From now on these stand on the ground; contact points are those of the full figure, on links that dynamics move.
     pub(super) fn plant(&mut self, patches: &[ContactPatch]) {
         let place = |touch: &usize| self.touch(*touch);
         let small = |patch: &ContactPatch| ContactPatch {

@@ -49,7 +49,7 @@ struct Scene {
 /// What was tried, so that nothing is tried again.
 #[derive(Default)]
 struct Tried {
-    /// Sets of touches.
+    /// Sets of contact points.
     sets: HashSet<Vec<usize>>,
     /// The greatest force that would pull (N, or N s in an impact).
     pull: f64,
@@ -181,7 +181,7 @@ impl Pass<'_> {
         Err(RunFailure { time: self.t, dof: None, cause, remedies }.into())
     }
 
-    /// Footholds of these touches, one for each rigid part.
+    /// Contact patches of these points, one for each rigid part.
     fn patches(&self, surface: &Surface, scene: &Scene, held: &[usize]) -> Vec<ContactPatch> {
         let mut parts: Vec<usize> = held.iter().filter_map(|touch| scene.parts[*touch]).collect();
         parts.sort_unstable();
@@ -197,7 +197,7 @@ impl Pass<'_> {
     }
 
     /// The lever that is farthest beyond giving way, with what the ground does as the body found it last: its force (N, or N s in
-    /// an impact) and the touches that are let go. None where all hold. Forces below `least` are none.
+    /// an impact) and the contact points that are let go. None where all hold. Forces below `least` are none.
     fn worst_pull(
         &self,
         surface: &Surface,
@@ -256,7 +256,7 @@ impl Pass<'_> {
     }
 }
 
-/// All touches of these contact patches, in ascending order.
+/// All points of these contact patches, in ascending order.
 fn all_of(holds: &[ContactPatch]) -> Vec<usize> {
     let mut all: Vec<usize> = holds.iter().flat_map(|hold| &hold.contact_points).copied().collect();
     all.sort_unstable();
@@ -290,7 +290,7 @@ impl Tried {
         Ok(())
     }
 
-    /// The touches that were held in some sets and not in others.
+    /// The contact points that were held in some sets and not in others.
     fn contested(&self) -> Vec<usize> {
         let mut all: Vec<usize> = self.sets.iter().flatten().copied().collect();
         all.sort_unstable();

@@ -32,7 +32,7 @@ struct State {
     depth: f64,
     /// The greatest of a touch that is pressed (m/s).
     slip: f64,
-    /// The mean of the touches, each with the weight of its pressure (m/s).
+    /// The mean of the contact points, each with the weight of its pressure (m/s).
     sliding: f64,
 }
 

@@ -173,6 +173,21 @@ fn a_ground_is_the_one_said_or_fits_the_figure() {
     assert_eq!(found, [touch(Vector3::z(), 0.1), touch(Vector3::y(), 0.0)]);
 }
 
+/// Scenes that were written before the laws had these names go on.
+#[test]
+fn the_older_words_for_laws_of_contact_mean_the_same() {
+    let law = |contact: &str| {
+        let scene = scene(&format!("ground: Flat(friction: 0.5, contact: {contact})"));
+        scene.simulation().grounded().expect("a ground").0.law
+    };
+    assert_eq!(law("Rigid"), ContactLaw::Rigid);
+    assert_eq!(law("Planted"), ContactLaw::Rigid);
+    let compliant = ContactLaw::Compliant { stiffness: 5e3, damping: 2.0, slip: 0.1 };
+    for word in ["Compliant", "Spring"] {
+        assert_eq!(law(&format!("{word}(stiffness: 5e3, damping: 2, slip: 0.1)")), compliant, "{word}");
+    }
+}
+
 #[test]
 fn a_curve_begins_where_it_begins_unless_told_otherwise() {
     let curve = "drives: {\"elbow.rx\": Kinematic(Line(from: 1, to: 3, duration: 4))}";

@@ -10,7 +10,7 @@ use crate::run::guard;
 use crate::run::pass::Pass;
 
 impl Pass<'_> {
-    /// The impact of these touches, which are on the ground, as a plastic one: those that the ground would have to pull are let
+    /// The impact of these contact points, which are on the ground, as a plastic one: those that the ground would have to pull are let
     /// go, and what would go into it is stopped as well. What stands afterwards.
     ///
     /// ```text
