@@ -122,24 +122,9 @@ pub enum IoError {
          turn (--figure)"
     )]
     DegreesWithoutFigure,
-    /// A joint that BVH cannot hold.
-    #[error("joint '{joint}' cannot be written as BVH: {fault}")]
-    BvhJoint {
-        /// The joint's name.
-        joint: String,
-        /// Why.
-        fault: BvhFault,
-    },
-    /// A link's name that would break a BVH file.
-    #[error("link '{link}' cannot be written as BVH: names there hold no spaces and no braces; rename it")]
-    BvhName {
-        /// The link's name.
-        link: String,
-    },
-    /// Gravity says that y is not up.
+    /// Gravity that is no direction.
     #[error(
-        "gravity ({}, {}, {}) m/s² does not point down −y, but y is up in BVH: the figure would lie on its side; turn \
-         its world first", .gravity.x, .gravity.y, .gravity.z
+        "gravity ({}, {}, {}) m/s² says no direction that is down; BVH has one", .gravity.x, .gravity.y, .gravity.z
     )]
     BvhUp {
         /// The motion's gravity (m/s²).
@@ -358,39 +343,4 @@ pub enum ExternalForceProblem {
     /// The table has no times.
     #[error("the table has no column 'time'")]
     NoTime,
-}
-
-/// Why a joint does not fit BVH.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum BvhFault {
-    /// The joint's frame is turned against its parent's.
-    #[error(
-        "its frame is turned against its parent's, and BVH keeps only an offset; give the joint parallel axes"
-    )]
-    TurnedPlacement,
-    /// A rotation about none of x, y, z.
-    #[error("degree of freedom {dof} turns about none of x, y, z")]
-    ObliqueAxis {
-        /// Number in the joint, from 1.
-        dof: usize,
-    },
-    /// Two rotations about the same axis.
-    #[error("it turns twice about {axis}; a BVH joint turns once about each axis")]
-    RepeatedAxis {
-        /// The axis.
-        axis: char,
-    },
-    /// A translation below the root.
-    #[error("it slides; only the root's joint may slide in BVH")]
-    SlidingJoint,
-    /// A root that slides after it has turned.
-    #[error("degree of freedom {dof} slides after a rotation; BVH moves the root first and then turns it")]
-    SlidesAfterTurning {
-        /// Number in the joint, from 1.
-        dof: usize,
-    },
-    /// A kind of joint that this writer does not know.
-    #[error("its kind has no order of rotations")]
-    Kind,
 }

@@ -23,7 +23,7 @@ pub mod urdf;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 mod xml;
 
-pub use error::{BvhFault, ContactProblem, ExternalForceProblem, IoError};
+pub use error::{ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 pub use import::Import;
 pub use table::Table;

@@ -3,7 +3,11 @@
 mod build;
 mod child;
 mod girth;
+mod portion;
 mod segments;
+
+pub use portion::Portion;
+pub(crate) use portion::portion;
 
 use crate::fault::FigureError;
 use crate::figure::Figure;

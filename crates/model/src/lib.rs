@@ -24,6 +24,7 @@ mod measured;
 mod motion;
 mod prune;
 mod reroot;
+pub mod rig;
 mod scale;
 mod source;
 #[cfg(feature = "ron")]
@@ -41,7 +42,7 @@ pub use figure::Figure;
 pub use follower::Follower;
 pub use fuse::{FuseError, Fused, LinkPlace};
 pub use hull::{GroundAxes, convex_hull};
-pub use human::{Human, HumanError, human};
+pub use human::{Human, HumanError, Portion, human};
 pub use inertia::{Inertia, Shape, ShapeKind};
 pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, Placement};
 pub use layout::{JointLayout, StateLayout};

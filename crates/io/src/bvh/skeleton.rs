@@ -1,9 +1,10 @@
 //! The skeleton of a BVH file: offsets, and for each joint its channels.
 
-use crate::error::{BvhFault, IoError};
-use solaris_model::{AxisKind, EulerOrder, Figure, JointKind, Link, Vector3};
+use solaris_model::{
+    AxisKind, EulerOrder, Figure, Isometry3, Joint, JointKind, Link, Placement, UnitQuaternion, Vector3,
+};
 
-/// The order in which a ball or free joint is written: the most common in BVH.
+/// The order in which a joint is written that BVH does not know: the most common in BVH.
 pub(super) const ORDER: EulerOrder = EulerOrder::Zyx;
 
 /// Length of the stub at the end of a link without a tip (m).
@@ -12,74 +13,71 @@ const STUB: f64 = 0.05;
 /// A figure as BVH sees it: one node a link, in the figure's order.
 pub(super) struct Skeleton {
     pub(super) nodes: Vec<Node>,
-    /// Root position (m): this, and each of the slides by its coordinate.
-    pub(super) origin: Vector3<f64>,
-    /// Index in q and direction of each slide of the root.
-    pub(super) slides: Vec<(usize, Vector3<f64>)>,
 }
 
 /// One `ROOT` or `JOINT`.
 pub(super) struct Node {
     pub(super) name: String,
     pub(super) children: Vec<usize>,
-    /// From the parent's origin (m); zero for the root, whose position is a channel.
+    /// From the parent's origin (m), with all coordinates at zero.
     pub(super) offset: Vector3<f64>,
     /// Where the link ends (m), for a node without children.
     pub(super) end: Vector3<f64>,
-    /// The rotations in order, three of them.
-    pub(super) turns: Vec<Turn>,
+    /// Whether its position is a channel: the root's, and that of a joint that slides.
+    pub(super) is_placed: bool,
+    /// How its channels follow from the coordinates.
+    pub(super) channels: Channels,
+}
+
+/// How the channels of a joint follow from its coordinates.
+pub(super) enum Channels {
+    /// The joint is one of BVH: it slides, then turns about x, y, z in some order.
+    Own {
+        /// Index in q and direction of each slide.
+        slides: Vec<(usize, Vector3<f64>)>,
+        /// The rotations in order, three of them.
+        turns: Vec<Turn>,
+    },
+    /// By where the joint takes its link: position and three angles in [`ORDER`].
+    Place {
+        /// The joint's frame, seen from a world in which y is up.
+        placement: Placement,
+        joint: Joint,
+        /// Where its coordinates begin in q.
+        first: usize,
+    },
 }
 
 /// One rotation channel.
 pub(super) struct Turn {
     /// 0, 1, 2 for x, y, z.
     pub(super) axis: usize,
-    pub(super) source: Source,
-}
-
-/// Where the angle of a rotation channel comes from.
-pub(super) enum Source {
-    /// The joint lacks this axis.
-    Nothing,
-    /// Index in q and the sign of the coordinate.
-    Coordinate(usize, f64),
-    /// Where in q a quaternion begins, and which of its angles in [`ORDER`] this is.
-    Quaternion(usize, usize),
+    /// Index in q and the sign of the coordinate; nothing where the joint lacks this axis.
+    pub(super) source: Option<(usize, f64)>,
 }
 
 impl Skeleton {
-    /// # Errors
-    ///
-    /// The first link or joint that BVH cannot hold.
-    pub(super) fn of(figure: &Figure) -> Result<Self, IoError> {
+    /// The figure in a world that is turned by `world`.
+    pub(super) fn of(figure: &Figure, world: UnitQuaternion<f64>) -> Self {
         let mut nodes: Vec<Node> = Vec::new();
-        let mut slides = Vec::new();
-        for (i, link) in figure.links().iter().enumerate() {
-            let refuse = |fault| IoError::BvhJoint { joint: link.joint().name().to_owned(), fault };
-            if link.name().contains(|c: char| c.is_whitespace() || c == '{' || c == '}') {
-                return Err(IoError::BvhName { link: link.name().to_owned() });
-            }
-            let placement = link.joint().placement();
-            // The angle's sine is the vector part's norm: turns below rounding are no turns.
-            if placement.rotation.imag().norm() > 1e-12 {
-                return Err(refuse(BvhFault::TurnedPlacement));
-            }
-            let turns = turns(link, figure.layout().joints()[i].q, &mut slides).map_err(refuse)?;
-            let is_root = link.parent().is_none();
-            let offset = if is_root { Vector3::zeros() } else { placement.translation.vector };
+        for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {
+            let placement = *link.joint().placement();
+            let placement = if i == 0 { world * placement } else { placement };
+            let channels = channels(link.joint(), placement, at.q);
+            let slides = link.joint().kind().slides().next().is_some();
             nodes.push(Node {
-                name: link.name().to_owned(),
+                name: link.name().replace(|c: char| c.is_whitespace() || matches!(c, '{' | '}'), "_"),
                 children: Vec::new(),
-                offset,
+                offset: placement.translation.vector,
                 end: end(link),
-                turns,
+                is_placed: i == 0 || slides,
+                channels,
             });
             if let Some(parent) = link.parent() {
                 nodes[parent].children.push(i);
             }
         }
-        let origin = figure.links()[0].joint().placement().translation.vector;
-        Ok(Self { nodes, origin, slides })
+        Self { nodes }
     }
 
     /// Indices of the nodes in the order of the file: every node, then all below it, child by child.
@@ -93,52 +91,61 @@ impl Skeleton {
     }
 }
 
-/// The rotations of a link's joint, whose coordinates start at `first` in q; slides of the root go to `slides`.
-fn turns(link: &Link, first: usize, slides: &mut Vec<(usize, Vector3<f64>)>) -> Result<Vec<Turn>, BvhFault> {
-    let mut turns: Vec<Turn> = Vec::new();
-    let dofs = match link.joint().kind() {
-        JointKind::Axes(dofs) => dofs,
-        JointKind::Ball { .. } => return Ok(quaternion(first)),
-        JointKind::Free { .. } if link.parent().is_some() => return Err(BvhFault::SlidingJoint),
-        JointKind::Free { .. } => {
-            slides.extend((0..3).map(|axis| (first + axis, Vector3::ith(axis, 1.0))));
-            return Ok(quaternion(first + 3));
+impl Node {
+    /// Where the joint takes its link, with the figure's coordinates `q`.
+    pub(super) fn place(placement: &Placement, joint: &Joint, q: &[f64]) -> Isometry3<f64> {
+        let mut place = *placement;
+        if let Some(first) = joint.kind().quaternion() {
+            let slide = if first == 3 { Vector3::new(q[0], q[1], q[2]) } else { Vector3::zeros() };
+            // A motion keeps it near unit length.
+            let turn = [q[first], q[first + 1], q[first + 2], q[first + 3]];
+            return place * Isometry3::from_parts(slide.into(), UnitQuaternion::from_quaternion(turn.into()));
         }
-        _ => return Err(BvhFault::Kind),
-    };
+        for (dof, value) in joint.kind().axes().iter().zip(q) {
+            let by = dof.axis.direction * *value;
+            match dof.axis.kind {
+                AxisKind::Translation => place.translation.vector += place.rotation * by,
+                AxisKind::Rotation => place.rotation *= UnitQuaternion::from_scaled_axis(by),
+            }
+        }
+        place
+    }
+}
+
+/// How a joint's channels follow from its coordinates, which start at `first` in q.
+fn channels(joint: &Joint, placement: Placement, first: usize) -> Channels {
+    // The angle's sine is the vector part's norm: turns below rounding are no turns.
+    let is_parallel = placement.rotation.imag().norm() <= 1e-12;
+    let own = if is_parallel { own(joint.kind(), first) } else { None };
+    own.unwrap_or_else(|| Channels::Place { placement, joint: joint.clone(), first })
+}
+
+/// The channels of a joint that slides, and then turns at most once about each of x, y, z.
+fn own(kind: &JointKind, first: usize) -> Option<Channels> {
+    let JointKind::Axes(dofs) = kind else { return None };
+    let (mut slides, mut turns) = (Vec::new(), Vec::<Turn>::new());
     for (i, dof) in dofs.iter().enumerate() {
         let direction = dof.axis.direction;
         match dof.axis.kind {
-            AxisKind::Translation if link.parent().is_some() => return Err(BvhFault::SlidingJoint),
-            AxisKind::Translation if !turns.is_empty() => {
-                return Err(BvhFault::SlidesAfterTurning { dof: i + 1 });
-            }
-            AxisKind::Translation => slides.push((first + i, direction)),
+            AxisKind::Translation if turns.is_empty() => slides.push((first + i, direction)),
+            AxisKind::Translation => return None,
             AxisKind::Rotation => {
                 let axis = direction.iamax();
                 // A unit vector along an axis has this component ±1 and the others zero, to rounding.
-                if (direction.abs() - Vector3::ith(axis, 1.0)).amax() > 1e-12 {
-                    return Err(BvhFault::ObliqueAxis { dof: i + 1 });
+                let is_oblique = (direction.abs() - Vector3::ith(axis, 1.0)).amax() > 1e-12;
+                if is_oblique || turns.iter().any(|turn| turn.axis == axis) {
+                    return None;
                 }
-                if turns.iter().any(|turn| turn.axis == axis) {
-                    return Err(BvhFault::RepeatedAxis { axis: ['x', 'y', 'z'][axis] });
-                }
-                turns.push(Turn { axis, source: Source::Coordinate(first + i, direction[axis].signum()) });
+                turns.push(Turn { axis, source: Some((first + i, direction[axis].signum())) });
             }
         }
     }
     for axis in [2, 1, 0] {
         if turns.iter().all(|turn| turn.axis != axis) {
-            turns.push(Turn { axis, source: Source::Nothing });
+            turns.push(Turn { axis, source: None });
         }
     }
-    Ok(turns)
-}
-
-/// The three rotations of a quaternion that begins at `first` in q.
-fn quaternion(first: usize) -> Vec<Turn> {
-    let turn = |(part, axis)| Turn { axis, source: Source::Quaternion(first, part) };
-    ORDER.axes().into_iter().enumerate().map(turn).collect()
+    Some(Channels::Own { slides, turns })
 }
 
 fn end(link: &Link) -> Vector3<f64> {

@@ -1,9 +1,10 @@
 //! A skeleton and its motion to text.
 
 use super::Unit;
-use super::skeleton::{ORDER, Skeleton, Source};
+use super::skeleton::{Channels, Node, ORDER, Skeleton};
 use crate::error::IoError;
 use solaris_model::{Figure, Motion, MotionError, UnitQuaternion, Vector3};
+use std::f64::consts::FRAC_PI_3;
 use std::io::{self, Write};
 
 /// Names of the axes in channels.
@@ -11,13 +12,13 @@ const AXES: [char; 3] = ['X', 'Y', 'Z'];
 
 /// Writes `motion` as BVH to `out`, lengths in `unit`, angles in degrees, six decimals.
 ///
-/// Which figures fit and how they are written stands in the [module's documentation](super). Everything about the figure
-/// is checked before the first byte.
+/// How figures are written stands in the [module's documentation](super). A world whose gravity does not point down −y is
+/// turned until it does.
 ///
 /// # Errors
 ///
-/// A motion of another figure or without a rate, gravity that does not point down −y (zero is allowed), a joint or name
-/// that BVH cannot hold, a position too large for a number, and the writer's own errors.
+/// A motion of another figure or without a rate, gravity that is no direction (zero is one that leaves y up), a position too
+/// large for a number, and the writer's own errors.
 pub fn write(figure: &Figure, motion: &Motion, unit: Unit, out: &mut impl Write) -> Result<(), IoError> {
     motion.check_figure(figure)?;
     let rate = motion.info.rate;
@@ -25,34 +26,46 @@ pub fn write(figure: &Figure, motion: &Motion, unit: Unit, out: &mut impl Write)
         return Err(MotionError::Rate { rate }.into());
     }
     let gravity = motion.info.gravity;
-    let is_down = gravity.iter().all(|g| g.is_finite()) && -gravity.y >= gravity.amax();
-    if gravity != Vector3::zeros() && !is_down {
+    if !gravity.iter().all(|g| g.is_finite()) {
         return Err(IoError::BvhUp { gravity });
     }
-    let skeleton = Skeleton::of(figure)?;
+    let skeleton = Skeleton::of(figure, upright(&gravity));
     hierarchy(&skeleton, unit, out)?;
     write!(out, "MOTION\nFrames: {}\nFrame Time: {}\n", motion.len(), 1.0 / rate)?;
     let order = skeleton.order();
-    // The angles of a quaternion go on from those of the frame before: never wrapped, like the others.
+    // Angles that are found from a rotation go on from those of the frame before: never wrapped, like the others.
     let mut angles = vec![[0.0; 3]; skeleton.nodes.len()];
     for sample in 0..motion.len() {
         let q = motion.q(sample);
-        for (node, angles) in skeleton.nodes.iter().zip(&mut angles) {
-            if let Source::Quaternion(first, _) = node.turns[0].source {
-                *angles = ORDER.angles_near(&rotation(&q[first..]), angles);
+        let mut line = Vec::new();
+        for &node in &order {
+            for value in channels(&skeleton.nodes[node], q, &mut angles[node], unit) {
+                if !value.is_finite() {
+                    let column = format!("{}.channel", skeleton.nodes[node].name);
+                    return Err(IoError::NotFinite { column, time: motion.time()[sample], value });
+                }
+                line.push(number(value));
             }
         }
-        let values = frame(&skeleton, &order, q, &angles, unit);
-        if let Some(i) = values.iter().position(|value| !value.is_finite()) {
-            // Every node has three channels after the root's three positions.
-            let link = &skeleton.nodes[order[(i / 3).saturating_sub(1)]].name;
-            let column = format!("{link}.channel");
-            return Err(IoError::NotFinite { column, time: motion.time()[sample], value: values[i] });
-        }
-        let values: Vec<String> = values.into_iter().map(number).collect();
-        writeln!(out, "{}", values.join(" "))?;
+        writeln!(out, "{}", line.join(" "))?;
     }
     Ok(out.flush()?)
+}
+
+/// The turn of a world with this `gravity` after which y is up, or nearest to it as it is.
+///
+/// Where z was, x, y, z become z, x, y: a robot that looks along x then looks along z, as figures do where y is up.
+fn upright(gravity: &Vector3<f64>) -> UnitQuaternion<f64> {
+    // Of a slope, y is up enough.
+    let Some(down) = gravity.try_normalize(0.0).filter(|down| -down.y < down.amax()) else {
+        return UnitQuaternion::identity();
+    };
+    if -down.z > 1.0 - 1e-12 {
+        let diagonal = Vector3::repeat(-1.0).normalize();
+        return UnitQuaternion::from_scaled_axis(diagonal * (2.0 * FRAC_PI_3));
+    }
+    let half_turn = || UnitQuaternion::from_scaled_axis(Vector3::x() * std::f64::consts::PI);
+    UnitQuaternion::rotation_between(&-down, &Vector3::y()).unwrap_or_else(half_turn)
 }
 
 /// What is left to write of the hierarchy.
@@ -75,17 +88,18 @@ fn hierarchy(skeleton: &Skeleton, unit: Unit, out: &mut impl Write) -> io::Resul
             Step::Open(index, depth) => (index, depth),
         };
         let (node, tabs) = (&skeleton.nodes[index], "\t".repeat(depth));
-        let (keyword, position) =
-            if index == 0 { ("ROOT", "6 Xposition Yposition Zposition") } else { ("JOINT", "3") };
-        writeln!(
-            out,
-            "{tabs}{keyword} {}\n{tabs}{{\n{tabs}\tOFFSET {}",
-            node.name,
-            lengths(node.offset, unit)
-        )?;
+        let keyword = if index == 0 { "ROOT" } else { "JOINT" };
+        let position = if node.is_placed { "6 Xposition Yposition Zposition" } else { "3" };
+        // Some readers add the root's offset to its position, some take the position in its place: zero means the same to both.
+        let offset = if index == 0 { Vector3::zeros() } else { node.offset };
+        writeln!(out, "{tabs}{keyword} {}\n{tabs}{{\n{tabs}\tOFFSET {}", node.name, lengths(offset, unit))?;
         write!(out, "{tabs}\tCHANNELS {position}")?;
-        for turn in &node.turns {
-            write!(out, " {}rotation", AXES[turn.axis])?;
+        let axes = match &node.channels {
+            Channels::Own { turns, .. } => [turns[0].axis, turns[1].axis, turns[2].axis],
+            Channels::Place { .. } => ORDER.axes(),
+        };
+        for axis in axes {
+            write!(out, " {}rotation", AXES[axis])?;
         }
         writeln!(out)?;
         if node.children.is_empty() {
@@ -98,24 +112,23 @@ fn hierarchy(skeleton: &Skeleton, unit: Unit, out: &mut impl Write) -> io::Resul
     Ok(())
 }
 
-/// The channels of one sample: the root's position, then the rotations of every node in the order of the file. `angles` (rad)
-/// are those of each node's quaternion.
-fn frame(skeleton: &Skeleton, order: &[usize], q: &[f64], angles: &[[f64; 3]], unit: Unit) -> Vec<f64> {
-    let position = skeleton.slides.iter().fold(skeleton.origin, |p, (i, direction)| p + direction * q[*i]);
-    let position = position * unit.per_metre();
-    let turns =
-        order.iter().flat_map(|&node| skeleton.nodes[node].turns.iter().map(move |turn| (node, turn)));
-    let degrees = turns.map(|(node, turn)| match turn.source {
-        Source::Nothing => 0.0,
-        Source::Coordinate(i, sign) => sign * q[i].to_degrees(),
-        Source::Quaternion(_, part) => angles[node][part].to_degrees(),
-    });
-    position.iter().copied().chain(degrees).collect()
-}
-
-/// The rotation of a quaternion (x, y, z, w), which a motion keeps near unit length.
-fn rotation(q: &[f64]) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_quaternion([q[0], q[1], q[2], q[3]].into())
+/// The channels of one node in one sample: its position where it has one, then its rotations. `angles` (rad) are those of
+/// its last rotation, where they are found from one.
+fn channels(node: &Node, q: &[f64], angles: &mut [f64; 3], unit: Unit) -> Vec<f64> {
+    let (position, degrees) = match &node.channels {
+        Channels::Own { slides, turns } => {
+            let position = slides.iter().fold(node.offset, |p, (i, direction)| p + direction * q[*i]);
+            let degrees = |i: usize| turns[i].source.map_or(0.0, |(i, sign)| sign * q[i].to_degrees());
+            (position, [degrees(0), degrees(1), degrees(2)])
+        }
+        Channels::Place { placement, joint, first } => {
+            let place = Node::place(placement, joint, &q[*first..]);
+            *angles = ORDER.angles_near(&place.rotation, angles);
+            (place.translation.vector, angles.map(f64::to_degrees))
+        }
+    };
+    let position = node.is_placed.then_some(position * unit.per_metre());
+    position.iter().flat_map(Vector3::iter).copied().chain(degrees).collect()
 }
 
 fn lengths(vector: Vector3<f64>, unit: Unit) -> String {

@@ -80,17 +80,18 @@ impl Bvh {
         let mut worlds: Vec<Matrix> = Vec::new();
         for node in &self.nodes {
             let mut world = node.parent.map_or_else(|| shift([0.0; 3]), |parent| worlds[parent]);
-            world = product(&world, &shift(node.offset));
+            // A position is in place of the offset, wherever its channel stands, as most tools read it.
+            let (mut at, mut turned) = (node.offset, shift([0.0; 3]));
             for channel in &node.channels {
                 let value = *values.next().expect("a number a channel");
                 let axis = channel.bytes().next().map_or(9, |letter| usize::from(letter - b'X'));
-                let local = match &channel[1..] {
-                    "position" => shift(std::array::from_fn(|i| if i == axis { value } else { 0.0 })),
-                    "rotation" => turn(axis, value.to_radians()),
+                match &channel[1..] {
+                    "position" => at[axis] = value,
+                    "rotation" => turned = product(&turned, &turn(axis, value.to_radians())),
                     other => panic!("unknown channel {other}"),
-                };
-                world = product(&world, &local);
+                }
             }
+            world = product(&product(&world, &shift(at)), &turned);
             worlds.push(world);
         }
         let place = |m: &Matrix| [m[0][3], m[1][3], m[2][3]];

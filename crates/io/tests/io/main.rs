@@ -1,11 +1,11 @@
 //! Figures and motions through the formats and back.
 
 mod bvh;
+mod bvh_in;
 mod bvh_reader;
 #[cfg(feature = "csv")]
 mod csv;
 mod csv_tables;
-#[cfg(any(feature = "mjcf", feature = "urdf"))]
 mod data;
 #[cfg(feature = "mjcf")]
 mod mjcf;

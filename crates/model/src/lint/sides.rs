@@ -131,7 +131,7 @@ fn throughout(name: &str, words: &[std::ops::Range<usize>]) -> Option<Reading> {
 }
 
 /// The byte ranges of the words of a name.
-fn words(name: &str) -> Vec<std::ops::Range<usize>> {
+pub(crate) fn words(name: &str) -> Vec<std::ops::Range<usize>> {
     let characters: Vec<(usize, char)> = name.char_indices().collect();
     let mut words = Vec::new();
     let mut start = None;
