@@ -14,7 +14,7 @@ mod sweep;
 mod value;
 mod walk;
 
-pub(crate) use figure::{CheckArgs, ConvertArgs, FigureCommand, HumanArgs};
+pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
 };

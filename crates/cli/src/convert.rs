@@ -1,6 +1,6 @@
 //! `solaris convert`: a figure or a motion from one format to another.
 
-use crate::args::ConvertArgs;
+use crate::args::{BvhArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
 use crate::findings::list;
@@ -8,8 +8,10 @@ use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::words::{rounded, some};
-use solaris::io::{csv, headings, sto};
-use solaris::model::{Scaling, text};
+use solaris::io::bvh::{self, ReadOptions, Up};
+use solaris::io::{Table, csv, headings, record, sto};
+use solaris::model::{Figure, Finding, Motion, Scaling, Vector3, text};
+use std::path::Path;
 
 /// What a table is written as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,17 +22,34 @@ pub(crate) enum TableFormat {
     Sto,
 }
 
-/// The formats of a table.
-pub(crate) const TABLE: Formats<TableFormat> =
-    &[("csv", TableFormat::Csv), ("sto", TableFormat::Sto), ("mot", TableFormat::Sto)];
+/// What a motion is written as.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum MotionFormat {
+    Table(TableFormat),
+    Bvh,
+}
+
+const MOTION: Formats<MotionFormat> = &[
+    ("csv", MotionFormat::Table(TableFormat::Csv)),
+    ("sto", MotionFormat::Table(TableFormat::Sto)),
+    ("mot", MotionFormat::Table(TableFormat::Sto)),
+    ("bvh", MotionFormat::Bvh),
+];
+
+/// How far a frame may be from where the frames' rate has it, as a part of the time between two (BVH has one such time).
+const UNEVEN: f64 = 0.01;
 
 pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     refuse_unread(
         &args.from,
-        "read are figures (.ron, .urdf, .xml, .mjcf, .osim) and motions (.csv, .mot, .sto)",
+        "read are figures (.ron, .urdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto) and both (.bvh)",
     )?;
-    let is_table = TABLE.iter().any(|(known, _)| *known == extension(&args.from));
-    if !is_table {
+    let is_bvh = extension(&args.from) == "bvh";
+    if args.bvh.is_asked() && !is_bvh {
+        return Err(UsageError::OnlyOfBvh.into());
+    }
+    let is_motion = |path: &Path| MOTION.iter().any(|(known, _)| *known == extension(path));
+    if if is_bvh { !is_motion(&args.to) } else { !is_motion(&args.from) } {
         return figure(args);
     }
     if args.size.is_asked() {
@@ -39,13 +58,29 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     motion(args)
 }
 
-fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliError> {
-    if TABLE.iter().any(|(known, _)| *known == extension(to)) {
+/// What a BVH file does not say.
+fn options(args: &BvhArgs) -> Result<ReadOptions, CliError> {
+    let masses = match &args.masses {
+        Some(path) => {
+            let text = input::text(path)?;
+            bvh::masses(&text).map_err(|faults| input::faulty(path, &text, faults))?
+        }
+        None => Vec::new(),
+    };
+    let up = args.up.map(|up| match up {
+        UpArg::Y => Up::Y,
+        UpArg::Z => Up::Z,
+    });
+    Ok(ReadOptions { unit: args.unit, up, masses, skip: args.skip_frames, mass: None })
+}
+
+fn figure(ConvertArgs { from, to, size, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+    if MOTION.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
-    let Body { mut figure, language, findings, .. } = input::body(from)?;
+    let Body { mut figure, language, findings, .. } = input::body_with(from, &options(bvh)?)?;
     if size.is_asked() {
         let [height, mass] =
             [&size.height, &size.mass].map(|number| number.as_ref().map(|number| number.value));
@@ -63,32 +98,34 @@ fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliErr
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, .. }: &ConvertArgs) -> Result<(), CliError> {
-    let outputs = Outputs::new([("OUT", to, TABLE)])?;
-    let table = input::table(from)?;
-    let figure = match figure {
-        Some(path) => Some(input::body(path)?.figure),
+fn motion(ConvertArgs { from, to, figure, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+    let outputs = Outputs::new([("OUT", to, MOTION)])?;
+    let body = match figure {
+        Some(path) => Some(input::body(path)?),
         None => None,
     };
-    let (positions, left_out) = if extension(from) == "csv" {
-        (table, Vec::new())
-    } else {
-        headings::from_opensim(&table, figure.as_ref()).map_err(|error| CliError::input(from, &error))?
-    };
-    let (bare, no_positions) = headings::to_opensim(&positions);
+    let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;
+    if body.is_none() && extension(to) == "bvh" {
+        return Err(UsageError::BvhOfFigure { to: to.clone() }.into());
+    }
+    let (bare, no_positions) = headings::to_opensim(&table);
     if bare.columns.iter().all(|name| name == "time") {
-        let why = match &figure {
-            Some(figure) => format!("it has no position of figure '{}'", figure.name()),
+        let why = match &body {
+            Some(body) => format!("it has no position of figure '{}'", body.figure.name()),
             None => "it has no position: no heading ends in .q".to_owned(),
         };
         return Err(CliError::input(from, &why));
     }
-    outputs.write(|format, mut writer| {
-        match format {
-            TableFormat::Csv => csv::write_table(&positions, &mut writer),
-            TableFormat::Sto => sto::write(&bare, &mut writer),
+    outputs.write(|format, mut writer| match format {
+        MotionFormat::Table(TableFormat::Csv) => {
+            csv::write_table(&table, &mut writer).map_err(CliError::other)
         }
-        .map_err(CliError::other)
+        MotionFormat::Table(TableFormat::Sto) => sto::write(&bare, &mut writer).map_err(CliError::other),
+        MotionFormat::Bvh => {
+            let Some(body) = &body else { return Ok(()) };
+            let motion = even(&body.figure, body.gravity, &table, from)?;
+            bvh::write(&body.figure, &motion, bvh::Unit::default(), &mut writer).map_err(CliError::other)
+        }
     })?;
     print(|out| {
         writeln!(
@@ -100,6 +137,59 @@ fn motion(ConvertArgs { from, to, figure, .. }: &ConvertArgs) -> Result<(), CliE
         for left_out in [left_out, no_positions].iter().filter(|names| !names.is_empty()) {
             writeln!(out, "left out, as no positions: {}", some(left_out))?;
         }
+        list(out, &findings)?;
         outputs.written().try_for_each(|line| writeln!(out, "{line}"))
     })
+}
+
+/// The positions of a motion, headed as in CSV, and what comes with them.
+struct Positions {
+    table: Table,
+    /// Headings of what is no position.
+    left_out: Vec<String>,
+    body: Option<Body>,
+    findings: Vec<Finding>,
+}
+
+/// Reads a motion, of a figure where there is one.
+fn positions(from: &Path, body: Option<Body>, bvh: &BvhArgs) -> Result<Positions, CliError> {
+    let refuse = |error: &dyn ToString| CliError::input(from, error);
+    let figure = body.as_ref().map(|body| &body.figure);
+    match extension(from).as_str() {
+        "bvh" => {
+            let clip = input::clip(from, &options(bvh)?)?;
+            let table = match figure {
+                Some(figure) => clip.table_of(figure).map_err(|error| refuse(&error))?,
+                None => clip.table(),
+            };
+            let body = body.unwrap_or_else(|| Body::own(clip.figure));
+            Ok(Positions { table, left_out: Vec::new(), body: Some(body), findings: clip.findings })
+        }
+        "csv" => {
+            Ok(Positions { table: input::table(from)?, left_out: Vec::new(), body, findings: Vec::new() })
+        }
+        _ => {
+            let found = headings::from_opensim(&input::table(from)?, figure);
+            let (table, left_out) = found.map_err(|error| refuse(&error))?;
+            Ok(Positions { table, left_out, body, findings: Vec::new() })
+        }
+    }
+}
+
+/// The motion of a table whose rows are evenly apart.
+fn even(figure: &Figure, gravity: Vector3<f64>, table: &Table, from: &Path) -> Result<Motion, CliError> {
+    let motion = record::read(figure, gravity, table).map_err(|error| CliError::input(from, &error))?.motion;
+    let (time, rate) = (motion.time(), motion.info.rate);
+    let off = |row: &usize| ((time[*row] - time[0]) * rate - *row as f64).abs() > UNEVEN;
+    match (0..time.len()).find(off) {
+        Some(row) => {
+            let why = format!(
+                "its rows are not evenly apart, and .bvh has one time between frames: row {} is at {} s; resample it first",
+                row + 1,
+                rounded(time[row])
+            );
+            Err(CliError::input(from, &why))
+        }
+        None => Ok(motion),
+    }
 }

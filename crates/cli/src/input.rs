@@ -1,6 +1,7 @@
 //! Files that are read: figures in any format, tables of numbers.
 
 use crate::error::CliError;
+use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
 use solaris::io::{Import, Table, csv, mjcf, opensim, sto, urdf};
 use solaris::model::{Figure, Finding, TextError, Vector3, text};
 use std::fs::{self, File};
@@ -19,6 +20,7 @@ pub(crate) enum Language {
     Urdf,
     Mjcf,
     OpenSim,
+    Bvh,
 }
 
 impl Language {
@@ -29,6 +31,7 @@ impl Language {
             Self::Urdf => "URDF",
             Self::Mjcf => "MuJoCo model",
             Self::OpenSim => "OpenSim model",
+            Self::Bvh => "BVH skeleton",
         }
     }
 
@@ -39,6 +42,7 @@ impl Language {
             "urdf" => Some(Self::Urdf),
             "mjcf" => Some(Self::Mjcf),
             "osim" => Some(Self::OpenSim),
+            "bvh" => Some(Self::Bvh),
             "xml" => match root_element(text) {
                 "mujoco" => Some(Self::Mjcf),
                 "robot" => Some(Self::Urdf),
@@ -94,8 +98,7 @@ impl Body {
 }
 
 /// What is known of files that are not read yet, by their extensions.
-const UNREAD: [(&str, &str); 9] = [
-    ("bvh", "motion capture (BVH), which is written but not read yet"),
+const UNREAD: [(&str, &str); 8] = [
     ("c3d", "measured markers (C3D), which are not read yet"),
     ("trc", "measured markers (TRC), which are not read yet"),
     ("fbx", "a model of a 3-D program (FBX), which is not read yet"),
@@ -121,6 +124,7 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
         "urdf" => Some(Language::Urdf),
         "mjcf" => Some(Language::Mjcf),
         "osim" => Some(Language::OpenSim),
+        "bvh" => Some(Language::Bvh),
         "xml" => text(path).ok().and_then(|text| Language::of(path, &text)),
         _ => None,
     }
@@ -128,7 +132,12 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
 
 /// Reads a figure.
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
-    let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
+    body_with(path, &ReadOptions::default())
+}
+
+/// Reads a figure, of a BVH file with these options.
+pub(crate) fn body_with(path: &Path, options: &ReadOptions) -> Result<Body, CliError> {
+    let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), .osim, or .bvh";
     refuse_unread(path, known)?;
     let text = self::text(path)?;
     let language = Language::of(path, &text).ok_or_else(|| {
@@ -151,6 +160,10 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
         Language::Urdf => urdf::read(&text),
         Language::Mjcf => mjcf::read(&text),
         Language::OpenSim => opensim::read(&text),
+        Language::Bvh => {
+            let Clip { figure, findings, .. } = clip_of(path, &text, options)?;
+            Ok(Import { figure, findings, gravity: GRAVITY, gravity_is_given: false })
+        }
     };
     let Import { figure, findings, gravity, gravity_is_given, .. } =
         imported.map_err(|faults| faulty(path, &text, faults))?;
@@ -170,13 +183,34 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
     Ok(Body { figure, language, findings, gravity, gravity_is_given })
 }
 
+/// Reads a BVH file.
+pub(crate) fn clip(path: &Path, options: &ReadOptions) -> Result<Clip, CliError> {
+    clip_of(path, &text(path)?, options)
+}
+
+fn clip_of(path: &Path, text: &str, options: &ReadOptions) -> Result<Clip, CliError> {
+    bvh::read(text, options).map_err(|error| match error {
+        BvhError::Text(faults) => faulty(path, text, faults),
+        other => CliError::input(path, &other),
+    })
+}
+
+/// Reads a motion of a figure.
+pub(crate) fn motion(path: &Path, figure: &Figure) -> Result<Table, CliError> {
+    if extension(path) == "bvh" {
+        let clip = clip(path, &ReadOptions::default())?;
+        return clip.table_of(figure).map_err(|error| CliError::input(path, &error));
+    }
+    table(path)
+}
+
 /// Reads a table of numbers.
 pub(crate) fn table(path: &Path) -> Result<Table, CliError> {
     let read = match extension(path).as_str() {
         "csv" => csv::read_table,
         "mot" | "sto" => sto::read,
         _ => {
-            refuse_unread(path, "a motion is .csv, .mot or .sto")?;
+            refuse_unread(path, "a motion is .csv, .mot, .sto or .bvh")?;
             return Err(CliError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto"));
         }
     };

@@ -26,10 +26,12 @@ mod parse;
 mod pose;
 mod read;
 mod skeleton;
+mod table;
 mod unit;
 mod write;
 
 pub use error::BvhError;
 pub use read::{Clip, ReadOptions, Up, read};
+pub use table::masses;
 pub use unit::Unit;
 pub use write::write;

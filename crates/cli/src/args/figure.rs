@@ -1,8 +1,9 @@
 //! Requests of the commands about figures: `figure`, `check`, `convert`.
 
-use super::value::number;
+use super::value::{count, number};
 use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
+use solaris::io::bvh::Unit;
 use std::path::PathBuf;
 
 const FIGURE_EXAMPLES: &str = "Examples:
@@ -27,7 +28,13 @@ const CONVERT_EXAMPLES: &str = "Examples:
   solaris convert walk.csv walk.mot
       a motion for OpenSim: the positions, in radians
   solaris convert ik.mot ik.csv --figure subject.osim
-      degrees become radians where the figure says that a coordinate turns";
+      degrees become radians where the figure says that a coordinate turns
+  solaris convert dance.bvh dancer.ron --unit cm
+      the skeleton of a BVH file as a figure, with a person's masses where its names are a person's
+  solaris convert dance.bvh dance.csv --skip-frames 1
+      its motion, without the reference pose in front
+  solaris convert ik.mot ik.bvh --figure subject.osim
+      a motion for animation programs";
 
 /// A figure to be written.
 #[derive(Debug, Subcommand)]
@@ -92,7 +99,7 @@ fn parse_segment(text: &str) -> Result<(String, f64), String> {
 )]
 pub(crate) struct CheckArgs {
     #[arg(value_name = "FILE", help = wrap(
-        "A figure or a scene (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model"
+        "A figure or a scene (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, or BVH (.bvh)"
     ))]
     pub(crate) file: PathBuf,
     #[arg(
@@ -111,12 +118,72 @@ pub(crate) struct CheckArgs {
 #[derive(Debug, Args)]
 #[command(about = "A figure or a motion from one format to another", after_help = CONVERT_EXAMPLES)]
 pub(crate) struct ConvertArgs {
-    #[arg(value_name = "IN", help = wrap("A figure (.ron, .urdf, .xml, .mjcf, .osim) or a motion (.csv, .mot, .sto)"))]
+    #[arg(value_name = "IN", help = wrap(
+        "A figure (.ron, .urdf, .xml, .mjcf, .osim), a motion (.csv, .mot, .sto), or both (.bvh)"
+    ))]
     pub(crate) from: PathBuf,
-    #[arg(value_name = "OUT", help = wrap("A figure as .ron, or a motion as .csv, .mot or .sto"))]
+    #[arg(value_name = "OUT", help = wrap("A figure as .ron, or a motion as .csv, .mot, .sto or .bvh"))]
     pub(crate) to: PathBuf,
-    #[arg(long, value_name = "FILE", help = "Whose motion it is; needed where the motion is in degrees")]
+    #[arg(long, value_name = "FILE", help = wrap(
+        "Whose motion it is; needed where the motion is in degrees, and to write .bvh"
+    ))]
     pub(crate) figure: Option<PathBuf>,
     #[command(flatten, next_help_heading = "A figure in another size")]
     pub(crate) size: SizeArgs,
+    #[command(flatten, next_help_heading = "What a BVH file does not say")]
+    pub(crate) bvh: BvhArgs,
+}
+
+/// What a BVH file does not say.
+#[derive(Debug, Args)]
+pub(crate) struct BvhArgs {
+    #[arg(long, value_name = "UNIT", value_parser = parse_unit, help = wrap(
+        "Unit of its lengths: cm, m, mm, inch, cmu (an inch over 0.45), or so many metres [default: the one in which \
+         it is as large as a person]"
+    ))]
+    pub(crate) unit: Option<Unit>,
+    #[arg(
+        long,
+        value_name = "AXIS",
+        value_enum,
+        help = "Axis that points up [default: y, or z where the head is above the feet along z]"
+    )]
+    pub(crate) up: Option<UpArg>,
+    #[arg(long, value_name = "FILE", help = wrap(
+        "Masses of its bones: a text of lines BONE,KG [default: a person's, where its names are a person's]"
+    ))]
+    pub(crate) masses: Option<PathBuf>,
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = count("skip-frames", 0, 1_000_000_000), help = wrap(
+        "Frames to leave out at the beginning, such as a reference pose"
+    ))]
+    pub(crate) skip_frames: usize,
+}
+
+impl BvhArgs {
+    /// Whether any of it was asked for.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.unit.is_some() || self.up.is_some() || self.masses.is_some() || self.skip_frames > 0
+    }
+}
+
+/// The axis of a file that points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum UpArg {
+    Y,
+    Z,
+}
+
+/// A unit by its name, or in metres.
+fn parse_unit(text: &str) -> Result<Unit, String> {
+    Ok(match text.to_ascii_lowercase().as_str() {
+        "cm" => Unit::Centimetres,
+        "m" => Unit::Metres,
+        "mm" => Unit::Millimetres,
+        "inch" | "in" => Unit::Inches,
+        "cmu" => Unit::Cmu,
+        other => match other.parse() {
+            Ok(metres) if metres > 0.0 && f64::is_finite(metres) => Unit::Of(metres),
+            _ => return Err("it must be cm, m, mm, inch, cmu or so many metres, such as 0.01".to_owned()),
+        },
+    })
 }

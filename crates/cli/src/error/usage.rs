@@ -29,6 +29,10 @@ pub(crate) enum UsageError {
     Swapped { command: &'static str, figure: PathBuf, motion: PathBuf },
     #[error("--height, --mass and --segment change a figure; a motion has no size")]
     MotionHasNoSize,
+    #[error("--unit, --up, --masses and --skip-frames say what a BVH file does not; IN is none")]
+    OnlyOfBvh,
+    #[error("OUT {}: a .bvh is written of a figure; say whose motion it is: --figure FILE", .to.display())]
+    BvhOfFigure { to: PathBuf },
     #[error("--x and --y name the same parameter; a map needs two")]
     SameAxes,
     #[error("-o writes one curve, and its free parameter has no value; give it one")]

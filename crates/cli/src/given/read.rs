@@ -67,7 +67,7 @@ impl Given {
         if let Some(gravity) = &frame.gravity {
             body.gravity = gravity.vector;
         }
-        let table = input::table(from)?;
+        let table = input::motion(from, &body.figure)?;
         let recorded = record::read(&body.figure, body.gravity, &table)
             .map_err(|error| CliError::input(from, &error))?;
         progress.stage("finding velocities and accelerations");

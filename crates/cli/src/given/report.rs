@@ -2,6 +2,7 @@
 
 use super::read::Given;
 use super::units::slides;
+use crate::input::extension;
 use serde::Serialize;
 use solaris::model::{AxisKind, FindingKind, JointKind};
 
@@ -75,6 +76,7 @@ impl GivenReport {
             from_s: time.first().copied().unwrap_or_default(),
             to_s: time.last().copied().unwrap_or_default(),
             units: match table.in_degrees {
+                _ if extension(&given.from) == "bvh" => "angles in degrees, as BVH has them",
                 Some(true) => "angles in degrees, as its header says",
                 Some(false) => "angles in rad, as its header says",
                 None if table.header_line > 1 => "angles in rad, though its header does not say",

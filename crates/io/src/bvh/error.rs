@@ -41,6 +41,16 @@ pub enum BvhError {
         /// Frames of the file.
         frames: usize,
     },
+    /// The clip is not of the figure that it is asked for.
+    #[error("it is no motion of figure '{figure}': link '{link}': {why}")]
+    NotTheFigure {
+        /// The figure's name.
+        figure: String,
+        /// Its link.
+        link: String,
+        /// What is wrong.
+        why: String,
+    },
     /// The numbers are no motion.
     #[error(transparent)]
     Motion(#[from] MotionError),

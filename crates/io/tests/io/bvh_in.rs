@@ -50,6 +50,30 @@ fn a_written_motion_comes_back_and_goes_out_again() {
     assert!(apart(&text, [0.01, 0.01], &written(&clip)) < 1e-8);
 }
 
+/// What is written of a figure is a motion of that figure again, under its own names.
+#[test]
+fn a_written_motion_is_its_figures() {
+    let (figure, motion) = full_human();
+    let mut bytes = Vec::new();
+    bvh::write(&figure, &motion, Unit::Centimetres, &mut bytes).expect("a human fits");
+    let clip = clip(std::str::from_utf8(&bytes).expect("text"));
+    let table = clip.table_of(&figure).expect("its own");
+    assert_eq!(table.columns[4], "root.rz.q");
+    let again = solaris_io::record::read(&figure, motion.info.gravity, &table).expect("a motion").motion;
+    for sample in 0..motion.len() {
+        assert_relative_eq!(motion.q(sample), again.q(sample), epsilon = 1e-7);
+    }
+    let limp = solaris_model::Human::new(1.75, 73.0).limp().build().expect("a human");
+    let error = clip.table_of(&limp).expect_err("a free root").to_string();
+    insta::assert_snapshot!(error, @"");
+    let other = clip_of(ODD).table_of(&figure).expect_err("another figure").to_string();
+    insta::assert_snapshot!(other, @"");
+}
+
+fn clip_of(text: &str) -> Clip {
+    clip(text)
+}
+
 /// A walk of the CMU database.
 #[test]
 fn a_measured_walk_goes_out_as_it_came() {
