@@ -22,8 +22,6 @@ pub(crate) struct Ground<'a> {
 /// When feet stand, as the options ask.
 pub(crate) struct Standing {
     pub(crate) stances: Stances,
-    /// What counts as standing.
-    pub(crate) options: StanceOptions,
     /// How the ground's own motion is known.
     pub(crate) belt_from: &'static str,
 }
@@ -77,9 +75,8 @@ impl<'a> Ground<'a> {
             Some((moved, standing)) => (Some(moved), standing),
             None => (None, self.standing(given, &feet, 0.0)?),
         };
-        let Standing { stances, options: stance, belt_from } = standing;
-        let forces = self.forces(given, &feet, stance, stances)?;
-        Ok(Predicted { soles: self.soles, from: self.from, belt_from, moved, forces })
+        let forces = self.forces(given, &feet, standing.stances)?;
+        Ok(Predicted { soles: self.soles, from: self.from, belt_from: standing.belt_from, moved, forces })
     }
 
     /// The forces under these feet while they stand.
@@ -87,11 +84,10 @@ impl<'a> Ground<'a> {
         &self,
         given: &Given,
         feet: &PlacedFeet<'_>,
-        stance: StanceOptions,
         stances: Stances,
     ) -> Result<GroundForces, CliError> {
         let split = self.how.split.unwrap_or_default();
-        let options = GroundOptions { split, stance, stances: Some(stances) };
+        let options = GroundOptions { split, stances: Some(stances), ..GroundOptions::default() };
         ground_forces(feet, &options).map_err(|error| self.refused(&error, given))
     }
 
@@ -119,7 +115,7 @@ impl<'a> Ground<'a> {
             None => {
                 let stances = find(&options)?;
                 if stances.belt.norm() >= least {
-                    return Ok(Standing { stances, options, belt_from: "as the feet on it move" });
+                    return Ok(Standing { stances, belt_from: "as the feet on it move" });
                 }
                 options.belt = Belt::Still;
                 "since no foot on it is too fast to stand"
@@ -134,7 +130,7 @@ impl<'a> Ground<'a> {
                 "as fast as asked, along the feet on it"
             }
         };
-        Ok(Standing { stances: find(&options)?, options, belt_from })
+        Ok(Standing { stances: find(&options)?, belt_from })
     }
 
     /// The option or the file that is at fault.

@@ -39,7 +39,7 @@ impl<'a> Evidence<'a> {
         let speed = how.stance_speed.as_ref().map_or(default, |speed| speed.value);
         let ground = Ground { how, frame: &args.frame, soles, from };
         let placed = ground.feet(given, prepared)?;
-        let Standing { mut stances, options, belt_from } = ground.standing(given, &placed, speed)?;
+        let Standing { mut stances, belt_from } = ground.standing(given, &placed, speed)?;
         let soles = placed.soles();
         let level_from = match (feet.level, &ground.from) {
             (Some(AskedLevel::At(level)), _) => {
@@ -62,7 +62,7 @@ impl<'a> Evidence<'a> {
             _ => {}
         }
         let (contacts, forces_from) = if feet.ground {
-            let found = ground.forces(given, &placed, options, stances.clone())?;
+            let found = ground.forces(given, &placed, stances.clone())?;
             (Some(found.contacts), "predicted from the motion")
         } else if own.is_some() {
             (own, "of the motion's file")
