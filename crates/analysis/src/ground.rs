@@ -4,12 +4,15 @@
 //! soles move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`])
 //! or measured its forces ([`stances_of_contacts`]). How two feet share
 //! the wrench is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden
-//! ([`judge`]). [`ground_forces`] does all of it. [`make_consistent`] makes the smallest change of the
-//! root's path after which the ground can do what is asked of it.
+//! ([`judge`]). [`ground_forces`] does all of it. [`consistent_shift`] finds the smallest change of the root's path after which
+//! the ground can do what is asked of it, and [`shift_root`] makes it.
+//!
+//! All of them ask [`PlacedFeet`]: soles whose points are found once in all frames.
 
 mod carry;
 mod consistency;
 mod error;
+mod feet;
 mod fit;
 mod guess;
 mod judge;
@@ -27,10 +30,11 @@ pub use consistency::{
     shift_root,
 };
 pub use error::{GroundError, GroundOption};
+pub use feet::{PlacedFeet, PlacedSole};
 pub use guess::guessed_soles;
 pub use judge::{FootReport, Unsupported, Worst, judge};
 pub use planted::{PlantedError, reactions_of_planted};
-pub use possible::make_consistent;
+pub use possible::consistent_shift;
 pub use predict::{GroundForces, GroundOptions, GroundReport, ground_forces};
 pub use share::{Shared, Split, share};
 pub use sole::{SOLE_BREADTH, Sole, soles};

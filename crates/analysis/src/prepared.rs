@@ -8,7 +8,8 @@ use std::ops::Range;
 /// A motion of a figure that is ready for questions: it is the figure's, velocities and accelerations are known, and the tree
 /// of the figure under the motion's gravity is built.
 ///
-/// [`crate::inverse_motion`] and everything in [`crate::ground`] ask it.
+/// [`crate::inverse_motion`] asks it, and everything in [`crate::ground`], most of it by way of feet that are placed in it
+/// ([`crate::ground::PlacedFeet`]).
 #[derive(Debug)]
 pub struct PreparedMotion<'a> {
     pub(crate) figure: &'a Figure,
@@ -18,6 +19,9 @@ pub struct PreparedMotion<'a> {
     pub(crate) up: Vector3<f64>,
     /// The figure's weight (N).
     pub(crate) weight: f64,
+    /// How often all frames were asked for something.
+    #[cfg(test)]
+    pub(crate) passes: std::sync::atomic::AtomicUsize,
 }
 
 /// Why a motion is not ready for questions.
@@ -65,7 +69,15 @@ impl<'a> PreparedMotion<'a> {
         let tree = Tree::<f64>::new(figure, gravity)?;
         let up = (-gravity).try_normalize(1e-9).unwrap_or_default();
         let weight = tree.mass() * gravity.norm();
-        Ok(Self { figure, motion, tree, up, weight })
+        Ok(Self {
+            figure,
+            motion,
+            tree,
+            up,
+            weight,
+            #[cfg(test)]
+            passes: 0.into(),
+        })
     }
 
     /// The figure.
@@ -113,6 +125,8 @@ impl<'a> PreparedMotion<'a> {
         &self,
         ask: impl Fn(&mut Workspace<f64>, usize) -> Result<R, DynamicsError> + Sync,
     ) -> Result<Vec<R>, StateError> {
+        #[cfg(test)]
+        self.passes.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
         let at = |workspace: &mut Workspace<f64>, row: usize| {
             ask(workspace, row).map_err(|source| StateError { time: self.time()[row], source })
         };

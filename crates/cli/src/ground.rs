@@ -9,9 +9,7 @@ mod soles;
 mod summary;
 
 pub(crate) use files::{Content, outputs, write_motion};
-
-use files::{Written, outputs_or_picture};
-pub(crate) use predicted::{Ground, Predicted, needs_times, refused, standing};
+pub(crate) use predicted::{Ground, Standing, needs_times};
 pub(crate) use report::GroundReport;
 pub(crate) use soles::{From as SolesFrom, find as find_soles, known as known_soles};
 
@@ -22,6 +20,8 @@ use crate::given::{Given, GivenReport, in_order};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
 use against::Plates;
+use files::{Written, outputs_or_picture};
+use predicted::Predicted;
 use serde::Serialize;
 use solaris::io::record::{ForceHeadings, force_table};
 use solaris::io::{csv, sto};
@@ -48,8 +48,9 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     progress.stage("reading");
     let mut given = Given::read(of, from, &args.record, &args.frame, &progress)?;
     progress.stage("finding the ground's forces");
-    let asked = Ground { how: &args.ground, frame: &args.frame };
-    let ground = Predicted::find(asked, &args.consistent, &mut given)?;
+    let ground = Ground::new(&args.ground, &args.frame, &given)?;
+    let moved = ground.make_consistent(&args.consistent, &mut given)?;
+    let ground = ground.predict(&given, &given.prepared()?, moved)?;
     let plates = Plates::read(args.against.as_deref(), &args.plates, &ground.soles)?;
 
     progress.stage("writing");

@@ -9,7 +9,7 @@ use crate::args::{InverseArgs, Switch};
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::{Given, in_order};
-use crate::ground::{Content, Ground, GroundReport, Predicted, outputs, write_motion};
+use crate::ground::{Content, Ground, GroundReport, outputs, write_motion};
 use crate::print::print;
 use crate::progress::Progress;
 use forces::External;
@@ -34,9 +34,14 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let measured = external.records(&given.body.figure)?;
 
     progress.stage("finding the forces");
-    let asked = Ground { how: &predicted.how, frame: &args.frame };
-    let find = || Predicted::find(asked, &predicted.consistent, &mut given);
-    let ground = predicted.ground.then(find).transpose()?;
+    let asked = || Ground::new(&predicted.how, &args.frame, &given);
+    let ground = predicted.ground.then(asked).transpose()?;
+    let moved = match &ground {
+        Some(ground) => ground.make_consistent(&predicted.consistent, &mut given)?,
+        None => None,
+    };
+    let prepared = given.prepared()?;
+    let ground = ground.map(|ground| ground.predict(&given, &prepared, moved)).transpose()?;
     let figure = &given.body.figure;
     let mut loads = Loads::at_times(figure, &measured, given.motion().time())
         .map_err(|error| CliError::input(from, &error))?;
@@ -47,8 +52,7 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let rows = progress.rows(given.motion().len());
     let mut count = |done: usize| rows.at(done);
     let options = InverseOptions { passive, progress: Some(&mut count) };
-    let forces =
-        inverse_motion(&given.prepared()?, &loads, options).map_err(|error| CliError::input(from, &error))?;
+    let forces = inverse_motion(&prepared, &loads, options).map_err(|error| CliError::input(from, &error))?;
 
     progress.stage("writing");
     outputs.write(|content, mut writer| {

@@ -53,10 +53,10 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
         })?;
     needs_times(&given)?;
     progress.stage("finding the steps");
-    let evidence = Evidence::find(args, &given)?;
-    progress.stage("measuring");
     let prepared = given.prepared()?;
-    let all = metrics(&evidence.input(&prepared)).map_err(|error| CliError::input(from, &error))?;
+    let evidence = Evidence::find(args, &given, &prepared)?;
+    progress.stage("measuring");
+    let all = metrics(&evidence.input()).map_err(|error| CliError::input(from, &error))?;
     let report = Report::new(GivenReport::new(&given), &evidence, &all);
     outputs.write(|format, mut writer| match format {
         Format::Json => report.write_json(writer).map_err(CliError::other),

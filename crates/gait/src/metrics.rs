@@ -17,7 +17,7 @@ mod tracks;
 use crate::error::GaitError;
 use nalgebra::Vector3;
 use solaris_analysis::PreparedMotion;
-use solaris_analysis::ground::{self, Sole, Stances};
+use solaris_analysis::ground::{self, PlacedFeet, Sole, Stances};
 use solaris_model::{ContactTrack, Figure};
 use stride::Steps;
 use tracks::Tracks;
@@ -27,12 +27,19 @@ use tracks::Tracks;
 pub struct MetricsInput<'a> {
     /// The motion of the figure.
     pub motion: &'a PreparedMotion<'a>,
-    /// The feet; empty where the figure has none.
-    pub soles: &'a [Sole],
+    /// Its feet in this motion; `None` where it has none.
+    pub feet: Option<&'a PlacedFeet<'a>>,
     /// When which foot stands, on a ground at which height and of which velocity; `None` where that is not known.
     pub stances: Option<&'a Stances>,
     /// What the ground does to each foot, one track a sole; `None` where that is not known.
     pub contacts: Option<&'a [ContactTrack]>,
+}
+
+impl<'a> MetricsInput<'a> {
+    /// The soles of the feet.
+    fn soles(&self) -> &'a [Sole] {
+        self.feet.map_or(&[], |feet| feet.soles())
+    }
 }
 
 /// A number of a motion.
@@ -131,7 +138,7 @@ pub fn stances_of_contacts(
 /// let columns = [vec![0.0; 2 * nq], vec![0.0; 2 * nv], vec![0.0; 2 * nv]];
 /// let motion = Motion::new(&ann, MotionInfo::on_earth(&ann, 10.0), vec![0.0, 0.1], columns)?;
 /// let motion = PreparedMotion::new(&ann, &motion)?;
-/// let all = metrics(&MetricsInput { motion: &motion, soles: &[], stances: None, contacts: None })?;
+/// let all = metrics(&MetricsInput { motion: &motion, feet: None, stances: None, contacts: None })?;
 /// let of = |key: &str| all.iter().find(|metric| metric.key == key).map(|metric| metric.value);
 /// assert_eq!(of("bob_cm"), Some(Ok(0.0)));
 /// assert_eq!(of("step_length_m"), Some(Err(NoValue::NoFeet)));

@@ -1,16 +1,16 @@
 //! Carriers of the forces on soles: the links that bear them.
 
 use crate::carrier::Carrier;
-use crate::ground::{GroundError, Sole, soles};
+use crate::ground::{GroundError, PlacedFeet, Sole, soles};
 use crate::prepared::PreparedMotion;
 use solaris_dynamics::{Workspace, forward_kinematics};
 
-/// What carries each of these soles.
+/// What carries each of these feet.
 ///
 /// The figure's own soles have ball and tip in the toes' link, or the foot carries all. Of a sole from elsewhere the ball is
 /// known in the foot's frame; in that of the toes' link it is where it is with all joints at zero.
-pub(super) fn carriers(prepared: &PreparedMotion<'_>, of: &[Sole]) -> Result<Vec<Carrier>, GroundError> {
-    let PreparedMotion { figure, tree, .. } = prepared;
+pub(super) fn carriers(feet: &PlacedFeet<'_>) -> Result<Vec<Carrier>, GroundError> {
+    let PreparedMotion { figure, tree, .. } = feet.prepared();
     let mut q = vec![0.0; tree.nq()];
     // What is refused is a wrong length.
     let _ = figure.neutral(&mut q);
@@ -28,5 +28,5 @@ pub(super) fn carriers(prepared: &PreparedMotion<'_>, of: &[Sole]) -> Result<Vec
         // Toes that end where they begin carry nothing.
         if ball == sole.tip { alone } else { Carrier::of_points(sole.foot, toes, [ball, sole.tip]) }
     };
-    Ok(of.iter().map(carrier).collect())
+    Ok(feet.soles().iter().map(carrier).collect())
 }

@@ -1,7 +1,7 @@
 //! Errors of finding the ground's forces in a motion.
 
-use super::{ConsistencyError, ShiftError};
-use crate::prepared::{PrepareError, StateError};
+use super::ConsistencyError;
+use crate::prepared::StateError;
 use solaris_dynamics::DynamicsError;
 use std::fmt;
 
@@ -157,12 +157,6 @@ pub enum GroundError {
     /// A balance that cannot be set right.
     #[error(transparent)]
     Consistency(#[from] ConsistencyError),
-    /// A root that cannot be moved.
-    #[error(transparent)]
-    Shift(#[from] ShiftError),
-    /// The motion is not ready for questions.
-    #[error(transparent)]
-    Prepare(#[from] PrepareError),
     /// The figure cannot be computed with.
     #[error(transparent)]
     Tree(DynamicsError),

@@ -1,9 +1,7 @@
 //! Checks of predicted ground forces: friction, pull, centre of pressure, frames without support.
 
 use crate::ground::outline::outside;
-use crate::ground::{BalanceFrame, GroundError, Sole, Stances};
-use crate::prepared::PreparedMotion;
-use solaris_dynamics::forward_kinematics;
+use crate::ground::{BalanceFrame, GroundError, PlacedFeet, Stances};
 use solaris_model::{Contact, GroundAxes};
 
 /// The worst of a quantity over time.
@@ -63,18 +61,15 @@ pub struct Unsupported {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, soles or stances that are none, contacts or a total of other
-/// frames, and the first state that the kernel refuses.
+/// Stances that are none, contacts or a total of other frames.
 #[doc(alias = "check")]
 pub fn judge(
-    prepared: &PreparedMotion<'_>,
-    soles: &[Sole],
+    feet: &PlacedFeet<'_>,
     stances: &Stances,
     total: &[BalanceFrame],
     contacts: &[Vec<Contact>],
 ) -> Result<(Vec<FootReport>, Unsupported), GroundError> {
-    prepared.check_ground()?;
-    prepared.check_soles(soles)?;
+    let (prepared, soles) = (feet.prepared(), feet.soles());
     stances.check(soles.len())?;
     let rows = prepared.motion.len();
     let lengths = contacts.iter().map(Vec::len).chain([total.len()]);
@@ -83,16 +78,7 @@ pub fn judge(
         return Err(GroundError::Length { what: "the ground's force", found, expected });
     }
     let ground = GroundAxes::new(&prepared.up);
-    let beyond = prepared.frames(|workspace, row| {
-        forward_kinematics(&prepared.tree, workspace, prepared.q(row))?;
-        let of = |(sole, contacts): (&Sole, &Vec<Contact>)| {
-            let outline = sole.outline(workspace, &prepared.up, stances.level);
-            let corners = outline.iter().map(|corner| ground.flat(corner));
-            (!outline.is_empty()).then(|| outside(&corners, &ground.flat(&contacts[row].cop)))
-        };
-        Ok(soles.iter().zip(contacts).map(of).collect::<Vec<_>>())
-    })?;
-    let feet = soles.iter().enumerate().map(|(foot, sole)| {
+    let reports = soles.iter().enumerate().map(|(foot, sole)| {
         let standing: Vec<usize> =
             (0..rows).filter(|row| stances.stands(foot, prepared.time()[*row])).collect();
         let normal = |row: usize| contacts[foot][row].force.dot(&prepared.up);
@@ -100,6 +86,11 @@ pub fn judge(
         let friction = |row: usize| {
             let force = contacts[foot][row].force;
             (force - prepared.up * normal(row)).norm() / normal(row)
+        };
+        let beyond = |row: usize| {
+            let outline = feet.outline(row, foot, stances.level);
+            let corners = outline.iter().map(|corner| ground.flat(corner));
+            (!outline.is_empty()).then(|| outside(&corners, &ground.flat(&contacts[foot][row].cop)))
         };
         let count = standing.len();
         let worst = |values: &mut dyn Iterator<Item = (usize, f64)>, bad: &dyn Fn(f64) -> bool| {
@@ -115,7 +106,7 @@ pub fn judge(
         };
         let bearing: Vec<usize> = standing.iter().copied().filter(loaded).collect();
         let mut friction = bearing.iter().map(|row| (*row, friction(*row)));
-        let mut outside = bearing.iter().filter_map(|row| beyond[*row][foot].map(|value| (*row, value)));
+        let mut outside = bearing.iter().filter_map(|row| beyond(*row).map(|value| (*row, value)));
         let least = worst(&mut standing.iter().map(|row| (*row, -normal(*row))), &|pull| pull > 0.0);
         FootReport {
             name: sole.name.clone(),
@@ -126,7 +117,7 @@ pub fn judge(
             greatest: standing.iter().map(|row| normal(*row)).fold(0.0, f64::max),
         }
     });
-    Ok((feet.collect(), unsupported(soles.len(), stances, total)))
+    Ok((reports.collect(), unsupported(soles.len(), stances, total)))
 }
 
 fn unsupported(feet: usize, stances: &Stances, total: &[BalanceFrame]) -> Unsupported {

@@ -1,21 +1,19 @@
 //! Outlines on the ground: of a sole, their edges, and how far a point is outside of one.
 
-use super::Sole;
+use super::PlacedFeet;
 use nalgebra::{Vector2, Vector3};
-use solaris_dynamics::Workspace;
 use solaris_model::{GroundAxes, convex_hull};
 
 /// An outline drawn in by its margin must leave room for a strip this wide (m).
 const ROOM: f64 = 1e-6;
 
-impl Sole {
-    /// The outline of the sole seen from above, where `workspace` has placed the links: the convex hull of heel, ball
-    /// and tip, each half a breadth to either side, on the ground at `level` (m, along `up`, of length 1),
-    /// counter-clockwise seen from above. Empty where the sole has no breadth.
-    pub fn outline(&self, workspace: &Workspace<f64>, up: &Vector3<f64>, level: f64) -> Vec<Vector3<f64>> {
-        let Some(width) = self.width else { return Vec::new() };
-        let points = self.points(workspace);
-        let ground = GroundAxes::new(up);
+impl PlacedFeet<'_> {
+    /// The outline of a foot in a frame, seen from above: the convex hull of heel, ball and tip, each half a breadth to either
+    /// side, on the ground at `level` (m, along up), counter-clockwise seen from above. Empty where the sole has no breadth.
+    pub fn outline(&self, row: usize, foot: usize, level: f64) -> Vec<Vector3<f64>> {
+        let Some(width) = self.soles()[foot].width else { return Vec::new() };
+        let points = self.frame(row)[foot].points;
+        let ground = GroundAxes::new(&self.prepared().up);
         let along = ground.flat(&(points[2] - points[0]));
         // A sole that stands upright has no direction on the ground: any will do.
         let along = along.try_normalize(1e-9).unwrap_or_else(Vector2::x);

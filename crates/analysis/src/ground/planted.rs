@@ -1,7 +1,7 @@
 //! The ground's forces of a motion that says itself where its feet are planted.
 
 use crate::ground::{
-    GroundError, GroundOptions, GroundReport, Split, ground_forces, soles, stances_of_planted,
+    GroundError, GroundOptions, GroundReport, PlacedFeet, Split, ground_forces, soles, stances_of_planted,
 };
 use crate::inverse::{InverseError, InverseOptions, Residual, inverse_motion};
 use crate::prepared::{PrepareError, PreparedMotion};
@@ -44,7 +44,7 @@ pub fn reactions_of_planted(
     let stances = stances_of_planted(&soles, &motion.planted, level);
     let options = GroundOptions { split, stances: Some(stances), ..GroundOptions::default() };
     let prepared = PreparedMotion::new(figure, motion)?;
-    let found = ground_forces(&prepared, &soles, &options)?;
+    let found = ground_forces(&PlacedFeet::new(&prepared, soles)?, &options)?;
     let inverse = inverse_motion(&prepared, &found.loads(), InverseOptions::default())?;
     motion.set_tau(inverse.tau)?;
     motion.contacts.retain(|track| found.contacts.iter().all(|new| new.link != track.link));

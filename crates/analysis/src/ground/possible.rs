@@ -1,57 +1,44 @@
-//! A motion that the ground cannot bear, moved until it can.
+//! The shift after which the ground can bear a motion.
 
 use crate::ground::outline::around;
 use crate::ground::{
-    Consistency, ConsistencyError, ConsistencyOptions, GroundError, Sole, Stances, balance, consistent,
-    shift_root,
+    Consistency, ConsistencyError, ConsistencyOptions, GroundError, PlacedFeet, Stances, balance, consistent,
 };
-use crate::prepared::PreparedMotion;
-use solaris_dynamics::forward_kinematics;
-use solaris_model::{Figure, GroundAxes, Motion};
+use solaris_model::GroundAxes;
 
 /// How far (of a frame) a time may be from where equal frames have it: what printed digits leave.
 const EVEN: f64 = 1e-2;
 
-/// Moves the root of a `motion` of `figure` by the smallest shift after which the centre of
-/// pressure stays within the soles that stand, and the ground need not pull: see [`consistent`]. Everything else stays, so
-/// that planted feet move with the root; what was changed is in the answer.
+/// Finds the smallest shift of the root's path after which the centre of pressure stays within the feet that stand, and the
+/// ground need not pull: see [`consistent`]. [`shift_root`](super::shift_root) then makes it; everything else stays, so that
+/// planted feet move with the root.
 ///
 /// # Errors
 ///
-/// What [`balance`] and [`consistent`] refuse, soles without breadth, frames that are not equally far apart, and roots that
-/// cannot be moved ([`shift_root`]). The motion is then as it was.
+/// What [`balance`] and [`consistent`] refuse, stances that are none, soles without breadth, and frames that are not equally
+/// far apart.
 #[doc(alias = "residual reduction")]
 #[doc(alias = "rra")]
 #[doc(alias = "zmp")]
-pub fn make_consistent(
-    figure: &Figure,
-    motion: &mut Motion,
-    soles: &[Sole],
+pub fn consistent_shift(
+    feet: &PlacedFeet<'_>,
     stances: &Stances,
     options: &ConsistencyOptions,
 ) -> Result<Consistency, GroundError> {
-    let found = {
-        let prepared = PreparedMotion::new(figure, motion)?;
-        let total = balance(&prepared, stances.level)?;
-        prepared.check_soles(soles)?;
-        stances.check(soles.len())?;
-        if let Some(sole) = soles.iter().find(|sole| sole.width.is_none()) {
-            return Err(GroundError::NoBreadth { sole: sole.name.clone() });
-        }
-        let rate = rate(prepared.time())?;
-        let (tree, up, level) = (&prepared.tree, prepared.up, stances.level);
-        let ground = GroundAxes::new(&up);
-        let outlines = prepared.frames(|workspace, row| {
-            forward_kinematics(tree, workspace, prepared.q(row))?;
-            let time = prepared.time()[row];
-            let standing = soles.iter().enumerate().filter(|(foot, _)| stances.stands(*foot, time));
-            let corners = standing.flat_map(|(_, sole)| sole.outline(workspace, &up, level));
-            Ok(around(corners, &ground, level))
-        })?;
-        consistent(rate, tree.mass(), &motion.info.gravity, level, &total, &outlines, options)?
-    };
-    shift_root(figure, motion, &found)?;
-    Ok(found)
+    let (prepared, soles, level) = (feet.prepared(), feet.soles(), stances.level);
+    let total = balance(prepared, level)?;
+    stances.check(soles.len())?;
+    if let Some(sole) = soles.iter().find(|sole| sole.width.is_none()) {
+        return Err(GroundError::NoBreadth { sole: sole.name.clone() });
+    }
+    let rate = rate(prepared.time())?;
+    let ground = GroundAxes::new(&prepared.up);
+    let outlines = prepared.time().iter().enumerate().map(|(row, time)| {
+        let standing = (0..soles.len()).filter(|foot| stances.stands(*foot, *time));
+        around(standing.flat_map(|foot| feet.outline(row, foot, level)), &ground, level)
+    });
+    let (mass, gravity) = (prepared.tree.mass(), prepared.motion.info.gravity);
+    Ok(consistent(rate, mass, &gravity, level, &total, &outlines.collect::<Vec<_>>(), options)?)
 }
 
 /// Frames a second, where they are equally far apart; the frame that is refused comes after the step that differs most.

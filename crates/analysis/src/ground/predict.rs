@@ -3,11 +3,10 @@
 use crate::carrier::Carrier;
 use crate::ground::carry::carriers;
 use crate::ground::{
-    BalanceFrame, FootReport, GroundError, Sole, Split, StanceOptions, Stances, Unsupported, balance,
+    BalanceFrame, FootReport, GroundError, PlacedFeet, Split, StanceOptions, Stances, Unsupported, balance,
     find_stances, judge, share,
 };
 use crate::loads::Loads;
-use crate::prepared::PreparedMotion;
 use solaris_model::ContactTrack;
 
 /// How the ground's forces are to be found.
@@ -72,14 +71,14 @@ impl GroundForces {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, no soles or soles that are none, options out of their range, a split that cannot share between so many feet, and the first state that the kernel refuses.
+/// Options out of their range, a split that cannot share between so many feet, and the first state that the kernel refuses.
 ///
 /// # Examples
 ///
 /// A person who stands still has half the weight on either foot:
 ///
 /// ```
-/// use solaris_analysis::{PreparedMotion, ground::{GroundOptions, ground_forces, soles}};
+/// use solaris_analysis::{PreparedMotion, ground::{GroundOptions, PlacedFeet, ground_forces, soles}};
 /// use solaris_model::{Motion, MotionInfo, human};
 ///
 /// let ann = human(1.65, 58.0)?;
@@ -87,35 +86,32 @@ impl GroundForces {
 /// q[1] = 0.9; // pelvis height: the ground is where the soles are
 /// let rest = vec![0.0; ann.layout().nv()];
 /// let motion = Motion::new(&ann, MotionInfo::on_earth(&ann, 100.0), vec![0.0], [q, rest.clone(), rest])?;
-/// let ground = ground_forces(&PreparedMotion::new(&ann, &motion)?, &soles(&ann), &GroundOptions::default())?;
+/// let prepared = PreparedMotion::new(&ann, &motion)?;
+/// let ground = ground_forces(&PlacedFeet::new(&prepared, soles(&ann))?, &GroundOptions::default())?;
 /// let [left, right] = [0, 1].map(|foot| ground.contacts[foot].samples[0].force.y);
 /// assert!((left - 29.0 * 9.80665).abs() < 1e-9 && (left - right).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[doc(alias = "grf")]
 #[doc(alias = "ground reaction forces")]
-pub fn ground_forces(
-    prepared: &PreparedMotion<'_>,
-    soles: &[Sole],
-    options: &GroundOptions,
-) -> Result<GroundForces, GroundError> {
+pub fn ground_forces(feet: &PlacedFeet<'_>, options: &GroundOptions) -> Result<GroundForces, GroundError> {
     let stances = match &options.stances {
         Some(stances) => stances.clone(),
-        None => find_stances(prepared, soles, &options.stance)?,
+        None => find_stances(feet, &options.stance)?,
     };
-    let total = balance(prepared, stances.level)?;
-    let shared = share(options.split, prepared, soles, &stances, &total)?;
-    let (feet, unsupported) = judge(prepared, soles, &stances, &total, &shared.contacts)?;
+    let total = balance(feet.prepared(), stances.level)?;
+    let shared = share(options.split, feet, &stances, &total)?;
+    let (of_feet, unsupported) = judge(feet, &stances, &total, &shared.contacts)?;
     let report = GroundReport {
-        weight: prepared.weight,
+        weight: feet.prepared().weight,
         split: options.split,
         irregular: shared.irregular,
-        feet,
+        feet: of_feet,
         unsupported,
     };
-    let contacts = soles.iter().zip(shared.contacts);
+    let contacts = feet.soles().iter().zip(shared.contacts);
     let contacts =
         contacts.map(|(sole, samples)| ContactTrack { link: sole.name.clone(), samples }).collect();
-    let carriers = carriers(prepared, soles)?;
+    let carriers = carriers(feet)?;
     Ok(GroundForces { contacts, total, stances, report, carriers })
 }

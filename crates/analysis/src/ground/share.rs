@@ -6,8 +6,7 @@ mod pivot;
 mod sharing;
 mod transition;
 
-use crate::ground::{BalanceFrame, GroundError, Sole, Stances};
-use crate::prepared::PreparedMotion;
+use crate::ground::{BalanceFrame, GroundError, PlacedFeet, Stances};
 use sharing::Sharing;
 use solaris_model::Contact;
 
@@ -91,29 +90,26 @@ pub struct Shared {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, soles or stances that are none, a total of other frames,
-/// more than two feet for [`Split::Transition`], and the first state that the kernel refuses.
+/// Stances that are none, a total of other frames, more than two feet for [`Split::Transition`], and the first state that
+/// the kernel refuses.
 pub fn share(
     split: Split,
-    prepared: &PreparedMotion<'_>,
-    soles: &[Sole],
+    feet: &PlacedFeet<'_>,
     stances: &Stances,
     total: &[BalanceFrame],
 ) -> Result<Shared, GroundError> {
-    prepared.check_ground()?;
-    prepared.check_soles(soles)?;
-    stances.check(soles.len())?;
-    let (found, rows) = (total.len(), prepared.motion.len());
+    stances.check(feet.soles().len())?;
+    let (found, rows) = (total.len(), feet.prepared().motion.len());
     if found != rows {
         return Err(GroundError::Length { what: "the whole wrench", found, expected: rows });
     }
-    let sharing = Sharing::new(prepared, soles, stances, total)?;
+    let sharing = Sharing::new(feet, stances, total);
     let frames = match split {
         Split::Transition => transition::share(&sharing)?,
         Split::Pivot => (0..rows).map(|row| pivot::share(&sharing, row)).collect(),
         Split::Effort => effort::share(&sharing)?,
     };
     let track = |foot: usize| frames.iter().map(|parts| sharing.contact(&parts[foot])).collect();
-    let contacts = (0..soles.len()).map(track).collect();
+    let contacts = (0..feet.soles().len()).map(track).collect();
     Ok(Shared { contacts, irregular: sharing.irregular() })
 }

@@ -2,7 +2,6 @@
 
 use crate::ground::GroundError;
 use nalgebra::Vector3;
-use solaris_dynamics::Workspace;
 use solaris_model::{Figure, Link, SolePart};
 
 /// Breadth of a sole over its length, where nobody says it: in Drillis and Contini's table (1966, as printed by Winter
@@ -29,23 +28,6 @@ pub struct Sole {
 }
 
 impl Sole {
-    /// Heel, ball and tip in the world (m), where `workspace` has placed the links.
-    pub fn points(&self, workspace: &Workspace<f64>) -> [Vector3<f64>; 3] {
-        let (foot, toes) = (workspace.pose(self.foot), workspace.pose(self.toes.unwrap_or(self.foot)));
-        [foot.transform(&self.heel), foot.transform(&self.ball), toes.transform(&self.tip)]
-    }
-
-    /// Velocities (m/s) of the three, where `workspace` knows those of the links.
-    pub(crate) fn velocities(&self, workspace: &Workspace<f64>) -> [Vector3<f64>; 3] {
-        let [heel, ball, tip] = self.points(workspace);
-        let toes = self.toes.unwrap_or(self.foot);
-        let of = |link: usize, point: Vector3<f64>| {
-            let twist = workspace.velocity(link);
-            twist.linear + twist.angular.cross(&(point - workspace.pose(link).translation))
-        };
-        [of(self.foot, heel), of(self.foot, ball), of(toes, tip)]
-    }
-
     pub(crate) fn check(&self, figure: &Figure) -> Result<(), GroundError> {
         let links = figure.links().len();
         let fault = |what, value: String, remedy| {

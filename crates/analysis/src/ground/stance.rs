@@ -3,8 +3,7 @@
 mod edges;
 mod track;
 
-use crate::ground::{GroundError, GroundOption, Sole};
-use crate::prepared::PreparedMotion;
+use crate::ground::{GroundError, GroundOption, PlacedFeet, Sole};
 use edges::standing;
 use nalgebra::Vector3;
 use solaris_model::{ContactTrack, Interval};
@@ -128,27 +127,21 @@ impl Stances {
 ///
 /// # Errors
 ///
-/// No gravity, no mass, no soles or soles that are none, options out of their range, and the first state that the kernel refuses.
+/// Options out of their range.
 #[doc(alias = "gait events")]
 #[doc(alias = "foot contact")]
-pub fn find_stances(
-    prepared: &PreparedMotion<'_>,
-    soles: &[Sole],
-    options: &StanceOptions,
-) -> Result<Stances, GroundError> {
+pub fn find_stances(feet: &PlacedFeet<'_>, options: &StanceOptions) -> Result<Stances, GroundError> {
     options.check()?;
-    prepared.check_ground()?;
-    prepared.check_soles(soles)?;
-    let tracks = Tracks::of(prepared, soles)?;
+    let tracks = Tracks::of(feet);
     let belt = match options.belt {
         Belt::Still => Vector3::zeros(),
         Belt::Speed(velocity) => velocity,
         Belt::Auto => tracks.belt(options.height),
     };
     let mut list = Vec::new();
-    for foot in 0..soles.len() {
+    for foot in 0..feet.soles().len() {
         let height = tracks.decisive(foot, &belt, options);
-        let spans = standing(prepared.time(), &height, options.shortest);
+        let spans = standing(feet.prepared().time(), &height, options.shortest);
         list.extend(spans.into_iter().map(|(start, end)| Stance { foot, start, end }));
     }
     Ok(Stances { list, belt, level: tracks.level(), method: "heights and speeds of heel, ball and tip" })

@@ -3,5 +3,6 @@
 mod hard;
 mod laws;
 mod measured;
+mod placed;
 mod support;
 mod toes;

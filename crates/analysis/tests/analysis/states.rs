@@ -1,7 +1,8 @@
 //! Questions about states that are plain columns, asked the way a user asks them: a motion, prepared, then the question.
 
 use solaris_analysis::ground::{
-    self, Consistency, ConsistencyOptions, GroundForces, GroundOptions, Sole, StanceOptions, Stances,
+    self, Consistency, ConsistencyOptions, GroundForces, GroundOptions, PlacedFeet, Sole, StanceOptions,
+    Stances,
 };
 use solaris_analysis::{
     Differentiated, Filter, InverseOptions, InverseReport, Loads, PreparedMotion, differentiate,
@@ -56,6 +57,16 @@ impl States {
         let motion = self.motion(figure, gravity)?;
         question(&PreparedMotion::new(figure, &motion)?)
     }
+
+    fn ask_feet<R>(
+        &self,
+        figure: &Figure,
+        gravity: Vector3<f64>,
+        soles: &[Sole],
+        question: impl FnOnce(&PlacedFeet<'_>) -> Result<R, Refused>,
+    ) -> Result<R, Refused> {
+        self.ask(figure, gravity, |prepared| question(&PlacedFeet::new(prepared, soles)?))
+    }
 }
 
 /// What is missing of a record, found.
@@ -101,7 +112,7 @@ pub(crate) fn ground_forces(
     soles: &[Sole],
     options: &GroundOptions,
 ) -> Result<GroundForces, Refused> {
-    states.ask(figure, gravity, |prepared| Ok(ground::ground_forces(prepared, soles, options)?))
+    states.ask_feet(figure, gravity, soles, |feet| Ok(ground::ground_forces(feet, options)?))
 }
 
 pub(crate) fn find_stances(
@@ -111,7 +122,18 @@ pub(crate) fn find_stances(
     soles: &[Sole],
     options: &StanceOptions,
 ) -> Result<Stances, Refused> {
-    states.ask(figure, gravity, |prepared| Ok(ground::find_stances(prepared, soles, options)?))
+    states.ask_feet(figure, gravity, soles, |feet| Ok(ground::find_stances(feet, options)?))
+}
+
+pub(crate) fn consistent_shift(
+    figure: &Figure,
+    gravity: Vector3<f64>,
+    states: &States,
+    soles: &[Sole],
+    stances: &Stances,
+    options: &ConsistencyOptions,
+) -> Result<Consistency, Refused> {
+    states.ask_feet(figure, gravity, soles, |feet| Ok(ground::consistent_shift(feet, stances, options)?))
 }
 
 pub(crate) fn make_consistent(
@@ -122,9 +144,8 @@ pub(crate) fn make_consistent(
     stances: &Stances,
     options: &ConsistencyOptions,
 ) -> Result<Consistency, Refused> {
-    let mut motion = states.motion(figure, gravity)?;
-    let found = ground::make_consistent(figure, &mut motion, soles, stances, options)?;
-    *states = States::of(&motion);
+    let found = consistent_shift(figure, gravity, states, soles, stances, options)?;
+    shift_root(figure, states, &found)?;
     Ok(found)
 }
 

@@ -1,5 +1,6 @@
 //! The motion of `--consistent`: the root's path changed by as little as the ground asks for.
 
+use super::predicted::{Ground, Standing};
 use super::soles::From;
 use crate::args::ConsistentArgs;
 use crate::error::CliError;
@@ -7,12 +8,13 @@ use crate::given::Given;
 use crate::words::{counted, row, short};
 use serde::Serialize;
 use solaris::analysis::ground::{
-    Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, GroundError, ShiftError, Violation,
+    Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, GroundError, ShiftError,
+    Violation, consistent_shift, shift_root,
 };
 use std::io::{Result, Write};
 
 /// How it is to be done, where it is asked for.
-pub(super) fn asked(args: &ConsistentArgs) -> std::result::Result<Option<ConsistencyOptions>, CliError> {
+fn asked(args: &ConsistentArgs) -> std::result::Result<Option<ConsistencyOptions>, CliError> {
     if !args.consistent {
         return Ok(None);
     }
@@ -27,43 +29,64 @@ pub(super) fn asked(args: &ConsistentArgs) -> std::result::Result<Option<Consist
     }
 }
 
-/// Why a motion cannot be made consistent, where the command line has its own words for it.
-pub(super) fn refused(error: &GroundError, given: &Given, soles: &From) -> Option<CliError> {
-    let of_soles = |why: String| {
-        Some(match soles {
+impl Ground<'_> {
+    /// Moves the root of the given motion where that is asked for; what was changed, and the stances that it was changed for.
+    pub(crate) fn make_consistent(
+        &self,
+        args: &ConsistentArgs,
+        given: &mut Given,
+    ) -> std::result::Result<Option<(Moved, Standing)>, CliError> {
+        let Some(options) = asked(args)? else { return Ok(None) };
+        let prepared = given.prepared()?;
+        let feet = self.feet(given, &prepared)?;
+        let standing = self.standing(given, &feet, 0.0)?;
+        let found = consistent_shift(&feet, &standing.stances, &options)
+            .map_err(|error| self.too_bare(&error, given).unwrap_or_else(|| self.refused(&error, given)))?;
+        shift_root(&given.body.figure, &mut given.found.motion, &found)
+            .map_err(|error| held(&error, given))?;
+        Ok(Some((Moved::new(&found, &options, given.motion().time()), standing)))
+    }
+
+    /// Why soles do not say enough for it.
+    fn too_bare(&self, error: &GroundError, given: &Given) -> Option<CliError> {
+        let why = match error {
+            GroundError::NoBreadth { sole } => format!(
+                "--consistent keeps the centre of pressure within the soles, and sole '{sole}' has no breadth; give it a \
+                 width"
+            ),
+            GroundError::Consistency(ConsistencyError::Narrow { margin, .. }) => format!(
+                "--consistent keeps the centre of pressure {} mm inside of the soles, and there are narrower ones; give \
+                 them their width",
+                short(margin * 1e3)
+            ),
+            _ => return None,
+        };
+        Some(match &self.from {
             From::File(path) => CliError::input(path, &why),
             _ => CliError::input(&given.of, &format!("{why}, in a file for --soles")),
         })
-    };
-    match error {
-        GroundError::NoBreadth { sole } => of_soles(format!(
-            "--consistent keeps the centre of pressure within the soles, and sole '{sole}' has no breadth; give it a width"
-        )),
-        GroundError::Consistency(ConsistencyError::Narrow { margin, .. }) => of_soles(format!(
-            "--consistent keeps the centre of pressure {} mm inside of the soles, and there are narrower ones; give them \
-             their width",
-            short(margin * 1e3)
-        )),
-        GroundError::Shift(ShiftError::NoSlides { joint }) => {
-            let what_to_do = if given.body.figure.links()[0].joint().kind().nv() == 0 {
-                "it is fixed: --base floating or --base free lets it go, and the motion then has the root's columns"
-            } else {
-                "write the figure as text (solaris convert), let that joint begin with tx, ty and tz, or be free, and give \
-                 the motion their columns"
-            };
-            let why = format!(
-                "--consistent moves the root along three axes at right angles, and joint '{joint}' has not that freedom; \
-                 {what_to_do}"
-            );
-            Some(CliError::input(&given.of, &why))
-        }
-        _ => None,
     }
+}
+
+/// Why a root cannot be moved.
+fn held(error: &ShiftError, given: &Given) -> CliError {
+    let ShiftError::NoSlides { joint } = error else { return CliError::input(&given.from, error) };
+    let what_to_do = if given.body.figure.links()[0].joint().kind().nv() == 0 {
+        "it is fixed: --base floating or --base free lets it go, and the motion then has the root's columns"
+    } else {
+        "write the figure as text (solaris convert), let that joint begin with tx, ty and tz, or be free, and give the \
+         motion their columns"
+    };
+    let why = format!(
+        "--consistent moves the root along three axes at right angles, and joint '{joint}' has not that freedom; \
+         {what_to_do}"
+    );
+    CliError::input(&given.of, &why)
 }
 
 /// What was changed, as numbers.
 #[derive(Serialize)]
-pub(super) struct Moved {
+pub(crate) struct Moved {
     /// Absent where there is none.
     limit_mm: Option<f64>,
     outcome: &'static str,

@@ -1,20 +1,29 @@
 //! The ground's forces of a motion that was given, as the options ask for them.
 
-use super::moved::{self, Moved};
+use super::moved::Moved;
 use super::soles::{self, From};
-use crate::args::{AskedBelt, ConsistentArgs, FrameArgs, GroundArgs, Number};
+use crate::args::{AskedBelt, FrameArgs, GroundArgs, Number};
 use crate::error::CliError;
 use crate::given::Given;
+use solaris::analysis::PreparedMotion;
 use solaris::analysis::ground::{
-    Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, StanceOptions, Stances, find_stances,
-    ground_forces, make_consistent,
+    Belt, GroundError, GroundForces, GroundOption, GroundOptions, PlacedFeet, Sole, StanceOptions, Stances,
+    find_stances, ground_forces,
 };
 
-/// What is asked of the ground, and of the figure's frame.
-#[derive(Clone, Copy)]
+/// What is asked of the ground, and of the figure's frame, for these soles.
 pub(crate) struct Ground<'a> {
     pub(crate) how: &'a GroundArgs,
     pub(crate) frame: &'a FrameArgs,
+    pub(crate) soles: Vec<Sole>,
+    pub(crate) from: From,
+}
+
+/// When feet stand, as the options ask.
+pub(crate) struct Standing {
+    pub(crate) stances: Stances,
+    /// How the ground's own motion is known.
+    pub(crate) belt_from: &'static str,
 }
 
 /// The ground's forces, and what they are found from.
@@ -28,34 +37,6 @@ pub(crate) struct Predicted {
     pub(crate) forces: GroundForces,
 }
 
-impl Predicted {
-    /// Finds them; with `--consistent` in a motion whose root is moved before.
-    pub(crate) fn find(
-        asked: Ground<'_>,
-        consistent: &ConsistentArgs,
-        given: &mut Given,
-    ) -> Result<Self, CliError> {
-        needs_times(given)?;
-        let consistent = moved::asked(consistent)?;
-        let (soles, from) = soles::find(asked.how.soles.as_deref(), given)?;
-        let (stances, stance, belt_from) = standing(asked, given, &soles, &from, 0.0)?;
-        let mut moved = None;
-        if let Some(options) = consistent {
-            let (figure, motion) = (&given.body.figure, &mut given.found.motion);
-            let found = make_consistent(figure, motion, &soles, &stances, &options);
-            let found = found.map_err(|error| {
-                moved::refused(&error, given, &from).unwrap_or_else(|| refused(&error, asked, given, &from))
-            })?;
-            moved = Some(Moved::new(&found, &options, given.motion().time()));
-        }
-        let options =
-            GroundOptions { split: asked.how.split.unwrap_or_default(), stance, stances: Some(stances) };
-        let forces = ground_forces(&given.prepared()?, &soles, &options)
-            .map_err(|error| refused(&error, asked, given, &from))?;
-        Ok(Self { soles, from, belt_from, moved, forces })
-    }
-}
-
 /// Refuses a motion without times.
 pub(crate) fn needs_times(given: &Given) -> Result<(), CliError> {
     if given.table.column("time").is_none() {
@@ -65,49 +46,137 @@ pub(crate) fn needs_times(given: &Given) -> Result<(), CliError> {
     Ok(())
 }
 
-/// When which of the soles stands, as the options ask, what counts as standing, and how the ground's own motion is known.
-/// Where nobody says how the ground moves, a belt that is slower than `least` (m/s) is none.
-pub(crate) fn standing(
-    asked: Ground<'_>,
-    given: &Given,
-    soles: &[Sole],
-    from: &From,
-    least: f64,
-) -> Result<(Stances, StanceOptions, &'static str), CliError> {
-    let default = StanceOptions::default();
-    let or = |number: &Option<Number>, default| number.as_ref().map_or(default, |number| number.value);
-    let mut stance = StanceOptions {
-        height: or(&asked.how.stance_height, default.height),
-        speed: or(&asked.how.stance_speed, default.speed),
-        shortest: or(&asked.how.stance_shortest, default.shortest),
-        belt: Belt::Auto,
-    };
-    let prepared = given.prepared()?;
-    let find = |stance: &StanceOptions| {
-        find_stances(&prepared, soles, stance).map_err(|error| refused(&error, asked, given, from))
-    };
-    let belt_from = match &asked.how.belt {
-        Some(AskedBelt::Auto) => "as the feet on it move",
-        None if least <= 0.0 => "as the feet on it move",
-        None => {
-            let found = find(&stance)?;
-            if found.belt.norm() >= least {
-                return Ok((found, stance, "as the feet on it move"));
+impl<'a> Ground<'a> {
+    /// For the soles of a figure that has to have some, in a motion that has to have times.
+    pub(crate) fn new(how: &'a GroundArgs, frame: &'a FrameArgs, given: &Given) -> Result<Self, CliError> {
+        needs_times(given)?;
+        let (soles, from) = soles::find(how.soles.as_deref(), given)?;
+        Ok(Self { how, frame, soles, from })
+    }
+
+    /// The feet in a motion of the figure.
+    pub(crate) fn feet<'m>(
+        &self,
+        given: &Given,
+        prepared: &'m PreparedMotion<'m>,
+    ) -> Result<PlacedFeet<'m>, CliError> {
+        PlacedFeet::new(prepared, &*self.soles).map_err(|error| self.refused(&error, given))
+    }
+
+    /// The forces under the feet of a motion, which may have been moved for them before.
+    pub(crate) fn predict(
+        self,
+        given: &Given,
+        prepared: &PreparedMotion<'_>,
+        moved: Option<(Moved, Standing)>,
+    ) -> Result<Predicted, CliError> {
+        let feet = self.feet(given, prepared)?;
+        let (moved, standing) = match moved {
+            Some((moved, standing)) => (Some(moved), standing),
+            None => (None, self.standing(given, &feet, 0.0)?),
+        };
+        let forces = self.forces(given, &feet, standing.stances)?;
+        Ok(Predicted { soles: self.soles, from: self.from, belt_from: standing.belt_from, moved, forces })
+    }
+
+    /// The forces under these feet while they stand.
+    pub(crate) fn forces(
+        &self,
+        given: &Given,
+        feet: &PlacedFeet<'_>,
+        stances: Stances,
+    ) -> Result<GroundForces, CliError> {
+        let split = self.how.split.unwrap_or_default();
+        let options = GroundOptions { split, stances: Some(stances), ..GroundOptions::default() };
+        ground_forces(feet, &options).map_err(|error| self.refused(&error, given))
+    }
+
+    /// When which of the feet stands. Where nobody says how the ground moves, a belt that is slower than `least` (m/s) is none.
+    pub(crate) fn standing(
+        &self,
+        given: &Given,
+        feet: &PlacedFeet<'_>,
+        least: f64,
+    ) -> Result<Standing, CliError> {
+        let default = StanceOptions::default();
+        let or = |number: &Option<Number>, default| number.as_ref().map_or(default, |number| number.value);
+        let mut options = StanceOptions {
+            height: or(&self.how.stance_height, default.height),
+            speed: or(&self.how.stance_speed, default.speed),
+            shortest: or(&self.how.stance_shortest, default.shortest),
+            belt: Belt::Auto,
+        };
+        let find = |options: &StanceOptions| {
+            find_stances(feet, options).map_err(|error| self.refused(&error, given))
+        };
+        let belt_from = match &self.how.belt {
+            Some(AskedBelt::Auto) => "as the feet on it move",
+            None if least <= 0.0 => "as the feet on it move",
+            None => {
+                let stances = find(&options)?;
+                if stances.belt.norm() >= least {
+                    return Ok(Standing { stances, belt_from: "as the feet on it move" });
+                }
+                options.belt = Belt::Still;
+                "since no foot on it is too fast to stand"
             }
-            stance.belt = Belt::Still;
-            "since no foot on it is too fast to stand"
+            Some(AskedBelt::Still) => {
+                options.belt = Belt::Still;
+                "as asked"
+            }
+            Some(AskedBelt::Speed(speed)) => {
+                let along = find(&options)?.belt.try_normalize(0.0).ok_or_else(|| no_belt(speed))?;
+                options.belt = Belt::Speed(along * speed.value);
+                "as fast as asked, along the feet on it"
+            }
+        };
+        Ok(Standing { stances: find(&options)?, belt_from })
+    }
+
+    /// The option or the file that is at fault.
+    pub(super) fn refused(&self, error: &GroundError, given: &Given) -> CliError {
+        if let Some((option, value, why)) = self.at_fault(error) {
+            return CliError::option(option, value, why);
         }
-        Some(AskedBelt::Still) => {
-            stance.belt = Belt::Still;
-            "as asked"
+        let path = match (error, &self.from) {
+            (GroundError::Sole { .. }, From::File(path)) => path,
+            (
+                GroundError::Sole { .. }
+                | GroundError::NoMass { .. }
+                | GroundError::NoGravity { .. }
+                | GroundError::Tree(_),
+                _,
+            ) => &given.of,
+            _ => &given.from,
+        };
+        CliError::input(path, error)
+    }
+
+    /// The option that was given and is at fault, its value, and what is wrong with it.
+    fn at_fault(&self, error: &GroundError) -> Option<(&'static str, String, String)> {
+        let Self { how, frame, .. } = self;
+        match error {
+            GroundError::Option { option, range, .. } => {
+                let why = format!("it must be {range}");
+                let (name, number) = match option {
+                    GroundOption::Height => ("stance-height", &how.stance_height),
+                    GroundOption::Speed => ("stance-speed", &how.stance_speed),
+                    GroundOption::Shortest => ("stance-shortest", &how.stance_shortest),
+                    GroundOption::Belt => return Some(("belt", how.belt.as_ref()?.typed().to_owned(), why)),
+                    // Nobody types it.
+                    _ => return None,
+                };
+                Some((name, number.as_ref()?.typed.clone(), why))
+            }
+            GroundError::TooManyFeet { .. } => {
+                Some(("split", how.split?.name().to_owned(), error.to_string()))
+            }
+            GroundError::NoGravity { .. } => {
+                Some(("gravity", frame.gravity.as_ref()?.typed.clone(), error.to_string()))
+            }
+            _ => None,
         }
-        Some(AskedBelt::Speed(speed)) => {
-            let along = find(&stance)?.belt.try_normalize(0.0).ok_or_else(|| no_belt(speed))?;
-            stance.belt = Belt::Speed(along * speed.value);
-            "as fast as asked, along the feet on it"
-        }
-    };
-    Ok((find(&stance)?, stance, belt_from))
+    }
 }
 
 /// A belt where there is none.
@@ -118,49 +187,4 @@ fn no_belt(speed: &Number) -> CliError {
         Belt::LEAST
     );
     CliError::option("belt", &speed.typed, why)
-}
-
-/// The option or the file that is at fault.
-pub(crate) fn refused(error: &GroundError, asked: Ground<'_>, given: &Given, soles: &From) -> CliError {
-    if let Some((option, value, why)) = at_fault(error, asked) {
-        return CliError::option(option, value, why);
-    }
-    let path = match (error, soles) {
-        (GroundError::Sole { .. }, From::File(path)) => path,
-        (
-            GroundError::Sole { .. }
-            | GroundError::NoMass { .. }
-            | GroundError::NoGravity { .. }
-            | GroundError::Tree(_),
-            _,
-        ) => &given.of,
-        _ => &given.from,
-    };
-    CliError::input(path, error)
-}
-
-/// The option that was given and is at fault, its value, and what is wrong with it.
-fn at_fault(
-    error: &GroundError,
-    Ground { how, frame }: Ground<'_>,
-) -> Option<(&'static str, String, String)> {
-    match error {
-        GroundError::Option { option, range, .. } => {
-            let why = format!("it must be {range}");
-            let (name, number) = match option {
-                GroundOption::Height => ("stance-height", &how.stance_height),
-                GroundOption::Speed => ("stance-speed", &how.stance_speed),
-                GroundOption::Shortest => ("stance-shortest", &how.stance_shortest),
-                GroundOption::Belt => return Some(("belt", how.belt.as_ref()?.typed().to_owned(), why)),
-                // Nobody types it.
-                _ => return None,
-            };
-            Some((name, number.as_ref()?.typed.clone(), why))
-        }
-        GroundError::TooManyFeet { .. } => Some(("split", how.split?.name().to_owned(), error.to_string())),
-        GroundError::NoGravity { .. } => {
-            Some(("gravity", frame.gravity.as_ref()?.typed.clone(), error.to_string()))
-        }
-        _ => None,
-    }
 }

@@ -3,16 +3,18 @@
 use crate::args::{AskedLevel, MetricsArgs, StancesFrom};
 use crate::error::CliError;
 use crate::given::Given;
-use crate::ground::{Ground, SolesFrom, find_soles, known_soles, refused, standing};
+use crate::ground::{Ground, SolesFrom, Standing, find_soles, known_soles};
 use solaris::analysis::PreparedMotion;
-use solaris::analysis::ground::{GroundOptions, Sole, StanceOptions, Stances, ground_forces};
+use solaris::analysis::ground::{PlacedFeet, Sole, StanceOptions, Stances};
 use solaris::gait::metrics::{MetricsInput, stances_of_contacts};
 use solaris::io::record::{force_prefixes, forces};
 use solaris::model::ContactTrack;
 
 /// Feet, stances, forces.
-pub(super) struct Evidence {
-    pub(super) soles: Vec<Sole>,
+pub(super) struct Evidence<'a> {
+    prepared: &'a PreparedMotion<'a>,
+    /// None where nobody knows them.
+    feet: Option<PlacedFeet<'a>>,
     pub(super) soles_from: String,
     pub(super) stances: Option<Stances>,
     pub(super) belt_from: &'static str,
@@ -21,19 +23,25 @@ pub(super) struct Evidence {
     pub(super) forces_from: &'static str,
 }
 
-impl Evidence {
-    pub(super) fn find(args: &MetricsArgs, given: &Given) -> Result<Self, CliError> {
+impl<'a> Evidence<'a> {
+    pub(super) fn find(
+        args: &MetricsArgs,
+        given: &Given,
+        prepared: &'a PreparedMotion<'a>,
+    ) -> Result<Self, CliError> {
         let (feet, how) = (&args.feet, &args.how);
         // Who asks for forces or stances of feet that nobody knows is told what to do.
         let needs_feet = feet.ground || feet.stances.is_some();
         let file = how.soles.as_deref();
         let found = if needs_feet { Some(find_soles(file, given)?) } else { known_soles(file, given)? };
-        let Some((soles, from)) = found else { return Ok(Self::of_no_feet()) };
+        let Some((soles, from)) = found else { return Ok(Self::of_no_feet(prepared)) };
         let default = StanceOptions::default().speed;
         let speed = how.stance_speed.as_ref().map_or(default, |speed| speed.value);
-        let asked = Ground { how, frame: &args.frame };
-        let (mut stances, stance, belt_from) = standing(asked, given, &soles, &from, speed)?;
-        let level_from = match (feet.level, &from) {
+        let ground = Ground { how, frame: &args.frame, soles, from };
+        let placed = ground.feet(given, prepared)?;
+        let Standing { mut stances, belt_from } = ground.standing(given, &placed, speed)?;
+        let soles = placed.soles();
+        let level_from = match (feet.level, &ground.from) {
             (Some(AskedLevel::At(level)), _) => {
                 stances.level = level;
                 "as asked"
@@ -44,9 +52,9 @@ impl Evidence {
             }
             _ => "where the soles are lowest",
         };
-        let own = own_contacts(given, &soles)?;
+        let own = own_contacts(given, soles)?;
         match (&own, feet.stances) {
-            (None, Some(StancesFrom::Contacts)) => return Err(no_contacts(&soles)),
+            (None, Some(StancesFrom::Contacts)) => return Err(no_contacts(soles)),
             (Some(own), None | Some(StancesFrom::Contacts)) => {
                 let (figure, gravity) = (&given.body.figure, given.body.gravity);
                 stances = stances_of_contacts(figure, gravity, given.motion().time(), own, &stances);
@@ -54,10 +62,7 @@ impl Evidence {
             _ => {}
         }
         let (contacts, forces_from) = if feet.ground {
-            let split = how.split.unwrap_or_default();
-            let options = GroundOptions { split, stance, stances: Some(stances.clone()) };
-            let found = ground_forces(&given.prepared()?, &soles, &options)
-                .map_err(|error| refused(&error, asked, given, &from))?;
+            let found = ground.forces(given, &placed, stances.clone())?;
             (Some(found.contacts), "predicted from the motion")
         } else if own.is_some() {
             (own, "of the motion's file")
@@ -65,8 +70,9 @@ impl Evidence {
             (None, "none; --ground predicts them")
         };
         Ok(Self {
-            soles,
-            soles_from: from.describe(),
+            prepared,
+            feet: Some(placed),
+            soles_from: ground.from.describe(),
             stances: Some(stances),
             belt_from,
             level_from,
@@ -75,9 +81,10 @@ impl Evidence {
         })
     }
 
-    fn of_no_feet() -> Self {
+    fn of_no_feet(prepared: &'a PreparedMotion<'a>) -> Self {
         Self {
-            soles: Vec::new(),
+            prepared,
+            feet: None,
             soles_from: "none; --soles says where its feet meet the ground".to_owned(),
             stances: None,
             belt_from: "",
@@ -87,11 +94,16 @@ impl Evidence {
         }
     }
 
+    /// The soles of the feet.
+    pub(super) fn soles(&self) -> &[Sole] {
+        self.feet.as_ref().map_or(&[], PlacedFeet::soles)
+    }
+
     /// All of it as the library takes it.
-    pub(super) fn input<'a>(&'a self, motion: &'a PreparedMotion<'a>) -> MetricsInput<'a> {
+    pub(super) fn input(&self) -> MetricsInput<'_> {
         MetricsInput {
-            motion,
-            soles: &self.soles,
+            motion: self.prepared,
+            feet: self.feet.as_ref(),
             stances: self.stances.as_ref(),
             contacts: self.contacts.as_deref(),
         }

@@ -39,7 +39,7 @@ struct Row {
 }
 
 impl Report {
-    pub(super) fn new(given: GivenReport, evidence: &Evidence, metrics: &[Metric]) -> Self {
+    pub(super) fn new(given: GivenReport, evidence: &Evidence<'_>, metrics: &[Metric]) -> Self {
         let stances = evidence.stances.as_ref();
         let one = |metric: &Metric| Row {
             metric: metric.key,
@@ -52,7 +52,7 @@ impl Report {
         Self {
             version: env!("CARGO_PKG_VERSION"),
             given,
-            soles: evidence.soles.iter().map(|sole| sole.name.clone()).collect(),
+            soles: evidence.soles().iter().map(|sole| sole.name.clone()).collect(),
             soles_from: evidence.soles_from.clone(),
             level_m: stances.map(|stances| stances.level),
             level_from: evidence.level_from,

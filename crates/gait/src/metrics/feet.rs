@@ -68,7 +68,7 @@ fn slides(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Vec<Slide>, N
 
 /// The stances, at least one.
 fn stances<'a>(given: &MetricsInput<'a>) -> Result<&'a [Stance], NoValue> {
-    if given.soles.is_empty() {
+    if given.soles().is_empty() {
         return Err(NoValue::NoFeet);
     }
     let list = given.stances.map_or(&[][..], |stances| &stances.list);
@@ -77,15 +77,15 @@ fn stances<'a>(given: &MetricsInput<'a>) -> Result<&'a [Stance], NoValue> {
 
 /// `None` for a stance between two samples.
 fn slide(tracks: &Tracks<'_>, stance: &Stance) -> Option<Slide> {
-    let points = tracks.points.get(stance.foot)?;
     let samples = tracks.samples((stance.start, stance.end));
     let mut from_start = Vector3::zeros();
     let mut slide = Slide { farthest: Peak { value: 0.0, time: stance.start }, path: 0.0, time: 0.0 };
     for i in samples.start..samples.end.saturating_sub(1) {
-        let height = |k: usize| (points[i][k] + points[i + 1][k]).dot(&tracks.up);
+        let [here, next] = [tracks.points(stance.foot, i)?, tracks.points(stance.foot, i + 1)?];
+        let height = |k: usize| (here[k] + next[k]).dot(&tracks.up);
         let lowest = (0..3).min_by(|a, b| height(*a).total_cmp(&height(*b)))?;
         let step = tracks.time[i + 1] - tracks.time[i];
-        let moved = tracks.level(&(points[i + 1][lowest] - points[i][lowest] - tracks.belt * step));
+        let moved = tracks.level(&(next[lowest] - here[lowest] - tracks.belt * step));
         from_start += moved;
         slide.path += moved.norm();
         slide.time += step;
@@ -96,12 +96,13 @@ fn slide(tracks: &Tracks<'_>, stance: &Stance) -> Option<Slide> {
 
 /// Greatest depth of a point of the soles below the ground (m); negative for feet that never come down to it.
 fn sink(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoValue> {
-    if given.soles.is_empty() {
+    if given.soles().is_empty() {
         return Err(NoValue::NoFeet);
     }
     let mut sink = Peak::NONE;
-    for points in &tracks.points {
-        for (points, &time) in points.iter().zip(tracks.time) {
+    for foot in 0..given.soles().len() {
+        for (sample, &time) in tracks.time.iter().enumerate() {
+            let Some(points) = tracks.points(foot, sample) else { continue };
             let value = points.iter().map(|point| -tracks.height(point)).fold(f64::NEG_INFINITY, f64::max);
             sink = sink.max(Peak { value, time });
         }
@@ -115,8 +116,8 @@ fn clearance(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Result<Peak, NoVa
     let mut least: Option<Peak> = None;
     for pair in stances.windows(2).filter(|pair| pair[0].foot == pair[1].foot) {
         for i in mid_swing(tracks.time, (pair[0].end, pair[1].start)) {
-            let Some(points) = tracks.points.get(pair[0].foot) else { continue };
-            let here = Peak { value: tracks.height(&points[i][2]), time: tracks.time[i] };
+            let Some(points) = tracks.points(pair[0].foot, i) else { continue };
+            let here = Peak { value: tracks.height(&points[2]), time: tracks.time[i] };
             least = Some(least.map_or(here, |least| least.min(here)));
         }
     }

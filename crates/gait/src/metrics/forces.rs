@@ -54,7 +54,7 @@ pub(super) fn metrics(given: &MetricsInput<'_>, tracks: &Tracks<'_>, steps: &Ste
 }
 
 fn pushed<'a>(given: &MetricsInput<'a>, tracks: &Tracks<'a>, steps: &Steps) -> Result<Pushed<'a>, NoValue> {
-    if given.soles.is_empty() {
+    if given.soles().is_empty() {
         return Err(NoValue::NoFeet);
     }
     let contacts = given.contacts.ok_or(NoValue::NoForces)?;

@@ -44,7 +44,7 @@ pub(super) struct Steps {
 
 impl Steps {
     pub(super) fn of(given: &MetricsInput<'_>, tracks: &Tracks<'_>) -> Self {
-        if given.soles.is_empty() {
+        if given.soles().is_empty() {
             return Self { touch_downs: 0, stride: Err(NoValue::NoFeet) };
         }
         let Some(stances) = given.stances.filter(|stances| !stances.list.is_empty()) else {
@@ -62,7 +62,7 @@ impl Steps {
     pub(super) fn metrics(&self, given: &MetricsInput<'_>) -> Vec<Metric> {
         let of =
             |value: &dyn Fn(&Stride) -> Result<f64, NoValue>| self.stride.and_then(|stride| value(&stride));
-        let feet = given.soles.len();
+        let feet = given.soles().len();
         let two = |value: f64| if feet == 2 { Ok(value) } else { Err(NoValue::NotTwoFeet { feet }) };
         let count = if feet == 0 { Err(NoValue::NoFeet) } else { Ok(self.touch_downs as f64) };
         vec![
@@ -132,7 +132,7 @@ fn stride(
     to: &Stance,
 ) -> Stride {
     let span = (from.start, to.start);
-    let (duration, feet) = (span.1 - span.0, given.soles.len());
+    let (duration, feet) = (span.1 - span.0, given.soles().len());
     let window = Window { time: tracks.time, span };
     let com = |time: f64| Vector3::from([0, 1, 2].map(|k| window.at(time, &|i| tracks.com[i][k])));
     let beside = stances

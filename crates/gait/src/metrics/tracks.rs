@@ -4,6 +4,7 @@ use super::MetricsInput;
 use crate::error::{GaitError, MeasureError};
 use crate::measure::window::samples_between;
 use nalgebra::Vector3;
+use solaris_analysis::ground::PlacedFeet;
 use solaris_dynamics::{Workspace, center_of_mass, centroidal_momentum, centroidal_momentum_rate};
 
 /// A number or a place for each sample, in world axes.
@@ -20,13 +21,12 @@ pub(super) struct Tracks<'a> {
     pub(super) com: Vec<Vector3<f64>>,
     pub(super) velocity: Vec<Vector3<f64>>,
     pub(super) acceleration: Vec<Vector3<f64>>,
-    /// Heel, ball and tip (m), by foot, then by sample.
-    pub(super) points: Vec<Vec<[Vector3<f64>; 3]>>,
+    feet: Option<&'a PlacedFeet<'a>>,
 }
 
 impl<'a> Tracks<'a> {
     pub(super) fn of(given: &MetricsInput<'a>) -> Result<Self, GaitError> {
-        let MetricsInput { motion: prepared, soles, .. } = *given;
+        let MetricsInput { motion: prepared, feet, .. } = *given;
         let (motion, tree) = (prepared.motion(), prepared.tree());
         let gravity = motion.info.gravity;
         let up = prepared.up().ok_or(MeasureError::NoGravity { gravity: gravity.into() })?;
@@ -35,8 +35,9 @@ impl<'a> Tracks<'a> {
             if found == expected { Ok(()) } else { Err(MeasureError::OtherMotion { what, found, expected }) }
         };
         fits("the times", rows, rows.max(1))?;
+        fits("the feet's motion", feet.map_or(rows, |feet| feet.frames().len()), rows)?;
         if let Some(contacts) = given.contacts {
-            fits("the forces", contacts.len(), soles.len())?;
+            fits("the forces", contacts.len(), given.soles().len())?;
             contacts.iter().try_for_each(|track| fits("a foot's force", track.samples.len(), rows))?;
         }
         let mut tracks = Self {
@@ -48,7 +49,7 @@ impl<'a> Tracks<'a> {
             com: Vec::with_capacity(rows),
             velocity: Vec::with_capacity(rows),
             acceleration: Vec::with_capacity(rows),
-            points: vec![Vec::with_capacity(rows); soles.len()],
+            feet,
         };
         let (mut workspace, mass) = (Workspace::new(tree), tree.mass());
         for row in 0..rows {
@@ -56,11 +57,13 @@ impl<'a> Tracks<'a> {
             tracks.com.push(center_of_mass(tree, &mut workspace, q)?);
             tracks.velocity.push(centroidal_momentum(tree, &mut workspace, q, v)?.linear / mass);
             tracks.acceleration.push(centroidal_momentum_rate(tree, &mut workspace, q, v, a)?.force / mass);
-            for (points, sole) in tracks.points.iter_mut().zip(soles) {
-                points.push(sole.points(&workspace));
-            }
         }
         Ok(tracks)
+    }
+
+    /// Heel, ball and tip of a foot (m); `None` where there is no such foot.
+    pub(super) fn points(&self, foot: usize, sample: usize) -> Option<&'a [Vector3<f64>; 3]> {
+        Some(&self.feet?.frame(sample).get(foot)?.points)
     }
 
     /// Height of a point above the ground (m).

@@ -1,7 +1,8 @@
 //! Ground forces found from planned walks alone, beside the plan's own.
 
 use solaris_analysis::ground::{
-    GroundForces, GroundOptions, Split, StanceOptions, Stances, ground_forces, soles, stances_of_planted,
+    GroundForces, GroundOptions, PlacedFeet, Split, StanceOptions, Stances, ground_forces, soles,
+    stances_of_planted,
 };
 use solaris_analysis::{InverseOptions, PreparedMotion, ground_reactions, inverse_motion};
 use solaris_gait::{Extent, FEET, WalkPlan, WalkRequest, walk};
@@ -33,9 +34,15 @@ impl Walked {
         PreparedMotion::new(&self.figure, &self.motion).expect("ready")
     }
 
+    fn forces(&self, options: &GroundOptions) -> GroundForces {
+        let prepared = self.prepared();
+        let feet = PlacedFeet::new(&prepared, soles(&self.figure)).expect("placed");
+        ground_forces(&feet, options).expect("forces")
+    }
+
     fn ground(&self, split: Split, stances: Option<Stances>) -> GroundForces {
         let options = GroundOptions { split, stances, ..GroundOptions::default() };
-        ground_forces(&self.prepared(), &soles(&self.figure), &options).expect("forces")
+        self.forces(&options)
     }
 }
 
@@ -105,8 +112,7 @@ fn what_is_found_carries_the_walk() {
 /// How early and how late (ms) stances begin and end that are found with these options, against the planned ones.
 fn lateness(walked: &Walked, stance: StanceOptions) -> [(f64, f64); 2] {
     let options = GroundOptions { stance, ..GroundOptions::default() };
-    let soles = soles(&walked.figure);
-    let found = ground_forces(&walked.prepared(), &soles, &options).expect("forces").stances;
+    let found = walked.forces(&options).stances;
     assert_eq!((found.belt.norm(), found.level.abs() < 1e-6), (0.0, true));
     assert_eq!(found.list.len(), walked.planted.list.len());
     let mut range = [(0.0_f64, 0.0_f64); 2];

@@ -1,6 +1,6 @@
 //! Metrics of any motion: a walk of ours against its own measures, a foot that slides, a motion that sinks.
 
-use solaris_analysis::ground::{Belt, Sole, Stance, StanceOptions, Stances, find_stances, soles};
+use solaris_analysis::ground::{Belt, PlacedFeet, Sole, Stance, StanceOptions, Stances, find_stances, soles};
 use solaris_analysis::{PreparedMotion, ground_reactions};
 use solaris_gait::metrics::{Metric, MetricsInput, NoValue, metrics, stances_of_contacts};
 use solaris_gait::{Extent, FEET, SteadyStride, WalkMeasures, WalkRequest, measure, walk};
@@ -48,9 +48,14 @@ impl Walked {
         PreparedMotion::new(&self.figure, &self.states).expect("ready")
     }
 
+    fn feet<'a>(&self, prepared: &'a PreparedMotion<'a>) -> PlacedFeet<'a> {
+        PlacedFeet::new(prepared, self.soles.clone()).expect("placed")
+    }
+
     fn found(&self, belt: Belt) -> Stances {
         let options = StanceOptions { belt, ..StanceOptions::default() };
-        let found = find_stances(&self.prepared(), &self.soles, &options);
+        let prepared = self.prepared();
+        let found = find_stances(&self.feet(&prepared), &options);
         Stances { level: 0.0, ..found.expect("stances") }
     }
 
@@ -64,7 +69,7 @@ impl Walked {
         let prepared = self.prepared();
         let given = MetricsInput {
             motion: &prepared,
-            soles: &self.soles,
+            feet: Some(&self.feet(&prepared)),
             stances: Some(stances),
             contacts: Some(&self.contacts),
         };
@@ -186,15 +191,17 @@ fn what_is_lowered_sinks() {
 fn what_cannot_be_told_says_why() {
     let walked = Walked::of(110.0, 8);
     let prepared = walked.prepared();
-    let given = MetricsInput { motion: &prepared, soles: &[], stances: None, contacts: None };
+    let given = MetricsInput { motion: &prepared, feet: None, stances: None, contacts: None };
     let all = metrics(&given).expect("metrics");
     for key in ["slide_greatest_mm", "sink_mm", "clearance_mm", "touch_downs", "vertical_first_percent_bw"] {
         assert_eq!(why(&all, key), Some(NoValue::NoFeet), "{key}");
     }
     assert!(of(&all, "bob_cm") > 1.0 && of(&all, "spectral_arc_length") < -1.0);
     let stances = walked.stances();
-    let three: Vec<Sole> = walked.soles.iter().chain(&walked.soles[..1]).cloned().collect();
-    let given = MetricsInput { soles: &three, stances: Some(&stances), ..given };
+    let other = Sole { name: "third".to_owned(), ..walked.soles[0].clone() };
+    let three: Vec<Sole> = walked.soles.iter().chain([&other]).cloned().collect();
+    let three = PlacedFeet::new(&prepared, three).expect("placed");
+    let given = MetricsInput { feet: Some(&three), stances: Some(&stances), ..given };
     let all = metrics(&given).expect("metrics");
     assert_eq!(why(&all, "step_length_m"), Some(NoValue::NotTwoFeet { feet: 3 }));
     assert_eq!(why(&all, "braking_percent_bw"), Some(NoValue::NoForces));
@@ -205,7 +212,7 @@ fn what_cannot_be_told_says_why() {
     assert!(refused.to_string().contains("which way is up"));
     let cut =
         [ContactTrack { link: "left_foot".to_owned(), samples: Vec::new() }, walked.contacts[1].clone()];
-    let said = metrics(&MetricsInput { soles: &walked.soles, contacts: Some(&cut), ..given })
+    let said = metrics(&MetricsInput { feet: Some(&walked.feet(&prepared)), contacts: Some(&cut), ..given })
         .expect_err("cut")
         .to_string();
     assert!(said.contains("a foot's force"), "{said}");
@@ -219,12 +226,12 @@ fn stances_that_are_not_known_or_not_within_the_motion_are_none() {
     let motion =
         Motion::new(&figure, MotionInfo::on_earth(&figure, RATE), vec![0.0], columns).expect("a motion");
     let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
-    let soles = soles(&figure);
+    let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
     let later = |start: f64| Stance { foot: 0, start, end: start + 0.5 };
     let list = vec![later(1.0), later(2.0)];
     let later = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "" };
     for (stances, why) in [(None, NoValue::NoStance), (Some(&later), NoValue::NoStride)] {
-        let given = MetricsInput { motion: &prepared, soles: &soles, stances, contacts: None };
+        let given = MetricsInput { motion: &prepared, feet: Some(&feet), stances, contacts: None };
         let all = metrics(&given).expect("metrics");
         let stance = all.iter().find(|metric| metric.key == "stance_percent").expect("a metric");
         assert_eq!(stance.value, Err(why));

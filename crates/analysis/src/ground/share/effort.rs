@@ -54,6 +54,8 @@ impl Effort<'_> {
         let about = total.moment - self.feet[last].cop.cross(&total.force);
         let whole = stack(&(total.force / weight), &(about / (weight * length)));
         let free = self.moments(workspace, weight, length)?;
+        // Where the levers' points are in their links.
+        forward_kinematics(&sharing.prepared.tree, workspace, sharing.prepared.q(self.row))?;
         let own = self.levers(workspace, last, length)?;
         let (c, own_cost) = (free - &own * whole, self.cost(last, length));
         let unknowns = 6 * others.len();
@@ -135,7 +137,6 @@ impl Effort<'_> {
         let prepared = self.sharing.prepared;
         let q = prepared.q(self.row);
         let link = self.sharing.soles[foot].foot;
-        forward_kinematics(&prepared.tree, workspace, q)?;
         let point = workspace.pose(link).inverse().transform(&self.feet[foot].cop);
         let mut rows = DMatrix::zeros(6, prepared.tree.nv());
         jacobian(&prepared.tree, workspace, q, &Frame::at(link, point), JacobianAxes::World, &mut rows)?;
@@ -193,7 +194,7 @@ fn stack(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground::{Stance, Stances, balance, soles};
+    use crate::ground::{PlacedFeet, Stance, Stances, balance, soles};
     use crate::prepared::PreparedMotion;
     use solaris_model::{Motion, MotionInfo};
 
@@ -236,8 +237,8 @@ mod tests {
         let list = [0, 1].map(|foot| Stance { foot, start: -1.0, end: 1.0 }).to_vec();
         let stances = Stances { list, belt: Vector3::zeros(), level: 0.0, method: "told" };
         let total = balance(&prepared, 0.0).expect("a total");
-        let soles = soles(&figure);
-        let sharing = Sharing::new(&prepared, &soles, &stances, &total).expect("points");
+        let feet = PlacedFeet::new(&prepared, soles(&figure)).expect("placed");
+        let sharing = Sharing::new(&feet, &stances, &total);
         let shares = sharing.supports(0).expect("feet").iter().map(|foot| foot.share).collect::<Vec<_>>();
         assert!(shares.iter().all(|share| (0.05..0.95).contains(share)), "{shares:?}");
         let best = super::share(&sharing).expect("parts").remove(0);

@@ -1,11 +1,11 @@
 //! The data that every split uses: the frames, the soles in the world, the smooth shares and nominal centres of pressure.
 
 use super::load::Load;
-use crate::ground::{BalanceFrame, GroundError, Sole, Stance, Stances};
+use crate::ground::{BalanceFrame, PlacedFeet, Sole, Stance, Stances};
 use crate::prepared::PreparedMotion;
 use crate::split::FootSupport;
 use nalgebra::Vector3;
-use solaris_dynamics::{Wrench, forward_kinematics};
+use solaris_dynamics::Wrench;
 use solaris_model::Contact;
 use solaris_profiles::step::cubic;
 
@@ -17,12 +17,11 @@ const LEAST: f64 = 1e-9;
 
 /// All that a split is made of.
 pub(super) struct Sharing<'a> {
+    feet: &'a PlacedFeet<'a>,
     pub(super) prepared: &'a PreparedMotion<'a>,
     pub(super) soles: &'a [Sole],
     pub(super) stances: &'a Stances,
     pub(super) total: &'a [BalanceFrame],
-    /// Heel, ball and tip in the world (m), by frame and foot.
-    points: Vec<Vec<[Vector3<f64>; 3]>>,
     loads: Vec<Load>,
     doubles: Vec<Double>,
     /// By foot and frame, the last frame up to this one and the first one from this one on in which the foot stands
@@ -40,21 +39,13 @@ pub(super) struct Double {
 }
 
 impl<'a> Sharing<'a> {
-    pub(super) fn new(
-        prepared: &'a PreparedMotion<'a>,
-        soles: &'a [Sole],
-        stances: &'a Stances,
-        total: &'a [BalanceFrame],
-    ) -> Result<Self, GroundError> {
-        let points = prepared.frames(|workspace, row| {
-            forward_kinematics(&prepared.tree, workspace, prepared.q(row))?;
-            Ok(soles.iter().map(|sole| sole.points(workspace)).collect())
-        })?;
+    pub(super) fn new(feet: &'a PlacedFeet<'a>, stances: &'a Stances, total: &'a [BalanceFrame]) -> Self {
+        let (prepared, soles) = (feet.prepared(), feet.soles());
         let loads = Load::all(&stances.list);
         let doubles = doubles(&stances.list, prepared.time());
-        let mut out = Self { prepared, soles, stances, total, points, loads, doubles, alone: Vec::new() };
+        let mut out = Self { feet, prepared, soles, stances, total, loads, doubles, alone: Vec::new() };
         out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
-        Ok(out)
+        out
     }
 
     fn stands_alone(&self, foot: usize) -> Vec<[Option<usize>; 2]> {
@@ -107,7 +98,7 @@ impl<'a> Sharing<'a> {
     fn nominal(&self, index: usize, row: usize) -> Vector3<f64> {
         let (load, time) = (&self.loads[index], self.prepared.time());
         let (Stance { foot, start, end }, t) = (load.stance, time[row]);
-        let [heel, ball, tip] = self.points[row][foot].map(|point| self.on_ground(point));
+        let [heel, ball, tip] = self.feet.frame(row)[foot].points.map(|point| self.on_ground(point));
         let middle = heel.lerp(&ball, 0.5);
         let pressed = self.alone[foot][row].map(|row| {
             let time = time[row?];
@@ -139,7 +130,7 @@ impl<'a> Sharing<'a> {
 
     /// From the heel over the ball to the tip (m).
     pub(super) fn length_of_sole(&self, row: usize, foot: usize) -> f64 {
-        let [heel, ball, tip] = self.points[row][foot];
+        let [heel, ball, tip] = self.feet.frame(row)[foot].points;
         (ball - heel).norm() + (tip - ball).norm()
     }
 

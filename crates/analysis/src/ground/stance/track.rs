@@ -1,10 +1,8 @@
 //! Tracks of the points of the soles, and the ground that they tell of.
 
 use super::{Belt, StanceOptions};
-use crate::ground::{GroundError, Sole};
-use crate::prepared::PreparedMotion;
+use crate::ground::{PlacedFeet, PlacedSole};
 use nalgebra::Vector3;
-use solaris_dynamics::velocities;
 
 /// A foot whose lowest point never comes nearer to the lowest one of all feet than this (m) never stands.
 const RAISED: f64 = 0.05;
@@ -12,24 +10,14 @@ const RAISED: f64 = 0.05;
 /// Share of the frames that may lie below a point's lowest height.
 const STRAY: f64 = 0.05;
 
-/// A point of a sole at one time: height along up (m) and velocity (m/s).
-#[derive(Clone, Copy)]
-struct Point {
-    height: f64,
-    velocity: Vector3<f64>,
-}
-
-/// All points at all times.
-pub(super) struct Tracks {
-    up: Vector3<f64>,
-    /// By frame, by foot: heel, ball, tip.
-    frames: Vec<Vec<[Point; 3]>>,
-    /// By foot.
+/// Feet in all frames, and how low they come.
+pub(super) struct Tracks<'a> {
+    placed: &'a PlacedFeet<'a>,
     feet: Vec<Foot>,
 }
 
 struct Foot {
-    /// Lowest height of each point.
+    /// Lowest height (m, along up) of heel, ball and tip.
     low: [f64; 3],
     /// Whether it ever comes down.
     stands: bool,
@@ -41,29 +29,25 @@ impl Foot {
     }
 }
 
-impl Tracks {
-    pub(super) fn of(prepared: &PreparedMotion<'_>, soles: &[Sole]) -> Result<Self, GroundError> {
-        let up = prepared.up;
-        let frames = prepared.frames(|workspace, row| {
-            velocities(&prepared.tree, workspace, prepared.q(row), prepared.v(row))?;
-            let foot = |sole: &Sole| {
-                let (points, velocities) = (sole.points(workspace), sole.velocities(workspace));
-                [0, 1, 2].map(|i| Point { height: points[i].dot(&up), velocity: velocities[i] })
-            };
-            Ok(soles.iter().map(foot).collect::<Vec<_>>())
-        })?;
+impl<'a> Tracks<'a> {
+    pub(super) fn of(placed: &'a PlacedFeet<'a>) -> Self {
+        let up = placed.prepared().up;
         let low = |foot: usize, i: usize| {
-            let heights: Vec<f64> =
-                frames.iter().map(|feet: &Vec<[Point; 3]>| feet[foot][i].height).collect();
-            quantile(heights, STRAY)
+            quantile(placed.frames().map(|feet| feet[foot].points[i].dot(&up)).collect(), STRAY)
         };
-        let lows = (0..soles.len()).map(|foot| [0, 1, 2].map(|i| low(foot, i)));
+        let lows = (0..placed.soles().len()).map(|foot| [0, 1, 2].map(|i| low(foot, i)));
         let mut feet: Vec<Foot> = lows.map(|low| Foot { low, stands: true }).collect();
         let ground = feet.iter().map(Foot::lowest).fold(f64::INFINITY, f64::min);
         for foot in &mut feet {
             foot.stands = foot.lowest() <= ground + RAISED;
         }
-        Ok(Self { up, frames, feet })
+        Self { placed, feet }
+    }
+
+    /// Of heel, ball and tip of a foot, how far above its own lowest height (m) each is, and its velocity (m/s).
+    fn points(&self, foot: usize, at: &PlacedSole) -> [(f64, Vector3<f64>); 3] {
+        let up = &self.placed.prepared().up;
+        [0, 1, 2].map(|i| (at.points[i].dot(up) - self.feet[foot].low[i], at.velocities[i]))
     }
 
     /// Median of the lowest heights of all points of the feet that may stand.
@@ -73,21 +57,20 @@ impl Tracks {
 
     /// Median velocity of the lowest point of all where it is down; zero where it is slow.
     pub(super) fn belt(&self, height: f64) -> Vector3<f64> {
-        let lowest = self.frames.iter().filter_map(|feet| {
-            let points =
-                feet.iter().zip(&self.feet).filter(|(_, foot)| foot.stands).flat_map(|(points, foot)| {
-                    points.iter().zip(&foot.low).map(|(point, low)| (point.height - low, point.velocity))
-                });
+        let up = &self.placed.prepared().up;
+        let lowest = self.placed.frames().filter_map(|feet| {
+            let standing = feet.iter().enumerate().filter(|(foot, _)| self.feet[*foot].stands);
+            let points = standing.flat_map(|(foot, at)| self.points(foot, at));
             points.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(above, _)| *above < height)
         });
         let velocities: Vec<Vector3<f64>> =
-            lowest.map(|(_, velocity)| velocity - self.up * velocity.dot(&self.up)).collect();
+            lowest.map(|(_, velocity)| velocity - up * velocity.dot(up)).collect();
         if velocities.is_empty() {
             return Vector3::zeros();
         }
         let median = [0, 1, 2].map(|k| quantile(velocities.iter().map(|v| v[k]).collect(), 0.5));
         let median = Vector3::from(median);
-        let belt = median - self.up * median.dot(&self.up);
+        let belt = median - up * median.dot(up);
         if belt.norm() < Belt::LEAST { Vector3::zeros() } else { belt }
     }
 
@@ -97,18 +80,16 @@ impl Tracks {
     /// min over the points of max((z − z_low)/height, |v − v_belt|/speed) − 1
     /// ```
     pub(super) fn decisive(&self, foot: usize, belt: &Vector3<f64>, options: &StanceOptions) -> Vec<f64> {
-        let Foot { low, stands } = &self.feet[foot];
-        if !stands {
-            return vec![f64::INFINITY; self.frames.len()];
-        }
-        let decide = |feet: &Vec<[Point; 3]>| {
-            let points = feet[foot].iter().zip(low).map(|(point, low)| {
-                let (above, fast) = (point.height - low, (point.velocity - belt).norm());
-                (above / options.height).max(fast / options.speed)
+        let decide = |feet: &[PlacedSole]| {
+            if !self.feet[foot].stands {
+                return f64::INFINITY;
+            }
+            let points = self.points(foot, &feet[foot]).map(|(above, velocity)| {
+                (above / options.height).max((velocity - belt).norm() / options.speed)
             });
-            points.fold(f64::INFINITY, f64::min) - 1.0
+            points.into_iter().fold(f64::INFINITY, f64::min) - 1.0
         };
-        self.frames.iter().map(decide).collect()
+        self.placed.frames().map(decide).collect()
     }
 }
 
