@@ -50,6 +50,34 @@ height,mass,speed,steps,tilt
 1.75,,3,2,
 ";
 
+/// A tail of two bones that swings, by a program that puts its rest pose in front.
+const TAIL: &str = "\
+HIERARCHY
+ROOT tail
+{
+    OFFSET 0 0 0
+    CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+    JOINT tip
+    {
+        OFFSET 0 -30 0
+        CHANNELS 3 Zrotation Xrotation Yrotation
+        End Site
+        {
+            OFFSET 0 -20 0
+        }
+    }
+}
+MOTION
+Frames: 6
+Frame Time: 0.033333
+0 100 0 0 0 0 0 0 0
+0 100 0 10 40 0 0 20 0
+0 101 0 12 38 0 0 22 0
+0 102 0 14 35 0 0 25 0
+0 102 0 15 33 0 0 26 0
+0 101 0 15 32 0 0 26 0
+";
+
 /// Puts the files there that the transcripts read.
 fn furnish(folder: &Path) {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
@@ -79,6 +107,9 @@ fn furnish(folder: &Path) {
         ("faulty.urdf", faulty.as_str()),
         ("stiff.urdf", &stiff),
         ("swing.csv", SWING),
+        ("tail.bvh", TAIL),
+        ("tail.txt", "bone,kg\ntail,0.6\ntip,0.25\n"),
+        ("cut.bvh", &TAIL.replace("0 102 0 14", "0 1o2 0 14")),
         ("reach.ron", REACH),
         (
             "faulty_scene.ron",

@@ -146,7 +146,9 @@ pub(crate) struct BvhArgs {
         long,
         value_name = "AXIS",
         value_enum,
-        help = "Axis that points up [default: y, or z where the head is above the feet along z]"
+        help = wrap(
+        "Axis that points up [default: y, or z where the head is above the feet along z]"
+    )
     )]
     pub(crate) up: Option<UpArg>,
     #[arg(long, value_name = "FILE", help = wrap(
