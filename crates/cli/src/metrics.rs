@@ -57,7 +57,7 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
     progress.stage("measuring");
     let prepared = given.prepared()?;
     let all = metrics(&evidence.input(&prepared)).map_err(|error| CliError::input(from, &error))?;
-    let report = Report::new(GivenReport::new(&given), &evidence, &all);
+    let report = Report::new(GivenReport::new(&given), &evidence, all);
     outputs.write(|format, mut writer| match format {
         Format::Json => report.write_json(writer).map_err(CliError::other),
         Format::Csv => report.write_csv(&mut writer).map_err(CliError::other),
