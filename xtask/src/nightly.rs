@@ -13,6 +13,7 @@ const STEPS: [(&str, &[&str]); 3] = [
             "--release",
             "--workspace",
             "--tests",
+            "--no-fail-fast",
             "--",
             "--ignored",
             "--nocapture",
@@ -20,7 +21,10 @@ const STEPS: [(&str, &[&str]); 3] = [
             "1",
         ],
     ),
-    ("steppers that choose their steps", &["test", "--release", "--workspace", "--features", "stiff"]),
+    (
+        "steppers that choose their steps",
+        &["test", "--release", "--workspace", "--no-fail-fast", "--features", "stiff"],
+    ),
     (
         "the tables of those steppers",
         &[
