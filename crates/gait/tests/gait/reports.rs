@@ -125,7 +125,7 @@ fn a_metric_is_written_with_its_value_or_why_there_is_none() {
     let plan = solaris_gait::walk(&figure, &WalkRequest::default()).expect("a plan");
     let motion = plan.motion(&figure, 60.0).expect("frames");
     let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
-    let given = MetricsInput { motion: &prepared, soles: &[], stances: None, contacts: None };
+    let given = MetricsInput { motion: &prepared, feet: None, stances: None, contacts: None };
     let all = metrics(&given).expect("measured");
     let of = |key: &str| {
         let metric = all.iter().find(|metric| metric.key == key).expect(key);
