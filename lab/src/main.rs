@@ -5,6 +5,7 @@ mod docs;
 mod falls;
 mod fit;
 mod gaits;
+mod models;
 mod peers;
 mod report;
 mod subject;
@@ -22,6 +23,8 @@ cargo lab CHORE
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
                                     or measures the numbers that ship; --recipe: begins with the recipe's
   gaits                             walks a million random requests in the thesis's style, or says why not: about ten minutes
+  models FOLDER [--write]           reads the model files of a folder that other engines open (lab/models/opened.py lists them), prints
+                                    why those are refused that are, and writes the counts into docs/bodies.md
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
                                     times the kernel as other engines are timed
   report [moments | profiles | simulation | people]
@@ -44,6 +47,9 @@ fn main() -> ExitCode {
         ["falls"] => falls::run(),
         ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),
         ["gaits"] => gaits::run(),
+        ["models", ref options @ ..] => {
+            models::Options::parse(options).and_then(|options| models::run(&options))
+        }
         ["peers", ref options @ ..] => {
             peers::Options::parse(options).and_then(|options| peers::run(&options))
         }
