@@ -197,8 +197,10 @@ proptest! {
         // As it should be: nothing to be said.
         let right = build(1.0 / 3.0, false, false);
         prop_assert_eq!(said(&right), "");
-        // As printed, and with the printed products alone: no mass distribution.
-        prop_assert!(is_impossible(&build(2.0 / 3.0, true, about_end)));
+        // As printed, no mass distribution; in the slimmest boxes printed digits hide that, and the coefficient is told.
+        let printed = build(2.0 / 3.0, true, about_end);
+        prop_assert!(is_impossible(&printed) || is_suspect(&printed, "spread"), "{}", said(&printed));
+        // The printed products alone: none either.
         prop_assert!(is_impossible(&build(1.0 / 3.0, true, false)));
         // The coefficient alone: five times the spread along the box about its centre, eight times taken for that.
         let coefficient = build(2.0 / 3.0, false, about_end);
