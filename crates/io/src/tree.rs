@@ -123,6 +123,9 @@ pub(crate) fn finish(
     bodies: Vec<Body>,
     places: SourceMap,
 ) -> Result<(Figure, Vec<Finding>), TextError> {
+    if let Some(error) = reader.error().filter(|_| bodies.is_empty()) {
+        return Err(error);
+    }
     let built = assemble(name, bodies, places, reader.text());
     if let Err(error) = &built {
         for fault in &error.faults {
