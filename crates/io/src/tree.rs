@@ -4,7 +4,7 @@
 //! become part of its link, and their frames are kept by name.
 
 #![cfg_attr(
-    not(all(feature = "urdf", feature = "mjcf", feature = "opensim")),
+    not(all(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf")),
     allow(dead_code, unused_imports, reason = "each importer uses a part")
 )]
 
@@ -12,6 +12,7 @@ mod composite;
 mod lump;
 mod names;
 
+pub(crate) use composite::product;
 pub(crate) use lump::{Lump, combined};
 pub(crate) use names::Names;
 

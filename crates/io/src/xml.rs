@@ -10,7 +10,7 @@
 //! ```
 
 #![cfg_attr(
-    not(all(feature = "urdf", feature = "mjcf", feature = "opensim")),
+    not(all(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf")),
     allow(dead_code, unused_imports, reason = "each importer uses a part")
 )]
 
@@ -20,6 +20,7 @@ mod parse;
 mod unread;
 
 pub(crate) use mended::mended;
+pub(crate) use numbers::text_of;
 pub(crate) use parse::parse;
 
 use solaris_model::{Finding, FindingKind, Place, TextError};

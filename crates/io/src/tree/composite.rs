@@ -170,7 +170,7 @@ fn check_mass(body: &Body, faults: &mut Vec<Fault>) {
 }
 
 /// `a·b`, to the bit where one of them is the identity.
-fn product(a: &Placement, b: &Placement) -> Placement {
+pub(crate) fn product(a: &Placement, b: &Placement) -> Placement {
     if is_identity(a) {
         *b
     } else if is_identity(b) {
