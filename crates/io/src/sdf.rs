@@ -5,6 +5,7 @@
 //! | `<link>` with `<inertial>` | mass, centre of mass, inertia; without it 1 kg and 1 kg m² about every axis, as the format says. `auto="true"`: those of its collision shapes |
 //! | `<joint>` `revolute`, `continuous`, `prismatic` | one degree of freedom called like the joint |
 //! | `universal`, `revolute2` | two turns, `JOINT.axis` and `JOINT.axis2` |
+//! | `screw` | a turn, and a slide `JOINT.slide` that follows it |
 //! | `ball` | a ball joint |
 //! | `fixed` | nothing: the child is part of its parent's link, its frame stays by the child's name |
 //! | `<limit>`, `<dynamics>` | limits; damper, dry friction, spring |
@@ -20,6 +21,7 @@
 //!
 //! Gravity is the world's; a file that is no world has standard gravity along −z.
 
+mod carriers;
 mod frames;
 mod geometry;
 mod include;

@@ -52,14 +52,6 @@ pub(super) struct Scope {
     pub(super) entities: Vec<usize>,
 }
 
-/// What a frame is attached to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Carrier {
-    World,
-    /// The link of this number.
-    Link(usize),
-}
-
 /// All scopes and entities; scope 0 is the world.
 pub(super) struct Frames {
     pub(super) scopes: Vec<Scope>,
@@ -90,7 +82,10 @@ impl Frames {
         if name.trim().is_empty() {
             reader.fault(span.clone(), "it has no name; give it one");
         } else if scope.names.insert(name.clone(), index).is_some() {
-            reader.fault(span.clone(), format!("'{name}' is there already; names of links, joints, frames and models must differ"));
+            reader.fault(
+                span.clone(),
+                format!("'{name}' is there already; names of links, joints, frames and models must differ"),
+            );
         }
         scope.entities.push(index);
         self.entities.push(entity);
@@ -148,7 +143,7 @@ impl Frames {
         }
     }
 
-    fn find(&self, scope: usize, name: &str) -> Option<Path> {
+    pub(super) fn find(&self, scope: usize, name: &str) -> Option<Path> {
         let own = &self.scopes[scope].names;
         // Names with colons were names like others before models were nested.
         if let Some(entity) = own.get(name) {
@@ -173,51 +168,18 @@ impl Frames {
         Some(path)
     }
 
-    /// What an anchor of `scope` is attached to; what leads nowhere is a fault at `span`.
-    pub(super) fn carrier(
-        &self,
-        reader: &mut Reader,
-        scope: usize,
-        anchor: &Anchor,
-        span: &Range<usize>,
-    ) -> Option<Carrier> {
-        let (mut scope, mut anchor) = (scope, anchor.clone());
-        for _ in 0..=2 * self.entities.len() {
-            if matches!(&anchor, Anchor::Named(name, _) if name == "world" && self.find(scope, name).is_none()) {
-                return Some(Carrier::World);
-            }
-            let path = self.path(reader, scope, &anchor)?;
-            let Some(&entity) = path.last() else {
-                let own = &self.scopes[scope];
-                if scope == 0 || own.is_static {
-                    return Some(Carrier::World);
-                }
-                anchor = self.canonical(scope)?;
-                continue;
-            };
-            let found = &self.entities[entity];
-            scope = found.scope;
-            anchor = match &found.kind {
-                Kind::Link(_) if self.is_static(scope) => return Some(Carrier::World),
-                Kind::Link(link) => return Some(Carrier::Link(*link)),
-                Kind::Joint { child } => child.clone(),
-                Kind::Frame { attached_to } => attached_to.clone(),
-                Kind::Model { scope: inner, .. } => {
-                    scope = *inner;
-                    Anchor::Scope
-                }
-            };
-        }
-        reader.fault(span.clone(), "the frames that this is attached to are attached to each other (a cycle)");
-        None
-    }
-
     /// The link that a model's own frame is attached to: the one that is named, or its first, or that of its first model.
-    fn canonical(&self, scope: usize) -> Option<Anchor> {
+    pub(super) fn canonical(&self, scope: usize) -> Option<Anchor> {
         let named = self.scopes[scope].canonical.clone();
         let of = |wanted: fn(&Kind) -> bool| {
-            self.of(scope).iter().copied().find(|entity| wanted(&self.entities[*entity].kind)).map(Anchor::Entity)
+            self.of(scope)
+                .iter()
+                .copied()
+                .find(|entity| wanted(&self.entities[*entity].kind))
+                .map(Anchor::Entity)
         };
-        named.or_else(|| of(|kind| matches!(kind, Kind::Link(_)))).or_else(|| of(|kind| matches!(kind, Kind::Model { .. })))
+        named
+            .or_else(|| of(|kind| matches!(kind, Kind::Link(_))))
+            .or_else(|| of(|kind| matches!(kind, Kind::Model { .. })))
     }
 }

@@ -86,7 +86,11 @@ fn read(reader: &mut Reader, node: Node, version: u32) -> Option<Shape> {
         ShapeKind::Cylinder { radius, length } | ShapeKind::Capsule { radius, length } => radius.min(length),
     };
     if extent <= 0.0 {
-        reader.suspect(tag(form), format!("<{}>", form.tag_name().name()), "a length is not above zero; the shape is left out");
+        reader.suspect(
+            tag(form),
+            format!("<{}>", form.tag_name().name()),
+            "a length is not above zero; the shape is left out",
+        );
         return None;
     }
     // Along z there, along y here.

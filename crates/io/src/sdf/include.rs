@@ -2,7 +2,7 @@
 
 use super::model::{self, Contents, Context, Given};
 use super::{DEEPEST, pose, version};
-use crate::loader::{Loader, within};
+use crate::loader::{Loader, folder_of, within};
 use crate::xml::{self, Node, Reader, element, elements_called, tag, text_of};
 use solaris_model::FindingKind;
 use std::collections::HashSet;
@@ -41,19 +41,24 @@ enum Refusal {
 /// with a finding; a part of a model that is not there is a fault.
 pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, context: &Context) {
     reader.check_attributes(node, &["merge"]);
-    reader.check_elements(node, &["uri", "name", "pose", "static", "placement_frame"], &["plugin", "namespace"]);
+    reader.check_elements(
+        node,
+        &["uri", "name", "pose", "static", "placement_frame"],
+        &["plugin", "namespace"],
+    );
     let here = tag(node);
     let uri = element(node, "uri").map(|uri| text_of(uri).0).filter(|uri| !uri.is_empty());
     let Some(uri) = uri else {
         reader.fault(here, "<include> has no <uri>");
         return;
     };
-    let found = find(contents, context, uri);
+    let found = find(contents, uri);
     let (path, text) = match found {
         Ok(found) => found,
         Err(Refusal::Absent(why)) if context.scope == 0 => {
             let message = format!("it cannot be included, and is left out: {why}");
-            reader.suspect(here, uri, message);
+            reader.suspect(here.clone(), uri, &*message);
+            contents.left_out.push((here, format!("'{}': {message}", xml::shown(uri))));
             return;
         }
         Err(Refusal::Absent(why) | Refusal::Forbidden(why)) => {
@@ -64,7 +69,8 @@ pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, con
     let merge = node.attribute("merge").is_some_and(is_true);
     let named = element(node, "name").map(|name| text_of(name).0.to_owned()).filter(|name| !name.is_empty());
     let placed = element(node, "placement_frame").map(|frame| text_of(frame));
-    let placed = placed.filter(|(name, _)| !name.is_empty()).map(|(name, at)| (name.to_owned(), context.at(at)));
+    let placed =
+        placed.filter(|(name, _)| !name.is_empty()).map(|(name, at)| (name.to_owned(), context.at(at)));
     let given = Given {
         name: named,
         pose: element(node, "pose").map(|_| pose::of(reader, node, context.version)),
@@ -105,6 +111,10 @@ fn file(
     let mut reader = Reader::new(text);
     reader.check_attributes(root, &["version"]);
     let models: Vec<Node> = elements_called(root, "model").collect();
+    if models.is_empty() && ["light", "actor"].iter().any(|other| element(root, other).is_some()) {
+        outer.aside("<include> of a light or actor", span.clone());
+        return;
+    }
     let [model] = models[..] else {
         let message = format!("{path} holds {} models; a file that is included holds one", models.len());
         outer.fault(span.clone(), message);
@@ -136,13 +146,15 @@ fn say_faults(outer: &mut Reader, path: &str, span: &Range<usize>, error: &solar
 }
 
 /// The file that a URI names, and its text.
-fn find(contents: &mut Contents, context: &Context, uri: &str) -> Result<(String, String), Refusal> {
+fn find(contents: &mut Contents, uri: &str) -> Result<(String, String), Refusal> {
     let files = &mut contents.files;
     let (scheme, rest) = uri.split_once("://").unwrap_or(("", uri));
     let folder = match scheme {
-        "model" => String::new(),
-        "" | "file" => context.folder(files.open.last().map(String::as_str)),
-        "package" => String::new(),
+        "model" | "package" => String::new(),
+        "" | "file" => match files.open.last() {
+            Some(file) => folder_of(file).to_owned(),
+            None => files.loader.folder(),
+        },
         _ => {
             return Err(Refusal::Absent(
                 "it is not among the files beside the model; download it, and include it by model:// or its path".to_owned(),

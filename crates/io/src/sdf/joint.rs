@@ -18,7 +18,7 @@ pub(super) struct Joint {
 }
 
 /// The kinds of joints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     Revolute,
     Continuous,
@@ -27,6 +27,8 @@ pub(super) enum Kind {
     Ball,
     Fixed,
     Gearbox,
+    /// A turn, with a slide that follows it by this much (m/rad).
+    Screw(f64),
 }
 
 /// What an `<axis>` says.
@@ -44,11 +46,12 @@ const NO_LIMIT: f64 = 1e16;
 
 pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, context: &Context) {
     reader.check_attributes(node, &["name", "type"]);
-    let asides = ["physics", "sensor", "gearbox_ratio", "gearbox_reference_body", "thread_pitch", "screw_thread_pitch"];
-    reader.check_elements(node, &["parent", "child", "axis", "axis2", "pose"], &asides);
+    let known = ["parent", "child", "axis", "axis2", "pose", "thread_pitch", "screw_thread_pitch"];
+    let asides = ["physics", "sensor", "gearbox_ratio", "gearbox_reference_body"];
+    reader.check_elements(node, &known, &asides);
     let name = reader.need(node, "name").unwrap_or_default().trim().to_owned();
     reader.need(node, "type");
-    let kind = kind(reader, node, &name);
+    let kind = kind(reader, node);
     let [parent, child] = ["parent", "child"].map(|end| self::end(reader, node, context, end));
     let axes = match kind {
         Kind::Fixed | Kind::Ball | Kind::Gearbox => &[][..],
@@ -61,7 +64,8 @@ pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, con
     if let Anchor::Named(world, _) = &child
         && world == "world"
     {
-        let message = format!("joint '{name}' has the world as its child; make it the parent, and the link the child");
+        let message =
+            format!("joint '{name}' has the world as its child; make it the parent, and the link the child");
         reader.fault(tag(node), message);
         return;
     }
@@ -73,15 +77,7 @@ pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, con
     contents.joints.push(Joint { entity, kind, parent, child, axes, span: context.at(span) });
 }
 
-fn kind(reader: &mut Reader, node: Node, name: &str) -> Kind {
-    if node.attribute("type").map(str::trim) == Some("screw") {
-        let message = format!(
-            "joint '{name}' is a screw, whose slide follows its turn, which is not read: make it a revolute joint where the slide \
-             is small, or write the figure as text with `follows`"
-        );
-        reader.fault(value_span(node, "type"), message);
-        return Kind::Revolute;
-    }
+fn kind(reader: &mut Reader, node: Node) -> Kind {
     let kinds = [
         ("revolute", Kind::Revolute),
         ("continuous", Kind::Continuous),
@@ -90,9 +86,25 @@ fn kind(reader: &mut Reader, node: Node, name: &str) -> Kind {
         ("revolute2", Kind::Universal),
         ("ball", Kind::Ball),
         ("fixed", Kind::Fixed),
+        ("screw", Kind::Screw(0.0)),
         ("gearbox", Kind::Gearbox),
     ];
-    reader.choice(node, "type", &kinds).unwrap_or(Kind::Fixed)
+    match reader.choice(node, "type", &kinds) {
+        Some(Kind::Screw(_)) => Kind::Screw(lead(reader, node)),
+        kind => kind.unwrap_or(Kind::Fixed),
+    }
+}
+
+/// How far a screw slides per turn by 1 rad (m).
+///
+/// `<screw_thread_pitch>` is the way per revolution, right-handed; the older `<thread_pitch>` the turn per way, left-handed.
+fn lead(reader: &mut Reader, node: Node) -> f64 {
+    let mut number = |name: &str| element(node, name).and_then(|pitch| reader.text_number(pitch));
+    match (number("screw_thread_pitch"), number("thread_pitch")) {
+        (Some(way), _) => way / std::f64::consts::TAU,
+        (None, Some(turn)) if turn != 0.0 => -1.0 / turn,
+        _ => 1.0 / std::f64::consts::TAU,
+    }
 }
 
 fn end(reader: &mut Reader, node: Node, context: &Context, which: &str) -> Option<Anchor> {
@@ -118,13 +130,18 @@ fn axis(
         reader.fault(tag(joint), format!("joint '{name}' has no <{which}>"));
         return None;
     };
-    reader.check_elements(node, &["xyz", "dynamics", "limit", "use_parent_model_frame", "mimic"], &["initial_position"]);
+    reader.check_elements(
+        node,
+        &["xyz", "dynamics", "limit", "use_parent_model_frame", "mimic"],
+        &["initial_position"],
+    );
     let xyz = element(node, "xyz");
     let numbers = xyz.and_then(|xyz| reader.text_numbers(xyz, 3..=3));
     let direction = numbers.map_or_else(Vector3::z, |numbers| Vector3::from_row_slice(&numbers));
     let expressed_in = xyz.and_then(|xyz| xyz.attribute("expressed_in")).map(str::trim);
     let expressed_in = expressed_in.filter(|frame| !frame.is_empty()).zip(xyz);
-    let of_model = element(node, "use_parent_model_frame").is_some_and(|it| super::include::is_true(text_of(it).0));
+    let of_model =
+        element(node, "use_parent_model_frame").is_some_and(|it| super::include::is_true(text_of(it).0));
     let expressed_in = match expressed_in {
         Some((frame, xyz)) => Some(context.named(frame, value_span(xyz, "expressed_in"))),
         // Before version 1.5 all axes were along the model's.
@@ -133,8 +150,9 @@ fn axis(
     };
     if let Some(mimic) = element(node, "mimic") {
         let leader = shown(mimic.attribute("joint").unwrap_or_default());
-        let message =
-            format!("it mimics '{leader}'; here it is a degree of freedom of its own, and its motion must say so");
+        let message = format!(
+            "it mimics '{leader}'; here it is a degree of freedom of its own, and its motion must say so"
+        );
         reader.note(tag(mimic), name, message);
     }
     Some(JointAxis {
@@ -160,7 +178,9 @@ fn limits(reader: &mut Reader, axis: Node, name: &str, kind: Kind) -> Option<Lim
     let lower = bound("lower", f64::NEG_INFINITY).unwrap_or(f64::NEG_INFINITY);
     let upper = bound("upper", f64::INFINITY).unwrap_or(f64::INFINITY);
     if lower > upper {
-        let message = format!("its limits {lower} to {upper} are no range, the lower is above the upper; it is taken as unlimited");
+        let message = format!(
+            "its limits {lower} to {upper} are no range, the lower is above the upper; it is taken as unlimited"
+        );
         reader.suspect(tag(limit), name, message);
         return None;
     }

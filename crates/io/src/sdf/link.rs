@@ -27,8 +27,18 @@ pub(super) struct Link {
 pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, context: &Context) {
     reader.check_attributes(node, &["name"]);
     let asides = [
-        "sensor", "light", "audio_sink", "audio_source", "projector", "battery", "particle_emitter", "plugin",
-        "self_collide", "must_be_base_link", "enable_wind", "kinematic",
+        "sensor",
+        "light",
+        "audio_sink",
+        "audio_source",
+        "projector",
+        "battery",
+        "particle_emitter",
+        "plugin",
+        "self_collide",
+        "must_be_base_link",
+        "enable_wind",
+        "kinematic",
     ];
     reader.check_elements(node, &["pose", "inertial", "visual", "collision", "gravity"], &asides);
     let name = reader.need(node, "name").unwrap_or_default().trim().to_owned();
@@ -42,7 +52,9 @@ pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, con
     let solids = geometry::solids(reader, node, context.version);
     let inertial = element(node, "inertial");
     let lump = match inertial {
-        Some(inertial) if inertial.attribute("auto").is_some_and(is_true) => of_collisions(reader, inertial, &solids),
+        Some(inertial) if inertial.attribute("auto").is_some_and(is_true) => {
+            of_collisions(reader, inertial, &solids)
+        }
         Some(inertial) => read_inertial(reader, inertial, context.version),
         None => Lump { mass: 1.0, com: Vector3::zeros(), inertia: Matrix3::identity() },
     };
@@ -97,7 +109,8 @@ fn of_collisions(reader: &mut Reader, inertial: Node, solids: &[Solid]) -> Lump 
     let density = element(inertial, "density").and_then(|density| reader.text_number(density));
     let collisions: Vec<&Solid> = solids.iter().filter(|solid| solid.collides).collect();
     let unknown = inertial.parent().and_then(|link| {
-        elements_called(link, "collision").find(|node| geometry::form(*node).is_none_or(|form| !geometry::is_simple(form)))
+        elements_called(link, "collision")
+            .find(|node| geometry::form(*node).is_none_or(|form| !geometry::is_simple(form)))
     });
     if let Some(unknown) = unknown {
         let what = geometry::form(unknown).map_or("nothing", |form| form.tag_name().name());
@@ -109,13 +122,16 @@ fn of_collisions(reader: &mut Reader, inertial: Node, solids: &[Solid]) -> Lump 
         return nothing;
     }
     if collisions.is_empty() {
-        reader.fault(tag(inertial), "its inertial is to be found from its collisions (auto), and it has none");
+        reader
+            .fault(tag(inertial), "its inertial is to be found from its collisions (auto), and it has none");
         return nothing;
     }
     let lumps: Vec<Lump> = collisions.iter().map(|solid| solid.lump(density.unwrap_or(1000.0))).collect();
     let whole = combined(&lumps.iter().collect::<Vec<_>>());
     match said {
-        Some(mass) if whole.mass > 0.0 => Lump { mass, inertia: whole.inertia * (mass / whole.mass), ..whole },
+        Some(mass) if whole.mass > 0.0 => {
+            Lump { mass, inertia: whole.inertia * (mass / whole.mass), ..whole }
+        }
         _ => whole,
     }
 }

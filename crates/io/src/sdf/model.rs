@@ -5,17 +5,34 @@ use super::include::{self, Files, is_true};
 use super::joint::{self, Joint};
 use super::link::{self, Link};
 use super::pose::{self, Pose};
-use crate::loader::folder_of;
 use crate::xml::{Node, Reader, element, elements, tag, text_of, value_span};
 use std::ops::Range;
 
 /// The most models that may be in each other.
 const DEEPEST: usize = 50;
 /// What does not matter to the motion.
-const ASIDES: [&str; 24] = [
-    "plugin", "light", "gui", "scene", "physics", "state", "road", "audio", "atmosphere", "magnetic_field", "actor",
-    "spherical_coordinates", "self_collide", "allow_auto_disable", "enable_wind", "gripper", "population", "sensor",
-    "gravity", "wind", "name", "static", "model_state", "projector",
+const ASIDES: [&str; 21] = [
+    "plugin",
+    "light",
+    "gui",
+    "scene",
+    "physics",
+    "state",
+    "road",
+    "audio",
+    "atmosphere",
+    "magnetic_field",
+    "actor",
+    "spherical_coordinates",
+    "self_collide",
+    "allow_auto_disable",
+    "enable_wind",
+    "gripper",
+    "population",
+    "sensor",
+    "wind",
+    "model_state",
+    "projector",
 ];
 
 /// All that was read.
@@ -26,6 +43,8 @@ pub(super) struct Contents<'l> {
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
     pub(super) files: Files<'l>,
+    /// Models of the world that could not be included, and why.
+    pub(super) left_out: Vec<(Range<usize>, String)>,
 }
 
 /// Where something is read.
@@ -52,11 +71,24 @@ pub(super) struct Given {
 
 impl<'l> Contents<'l> {
     pub(super) fn new(files: Files<'l>) -> Self {
-        Self { frames: Frames::new(), spans: Vec::new(), links: Vec::new(), joints: Vec::new(), files }
+        Self {
+            frames: Frames::new(),
+            spans: Vec::new(),
+            links: Vec::new(),
+            joints: Vec::new(),
+            files,
+            left_out: Vec::new(),
+        }
     }
 
     /// Adds an entity that stands at `span` of the file that is read.
-    pub(super) fn add(&mut self, reader: &mut Reader, context: &Context, span: Range<usize>, entity: Entity) -> usize {
+    pub(super) fn add(
+        &mut self,
+        reader: &mut Reader,
+        context: &Context,
+        span: Range<usize>,
+        entity: Entity,
+    ) -> usize {
         self.spans.push(context.at(span.clone()));
         self.frames.add(reader, &span, entity)
     }
@@ -71,11 +103,6 @@ impl Context {
     /// A place of the file that is read, in the main text.
     pub(super) fn at(&self, span: Range<usize>) -> Range<usize> {
         self.span.clone().unwrap_or(span)
-    }
-
-    /// The folder of the file that is read.
-    pub(super) fn folder(&self, file: Option<&str>) -> String {
-        file.map_or_else(String::new, |file| folder_of(file).to_owned())
     }
 
     /// A frame that is named at `span` of the file that is read.
@@ -122,26 +149,38 @@ pub(super) fn read(
         reader.fault(tag(node), format!("more than {DEEPEST} models are nested in each other"));
         return;
     }
-    let given = given.unwrap_or(Given { name: None, pose: None, placed: None, is_static: None, merge: false });
+    let given =
+        given.unwrap_or(Given { name: None, pose: None, placed: None, is_static: None, merge: false });
     let name = given.name.unwrap_or_else(|| reader.need(node, "name").unwrap_or_default().trim().to_owned());
     let pose = given.pose.unwrap_or_else(|| pose::of(reader, node, context.version));
     let own_placed = node.attribute("placement_frame").map(str::trim).filter(|frame| !frame.is_empty());
-    let own_placed = own_placed.map(|frame| (frame.to_owned(), context.at(value_span(node, "placement_frame"))));
+    let own_placed =
+        own_placed.map(|frame| (frame.to_owned(), context.at(value_span(node, "placement_frame"))));
     let placed = given.placed.or(own_placed);
     let own_static = element(node, "static").is_some_and(|it| is_true(text_of(it).0));
     let is_static = given.is_static.unwrap_or(own_static);
     let base = context.base(&pose, &context.own);
     if given.merge {
         if placed.is_some() {
-            reader.fault(tag(node), "placement_frame of a model that is merged is not read; give its pose without");
+            reader.fault(
+                tag(node),
+                "placement_frame of a model that is merged is not read; give its pose without",
+            );
         }
-        merge(reader, node, contents, context, &name, Entity {
-            name: format!("_merged__{name}__model__"),
-            scope: context.scope,
-            place: pose.place,
-            relative_to: base,
-            kind: Kind::Frame { attached_to: context.own.clone() },
-        });
+        merge(
+            reader,
+            node,
+            contents,
+            context,
+            &name,
+            Entity {
+                name: format!("_merged__{name}__model__"),
+                scope: context.scope,
+                place: pose.place,
+                relative_to: base,
+                kind: Kind::Frame { attached_to: context.own.clone() },
+            },
+        );
         return;
     }
     let canonical = node.attribute("canonical_link").map(str::trim).filter(|link| !link.is_empty());
@@ -150,13 +189,18 @@ pub(super) fn read(
         canonical: canonical.map(|link| context.named(link, value_span(node, "canonical_link"))),
         ..Scope::default()
     });
-    let model = contents.add(reader, context, value_span(node, "name"), Entity {
-        name,
-        scope: context.scope,
-        place: pose.place,
-        relative_to: base,
-        kind: Kind::Model { scope, placed: placed.map(|(frame, span)| Anchor::Named(frame, span)) },
-    });
+    let model = contents.add(
+        reader,
+        context,
+        value_span(node, "name"),
+        Entity {
+            name,
+            scope: context.scope,
+            place: pose.place,
+            relative_to: base,
+            kind: Kind::Model { scope, placed: placed.map(|(frame, span)| Anchor::Named(frame, span)) },
+        },
+    );
     contents.frames.scopes[scope].model = Some(model);
     let inner = Context { scope, own: Anchor::Scope, depth: context.depth + 1, ..context.clone() };
     content(reader, node, contents, &inner);
@@ -180,7 +224,7 @@ fn merge(
 }
 
 fn content(reader: &mut Reader, node: Node, contents: &mut Contents, context: &Context) {
-    let known = ["link", "joint", "frame", "model", "include", "pose"];
+    let known = ["link", "joint", "frame", "model", "include", "pose", "static", "gravity"];
     reader.check_elements(node, &known, &ASIDES);
     for child in elements(node) {
         match child.tag_name().name() {

@@ -40,11 +40,15 @@ fn place(reader: &mut Reader, pose: Node) -> Option<Placement> {
     let turn = if is_quaternion {
         let turn = quaternion([numbers[3], numbers[4], numbers[5], numbers[6]]);
         if turn.is_none() {
-            reader.fault(text_of(pose).1, "its quaternion (x y z w) has no length; a rotation's has the length 1");
+            reader.fault(
+                text_of(pose).1,
+                "its quaternion (x y z w) has no length; a rotation's has the length 1",
+            );
         }
         turn?
     } else {
-        let degrees = reader.choice(pose, "degrees", &[("true", true), ("false", false), ("1", true), ("0", false)]);
+        let degrees =
+            reader.choice(pose, "degrees", &[("true", true), ("false", false), ("1", true), ("0", false)]);
         let unit = if degrees == Some(true) { std::f64::consts::PI / 180.0 } else { 1.0 };
         let [roll, pitch, yaw] = [numbers[3] * unit, numbers[4] * unit, numbers[5] * unit];
         if [roll, pitch, yaw].iter().all(|angle| *angle == 0.0) {

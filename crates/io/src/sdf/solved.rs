@@ -1,6 +1,6 @@
 //! Where everything stands.
 
-use super::frames::{Anchor, Carrier, Frames, Kind};
+use super::frames::{Anchor, Frames, Kind};
 use crate::tree::product;
 use crate::xml::Reader;
 use solaris_model::Placement;
@@ -46,8 +46,9 @@ impl<'f> Solved<'f> {
                 match next.filter(|_| states[entity] != State::Known) {
                     Some(next) if states[next] == State::Begun || next == entity => {
                         let name = frames.name(next);
-                        let message =
-                            format!("the place of '{name}' depends on itself, by way of what it is relative to");
+                        let message = format!(
+                            "the place of '{name}' depends on itself, by way of what it is relative to"
+                        );
                         reader.fault(spans[next].clone(), message);
                         // Said once.
                         open.iter().for_each(|entity| states[*entity] = State::Known);
@@ -59,7 +60,8 @@ impl<'f> Solved<'f> {
                     }
                     None => {
                         let all = |path: &[usize]| {
-                            path.iter().fold(Placement::identity(), |at, entity| product(&at, &places[*entity]))
+                            path.iter()
+                                .fold(Placement::identity(), |at, entity| product(&at, &places[*entity]))
                         };
                         let at = product(&all(base), &frames.entities[entity].place);
                         places[entity] = if placed.is_empty() { at } else { at * all(placed).inverse() };
@@ -118,18 +120,15 @@ impl<'f> Solved<'f> {
     pub(super) fn frames(&self) -> &'f Frames {
         self.frames
     }
-
-    /// What an entity is attached to.
-    pub(super) fn carrier(&self, reader: &mut Reader, entity: usize, span: &Range<usize>) -> Option<Carrier> {
-        self.frames.carrier(reader, self.frames.entities[entity].scope, &Anchor::Entity(entity), span)
-    }
 }
 
 fn needs(reader: &mut Reader, frames: &Frames, entity: usize) -> Needs {
     let found = &frames.entities[entity];
     let base = frames.path(reader, found.scope, &found.relative_to).unwrap_or_default();
     let placed = match &found.kind {
-        Kind::Model { scope, placed: Some(anchor) } => frames.path(reader, *scope, anchor).unwrap_or_default(),
+        Kind::Model { scope, placed: Some(anchor) } => {
+            frames.path(reader, *scope, anchor).unwrap_or_default()
+        }
         _ => Vec::new(),
     };
     Needs { base, placed }

@@ -88,7 +88,8 @@ impl<'e> Search<'e> {
     fn spread(&mut self) {
         while let Some(i) = self.ahead.pop_front().or_else(|| self.others.pop_first()) {
             let Edge { parent, child } = self.edges[i];
-            let is_held = |search: &Self, link: Option<usize>| link.is_none_or(|link| search.held[link].is_some());
+            let is_held =
+                |search: &Self, link: Option<usize>| link.is_none_or(|link| search.held[link].is_some());
             let (link, how) = match (is_held(self, parent), is_held(self, child)) {
                 (true, false) => (child, Held::By(i)),
                 (false, true) => (parent, Held::Reversed(i)),

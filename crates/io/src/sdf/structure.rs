@@ -1,13 +1,14 @@
 //! The bodies that links and joints make.
 
-use super::frames::{Carrier, Kind as Framed};
+use super::carriers::{Carrier, Carriers};
+use super::frames::Kind as Framed;
 use super::joint::{Joint, JointAxis, Kind};
 use super::model::Contents;
 use super::solved::Solved;
 use super::spanning::{self, Edge, Held};
 use crate::tree::{Body, Names};
 use crate::xml::{Node, Reader, tag};
-use solaris_model::{Axis, Joint as FigureJoint, NamedFrame, Part, SourceMap, Vector3};
+use solaris_model::{Axis, Curve, Joint as FigureJoint, NamedFrame, Part, SourceMap, Vector3};
 
 /// The one model of the file that moves, where there is but one: names are those in it.
 pub(super) fn top(contents: &Contents) -> Option<usize> {
@@ -44,15 +45,20 @@ pub(super) fn bodies(
     let all_stand = moving.is_empty();
     let moving = if all_stand { (0..contents.links.len()).collect() } else { moving };
     if moving.is_empty() {
+        for (span, message) in &contents.left_out {
+            reader.fault(span.clone(), message.clone());
+        }
         reader.fault(tag(root), "there is no <link>");
         return Vec::new();
     }
     let left_out = contents.links.len() - moving.len();
     if left_out > 0 {
-        let message = format!("{left_out} links of static models are left out: nothing moves them");
+        let links = if left_out == 1 { "1 link".to_owned() } else { format!("{left_out} links") };
+        let message = format!("{links} of static models left out: nothing moves them");
         reader.note(tag(root), "static models", message);
     }
-    let mut mechanism = Mechanism::of(reader, &contents, &solved, &moving, top);
+    let carriers = Carriers::of(reader, &contents.frames, &contents.spans);
+    let mut mechanism = Mechanism::of(reader, &contents, &solved, &carriers, &moving, top);
     let (held, loops) = if all_stand {
         mechanism.joints.clear();
         (vec![Held::Free; moving.len()], Vec::new())
@@ -62,7 +68,7 @@ pub(super) fn bodies(
     };
     mechanism.say_loops(reader, &held, &loops);
     let mut bodies = mechanism.bodies(reader, &held, all_stand, places);
-    mechanism.add_frames(reader, &mut bodies);
+    mechanism.add_frames(&mut bodies);
     bodies
 }
 
@@ -70,6 +76,7 @@ pub(super) fn bodies(
 struct Mechanism<'c, 'l> {
     contents: &'c Contents<'l>,
     solved: &'c Solved<'c>,
+    carriers: &'c Carriers,
     moving: &'c [usize],
     /// Of each link, its place in `moving`.
     nodes: Vec<Option<usize>>,
@@ -82,22 +89,24 @@ impl<'c, 'l> Mechanism<'c, 'l> {
         reader: &mut Reader,
         contents: &'c Contents<'l>,
         solved: &'c Solved<'c>,
+        carriers: &'c Carriers,
         moving: &'c [usize],
         top: Option<usize>,
     ) -> Self {
         let mut nodes = vec![None; contents.links.len()];
         moving.iter().enumerate().for_each(|(node, link)| nodes[*link] = Some(node));
-        let mut mechanism = Self { contents, solved, moving, nodes, joints: Vec::new(), top };
+        let mut mechanism = Self { contents, solved, carriers, moving, nodes, joints: Vec::new(), top };
         for joint in &contents.joints {
             let name = mechanism.name(joint.entity);
             if joint.kind == Kind::Gearbox {
-                let message = "it is a gearbox, which couples two turns and is not read yet: its forces are missing";
+                let message =
+                    "it is a gearbox, which couples two turns and is not read yet: its forces are missing";
                 reader.suspect(joint.span.clone(), name, message);
                 continue;
             }
             let scope = contents.frames.entities[joint.entity].scope;
             let [parent, child] = [&joint.parent, &joint.child]
-                .map(|end| contents.frames.carrier(reader, scope, end, &joint.span));
+                .map(|end| carriers.anchor(reader, &contents.frames, scope, end));
             let (Some(parent), Some(child)) = (parent, child) else { continue };
             let [parent, child] = [parent, child].map(|end| match end {
                 Carrier::World => None,
@@ -130,8 +139,12 @@ impl<'c, 'l> Mechanism<'c, 'l> {
                 Held::By(other) | Held::Reversed(other) => Some(self.name(self.joints[other].0.entity)),
                 Held::Free => None,
             });
-            let holder = holder.map_or_else(String::new, |name| format!(", which joint '{name}' holds already"));
-            let child = child.map_or_else(|| "the world".to_owned(), |child| format!("'{}'", self.name(self.link_entity(child))));
+            let holder =
+                holder.map_or_else(String::new, |name| format!(", which joint '{name}' holds already"));
+            let child = child.map_or_else(
+                || "the world".to_owned(),
+                |child| format!("'{}'", self.name(self.link_entity(child))),
+            );
             let message = format!(
                 "it closes a loop at {child}{holder}; it is left open, and its forces are missing: those of other joints differ \
                  from the closed mechanism's"
@@ -147,13 +160,17 @@ impl<'c, 'l> Mechanism<'c, 'l> {
         all_stand: bool,
         places: &mut SourceMap,
     ) -> Vec<Body> {
-        let joints = self.joints.iter().map(|(joint, _)| self.name(joint.entity)).collect::<Vec<_>>();
+        // A name that is there twice has been told.
+        let mut joints = Names::default();
+        let joints: Vec<String> =
+            self.joints.iter().map(|(joint, _)| joints.take(&self.name(joint.entity))).collect();
         let mut names = Names::of(joints.iter().map(String::as_str));
+        let mut links = Names::default();
         let alone = held.iter().filter(|held| **held == Held::Free).count() == 1;
         let mut bodies = Vec::with_capacity(held.len());
         for (node, held) in held.iter().enumerate() {
             let link = &self.contents.links[self.moving[node]];
-            let name = self.name(link.entity);
+            let name = links.take(&self.name(link.entity));
             let span = link.span.clone();
             self.say_of_link(reader, node, &name, *held, all_stand);
             places.put(Part::Link, &name, span.clone());
@@ -224,12 +241,17 @@ impl<'c, 'l> Mechanism<'c, 'l> {
             _ => FigureJoint::new(name),
         };
         if reversed && joint.kind == Kind::Ball {
-            let message = "its child holds its parent here: its rotation is that of the parent against the child";
+            let message =
+                "its child holds its parent here: its rotation is that of the parent against the child";
             reader.note(joint.span.clone(), name, message);
         }
         let mut axes: Vec<(String, &JointAxis)> = match &joint.axes[..] {
             [axis] => vec![(name.to_owned(), axis)],
-            axes => axes.iter().zip(["axis", "axis2"]).map(|(axis, end)| (format!("{name}.{end}"), axis)).collect(),
+            axes => axes
+                .iter()
+                .zip(["axis", "axis2"])
+                .map(|(axis, end)| (format!("{name}.{end}"), axis))
+                .collect(),
         };
         if reversed {
             axes.reverse();
@@ -242,9 +264,16 @@ impl<'c, 'l> Mechanism<'c, 'l> {
                 _ => Axis::rotation(direction),
             };
             let built = built.axis(moved).named(dof).passive(axis.passive);
-            match axis.limits {
+            let built = match axis.limits {
                 Some(limits) => built.limited(limits.lower, limits.upper),
                 None => built,
+            };
+            match joint.kind {
+                Kind::Screw(lead) => built
+                    .axis(Axis::translation(direction))
+                    .named(format!("{name}.slide"))
+                    .following(name, Curve::linear(lead, 0.0)),
+                _ => built,
             }
         })
     }
@@ -259,13 +288,13 @@ impl<'c, 'l> Mechanism<'c, 'l> {
     }
 
     /// Gives each body the `<frame>`s that are attached to it.
-    fn add_frames(&self, reader: &mut Reader, bodies: &mut [Body]) {
+    fn add_frames(&self, bodies: &mut [Body]) {
         let frames = self.solved.frames();
         for (i, entity) in frames.entities.iter().enumerate() {
             if !matches!(entity.kind, Framed::Frame { .. }) || entity.name.starts_with("_merged__") {
                 continue;
             }
-            let carrier = self.solved.carrier(reader, i, &self.contents.spans[i]);
+            let carrier = self.carriers.entity(i);
             let Some(Carrier::Link(link)) = carrier else { continue };
             let Some(node) = self.nodes[link] else { continue };
             let placement = self.solved.between(Some(self.contents.links[link].entity), i);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// The text, with what is common in files written by hand put right: blanks before the declaration, `--` inside of
-/// comments, prefixes of elements that nobody declares (`<sensor:ray>`, as it stands in what simulators are told).
+/// comments, prefixes that nobody declares (`<sensor:ray>`, as it stands in what simulators are told).
 ///
 /// Every byte stays where it is, so that places in it are places in the file.
 pub(crate) fn mended(text: &str) -> Cow<'_, str> {
@@ -57,28 +57,46 @@ fn comments(bytes: &mut Cow<[u8]>) {
     }
 }
 
-/// Makes `<prefix_name` of `<prefix:name` where no one declares the prefix.
+/// Makes `prefix_name` of the name `prefix:name` of an element or attribute where no one declares the prefix.
 fn prefixes(bytes: &mut Cow<[u8]>) {
-    let mut declared: BTreeSet<Vec<u8>> = BTreeSet::from([b"xml".to_vec()]);
+    let mut declared: BTreeSet<Vec<u8>> = BTreeSet::from([b"xml".to_vec(), b"xmlns".to_vec()]);
     let mut at = 0;
     while let Some(found) = find(&bytes[at..], b"xmlns:") {
         at += found + 6;
         declared.insert(bytes[at..].iter().copied().take_while(|byte| is_of_name(*byte)).collect());
     }
     let mut colons = Vec::new();
-    for (i, _) in bytes.iter().enumerate().filter(|(_, byte)| **byte == b'<') {
-        let start = i + 1 + usize::from(bytes.get(i + 1) == Some(&b'/'));
-        let length = bytes[start..].iter().take_while(|byte| is_of_name(**byte)).count();
-        if length > 0
-            && bytes.get(start + length) == Some(&b':')
-            && !declared.contains(&bytes[start..start + length])
-        {
-            colons.push(start + length);
+    let mut place = Place::Text;
+    // Where the name began that is being passed.
+    let mut name = None;
+    for (i, &byte) in bytes.iter().enumerate() {
+        place = match (place, byte) {
+            (Place::Text, b'<') if !matches!(bytes.get(i + 1), Some(b'!' | b'?')) => Place::Tag,
+            (Place::Tag, b'>') => Place::Text,
+            (Place::Tag, b'"' | b'\'') => Place::Value(byte),
+            (Place::Value(quote), _) if byte == quote => Place::Tag,
+            (place, _) => place,
+        };
+        match (place, byte) {
+            (Place::Tag, b':') => {
+                colons.extend(name.take().filter(|start| !declared.contains(&bytes[*start..i])).map(|_| i));
+            }
+            (Place::Tag, _) if is_of_name(byte) => name = name.or(Some(i)),
+            _ => name = None,
         }
     }
     for colon in colons {
         bytes.to_mut()[colon] = b'_';
     }
+}
+
+/// What is being passed.
+#[derive(Clone, Copy)]
+enum Place {
+    Text,
+    Tag,
+    /// A value in these quotes.
+    Value(u8),
 }
 
 fn is_of_name(byte: u8) -> bool {
@@ -97,12 +115,13 @@ mod tests {
 
     #[test]
     fn what_is_mended_is_xml_and_stays_where_it_was() {
-        let text = "\n <?xml version='1.0'?>\n<!-- a -- ü --->\n<r><x:ray a='1'><b/></x:ray><![CDATA[<!-- -- x:]]></r>";
+        let text = "\n <?xml version='1.0'?>\n<!-- a -- ü --->\n<r><x:ray a='u:1' y:c = 'x'><b/></x:ray><![CDATA[<!-- -- x:]]></r>";
         let mended = mended(text);
         let document = parse(&mended, 10).expect("XML");
         let b = document.descendants().find(|node| node.has_tag_name("b")).expect("it is there");
         assert_eq!(b.range().start, text.find("<b/>").expect("it is there"));
-        assert!(document.descendants().any(|node| node.has_tag_name("x_ray")));
+        let ray = document.descendants().find(|node| node.has_tag_name("x_ray")).expect("it is there");
+        assert_eq!((ray.attribute("a"), ray.attribute("y_c")), (Some("u:1"), Some("x")));
         assert!(mended.contains("<![CDATA[<!-- -- x:]]>"));
     }
 
