@@ -42,7 +42,7 @@ const UNEVEN: f64 = 0.01;
 pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     refuse_unread(
         &args.from,
-        "read are figures (.ron, .urdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto) and both (.bvh)",
+        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto) and both (.bvh)",
     )?;
     let is_bvh = extension(&args.from) == "bvh";
     if args.bvh.is_asked() && !is_bvh {

@@ -1,8 +1,11 @@
 //! Files that are read: figures in any format, tables of numbers.
 
+mod folder;
+
 use crate::error::CliError;
+use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
-use solaris::io::{Import, Table, csv, mjcf, opensim, sto, urdf};
+use solaris::io::{Import, Table, csv, mjcf, opensim, sdf, sto, urdf};
 use solaris::model::{Figure, Finding, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
@@ -21,6 +24,7 @@ pub(crate) enum Language {
     Mjcf,
     OpenSim,
     Bvh,
+    Sdf,
 }
 
 impl Language {
@@ -32,6 +36,7 @@ impl Language {
             Self::Mjcf => "MuJoCo model",
             Self::OpenSim => "OpenSim model",
             Self::Bvh => "BVH skeleton",
+            Self::Sdf => "SDF model",
         }
     }
 
@@ -43,10 +48,12 @@ impl Language {
             "mjcf" => Some(Self::Mjcf),
             "osim" => Some(Self::OpenSim),
             "bvh" => Some(Self::Bvh),
+            "sdf" | "world" => Some(Self::Sdf),
             "xml" => match root_element(text) {
                 "mujoco" => Some(Self::Mjcf),
                 "robot" => Some(Self::Urdf),
                 "OpenSimDocument" => Some(Self::OpenSim),
+                "sdf" => Some(Self::Sdf),
                 _ => None,
             },
             _ => None,
@@ -98,14 +105,13 @@ impl Body {
 }
 
 /// What is known of files that are not read yet, by their extensions.
-const UNREAD: [(&str, &str); 8] = [
+const UNREAD: [(&str, &str); 7] = [
     ("c3d", "measured markers (C3D), which are not read yet"),
     ("trc", "measured markers (TRC), which are not read yet"),
     ("fbx", "a model of a 3-D program (FBX), which is not read yet"),
     ("glb", "a model of a 3-D program (glTF), which is not read yet"),
     ("gltf", "a model of a 3-D program (glTF), which is not read yet"),
     ("usd", "a model of a 3-D program (USD), which is not read yet"),
-    ("sdf", "a model of a simulator (SDF), which is not read yet"),
     ("html", "a page, which a browser shows"),
 ];
 
@@ -125,6 +131,7 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
         "mjcf" => Some(Language::Mjcf),
         "osim" => Some(Language::OpenSim),
         "bvh" => Some(Language::Bvh),
+        "sdf" | "world" => Some(Language::Sdf),
         "xml" => text(path).ok().and_then(|text| Language::of(path, &text)),
         _ => None,
     }
@@ -137,13 +144,14 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
 
 /// Reads a figure, of a BVH file with these options.
 pub(crate) fn body_with(path: &Path, options: &ReadOptions) -> Result<Body, CliError> {
-    let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), .osim, or .bvh";
+    let known = "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), .osim, or .bvh";
     refuse_unread(path, known)?;
     let text = self::text(path)?;
     let language = Language::of(path, &text).ok_or_else(|| {
         let why = match extension(path).as_str() {
             "xml" => {
-                "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an OpenSim model".to_owned()
+                "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an SDF (<sdf>) nor an OpenSim model"
+                    .to_owned()
             }
             "csv" | "mot" | "sto" => format!("it is a motion, and a figure is needed: {known}"),
             _ => format!("its extension says nothing; {known}"),
@@ -164,6 +172,7 @@ pub(crate) fn body_with(path: &Path, options: &ReadOptions) -> Result<Body, CliE
             let Clip { figure, findings, .. } = clip_of(path, &text, options)?;
             Ok(Import { figure, findings, gravity: GRAVITY, gravity_is_given: false })
         }
+        Language::Sdf => sdf::read_with(&text, &mut Folder::of(path)),
     };
     let Import { figure, findings, gravity, gravity_is_given, .. } =
         imported.map_err(|faults| faulty(path, &text, faults))?;

@@ -19,8 +19,10 @@ mod opensim_laws;
 #[cfg(feature = "opensim")]
 mod opensim_loads;
 mod records;
+#[cfg(feature = "sdf")]
+mod sdf;
 mod sto;
-#[cfg(any(feature = "mjcf", feature = "urdf"))]
+#[cfg(any(feature = "mjcf", feature = "sdf", feature = "urdf"))]
 mod table;
 #[cfg(feature = "urdf")]
 mod urdf;
