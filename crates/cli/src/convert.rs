@@ -3,13 +3,13 @@
 use crate::args::ConvertArgs;
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
-use crate::findings::list;
+use crate::findings::{list, of_medium};
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::words::{rounded, some};
 use solaris::io::{csv, headings, sto};
-use solaris::model::{Scaling, text};
+use solaris::model::{FindingKind, Scaling, text};
 
 /// What a table is written as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,8 @@ fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliErr
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
-    let Body { mut figure, language, findings, .. } = input::body(from)?;
+    let Body { mut figure, language, mut findings, medium, .. } = input::body(from)?;
+    findings.extend(of_medium(&medium, FindingKind::Missing));
     if size.is_asked() {
         let [height, mass] =
             [&size.height, &size.mass].map(|number| number.as_ref().map(|number| number.value));

@@ -10,6 +10,8 @@ pub mod headings;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 mod import;
 #[cfg(feature = "mjcf")]
+mod loader;
+#[cfg(feature = "mjcf")]
 pub mod mjcf;
 #[cfg(feature = "opensim")]
 pub mod opensim;
@@ -26,4 +28,6 @@ mod xml;
 pub use error::{BvhFault, ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 pub use import::Import;
+#[cfg(feature = "mjcf")]
+pub use loader::{FileError, FilesError, Loader, NoFiles};
 pub use table::Table;

@@ -2,5 +2,7 @@
 #![allow(clippy::doc_markdown, reason = "MuJoCo is a name, not code")]
 
 mod bad_text;
+mod files;
 mod humanoid;
+mod medium;
 mod models;
