@@ -48,7 +48,7 @@ pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, 
 pub use layout::{JointLayout, StateLayout};
 pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
-pub use lint::Extent;
+pub use lint::{Extent, MassDoubt};
 pub use measured::MeasuredForce;
 pub use medium::{Carried, Immersed, ImmersedShape, Medium};
 pub use motion::{
