@@ -20,7 +20,8 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), CliError> {
     if scene::is_one(&args.file) {
         return scene::run(args);
     }
-    let Body { figure, language, mut findings, gravity, gravity_is_given, medium } = input::body(&args.file)?;
+    let Body { figure, language, mut findings, gravity, gravity_is_given, medium } =
+        input::body_in(&args.file, args.files.as_deref())?;
     findings.extend(figure.lint());
     findings.extend(of_medium(&medium, FindingKind::Note));
     let wrong = |finding: &&Finding| matches!(finding.kind, FindingKind::Missing | FindingKind::Suspect);

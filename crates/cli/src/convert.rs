@@ -39,13 +39,13 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     motion(args)
 }
 
-fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn figure(ConvertArgs { from, to, size, files, .. }: &ConvertArgs) -> Result<(), CliError> {
     if TABLE.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
-    let Body { mut figure, language, mut findings, medium, .. } = input::body(from)?;
+    let Body { mut figure, language, mut findings, medium, .. } = input::body_in(from, files.as_deref())?;
     findings.extend(of_medium(&medium, FindingKind::Missing));
     if size.is_asked() {
         let [height, mass] =
@@ -64,11 +64,11 @@ fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliErr
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(ConvertArgs { from, to, figure, files, .. }: &ConvertArgs) -> Result<(), CliError> {
     let outputs = Outputs::new([("OUT", to, TABLE)])?;
     let table = input::table(from)?;
     let figure = match figure {
-        Some(path) => Some(input::body(path)?.figure),
+        Some(path) => Some(input::body_in(path, files.as_deref())?.figure),
         None => None,
     };
     let (positions, left_out) = if extension(from) == "csv" {

@@ -132,8 +132,13 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
     }
 }
 
-/// Reads a figure.
+/// Reads a figure; files that it names are in its folder.
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
+    body_in(path, None)
+}
+
+/// Reads a figure; files that it names are in this folder, which holds it, or else in its own.
+pub(crate) fn body_in(path: &Path, files: Option<&Path>) -> Result<Body, CliError> {
     let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
     refuse_unread(path, known)?;
     let text = self::text(path)?;
@@ -154,7 +159,7 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
             .map(|figure| Import { figure, findings: Vec::new(), gravity: GRAVITY, gravity_is_given: false })
             .map_err(faults),
         Language::Urdf => urdf::read(&text).map_err(faults),
-        Language::Mjcf => mjcf::read_with(&text, &mut Folder::of(path))
+        Language::Mjcf => mjcf::read_with(&text, &mut Folder::of(path, files)?)
             .map(|mjcf::Loaded { import, medium: found }| {
                 medium = found;
                 import

@@ -96,8 +96,9 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
 fn describe(medium: &Medium) -> Option<String> {
     let Medium { density, viscosity, wind, immersed, carried } = medium;
     let fluid = (!immersed.is_empty()).then(|| {
-        let [x, y, z] = (*wind).into();
-        let wind = if [x, y, z] == [0.0; 3] { String::new() } else { format!(", wind ({x}, {y}, {z}) m/s") };
+        let [x, y, z]: [f64; 3] = (*wind).into();
+        let blows = wind.norm_squared() > 0.0;
+        let wind = if blows { format!(", wind ({x}, {y}, {z}) m/s") } else { String::new() };
         let bodies = counted(immersed.len(), "body", "bodies");
         format!("a fluid of {density} kg/m³ and {viscosity} Pa s{wind} resists {bodies}")
     });

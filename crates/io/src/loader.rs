@@ -69,7 +69,7 @@ impl std::error::Error for FilesError {}
 pub(crate) fn within(folder: &str, name: &str) -> Result<String, String> {
     let drive = name.chars().nth(1) == Some(':');
     if name.starts_with(['/', '\\']) || drive {
-        return Err("its path does not begin at the model: only files in the model's folder and below are read; put it there and name it by a relative path".to_owned());
+        return Err("it is no path from the model: files are read in one folder only; put it there and name it by a relative path".to_owned());
     }
     let mut parts: Vec<&str> = Vec::new();
     for part in folder.split('/').chain(name.split(['/', '\\'])) {
@@ -77,7 +77,10 @@ pub(crate) fn within(folder: &str, name: &str) -> Result<String, String> {
             "" | "." => {}
             ".." => {
                 if parts.pop().is_none() {
-                    return Err("it leads out of the model's folder: only files in it and below are read; begin with a model in the folder above, or put the file beside the model".to_owned());
+                    return Err(
+                        "it leads out of the folder of the model's files; name one that holds both (--files)"
+                            .to_owned(),
+                    );
                 }
             }
             part => parts.push(part),

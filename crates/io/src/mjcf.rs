@@ -38,6 +38,7 @@ mod mesh;
 mod model;
 mod orientation;
 mod sections;
+mod shell;
 mod state;
 
 pub use state::{StateError, forces_from_mujoco, forces_to_mujoco, state_from_mujoco, state_to_mujoco};

@@ -13,6 +13,8 @@ use std::rc::Rc;
 
 /// The most bytes of the text that files make together.
 const MOST_BYTES: usize = 1 << 27;
+/// How often files are named.
+const MOST_NAMED: usize = 10_000;
 /// How deep files may name each other.
 const DEEPEST: usize = 100;
 
@@ -173,6 +175,8 @@ struct Assembler<'l> {
     out: String,
     pieces: Vec<Piece>,
     faults: Vec<(usize, Range<usize>, String)>,
+    /// How many files were named so far.
+    named: usize,
     full: bool,
 }
 
@@ -186,6 +190,7 @@ impl<'l> Assembler<'l> {
             out: String::new(),
             pieces: Vec::new(),
             faults: Vec::new(),
+            named: 0,
             full: false,
         }
     }
@@ -202,8 +207,13 @@ impl<'l> Assembler<'l> {
             }
             self.copy(file, from..node.range().start, tag(node));
             from = node.range().end;
-            if depth == DEEPEST {
-                self.fault(file, node, format!("files name each other more than {DEEPEST} deep"));
+            self.named += 1;
+            if depth == DEEPEST || self.named > MOST_NAMED {
+                self.full = true;
+                let message = format!(
+                    "files name each other more than {DEEPEST} deep, or {MOST_NAMED} times: put into one what belongs together"
+                );
+                self.fault(file, node, message);
             } else if is_include {
                 self.include(file, node, scope, depth + 1);
             } else {

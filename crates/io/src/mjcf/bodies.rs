@@ -23,6 +23,9 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::ops::Range;
 
+/// The most bodies of a model.
+const MOST_BODIES: usize = 100_000;
+
 /// A body that is still to be read.
 struct Open<'a> {
     node: Node<'a>,
@@ -104,6 +107,11 @@ pub(super) fn read<'a>(
         let children = contents.bodies.into_iter().map(|(node, around)| Open { node, parent: None, around });
         open.extend(children.rev());
         while let Some(next) = open.pop() {
+            if reading.count == MOST_BODIES {
+                let message = format!("the model has more than {MOST_BODIES} bodies");
+                reading.reader.fault(tag(next.node), message);
+                break;
+            }
             reading.body(&mut walk, next, &mut open);
         }
     }
@@ -271,7 +279,7 @@ impl<'a> Reading<'_, 'a, '_> {
             let in_fluid = self.world.is_fluid();
             let at = At { frame: around.frame, models, model, counts, in_fluid };
             match geom::read(self.reader, &element, &at, &mut self.meshes) {
-                geom::Read::Solid(geom) => geoms.push(geom),
+                geom::Read::Solid(geom) => geoms.push(*geom),
                 geom::Read::Unread(why) => missing.push(why),
                 // What it weighs is not known; that it would weigh nothing is no further fault.
                 geom::Read::Faulty => geoms.push(Geom::unknown()),
@@ -331,8 +339,12 @@ impl<'a> Reading<'_, 'a, '_> {
         if count > names.len() {
             names.push("…");
         }
+        let alone = match empty {
+            0 => String::new(),
+            _ => format!("; {empty} of them have no other mass"),
+        };
         let message = format!(
-            "of {count} of {all} moving bodies it is missing in part, and of {empty} of these it is all that they have: their meshes were not read ({})",
+            "of {count} of {all} bodies that move, some is not known, as meshes were not read ({}){alone}",
             names.join(", ")
         );
         self.reader.missing(span, "mass", message);

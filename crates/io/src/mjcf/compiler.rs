@@ -14,6 +14,19 @@ pub(super) enum FromGeoms {
     Always,
 }
 
+/// What the names and triangles of meshes mean.
+#[derive(Default)]
+pub(super) struct MeshSettings {
+    /// Where they are, from the model's folder.
+    pub(super) folder: String,
+    /// Whether the folders in the names of files are left out.
+    pub(super) strip_path: bool,
+    /// Whether they are closed surfaces, as MuJoCo before 3.3 said for all of them.
+    pub(super) exact: bool,
+    /// Whether solids are fitted to the box of a mesh, not to its inertia.
+    pub(super) fit_box: bool,
+}
+
 /// The settings that change what a figure becomes.
 pub(super) struct Compiler {
     /// In one unit of angle of the file (rad).
@@ -27,14 +40,7 @@ pub(super) struct Compiler {
     pub(super) balance: bool,
     pub(super) least_mass: f64,
     pub(super) least_inertia: f64,
-    /// Where meshes are, from the model's folder.
-    pub(super) mesh_folder: String,
-    /// Whether the folders in the names of files are left out.
-    pub(super) strip_path: bool,
-    /// Whether meshes are closed surfaces, as MuJoCo before 3.3 said for all of them.
-    pub(super) exact_meshes: bool,
-    /// Whether solids are fitted to the box of a mesh, not to its inertia.
-    pub(super) fit_box: bool,
+    pub(super) meshes: MeshSettings,
     /// The mass of all bodies together and where it is said.
     pub(super) total: Option<(f64, Range<usize>)>,
 }
@@ -69,10 +75,7 @@ impl Compiler {
             balance: false,
             least_mass: 0.0,
             least_inertia: 0.0,
-            mesh_folder: String::new(),
-            strip_path: false,
-            exact_meshes: false,
-            fit_box: false,
+            meshes: MeshSettings::default(),
             total: None,
         };
         let (mut mesh_folder, mut asset_folder) = (None, None);
@@ -107,9 +110,9 @@ impl Compiler {
             };
             set(reader, "autolimits", &mut compiler.autolimits);
             set(reader, "balanceinertia", &mut compiler.balance);
-            set(reader, "strippath", &mut compiler.strip_path);
-            set(reader, "exactmeshinertia", &mut compiler.exact_meshes);
-            set(reader, "fitaabb", &mut compiler.fit_box);
+            set(reader, "strippath", &mut compiler.meshes.strip_path);
+            set(reader, "exactmeshinertia", &mut compiler.meshes.exact);
+            set(reader, "fitaabb", &mut compiler.meshes.fit_box);
             mesh_folder = node.attribute("meshdir").or(mesh_folder);
             asset_folder = node.attribute("assetdir").or(asset_folder);
             if node.attribute("alignfree") == Some("true") {
@@ -129,7 +132,7 @@ impl Compiler {
             }
         }
         let folder = mesh_folder.or(asset_folder).unwrap_or_default();
-        folder.clone_into(&mut compiler.mesh_folder);
+        folder.clone_into(&mut compiler.meshes.folder);
         compiler
     }
 

@@ -5,6 +5,7 @@ use super::defaults::Resolved;
 use super::mesh::{Meshes, Solid};
 use super::model::Model;
 use super::orientation::{placement, to_direction};
+use super::shell::surface;
 use crate::tree::Lump;
 use crate::xml::{Node, Reader, tag, value_span};
 use solaris_model::{ImmersedShape, Matrix3, Placement, Shape, ShapeKind, UnitQuaternion, Vector3};
@@ -62,7 +63,7 @@ impl Geom {
 
 /// What a geom turned out to be.
 pub(super) enum Read {
-    Solid(Geom),
+    Solid(Box<Geom>),
     /// Of a kind that is not read, whose mass is missing: why.
     Unread(String),
     /// Reported.
@@ -160,7 +161,8 @@ fn read_solid(reader: &mut Reader, element: &Resolved, at: &At, meshes: &mut Mes
         "mesh" | "sdf" | "hfield" => {}
         "sphere" | "capsule" | "ellipsoid" | "cylinder" | "box" => {
             if element.said("mesh").is_none() {
-                return solid(reader, element, kind, &at.frame, compiler).map_or(Read::Faulty, Read::Solid);
+                return solid(reader, element, kind, &at.frame, compiler)
+                    .map_or(Read::Faulty, |geom| Read::Solid(Box::new(geom)));
             }
         }
         _ => {
@@ -201,10 +203,10 @@ fn read_solid(reader: &mut Reader, element: &Resolved, at: &At, meshes: &mut Mes
         weight(reader, solid.volume).map(|mass| Geom::of_mesh(&solid, frame, mass, group, in_fluid))
     } else {
         let scale = element.number(reader, "fitscale").unwrap_or(1.0);
-        let (kind, within) = solid.fitted(kind, compiler.fit_box, scale);
+        let (kind, within) = solid.fitted(kind, compiler.meshes.fit_box, scale);
         weight(reader, kind.volume()).map(|mass| Geom::of_solid(kind, frame * within, mass, group))
     };
-    geom.map_or(Read::Faulty, Read::Solid)
+    geom.map_or(Read::Faulty, |geom| Read::Solid(Box::new(geom)))
 }
 
 fn solid(
@@ -216,6 +218,8 @@ fn solid(
 ) -> Option<Geom> {
     let size = element.list(reader, "size", 1..=3).unwrap_or_default();
     let mut size = [0, 1, 2].map(|i| size.get(i).copied().unwrap_or(0.0));
+    // From the second point to the first: which way MuJoCo turns z, with which x and y turn, too.
+    let mut back = None;
     let at = match element.said("fromto") {
         None => placement(reader, element, compiler),
         Some(said) => {
@@ -237,6 +241,7 @@ fn solid(
                     "it has both 'pos' and 'fromto'; 'fromto' is used, MuJoCo 4 refuses it",
                 );
             }
+            back = Some(-along);
             let half = (to - from).norm() / 2.0;
             if matches!(kind, "box" | "ellipsoid") {
                 (size[1], size[2]) = (size[0], half);
@@ -252,13 +257,25 @@ fn solid(
         reader.fault(element.span("size"), message);
         return None;
     }
-    if element.text("shellinertia") == Some("true") {
-        reader
-            .unread("attribute 'shellinertia' of <geom> (it counts as solid)", element.span("shellinertia"));
+    let shell = (element.text("shellinertia") == Some("true")).then(|| surface(&kind));
+    if let Some(None) = shell {
+        let message = "their mass is that of a surface in MuJoCo, and that of a solid here";
+        let name = element.text("name").unwrap_or("ellipsoid");
+        reader.lacks("ellipsoids with 'shellinertia'", message, element.span("shellinertia"), name);
     }
-    let mass = weight(reader, element, kind.volume())?;
+    let shell = shell.flatten();
+    let mass = weight(reader, element, shell.map_or_else(|| kind.volume(), |(area, _)| area))?;
     let group = element.number(reader, "group").unwrap_or(0.0);
-    Some(Geom::of_solid(kind, frame * at, mass, group))
+    let mut geom = Geom::of_solid(kind, frame * at, mass, group);
+    if let Some((_, squares)) = shell {
+        let turn = *(frame * at).rotation.to_rotation_matrix().matrix();
+        let inertia = turn * Matrix3::from_diagonal(&(squares * mass)) * turn.transpose();
+        geom.lump.inertia = (inertia + inertia.transpose()) / 2.0;
+    }
+    if let Some(back) = back {
+        geom.axes = frame.rotation * to_direction(&back);
+    }
+    Some(geom)
 }
 
 /// The solid of MuJoCo's half sizes, and how many of these it uses.

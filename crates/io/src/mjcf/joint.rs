@@ -31,7 +31,7 @@ pub(super) struct Joint<'a> {
 }
 
 /// Attributes that are read.
-const READ: [&str; 18] = [
+const READ: [&str; 19] = [
     "name",
     "class",
     "type",
@@ -50,6 +50,7 @@ const READ: [&str; 18] = [
     "springdamper",
     "align",
     "actuatorfrcrange",
+    "actuatorgravcomp",
 ];
 /// Attributes of the solver.
 const SOLVER: [&str; 6] =
@@ -105,6 +106,10 @@ pub(super) fn read<'a>(
         passive.rest = 0.0;
     }
     let armature = element.number(reader, "armature").unwrap_or(0.0);
+    if element.text("actuatorgravcomp") == Some("true") {
+        let message = "in MuJoCo, 'gravcomp' is borne by their actuators, and so part of their forces; here it is taken off";
+        reader.lacks("'actuatorgravcomp' of joints", message, element.span("actuatorgravcomp"), &name);
+    }
     if kind == Kind::Free && armature != 0.0 {
         let message = "it acts on the velocity along the body's axes here, along the world's in MuJoCo: forces differ by \
                        armature·(ω × v)";

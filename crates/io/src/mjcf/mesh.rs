@@ -76,7 +76,7 @@ impl<'l> Meshes<'l> {
             }
         }
         let counted = match element.text("inertia") {
-            None if model.compiler.exact_meshes => Counted::Signed,
+            None if model.compiler.meshes.exact => Counted::Signed,
             None | Some("legacy") => Counted::Pyramids,
             Some("exact") => Counted::Signed,
             Some("shell") => Counted::Surface,
@@ -100,7 +100,7 @@ impl<'l> Meshes<'l> {
             return Err(format!("the builtin mesh '{kind}' is not made here"));
         }
         let is_made = elements_called(asset, "plugin").next().is_some();
-        if is_made && !asset.has_attribute("vertex") && element.text("file").is_none() {
+        if is_made {
             return Err("its shape is a plugin's".to_owned());
         }
         if asset.has_attribute("vertex") {
@@ -116,11 +116,11 @@ impl<'l> Meshes<'l> {
 
     /// From the mesh folder of the model, or from that beside the file that names it.
     fn file(&mut self, model: &Model, beside: &str, file: &str) -> Result<Vec<Triangle>, String> {
-        let compiler = &model.compiler;
-        let name = if compiler.strip_path { file.rsplit(['/', '\\']).next().unwrap_or(file) } else { file };
+        let settings = &model.compiler.meshes;
+        let name = if settings.strip_path { file.rsplit(['/', '\\']).next().unwrap_or(file) } else { file };
         let mut first = None;
         for folder in [model.folder.as_str(), beside] {
-            let path = within(folder, &compiler.mesh_folder).and_then(|folder| within(&folder, name));
+            let path = within(folder, &settings.folder).and_then(|folder| within(&folder, name));
             match path.and_then(|path| self.loader.load(&path)) {
                 Ok(bytes) if bytes.len() > MOST_BYTES => {
                     return Err(format!("{file}: it has more than {MOST_BYTES} bytes"));

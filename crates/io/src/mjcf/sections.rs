@@ -101,7 +101,7 @@ pub(super) fn read(reader: &mut Reader, model: &Model) {
         match name {
             "compiler" | "default" | "worldbody" | "option" => {}
             "actuator" | "tendon" | "equality" | "deformable" => {
-                acting::read(reader, section, &model.defaults)
+                acting::read(reader, section, &model.defaults);
             }
             "contact" | "keyframe" => {
                 for child in elements(section) {

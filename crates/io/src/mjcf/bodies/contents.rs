@@ -8,7 +8,9 @@ use solaris_model::{Placement, UnitQuaternion, Vector3};
 use std::rc::Rc;
 
 /// The most elements that `<replicate>` and `<attach>` make in a model.
-const MOST_MADE: usize = 1_000_000;
+const MOST_MADE: usize = 300_000;
+/// How deep `<replicate>` and `<attach>` may be nested.
+const DEEPEST: usize = 100;
 
 /// What stands around an element.
 #[derive(Clone)]
@@ -21,12 +23,14 @@ pub(super) struct Around {
     pub(super) model: usize,
     /// What is put before and behind its name.
     affix: Option<Rc<(String, String)>>,
+    /// How many of `<replicate>` and `<attach>` it is in.
+    depth: usize,
 }
 
 impl Around {
     /// Of the elements of the world.
     pub(super) fn world() -> Self {
-        Self { frame: Placement::identity(), class: 0, model: 0, affix: None }
+        Self { frame: Placement::identity(), class: 0, model: 0, affix: None, depth: 0 }
     }
 
     /// Of the elements of a body: its class (but for its own `childclass`), model and name stay, frames begin anew.
@@ -48,9 +52,9 @@ impl Around {
         })
     }
 
-    fn renamed(&self, prefix: &str, suffix: &str) -> Option<Rc<(String, String)>> {
+    fn renamed(&self, prefix: &str, suffix: &str) -> Rc<(String, String)> {
         let (before, after) = self.affix.as_deref().map_or(("", ""), |affix| (&affix.0, &affix.1));
-        Some(Rc::new((format!("{before}{prefix}"), format!("{suffix}{after}"))))
+        Rc::new((format!("{before}{prefix}"), format!("{suffix}{after}")))
     }
 }
 
@@ -117,13 +121,13 @@ impl<'m, 'a> Walk<'m, 'a> {
                     open.push(Open::Elements(Box::new(elements(node)), around));
                     continue;
                 }
-                Open::Elements(rest, around) => match rest.next() {
-                    Some(node) => (node, around.clone()),
-                    None => {
+                Open::Elements(rest, around) => {
+                    let Some(node) = rest.next() else {
                         open.pop();
                         continue;
-                    }
-                },
+                    };
+                    (node, around.clone())
+                }
             };
             if around.affix.is_some() && !self.make(reader, node) {
                 return contents;
@@ -135,6 +139,12 @@ impl<'m, 'a> Walk<'m, 'a> {
                 "site" => contents.sites.push(item),
                 "inertial" => contents.inertials.push(item),
                 "body" => contents.bodies.push(item),
+                "replicate" | "attach" if item.1.depth == DEEPEST => {
+                    reader.fault(
+                        tag(node),
+                        format!("<replicate> and <attach> are nested more than {DEEPEST} deep"),
+                    );
+                }
                 "frame" => open.push(self.frame(reader, item)),
                 "replicate" => open.extend(self.replicate(reader, item).map(Open::Copies)),
                 "attach" => open.extend(self.attach(reader, item)),
@@ -145,6 +155,15 @@ impl<'m, 'a> Walk<'m, 'a> {
                 "flexcomp" => {
                     let advice = "<flexcomp>: a soft body is a grid of many small ones with elastic forces between them; figures have rigid links: leave it out, or put a rigid <body> in its place";
                     reader.fault(tag(node), advice);
+                }
+                "plugin" => {
+                    let name = node.attribute("plugin").unwrap_or("plugin");
+                    reader.lacks(
+                        "plugins",
+                        "what they do to their bodies is not in the figure",
+                        tag(node),
+                        name,
+                    );
                 }
                 "camera" | "light" => reader.aside(format!("<{}>", node.tag_name().name()), tag(node)),
                 _ => reader.unread_element(node),
@@ -218,8 +237,8 @@ impl<'m, 'a> Walk<'m, 'a> {
         let own = around.model;
         let index = self.models[own].attached(reader, node, own)?;
         let root = self.models[index].root;
-        let affix = around.renamed(prefix, "");
-        let around = Around { class: 0, model: index, affix, ..around };
+        let affix = Some(around.renamed(prefix, ""));
+        let around = Around { class: 0, model: index, affix, depth: around.depth + 1, ..around };
         let Some((kind, name)) =
             ["body", "frame"].iter().find_map(|kind| Some((*kind, node.attribute(*kind)?)))
         else {
@@ -270,7 +289,8 @@ impl Copies<'_> {
         let digits = self.count.to_string().len();
         let suffix = format!("{}{:0digits$}", self.separator, self.next);
         self.next += 1;
-        let affix = self.around.renamed("", &suffix);
-        Some(Around { frame: self.around.frame * here, affix, ..self.around.clone() })
+        let affix = Some(self.around.renamed("", &suffix));
+        let depth = self.around.depth + 1;
+        Some(Around { frame: self.around.frame * here, affix, depth, ..self.around.clone() })
     }
 }

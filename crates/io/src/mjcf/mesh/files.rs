@@ -22,7 +22,7 @@ pub(super) fn indexed(corners: &[f64], faces: &[f64]) -> Result<Vec<Triangle>, S
         let known = index >= 0.0 && index.fract() == 0.0 && at < corners.len() / 3;
         known.then(|| Vector3::new(corners[3 * at], corners[3 * at + 1], corners[3 * at + 2]))
     };
-    if corners.len() % 3 != 0 || faces.len() % 3 != 0 {
+    if !corners.len().is_multiple_of(3) || !faces.len().is_multiple_of(3) {
         return Err("its numbers do not come in threes".to_owned());
     }
     if faces.is_empty() {

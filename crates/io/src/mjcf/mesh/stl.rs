@@ -13,7 +13,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
         (count as usize).checked_mul(EACH).and_then(|all| all.checked_add(HEAD)) == Some(bytes.len())
     });
     if fits {
-        return binary(&bytes[HEAD..]);
+        return Ok(binary(&bytes[HEAD..]));
     }
     if bytes.trim_ascii_start().starts_with(b"solid") {
         let text =
@@ -30,14 +30,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
     })
 }
 
-fn binary(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
+fn binary(bytes: &[u8]) -> Vec<Triangle> {
     let number = |bytes: &[u8]| bytes.try_into().map_or(f32::NAN, f32::from_le_bytes);
     let corner = |bytes: &[u8]| {
         Vector3::new(number(&bytes[..4]), number(&bytes[4..8]), number(&bytes[8..12])).map(f64::from)
     };
     // A normal stands first.
     let triangle = |bytes: &[u8]| [corner(&bytes[12..24]), corner(&bytes[24..36]), corner(&bytes[36..48])];
-    Ok(bytes.chunks_exact(EACH).map(triangle).collect())
+    bytes.chunks_exact(EACH).map(triangle).collect()
 }
 
 fn ascii(text: &str) -> Result<Vec<Triangle>, String> {

@@ -201,7 +201,7 @@ fn missing_meshes_are_summed_up() {
     let missing = loaded.import.findings.iter().filter(|finding| finding.kind == FindingKind::Missing);
     let said: Vec<String> =
         missing.map(|finding| format!("{}: {}", finding.subject, finding.message)).collect();
-    let expected = "mass: of 2 of 10 moving bodies it is missing in part, and of 1 of these it is all that they have: their \
-                    meshes were not read (cart, holder)";
+    let expected = "mass: of 2 of 10 bodies that move, some is not known, as meshes were not read (cart, holder); 1 of them \
+                    have no other mass";
     assert_eq!(said, [expected]);
 }
