@@ -7,6 +7,7 @@ mod error;
 pub mod ground;
 mod inverse;
 mod loads;
+mod medium;
 mod nearness;
 mod peak;
 mod prepared;
@@ -21,6 +22,7 @@ pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiat
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
+pub use medium::{MediumError, medium_forces};
 pub use nearness::{LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness};
 pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};

@@ -3,14 +3,14 @@
 use crate::args::{BvhArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
-use crate::findings::list;
+use crate::findings::{list, of_medium};
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::words::{rounded, some};
 use solaris::io::bvh::{self, ReadOptions, Up};
 use solaris::io::{Table, csv, headings, record, sto};
-use solaris::model::{Figure, Finding, Motion, Scaling, Vector3, text};
+use solaris::model::{Figure, Finding, FindingKind, Motion, Scaling, Vector3, text};
 use std::path::Path;
 
 /// What a table is written as.
@@ -74,13 +74,15 @@ fn options(args: &BvhArgs) -> Result<ReadOptions, CliError> {
     Ok(ReadOptions { unit: args.unit, up, masses, skip: args.skip_frames, mass: None })
 }
 
-fn figure(ConvertArgs { from, to, size, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
     if MOTION.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
-    let Body { mut figure, language, findings, .. } = input::body_with(from, &options(bvh)?)?;
+    let Body { mut figure, language, mut findings, medium, .. } =
+        input::body_with(from, files.as_deref(), &options(bvh)?)?;
+    findings.extend(of_medium(&medium, FindingKind::Missing));
     if size.is_asked() {
         let [height, mass] =
             [&size.height, &size.mass].map(|number| number.as_ref().map(|number| number.value));
@@ -98,10 +100,10 @@ fn figure(ConvertArgs { from, to, size, bvh, .. }: &ConvertArgs) -> Result<(), C
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
     let outputs = Outputs::new([("OUT", to, MOTION)])?;
     let body = match figure {
-        Some(path) => Some(input::body(path)?),
+        Some(path) => Some(input::body_in(path, files.as_deref())?),
         None => None,
     };
     let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;

@@ -9,7 +9,7 @@ mod soles;
 mod summary;
 
 pub(crate) use files::{Content, outputs, write_motion};
-pub(crate) use predicted::{Ground, Standing, needs_times};
+pub(crate) use predicted::{Ground, Standing, needs_times, say_medium};
 pub(crate) use report::GroundReport;
 pub(crate) use soles::{From as SolesFrom, find as find_soles, known as known_soles};
 
@@ -48,6 +48,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     progress.stage("reading");
     let mut given = Given::read(of, from, &args.record, &args.frame, &progress)?;
     progress.stage("finding the ground's forces");
+    say_medium(&mut given);
     let ground = Ground::new(&args.ground, &args.frame, &given)?;
     let moved = ground.make_consistent(&args.consistent, &mut given)?;
     let ground = ground.predict(&given, &given.prepared()?, moved)?;

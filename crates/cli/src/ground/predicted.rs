@@ -4,12 +4,14 @@ use super::moved::Moved;
 use super::soles::{self, From};
 use crate::args::{AskedBelt, FrameArgs, GroundArgs, Number};
 use crate::error::CliError;
+use crate::findings::of_medium;
 use crate::given::Given;
 use solaris::analysis::PreparedMotion;
 use solaris::analysis::ground::{
     Belt, GroundError, GroundForces, GroundOption, GroundOptions, PlacedFeet, Sole, StanceOptions, Stances,
     find_stances, ground_forces,
 };
+use solaris::model::{Finding, FindingKind};
 
 /// What is asked of the ground, and of the figure's frame, for these soles.
 pub(crate) struct Ground<'a> {
@@ -35,6 +37,16 @@ pub(crate) struct Predicted {
     /// What was changed of the motion, where that was asked for.
     pub(super) moved: Option<Moved>,
     pub(crate) forces: GroundForces,
+}
+
+/// Says that what resists or carries the figure's bodies is not counted.
+pub(crate) fn say_medium(given: &mut Given) {
+    let uncounted = of_medium(&given.body.medium, FindingKind::Missing);
+    given.body.findings.extend(uncounted.map(|finding| Finding {
+        message:
+            "what resists or carries bodies is not counted where the ground's forces are found".to_owned(),
+        ..finding
+    }));
 }
 
 /// Refuses a motion without times.

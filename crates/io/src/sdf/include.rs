@@ -4,7 +4,6 @@ use super::model::{self, Contents, Context, Given};
 use super::{DEEPEST, pose, version};
 use crate::loader::{Loader, folder_of, within};
 use crate::xml::{self, Node, Reader, element, elements_called, tag, text_of};
-use solaris_model::FindingKind;
 use std::collections::HashSet;
 use std::ops::Range;
 
@@ -131,11 +130,7 @@ fn file(
     for finding in reader.findings() {
         let line = finding.place.map_or(1, |place| place.line);
         let message = format!("{} ({path}, line {line})", finding.message);
-        match finding.kind {
-            FindingKind::Suspect => outer.suspect(span.clone(), finding.subject, message),
-            FindingKind::Unsupported => outer.unsupported(span.clone(), finding.subject, message),
-            FindingKind::Note => outer.note(span.clone(), finding.subject, message),
-        }
+        outer.finding(finding.kind, span.clone(), finding.subject, message);
     }
 }
 
