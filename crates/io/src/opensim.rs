@@ -18,7 +18,14 @@
 //!
 //! A degree of freedom has the name of its coordinate. An axis that a coordinate drives by any other function than itself
 //! is a degree of freedom that **follows** the coordinate (see [`solaris_model::Follower`]), named `JOINT.tx …`: that is
-//! how a knee's centre moves as it bends, with both derivatives. Functions are `Constant`, `LinearFunction`,
+//! how a knee's centre moves as it bends, with both derivatives. Where a coordinate drives no axis one to one (a kneecap's),
+//! it is itself a part of the first axis that it drives, and what the function adds follows it:
+//!
+//! ```text
+//! R(a, f(x)) = R(a, x)·R(a, f(x) − x)
+//! ```
+//!
+//! Functions of a coordinate that a constraint makes a function of another are both, one after the other. Functions are `Constant`, `LinearFunction`,
 //! `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`), `GCVSpline` of degree 3 without
 //! smoothing, and any of these in a `MultiplierFunction`; all are kept exactly.
 //!
@@ -34,6 +41,7 @@ mod component;
 mod coordinate;
 mod couplers;
 mod curves;
+mod custom;
 mod element;
 mod frames;
 mod function;

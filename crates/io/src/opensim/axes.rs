@@ -3,9 +3,7 @@
 use super::coordinate::Coordinate;
 use super::couplers::Couplers;
 use super::curves::compose;
-use crate::xml::Reader;
 use solaris_model::{Axis, AxisKind, Curve, Joint, Placement, UnitQuaternion, Vector3};
-use std::ops::Range;
 
 /// One motion of a joint: along or about an axis of the frame that the motions before it have moved.
 #[derive(Clone, Debug)]
@@ -45,7 +43,6 @@ impl Step {
 /// A joint that is still steps.
 pub(super) struct Chain<'a> {
     pub(super) name: &'a str,
-    pub(super) span: Range<usize>,
     /// Where the steps begin, in the parent body's frame.
     pub(super) from: Placement,
     pub(super) steps: Vec<Step>,
@@ -64,7 +61,7 @@ impl Chain<'_> {
     /// ```
     ///
     /// so the moved frame has the directions of the body's frame, and stands in it where the joint does.
-    pub(super) fn joint(self, reader: &mut Reader, couplers: &Couplers) -> (Joint, Placement) {
+    pub(super) fn joint(self, couplers: &Couplers) -> (Joint, Placement) {
         let origin = self.to.translation.vector;
         let beyond = Placement::translation(-origin.x, -origin.y, -origin.z);
         let mut fixed = Placement::from_parts(Vector3::zeros().into(), self.to.rotation.inverse());
@@ -82,7 +79,7 @@ impl Chain<'_> {
         let names = self.names();
         let mut joint = Joint::new(self.name).placed(product(&self.from, &fixed));
         for (step, name) in moving.into_iter().rev().zip(names) {
-            joint = self.add(joint, step, reader, couplers);
+            joint = self.add(joint, step, couplers);
             if let Some(name) = name {
                 joint = joint.named(name);
             }
@@ -107,7 +104,7 @@ impl Chain<'_> {
         moving().map(name).collect()
     }
 
-    fn add(&self, joint: Joint, step: Step, reader: &mut Reader, couplers: &Couplers) -> Joint {
+    fn add(&self, joint: Joint, step: Step, couplers: &Couplers) -> Joint {
         let joint = joint.axis(Axis { kind: step.kind, direction: step.direction });
         match step.moves {
             Moves::By(_) => joint,
@@ -126,16 +123,7 @@ impl Chain<'_> {
                 let name = &self.coordinates[i].name;
                 let Some(lead) = couplers.get(name) else { return joint.following(name, curve) };
                 // The coordinate follows another one itself.
-                let Some(both) = compose(&curve, &lead.curve) else {
-                    let message = format!(
-                        "joint '{}': an axis is a spline of coordinate '{name}', which is a bent function of '{}' itself; \
-                         that cannot be kept: make the constraint's function linear, or remove the constraint",
-                        self.name, lead.leader
-                    );
-                    reader.fault(self.span.clone(), message);
-                    return joint;
-                };
-                joint.following(&lead.leader, both)
+                joint.following(&lead.leader, compose(&curve, &lead.curve))
             }
         }
     }

@@ -210,6 +210,52 @@ fn a_custom_joint_slides_along_fixed_axes_and_turns_about_moved_ones() {
     }
 }
 
+/// A kneecap: a coordinate all of whose axes are functions of it, by itself and tied to a knee.
+#[test]
+fn a_coordinate_may_move_axes_by_functions_alone() {
+    let spline = |y: &str| format!("<SimmSpline name=\"function\"><x>-1 0 1</x><y>{y}</y></SimmSpline>");
+    let turn_and_slide =
+        axis("rotation1", "", "0 0 1", "<Constant name=\"function\"><value>0.2</value></Constant>")
+            + &axis("rotation2", "beta", "1 0 0", &spline("0.5 0.1 0.5"))
+            + &axis("translation2", "beta", "0 1 0", &spline("0.01 0.04 0.09"));
+    let transform = format!("<SpatialTransform>{turn_and_slide}</SpatialTransform>");
+    // Parabolas through three points, straight on beyond them.
+    let tilt = |beta: f64| if beta > 1.0 { 0.5 + 0.8 * (beta - 1.0) } else { 0.1 + 0.4 * beta * beta };
+    let rise = |beta: f64| {
+        if beta > 1.0 { 0.09 + 0.06 * (beta - 1.0) } else { 0.04 + 0.04 * beta + 0.01 * beta * beta }
+    };
+    let moved = |beta: f64| slide([0.0, rise(beta), 0.0]) * turn(Z, 0.2) * turn(X, tilt(beta));
+    let import = rod("CustomJoint", &["beta"], &transform);
+    assert_eq!((import.figure.layout().nv(), import.figure.followers().len()), (3, 2));
+    for beta in [-0.8, 0.0, 0.3, 1.7] {
+        check(&import, &[("beta", beta)], moved(beta), "by itself");
+    }
+    // What OpenSim calls neither angle nor length.
+    assert!(import.findings.iter().any(|finding| finding.message.contains("in radians")));
+
+    let knee = joint("PinJoint", "knee", ["/ground", "/bodyset/shank"], &["bend"], "");
+    let kneecap = joint("CustomJoint", "pivot", ["below", "on"], &["beta"], &format!("{OFFSETS}{transform}"));
+    let coupler = |function: &str| {
+        format!(
+            "<ConstraintSet><objects><CoordinateCouplerConstraint name=\"tie\">\
+             <coupled_coordinates_function>{function}</coupled_coordinates_function>\
+             <independent_coordinate_names>bend</independent_coordinate_names>\
+             <dependent_coordinate_name>beta</dependent_coordinate_name></CoordinateCouplerConstraint></objects></ConstraintSet>"
+        )
+    };
+    let bodies = body("rod", 2.0) + &body("shank", 3.0);
+    let line = coupler("<LinearFunction><coefficients>-0.5 0.1</coefficients></LinearFunction>");
+    let bent = coupler("<SimmSpline><x>-1 0 1</x><y>1 0 1</y></SimmSpline>");
+    let same = |x: f64| if x.abs() > 1.0 { 1.0 + 2.0 * (x.abs() - 1.0) } else { x * x };
+    for bend in [-1.4, -0.3, 0.0, 0.8] {
+        let import = read(&document(&bodies, &(knee.clone() + &kneecap), &line));
+        check(&import, &[("bend", bend)], moved(0.1 - 0.5 * bend), "tied by a line");
+        let import = read(&document(&bodies, &(knee.clone() + &kneecap), &bent));
+        check(&import, &[("bend", bend)], moved(same(bend)), "tied by a spline");
+        assert!(import.figure.layout().q_names().contains(&"beta".to_owned()));
+    }
+}
+
 #[test]
 fn rotations_may_follow_too() {
     let spline =

@@ -135,6 +135,8 @@ fn cases() -> Vec<(&'static str, String)> {
         ("the thesis's box", one("inertia: (0.01, 1.0, 1.0)", &printed)),
         ("a follower without leader", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"luf.rz\", along: Line(slope: 1)))]")),
         ("a curve that goes back", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"root.ry\", along: Cubics(knots: [0, 0], pieces: [(0, 0, 0, 0)])))]")),
+        ("a chain in a chain", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"root.ry\", along: Chain([Line(slope: 1), Chain([])])))]")),
+        ("a wave without frequency", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"root.ry\", along: Sine(amplitude: 1)))]")),
         ("an angle of nothing", one("\"luff.rz\"", "\"-luff.rx\"")),
         ("an angle twice", one("\"luff.rz\" }", "\"luff.rz\", \"jib.lift\": \"-luff.rz\" }")),
         ("a frame twice", one("mass: 3.0", "frames: {\"eye\": (), \"eye\": (at: (1, 0, 0))}, mass: 3.0")),
