@@ -5,6 +5,7 @@
 pub mod bvh;
 #[cfg(feature = "csv")]
 pub mod csv;
+mod encoding;
 mod error;
 pub mod headings;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
@@ -23,6 +24,7 @@ pub mod urdf;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 mod xml;
 
+pub use encoding::{Encoding, decode};
 pub use error::{BvhFault, ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 pub use import::Import;

@@ -14,10 +14,12 @@
     allow(dead_code, unused_imports, reason = "each importer uses a part")
 )]
 
+mod lenient;
 mod numbers;
 mod parse;
 mod unread;
 
+pub(crate) use lenient::lenient;
 pub(crate) use parse::parse;
 
 use solaris_model::{Finding, FindingKind, Place, TextError};

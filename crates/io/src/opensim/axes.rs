@@ -30,6 +30,16 @@ impl Step {
         Self { kind, direction, moves: Moves::With(coordinate) }
     }
 
+    /// Always so far.
+    pub(super) fn by(kind: AxisKind, direction: Vector3<f64>, by: f64) -> Self {
+        Self { kind, direction, moves: Moves::By(by) }
+    }
+
+    /// A function of a coordinate.
+    pub(super) fn along(kind: AxisKind, direction: Vector3<f64>, coordinate: usize, curve: Curve) -> Self {
+        Self { kind, direction, moves: Moves::Along(coordinate, curve) }
+    }
+
     fn transform(&self, by: f64) -> Placement {
         match self.kind {
             AxisKind::Translation => {
@@ -38,6 +48,18 @@ impl Step {
             AxisKind::Rotation => Placement::rotation(self.direction * by),
         }
     }
+}
+
+/// The most axes of one joint of a figure.
+const MOST_AXES: usize = 6;
+
+/// A joint of the file as those of a figure.
+#[derive(Default)]
+pub(super) struct Built {
+    /// One or more, from the parent on; between them stand links without mass.
+    pub(super) joints: Vec<Joint>,
+    /// Where the body's frame stands in the frame that the last one moves.
+    pub(super) beyond: Placement,
 }
 
 /// A joint that is still steps.
@@ -52,39 +74,63 @@ pub(super) struct Chain<'a> {
 }
 
 impl Chain<'_> {
-    /// The joint, and where the body's frame stands in the frame that it moves.
+    /// The joints in a row, and where the body's frame stands in the frame that the last one moves.
     ///
-    /// What is constant goes to the left, past the steps, which it turns, into the joint's placement:
+    /// What is constant goes to the left, past the steps, which it turns, into the first joint's placement:
     ///
     /// ```text
     /// step(a, x)·K = K·step(R_K⁻¹·a, x)        X_FB⁻¹ = R⁻¹·T(−p)
     /// ```
     ///
-    /// so the moved frame has the directions of the body's frame, and stands in it where the joint does.
-    pub(super) fn joint(self, couplers: &Couplers) -> (Joint, Placement) {
-        let origin = self.to.translation.vector;
-        let beyond = Placement::translation(-origin.x, -origin.y, -origin.z);
+    /// so the moved frame has the directions of the body's frame, and stands in it where the joint does. A turn is not passed
+    /// by what is moved as well as turned: there, another joint begins.
+    pub(super) fn joint(self, couplers: &Couplers) -> Built {
+        let mut beyond = Vector3::zeros() - self.to.translation.vector;
         let mut fixed = Placement::from_parts(Vector3::zeros().into(), self.to.rotation.inverse());
+        let mut groups = Vec::new();
         let mut moving = Vec::new();
+        let mut names = self.names().into_iter().rev();
         for mut step in self.steps.iter().cloned().rev() {
             if let Moves::By(by) = step.moves {
                 fixed = if by == 0.0 { fixed } else { step.transform(by) * fixed };
-            } else {
-                if fixed.rotation != UnitQuaternion::identity() {
-                    step.direction = fixed.rotation.inverse() * step.direction;
+                continue;
+            }
+            if step.kind == AxisKind::Rotation && fixed.translation.vector != Vector3::zeros() {
+                if moving.is_empty() {
+                    beyond += fixed.rotation.inverse() * fixed.translation.vector;
+                    fixed.translation.vector = Vector3::zeros();
+                } else {
+                    groups.push((fixed, std::mem::take(&mut moving)));
+                    fixed = Placement::identity();
                 }
-                moving.push(step);
+            }
+            if fixed.rotation != UnitQuaternion::identity() {
+                step.direction = fixed.rotation.inverse() * step.direction;
+            }
+            moving.push((step, names.next().flatten()));
+        }
+        groups.push((product(&self.from, &fixed), moving));
+        let mut joints = Vec::new();
+        for (placement, moving) in groups.into_iter().rev() {
+            let mut steps = moving.into_iter().rev().peekable();
+            let mut place = Some(placement);
+            while let Some(placement) = place.take() {
+                let name = match joints.len() {
+                    0 => self.name.to_owned(),
+                    before => format!("{}_{}", self.name, before + 1),
+                };
+                let mut joint = Joint::new(name).placed(placement);
+                for (step, name) in steps.by_ref().take(MOST_AXES) {
+                    joint = self.add(joint, step, couplers);
+                    if let Some(name) = name {
+                        joint = joint.named(name);
+                    }
+                }
+                joints.push(joint);
+                place = steps.peek().is_some().then(Placement::identity);
             }
         }
-        let names = self.names();
-        let mut joint = Joint::new(self.name).placed(product(&self.from, &fixed));
-        for (step, name) in moving.into_iter().rev().zip(names) {
-            joint = self.add(joint, step, couplers);
-            if let Some(name) = name {
-                joint = joint.named(name);
-            }
-        }
-        (joint, if origin == Vector3::zeros() { Placement::identity() } else { beyond })
+        Built { joints, beyond: Placement::from_parts(beyond.into(), UnitQuaternion::identity()) }
     }
 
     /// The names of the moving steps that follow a coordinate, by the file's axes, which constants may turn; nothing for
@@ -110,17 +156,17 @@ impl Chain<'_> {
             Moves::By(_) => joint,
             Moves::With(i) => {
                 let coordinate = &self.coordinates[i];
-                let mut joint = joint.named(&coordinate.name);
+                let mut joint = joint.named(&coordinate.dof);
                 if let Some((lower, upper)) = coordinate.limits {
                     joint = joint.limited(lower, upper);
                 }
-                match couplers.get(&coordinate.name) {
+                match couplers.get(&coordinate.dof) {
                     Some(lead) => joint.following(&lead.leader, lead.curve.clone()),
                     None => joint,
                 }
             }
             Moves::Along(i, curve) => {
-                let name = &self.coordinates[i].name;
+                let name = &self.coordinates[i].dof;
                 let Some(lead) = couplers.get(name) else { return joint.following(name, curve) };
                 // The coordinate follows another one itself.
                 joint.following(&lead.leader, compose(&curve, &lead.curve))

@@ -1,11 +1,14 @@
 //! Constraints that make a coordinate a function of another.
 
 use super::curves::{compose, links};
-use super::element::{child_flag, child_number, child_words, objects};
+use super::element::{child_flag, child_number, child_words, members};
 use super::function;
 use crate::xml::{Node, Reader, element, tag};
 use solaris_model::Curve;
 use std::collections::{HashMap, HashSet};
+
+/// What such a constraint is called.
+pub(super) const COUPLER: &str = "CoordinateCouplerConstraint";
 
 /// Of each dependent coordinate, what it follows.
 pub(super) type Couplers = HashMap<String, Lead>;
@@ -19,8 +22,8 @@ pub(super) struct Lead {
 /// The couplers of a model with these coordinates. Every other constraint is listed.
 pub(super) fn read(reader: &mut Reader, model: Node, coordinates: &HashSet<&str>) -> Couplers {
     let mut direct = HashMap::new();
-    for node in objects(model, "ConstraintSet") {
-        if node.tag_name().name() != "CoordinateCouplerConstraint" {
+    for node in members(model, "ConstraintSet", |tag| tag == COUPLER) {
+        if node.tag_name().name() != COUPLER {
             reader.unread_element(node);
         } else if let Some((dependent, lead)) = coupler(reader, node, coordinates)
             && direct.insert(dependent.clone(), lead).is_some()

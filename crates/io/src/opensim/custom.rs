@@ -68,7 +68,7 @@ pub(super) fn steps(
     }
     let owns: Vec<Own> = (0..coordinates.len()).map(|c| own(&drives, c)).collect();
     for (c, coordinate) in coordinates.iter().enumerate() {
-        if !couplers.contains_key(&coordinate.name) {
+        if !couplers.contains_key(&coordinate.dof) {
             say(reader, coordinate, owns[c], &drives, c);
         }
     }
@@ -221,11 +221,7 @@ fn in_order(drives: &[Drive], owns: &[Own]) -> Vec<Step> {
     }
     for (c, _) in owns.iter().enumerate().filter(|(_, own)| **own == Own::Alone) {
         steps.push(Step::with(AxisKind::Rotation, Vector3::x(), c));
-        steps.push(Step {
-            kind: AxisKind::Rotation,
-            direction: Vector3::x(),
-            moves: Moves::Along(c, Curve::linear(-1.0, 0.0)),
-        });
+        steps.push(Step::along(AxisKind::Rotation, Vector3::x(), c, Curve::linear(-1.0, 0.0)));
     }
     steps
 }

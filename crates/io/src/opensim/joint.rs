@@ -1,32 +1,33 @@
 //! Joints by their kinds.
 
-use super::axes::{Chain, Step};
+use super::axes::{Built, Chain, Step};
 use super::coordinate::Coordinate;
 use super::couplers::Couplers;
 use super::custom;
+use super::ellipsoid;
 use super::frames::Anchor;
 use crate::xml::{Node, Reader, shown, tag};
-use solaris_model::{AxisKind, Joint, Placement, Vector3};
-
-/// A joint, and where the body's frame stands in the frame that it moves.
-pub(super) type Built = (Joint, Placement);
+use solaris_model::{AxisKind, Placement, Vector3};
+use std::ops::Range;
 
 /// A joint and what it joins.
 pub(super) struct JointAt<'a> {
-    pub(super) name: &'a str,
+    pub(super) name: String,
     pub(super) node: Node<'a>,
     pub(super) parent: Anchor,
     pub(super) child: Anchor,
 }
 
-/// The joint of a joint's element; nothing where it cannot be one, which is a fault.
+/// The joint of a joint's element; nothing where it cannot be one, which is a fault. Where it is `turned`, the one that
+/// moves its parent against its child.
 pub(super) fn build(
     reader: &mut Reader,
     at: &JointAt,
     mut coordinates: Vec<Coordinate>,
     couplers: &Couplers,
+    turned: bool,
 ) -> Option<Built> {
-    let (name, node) = (at.name, at.node);
+    let (name, node) = (at.name.as_str(), at.node);
     let kind = node.tag_name().name();
     let known = [
         "socket_parent_frame",
@@ -38,18 +39,29 @@ pub(super) fn build(
         "parent_body",
         "location_in_parent",
         "orientation_in_parent",
+        "location_in_child",
+        "orientation_in_child",
         "location",
         "orientation",
+        "connectors",
         "reverse",
     ];
     reader.check_elements(node, &known, &[]);
-    let steps = match plain(kind) {
-        Some((count, steps)) => {
+    let mut steps = match (plain(kind), kind) {
+        (Some((count, steps)), _) => {
             complete(reader, at, &mut coordinates, count)?;
             steps
         }
-        None if kind == "CustomJoint" => custom::steps(reader, at, &coordinates, couplers)?,
-        None => {
+        (None, "EllipsoidJoint") => {
+            complete(reader, at, &mut coordinates, 3)?;
+            ellipsoid::joint(reader, at)?
+        }
+        (None, "ScapulothoracicJoint") => {
+            complete(reader, at, &mut coordinates, 4)?;
+            ellipsoid::scapulothoracic(reader, at)?
+        }
+        (None, "CustomJoint") => custom::steps(reader, at, &coordinates, couplers)?,
+        _ => {
             let message = format!(
                 "joint '{name}' is a <{}>, which is not read; put a <CustomJoint> or another joint in its place",
                 shown(kind)
@@ -65,8 +77,26 @@ pub(super) fn build(
         );
         reader.note(tag(node), format!("joint '{name}'"), message);
     }
-    let (from, to) = (at.parent.within, at.child.within);
+    let (mut from, mut to) = (at.parent.within, at.child.within);
+    if turned {
+        (from, to) = (to, from);
+        steps.reverse();
+        steps.iter_mut().for_each(|step| step.direction = -step.direction);
+        let message = "its child is nearer to ground than its parent: the joint is turned round, and its coordinates keep \
+                       their meaning";
+        reader.note(tag(node), format!("joint '{name}'"), message);
+    }
     Some(Chain { name, from, steps, to, coordinates: &coordinates }.joint(couplers))
+}
+
+/// The free joint of a body that has none, as OpenSim names it.
+pub(super) fn free(body: &str) -> Built {
+    let name = format!("free_{body}");
+    let coordinates: Vec<Coordinate> = (0..6).map(|i| unnamed(&name, i, 0..0)).collect();
+    let steps = plain("FreeJoint").map(|(_, steps)| steps).unwrap_or_default();
+    let identity = Placement::identity();
+    Chain { name: &name, from: identity, steps, to: identity, coordinates: &coordinates }
+        .joint(&Couplers::new())
 }
 
 /// The number of coordinates and the steps of a joint whose kind says it all.
@@ -98,13 +128,18 @@ fn complete(
     count: usize,
 ) -> Option<()> {
     if coordinates.len() > count {
-        let (name, kind, found) = (at.name, at.node.tag_name().name(), coordinates.len());
+        let (name, kind, found) = (&at.name, at.node.tag_name().name(), coordinates.len());
         reader.fault(tag(at.node), format!("joint '{name}' has {found} coordinates; a <{kind}> has {count}"));
         return None;
     }
     for i in coordinates.len()..count {
-        let name = format!("{}_coord_{i}", at.name);
-        coordinates.push(Coordinate { name, limits: None, span: tag(at.node) });
+        coordinates.push(unnamed(&at.name, i, tag(at.node)));
     }
     Some(())
+}
+
+/// A coordinate that the file does not name.
+fn unnamed(joint: &str, index: usize, span: Range<usize>) -> Coordinate {
+    let name = format!("{joint}_coord_{index}");
+    Coordinate { dof: name.clone(), name, limits: None, span }
 }

@@ -15,6 +15,8 @@ mod opensim;
 #[cfg(feature = "opensim")]
 mod opensim_faults;
 #[cfg(feature = "opensim")]
+mod opensim_joints;
+#[cfg(feature = "opensim")]
 mod opensim_laws;
 #[cfg(feature = "opensim")]
 mod opensim_loads;

@@ -33,14 +33,14 @@ pub(crate) fn joint(kind: &str, name: &str, ends: [&str; 2], coordinates: &[&str
     )
 }
 
-const OFFSETS: &str = "<frames>\
+pub(crate) const OFFSETS: &str = "<frames>\
     <PhysicalOffsetFrame name=\"below\"><socket_parent>/ground</socket_parent>\
       <translation>0.1 0.2 -0.3</translation><orientation>0.4 -0.5 0.6</orientation></PhysicalOffsetFrame>\
     <PhysicalOffsetFrame name=\"on\"><socket_parent>/bodyset/rod</socket_parent>\
       <translation>-0.05 0.3 0.02</translation><orientation>-0.2 0.7 0.1</orientation></PhysicalOffsetFrame></frames>";
 
 /// A single body `rod` on a joint between two offset frames.
-fn rod(kind: &str, coordinates: &[&str], more: &str) -> Import {
+pub(crate) fn rod(kind: &str, coordinates: &[&str], more: &str) -> Import {
     let joint = joint(kind, "pivot", ["below", "on"], coordinates, &format!("{OFFSETS}{more}"));
     read(&document(&body("rod", 2.0), &joint, ""))
 }
@@ -50,7 +50,7 @@ pub(crate) fn read(text: &str) -> Import {
 }
 
 /// A turn by `angle` about a unit vector, by the formula of Rodrigues.
-fn turn(axis: [f64; 3], angle: f64) -> Isometry3<f64> {
+pub(crate) fn turn(axis: [f64; 3], angle: f64) -> Isometry3<f64> {
     let a = Vector3::from(axis).normalize();
     let cross = a.cross_matrix();
     let matrix = Matrix3::identity() + cross * angle.sin() + cross * cross * (1.0 - angle.cos());
@@ -58,21 +58,21 @@ fn turn(axis: [f64; 3], angle: f64) -> Isometry3<f64> {
     Isometry3::from_parts(Vector3::zeros().into(), rotation)
 }
 
-fn slide(by: [f64; 3]) -> Isometry3<f64> {
+pub(crate) fn slide(by: [f64; 3]) -> Isometry3<f64> {
     Isometry3::translation(by[0], by[1], by[2])
 }
 
-const X: [f64; 3] = [1.0, 0.0, 0.0];
-const Y: [f64; 3] = [0.0, 1.0, 0.0];
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
+pub(crate) const X: [f64; 3] = [1.0, 0.0, 0.0];
+pub(crate) const Y: [f64; 3] = [0.0, 1.0, 0.0];
+pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A frame at a place, turned by three body-fixed angles.
-fn offset(at: [f64; 3], angles: [f64; 3]) -> Isometry3<f64> {
+pub(crate) fn offset(at: [f64; 3], angles: [f64; 3]) -> Isometry3<f64> {
     slide(at) * turn(X, angles[0]) * turn(Y, angles[1]) * turn(Z, angles[2])
 }
 
 /// The pose of a body's frame with the named coordinates at these values, followers in their places.
-fn pose(import: &Import, name: &str, values: &[(&str, f64)]) -> Isometry3<f64> {
+pub(crate) fn pose(import: &Import, name: &str, values: &[(&str, f64)]) -> Isometry3<f64> {
     let figure = &import.figure;
     let tree = Tree::<f64>::new(figure, import.gravity).expect("a figure");
     let mut workspace = Workspace::new(&tree);
@@ -96,14 +96,14 @@ fn pose(import: &Import, name: &str, values: &[(&str, f64)]) -> Isometry3<f64> {
 }
 
 #[track_caller]
-fn assert_near(found: &Isometry3<f64>, expected: &Isometry3<f64>, what: &str) {
+pub(crate) fn assert_near(found: &Isometry3<f64>, expected: &Isometry3<f64>, what: &str) {
     let off = (found.to_homogeneous() - expected.to_homogeneous()).amax();
     assert!(off < 1e-13, "{what}: {off:e}\n{found}\n{expected}");
 }
 
 /// The rod's pose is that of the chain of frames: offset, joint, offset back.
 #[track_caller]
-fn check(import: &Import, values: &[(&str, f64)], moved: Isometry3<f64>, what: &str) {
+pub(crate) fn check(import: &Import, values: &[(&str, f64)], moved: Isometry3<f64>, what: &str) {
     let below = offset([0.1, 0.2, -0.3], [0.4, -0.5, 0.6]);
     let on = offset([-0.05, 0.3, 0.02], [-0.2, 0.7, 0.1]);
     assert_near(&pose(import, "rod", values), &(below * moved * on.inverse()), what);
