@@ -1,8 +1,8 @@
 //! Files that are read: figures in any format, tables of numbers.
 
 use crate::error::CliError;
-use solaris::io::{Import, Table, csv, mjcf, opensim, sto, urdf};
-use solaris::model::{Figure, Finding, TextError, Vector3, text};
+use solaris::io::{Encoding, Import, Table, csv, decode, mjcf, opensim, sto, urdf};
+use solaris::model::{Figure, Finding, FindingKind, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -130,7 +130,7 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
     let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
     refuse_unread(path, known)?;
-    let text = self::text(path)?;
+    let (text, encoding) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
     let language = Language::of(path, &text).ok_or_else(|| {
         let why = match extension(path).as_str() {
             "xml" => {
@@ -152,8 +152,16 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
         Language::Mjcf => mjcf::read(&text),
         Language::OpenSim => opensim::read(&text),
     };
-    let Import { figure, findings, gravity, gravity_is_given, .. } =
+    let Import { figure, mut findings, gravity, gravity_is_given, .. } =
         imported.map_err(|faults| faulty(path, &text, faults))?;
+    if encoding != Encoding::Utf8 {
+        findings.push(Finding {
+            kind: FindingKind::Note,
+            subject: "letters".to_owned(),
+            message: format!("the file is no UTF-8, and is read as {}", encoding.name()),
+            place: None,
+        });
+    }
     if language == Language::Ron {
         let gravity = figure.gravity().copied();
         let gravity_is_given = gravity.is_some();
@@ -195,6 +203,16 @@ pub(crate) fn faulty(path: &Path, text: &str, faults: TextError) -> CliError {
 
 /// A file's text.
 pub(crate) fn text(path: &Path) -> Result<String, CliError> {
+    String::from_utf8(bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
+}
+
+/// The error of bytes that are no text.
+fn no_text(path: &Path, bytes: Vec<u8>) -> CliError {
+    let at = String::from_utf8(bytes).err().map_or(0, |error| error.utf8_error().valid_up_to());
+    CliError::input(path, &format!("it is no text: byte {at} is not UTF-8"))
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     let refuse = |why: &dyn ToString| CliError::input(path, why);
     if fs::metadata(path).is_ok_and(|found| found.is_dir()) {
         return Err(refuse(&"it is a folder; name a file"));
@@ -208,10 +226,7 @@ pub(crate) fn text(path: &Path) -> Result<String, CliError> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(refuse(&format!("it has more than {MOST_BYTES} bytes, the most that is read")));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        refuse(&format!("it is no text: byte {at} is not UTF-8"))
-    })
+    Ok(bytes)
 }
 
 /// A path's extension in lower case, or nothing.

@@ -28,9 +28,10 @@
 //! R(a, f(x)) = R(a, x)·R(a, f(x) − x)
 //! ```
 //!
-//! Functions of a coordinate that a constraint makes a function of another are both, one after the other. Functions are `Constant`, `LinearFunction`,
-//! `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`), `GCVSpline` of degree 3 without
-//! smoothing, and any of these in a `MultiplierFunction`; all are kept exactly.
+//! Functions of a coordinate that a constraint makes a function of another are both, one after the other. Functions are
+//! `Constant`, `LinearFunction`, `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`),
+//! `GCVSpline` of degree 3 and 5 without smoothing, `Sine`, and any of these in a `MultiplierFunction`; all are kept
+//! exactly.
 //!
 //! The world is the model's ground: y up, x forward, z to the right. A link's frame has the directions of its body's
 //! frame and its origin at the joint; where that is not the body's origin, the body's frame stays by its name.
@@ -54,6 +55,7 @@ mod layout;
 mod loads;
 mod mount;
 mod older;
+mod quintic;
 mod rest;
 mod spline;
 mod station;

@@ -62,11 +62,14 @@ pub(super) fn build(
         }
         (None, "CustomJoint") => custom::steps(reader, at, &coordinates, couplers)?,
         _ => {
-            let message = format!(
-                "joint '{name}' is a <{}>, which is not read; put a <CustomJoint> or another joint in its place",
-                shown(kind)
-            );
-            reader.fault(tag(node), message);
+            let what = match kind {
+                "ConstantCurvatureJoint" => {
+                    " (an arc whose bend is a function of two angles at once), which is not read; put a <BallJoint> in the \
+                     middle of its length in its place, or several"
+                }
+                _ => ", which is not read; put a <CustomJoint> or another joint in its place",
+            };
+            reader.fault(tag(node), format!("joint '{name}' is a <{}>{what}", shown(kind)));
             return None;
         }
     };

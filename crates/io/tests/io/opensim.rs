@@ -266,6 +266,21 @@ fn rotations_may_follow_too() {
     // σ₁ = −½ by hand: f(½) = 1.5·½ − 0.5·⅛.
     check(&import, &[("knee", 0.5)], turn(Z, 0.5) * turn(Y, 0.6875), "natural cubic");
     check(&import, &[("knee", -1.0)], turn(Z, -1.0) * turn(Y, -1.5), "straight on");
+    // Without an order it is a quintic, which a parabola comes back from.
+    let quintic = spline.replace(
+        "<half_order>2</half_order><x>0 1 2</x><y>0 1 0</y>",
+        "<x>-2 -1 0 1 2 3</x><y>4 1 0 1 4 9</y>",
+    );
+    let wave = "<Sine name=\"function\"><amplitude>0.5</amplitude><omega>2</omega><phase>0.1</phase><offset>0.2</offset></Sine>";
+    let axes = [
+        axis("rotation1", "knee", "0 0 1", ""),
+        axis("rotation2", "knee", "0 1 0", &quintic),
+        axis("translation1", "knee", "1 0 0", wave),
+    ];
+    let import =
+        rod("CustomJoint", &["knee"], &format!("<SpatialTransform>{}</SpatialTransform>", axes.concat()));
+    let to_side = slide([0.2 + 0.5 * 0.9_f64.sin(), 0.0, 0.0]);
+    check(&import, &[("knee", 0.4)], to_side * turn(Z, 0.4) * turn(Y, 0.16), "quintic and wave");
 }
 
 #[test]

@@ -117,7 +117,8 @@ fn cases() -> Vec<(&'static str, String)> {
         ("spline of unequal lists", spline("0 1 2", "0 0")),
         ("spline of one point", spline("0", "0")),
         ("spline beyond numbers", spline("-1e308 0 1 1e308", "-1e308 1e308 -1e308 1e308")),
-        ("quintic spline", custom("bend", "<GCVSpline><half_order>3</half_order></GCVSpline>")),
+        ("spline of degree 7", custom("bend", "<GCVSpline><half_order>4</half_order></GCVSpline>")),
+        ("quintic spline of two points", custom("bend", "<GCVSpline><x>0 1</x><y>1 0</y></GCVSpline>")),
         ("no direction", custom("bend", "").replace("<axis>0 0 1</axis>", "<axis>0 0 0</axis>")),
         (
             "coupler to nowhere",
