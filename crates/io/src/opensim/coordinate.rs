@@ -6,6 +6,9 @@ use crate::xml::{Node, Reader, element, elements, elements_called, tag};
 use solaris_model::{Part, SourceMap};
 use std::ops::Range;
 
+/// Where a range is none, on both sides (rad or m).
+const UNBOUNDED: f64 = 9e4;
+
 /// A coordinate of a joint.
 pub(super) struct Coordinate {
     /// Its name in the file, which coordinates of other joints may have, too.
@@ -34,6 +37,8 @@ fn read(reader: &mut Reader, node: Node, names: &mut MadeUp, places: &mut Source
     let name = names.name(reader, node);
     let range = element(node, "range").filter(|range| !super::words(*range).is_empty());
     let limits = range.and_then(|range| reader.text_numbers(range, 2..=2)).map(|pair| (pair[0], pair[1]));
+    // ±99999.9, as many models have it, is no bound.
+    let limits = limits.filter(|(lower, upper)| lower.abs().min(upper.abs()) < UNBOUNDED);
     let limits = limits.map(|(lower, upper)| {
         if lower <= upper {
             return (lower, upper);

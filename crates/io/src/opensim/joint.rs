@@ -73,7 +73,7 @@ pub(super) fn build(
             return None;
         }
     };
-    if matches!(kind, "BallJoint" | "FreeJoint") {
+    if matches!(kind, "BallJoint" | "FreeJoint" | "EllipsoidJoint" | "ScapulothoracicJoint") {
         let message = format!(
             "its coordinates are three angles, and its moments those about their axes; OpenSim's moments of a <{kind}> are \
              about the axes of the parent frame"
