@@ -20,6 +20,8 @@ mod opensim_joints;
 mod opensim_laws;
 #[cfg(feature = "opensim")]
 mod opensim_loads;
+#[cfg(feature = "opensim")]
+mod opensim_reference;
 mod records;
 mod sto;
 #[cfg(any(feature = "mjcf", feature = "urdf"))]
