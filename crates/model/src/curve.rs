@@ -98,14 +98,8 @@ impl Curve {
     pub(crate) fn stretch(&mut self, factor: f64) {
         match self {
             Self::Polynomial(coefficients) => shrink(coefficients, factor),
-            Self::Cubics { knots, pieces } => {
-                knots.iter_mut().for_each(|knot| *knot *= factor);
-                pieces.iter_mut().for_each(|piece| shrink(piece, factor));
-            }
-            Self::Quintics { knots, pieces } => {
-                knots.iter_mut().for_each(|knot| *knot *= factor);
-                pieces.iter_mut().for_each(|piece| shrink(piece, factor));
-            }
+            Self::Cubics { knots, pieces } => stretch_pieces(knots, pieces, factor),
+            Self::Quintics { knots, pieces } => stretch_pieces(knots, pieces, factor),
             Self::Sine { frequency, .. } => *frequency /= factor,
             Self::Chain(curves) => match curves.first_mut() {
                 Some(first) => first.stretch(factor),
@@ -190,6 +184,16 @@ fn on_from([value, slope, second]: [f64; 3], by: f64, degree: usize) -> [f64; 3]
         return [value + slope * by, slope, 0.0];
     }
     [value + by * (slope + 0.5 * second * by), slope + second * by, second]
+}
+
+/// Knots and pieces of a curve, of `x/factor`.
+fn stretch_pieces<const N: usize>(knots: &mut [f64], pieces: &mut [[f64; N]], factor: f64) {
+    for knot in knots {
+        *knot *= factor;
+    }
+    for piece in pieces {
+        shrink(piece, factor);
+    }
 }
 
 /// Makes `Σ cₖ·xᵏ` what it is of `x/factor`.

@@ -30,23 +30,22 @@ pub(super) fn beside_identity(curve: &Curve) -> Option<Curve> {
             Some(Curve::Polynomial(coefficients))
         }
         Curve::Cubics { knots, pieces } => {
-            let mut pieces = pieces.clone();
-            for (piece, knot) in pieces.iter_mut().zip(knots) {
-                piece[0] -= knot;
-                piece[1] -= 1.0;
-            }
-            Some(Curve::Cubics { knots: knots.clone(), pieces })
+            Some(Curve::Cubics { knots: knots.clone(), pieces: less_identity(knots, pieces) })
         }
         Curve::Quintics { knots, pieces } => {
-            let mut pieces = pieces.clone();
-            for (piece, knot) in pieces.iter_mut().zip(knots) {
-                piece[0] -= knot;
-                piece[1] -= 1.0;
-            }
-            Some(Curve::Quintics { knots: knots.clone(), pieces })
+            Some(Curve::Quintics { knots: knots.clone(), pieces: less_identity(knots, pieces) })
         }
         _ => None,
     }
+}
+
+fn less_identity<const N: usize>(knots: &[f64], pieces: &[[f64; N]]) -> Vec<[f64; N]> {
+    let mut pieces = pieces.to_vec();
+    for (piece, knot) in pieces.iter_mut().zip(knots) {
+        piece[0] -= knot;
+        piece[1] -= 1.0;
+    }
+    pieces
 }
 
 /// `outer(inner(x))`: of one kind where it is (everything of a line, a line of everything, polynomials), else a chain.
@@ -55,7 +54,7 @@ pub(super) fn compose(outer: &Curve, inner: &Curve) -> Curve {
         return raised(inner.scaled(slope), offset);
     }
     match (outer, inner, line(inner)) {
-        (_, _, Some((slope, offset))) if slope == 0.0 => Curve::Polynomial(vec![outer.at(offset)[0]]),
+        (_, _, Some((0.0, offset))) => Curve::Polynomial(vec![outer.at(offset)[0]]),
         (Curve::Cubics { knots, pieces }, _, Some((slope, offset))) => of_line(knots, pieces, slope, offset),
         (Curve::Polynomial(outer), Curve::Polynomial(inner), _)
             if outer.len().saturating_mul(inner.len()) <= MOST =>
@@ -78,11 +77,11 @@ pub(super) fn links(curve: &Curve) -> std::slice::Iter<'_, Curve> {
 fn raised(curve: Curve, offset: f64) -> Curve {
     match curve {
         Curve::Cubics { knots, mut pieces } => {
-            pieces.iter_mut().for_each(|piece| piece[0] += offset);
+            lift(&mut pieces, offset);
             Curve::Cubics { knots, pieces }
         }
         Curve::Quintics { knots, mut pieces } => {
-            pieces.iter_mut().for_each(|piece| piece[0] += offset);
+            lift(&mut pieces, offset);
             Curve::Quintics { knots, pieces }
         }
         Curve::Polynomial(mut coefficients) => {
@@ -92,6 +91,12 @@ fn raised(curve: Curve, offset: f64) -> Curve {
         }
         other if offset == 0.0 => other,
         other => Curve::Chain(links(&other).cloned().chain([Curve::linear(1.0, offset)]).collect()),
+    }
+}
+
+fn lift<const N: usize>(pieces: &mut [[f64; N]], by: f64) {
+    for piece in pieces {
+        piece[0] += by;
     }
 }
 

@@ -138,7 +138,7 @@ fn drive(
         return None;
     }
     let is_linear = function.is_none_or(|function| function.tag_name().name() == "LinearFunction");
-    let pure = is_linear && line(&curve).is_some_and(|(slope, _)| slope.abs() == 1.0);
+    let pure = is_linear && line(&curve).is_some_and(|(slope, _)| (slope.abs() - 1.0).abs() < f64::EPSILON);
     Some(Drive { kind, direction, coordinate, curve, pure })
 }
 

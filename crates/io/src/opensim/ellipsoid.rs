@@ -29,7 +29,7 @@ pub(super) fn joint(reader: &mut Reader, at: &JointAt) -> Option<Vec<Step>> {
 /// # Source
 ///
 /// A. Seth, R. Matias, A. P. Veloso, S. L. Delp, *A biomechanical model of the scapulothoracic joint to accurately capture
-/// scapular kinematics during shoulder movements*, PLoS ONE 11 (2016), e0141028.
+/// scapular kinematics during shoulder movements*, PLOS ONE 11 (2016), e0141028.
 pub(super) fn scapulothoracic(reader: &mut Reader, at: &JointAt) -> Option<Vec<Step>> {
     let [x, y, z] = radii(reader, at, "thoracic_ellipsoid_radii_x_y_z")?;
     let origin = element(at.node, "scapula_winging_axis_origin")
@@ -61,7 +61,7 @@ fn glide([a, b, c]: [f64; 3]) -> Vec<Step> {
     let turn = |slope| Step::along(AxisKind::Rotation, x, 0, Curve::linear(slope, 0.0));
     let mut steps = vec![slide(x, a, 0.0)];
     // Where the section is a circle, one turn is enough.
-    if b != c {
+    if (b - c).abs() > 0.0 {
         steps.extend([turn(-1.0), slide(z, 0.5 * (c - b), FRAC_PI_2), turn(1.0)]);
     }
     steps.extend([

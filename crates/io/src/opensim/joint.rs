@@ -84,7 +84,9 @@ pub(super) fn build(
     if turned {
         (from, to) = (to, from);
         steps.reverse();
-        steps.iter_mut().for_each(|step| step.direction = -step.direction);
+        for step in &mut steps {
+            step.direction = -step.direction;
+        }
         let message = "its child is nearer to ground than its parent: the joint is turned round, and its coordinates keep \
                        their meaning";
         reader.note(tag(node), format!("joint '{name}'"), message);

@@ -18,7 +18,9 @@ fn forces(import: &Import, q: &[(&str, f64)], a: &[(&str, f64)]) -> Vec<f64> {
     let dof = |name: &str| import.figure.layout().dof_index(name).expect("a coordinate of the file");
     let spread = |values: &[(&str, f64)]| {
         let mut spread = vec![0.0; tree.nv()];
-        values.iter().for_each(|(name, value)| spread[dof(name)] = *value);
+        for (name, value) in values {
+            spread[dof(name)] = *value;
+        }
         spread
     };
     let (mut q, mut v, mut a) = (spread(q), vec![0.0; tree.nv()], spread(a));
