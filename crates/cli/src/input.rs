@@ -130,7 +130,11 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
     let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
     refuse_unread(path, known)?;
-    let (text, encoding) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
+    let (text, encoding) = match extension(path).as_str() {
+        // What people's and other programs' editors write.
+        "urdf" | "xml" | "mjcf" | "osim" => decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?,
+        _ => (self::text(path)?, Encoding::Utf8),
+    };
     let language = Language::of(path, &text).ok_or_else(|| {
         let why = match extension(path).as_str() {
             "xml" => {

@@ -230,6 +230,11 @@ fn a_coordinate_may_move_axes_by_functions_alone() {
     for beta in [-0.8, 0.0, 0.3, 1.7] {
         check(&import, &[("beta", beta)], moved(beta), "by itself");
     }
+    // Of a function that its coordinate cannot be a part of, it is turned forth and back.
+    let wave =
+        axis("translation3", "beta", "0 0 1", "<Sine name=\"function\"><amplitude>0.3</amplitude></Sine>");
+    let swung = rod("CustomJoint", &["beta"], &format!("<SpatialTransform>{wave}</SpatialTransform>"));
+    check(&swung, &[("beta", 0.7)], slide([0.0, 0.0, 0.3 * 0.7_f64.sin()]), "a wave alone");
     // What OpenSim calls neither angle nor length.
     assert!(import.findings.iter().any(|finding| finding.message.contains("in radians")));
 

@@ -142,6 +142,21 @@ fn cases() -> Vec<(&'static str, String)> {
             let tie = |i: usize| coupler(&format!("j{i}_angle"), &format!("j{}_angle", i + 1)).replace(line, spline);
             document(&bodies, &joints, &constraints((1..count).map(tie).collect()))
         }),
+        ("frames through points of each other", {
+            let point = |name: &str, frame: &str| {
+                format!("<Station name=\"{name}\"><socket_parent_frame>{frame}</socket_parent_frame></Station>")
+            };
+            let corner = |i: usize| {
+                let frame = if i == 0 { "/ground".to_owned() } else { format!("/corner{}", i - 1) };
+                let socket = |socket: &str| format!("<socket_{socket}>/p{i}</socket_{socket}>");
+                let sockets = ["point_a", "point_b", "point_c", "origin_point"].map(socket).concat();
+                point(&format!("p{i}"), &frame)
+                    + &format!("<StationDefinedFrame name=\"corner{i}\">{sockets}</StationDefinedFrame>")
+            };
+            let corners: String = (0..60).map(corner).collect();
+            good.replace("<socket_parent_frame>/ground", "<socket_parent_frame>/corner59")
+                .replace("<BodySet", &format!("<components>{corners}</components><BodySet"))
+        }),
         (
             "massless end",
             good.replace("<mass>2<", "<mass>0<")
