@@ -27,7 +27,7 @@ pub(crate) const TABLE: Formats<TableFormat> =
 pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     refuse_unread(
         &args.from,
-        "read are figures (.ron, .urdf, .xml, .mjcf, .osim) and motions (.csv, .mot, .sto)",
+        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim) and motions (.csv, .mot, .sto)",
     )?;
     let is_table = TABLE.iter().any(|(known, _)| *known == extension(&args.from));
     if !is_table {

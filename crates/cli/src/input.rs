@@ -1,7 +1,10 @@
 //! Files that are read: figures in any format, tables of numbers.
 
+mod folder;
+
 use crate::error::CliError;
-use solaris::io::{Encoding, Import, Table, csv, decode, mjcf, opensim, sto, urdf};
+use folder::Folder;
+use solaris::io::{Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
 use solaris::model::{Figure, Finding, FindingKind, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
@@ -19,6 +22,7 @@ pub(crate) enum Language {
     Urdf,
     Mjcf,
     OpenSim,
+    Sdf,
 }
 
 impl Language {
@@ -29,6 +33,7 @@ impl Language {
             Self::Urdf => "URDF",
             Self::Mjcf => "MuJoCo model",
             Self::OpenSim => "OpenSim model",
+            Self::Sdf => "SDF model",
         }
     }
 
@@ -39,10 +44,12 @@ impl Language {
             "urdf" => Some(Self::Urdf),
             "mjcf" => Some(Self::Mjcf),
             "osim" => Some(Self::OpenSim),
+            "sdf" | "world" => Some(Self::Sdf),
             "xml" => match root_element(text) {
                 "mujoco" => Some(Self::Mjcf),
                 "robot" => Some(Self::Urdf),
                 "OpenSimDocument" => Some(Self::OpenSim),
+                "sdf" => Some(Self::Sdf),
                 _ => None,
             },
             _ => None,
@@ -94,7 +101,7 @@ impl Body {
 }
 
 /// What is known of files that are not read yet, by their extensions.
-const UNREAD: [(&str, &str); 9] = [
+const UNREAD: [(&str, &str); 8] = [
     ("bvh", "motion capture (BVH), which is written but not read yet"),
     ("c3d", "measured markers (C3D), which are not read yet"),
     ("trc", "measured markers (TRC), which are not read yet"),
@@ -102,7 +109,6 @@ const UNREAD: [(&str, &str); 9] = [
     ("glb", "a model of a 3-D program (glTF), which is not read yet"),
     ("gltf", "a model of a 3-D program (glTF), which is not read yet"),
     ("usd", "a model of a 3-D program (USD), which is not read yet"),
-    ("sdf", "a model of a simulator (SDF), which is not read yet"),
     ("html", "a page, which a browser shows"),
 ];
 
@@ -121,6 +127,7 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
         "urdf" => Some(Language::Urdf),
         "mjcf" => Some(Language::Mjcf),
         "osim" => Some(Language::OpenSim),
+        "sdf" | "world" => Some(Language::Sdf),
         "xml" => text(path).ok().and_then(|text| Language::of(path, &text)),
         _ => None,
     }
@@ -128,17 +135,20 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
 
 /// Reads a figure.
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
-    let known = "a figure is .ron, .urdf, .xml or .mjcf (MuJoCo), or .osim";
+    let known = "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), or .osim";
     refuse_unread(path, known)?;
     let (text, encoding) = match extension(path).as_str() {
         // What people's and other programs' editors write.
-        "urdf" | "xml" | "mjcf" | "osim" => decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?,
+        "urdf" | "sdf" | "world" | "xml" | "mjcf" | "osim" => {
+            decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?
+        }
         _ => (self::text(path)?, Encoding::Utf8),
     };
     let language = Language::of(path, &text).ok_or_else(|| {
         let why = match extension(path).as_str() {
             "xml" => {
-                "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an OpenSim model".to_owned()
+                "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an SDF (<sdf>) nor an OpenSim model"
+                    .to_owned()
             }
             "csv" | "mot" | "sto" => format!("it is a motion, and a figure is needed: {known}"),
             _ => format!("its extension says nothing; {known}"),
@@ -155,6 +165,7 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
         Language::Urdf => urdf::read(&text),
         Language::Mjcf => mjcf::read(&text),
         Language::OpenSim => opensim::read(&text),
+        Language::Sdf => sdf::read_with(&text, &mut Folder::of(path)),
     };
     let Import { figure, mut findings, gravity, gravity_is_given, .. } =
         imported.map_err(|faults| faulty(path, &text, faults))?;

@@ -129,13 +129,13 @@ impl Coupling {
             }
             self.right[i] = tau[dof] - self.tau[dof];
         }
-        let least =
-            (0..self.free.len()).min_by(|&i, &j| self.reduced[(i, i)].total_cmp(&self.reduced[(j, j)]));
         // Taken out and put back, so that nothing is allocated.
         let Some(factor) = Cholesky::new(std::mem::take(&mut self.reduced)) else {
             self.reduced = DMatrix::zeros(self.free.len(), self.free.len());
-            let dof = least.map(|i| tree.v_name(self.free[i])).unwrap_or_default();
-            return Err(DynamicsError::NoInertia { dof });
+            self.take_free();
+            let (i, inertia) = last_pivot(&mut self.reduced);
+            let dof = self.free.get(i).map(|&dof| tree.v_name(dof)).unwrap_or_default();
+            return Err(DynamicsError::NoInertia { dof, inertia });
         };
         factor.solve_mut(&mut self.right);
         self.reduced = factor.unpack_dirty();
@@ -185,10 +185,33 @@ impl Coupling {
                 self.whole[(f.leader, column)] += slope * entry;
             }
         }
+        self.take_free();
+    }
+
+    /// Rows and columns of the free degrees of freedom.
+    fn take_free(&mut self) {
         for (i, &row) in self.free.iter().enumerate() {
             for (j, &column) in self.free.iter().enumerate() {
                 self.reduced[(i, j)] = self.whole[(row, column)];
             }
         }
     }
+}
+
+/// The first pivot of a symmetric matrix that is not above zero, or the last one, with its row; the matrix is spoilt.
+fn last_pivot(matrix: &mut DMatrix<f64>) -> (usize, f64) {
+    let n = matrix.nrows();
+    for i in 0..n {
+        let pivot = matrix[(i, i)];
+        if pivot.is_nan() || pivot <= 0.0 || i + 1 == n {
+            return (i, pivot);
+        }
+        for row in i + 1..n {
+            let factor = matrix[(row, i)] / pivot;
+            for column in i + 1..n {
+                matrix[(row, column)] -= factor * matrix[(i, column)];
+            }
+        }
+    }
+    (0, 0.0)
 }

@@ -121,12 +121,15 @@ pub enum DynamicsError {
     },
     /// A force cannot accelerate a degree of freedom.
     #[error(
-        "dof '{dof}' has no inertia to oppose its force, none beyond rounding, so its acceleration cannot be found; \
-         give what it moves mass or inertia about its axis, give it an armature, or prescribe its acceleration"
+        "dof '{dof}' has no inertia to oppose its force, none above zero beyond rounding ({inertia:.3e} kg m² or kg is left), so \
+         its acceleration cannot be found; give what it moves mass or inertia about its axis that matter can have, give \
+         it an armature, or prescribe its acceleration"
     )]
     NoInertia {
         /// The degree of freedom.
         dof: String,
+        /// What is left for it once all that hangs from it has given way (kg m² or kg): zero, rounding, or less.
+        inertia: f64,
     },
     /// The motion of a figure in which degrees of freedom follow others.
     #[error(

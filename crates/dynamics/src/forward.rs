@@ -10,7 +10,8 @@ use crate::inverse::apply_external;
 use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 use crate::spatial::load::Load;
-use crate::tree::Tree;
+use crate::spatial::symmetric::Symmetric;
+use crate::tree::{Body, Tree};
 use crate::workspace::{Workspace, check, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
 use solaris_model::EulerOrder;
@@ -208,14 +209,28 @@ pub(crate) fn check_accelerations<T: Scalar>(
         let pivots = workspace.yieldings[i].pivots();
         if let Some(axis) = pivots.iter().position(infinite).filter(|_| body.turns_freely) {
             let order = body.triple.map_or([0, 1, 2], EulerOrder::axes);
-            return order.iter().position(|of| *of == axis).map(|turn| (body.end - 3 + turn, pivots[axis]));
+            let inertia = turning_inertia(body, workspace.articulated[i].angular).pivot(axis);
+            return order.iter().position(|of| *of == axis).map(|turn| (body.end - 3 + turn, inertia));
         }
         let single_end = if pivots[0].is_zero() { body.end } else { body.end - 3 };
         let hinge = (body.first..single_end).rev().find(|&k| infinite(&workspace.hinges[k].inverse));
-        hinge.map(|k| (k, workspace.hinges[k].inverse))
+        hinge.map(|k| (k, tree.dofs[k].armature + workspace.hinges[k].diagonal(&tree.dofs[k], workspace)))
     });
     bad.map_or_else(
         || check_result("an acceleration", a),
-        |(k, _)| Err(DynamicsError::NoInertia { dof: tree.v_name(k) }),
+        |(k, inertia)| {
+            // The least of all lanes.
+            let inertia = -(-inertia).greatest();
+            Err(DynamicsError::NoInertia { dof: tree.v_name(k), inertia })
+        },
     )
+}
+
+/// What a link that turns freely, with all that hangs from it, opposes to turning.
+fn turning_inertia<T: Scalar>(body: &Body<T>, hanging: Symmetric<T>) -> Symmetric<T> {
+    let mut all = hanging;
+    if let Some(distribution) = &body.mass_distribution {
+        all.add(&distribution.inertia_at_origin);
+    }
+    all
 }

@@ -8,24 +8,30 @@ pub mod csv;
 mod encoding;
 mod error;
 pub mod headings;
-#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod import;
+#[cfg(feature = "sdf")]
+mod loader;
 #[cfg(feature = "mjcf")]
 pub mod mjcf;
 #[cfg(feature = "opensim")]
 pub mod opensim;
 pub mod record;
+#[cfg(feature = "sdf")]
+pub mod sdf;
 pub mod sto;
 mod table;
-#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod tree;
 #[cfg(feature = "urdf")]
 pub mod urdf;
-#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod xml;
 
 pub use encoding::{Encoding, decode};
 pub use error::{BvhFault, ContactProblem, ExternalForceProblem, IoError};
-#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
+#[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 pub use import::Import;
+#[cfg(feature = "sdf")]
+pub use loader::{FileError, FilesError, Loader, NoFiles};
 pub use table::Table;

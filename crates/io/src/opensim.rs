@@ -97,7 +97,7 @@ const DEEPEST: usize = 100;
 /// # Ok::<(), solaris_model::TextError>(())
 /// ```
 pub fn read(text: &str) -> Result<Import, TextError> {
-    let strict = xml::lenient(text);
+    let strict = xml::mended(text);
     let document = xml::parse(&strict, DEEPEST)?;
     let (model, version) = model_of(&document, text)?;
     let mut reader = Reader::new(text);

@@ -4,7 +4,7 @@
 //! become part of its link, and their frames are kept by name.
 
 #![cfg_attr(
-    not(all(feature = "urdf", feature = "mjcf", feature = "opensim")),
+    not(all(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf")),
     allow(dead_code, unused_imports, reason = "each importer uses a part")
 )]
 
@@ -12,6 +12,7 @@ mod composite;
 mod lump;
 mod names;
 
+pub(crate) use composite::product;
 pub(crate) use lump::{Lump, combined};
 pub(crate) use names::Names;
 
@@ -123,6 +124,9 @@ pub(crate) fn finish(
     bodies: Vec<Body>,
     places: SourceMap,
 ) -> Result<(Figure, Vec<Finding>), TextError> {
+    if let Some(error) = reader.error().filter(|_| bodies.is_empty()) {
+        return Err(error);
+    }
     let built = assemble(name, bodies, places, reader.text());
     if let Err(error) = &built {
         for fault in &error.faults {

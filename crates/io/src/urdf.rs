@@ -61,6 +61,7 @@ const GRAVITY: f64 = 9.80665;
 /// # Ok::<(), solaris_model::TextError>(())
 /// ```
 pub fn read(text: &str) -> Result<Import, TextError> {
+    let text = &*xml::mended(text);
     let document = xml::parse(text, DEEPEST)?;
     let root = document.root_element();
     let mut reader = Reader::new(text);
@@ -82,11 +83,6 @@ pub fn read(text: &str) -> Result<Import, TextError> {
     let mut places = SourceMap::default();
     places.put(solaris_model::Part::Figure, "", tag(root));
     let bodies = structure::bodies(&mut reader, root, links, &joints, &mut places);
-    let Some(bodies) = bodies else {
-        return Err(reader
-            .error()
-            .unwrap_or_else(|| TextError::one(text, tag(root), "the links form no tree")));
-    };
     let (figure, findings) = tree::finish(reader, name, bodies, places)?;
     let gravity = Vector3::new(0.0, 0.0, -GRAVITY);
     Ok(Import { figure, findings, gravity, gravity_is_given: false })
@@ -94,12 +90,16 @@ pub fn read(text: &str) -> Result<Import, TextError> {
 
 /// A file that xacro has yet to expand is refused as a whole: everything else would be a consequence.
 fn refuse_xacro(text: &str, root: Node) -> Result<(), TextError> {
-    let advice = "this file holds xacro, which is not expanded here; run `xacro FILE -o robot.urdf` first";
+    let advice = "this file holds xacro, which is not expanded here: run `xacro FILE -o robot.urdf` (with ROS 2 `ros2 run xacro xacro \
+                  FILE -o robot.urdf`) and read robot.urdf";
     for node in root.descendants().filter(Node::is_element) {
         if node.tag_name().namespace().is_some_and(|uri| uri.contains("xacro")) {
             return Err(TextError::one(text, tag(node), advice));
         }
-        if let Some(attribute) = node.attributes().find(|attribute| attribute.value().contains("${")) {
+        if let Some(attribute) = node
+            .attributes()
+            .find(|attribute| ["${", "$("].iter().any(|word| attribute.value().contains(word)))
+        {
             return Err(TextError::one(text, attribute.range_value(), advice));
         }
     }

@@ -10,16 +10,17 @@
 //! ```
 
 #![cfg_attr(
-    not(all(feature = "urdf", feature = "mjcf", feature = "opensim")),
+    not(all(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf")),
     allow(dead_code, unused_imports, reason = "each importer uses a part")
 )]
 
-mod lenient;
+mod mended;
 mod numbers;
 mod parse;
 mod unread;
 
-pub(crate) use lenient::lenient;
+pub(crate) use mended::mended;
+pub(crate) use numbers::text_of;
 pub(crate) use parse::parse;
 
 use solaris_model::{Finding, FindingKind, Place, TextError};
@@ -61,6 +62,11 @@ impl<'a> Reader<'a> {
     /// Whether there is a fault so far.
     pub(crate) fn has_faults(&self) -> bool {
         !self.faults.is_empty()
+    }
+
+    /// How many faults there are so far.
+    pub(crate) fn fault_count(&self) -> usize {
+        self.faults.len()
     }
 
     /// Something that looks wrong.

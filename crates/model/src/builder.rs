@@ -193,9 +193,6 @@ impl FigureBuilder {
         let coordinates = self.coordinates();
         self.check_followers(&coordinates, &mut hints, &mut faults);
         let angles = self.check_angles(&coordinates, &mut hints, &mut faults);
-        if let Some(order) = &order {
-            self.check_mass(order, &mut faults);
-        }
         match order {
             Some(order) if faults.is_empty() => Ok(self.assemble(&order, angles)),
             _ => Err(FigureError { figure: self.name, faults }),
@@ -354,38 +351,6 @@ impl FigureBuilder {
             }
         }
         self.angles.clone()
-    }
-
-    /// Every joint that moves must move some mass.
-    fn check_mass(&self, order: &[usize], faults: &mut Vec<Fault>) {
-        let index: HashMap<&str, usize> =
-            self.links.iter().enumerate().map(|(i, link)| (link.name.as_str(), i)).collect();
-        let parent = |i: usize| self.links[i].parent.as_deref().and_then(|name| index.get(name).copied());
-        let mut massive = vec![false; self.links.len()];
-        for &i in order.iter().rev() {
-            massive[i] |= self.links[i].mass != 0.0;
-            if let Some(parent) = parent(i) {
-                massive[parent] |= massive[i];
-            }
-        }
-        // A massless subtree is reported once, at the joint nearest to the root that moves it.
-        let mut subtrees: Vec<Vec<usize>> = Vec::new();
-        let mut inside: Vec<Option<usize>> = vec![None; self.links.len()];
-        for &i in order {
-            inside[i] = parent(i).and_then(|parent| inside[parent]);
-            if inside[i].is_none() && !massive[i] && self.links[i].joint.kind().nv() > 0 {
-                inside[i] = Some(subtrees.len());
-                subtrees.push(Vec::new());
-            }
-            if let Some(subtree) = inside[i] {
-                subtrees[subtree].push(i);
-            }
-        }
-        for subtree in subtrees {
-            let joint = self.links[subtree[0]].joint.name().to_owned();
-            let links = subtree.into_iter().map(|link| self.links[link].name.clone()).collect();
-            faults.push(Fault::MasslessSubtree { joint, links });
-        }
     }
 
     fn assemble(self, order: &[usize], angles: Vec<(String, String, f64)>) -> Figure {

@@ -31,23 +31,9 @@ pub enum Fault {
     #[error("link '{link}': mass is {mass} kg; it must be zero or more")]
     NegativeMass { link: String, mass: f64 },
     #[error(
-        "joint '{joint}' moves links {} which together have no mass, so no force can be found for it; \
-         give one of them mass or weld the joint", quoted(.links)
-    )]
-    MasslessSubtree { joint: String, links: Vec<String> },
-    #[error(
-        "link '{link}': the inertia is not that of any mass distribution: its second moment along \
-         ({:.3}, {:.3}, {:.3}) is {moment:.3e} kg m² (the sum of the other two principal moments of inertia is less \
-         than the one about this axis); it must not be negative: check units, the point of reference (the centre of mass) \
-         and the signs of the products", .axis[0], .axis[1], .axis[2]
-    )]
-    InertiaNotPhysical { link: String, axis: [f64; 3], moment: f64 },
-    #[error(
         "link '{link}': the inertia is not symmetric: {row}{column} and {column}{row} differ by {difference:e} kg m²"
     )]
     InertiaNotSymmetric { link: String, row: char, column: char, difference: f64 },
-    #[error("link '{link}' has rotational inertia but no mass; give it mass or drop the inertia")]
-    InertiaWithoutMass { link: String },
     #[error("link '{link}': {what} of its shape is {value} m; it must be more than zero")]
     ShapeNotPositive { link: String, what: &'static str, value: f64 },
     #[error("joint '{joint}': axis {index} is ({:?}, {:?}, {:?}), which is no direction", .axis[0], .axis[1], .axis[2])]
@@ -124,13 +110,10 @@ impl Fault {
             Self::NotFinite { link, what, .. } | Self::NotRotation { link, what, .. } => {
                 (Part::Link, link, field(what))
             }
-            Self::NegativeMass { link, .. } | Self::InertiaWithoutMass { link } => (Part::Link, link, "mass"),
-            Self::InertiaNotPhysical { link, .. } | Self::InertiaNotSymmetric { link, .. } => {
-                (Part::Link, link, "inertia")
-            }
+            Self::NegativeMass { link, .. } => (Part::Link, link, "mass"),
+            Self::InertiaNotSymmetric { link, .. } => (Part::Link, link, "inertia"),
             Self::ShapeNotPositive { link, .. } => (Part::Link, link, "shape"),
-            Self::MasslessSubtree { joint, .. }
-            | Self::ZeroAxis { joint, .. }
+            Self::ZeroAxis { joint, .. }
             | Self::TooManyDofs { joint, .. }
             | Self::NotForThisJoint { joint, .. } => (Part::Joint, joint, ""),
             Self::LimitsReversed { dof, .. } => (Part::Dof, dof, "limits"),

@@ -47,7 +47,7 @@ pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, 
 pub use layout::{JointLayout, StateLayout};
 pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
-pub use lint::Extent;
+pub use lint::{Extent, MassDoubt};
 pub use measured::MeasuredForce;
 pub use motion::{
     Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Known, Motion, MotionError,

@@ -1,6 +1,7 @@
 //! Lints: what is suspicious about a figure though it is valid.
 
 mod inertia;
+mod mass;
 mod mirror;
 mod neutral;
 pub(crate) mod sides;
@@ -8,6 +9,7 @@ pub(crate) mod sides;
 use crate::figure::Figure;
 use crate::joint::AxisKind;
 use crate::limits::MANY_TURNS;
+pub use mass::MassDoubt;
 use nalgebra::Vector3;
 use neutral::Neutral;
 use solaris_text::{Finding, FindingKind};
@@ -62,6 +64,7 @@ impl Figure {
     ///
     /// | looks wrong | rule |
     /// |---|---|
+    /// | mass | an inertia that no mass distribution has, inertia without mass, a joint that moves nothing: [`Figure::mass_doubts`] |
     /// | density | mass over the volume of a link's shape outside 300–3000 kg/m³ |
     /// | limits | a range of one value; one that excludes the zero pose; an angle of more than two turns |
     /// | centre of mass | outside of the box round the link's shape, which then is not all of the link and not asked for more |
@@ -78,14 +81,15 @@ impl Figure {
     /// to that of the root's axes for which most pairs' joints are mirror images; where none serves most of them, each
     /// pair may be symmetric to any axis of the link that carries both.
     ///
-    /// The subject of each is a link's name, or for limits that of a degree of freedom; limits come first, then links in
-    /// order, then pairs.
+    /// The subject of each is a link's name, or for limits that of a degree of freedom; limits come first, then
+    /// masses, links in order, then pairs.
     #[doc(alias = "validate")]
     #[doc(alias = "check")]
     pub fn lint(&self) -> Vec<Finding> {
         let neutral = Neutral::of(self);
         let mut findings = Vec::new();
         limits(self, &neutral, &mut findings);
+        findings.extend(self.mass_doubts().iter().map(MassDoubt::finding));
         inertia::check(self, &mut findings);
         mirror::check(self, &neutral, &mut findings);
         findings

@@ -214,7 +214,7 @@ pub enum FailureKind {
         distance: f64,
     },
     /// A mass matrix with hardly any digits.
-    #[error("the mass matrix has the condition {condition:.1e}, worst about {dof}")]
+    #[error("{}, worst about {dof}", conditioned(*condition))]
     IllConditioned {
         /// The condition, each degree of freedom in units in which its own inertia is 1.
         condition: f64,
@@ -333,4 +333,13 @@ pub enum FailureKind {
     /// A state that the dynamics refuse.
     #[error("{0}")]
     Dynamics(DynamicsError),
+}
+
+/// How bad the condition of a mass matrix is.
+fn conditioned(condition: f64) -> String {
+    if condition.is_finite() {
+        format!("the mass matrix has the condition {condition:.1e}")
+    } else {
+        "the mass matrix is not positive: some motion meets no inertia, or less than none".to_owned()
+    }
 }

@@ -201,7 +201,8 @@ impl Scalar for DoubleDouble {
     }
 
     fn recip_or_nan(self, threshold: Self) -> Self {
-        if self > threshold { Self::one() / self } else { Self::from_f64(f64::NAN) }
+        let above = self > threshold && self > Self::zero();
+        if above { Self::one() / self } else { Self::from_f64(f64::NAN) }
     }
 }
 

@@ -68,7 +68,7 @@ macro_rules! float {
 
             #[inline]
             fn recip_or_nan(self, threshold: Self) -> Self {
-                if self > threshold { 1.0 / self } else { Self::NAN }
+                if self > threshold && self > 0.0 { 1.0 / self } else { Self::NAN }
             }
         }
 

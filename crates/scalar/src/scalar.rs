@@ -66,7 +66,7 @@ pub trait Scalar:
     /// has the derivatives of the side that its value is on; those of the threshold do not count.
     fn recip_above(self, threshold: Self) -> Self;
 
-    /// 1/x in the lanes whose value x is above the threshold, and NaN in the others.
+    /// 1/x in the lanes whose value x is above both the threshold and zero, and NaN in the others.
     ///
     /// Where nothing but rounding is left of a number that has to be positive, its reciprocal means nothing: whoever looks at
     /// the result has to see that.

@@ -92,7 +92,7 @@ fn parse_segment(text: &str) -> Result<(String, f64), String> {
 )]
 pub(crate) struct CheckArgs {
     #[arg(value_name = "FILE", help = wrap(
-        "A figure or a scene (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model"
+        "A figure or a scene (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model"
     ))]
     pub(crate) file: PathBuf,
     #[arg(
@@ -111,7 +111,7 @@ pub(crate) struct CheckArgs {
 #[derive(Debug, Args)]
 #[command(about = "A figure or a motion from one format to another", after_help = CONVERT_EXAMPLES)]
 pub(crate) struct ConvertArgs {
-    #[arg(value_name = "IN", help = wrap("A figure (.ron, .urdf, .xml, .mjcf, .osim) or a motion (.csv, .mot, .sto)"))]
+    #[arg(value_name = "IN", help = wrap("A figure (.ron, .urdf, .sdf, .xml, .mjcf, .osim) or a motion (.csv, .mot, .sto)"))]
     pub(crate) from: PathBuf,
     #[arg(value_name = "OUT", help = wrap("A figure as .ron, or a motion as .csv, .mot or .sto"))]
     pub(crate) to: PathBuf,

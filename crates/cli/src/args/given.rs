@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use solaris::model::{Base, Vector3};
 
 pub(super) const FIGURE: &str =
-    "A figure (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model";
+    "A figure (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model";
 pub(super) const MOTION: &str =
     "Its motion: .csv with columns DOF.q and, where known, .v and .a; or .mot, .sto";
 

@@ -3,7 +3,7 @@
 use super::read::Given;
 use super::units::slides;
 use serde::Serialize;
-use solaris::model::{AxisKind, FindingKind, JointKind};
+use solaris::model::{AxisKind, Finding, FindingKind, JointKind, MassDoubt};
 
 /// What went in.
 #[derive(Serialize)]
@@ -26,12 +26,21 @@ pub(crate) struct GivenReport {
     pub(super) from_velocities: usize,
     pub(super) filter: Option<FilterReport>,
     pub(super) many_turns: Vec<String>,
+    /// What of the figure's masses no matter can have; it was taken as it is.
+    pub(super) mass_doubts: Vec<Doubt>,
     pub(super) outside_limits: Vec<Excess>,
     pub(super) ignored_columns: Vec<String>,
     /// Elements of the figure's file that were not read.
     pub(super) not_read: usize,
     /// Whether nothing holds the root in the world, so that the forces of its joint are errors.
     pub(crate) root_is_free: bool,
+}
+
+/// A finding of [`Figure::mass_doubts`](solaris::model::Figure::mass_doubts).
+#[derive(Serialize)]
+pub(super) struct Doubt {
+    pub(super) subject: String,
+    pub(super) message: String,
 }
 
 #[derive(Serialize)]
@@ -99,11 +108,19 @@ impl GivenReport {
                 .into_iter()
                 .map(|dof| names[dof].clone())
                 .collect(),
+            mass_doubts: figure.mass_doubts().iter().map(Doubt::of).collect(),
             outside_limits: excess.collect(),
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
             root_is_free: is_base(figure.links()[0].joint().kind()),
         }
+    }
+}
+
+impl Doubt {
+    fn of(doubt: &MassDoubt) -> Self {
+        let Finding { subject, message, .. } = doubt.finding();
+        Self { subject, message }
     }
 }
 

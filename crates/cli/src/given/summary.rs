@@ -53,6 +53,11 @@ impl GivenReport {
             let what = format!("{}: more than two turns; are these degrees?", some(&self.many_turns));
             row(out, "suspect", &what)?;
         }
+        if !self.mass_doubts.is_empty() {
+            let subjects: Vec<String> = self.mass_doubts.iter().map(|doubt| doubt.subject.clone()).collect();
+            let what = format!("{}: masses that no matter has, taken as they are", some(&subjects));
+            row(out, "suspect", &format!("{what}; solaris check says more"))?;
+        }
         for (i, excess) in self.outside_limits.iter().enumerate() {
             let (by, unit) = if excess.turns { (excess.by.to_degrees(), "°") } else { (excess.by, " m") };
             let what = if i == 0 { "outside limits" } else { "" };

@@ -30,7 +30,8 @@ fn table(
     let free: Vec<usize> = (0..nv).filter(|&dof| !figure.follows(dof)).collect();
     let names = free.iter().map(|&dof| heading(&figure.layout().v_names()[dof], slides[dof]));
     let columns = std::iter::once("time".to_owned()).chain(names).collect();
-    let rows = motion.time().iter().zip(forces.tau.chunks_exact(nv.max(1)));
+    // A figure may have no degrees of freedom, and its rows no forces.
+    let rows = motion.time().iter().enumerate().map(|(row, time)| (time, &forces.tau[row * nv..][..nv]));
     let values = rows.flat_map(|(time, tau)| std::iter::once(*time).chain(free.iter().map(|&dof| tau[dof])));
     let (values, lines) = (values.collect(), (1..).take(motion.len()).collect());
     Table { columns, values, lines, header_line: 1, ..Table::default() }

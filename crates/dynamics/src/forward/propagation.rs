@@ -15,7 +15,10 @@ pub(crate) use velocity::{no_velocity_terms, velocity_terms};
 pub(crate) use yielding::Yielding;
 
 use crate::scalar::Scalar;
+use crate::spatial::direction::Direction;
 use crate::tree::Body;
+use crate::tree::dof::{Dof, along};
+use crate::workspace::Workspace;
 use nalgebra::Vector3;
 
 /// What one degree of freedom has to do with the acceleration of its link: kept from the way in for the way out.
@@ -34,6 +37,15 @@ impl<T: Scalar> Hinge<T> {
     pub(crate) fn idle() -> Self {
         let (moment, force) = (Vector3::zeros(), Vector3::zeros());
         Self { moment, force, inverse: T::zero(), force_left: T::zero() }
+    }
+
+    /// `s·U`: what links oppose to an acceleration along the degree of freedom.
+    pub(crate) fn diagonal(&self, dof: &Dof<T>, ws: &Workspace<T>) -> T {
+        along!(dof, ws.rotations, |e| turn {
+            e.dot(&self.moment)
+        }, slide {
+            e.dot(&self.force)
+        })
     }
 }
 

@@ -134,7 +134,8 @@ fn compile<T: Scalar>(
             LinkBase::Moved { slot, before: matrix(before)?, after: matrix(after)? }
         }
     };
-    let heavy = link.carried.iter().filter(|carried| figure.links()[carried.link].mass() > 0.0);
+    let is_heavy = |link: &solaris_model::Link| link.mass() > 0.0 || link.inertia().amax() > 0.0;
+    let heavy = link.carried.iter().filter(|carried| is_heavy(&figure.links()[carried.link]));
     let inertia = heavy.map(|carried| pseudo_inertia(figure, carried)).reduce(|sum, j| sum + j);
     Ok(Link {
         parent: link.parent,

@@ -138,6 +138,17 @@ impl<T: Scalar> Factor<T> {
 }
 
 impl<T: Scalar> Symmetric<T> {
+    /// The `D` of axis 0, 1 or 2, without a look at its sign; those before it must not be zero.
+    pub(crate) fn pivot(&self, axis: usize) -> T {
+        let (yx, zx) = (self.xy / self.xx, self.xz / self.xx);
+        let (y, left) = (self.yy - yx * self.xy, self.yz - yx * self.xz);
+        match axis {
+            0 => self.xx,
+            1 => y,
+            _ => self.zz - zx * self.xz - left / y * left,
+        }
+    }
+
     /// The factors of a positive definite matrix. A pivot of which nothing but rounding is left makes them NaN.
     #[inline]
     pub(crate) fn factor(&self) -> Factor<T> {

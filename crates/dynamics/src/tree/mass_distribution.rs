@@ -26,7 +26,7 @@ pub(crate) struct MassDistribution<T> {
 pub(crate) fn mass_distribution<T: Scalar>(
     link: &Link,
 ) -> Result<Option<MassDistribution<T>>, DynamicsError> {
-    if link.mass() <= 0.0 {
+    if link.mass() <= 0.0 && link.inertia().amax() <= 0.0 {
         return Ok(None);
     }
     let (m, c, inertia) = (link.mass(), link.com(), link.inertia());

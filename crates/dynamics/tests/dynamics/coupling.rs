@@ -148,3 +148,30 @@ fn what_is_bound_is_not_accelerated_as_if_it_were_free() {
         .expect_err("no force");
     assert_eq!(error.to_string(), "tau of dof 'hip.rz' is NaN; it must be a finite number");
 }
+
+/// A mass matrix that is not positive is refused by the first degree of freedom that shows it, with what is left for it.
+#[test]
+fn an_inertia_below_zero_is_refused_by_name() {
+    let arm = LinkSpec::root("arm", Joint::new("shoulder").rz()).mass(1.0).com(Vector3::new(0.5, 0.0, 0.0));
+    let hand =
+        LinkSpec::child("hand", "arm", Joint::new("wrist").rz()).inertia(Inertia::diagonal(1.0, 1.0, -2.0));
+    let nail = LinkSpec::child(
+        "nail",
+        "hand",
+        Joint::new("tip").rx().following("shoulder", Curve::linear(1.0, 0.0)),
+    );
+    let figure = [arm, hand, nail]
+        .into_iter()
+        .fold(FigureBuilder::new("f"), FigureBuilder::link)
+        .build()
+        .expect("a figure");
+    let tree = Tree::<f64>::new(&figure, Vector3::zeros()).expect("finite");
+    let (mut workspace, mut coupling) = (Workspace::new(&tree), Coupling::new(&figure));
+    let zero = [0.0; 3];
+    let error = coupling
+        .forward_dynamics(&tree, &mut workspace, &zero, &zero, &zero, &[], &mut [0.0; 3])
+        .expect_err("not positive");
+    let DynamicsError::NoInertia { dof, inertia } = error else { panic!("{error}") };
+    assert_eq!(dof, "shoulder.rz");
+    assert!((inertia - (0.25 - 2.0)).abs() < 1e-14, "{inertia}");
+}

@@ -161,7 +161,7 @@ fn a_degree_of_freedom_without_inertia_is_named() {
     let figure = FigureBuilder::new("needle").link(bob).build().expect("valid");
     let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
     let error = kernel.forward(&[0.0], &[0.0], &[1.0], &[]).expect_err("no inertia");
-    assert_eq!(error, DynamicsError::NoInertia { dof: "pivot.rz".into() });
+    assert_eq!(error, DynamicsError::NoInertia { dof: "pivot.rz".into(), inertia: 0.0 });
     // Prescribed, it needs no force.
     let [_, tau] = kernel.hybrid([&[0.0], &[0.0]], &[true], [&[5.0], &[0.0]], &[]).expect("prescribed");
     assert_eq!(tau[0].to_bits(), 0.0_f64.to_bits());
@@ -249,4 +249,72 @@ fn a_point_mass_on_a_skew_axis_has_no_inertia_about_it() {
         let error = kernel.inverse_mass_matrix(&q).expect_err("singular");
         assert!(matches!(error, DynamicsError::NoInertia { .. }), "{name}: {error}");
     }
+}
+
+/// What is left where all that hangs from a degree of freedom has given way.
+fn left_of(error: DynamicsError) -> (String, f64) {
+    match error {
+        DynamicsError::NoInertia { dof, inertia } => (dof, inertia),
+        other => panic!("{other}"),
+    }
+}
+
+/// An inertia that no matter has is taken as it is where only forces are asked for, and refused where the mass matrix is
+/// not positive, by the degree of freedom and what is left of its inertia; every way to solve refuses.
+#[test]
+fn a_mass_matrix_that_is_not_positive_is_refused_by_name() {
+    let turns = |name: &str| match name {
+        "hinge" => Joint::new("j").rz(),
+        "skew" => Joint::new("j").axis(Axis::rotation(Vector3::new(0.0, 1e-9, 1.0))),
+        "turns" => Joint::new("j").rx().ry().rz(),
+        "ball" => Joint::ball("j"),
+        _ => Joint::free("j"),
+    };
+    for (name, dof) in
+        [("hinge", "j.rz"), ("skew", "j.ru"), ("turns", "j.rz"), ("ball", "j.wz"), ("free", "j.wz")]
+    {
+        let link = LinkSpec::root("link", turns(name)).mass(1.0).inertia(Inertia::diagonal(2.0, 2.0, -0.25));
+        let figure = FigureBuilder::new("impossible").link(link).build().expect("a figure");
+        let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+        let (mut q, n) = (vec![0.0; figure.layout().nq()], figure.layout().nv());
+        figure.neutral(&mut q).expect("the right length");
+        let (zero, one) = (vec![0.0; n], vec![1.0; n]);
+        let tau = kernel.inverse(&q, &zero, &one, &[]).expect("as it is");
+        assert!((tau[n - 1] + 0.25).abs() < 1e-12 && kernel.mass_matrix(&q).is_ok(), "{name}: {tau:?}");
+        let forward = kernel.forward(&q, &zero, &one, &[]).expect_err("not positive");
+        let inverse = kernel.inverse_mass_matrix(&q).expect_err("not positive");
+        let hybrid =
+            kernel.hybrid([&q, &zero], &vec![false; n], [&zero, &one], &[]).expect_err("not positive");
+        for error in [forward, inverse, hybrid] {
+            let (found, left) = left_of(error);
+            assert!((left + 0.25).abs() < 1e-6, "{name}: {left}");
+            assert!(found == dof || name == "skew", "{name}: {found}");
+        }
+        // Prescribed, it is inverse dynamics.
+        assert!(kernel.hybrid([&q, &zero], &vec![true; n], [&one, &zero], &[]).is_ok(), "{name}");
+    }
+}
+
+/// Not the link itself but what its parent feels of it is below zero: a rotor of negative inertia on an arm.
+#[test]
+fn the_joint_that_lacks_inertia_is_named_and_not_its_child() {
+    let arm = LinkSpec::root("arm", Joint::new("shoulder").rz()).mass(1.0).com(Vector3::new(0.5, 0.0, 0.0));
+    let rotor =
+        LinkSpec::child("rotor", "arm", Joint::new("wrist").rx()).inertia(Inertia::diagonal(1.0, -2.0, -2.0));
+    let figure = FigureBuilder::new("impossible").link(arm).link(rotor).build().expect("a figure");
+    let mut kernel = Kernel::<f64>::new(&figure, Vector3::zeros());
+    let (dof, left) =
+        left_of(kernel.forward(&[0.0; 2], &[0.0; 2], &[1.0; 2], &[]).expect_err("not positive"));
+    assert_eq!(dof, "shoulder.rz");
+    assert!((left - (0.25 - 2.0)).abs() < 1e-14, "{left}");
+}
+
+/// Moments without mass count: `τ = I·q̈`.
+#[test]
+fn a_rotor_without_mass_has_its_inertia() {
+    let rotor = LinkSpec::root("rotor", Joint::new("axle").rz()).inertia(Inertia::diagonal(0.1, 0.1, 0.2));
+    let figure = FigureBuilder::new("rotor").link(rotor).build().expect("a figure");
+    let mut kernel = Kernel::<f64>::new(&figure, Vector3::new(0.0, -9.81, 0.0));
+    let a = kernel.forward(&[0.3], &[2.0], &[1.0], &[]).expect("inertia");
+    assert!((a[0] - 5.0).abs() < 1e-14, "{a:?}");
 }

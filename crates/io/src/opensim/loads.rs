@@ -56,7 +56,7 @@ pub struct ExternalForce {
 /// # Ok::<(), solaris_model::TextError>(())
 /// ```
 pub fn external_loads(text: &str) -> Result<ExternalLoads, TextError> {
-    let strict = xml::lenient(text);
+    let strict = xml::mended(text);
     let document = xml::parse(&strict, DEEPEST)?;
     let mut reader = Reader::new(text);
     let root = document.root_element();

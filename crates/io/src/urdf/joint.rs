@@ -113,7 +113,15 @@ fn limits(reader: &mut Reader, node: Node, name: &str, kind: Kind) -> (Option<Li
         reader.suspect(span.clone(), name, message);
         return (None, span);
     }
-    (Some(Limits { lower: lower.unwrap_or(0.0), upper: upper.unwrap_or(0.0) }), span)
+    let (lower, upper) = (lower.unwrap_or(0.0), upper.unwrap_or(0.0));
+    if lower > upper {
+        let message = format!(
+            "its limits {lower} to {upper} are no range, the lower is above the upper; it is taken as unlimited"
+        );
+        reader.suspect(span.clone(), name, message);
+        return (None, span);
+    }
+    (Some(Limits { lower, upper }), span)
 }
 
 fn passive(reader: &mut Reader, node: Node) -> (Passive, Range<usize>) {

@@ -26,45 +26,56 @@ pub(super) fn read(reader: &mut Reader, node: Node) -> Link {
     reader.check_attributes(node, &["name", "type"]);
     reader.check_elements(node, &["inertial", "visual", "collision"], &["material"]);
     let name = reader.need(node, "name").unwrap_or_default().to_owned();
-    let inertial = element(node, "inertial").map(|inertial| read_inertial(reader, inertial));
+    let inertial = element(node, "inertial").map(|inertial| read_inertial(reader, &name, inertial));
     let inertial = inertial.inspect(|inertial| check_inertial(reader, &name, inertial));
     Link { span: value_span(node, "name"), inertial, shape: geometry::shape(reader, node), name }
 }
 
-/// Unreadable numbers have been reported, and are replaced by such as no further fault follows from.
-fn read_inertial(reader: &mut Reader, node: Node) -> Inertial {
+/// What is missing counts as zero, as in other readers; what cannot be read is a fault, and replaced by what no further
+/// fault follows from.
+fn read_inertial(reader: &mut Reader, link: &str, node: Node) -> Inertial {
     reader.check_attributes(node, &[]);
     reader.check_elements(node, &["origin", "mass", "inertia"], &[]);
     let at = origin(reader, node);
-    let mass = element(node, "mass");
-    let mass = require(reader, node, "mass", mass).and_then(|mass| {
+    let faults = reader.fault_count();
+    let mass = element(node, "mass").filter(|mass| mass.attribute("value").is_some());
+    let [mass, inertia] = [mass, element(node, "inertia")];
+    let spans = [
+        mass.map_or_else(|| tag(node), |mass| value_span(mass, "value")),
+        inertia.map_or_else(|| tag(node), |inertia| inertia.range()),
+    ];
+    if mass.is_none() {
+        reader.suspect(tag(node), link, "its <inertial> says no <mass value>: it counts as massless");
+    }
+    if inertia.is_none() {
+        reader.suspect(tag(node), link, "its <inertial> says no <inertia>: it counts as a point mass");
+    }
+    let mass = mass.and_then(|mass| {
         reader.check_attributes(mass, &["value"]);
-        reader.need(mass, "value")?;
-        Some((reader.number(mass, "value")?, value_span(mass, "value")))
+        reader.number(mass, "value")
     });
-    let inertia = element(node, "inertia");
-    let inertia = require(reader, node, "inertia", inertia).and_then(|inertia| {
-        let names = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"];
-        reader.check_attributes(inertia, &names);
-        let numbers = names.map(|name| reader.need(inertia, name).and_then(|_| reader.number(inertia, name)));
-        let [Some(xx), Some(xy), Some(xz), Some(yy), Some(yz), Some(zz)] = numbers else { return None };
-        Some((Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz), inertia.range()))
-    });
-    let readable = mass.is_some() && inertia.is_some();
-    let (mass, mass_span) = mass.unwrap_or((1.0, tag(node)));
-    let (inertia, inertia_span) = inertia.unwrap_or((Matrix3::zeros(), tag(node)));
-    let (mass, inertia) = if readable { (mass, inertia) } else { (1.0, Matrix3::zeros()) };
+    let inertia = inertia.map(|inertia| tensor(reader, link, inertia)).unwrap_or_default();
+    let readable = reader.fault_count() == faults;
+    let (mass, inertia) = if readable { (mass.unwrap_or(0.0), inertia) } else { (1.0, Matrix3::zeros()) };
     let turn = *at.rotation.to_rotation_matrix().matrix();
     let turned = if turn == Matrix3::identity() { inertia } else { turn * inertia * turn.transpose() };
     let inertia = (turned + turned.transpose()) / 2.0;
-    Inertial { mass, com: at.translation.vector, inertia, spans: [mass_span, inertia_span] }
+    Inertial { mass, com: at.translation.vector, inertia, spans }
 }
 
-fn require<'a>(reader: &mut Reader, node: Node, name: &str, found: Option<Node<'a>>) -> Option<Node<'a>> {
-    if found.is_none() {
-        reader.fault(tag(node), format!("<{}> has no <{name}>", node.tag_name().name()));
+fn tensor(reader: &mut Reader, link: &str, node: Node) -> Matrix3<f64> {
+    let names = ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"];
+    reader.check_attributes(node, &names);
+    let missing: Vec<&str> = names.into_iter().filter(|name| node.attribute(*name).is_none()).collect();
+    if !missing.is_empty() {
+        reader.suspect(
+            tag(node),
+            link,
+            format!("its <inertia> says no {}: what is missing counts as 0", missing.join(", ")),
+        );
     }
-    found
+    let [xx, xy, xz, yy, yz, zz] = names.map(|name| reader.number(node, name).unwrap_or(0.0));
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
 /// What a figure can be and hardly is meant.

@@ -8,27 +8,29 @@ use solaris_model::{Matrix3, Part, Place, Placement, SourceMap, Vector3};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The bodies, in the order of the joints but for the root, which is first; `None` where they form no tree, which is a
-/// fault.
+/// The bodies, in the order of the joints but for the root, which is first. Where they form no tree, which is a fault, each
+/// stands alone, so that what is wrong with itself is found too.
 pub(super) fn bodies(
     reader: &mut Reader,
     robot: Node,
     links: Vec<Link>,
     joints: &[Joint],
     places: &mut SourceMap,
-) -> Option<Vec<Body>> {
+) -> Vec<Body> {
     let by_name = names(reader, "link", links.iter().map(|link| (link.name.as_str(), &link.span)));
     let joint_names = names(reader, "joint", joints.iter().map(|joint| (joint.name.as_str(), &joint.span)));
     if links.is_empty() {
         reader.fault(tag(robot), "the robot has no <link>");
-        return None;
+        return Vec::new();
     }
-    let parents = parents(reader, &links, joints, &by_name)?;
     // What is the child of what is not known where names are not.
-    if by_name.len() < links.len() || joint_names.len() < joints.len() {
-        return None;
-    }
-    let root = root(reader, &links, &parents)?;
+    let unique = by_name.len() == links.len() && joint_names.len() == joints.len();
+    let tree = parents(reader, &links, joints, &by_name)
+        .filter(|_| unique)
+        .and_then(|parents| Some((root(reader, &links, &parents)?, parents)));
+    let Some((root, parents)) = tree else {
+        return alone(reader, links, joints, [&by_name, &joint_names], places);
+    };
     say_about_joints(reader, joints, &joint_names);
 
     // Of each link, its place in the list of bodies: the root, then the children of the joints in their order.
@@ -44,8 +46,33 @@ pub(super) fn bodies(
         let parent = joint.and_then(|joint| place(joint.parent.as_ref()?.0.as_str()));
         bodies[order[i]] = Some(body(reader, link, joint, parent, places));
     }
-    let bodies: Vec<Body> = bodies.into_iter().flatten().collect();
-    Some(bodies)
+    bodies.into_iter().flatten().collect()
+}
+
+/// The bodies without their parents, each name once.
+fn alone(
+    reader: &mut Reader,
+    links: Vec<Link>,
+    joints: &[Joint],
+    [link_names, joint_names]: [&HashMap<String, usize>; 2],
+    places: &mut SourceMap,
+) -> Vec<Body> {
+    let is_first = |names: &HashMap<String, usize>, name: &str, i: usize| {
+        !name.trim().is_empty() && names.get(name) == Some(&i)
+    };
+    let mut moved_by: HashMap<&str, &Joint> = HashMap::new();
+    for (_, joint) in joints.iter().enumerate().filter(|(i, joint)| is_first(joint_names, &joint.name, *i)) {
+        if let Some((child, _)) = &joint.child {
+            moved_by.entry(child).or_insert(joint);
+        }
+    }
+    let links = links.into_iter().enumerate().filter(|(i, link)| is_first(link_names, &link.name, *i));
+    links
+        .map(|(_, link)| {
+            let joint = moved_by.get(link.name.as_str()).copied();
+            body(reader, link, joint, None, places)
+        })
+        .collect()
 }
 
 /// The places of names in their list; a name that is empty or used before is a fault.

@@ -14,14 +14,18 @@ const NAMESPACES: usize = 1000;
 
 /// The document, whose elements are nested at most `deepest` deep (the root is at 1).
 ///
-/// There are no document type declarations and no entities but XML's own five. The parser does not recurse, so that nesting
+/// There are no declarations of entities or elements, and no entities but XML's own five. The parser does not recurse, so that nesting
 /// costs no stack here; a reader that recurses asks for a small `deepest`.
 pub(crate) fn parse(text: &str, deepest: usize) -> Result<Document<'_>, TextError> {
     if text.trim().is_empty() {
         return Err(TextError::one(text, 0..0, "the file is empty"));
     }
     check_size(text)?;
-    let options = ParsingOptions { nodes_limit: NODES, ..ParsingOptions::default() };
+    // A declaration of a document type that declares nothing is none.
+    let declared = text.find("<!DOCTYPE").map(|at| &text[at..]);
+    let allow_dtd =
+        declared.and_then(|rest| rest.find(['[', '>']).map(|end| rest.as_bytes()[end])) == Some(b'>');
+    let options = ParsingOptions { nodes_limit: NODES, allow_dtd, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options).map_err(|error| placed(text, &error))?;
     check_depth(text, &document, deepest)?;
     Ok(document)

@@ -5,7 +5,7 @@ mod bvh_reader;
 #[cfg(feature = "csv")]
 mod csv;
 mod csv_tables;
-#[cfg(any(feature = "mjcf", feature = "urdf"))]
+#[cfg(any(feature = "mjcf", feature = "sdf", feature = "urdf"))]
 mod data;
 #[cfg(feature = "mjcf")]
 mod mjcf;
@@ -23,8 +23,10 @@ mod opensim_loads;
 #[cfg(feature = "opensim")]
 mod opensim_reference;
 mod records;
+#[cfg(feature = "sdf")]
+mod sdf;
 mod sto;
-#[cfg(any(feature = "mjcf", feature = "urdf"))]
+#[cfg(any(feature = "mjcf", feature = "sdf", feature = "urdf"))]
 mod table;
 #[cfg(feature = "urdf")]
 mod urdf;

@@ -21,6 +21,46 @@ impl LinkPlace {
     }
 }
 
+/// Mass (kg), centre of mass (m) and rotational inertia about it (kg m²), along the axes of one frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Matter {
+    pub(crate) mass: f64,
+    pub(crate) com: Vector3<f64>,
+    pub(crate) inertia: Matrix3<f64>,
+}
+
+impl Matter {
+    /// That of a link, in its own frame.
+    pub(crate) fn of(link: &Link) -> Self {
+        Self { mass: link.mass, com: link.com, inertia: link.inertia }
+    }
+
+    /// The same written in another frame, in which its own stands at `by`; without mass it has no centre.
+    pub(crate) fn placed(&self, by: &Placement) -> Self {
+        let turn = by.rotation.to_rotation_matrix();
+        let inertia = turn.matrix() * self.inertia * turn.matrix().transpose();
+        let com = if self.mass > 0.0 { by.transform_point(&self.com.into()).coords } else { self.com };
+        Self { com, inertia: (inertia + inertia.transpose()) / 2.0, ..*self }
+    }
+
+    /// Both together.
+    pub(crate) fn with(&self, other: &Self) -> Self {
+        let mass = self.mass + other.mass;
+        if self.mass <= 0.0 {
+            return Self { mass, com: other.com, inertia: self.inertia + other.inertia };
+        }
+        let (share, way) = (other.mass / mass, other.com - self.com);
+        let spread = Matrix3::identity() * way.norm_squared() - way * way.transpose();
+        let (com, inertia) =
+            (self.com + way * share, self.inertia + (other.inertia + spread * (self.mass * share)));
+        if other.mass > 0.0 {
+            Self { mass, com, inertia }
+        } else {
+            Self { inertia: self.inertia + other.inertia, ..*self }
+        }
+    }
+}
+
 /// The names of all frames, so that a new one can be told from them.
 pub(crate) fn frame_names(links: &[Link]) -> HashSet<String> {
     links.iter().flat_map(|link| &link.frames).map(|frame| frame.name.clone()).collect()
@@ -48,12 +88,8 @@ pub(crate) fn moved(link: &Link, by: &Placement, taken: &mut HashSet<String>) ->
         return link;
     }
     let point = |p: &Vector3<f64>| by.transform_point(&(*p).into()).coords;
-    let turn = by.rotation.to_rotation_matrix();
-    let inertia = turn.matrix() * link.inertia * turn.matrix().transpose();
-    link.inertia = (inertia + inertia.transpose()) / 2.0;
-    if link.mass > 0.0 {
-        link.com = point(&link.com);
-    }
+    let matter = Matter::of(&link).placed(by);
+    (link.com, link.inertia) = (matter.com, matter.inertia);
     link.tip = link.tip.as_ref().map(point);
     if let Some(shape) = &mut link.shape {
         shape.placement = compose(by, &shape.placement);
@@ -72,16 +108,8 @@ pub(crate) fn moved(link: &Link, by: &Placement, taken: &mut HashSet<String>) ->
 
 /// Makes `other`, written in the frame of `link`, a part of `link`.
 pub(crate) fn absorb(link: &mut Link, other: Link, taken: &mut HashSet<String>) {
-    let mass = link.mass + other.mass;
-    if link.mass <= 0.0 {
-        (link.com, link.inertia) = (other.com, other.inertia);
-    } else if other.mass > 0.0 {
-        let (share, way) = (other.mass / mass, other.com - link.com);
-        let spread = Matrix3::identity() * way.norm_squared() - way * way.transpose();
-        link.com += way * share;
-        link.inertia += other.inertia + spread * (link.mass * share);
-    }
-    link.mass = mass;
+    let matter = Matter::of(link).with(&Matter::of(&other));
+    (link.mass, link.com, link.inertia) = (matter.mass, matter.com, matter.inertia);
     link.shape = link.shape.take().or(other.shape);
     link.frames.extend(other.frames);
     for point in other.sole {

@@ -1,5 +1,6 @@
 //! The lint of masses and inertias that no body of the link's size has.
 
+use super::mass::PRINTED;
 use super::{short, suspect};
 use crate::figure::Figure;
 use crate::inertia::{Shape, ShapeKind, second_moments};
@@ -31,13 +32,18 @@ pub(super) fn check(figure: &Figure, findings: &mut Vec<Finding>) {
         let shape = link.shape.as_ref().filter(|_| outside.is_none());
         let is_bare = link.shape.is_none();
         outside.into_iter().chain(shape.and_then(|shape| density(link, shape))).for_each(&mut say);
-        if link.inertia.amax() > 0.0 {
+        if link.inertia.amax() > 0.0 && is_physical(link) {
             let spread = shape.and_then(|shape| against_shape(link, shape));
             let wide = is_bare.then(|| gyration(link, farthest)).flatten();
             spread.into_iter().chain(wide).for_each(&mut say);
             products(link).into_iter().for_each(&mut say);
         }
     }
+}
+
+/// Whether some mass distribution has the inertia; what none has is told by itself.
+fn is_physical(link: &Link) -> bool {
+    second_moments(&link.inertia).0.min() >= -PRINTED * link.inertia.amax()
 }
 
 /// From the centre of mass to the farthest of the link's own points (m).

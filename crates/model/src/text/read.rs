@@ -36,7 +36,6 @@ struct Lost {
     links: bool,
     parents: bool,
     dofs: bool,
-    masses: bool,
 }
 
 impl Deref for FigureReader<'_> {

@@ -11,6 +11,7 @@ mod human;
 mod human_reference;
 mod large;
 mod lint;
+mod masses;
 mod poses;
 mod reroot;
 mod sampling;

@@ -19,7 +19,7 @@ impl FigureReader<'_> {
     /// The link number `index` of the list.
     pub(super) fn link(&mut self, node: &Node<'_>, index: usize) -> Option<LinkSpec> {
         let Some(fields) = self.fields(node, &["Link"], &FIELDS) else {
-            (self.lost.dofs, self.lost.masses) = (true, true);
+            self.lost.dofs = true;
             return None;
         };
         let name_node = self.required(&fields, "name", "\"…\"");
@@ -68,10 +68,8 @@ impl FigureReader<'_> {
         };
         if let Some(node) = fields.get("mass") {
             let mass = self.number(node, "mass");
-            self.lost.masses |= mass.is_none();
             link = link.mass(mass.unwrap_or(1.0));
         } else if fields.flawed {
-            self.lost.masses = true;
             link = link.mass(1.0);
         }
         link = self.inertia(&fields, link);

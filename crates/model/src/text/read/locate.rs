@@ -90,7 +90,6 @@ impl Lost {
             Fault::Empty | Fault::UnknownParent { .. } => self.links,
             Fault::NoRoot => self.links || self.parents,
             Fault::ManyRoots { .. } => self.parents,
-            Fault::MasslessSubtree { .. } => self.links || self.parents || self.masses,
             Fault::UnknownDof { .. } | Fault::UnknownLeader { .. } => self.dofs || self.links,
             _ => false,
         }

@@ -1,0 +1,5 @@
+//! Models read from SDF.
+
+mod bad_text;
+mod included;
+mod models;
