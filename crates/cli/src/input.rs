@@ -5,8 +5,8 @@ mod folder;
 use crate::error::CliError;
 use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
-use solaris::io::{Import, Table, csv, mjcf, opensim, sdf, sto, urdf};
-use solaris::model::{Figure, Finding, Medium, TextError, Vector3, text};
+use solaris::io::{Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
+use solaris::model::{Figure, Finding, FindingKind, Medium, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -154,7 +154,13 @@ pub(crate) fn body_in(path: &Path, files: Option<&Path>) -> Result<Body, CliErro
 pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions) -> Result<Body, CliError> {
     let known = "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), .osim, or .bvh";
     refuse_unread(path, known)?;
-    let text = self::text(path)?;
+    let (text, encoding) = match extension(path).as_str() {
+        // What people's and other programs' editors write.
+        "urdf" | "sdf" | "world" | "xml" | "mjcf" | "osim" | "bvh" => {
+            decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?
+        }
+        _ => (self::text(path)?, Encoding::Utf8),
+    };
     let language = Language::of(path, &text).ok_or_else(|| {
         let why = match extension(path).as_str() {
             "xml" => {
@@ -186,7 +192,15 @@ pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions
             Ok(Import { figure, findings, gravity: GRAVITY, gravity_is_given: false })
         }
     };
-    let Import { figure, findings, gravity, gravity_is_given, .. } = imported?;
+    let Import { figure, mut findings, gravity, gravity_is_given, .. } = imported?;
+    if encoding != Encoding::Utf8 {
+        findings.push(Finding {
+            kind: FindingKind::Note,
+            subject: "letters".to_owned(),
+            message: format!("the file is no UTF-8, and is read as {}", encoding.name()),
+            place: None,
+        });
+    }
     if language == Language::Ron {
         let gravity = figure.gravity().copied();
         let gravity_is_given = gravity.is_some();
@@ -206,7 +220,8 @@ pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions
 
 /// Reads a BVH file.
 pub(crate) fn clip(path: &Path, options: &ReadOptions) -> Result<Clip, CliError> {
-    clip_of(path, &text(path)?, options)
+    let (text, _) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
+    clip_of(path, &text, options)
 }
 
 fn clip_of(path: &Path, text: &str, options: &ReadOptions) -> Result<Clip, CliError> {
@@ -250,6 +265,16 @@ pub(crate) fn faulty(path: &Path, text: &str, faults: TextError) -> CliError {
 
 /// A file's text.
 pub(crate) fn text(path: &Path) -> Result<String, CliError> {
+    String::from_utf8(bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
+}
+
+/// The error of bytes that are no text.
+fn no_text(path: &Path, bytes: Vec<u8>) -> CliError {
+    let at = String::from_utf8(bytes).err().map_or(0, |error| error.utf8_error().valid_up_to());
+    CliError::input(path, &format!("it is no text: byte {at} is not UTF-8"))
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     let refuse = |why: &dyn ToString| CliError::input(path, why);
     if fs::metadata(path).is_ok_and(|found| found.is_dir()) {
         return Err(refuse(&"it is a folder; name a file"));
@@ -263,10 +288,7 @@ pub(crate) fn text(path: &Path) -> Result<String, CliError> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(refuse(&format!("it has more than {MOST_BYTES} bytes, the most that is read")));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        refuse(&format!("it is no text: byte {at} is not UTF-8"))
-    })
+    Ok(bytes)
 }
 
 /// A path's extension in lower case, or nothing.

@@ -5,6 +5,7 @@
 pub mod bvh;
 #[cfg(feature = "csv")]
 pub mod csv;
+mod encoding;
 mod error;
 pub mod headings;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
@@ -27,6 +28,7 @@ pub mod urdf;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod xml;
 
+pub use encoding::{Encoding, decode};
 pub use error::{ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 pub use import::Import;

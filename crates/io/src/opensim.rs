@@ -1,11 +1,11 @@
 //! Models and external loads of OpenSim.
 //!
-//! [`read`] takes a model (`.osim`) of version 4, or of versions 2 and 3, and makes a figure of its bodies and joints:
+//! [`read`] takes a model (`.osim`) of any version that OpenSim 4 opens (from 10901 on), and makes a figure of its bodies and joints:
 //!
 //! | element | becomes |
 //! |---|---|
 //! | `Body` | a link, or a frame of that name where it is welded to another |
-//! | `PhysicalOffsetFrame`, `location_in_parent` … | placements; orientations are body-fixed x-y-z angles |
+//! | `PhysicalOffsetFrame`, `StationDefinedFrame`, `location_in_parent` … | placements; orientations are body-fixed x-y-z angles |
 //! | `PinJoint` | a rotation about z |
 //! | `SliderJoint` | a slide along x |
 //! | `WeldJoint` | nothing: its bodies are one link |
@@ -14,13 +14,24 @@
 //! | `PlanarJoint` | slides along x and y, then a rotation about z |
 //! | `FreeJoint` | slides along x, y, z, then rotations about x, y, z |
 //! | `CustomJoint` | its translations along axes of the parent's frame, then its three rotations about axes that turn along |
+//! | `EllipsoidJoint` | slides and turns that follow its three angles, so that its child glides on the ellipsoid |
+//! | `ScapulothoracicJoint` | the same, then a turn about the winging axis |
+//! | a body without a joint | a `FreeJoint` to ground, as in OpenSim |
 //! | `CoordinateCouplerConstraint` | the dependent coordinate follows the independent one |
 //!
 //! A degree of freedom has the name of its coordinate. An axis that a coordinate drives by any other function than itself
 //! is a degree of freedom that **follows** the coordinate (see [`solaris_model::Follower`]), named `JOINT.tx …`: that is
-//! how a knee's centre moves as it bends, with both derivatives. Functions are `Constant`, `LinearFunction`,
-//! `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`), `GCVSpline` of degree 3 without
-//! smoothing, and any of these in a `MultiplierFunction`; all are kept exactly.
+//! how a knee's centre moves as it bends, with both derivatives. Where a coordinate drives no axis one to one (a kneecap's),
+//! it is itself a part of the first axis that it drives, and what the function adds follows it:
+//!
+//! ```text
+//! R(a, f(x)) = R(a, x)·R(a, f(x) − x)
+//! ```
+//!
+//! Functions of a coordinate that a constraint makes a function of another are both, one after the other. Functions are
+//! `Constant`, `LinearFunction`, `PolynomialFunction`, `PiecewiseLinearFunction`, `SimmSpline` (`NaturalCubicSpline`),
+//! `GCVSpline` of degree 3 and 5 without smoothing, `Sine`, and any of these in a `MultiplierFunction`; all are kept
+//! exactly.
 //!
 //! The world is the model's ground: y up, x forward, z to the right. A link's frame has the directions of its body's
 //! frame and its origin at the joint; where that is not the body's origin, the body's frame stays by its name.
@@ -34,15 +45,20 @@ mod component;
 mod coordinate;
 mod couplers;
 mod curves;
+mod custom;
 mod element;
+mod ellipsoid;
 mod frames;
 mod function;
 mod joint;
 mod layout;
 mod loads;
+mod mount;
 mod older;
+mod quintic;
 mod rest;
 mod spline;
+mod station;
 
 pub use loads::{ExternalForce, ExternalLoads, external_loads};
 
@@ -81,11 +97,12 @@ const DEEPEST: usize = 100;
 /// # Ok::<(), solaris_model::TextError>(())
 /// ```
 pub fn read(text: &str) -> Result<Import, TextError> {
-    let document = xml::parse(text, DEEPEST)?;
+    let strict = xml::mended(text);
+    let document = xml::parse(&strict, DEEPEST)?;
     let (model, version) = model_of(&document, text)?;
     let mut reader = Reader::new(text);
     let gravity = gravity(&mut reader, model);
-    let layout = if version < FIRST_OF_FOUR {
+    let layout = if version < FIRST_WITH_JOINTS {
         older::read(&mut reader, model)
     } else {
         layout::read(&mut reader, model)
@@ -103,10 +120,10 @@ pub fn read(text: &str) -> Result<Import, TextError> {
     Ok(Import { figure, findings, gravity, gravity_is_given })
 }
 
-/// The first version with frames of their own.
-const FIRST_OF_FOUR: u32 = 40_000;
-/// The versions before, whose bodies hold their joints: from, and below.
-const OLDER: std::ops::Range<u32> = 20_000..30_500;
+/// The first version that is read; what OpenSim 4 itself refuses is older.
+const FIRST: u32 = 10_901;
+/// The first version with joints of their own; before, bodies hold their joints.
+const FIRST_WITH_JOINTS: u32 = 30_501;
 
 /// The model of a document and the document's version.
 fn model_of<'a>(document: &'a roxmltree::Document<'a>, text: &str) -> Result<(Node<'a>, u32), TextError> {
@@ -130,10 +147,13 @@ fn model_of<'a>(document: &'a roxmltree::Document<'a>, text: &str) -> Result<(No
             format!("the version is '{}', which is no number such as 40000", xml::shown(told)),
         );
     };
-    if version >= FIRST_OF_FOUR || OLDER.contains(&version) {
+    if version >= FIRST {
         return Ok((model, version));
     }
-    refuse(root, format!("documents of version {version} are not read; open and save it in OpenSim 4"))
+    let message = format!(
+        "documents of version {version} are not read, nor by OpenSim 4; open and save it in OpenSim 3.3, which is free"
+    );
+    refuse(root, message)
 }
 
 /// The gravity that the file gives.

@@ -95,7 +95,11 @@ pub fn read(figure: &Figure, gravity: Vector3<f64>, table: &Table) -> Result<Rea
         let given: Vec<f64> = figure.followers().iter().map(|follower| q[follower.coordinate]).collect();
         figure.follow(q, &mut v[row * nv..][..nv], &mut a[row * nv..][..nv]);
         for ((off, given), follower) in off.iter_mut().zip(given).zip(figure.followers()) {
-            *off = off.max((given - q[follower.coordinate]).abs());
+            let there = q[follower.coordinate];
+            // OpenSim 4 leaves the coordinates of kneecaps in radians, in tables in degrees too.
+            let turned = table.in_degrees == Some(true) && columns.turning.contains_key(&follower.dof);
+            let as_written = if turned { given.to_degrees() } else { given };
+            *off = off.max((given - there).abs().min((as_written - there).abs()));
         }
         check_quaternions(figure, q, table.lines[row])?;
     }

@@ -50,7 +50,7 @@
 //! | `Ball`, `Free` | a joint with any rotation, or any motion: `name` (required), PLACE, ACTING |
 //! | AXIS | `rx ry rz` turn, `tx ty tz` slide; with fields as `rx(…)`; about or along any other direction `Turn(axis: (x, y, z), …)`, `Slide(axis: (x, y, z), …)`. Fields: `name`, `limits: (lower, upper)` (`-inf` or `inf` where there is none), `follows`, ACTING |
 //! | ACTING | `armature`, `stiffness`, `rest`, `damping`, `friction`: [`crate::Passive`] |
-//! | `follows` | `Follow(dof: "NAME", along: CURVE)` with `Line(slope: 2, offset: 0)`, `Polynomial([c0, c1, …])` or `Cubics(knots: […], pieces: [(c0, c1, c2, c3), …])`: [`crate::Follower`] |
+//! | `follows` | `Follow(dof: "NAME", along: CURVE)` with `Line(slope: 2, offset: 0)`, `Polynomial([c0, c1, …])`, `Cubics(knots: […], pieces: [(c0, c1, c2, c3), …])`, `Quintics(…)` with six numbers a piece, `Sine(amplitude: 1, frequency: 2, phase: 0, offset: 0)` or `Chain([CURVE, …])`, one after the other: [`crate::Follower`], [`crate::Curve`] |
 //! | PLACE | `at: (x, y, z)`, `turned: ROTATION`, in the parent link's frame (of a joint) or in the link's own |
 //! | ROTATION | `About(axis: (x, y, z), angle: …)`, `Quaternion(x, y, z, w)`, or three angles about the axes in order: `Zyx(deg(90), 0, 0)` and the other five of [`crate::EulerOrder`] |
 //! | SHAPE | `Box(size: (x, y, z))`, `Ellipsoid(radii: (x, y, z))`, `Cylinder(radius: …, length: …)` and `Capsule(…)` along y, `Sphere(radius: …)`, each with a PLACE: [`crate::ShapeKind`] |

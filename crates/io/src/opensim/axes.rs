@@ -3,9 +3,7 @@
 use super::coordinate::Coordinate;
 use super::couplers::Couplers;
 use super::curves::compose;
-use crate::xml::Reader;
 use solaris_model::{Axis, AxisKind, Curve, Joint, Placement, UnitQuaternion, Vector3};
-use std::ops::Range;
 
 /// One motion of a joint: along or about an axis of the frame that the motions before it have moved.
 #[derive(Clone, Debug)]
@@ -32,6 +30,16 @@ impl Step {
         Self { kind, direction, moves: Moves::With(coordinate) }
     }
 
+    /// Always so far.
+    pub(super) fn by(kind: AxisKind, direction: Vector3<f64>, by: f64) -> Self {
+        Self { kind, direction, moves: Moves::By(by) }
+    }
+
+    /// A function of a coordinate.
+    pub(super) fn along(kind: AxisKind, direction: Vector3<f64>, coordinate: usize, curve: Curve) -> Self {
+        Self { kind, direction, moves: Moves::Along(coordinate, curve) }
+    }
+
     fn transform(&self, by: f64) -> Placement {
         match self.kind {
             AxisKind::Translation => {
@@ -42,10 +50,21 @@ impl Step {
     }
 }
 
+/// The most axes of one joint of a figure.
+const MOST_AXES: usize = 6;
+
+/// A joint of the file as those of a figure.
+#[derive(Default)]
+pub(super) struct Built {
+    /// One or more, from the parent on; between them stand links without mass.
+    pub(super) joints: Vec<Joint>,
+    /// Where the body's frame stands in the frame that the last one moves.
+    pub(super) beyond: Placement,
+}
+
 /// A joint that is still steps.
 pub(super) struct Chain<'a> {
     pub(super) name: &'a str,
-    pub(super) span: Range<usize>,
     /// Where the steps begin, in the parent body's frame.
     pub(super) from: Placement,
     pub(super) steps: Vec<Step>,
@@ -55,39 +74,63 @@ pub(super) struct Chain<'a> {
 }
 
 impl Chain<'_> {
-    /// The joint, and where the body's frame stands in the frame that it moves.
+    /// The joints in a row, and where the body's frame stands in the frame that the last one moves.
     ///
-    /// What is constant goes to the left, past the steps, which it turns, into the joint's placement:
+    /// What is constant goes to the left, past the steps, which it turns, into the first joint's placement:
     ///
     /// ```text
     /// step(a, x)·K = K·step(R_K⁻¹·a, x)        X_FB⁻¹ = R⁻¹·T(−p)
     /// ```
     ///
-    /// so the moved frame has the directions of the body's frame, and stands in it where the joint does.
-    pub(super) fn joint(self, reader: &mut Reader, couplers: &Couplers) -> (Joint, Placement) {
-        let origin = self.to.translation.vector;
-        let beyond = Placement::translation(-origin.x, -origin.y, -origin.z);
+    /// so the moved frame has the directions of the body's frame, and stands in it where the joint does. A turn is not passed
+    /// by what is moved as well as turned: there, another joint begins.
+    pub(super) fn joint(self, couplers: &Couplers) -> Built {
+        let mut beyond = Vector3::zeros() - self.to.translation.vector;
         let mut fixed = Placement::from_parts(Vector3::zeros().into(), self.to.rotation.inverse());
+        let mut groups = Vec::new();
         let mut moving = Vec::new();
+        let mut names = self.names().into_iter().rev();
         for mut step in self.steps.iter().cloned().rev() {
             if let Moves::By(by) = step.moves {
                 fixed = if by == 0.0 { fixed } else { step.transform(by) * fixed };
-            } else {
-                if fixed.rotation != UnitQuaternion::identity() {
-                    step.direction = fixed.rotation.inverse() * step.direction;
+                continue;
+            }
+            if step.kind == AxisKind::Rotation && fixed.translation.vector != Vector3::zeros() {
+                if moving.is_empty() {
+                    beyond += fixed.rotation.inverse() * fixed.translation.vector;
+                    fixed.translation.vector = Vector3::zeros();
+                } else {
+                    groups.push((fixed, std::mem::take(&mut moving)));
+                    fixed = Placement::identity();
                 }
-                moving.push(step);
+            }
+            if fixed.rotation != UnitQuaternion::identity() {
+                step.direction = fixed.rotation.inverse() * step.direction;
+            }
+            moving.push((step, names.next().flatten()));
+        }
+        groups.push((product(&self.from, &fixed), moving));
+        let mut joints = Vec::new();
+        for (placement, moving) in groups.into_iter().rev() {
+            let mut steps = moving.into_iter().rev().peekable();
+            let mut place = Some(placement);
+            while let Some(placement) = place.take() {
+                let name = match joints.len() {
+                    0 => self.name.to_owned(),
+                    before => format!("{}_{}", self.name, before + 1),
+                };
+                let mut joint = Joint::new(name).placed(placement);
+                for (step, name) in steps.by_ref().take(MOST_AXES) {
+                    joint = self.add(joint, step, couplers);
+                    if let Some(name) = name {
+                        joint = joint.named(name);
+                    }
+                }
+                joints.push(joint);
+                place = steps.peek().is_some().then(Placement::identity);
             }
         }
-        let names = self.names();
-        let mut joint = Joint::new(self.name).placed(product(&self.from, &fixed));
-        for (step, name) in moving.into_iter().rev().zip(names) {
-            joint = self.add(joint, step, reader, couplers);
-            if let Some(name) = name {
-                joint = joint.named(name);
-            }
-        }
-        (joint, if origin == Vector3::zeros() { Placement::identity() } else { beyond })
+        Built { joints, beyond: Placement::from_parts(beyond.into(), UnitQuaternion::identity()) }
     }
 
     /// The names of the moving steps that follow a coordinate, by the file's axes, which constants may turn; nothing for
@@ -107,35 +150,26 @@ impl Chain<'_> {
         moving().map(name).collect()
     }
 
-    fn add(&self, joint: Joint, step: Step, reader: &mut Reader, couplers: &Couplers) -> Joint {
+    fn add(&self, joint: Joint, step: Step, couplers: &Couplers) -> Joint {
         let joint = joint.axis(Axis { kind: step.kind, direction: step.direction });
         match step.moves {
             Moves::By(_) => joint,
             Moves::With(i) => {
                 let coordinate = &self.coordinates[i];
-                let mut joint = joint.named(&coordinate.name);
+                let mut joint = joint.named(&coordinate.dof);
                 if let Some((lower, upper)) = coordinate.limits {
                     joint = joint.limited(lower, upper);
                 }
-                match couplers.get(&coordinate.name) {
+                match couplers.get(&coordinate.dof) {
                     Some(lead) => joint.following(&lead.leader, lead.curve.clone()),
                     None => joint,
                 }
             }
             Moves::Along(i, curve) => {
-                let name = &self.coordinates[i].name;
+                let name = &self.coordinates[i].dof;
                 let Some(lead) = couplers.get(name) else { return joint.following(name, curve) };
                 // The coordinate follows another one itself.
-                let Some(both) = compose(&curve, &lead.curve) else {
-                    let message = format!(
-                        "joint '{}': an axis is a spline of coordinate '{name}', which is a bent function of '{}' itself; \
-                         that cannot be kept: make the constraint's function linear, or remove the constraint",
-                        self.name, lead.leader
-                    );
-                    reader.fault(self.span.clone(), message);
-                    return joint;
-                };
-                joint.following(&lead.leader, both)
+                joint.following(&lead.leader, compose(&curve, &lead.curve))
             }
         }
     }

@@ -4,15 +4,16 @@ use crate::xml::Node;
 
 /// The absolute path of a component below the model: the names of the components that it stands in.
 ///
-/// Lists (`objects`, `frames`, `components`) have no part in it; a set without a name has that of its element in small
-/// letters.
+/// Lists (`objects`, `frames`, `components`) have no part in it; a set or a joint without a name has that of its element in
+/// small letters.
 pub(super) fn path_of(node: Node, model: Node) -> String {
     let above = node.ancestors().take_while(|ancestor| *ancestor != model);
     let mut names: Vec<String> = above
         .filter_map(|ancestor| {
             let tag = ancestor.tag_name().name();
-            let name = ancestor.attribute("name").map(|name| name.trim().to_owned());
-            name.or_else(|| tag.ends_with("Set").then(|| tag.to_lowercase()))
+            let name = ancestor.attribute("name").map(str::trim).filter(|name| !name.is_empty());
+            let unnamed = || (tag.ends_with("Set") || tag.ends_with("Joint")).then(|| tag.to_lowercase());
+            name.map(ToOwned::to_owned).or_else(unnamed)
         })
         .collect();
     names.reverse();

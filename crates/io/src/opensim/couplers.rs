@@ -1,11 +1,14 @@
 //! Constraints that make a coordinate a function of another.
 
-use super::curves::compose;
-use super::element::{child_flag, child_number, child_words, objects};
+use super::curves::{compose, links};
+use super::element::{child_flag, child_number, child_words, members};
 use super::function;
 use crate::xml::{Node, Reader, element, tag};
 use solaris_model::Curve;
 use std::collections::{HashMap, HashSet};
+
+/// What such a constraint is called.
+pub(super) const COUPLER: &str = "CoordinateCouplerConstraint";
 
 /// Of each dependent coordinate, what it follows.
 pub(super) type Couplers = HashMap<String, Lead>;
@@ -19,8 +22,8 @@ pub(super) struct Lead {
 /// The couplers of a model with these coordinates. Every other constraint is listed.
 pub(super) fn read(reader: &mut Reader, model: Node, coordinates: &HashSet<&str>) -> Couplers {
     let mut direct = HashMap::new();
-    for node in objects(model, "ConstraintSet") {
-        if node.tag_name().name() != "CoordinateCouplerConstraint" {
+    for node in members(model, "ConstraintSet", |tag| tag == COUPLER) {
+        if node.tag_name().name() != COUPLER {
             reader.unread_element(node);
         } else if let Some((dependent, lead)) = coupler(reader, node, coordinates)
             && direct.insert(dependent.clone(), lead).is_some()
@@ -31,7 +34,7 @@ pub(super) fn read(reader: &mut Reader, model: Node, coordinates: &HashSet<&str>
             );
         }
     }
-    resolve(reader, model, &direct)
+    resolve(reader, model, direct)
 }
 
 fn coupler(reader: &mut Reader, node: Node, coordinates: &HashSet<&str>) -> Option<(String, Lead)> {
@@ -90,37 +93,46 @@ fn coupler(reader: &mut Reader, node: Node, coordinates: &HashSet<&str>) -> Opti
     Some((dependent.to_owned(), Lead { leader: leader.to_owned(), curve }))
 }
 
+/// The most bent functions in a row between a coordinate and the one that it follows in the end.
+const LONGEST: usize = 16;
+
 /// Lets every coordinate follow one that follows none.
-fn resolve(reader: &mut Reader, model: Node, direct: &Couplers) -> Couplers {
+fn resolve(reader: &mut Reader, model: Node, mut direct: Couplers) -> Couplers {
     let span = element(model, "ConstraintSet").map_or_else(|| tag(model), tag);
     let mut resolved = Couplers::new();
-    let mut names: Vec<&String> = direct.keys().collect();
+    let mut names: Vec<String> = direct.keys().cloned().collect();
     names.sort();
     for name in names {
-        let mut lead = Lead { leader: name.clone(), curve: Curve::linear(1.0, 0.0) };
-        let mut bent = false;
-        // No chain is longer than there are constraints.
-        for _ in 0..=direct.len() {
-            let Some(next) = direct.get(&lead.leader) else { break };
-            let Some(curve) = compose(&lead.curve, &next.curve) else {
+        // From this coordinate on to one whose leader is known to follow none.
+        let mut open = Vec::new();
+        let mut next = name.clone();
+        while let Some(lead) = direct.remove(&next) {
+            let leader = lead.leader.clone();
+            open.push((next, lead));
+            next = leader;
+        }
+        if open.iter().any(|(coordinate, _)| *coordinate == next) {
+            let message = format!("coordinate '{next}' depends on itself by constraints; remove one of them");
+            reader.fault(span.clone(), message);
+            continue;
+        }
+        for (coordinate, lead) in open.into_iter().rev() {
+            let lead = match resolved.get(&lead.leader) {
+                Some(Lead { leader, curve }) => {
+                    Lead { leader: leader.clone(), curve: compose(&lead.curve, curve) }
+                }
+                None => lead,
+            };
+            if links(&lead.curve).len() > LONGEST {
                 let message = format!(
-                    "coordinate '{name}' follows '{}', which is a bent function of '{}' itself; that cannot be kept: let both \
-                     depend on '{}'",
-                    lead.leader, next.leader, next.leader
+                    "coordinate '{coordinate}' follows '{}' over more than {LONGEST} bent functions in a row; let it depend on \
+                     '{}' by one",
+                    lead.leader, lead.leader
                 );
                 reader.fault(span.clone(), message);
-                bent = true;
-                break;
-            };
-            lead = Lead { leader: next.leader.clone(), curve };
-        }
-        if direct.contains_key(&lead.leader) && !bent {
-            reader.fault(
-                span.clone(),
-                format!("coordinate '{name}' depends on itself by constraints; remove one of them"),
-            );
-        } else if !bent {
-            resolved.insert(name.clone(), lead);
+                return resolved;
+            }
+            resolved.insert(coordinate, lead);
         }
     }
     resolved

@@ -20,23 +20,56 @@ pub(super) fn constant(curve: &Curve) -> Option<f64> {
     line(curve).filter(|(slope, _)| *slope == 0.0).map(|(_, offset)| offset)
 }
 
-/// `outer(inner(x))`, where it is again a curve: everything of a line, a line of everything, and polynomials.
-pub(super) fn compose(outer: &Curve, inner: &Curve) -> Option<Curve> {
-    if let Some((slope, offset)) = line(outer) {
-        return Some(raised(inner.scaled(slope), offset));
-    }
-    match (outer, inner, line(inner)) {
-        (Curve::Cubics { knots, pieces }, _, Some((slope, offset))) if slope != 0.0 => {
-            Some(of_line(knots, pieces, slope, offset))
+/// `f(x) − x`, where it is a curve of the same kind.
+pub(super) fn beside_identity(curve: &Curve) -> Option<Curve> {
+    match curve {
+        Curve::Polynomial(coefficients) => {
+            let mut coefficients = coefficients.clone();
+            coefficients.resize(coefficients.len().max(2), 0.0);
+            coefficients[1] -= 1.0;
+            Some(Curve::Polynomial(coefficients))
         }
-        (_, _, Some((_, offset))) if constant(inner).is_some() => {
-            Some(Curve::Polynomial(vec![outer.at(offset)[0]]))
+        Curve::Cubics { knots, pieces } => {
+            Some(Curve::Cubics { knots: knots.clone(), pieces: less_identity(knots, pieces) })
         }
-        (Curve::Polynomial(outer), Curve::Polynomial(inner), _) => {
-            let few = outer.len().saturating_mul(inner.len()) <= MOST;
-            few.then(|| Curve::Polynomial(substituted(outer, inner)))
+        Curve::Quintics { knots, pieces } => {
+            Some(Curve::Quintics { knots: knots.clone(), pieces: less_identity(knots, pieces) })
         }
         _ => None,
+    }
+}
+
+fn less_identity<const N: usize>(knots: &[f64], pieces: &[[f64; N]]) -> Vec<[f64; N]> {
+    let mut pieces = pieces.to_vec();
+    for (piece, knot) in pieces.iter_mut().zip(knots) {
+        piece[0] -= knot;
+        piece[1] -= 1.0;
+    }
+    pieces
+}
+
+/// `outer(inner(x))`: of one kind where it is (everything of a line, a line of everything, polynomials), else a chain.
+pub(super) fn compose(outer: &Curve, inner: &Curve) -> Curve {
+    if let Some((slope, offset)) = line(outer) {
+        return raised(inner.scaled(slope), offset);
+    }
+    match (outer, inner, line(inner)) {
+        (_, _, Some((0.0, offset))) => Curve::Polynomial(vec![outer.at(offset)[0]]),
+        (Curve::Cubics { knots, pieces }, _, Some((slope, offset))) => of_line(knots, pieces, slope, offset),
+        (Curve::Polynomial(outer), Curve::Polynomial(inner), _)
+            if outer.len().saturating_mul(inner.len()) <= MOST =>
+        {
+            Curve::Polynomial(substituted(outer, inner))
+        }
+        _ => Curve::Chain(links(inner).chain(links(outer)).cloned().collect()),
+    }
+}
+
+/// The curves of a chain, or the only one.
+pub(super) fn links(curve: &Curve) -> std::slice::Iter<'_, Curve> {
+    match curve {
+        Curve::Chain(curves) => curves.iter(),
+        one => std::slice::from_ref(one).iter(),
     }
 }
 
@@ -44,19 +77,26 @@ pub(super) fn compose(outer: &Curve, inner: &Curve) -> Option<Curve> {
 fn raised(curve: Curve, offset: f64) -> Curve {
     match curve {
         Curve::Cubics { knots, mut pieces } => {
-            for piece in &mut pieces {
-                piece[0] += offset;
-            }
+            lift(&mut pieces, offset);
             Curve::Cubics { knots, pieces }
         }
+        Curve::Quintics { knots, mut pieces } => {
+            lift(&mut pieces, offset);
+            Curve::Quintics { knots, pieces }
+        }
         Curve::Polynomial(mut coefficients) => {
-            if coefficients.is_empty() {
-                coefficients.push(0.0);
-            }
+            coefficients.resize(coefficients.len().max(1), 0.0);
             coefficients[0] += offset;
             Curve::Polynomial(coefficients)
         }
-        other => other,
+        other if offset == 0.0 => other,
+        other => Curve::Chain(links(&other).cloned().chain([Curve::linear(1.0, offset)]).collect()),
+    }
+}
+
+fn lift<const N: usize>(pieces: &mut [[f64; N]], by: f64) {
+    for piece in pieces {
+        piece[0] += by;
     }
 }
 
@@ -103,9 +143,20 @@ mod tests {
         };
         let (square, up, down) =
             (Curve::Polynomial(vec![1.0, 0.5, 2.0]), Curve::linear(0.7, 0.2), Curve::linear(-1.5, 0.3));
-        let pairs = [(&bend, &up), (&bend, &down), (&down, &bend), (&square, &square), (&square, &down)];
+        let wave = Curve::Sine { amplitude: 0.7, frequency: 1.3, phase: 0.2, offset: 0.1 };
+        let pairs = [
+            (&bend, &up),
+            (&bend, &down),
+            (&down, &bend),
+            (&square, &square),
+            (&square, &down),
+            (&bend, &square),
+            (&square, &bend),
+            (&up, &wave),
+            (&wave, &down),
+        ];
         for (outer, inner) in pairs {
-            let both = compose(outer, inner).expect("these can be composed");
+            let both = compose(outer, inner);
             for x in [-3.0, -1.1, -0.4, 0.05, 0.9, 2.5] {
                 let [i, di, ddi] = inner.at(x);
                 let [o, d, dd] = outer.at(i);
@@ -115,7 +166,23 @@ mod tests {
                 }
             }
         }
-        assert_eq!(compose(&bend, &square), None);
-        assert_eq!(compose(&bend, &Curve::linear(0.0, 0.0)), Some(Curve::Polynomial(vec![1.0])));
+        assert_eq!(compose(&bend, &Curve::linear(0.0, 0.0)), Curve::Polynomial(vec![1.0]));
+        // Chains grow at their ends.
+        let long = compose(&square, &compose(&bend, &compose(&wave, &square)));
+        assert_eq!(links(&long).len(), 4);
+        assert_relative_eq!(
+            long.at(0.3)[0],
+            square.at(bend.at(wave.at(square.at(0.3)[0])[0])[0])[0],
+            max_relative = 1e-15
+        );
+        for curve in [&bend, &square, &up] {
+            let beside = beside_identity(curve).expect("of the same kind");
+            for x in [-2.0, -0.3, 1.1, 4.0] {
+                let ([y, first, second], found) = (curve.at(x), beside.at(x));
+                assert_relative_eq!(found[0], y - x, epsilon = 1e-14);
+                assert_relative_eq!(found[1], first - 1.0, epsilon = 1e-14);
+                assert_relative_eq!(found[2], second, epsilon = 1e-14);
+            }
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::xml::{Node, Reader, element, shown, tag};
 use solaris_model::{Placement, UnitQuaternion, Vector3};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// The text of an element, trimmed.
@@ -61,11 +62,55 @@ pub(super) fn name_of<'a>(reader: &mut Reader, node: Node<'a>) -> Option<&'a str
     Some(name)
 }
 
+/// Names for what the file gives none, as OpenSim makes them up: the class in small letters, then `_0`, `_1` …
+#[derive(Default)]
+pub(super) struct MadeUp {
+    /// Of each class, how many.
+    counts: HashMap<String, usize>,
+}
+
+impl MadeUp {
+    /// The name of a joint or a coordinate.
+    pub(super) fn name(&mut self, reader: &mut Reader, node: Node) -> String {
+        if let Some(name) = node.attribute("name").map(str::trim).filter(|name| !name.is_empty()) {
+            return name.to_owned();
+        }
+        let class = node.tag_name().name();
+        let count = self.counts.entry(class.to_owned()).or_default();
+        let stem = class.to_lowercase();
+        let name = if *count == 0 { stem } else { format!("{stem}_{}", *count - 1) };
+        *count += 1;
+        let message = format!("it has no name, and is called '{name}' here, as in OpenSim 4");
+        reader.note(tag(node), format!("<{class}>"), message);
+        name
+    }
+}
+
 /// The elements of the set `name` of a model: what stands in its `objects`.
 pub(super) fn objects<'a>(model: Node<'a>, name: &str) -> Vec<Node<'a>> {
     let sets = crate::xml::elements_called(model, name);
     let objects = sets.flat_map(|set| crate::xml::elements_called(set, "objects"));
     objects.flat_map(|objects| crate::xml::elements(objects)).collect()
+}
+
+/// The elements of the set `name` of a model, and those of the lists `components` at any depth that `belongs` knows by their
+/// tags: programs may put any part of a model there.
+pub(super) fn members<'a>(model: Node<'a>, name: &str, belongs: fn(&str) -> bool) -> Vec<Node<'a>> {
+    let listed = |node: &Node| node.parent().is_some_and(|list| list.tag_name().name() == "components");
+    let mut members = objects(model, name);
+    let others = model.descendants().filter(|node| node.is_element() && belongs(node.tag_name().name()));
+    members.extend(others.filter(listed));
+    members
+}
+
+/// Whether an element of this name is a joint.
+pub(super) fn is_joint(tag: &str) -> bool {
+    tag.ends_with("Joint")
+}
+
+/// The placement that two children of an element say.
+pub(super) fn offset(reader: &mut Reader, node: Node, location: &str, orientation: &str) -> Placement {
+    placement(child_vector(reader, node, location), child_vector(reader, node, orientation))
 }
 
 /// The placement of a translation and an orientation.

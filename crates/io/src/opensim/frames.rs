@@ -2,10 +2,18 @@
 
 use super::axes::product;
 use super::component::{path_of, resolved};
-use super::element::{child_vector, child_words, placement, words_at};
-use crate::xml::{Node, Reader, element, tag};
-use solaris_model::Placement;
+use super::element::{child_words, offset, words_at};
+use super::station;
+use crate::xml::{Node, Reader, element, elements, elements_called, tag};
+use solaris_model::{Placement, Vector3};
 use std::collections::HashMap;
+
+/// What frames are called.
+pub(super) const OFFSET: &str = "PhysicalOffsetFrame";
+pub(super) const THROUGH_POINTS: &str = "StationDefinedFrame";
+
+/// The most frames through points that stand on each other.
+const DEEPEST: usize = 50;
 
 /// Where a frame stands.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +48,21 @@ enum State {
     At(Anchor),
 }
 
+/// What a socket is connected to as versions 30501 to 30516 write it: in `connectors`, under its name without `socket_` or
+/// with `body` instead of `frame`, or with a longer name.
+fn connector<'a>(holder: Node<'a>, socket: &str) -> Option<&'a str> {
+    let name = socket.strip_prefix("socket_")?;
+    let named = |node: &Node| {
+        node.attribute("name").is_some_and(|told| told == name || told.replace("_body", "_frame") == name)
+    };
+    let longer = |prefix: &str| child_words(holder, &format!("{prefix}_{name}_connectee_name"));
+    let listed = || {
+        let connectors = elements_called(holder, "connectors").flat_map(elements);
+        connectors.filter(named).find_map(|node| child_words(node, "connectee_name"))
+    };
+    longer("socket").or_else(|| longer("connector")).or_else(listed)
+}
+
 impl<'a> Frames<'a> {
     /// The frames of a model whose bodies are these elements.
     pub(super) fn of(model: Node<'a>, bodies: &[Node<'a>]) -> Self {
@@ -50,7 +73,14 @@ impl<'a> Frames<'a> {
             let state = match node.tag_name().name() {
                 "Ground" if node.parent() == Some(model) => at(None),
                 "Body" => body_at.get(&node.id()).map_or(State::Lost, |&i| at(Some(i))),
-                "PhysicalOffsetFrame" => State::Unknown,
+                OFFSET | THROUGH_POINTS => State::Unknown,
+                // Only in full paths: their names are often those of bodies.
+                "Station" | "Marker" => {
+                    let path = path_of(node, model);
+                    frames.paths.entry(path.clone()).or_insert(frames.list.len());
+                    frames.list.push(Frame { node, path, state: State::Unknown });
+                    continue;
+                }
                 _ => continue,
             };
             frames.add(Frame { node, path: path_of(node, model), state });
@@ -80,7 +110,7 @@ impl<'a> Frames<'a> {
         owner: &str,
     ) -> Option<Anchor> {
         let index = self.connected(reader, holder, path, socket, owner)?;
-        self.place(reader, index)
+        self.place(reader, index, 0)
     }
 
     /// The frame that a socket names.
@@ -92,7 +122,7 @@ impl<'a> Frames<'a> {
         socket: &str,
         owner: &str,
     ) -> Option<usize> {
-        let Some(told) = child_words(holder, socket) else {
+        let Some(told) = child_words(holder, socket).or_else(|| connector(holder, socket)) else {
             let place = element(holder, socket).map_or_else(|| tag(holder), tag);
             reader.fault(
                 place,
@@ -121,8 +151,36 @@ impl<'a> Frames<'a> {
         None
     }
 
+    /// Where a frame through points stands, which is the `depth`-th such frame on the way.
+    fn through(&mut self, reader: &mut Reader, index: usize, depth: usize) -> Option<Anchor> {
+        let (node, path) = (self.list[index].node, self.list[index].path.clone());
+        let owner = format!("frame '{path}'");
+        if depth > DEEPEST {
+            let message = format!("{owner} goes through points of more than {DEEPEST} such frames in a row");
+            reader.fault(tag(node), message);
+            return None;
+        }
+        let mut points = Vec::new();
+        for socket in station::POINTS {
+            let station = self.connected(reader, node, &path, socket, &owner)?;
+            points.push(self.place(reader, station, depth)?);
+        }
+        let body = points[0].body;
+        let places: Vec<Vector3<f64>> = points.iter().map(|point| point.within.translation.vector).collect();
+        let frame = station::through(node, places.try_into().ok()?);
+        let why = match frame {
+            Some(within) if points.iter().all(|point| point.body == body) => {
+                return Some(Anchor { body, within });
+            }
+            Some(_) => "its points belong to several bodies; they must be of one",
+            None => "its points lie on a line, or its axes are not two of x, y, z",
+        };
+        reader.fault(tag(node), format!("{owner} cannot be found: {why}"));
+        None
+    }
+
     /// Where a frame stands, found over all that it stands on.
-    fn place(&mut self, reader: &mut Reader, index: usize) -> Option<Anchor> {
+    fn place(&mut self, reader: &mut Reader, index: usize, depth: usize) -> Option<Anchor> {
         let mut open = Vec::new();
         let mut next = index;
         let mut anchor = loop {
@@ -140,23 +198,27 @@ impl<'a> Frames<'a> {
                 State::Unknown => {}
             }
             self.list[next].state = State::Open;
-            open.push(next);
             let frame = &self.list[next];
+            let kind = frame.node.tag_name().name();
+            if kind == THROUGH_POINTS {
+                let found = self.through(reader, next, depth + 1);
+                self.list[next].state = found.map_or(State::Lost, State::At);
+                break found;
+            }
+            open.push(next);
             let owner = format!("frame '{}'", frame.path);
             let (node, path) = (frame.node, frame.path.clone());
-            match self.connected(reader, node, &path, "socket_parent", &owner) {
+            let socket = if kind == OFFSET { "socket_parent" } else { "socket_parent_frame" };
+            match self.connected(reader, node, &path, socket, &owner) {
                 Some(parent) => next = parent,
                 None => break None,
             }
         };
         for index in open.into_iter().rev() {
             let node = self.list[index].node;
-            let (translation, orientation) =
-                (child_vector(reader, node, "translation"), child_vector(reader, node, "orientation"));
-            anchor = anchor.map(|below| Anchor {
-                body: below.body,
-                within: product(&below.within, &placement(translation, orientation)),
-            });
+            let by = if node.tag_name().name() == OFFSET { "translation" } else { "location" };
+            let offset = offset(reader, node, by, "orientation");
+            anchor = anchor.map(|below| Anchor { body: below.body, within: product(&below.within, &offset) });
             self.list[index].state = anchor.map_or(State::Lost, State::At);
         }
         anchor

@@ -1,6 +1,7 @@
 //! OpenSim's functions of one coordinate, as curves.
 
-use super::element::{child_number, words};
+use super::element::{child_number, child_words, words};
+use super::quintic;
 use super::spline::{Ends, through};
 use crate::xml::{Node, Reader, element, elements, shown, tag};
 use solaris_model::Curve;
@@ -56,23 +57,39 @@ fn plain(reader: &mut Reader, node: Node, owner: &str) -> Option<Curve> {
             Some(Curve::Polynomial(coefficients))
         }
         "SimmSpline" | "NaturalCubicSpline" | "natCubicSpline" => {
-            spline(reader, node, owner, Ends::FourPoints)
+            cubics(reader, node, owner, Ends::FourPoints)
         }
-        "PiecewiseLinearFunction" => spline(reader, node, owner, Ends::Straight),
+        "PiecewiseLinearFunction" => cubics(reader, node, owner, Ends::Straight),
         "GCVSpline" => {
-            // A natural cubic; the default is a quintic.
+            // The default is the quintic.
             let half = child_number(reader, node, "half_order").unwrap_or(3.0);
             let variance = child_number(reader, node, "error_variance").unwrap_or(0.0);
-            if (half - 2.0).abs() > 0.0 || variance.abs() > 0.0 {
-                let degree = 2.0 * half - 1.0;
-                let message = format!(
-                    "{owner}: a <GCVSpline> of degree {degree} and error variance {variance} is not read, only one of \
-                     degree 3 (half_order 2) and variance 0; replace it by a <SimmSpline>"
-                );
-                reader.fault(tag(node), message);
-                return None;
+            match half {
+                _ if variance.abs() > 0.0 => {}
+                2.0 => return cubics(reader, node, owner, Ends::Natural),
+                3.0 => return spline(reader, node, owner, 6, quintic::through),
+                _ => {}
             }
-            spline(reader, node, owner, Ends::Natural)
+            let degree = 2.0 * half - 1.0;
+            let message = format!(
+                "{owner}: a <GCVSpline> of degree {degree} and error variance {variance} is not read, only those of degree 3 \
+                 and 5 (half_order 2 and 3) and variance 0; replace it by a <SimmSpline>"
+            );
+            reader.fault(tag(node), message);
+            None
+        }
+        "Sine" => {
+            let mut number = |name, absent| match element(node, name) {
+                Some(child) => reader.text_number(child),
+                None => Some(absent),
+            };
+            let (amplitude, frequency) = (number("amplitude", 1.0), number("omega", 1.0));
+            let (phase, offset) = (number("phase", 0.0), number("offset", 0.0));
+            Some(Curve::Sine { amplitude: amplitude?, frequency: frequency?, phase: phase?, offset: offset? })
+        }
+        // One coordinate: the lowest power first.
+        "MultivariatePolynomialFunction" if child_words(node, "dimension") == Some("1") => {
+            list(reader, node, "coefficients", owner, 1).map(Curve::Polynomial)
         }
         other => {
             let message = format!(
@@ -85,8 +102,19 @@ fn plain(reader: &mut Reader, node: Node, owner: &str) -> Option<Curve> {
     }
 }
 
-fn spline(reader: &mut Reader, node: Node, owner: &str, ends: Ends) -> Option<Curve> {
-    let (x, y) = (list(reader, node, "x", owner, 2), list(reader, node, "y", owner, 2));
+fn cubics(reader: &mut Reader, node: Node, owner: &str, ends: Ends) -> Option<Curve> {
+    spline(reader, node, owner, 2, |x, y| through(x, y, ends))
+}
+
+/// The spline that `through` makes of the points of a function, `fewest` at least.
+fn spline(
+    reader: &mut Reader,
+    node: Node,
+    owner: &str,
+    fewest: usize,
+    through: impl Fn(&[f64], &[f64]) -> Curve,
+) -> Option<Curve> {
+    let (x, y) = (list(reader, node, "x", owner, fewest), list(reader, node, "y", owner, fewest));
     let (x, y) = (x?, y?);
     let name = node.tag_name().name();
     if x.len() != y.len() {
@@ -99,7 +127,7 @@ fn spline(reader: &mut Reader, node: Node, owner: &str, ends: Ends) -> Option<Cu
         reader.fault(tag(node), message);
         return None;
     }
-    let curve = through(&x, &y, ends);
+    let curve = through(&x, &y);
     // Abscissae or values as far apart as numbers reach.
     let finite = x.iter().all(|x| curve.at(*x).iter().all(|value| value.is_finite()));
     if !finite {

@@ -1,15 +1,17 @@
 //! The bodies and joints of a model of version 4, and what becomes of those of any version.
 
+use super::axes::{Built, product};
 use super::component::path_of;
 use super::coordinate::{self, Coordinate};
 use super::couplers;
-use super::element::{child_vector, name_of, objects};
+use super::element::{MadeUp, child_flag, child_vector, is_joint, members, name_of, offset};
 use super::frames::Frames;
 use super::joint::{self, JointAt};
-use crate::tree::Body;
+use super::mount::{Mount, mount};
+use crate::tree::{Body, Names};
 use crate::xml::{Node, Reader, element, tag};
 use solaris_model::{Joint, Matrix3, Part, SourceMap};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 /// What a model consists of.
 pub(super) struct Layout<'a> {
@@ -22,18 +24,27 @@ pub(super) struct Layout<'a> {
 
 /// Reads the layout of version 4.
 pub(super) fn read<'a>(reader: &mut Reader, model: Node<'a>) -> Layout<'a> {
-    let bodies = bodies(reader, objects(model, "BodySet"));
+    let bodies = bodies(reader, members(model, "BodySet", |tag| tag == "Body"));
     let nodes: Vec<Node> = bodies.iter().map(|(_, node)| *node).collect();
     let mut frames = Frames::of(model, &nodes);
     let (mut joints, mut lost) = (Vec::new(), false);
-    for node in objects(model, "JointSet") {
+    let mut names = MadeUp::default();
+    for node in members(model, "JointSet", is_joint) {
         let before = lost;
         lost = true;
-        let Some(name) = name_of(reader, node) else { continue };
+        let name = names.name(reader, node);
         let (path, owner) = (path_of(node, model), format!("joint '{name}'"));
         let mut end = |socket| frames.socket(reader, node, &path, socket, &owner);
         let (parent, child) = (end("socket_parent_frame"), end("socket_child_frame"));
-        if let (Some(parent), Some(child)) = (parent, child) {
+        if let (Some(mut parent), Some(mut child)) = (parent, child) {
+            // Before 30505, offsets stand in the joint itself.
+            parent.within =
+                product(&parent.within, &offset(reader, node, "location_in_parent", "orientation_in_parent"));
+            child.within =
+                product(&child.within, &offset(reader, node, "location_in_child", "orientation_in_child"));
+            if child_flag(reader, node, "reverse", false) {
+                std::mem::swap(&mut parent, &mut child);
+            }
             joints.push(JointAt { name, node, parent, child });
             lost = before;
         }
@@ -74,126 +85,65 @@ impl Layout<'_> {
     pub(super) fn tree(&self, reader: &mut Reader, model: Node) -> Tree {
         let mut places = SourceMap::default();
         places.put(Part::Figure, "", tag(model));
-        if self.bodies.is_empty() {
-            reader.fault(tag(model), "the model has no bodies");
-        }
-        let coordinates: Vec<Vec<Coordinate>> =
+        let mut coordinates: Vec<Vec<Coordinate>> =
             self.joints.iter().map(|joint| coordinate::of_joint(reader, joint.node, &mut places)).collect();
+        let called = self.joints.iter().map(|joint| joint.name.as_str());
+        coordinate::distinguish(reader, called, &mut coordinates);
         let names: HashSet<&str> = coordinates.iter().flatten().map(|c| c.name.as_str()).collect();
         let couplers = couplers::read(reader, model, &names);
-        let mut moved: HashMap<usize, usize> = HashMap::new();
+        let mounts = mount(reader, &self.bodies, &self.joints, self.lost);
+        let mut turned = vec![false; self.joints.len()];
+        for mount in &mounts.of {
+            if let Mount::Backward(joint) = *mount {
+                turned[joint] = true;
+            }
+        }
         let mut built = Vec::new();
-        for (i, (at, coordinates)) in self.joints.iter().zip(coordinates).enumerate() {
-            places.put(Part::Joint, at.name, tag(at.node));
-            built.push(joint::build(reader, at, coordinates, &couplers));
-            self.claim(reader, at, i, &mut moved);
+        for ((at, coordinates), turned) in self.joints.iter().zip(coordinates).zip(turned) {
+            places.put(Part::Joint, &at.name, tag(at.node));
+            built.push(joint::build(reader, at, coordinates, &couplers, turned));
         }
-        let hangs = self.check_tree(reader, &moved);
-        let whole = hangs && built.iter().all(Option::is_some) && !self.bodies.is_empty();
-        let bodies = (0..self.bodies.len())
-            .map(|i| {
-                let joint = moved.get(&i).map(|&j| (&self.joints[j], built[j].take()));
-                self.body(reader, i, joint, &mut places)
-            })
-            .collect();
-        Tree { bodies, places, whole }
-    }
-
-    /// Lets a joint move its child body, which no other may do.
-    fn claim(&self, reader: &mut Reader, at: &JointAt, index: usize, moved: &mut HashMap<usize, usize>) {
-        let name = at.name;
-        let Some(child) = at.child.body else {
-            let message = format!("the child of joint '{name}' is ground; swap its parent and its child");
-            reader.fault(tag(at.node), message);
-            return;
-        };
-        if let Some(other) = moved.insert(child, index) {
-            let (body, other) = (self.bodies[child].0, self.joints[other].name);
-            let message = format!(
-                "joint '{name}' moves body '{body}', which joint '{other}' moves already; a loop is not read: remove one of them"
-            );
-            reader.fault(tag(at.node), message);
-        }
-    }
-
-    /// Whether every body hangs on ground in the end; where one does not, that is a fault.
-    fn check_tree(&self, reader: &mut Reader, moved: &HashMap<usize, usize>) -> bool {
-        let mut hangs = true;
-        let above = |i: usize| moved.get(&i).map(|&joint| self.joints[joint].parent.body);
-        // The walk in which a body was met first.
-        let mut met = vec![usize::MAX; self.bodies.len()];
-        for start in 0..self.bodies.len() {
-            let mut at = start;
-            while met[at] == usize::MAX {
-                met[at] = start;
-                match above(at) {
-                    Some(Some(parent)) => at = parent,
-                    Some(None) => break,
-                    None => {
-                        hangs = false;
-                        let (name, node) = self.bodies[at];
-                        if !self.lost {
-                            let message = format!(
-                                "no joint moves body '{name}'; give it one, to ground or to another body"
-                            );
-                            reader.fault(tag(node), message);
-                        }
-                        break;
-                    }
-                }
+        let whole = mounts.whole && built.iter().all(Option::is_some);
+        let taken = self.bodies.iter().map(|(name, _)| *name);
+        let mut names = Names::of(taken.chain(self.joints.iter().map(|joint| joint.name.as_str())));
+        // Links between the joints of one of the file stand behind all bodies.
+        let (mut bodies, mut between) = (Vec::new(), Vec::new());
+        for (i, mount) in mounts.of.iter().enumerate() {
+            let (mut parent, joint) = match *mount {
+                Mount::Forward(j) => (self.joints[j].parent.body, built[j].take()),
+                Mount::Backward(j) => (self.joints[j].child.body, built[j].take()),
+                Mount::Free => (None, Some(joint::free(self.bodies[i].0))),
+                Mount::None => (None, None),
+            };
+            let Built { mut joints, beyond } = joint.unwrap_or_default();
+            let last = joints.pop().unwrap_or_else(|| Joint::new(self.bodies[i].0));
+            for inner in joints {
+                let name = names.take(&format!("{}_between", inner.name()));
+                between.push(Body::new(name, parent, inner, tag(self.bodies[i].1)));
+                parent = Some(self.bodies.len() + between.len() - 1);
             }
-            let closed = met[at] == start && above(at).is_some_and(|parent| parent.is_some());
-            if closed && self.is_above_itself(at, &above) {
-                self.name_cycle(reader, at, &above);
-                hangs = false;
-            }
+            let mut body = self.body(reader, i, parent, last, &mut places);
+            body.beyond = beyond;
+            bodies.push(body);
         }
-        hangs
-    }
-
-    fn is_above_itself(&self, start: usize, above: &impl Fn(usize) -> Option<Option<usize>>) -> bool {
-        let mut at = start;
-        for _ in 0..self.bodies.len() {
-            match above(at) {
-                Some(Some(parent)) if parent == start => return true,
-                Some(Some(parent)) => at = parent,
-                _ => return false,
-            }
+        bodies.append(&mut between);
+        if bodies.is_empty() && !self.lost {
+            reader.suspect(tag(model), "model", "it has no bodies: nothing of it moves");
+            bodies.push(Body::new("ground", None, Joint::new("root"), tag(model)));
         }
-        false
-    }
-
-    fn name_cycle(&self, reader: &mut Reader, start: usize, above: &impl Fn(usize) -> Option<Option<usize>>) {
-        let mut names = vec![format!("'{}'", self.bodies[start].0)];
-        let mut at = start;
-        while let Some(Some(parent)) = above(at)
-            && parent != start
-            && names.len() < 5
-        {
-            names.push(format!("'{}'", self.bodies[parent].0));
-            at = parent;
-        }
-        let message = format!(
-            "bodies {} are each other's ancestors (a cycle); one of them needs a joint to ground",
-            names.join(", ")
-        );
-        reader.fault(tag(self.bodies[start].1), message);
+        Tree { bodies, places, whole: whole && !self.lost }
     }
 
     fn body(
         &self,
         reader: &mut Reader,
         index: usize,
-        joint: Option<(&JointAt, Option<joint::Built>)>,
+        parent: Option<usize>,
+        joint: Joint,
         places: &mut SourceMap,
     ) -> Body {
         let (name, node) = self.bodies[index];
-        let parent = joint.as_ref().and_then(|(at, _)| at.parent.body);
-        let (moving, beyond) = joint
-            .and_then(|(_, built)| built)
-            .unwrap_or_else(|| (Joint::new(name), solaris_model::Placement::identity()));
-        let mut body = Body::new(name, parent, moving, tag(node));
-        body.beyond = beyond;
+        let mut body = Body::new(name, parent, joint, tag(node));
         let mass = element(node, "mass").map_or(Some(0.0), |mass| reader.text_number(mass));
         let inertia = inertia(reader, node);
         body.com = child_vector(reader, node, "mass_center");

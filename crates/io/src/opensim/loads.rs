@@ -56,7 +56,8 @@ pub struct ExternalForce {
 /// # Ok::<(), solaris_model::TextError>(())
 /// ```
 pub fn external_loads(text: &str) -> Result<ExternalLoads, TextError> {
-    let document = xml::parse(text, DEEPEST)?;
+    let strict = xml::mended(text);
+    let document = xml::parse(&strict, DEEPEST)?;
     let mut reader = Reader::new(text);
     let root = document.root_element();
     let held =

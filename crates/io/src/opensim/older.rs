@@ -1,6 +1,6 @@
-//! The layout of versions 2 and 3: bodies hold their joints.
+//! The layout of versions 1.9 to 3.3: bodies hold their joints.
 
-use super::element::{child_flag, child_vector, child_words, name_of, objects, placement, words_at};
+use super::element::{MadeUp, child_flag, child_words, objects, offset, words_at};
 use super::frames::Anchor;
 use super::joint::JointAt;
 use super::layout::{Layout, bodies};
@@ -11,36 +11,29 @@ use std::collections::HashMap;
 /// What ground is called, which is a body of the set.
 const GROUND: &str = "ground";
 
-/// Reads the layout of versions 2 and 3.
+/// Reads the layout of these versions.
 pub(super) fn read<'a>(reader: &mut Reader, model: Node<'a>) -> Layout<'a> {
     let mut bodies = bodies(reader, objects(model, "BodySet"));
     bodies.retain(|(name, _)| *name != GROUND);
     let numbers: HashMap<&str, usize> = bodies.iter().enumerate().map(|(i, (name, _))| (*name, i)).collect();
     let (mut joints, mut lost) = (Vec::new(), false);
-    for (i, (body, node)) in bodies.iter().enumerate() {
+    let mut names = MadeUp::default();
+    for (i, (_, node)) in bodies.iter().enumerate() {
         let held = element(*node, "Joint").and_then(|joint| elements(joint).next());
         let Some(joint) = held else { continue };
-        let Some(name) = name_of(reader, joint) else {
+        let name = names.name(reader, joint);
+        let from = offset(reader, joint, "location_in_parent", "orientation_in_parent");
+        let parent = parent(reader, joint, &name, &numbers, from);
+        let to = offset(reader, joint, "location", "orientation");
+        let Some(mut parent) = parent else {
             lost = true;
             continue;
         };
-        let within = |reader: &mut Reader, location, orientation| {
-            placement(child_vector(reader, joint, location), child_vector(reader, joint, orientation))
-        };
-        let from = within(reader, "location_in_parent", "orientation_in_parent");
-        let parent = parent(reader, joint, name, &numbers, from);
-        let to = within(reader, "location", "orientation");
+        let mut child = Anchor { body: Some(i), within: to };
+        // The joint's own motion is from its body to the parent, as OpenSim 4 writes it when it saves such a model.
         if child_flag(reader, joint, "reverse", false) {
-            let message = format!(
-                "joint '{name}' of body '{body}' is reversed, which is not read; open and save it in OpenSim 4"
-            );
-            reader.fault(tag(joint), message);
+            std::mem::swap(&mut parent, &mut child);
         }
-        let Some(parent) = parent else {
-            lost = true;
-            continue;
-        };
-        let child = Anchor { body: Some(i), within: to };
         joints.push(JointAt { name, node: joint, parent, child });
     }
     Layout { bodies, joints, lost }

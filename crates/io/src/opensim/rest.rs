@@ -1,6 +1,8 @@
 //! The parts of a model that are not read, by name.
 
-use super::element::{child_words, objects};
+use super::couplers::COUPLER;
+use super::element::{child_words, is_joint, members};
+use super::frames::{OFFSET, THROUGH_POINTS};
 use crate::xml::{Node, Reader, element, elements, elements_called, shown, tag};
 
 /// Children of a model that are read, or say nothing that could be left out.
@@ -32,9 +34,7 @@ pub(super) fn list(reader: &mut Reader, model: Node) {
         }
         if SETS.contains(&name) || name == "components" {
             let members = if name == "components" { elements(child).collect() } else { objects_of(child) };
-            for member in
-                members.into_iter().filter(|member| member.tag_name().name() != "PhysicalOffsetFrame")
-            {
+            for member in members.into_iter().filter(|member| !is_read(member.tag_name().name())) {
                 reader.unread_element(member);
             }
         } else if ASIDE_SETS.contains(&name) {
@@ -47,13 +47,18 @@ pub(super) fn list(reader: &mut Reader, model: Node) {
             reader.unread_element(child);
         }
     }
-    for body in objects(model, "BodySet").into_iter().chain(element(model, "Ground")) {
+    for body in members(model, "BodySet", |tag| tag == "Body").into_iter().chain(element(model, "Ground")) {
         frame(reader, body);
     }
-    let joints = objects(model, "JointSet");
+    let joints = members(model, "JointSet", is_joint);
     for inner in joints.into_iter().flat_map(|joint| elements_called(joint, "frames")).flat_map(elements) {
         frame(reader, inner);
     }
+}
+
+/// Whether members of `components` that are called so are read.
+fn is_read(tag: &str) -> bool {
+    matches!(tag, "Body" | OFFSET | THROUGH_POINTS | COUPLER) || is_joint(tag)
 }
 
 /// A body, ground or another frame: everything but where it is and what it weighs.
@@ -67,7 +72,7 @@ fn frame(reader: &mut Reader, node: Node) {
             "attached_geometry" => elements(child).for_each(|member| aside(reader, member)),
             "FrameGeometry" | "VisibleObject" | "Geometry" => aside(reader, child),
             "components" => elements(child)
-                .filter(|member| member.tag_name().name() != "PhysicalOffsetFrame")
+                .filter(|member| !is_read(member.tag_name().name()))
                 .for_each(|member| reader.unread_element(member)),
             _ => reader.unread_element(child),
         }

@@ -19,14 +19,17 @@ pub(crate) fn mended(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Exchanges blanks before `<?xml …?>` with it.
+/// Exchanges blanks before `<?xml …?>` with it; a byte order mark stays first.
 fn declaration_first(bytes: &mut Cow<[u8]>) {
-    let blanks = bytes.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
-    if blanks == 0 || !bytes[blanks..].starts_with(b"<?xml") {
+    const MARK: &[u8] = "\u{feff}".as_bytes();
+    let mark = if bytes.starts_with(MARK) { MARK.len() } else { 0 };
+    let blanks = bytes[mark..].iter().take_while(|byte| byte.is_ascii_whitespace()).count();
+    let start = mark + blanks;
+    if blanks == 0 || !bytes[start..].starts_with(b"<?xml") {
         return;
     }
-    if let Some(end) = find(&bytes[blanks..], b"?>") {
-        bytes.to_mut()[..blanks + end + 2].rotate_left(blanks);
+    if let Some(end) = find(&bytes[start..], b"?>") {
+        bytes.to_mut()[mark..start + end + 2].rotate_left(blanks);
     }
 }
 
@@ -78,6 +81,8 @@ fn prefixes(bytes: &mut Cow<[u8]>) {
             (place, _) => place,
         };
         match (place, byte) {
+            // OpenSim writes names of classes, `HuntCrossleyForce::ContactParametersSet`.
+            (Place::Tag, b':') if i > 0 && colons.last() == Some(&(i - 1)) => colons.push(i),
             (Place::Tag, b':') => {
                 colons.extend(name.take().filter(|start| !declared.contains(&bytes[*start..i])).map(|_| i));
             }
@@ -123,6 +128,20 @@ mod tests {
         let ray = document.descendants().find(|node| node.has_tag_name("x_ray")).expect("it is there");
         assert_eq!((ray.attribute("a"), ray.attribute("y_c")), (Some("u:1"), Some("x")));
         assert!(mended.contains("<![CDATA[<!-- -- x:]]>"));
+    }
+
+    #[test]
+    fn names_of_classes_and_late_declarations_are_read() {
+        let text = "\u{feff}\n <?xml version='1.0'?>\n<a::b c='d::e'>f::g ü<h::i::j/><!-- k::l --></a::b>";
+        let mended = mended(text);
+        let document = parse(&mended, 10).expect("XML");
+        let names: Vec<&str> = document
+            .descendants()
+            .filter_map(|node| node.is_element().then(|| node.tag_name().name()))
+            .collect();
+        assert_eq!(names, ["a__b", "h__i__j"]);
+        assert_eq!(document.root_element().attribute("c"), Some("d::e"));
+        assert_eq!((mended.len(), mended.find("<h")), (text.len(), text.find("<h")));
     }
 
     #[test]

@@ -15,9 +15,13 @@ mod opensim;
 #[cfg(feature = "opensim")]
 mod opensim_faults;
 #[cfg(feature = "opensim")]
+mod opensim_joints;
+#[cfg(feature = "opensim")]
 mod opensim_laws;
 #[cfg(feature = "opensim")]
 mod opensim_loads;
+#[cfg(feature = "opensim")]
+mod opensim_reference;
 mod records;
 #[cfg(feature = "sdf")]
 mod sdf;

@@ -33,14 +33,14 @@ pub(crate) fn joint(kind: &str, name: &str, ends: [&str; 2], coordinates: &[&str
     )
 }
 
-const OFFSETS: &str = "<frames>\
+pub(crate) const OFFSETS: &str = "<frames>\
     <PhysicalOffsetFrame name=\"below\"><socket_parent>/ground</socket_parent>\
       <translation>0.1 0.2 -0.3</translation><orientation>0.4 -0.5 0.6</orientation></PhysicalOffsetFrame>\
     <PhysicalOffsetFrame name=\"on\"><socket_parent>/bodyset/rod</socket_parent>\
       <translation>-0.05 0.3 0.02</translation><orientation>-0.2 0.7 0.1</orientation></PhysicalOffsetFrame></frames>";
 
 /// A single body `rod` on a joint between two offset frames.
-fn rod(kind: &str, coordinates: &[&str], more: &str) -> Import {
+pub(crate) fn rod(kind: &str, coordinates: &[&str], more: &str) -> Import {
     let joint = joint(kind, "pivot", ["below", "on"], coordinates, &format!("{OFFSETS}{more}"));
     read(&document(&body("rod", 2.0), &joint, ""))
 }
@@ -50,7 +50,7 @@ pub(crate) fn read(text: &str) -> Import {
 }
 
 /// A turn by `angle` about a unit vector, by the formula of Rodrigues.
-fn turn(axis: [f64; 3], angle: f64) -> Isometry3<f64> {
+pub(crate) fn turn(axis: [f64; 3], angle: f64) -> Isometry3<f64> {
     let a = Vector3::from(axis).normalize();
     let cross = a.cross_matrix();
     let matrix = Matrix3::identity() + cross * angle.sin() + cross * cross * (1.0 - angle.cos());
@@ -58,21 +58,21 @@ fn turn(axis: [f64; 3], angle: f64) -> Isometry3<f64> {
     Isometry3::from_parts(Vector3::zeros().into(), rotation)
 }
 
-fn slide(by: [f64; 3]) -> Isometry3<f64> {
+pub(crate) fn slide(by: [f64; 3]) -> Isometry3<f64> {
     Isometry3::translation(by[0], by[1], by[2])
 }
 
-const X: [f64; 3] = [1.0, 0.0, 0.0];
-const Y: [f64; 3] = [0.0, 1.0, 0.0];
-const Z: [f64; 3] = [0.0, 0.0, 1.0];
+pub(crate) const X: [f64; 3] = [1.0, 0.0, 0.0];
+pub(crate) const Y: [f64; 3] = [0.0, 1.0, 0.0];
+pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A frame at a place, turned by three body-fixed angles.
-fn offset(at: [f64; 3], angles: [f64; 3]) -> Isometry3<f64> {
+pub(crate) fn offset(at: [f64; 3], angles: [f64; 3]) -> Isometry3<f64> {
     slide(at) * turn(X, angles[0]) * turn(Y, angles[1]) * turn(Z, angles[2])
 }
 
 /// The pose of a body's frame with the named coordinates at these values, followers in their places.
-fn pose(import: &Import, name: &str, values: &[(&str, f64)]) -> Isometry3<f64> {
+pub(crate) fn pose(import: &Import, name: &str, values: &[(&str, f64)]) -> Isometry3<f64> {
     let figure = &import.figure;
     let tree = Tree::<f64>::new(figure, import.gravity).expect("a figure");
     let mut workspace = Workspace::new(&tree);
@@ -96,14 +96,14 @@ fn pose(import: &Import, name: &str, values: &[(&str, f64)]) -> Isometry3<f64> {
 }
 
 #[track_caller]
-fn assert_near(found: &Isometry3<f64>, expected: &Isometry3<f64>, what: &str) {
+pub(crate) fn assert_near(found: &Isometry3<f64>, expected: &Isometry3<f64>, what: &str) {
     let off = (found.to_homogeneous() - expected.to_homogeneous()).amax();
     assert!(off < 1e-13, "{what}: {off:e}\n{found}\n{expected}");
 }
 
 /// The rod's pose is that of the chain of frames: offset, joint, offset back.
 #[track_caller]
-fn check(import: &Import, values: &[(&str, f64)], moved: Isometry3<f64>, what: &str) {
+pub(crate) fn check(import: &Import, values: &[(&str, f64)], moved: Isometry3<f64>, what: &str) {
     let below = offset([0.1, 0.2, -0.3], [0.4, -0.5, 0.6]);
     let on = offset([-0.05, 0.3, 0.02], [-0.2, 0.7, 0.1]);
     assert_near(&pose(import, "rod", values), &(below * moved * on.inverse()), what);
@@ -210,6 +210,57 @@ fn a_custom_joint_slides_along_fixed_axes_and_turns_about_moved_ones() {
     }
 }
 
+/// A kneecap: a coordinate all of whose axes are functions of it, by itself and tied to a knee.
+#[test]
+fn a_coordinate_may_move_axes_by_functions_alone() {
+    let spline = |y: &str| format!("<SimmSpline name=\"function\"><x>-1 0 1</x><y>{y}</y></SimmSpline>");
+    let turn_and_slide =
+        axis("rotation1", "", "0 0 1", "<Constant name=\"function\"><value>0.2</value></Constant>")
+            + &axis("rotation2", "beta", "1 0 0", &spline("0.5 0.1 0.5"))
+            + &axis("translation2", "beta", "0 1 0", &spline("0.01 0.04 0.09"));
+    let transform = format!("<SpatialTransform>{turn_and_slide}</SpatialTransform>");
+    // Parabolas through three points, straight on beyond them.
+    let tilt = |beta: f64| if beta > 1.0 { 0.5 + 0.8 * (beta - 1.0) } else { 0.1 + 0.4 * beta * beta };
+    let rise = |beta: f64| {
+        if beta > 1.0 { 0.09 + 0.06 * (beta - 1.0) } else { 0.04 + 0.04 * beta + 0.01 * beta * beta }
+    };
+    let moved = |beta: f64| slide([0.0, rise(beta), 0.0]) * turn(Z, 0.2) * turn(X, tilt(beta));
+    let import = rod("CustomJoint", &["beta"], &transform);
+    assert_eq!((import.figure.layout().nv(), import.figure.followers().len()), (3, 2));
+    for beta in [-0.8, 0.0, 0.3, 1.7] {
+        check(&import, &[("beta", beta)], moved(beta), "by itself");
+    }
+    // Of a function that its coordinate cannot be a part of, it is turned forth and back.
+    let wave =
+        axis("translation3", "beta", "0 0 1", "<Sine name=\"function\"><amplitude>0.3</amplitude></Sine>");
+    let swung = rod("CustomJoint", &["beta"], &format!("<SpatialTransform>{wave}</SpatialTransform>"));
+    check(&swung, &[("beta", 0.7)], slide([0.0, 0.0, 0.3 * 0.7_f64.sin()]), "a wave alone");
+    // What OpenSim calls neither angle nor length.
+    assert!(import.findings.iter().any(|finding| finding.message.contains("in radians")));
+
+    let knee = joint("PinJoint", "knee", ["/ground", "/bodyset/shank"], &["bend"], "");
+    let kneecap = joint("CustomJoint", "pivot", ["below", "on"], &["beta"], &format!("{OFFSETS}{transform}"));
+    let coupler = |function: &str| {
+        format!(
+            "<ConstraintSet><objects><CoordinateCouplerConstraint name=\"tie\">\
+             <coupled_coordinates_function>{function}</coupled_coordinates_function>\
+             <independent_coordinate_names>bend</independent_coordinate_names>\
+             <dependent_coordinate_name>beta</dependent_coordinate_name></CoordinateCouplerConstraint></objects></ConstraintSet>"
+        )
+    };
+    let bodies = body("rod", 2.0) + &body("shank", 3.0);
+    let line = coupler("<LinearFunction><coefficients>-0.5 0.1</coefficients></LinearFunction>");
+    let bent = coupler("<SimmSpline><x>-1 0 1</x><y>1 0 1</y></SimmSpline>");
+    let same = |x: f64| if x.abs() > 1.0 { 1.0 + 2.0 * (x.abs() - 1.0) } else { x * x };
+    for bend in [-1.4, -0.3, 0.0, 0.8] {
+        let import = read(&document(&bodies, &(knee.clone() + &kneecap), &line));
+        check(&import, &[("bend", bend)], moved(0.1 - 0.5 * bend), "tied by a line");
+        let import = read(&document(&bodies, &(knee.clone() + &kneecap), &bent));
+        check(&import, &[("bend", bend)], moved(same(bend)), "tied by a spline");
+        assert!(import.figure.layout().q_names().contains(&"beta".to_owned()));
+    }
+}
+
 #[test]
 fn rotations_may_follow_too() {
     let spline =
@@ -220,6 +271,21 @@ fn rotations_may_follow_too() {
     // σ₁ = −½ by hand: f(½) = 1.5·½ − 0.5·⅛.
     check(&import, &[("knee", 0.5)], turn(Z, 0.5) * turn(Y, 0.6875), "natural cubic");
     check(&import, &[("knee", -1.0)], turn(Z, -1.0) * turn(Y, -1.5), "straight on");
+    // Without an order it is a quintic, which a parabola comes back from.
+    let quintic = spline.replace(
+        "<half_order>2</half_order><x>0 1 2</x><y>0 1 0</y>",
+        "<x>-2 -1 0 1 2 3</x><y>4 1 0 1 4 9</y>",
+    );
+    let wave = "<Sine name=\"function\"><amplitude>0.5</amplitude><omega>2</omega><phase>0.1</phase><offset>0.2</offset></Sine>";
+    let axes = [
+        axis("rotation1", "knee", "0 0 1", ""),
+        axis("rotation2", "knee", "0 1 0", &quintic),
+        axis("translation1", "knee", "1 0 0", wave),
+    ];
+    let import =
+        rod("CustomJoint", &["knee"], &format!("<SpatialTransform>{}</SpatialTransform>", axes.concat()));
+    let to_side = slide([0.2 + 0.5 * 0.9_f64.sin(), 0.0, 0.0]);
+    check(&import, &[("knee", 0.4)], to_side * turn(Z, 0.4) * turn(Y, 0.16), "quintic and wave");
 }
 
 #[test]

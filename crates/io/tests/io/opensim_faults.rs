@@ -49,11 +49,8 @@ fn cases() -> Vec<(&'static str, String)> {
             "<OpenSimDocument Version=\"40000\"><ExternalLoads/></OpenSimDocument>".to_owned(),
         ),
         ("truncated", good[..good.len() / 2].to_owned()),
-        ("too old", good.replace("40000", "10904")),
-        ("between versions", good.replace("40000", "30505")),
+        ("too old", good.replace("40000", "10900")),
         ("version is a word", good.replace("40000", "four")),
-        ("no bodies", document("", "", "")),
-        ("no joint", document(&two, &pivot, "")),
         ("unknown body", good.replace("/bodyset/rod", "/bodyset/rd")),
         ("missing socket", good.replace("<socket_parent_frame>/ground</socket_parent_frame>", "")),
         ("empty socket", good.replace("/ground", "")),
@@ -66,7 +63,6 @@ fn cases() -> Vec<(&'static str, String)> {
             ),
         ),
         ("on itself", document(&body("rod", 2.0), &pin("one", "/bodyset/rod", "/bodyset/rod"), "")),
-        ("ground moves", document(&body("rod", 2.0), &pin("one", "/bodyset/rod", "/ground"), "")),
         (
             "two joints move a body",
             document(&body("rod", 2.0), &(pivot.clone() + &pin("again", "/ground", "/bodyset/rod")), ""),
@@ -77,7 +73,18 @@ fn cases() -> Vec<(&'static str, String)> {
         ),
         ("names twice", document(&(body("rod", 2.0) + &body("rod", 1.0)), &(pivot.clone() + &pivot), "")),
         ("no name", good.replace("<Body name=\"rod\">", "<Body>")),
-        ("unknown joint", good.replace("PinJoint", "ScapulothoracicJoint")),
+        ("unknown joint", good.replace("PinJoint", "ConstantCurvatureJoint")),
+        ("an ellipsoid without radii", good.replace("PinJoint", "EllipsoidJoint")),
+        (
+            "points on a line",
+            good.replace("<socket_parent_frame>/ground", "<socket_parent_frame>/corner").replace(
+                "<BodySet",
+                "<components><Station name=\"p\"><socket_parent_frame>/ground</socket_parent_frame></Station>\
+                 <StationDefinedFrame name=\"corner\"><socket_point_a>/p</socket_point_a><socket_point_b>/p</socket_point_b>\
+                 <socket_point_c>/p</socket_point_c><socket_origin_point>/p</socket_origin_point></StationDefinedFrame>\
+                 </components><BodySet",
+            ),
+        ),
         ("too many coordinates", good.replace("<coordinates>", "<coordinates><Coordinate name=\"more\"/>")),
         (
             "a body that cannot be",
@@ -91,25 +98,16 @@ fn cases() -> Vec<(&'static str, String)> {
         ),
         ("five numbers", good.replace(" 0.0005", "")),
         (
-            "limits the wrong way",
+            "a flag that is none",
             good.replace(
                 "<Coordinate name=\"pivot_angle\"/>",
-                "<Coordinate name=\"pivot_angle\"><range>1 -1</range><locked>perhaps</locked></Coordinate>",
+                "<Coordinate name=\"pivot_angle\"><locked>perhaps</locked></Coordinate>",
             ),
         ),
         ("no transform", custom("bend", "").replace("SpatialTransform", "Transform")),
         ("unknown function", custom("bend", "<function><SmoothSegmentedFunction/></function>")),
         ("unknown coordinate", custom("bent", "")),
         ("two coordinates", custom("bend twist", "")),
-        ("idle coordinate", custom("bend", "")),
-        (
-            "half a coordinate",
-            custom(
-                "bend",
-                "<LinearFunction name=\"function\"><coefficients>0.5 0</coefficients></LinearFunction>",
-            )
-            .replace("<Coordinate name=\"twist\"/>", ""),
-        ),
         (
             "function of nothing",
             custom("", "<LinearFunction/>")
@@ -119,7 +117,8 @@ fn cases() -> Vec<(&'static str, String)> {
         ("spline of unequal lists", spline("0 1 2", "0 0")),
         ("spline of one point", spline("0", "0")),
         ("spline beyond numbers", spline("-1e308 0 1 1e308", "-1e308 1e308 -1e308 1e308")),
-        ("quintic spline", custom("bend", "<GCVSpline><half_order>3</half_order></GCVSpline>")),
+        ("spline of degree 7", custom("bend", "<GCVSpline><half_order>4</half_order></GCVSpline>")),
+        ("quintic spline of two points", custom("bend", "<GCVSpline><x>0 1</x><y>1 0</y></GCVSpline>")),
         ("no direction", custom("bend", "").replace("<axis>0 0 1</axis>", "<axis>0 0 0</axis>")),
         (
             "coupler to nowhere",
@@ -133,6 +132,31 @@ fn cases() -> Vec<(&'static str, String)> {
                 &constraints(coupler("pivot_angle", "hinge_angle") + &coupler("hinge_angle", "pivot_angle")),
             ),
         ),
+        ("too many bent functions in a row", {
+            let count = 40;
+            let name = |i: usize| if i == 0 { "/ground".to_owned() } else { format!("/bodyset/b{i}") };
+            let bodies: String = (1..=count).map(|i| body(&format!("b{i}"), 1.0)).collect();
+            let joints: String = (1..=count).map(|i| pin(&format!("j{i}"), &name(i - 1), &name(i))).collect();
+            let spline = "<SimmSpline name=\"coupled_coordinates_function\"><x>0 1 2</x><y>0 1 4</y></SimmSpline>";
+            let line = "<LinearFunction name=\"coupled_coordinates_function\"/>";
+            let tie = |i: usize| coupler(&format!("j{i}_angle"), &format!("j{}_angle", i + 1)).replace(line, spline);
+            document(&bodies, &joints, &constraints((1..count).map(tie).collect()))
+        }),
+        ("frames through points of each other", {
+            let point = |name: &str, frame: &str| {
+                format!("<Station name=\"{name}\"><socket_parent_frame>{frame}</socket_parent_frame></Station>")
+            };
+            let corner = |i: usize| {
+                let frame = if i == 0 { "/ground".to_owned() } else { format!("/corner{}", i - 1) };
+                let socket = |socket: &str| format!("<socket_{socket}>/p{i}</socket_{socket}>");
+                let sockets = ["point_a", "point_b", "point_c", "origin_point"].map(socket).concat();
+                point(&format!("p{i}"), &frame)
+                    + &format!("<StationDefinedFrame name=\"corner{i}\">{sockets}</StationDefinedFrame>")
+            };
+            let corners: String = (0..60).map(corner).collect();
+            good.replace("<socket_parent_frame>/ground", "<socket_parent_frame>/corner59")
+                .replace("<BodySet", &format!("<components>{corners}</components><BodySet"))
+        }),
         ("deep", "<a>".repeat(2000) + &"</a>".repeat(2000)),
         ("declares entities", "<!DOCTYPE x [<!ENTITY a \"b\">]><x/>".to_owned()),
     ]
@@ -149,6 +173,20 @@ fn bad_models_are_answered_with_their_places() {
     insta::assert_snapshot!(said);
 }
 
+/// What OpenSim opens, too: it moves nothing, or not one to one.
+#[test]
+fn coordinates_without_an_axis_of_their_own_are_no_fault() {
+    let said = |text: &str| {
+        let import = opensim::read(text).expect("a model");
+        let found = import.findings.iter().find(|finding| finding.subject.starts_with("coordinate"));
+        found.map_or_else(String::new, |finding| finding.message.clone())
+    };
+    assert!(said(&custom("bend", "")).starts_with("it moves nothing"));
+    let half = "<LinearFunction name=\"function\"><coefficients>0.5 0</coefficients></LinearFunction>";
+    let half = custom("bend", half).replace("<Coordinate name=\"twist\"/>", "");
+    assert!(said(&half).contains("in radians"));
+}
+
 #[test]
 fn windows_line_ends_blanks_and_odd_names_are_no_fault() {
     let text = good().replace('\n', "\r\n").replace("/ground", " /ground ").replace("rod", "l'os «ü» 1");
@@ -163,7 +201,7 @@ fn windows_line_ends_blanks_and_odd_names_are_no_fault() {
 #[test]
 fn cut_texts_do_not_panic() {
     let text = custom("bend", "<SimmSpline name=\"function\"><x>0 1 2</x><y>0 1 4</y></SimmSpline>");
-    for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)) {
+    for end in (0..text.trim_end().len()).filter(|end| text.is_char_boundary(*end)) {
         assert!(opensim::read(&text[..end]).is_err());
     }
     for (start, _) in text.match_indices('<') {

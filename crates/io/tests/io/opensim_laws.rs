@@ -4,8 +4,8 @@ use crate::opensim::{axis, body, document, joint, read};
 use solaris_dynamics::{Tree, Workspace, inverse_dynamics, kinetic_energy, potential_energy};
 use solaris_io::Import;
 
-/// A leg of which the knee's centre and a second turn follow its angle, and a patella its coordinate, which follows the
-/// knee.
+/// A leg of which the knee's centre and a second turn follow its angle, a patella its coordinate, which follows the knee
+/// along a bent function, and a fabella all of whose axes are functions of its own coordinate.
 fn leg() -> Import {
     let spline =
         |y: &str| format!("<SimmSpline name=\"function\"><x>-2 -1.2 -0.5 0.1 0.8</x><y>{y}</y></SimmSpline>");
@@ -19,6 +19,12 @@ fn leg() -> Import {
         "0 0 1",
         "<LinearFunction name=\"function\"><coefficients>-1 0.4</coefficients></LinearFunction>",
     ) + &axis("translation1", "glide", "1 0 0", &spline("0.05 0.04 0.06 0.05 0.02"));
+    let bent = |c: &str| {
+        format!("<PolynomialFunction name=\"function\"><coefficients>{c}</coefficients></PolynomialFunction>")
+    };
+    let fabella = axis("rotation1", "roll", "0 0.6 0.8", &bent("0.3 0.4 0.1"))
+        + &axis("rotation2", "roll", "1 0 0", &bent("-0.2 0.1 0 0.3"))
+        + &axis("translation1", "roll", "1 0 0", &bent("0.02 -0.05 0.01"));
     let transform = |axes: &str| format!("<SpatialTransform>{axes}</SpatialTransform>");
     let joints = joint("PlanarJoint", "root", ["/ground", "/bodyset/pelvis"], &["tilt", "x", "y"], "")
         + &joint("BallJoint", "hip", ["/bodyset/pelvis", "/bodyset/femur"], &["ha", "hb", "hc"], "")
@@ -29,13 +35,21 @@ fn leg() -> Import {
             ["/bodyset/femur", "/bodyset/patella"],
             &["glide"],
             &transform(&patella),
+        )
+        + &joint(
+            "CustomJoint",
+            "fabella",
+            ["/bodyset/femur", "/bodyset/fabella"],
+            &["roll"],
+            &transform(&fabella),
         );
     let coupler = "<ConstraintSet><objects><CoordinateCouplerConstraint name=\"glide_of_knee\">\
-        <coupled_coordinates_function><LinearFunction><coefficients>0.5 0.1</coefficients></LinearFunction></coupled_coordinates_function>\
+        <coupled_coordinates_function><PolynomialFunction><coefficients>0.1 0.5 0.1</coefficients></PolynomialFunction></coupled_coordinates_function>\
         <independent_coordinate_names>knee</independent_coordinate_names>\
         <dependent_coordinate_name>glide</dependent_coordinate_name><scale_factor>-1.2</scale_factor>\
         </CoordinateCouplerConstraint></objects></ConstraintSet>";
     let bodies = body("pelvis", 11.0) + &body("femur", 9.0) + &body("tibia", 4.0) + &body("patella", 0.3);
+    let bodies = bodies + &body("fabella", 0.2);
     read(&document(&bodies, &joints, coupler))
 }
 
@@ -98,24 +112,24 @@ fn shifted(x: &[f64], i: usize, by: f64) -> Vec<f64> {
 #[test]
 fn forces_are_those_of_the_energies() {
     let mut leg = System::new(leg());
-    assert_eq!((leg.tree.nv(), leg.free.len()), (12, 7));
+    assert_eq!((leg.tree.nv(), leg.free.len()), (16, 8));
     let mut seed = 7_u64;
     let mut random = |size: f64| {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         size * ((seed >> 11) as f64 / 2f64.powi(52) - 1.0)
     };
     for _ in 0..8 {
-        let mut part = |size: f64| (0..7).map(|_| random(size)).collect::<Vec<f64>>();
+        let mut part = |size: f64| (0..8).map(|_| random(size)).collect::<Vec<f64>>();
         let (mut x, dx, ddx) = (part(0.9), part(2.0), part(10.0));
         // Off the spline's knots, where its third derivative jumps.
         let knee = leg.import.figure.layout().dof_index("knee").expect("the knee");
         let knee = leg.free.iter().position(|&dof| dof == knee).expect("free");
         x[knee] = [-1.7, -0.8, -0.2, 0.4][(x[0].to_bits() % 4) as usize];
         let tau = leg.forces(&x, &dx, &ddx);
-        for i in 0..7 {
+        for i in 0..8 {
             let along = |t: f64| {
-                let x: Vec<f64> = (0..7).map(|k| x[k] + t * dx[k] + t * t * ddx[k] / 2.0).collect();
-                let dx: Vec<f64> = (0..7).map(|k| dx[k] + t * ddx[k]).collect();
+                let x: Vec<f64> = (0..8).map(|k| x[k] + t * dx[k] + t * t * ddx[k] / 2.0).collect();
+                let dx: Vec<f64> = (0..8).map(|k| dx[k] + t * ddx[k]).collect();
                 (x, dx)
             };
             // The energy is quadratic in ẋ, so that a central difference of any width is exact.
@@ -149,11 +163,14 @@ fn couplers_reach_through() {
             ("knee.ty", "knee"),
             ("knee.ry", "knee"),
             ("patella.tx", "knee"),
-            ("glide", "knee")
+            ("glide", "knee"),
+            ("fabella.tx", "roll"),
+            ("fabella.r2", "roll"),
+            ("fabella.rx", "roll")
         ]
     );
     let glide = leg.figure.followers().iter().find(|f| names[f.dof] == "glide").expect("it follows");
-    // −1.2·(0.5·x + 0.1)
+    // −1.2·(0.1·x² + 0.5·x + 0.1)
     let [value, slope, _] = glide.curve.at(1.0);
-    assert!((value + 0.72).abs() < 1e-15 && (slope + 0.6).abs() < 1e-15);
+    assert!((value + 0.84).abs() < 1e-15 && (slope + 0.84).abs() < 1e-15);
 }

@@ -118,6 +118,24 @@ fn headings_of_opensims_states_are_understood() {
     );
 }
 
+/// OpenSim 4 leaves the coordinates of kneecaps in radians in a table in degrees; before, they were in degrees.
+#[test]
+fn a_kneecap_may_be_in_radians_in_a_table_in_degrees() {
+    let knee =
+        Joint::new("knee").rz().named("bend").rx().named("beta").following("bend", Curve::linear(1.0, 0.0));
+    let figure =
+        FigureBuilder::new("leg").link(LinkSpec::root("leg", knee).mass(1.0)).build().expect("valid");
+    let ignored = |beta: &str| {
+        let text = format!(
+            "t\nnRows=2\nnColumns=3\ninDegrees=yes\nendheader\ntime bend beta\n0 0 0\n0.1 30 {beta}\n"
+        );
+        let table = solaris_io::sto::read(&text).expect("a table");
+        record::read(&figure, Vector3::zeros(), &table).expect("states").ignored
+    };
+    assert!(ignored("0.5235988").is_empty() && ignored("30").is_empty());
+    assert_eq!(ignored("1"), ["beta (it follows bend, and is off by up to 4.8e-1)"]);
+}
+
 #[test]
 fn the_table_of_a_motion_is_its_record() {
     let (figure, motion) = full_human();

@@ -1,6 +1,5 @@
 //! Links with scaled lengths and masses.
 
-use crate::curve::Curve;
 use crate::figure::Figure;
 use crate::inertia::ShapeKind;
 use crate::joint::{AxisKind, Follow, Joint, JointKind, Placement};
@@ -41,7 +40,7 @@ pub(super) fn scaled(figure: &Figure, root: f64, lengths: &[f64], masses: &[f64]
             let Some(Follow { curve, .. }) = &mut dof.follows else { continue };
             let slides = dof.axis.kind == AxisKind::Translation;
             *curve = curve.scaled(if slides { carrier(i) } else { 1.0 });
-            stretch(curve, leaders.next().unwrap_or(1.0));
+            curve.stretch(leaders.next().unwrap_or(1.0));
         }
     }
     links
@@ -86,29 +85,6 @@ fn joint(joint: &mut Joint, s: f64) {
             limits.upper *= s;
         }
         dof.passive.rest *= s;
-    }
-}
-
-/// Makes `y(x)` the function `y(x/s)`.
-fn stretch(curve: &mut Curve, s: f64) {
-    match curve {
-        Curve::Polynomial(coefficients) => {
-            let mut power = 1.0;
-            for c in coefficients {
-                *c /= power;
-                power *= s;
-            }
-        }
-        Curve::Cubics { knots, pieces } => {
-            for knot in knots.iter_mut() {
-                *knot *= s;
-            }
-            for piece in pieces {
-                for (k, c) in piece.iter_mut().enumerate() {
-                    *c /= s.powi(k as i32);
-                }
-            }
-        }
     }
 }
 

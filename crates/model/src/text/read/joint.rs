@@ -165,7 +165,7 @@ impl FigureReader<'_> {
     }
 
     fn curve(&mut self, node: &Node<'_>) -> Option<Curve> {
-        match self.kind(node, &["Line", "Polynomial", "Cubics"])? {
+        match self.kind(node, &["Line", "Polynomial", "Cubics", "Quintics", "Sine", "Chain"])? {
             "Line" => {
                 let fields = self.fields(node, &["Line"], &["slope", "offset"])?;
                 let slope = self.required(&fields, "slope", "1");
@@ -182,22 +182,72 @@ impl FigureReader<'_> {
                     None
                 }
             },
-            _ => {
-                let fields = self.fields(node, &["Cubics"], &["knots", "pieces"])?;
-                let knots = self.required(&fields, "knots", "[…]");
-                let pieces = self.required(&fields, "pieces", "[(c0, c1, c2, c3), …]");
-                let knots = knots.and_then(|node| self.list(node, "the knots"));
-                let pieces = pieces.and_then(|node| self.pieces(node));
-                Some(Curve::Cubics { knots: knots?, pieces: pieces? })
+            "Cubics" => {
+                let (knots, pieces) = self.in_pieces(node, "Cubics", ["c0", "c1", "c2", "c3"])?;
+                Some(Curve::Cubics { knots, pieces })
             }
+            "Quintics" => {
+                let (knots, pieces) =
+                    self.in_pieces(node, "Quintics", ["c0", "c1", "c2", "c3", "c4", "c5"])?;
+                Some(Curve::Quintics { knots, pieces })
+            }
+            "Sine" => {
+                let fields = self.fields(node, &["Sine"], &["amplitude", "frequency", "phase", "offset"])?;
+                let amplitude = self.required(&fields, "amplitude", "1");
+                let frequency = self.required(&fields, "frequency", "1");
+                let amplitude = amplitude.and_then(|node| self.number(node, "amplitude"));
+                let frequency = frequency.and_then(|node| self.number(node, "frequency"));
+                let mut other = |name| fields.get(name).map_or(Some(0.0), |node| self.number(node, name));
+                let (phase, offset) = (other("phase"), other("offset"));
+                Some(Curve::Sine {
+                    amplitude: amplitude?,
+                    frequency: frequency?,
+                    phase: phase?,
+                    offset: offset?,
+                })
+            }
+            _ => match node.group().map(|group| &group.content) {
+                Some(Content::Tuple(items)) if items.len() == 1 => self.chain(&items[0]),
+                _ => {
+                    self.fault(node.span.clone(), "Chain([CURVE, …]) takes one list of curves");
+                    None
+                }
+            },
         }
     }
 
-    fn pieces(&mut self, node: &Node<'_>) -> Option<Vec<[f64; 4]>> {
-        let items = self.items(node, "pieces", "[(c0, c1, c2, c3), …]")?;
-        let pieces: Vec<_> =
-            items.iter().map(|item| self.numbers(item, "a piece", ["c0", "c1", "c2", "c3"])).collect();
-        pieces.into_iter().collect()
+    /// Curves one after the other, none of which is a chain.
+    fn chain(&mut self, node: &Node<'_>) -> Option<Curve> {
+        let items = self.items(node, "the chain", "[CURVE, …]")?;
+        let mut curves = Vec::new();
+        for item in items {
+            if item
+                .group()
+                .is_some_and(|group| group.name.as_ref().is_some_and(|named| named.name == "Chain"))
+            {
+                self.fault(item.span.clone(), "a chain stands in a chain; write one");
+                return None;
+            }
+            curves.push(self.curve(item));
+        }
+        curves.into_iter().collect::<Option<_>>().map(Curve::Chain)
+    }
+
+    fn in_pieces<const N: usize>(
+        &mut self,
+        node: &Node<'_>,
+        kind: &'static str,
+        parts: [&str; N],
+    ) -> Option<(Vec<f64>, Vec<[f64; N]>)> {
+        let example = format!("[({}), …]", parts.join(", "));
+        let fields = self.fields(node, &[kind], &["knots", "pieces"])?;
+        let knots = self.required(&fields, "knots", "[…]");
+        let pieces = self.required(&fields, "pieces", &example);
+        let knots = knots.and_then(|node| self.list(node, "the knots"));
+        let pieces = pieces.and_then(|node| self.items(node, "pieces", &example));
+        let pieces: Option<Vec<_>> =
+            pieces?.iter().map(|item| self.numbers(item, "a piece", parts)).collect();
+        Some((knots?, pieces?))
     }
 }
 

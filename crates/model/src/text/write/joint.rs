@@ -77,8 +77,8 @@ fn acting(armature: f64, passive: &Passive, turns: bool) -> Vec<Doc> {
     .collect()
 }
 
-fn curve(curve: &Curve) -> Doc {
-    match curve {
+fn curve(written: &Curve) -> Doc {
+    match written {
         Curve::Polynomial(coefficients) if coefficients.len() == 2 => {
             let parts = vec![field("slope", plain(coefficients[1])), field("offset", plain(coefficients[0]))];
             group("Line(", parts, ")")
@@ -87,10 +87,23 @@ fn curve(curve: &Curve) -> Doc {
             let list = group("[", coefficients.iter().map(|c| plain(*c)).collect(), "]");
             group("Polynomial(", vec![list], ")")
         }
-        Curve::Cubics { knots, pieces } => {
-            let knots = group("[", knots.iter().map(|knot| plain(*knot)).collect(), "]");
-            let pieces = group("[", pieces.iter().map(|piece| tuple(piece)).collect(), "]");
-            group("Cubics(", vec![field("knots", knots), field("pieces", pieces)], ")")
+        Curve::Cubics { knots, pieces } => in_pieces("Cubics(", knots, pieces),
+        Curve::Quintics { knots, pieces } => in_pieces("Quintics(", knots, pieces),
+        Curve::Sine { amplitude, frequency, phase, offset } => {
+            let numbers =
+                [("amplitude", amplitude), ("frequency", frequency), ("phase", phase), ("offset", offset)];
+            let parts = numbers.into_iter().map(|(name, number)| field(name, plain(*number))).collect();
+            group("Sine(", parts, ")")
+        }
+        Curve::Chain(curves) => {
+            let list = group("[", curves.iter().map(curve).collect(), "]");
+            group("Chain(", vec![list], ")")
         }
     }
+}
+
+fn in_pieces<const N: usize>(open: &'static str, knots: &[f64], pieces: &[[f64; N]]) -> Doc {
+    let knots = group("[", knots.iter().map(|knot| plain(*knot)).collect(), "]");
+    let pieces = group("[", pieces.iter().map(|piece| tuple(piece)).collect(), "]");
+    group(open, vec![field("knots", knots), field("pieces", pieces)], ")")
 }

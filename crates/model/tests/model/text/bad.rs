@@ -43,6 +43,7 @@ fn spoilt(pairs: &[(&str, &str)]) -> String {
     })
 }
 
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn cases() -> Vec<(&'static str, String)> {
     let one = |old, new| spoilt(&[(old, new)]);
     vec![
@@ -123,6 +124,8 @@ fn cases() -> Vec<(&'static str, String)> {
         ("a negative mass", one("mass: 3.0", "mass: -3.0")),
         ("a follower without leader", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"luf.rz\", along: Line(slope: 1)))]")),
         ("a curve that goes back", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"root.ry\", along: Cubics(knots: [0, 0], pieces: [(0, 0, 0, 0)])))]")),
+        ("a chain in a chain", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"root.ry\", along: Chain([Line(slope: 1), Chain([])])))]")),
+        ("a wave without frequency", one("axes: [ry]", "axes: [ry, ty(follows: Follow(dof: \"root.ry\", along: Sine(amplitude: 1)))]")),
         ("an angle of nothing", one("\"luff.rz\"", "\"-luff.rx\"")),
         ("an angle twice", one("\"luff.rz\" }", "\"luff.rz\", \"jib.lift\": \"-luff.rz\" }")),
         ("a frame twice", one("mass: 3.0", "frames: {\"eye\": (), \"eye\": (at: (1, 0, 0))}, mass: 3.0")),

@@ -97,11 +97,15 @@ fn a_body_is_one_word() {
 fn a_follower_has_a_curve_and_an_angle_a_sign() {
     let text = "Figure(version: 1, links: [Link(name: \"a\", mass: 1, joint: Joint(name: \"knee\", axes: [
         rx, tx(follows: Follow(dof: \"knee.rx\", along: Line(slope: 2))),
-        ty(follows: Follow(dof: \"knee.rx\", along: Cubics(knots: [0, 1, 2], pieces: [(0, 1, 2, 3), (6, 0, 0, 0)])))]))],
+        ty(follows: Follow(dof: \"knee.rx\", along: Cubics(knots: [0, 1, 2], pieces: [(0, 1, 2, 3), (6, 0, 0, 0)]))),
+        tz(follows: Follow(dof: \"knee.rx\", along: Chain([Sine(amplitude: 2, frequency: 3),
+            Quintics(knots: [0, 1], pieces: [(0, 0, 0, 0, 0, 1)])])))]))],
         angles: {\"flexion\": \"-knee.rx\"})";
     let knee = figure(text);
     assert_eq!(knee.followers()[0].curve, Curve::linear(2.0, 0.0));
     assert_eq!(knee.followers()[1].curve.at(1.5)[0].to_bits(), 6.0_f64.to_bits());
+    let fifth = (2.0 * 0.3_f64.sin()).powi(5);
+    assert!((knee.followers()[2].curve.at(0.1)[0] - fifth).abs() < 1e-15);
     assert!(knee.anatomical_angles()[0].sign < 0.0);
 }
 

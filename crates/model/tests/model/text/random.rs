@@ -98,14 +98,32 @@ impl Dice {
     }
 
     fn curve(&mut self) -> Curve {
+        if self.below(8) == 0 {
+            return Curve::Chain((0..self.below(4)).map(|_| self.plain_curve()).collect());
+        }
+        self.plain_curve()
+    }
+
+    fn plain_curve(&mut self) -> Curve {
         let count = self.below(4);
         if self.often() {
             return Curve::Polynomial((0..count).map(|_| self.number()).collect());
         }
         let knots = (0..=count + 1).map(|knot| knot as f64 * 0.7 - 1.0).collect();
-        let pieces =
-            (0..=count).map(|_| [self.number(), self.number(), self.number(), self.number()]).collect();
-        Curve::Cubics { knots, pieces }
+        match self.below(3) {
+            0 => {
+                let pieces = (0..=count).map(|_| [(); 4].map(|()| self.number())).collect();
+                Curve::Cubics { knots, pieces }
+            }
+            1 => {
+                let pieces = (0..=count).map(|_| [(); 6].map(|()| self.number())).collect();
+                Curve::Quintics { knots, pieces }
+            }
+            _ => {
+                let [amplitude, frequency, phase, offset] = [(); 4].map(|()| self.number());
+                Curve::Sine { amplitude, frequency, phase, offset }
+            }
+        }
     }
 
     fn name(&mut self, stem: &str, index: usize) -> String {
