@@ -137,7 +137,8 @@ mod tests {
         let document = parse(&mended, 10).expect("XML");
         let names: Vec<&str> = document
             .descendants()
-            .filter_map(|node| node.is_element().then(|| node.tag_name().name()))
+            .filter(roxmltree::Node::is_element)
+            .map(|node| node.tag_name().name())
             .collect();
         assert_eq!(names, ["a__b", "h__i__j"]);
         assert_eq!(document.root_element().attribute("c"), Some("d::e"));
