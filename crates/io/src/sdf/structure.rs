@@ -48,8 +48,12 @@ pub(super) fn bodies(
         for (span, message) in &contents.left_out {
             reader.fault(span.clone(), message.clone());
         }
-        reader.fault(tag(root), "there is no <link>");
-        return Vec::new();
+        if reader.has_faults() {
+            return Vec::new();
+        }
+        let message = "it has no <link>, so that nothing can move: is it a part that another file includes?";
+        reader.suspect(tag(root), "<sdf>", message);
+        return vec![Body::new("world", None, FigureJoint::new(""), tag(root))];
     }
     let left_out = contents.links.len() - moving.len();
     if left_out > 0 {
