@@ -7,6 +7,7 @@ mod error;
 pub mod ground;
 mod inverse;
 mod loads;
+mod medium;
 mod nearness;
 mod prepared;
 #[cfg(test)]
@@ -20,6 +21,7 @@ pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiat
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
+pub use medium::{MediumError, medium_forces};
 pub use nearness::{Near, Nearest, Nearness, NearnessError, nearness};
 pub use prepared::{PrepareError, PreparedMotion};
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};

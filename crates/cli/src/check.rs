@@ -4,7 +4,7 @@ mod scene;
 
 use crate::args::CheckArgs;
 use crate::error::CliError;
-use crate::findings::{heading, list};
+use crate::findings::{heading, list, of_medium};
 use crate::input::{self, Body};
 use crate::print::{print, write_json};
 use crate::words::rounded;
@@ -20,9 +20,12 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), CliError> {
     if scene::is_one(&args.file) {
         return scene::run(args);
     }
-    let Body { figure, language, mut findings, gravity, gravity_is_given } = input::body(&args.file)?;
+    let Body { figure, language, mut findings, gravity, gravity_is_given, medium } =
+        input::body_in(&args.file, args.files.as_deref())?;
     findings.extend(figure.lint());
-    let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();
+    findings.extend(of_medium(&medium, FindingKind::Note));
+    let wrong = |finding: &&Finding| matches!(finding.kind, FindingKind::Missing | FindingKind::Suspect);
+    let suspects = findings.iter().filter(wrong).count();
     // With the rationalised links or without, the chains come first.
     let chains = if figure.links().len() > MOST_LINKS {
         format!("The table of chains is left out: there are more than {MOST_LINKS} links.\n")

@@ -3,13 +3,13 @@
 use crate::args::ConvertArgs;
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
-use crate::findings::list;
+use crate::findings::{list, of_medium};
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::words::{rounded, some};
 use solaris::io::{csv, headings, sto};
-use solaris::model::{Scaling, text};
+use solaris::model::{FindingKind, Scaling, text};
 
 /// What a table is written as.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,13 +39,14 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     motion(args)
 }
 
-fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn figure(ConvertArgs { from, to, size, files, .. }: &ConvertArgs) -> Result<(), CliError> {
     if TABLE.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
-    let Body { mut figure, language, findings, .. } = input::body(from)?;
+    let Body { mut figure, language, mut findings, medium, .. } = input::body_in(from, files.as_deref())?;
+    findings.extend(of_medium(&medium, FindingKind::Missing));
     if size.is_asked() {
         let [height, mass] =
             [&size.height, &size.mass].map(|number| number.as_ref().map(|number| number.value));
@@ -63,11 +64,11 @@ fn figure(ConvertArgs { from, to, size, .. }: &ConvertArgs) -> Result<(), CliErr
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(ConvertArgs { from, to, figure, files, .. }: &ConvertArgs) -> Result<(), CliError> {
     let outputs = Outputs::new([("OUT", to, TABLE)])?;
     let table = input::table(from)?;
     let figure = match figure {
-        Some(path) => Some(input::body(path)?.figure),
+        Some(path) => Some(input::body_in(path, files.as_deref())?.figure),
         None => None,
     };
     let (positions, left_out) = if extension(from) == "csv" {

@@ -9,6 +9,7 @@ pub(crate) use usage::UsageError;
 use crate::args::{Number, ValueError};
 use crate::underline;
 use solaris::gait::{GaitError, RequestError};
+use solaris::io::FilesError;
 use solaris::model::{HumanError, TextError};
 use std::error::Error;
 use std::io::Write;
@@ -39,6 +40,9 @@ pub(crate) enum CliError {
     /// A text with faults that have places.
     #[error("{path} cannot be used", path = .path.display())]
     Text { path: PathBuf, text: String, faults: TextError },
+    /// A model with faults in its file, or in others that it names.
+    #[error("{path} cannot be used", path = .path.display())]
+    Files { path: PathBuf, error: FilesError },
     /// Something looks wrong where nothing was to.
     #[error("{path}: {count} thing{} wrong, and --strict asks for none", if *.count == 1 { " looks" } else { "s look" }, path = .path.display())]
     Strict { path: PathBuf, count: usize },
@@ -171,6 +175,11 @@ pub(crate) fn show(error: &CliError, command: &str) {
         }
         CliError::Usage(_) => writeln!(stderr, "\nFor more information, try '--help'."),
         CliError::Text { path, text, faults } => write!(stderr, "{}", underline::faults(path, text, faults)),
+        CliError::Files { path, error } => error.files.iter().try_for_each(|file| {
+            let other = path.with_file_name(&file.path);
+            let path = if file.path.is_empty() { path } else { &other };
+            write!(stderr, "{}", underline::faults(path, &file.text, &file.error))
+        }),
         _ => Ok(()),
     };
 }

@@ -5,7 +5,7 @@ mod folder;
 use crate::error::CliError;
 use folder::Folder;
 use solaris::io::{Import, Table, csv, mjcf, opensim, sdf, sto, urdf};
-use solaris::model::{Figure, Finding, TextError, Vector3, text};
+use solaris::model::{Figure, Finding, Medium, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -85,6 +85,8 @@ pub(crate) struct Body {
     pub(crate) findings: Vec<Finding>,
     pub(crate) gravity: Vector3<f64>,
     pub(crate) gravity_is_given: bool,
+    /// The fluid that it moves in, and what carries it; empty but for models of MuJoCo.
+    pub(crate) medium: Medium,
 }
 
 impl Body {
@@ -96,6 +98,7 @@ impl Body {
             findings: Vec::new(),
             gravity: GRAVITY,
             gravity_is_given: false,
+            medium: Medium::default(),
         }
     }
 }
@@ -133,8 +136,13 @@ pub(crate) fn foreign(path: &Path) -> Option<Language> {
     }
 }
 
-/// Reads a figure.
+/// Reads a figure; files that it names are in its folder.
 pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
+    body_in(path, None)
+}
+
+/// Reads a figure; files that it names are in this folder, which holds it, or else in its own.
+pub(crate) fn body_in(path: &Path, files: Option<&Path>) -> Result<Body, CliError> {
     let known = "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), or .osim";
     refuse_unread(path, known)?;
     let text = self::text(path)?;
@@ -149,20 +157,23 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
         };
         CliError::input(path, &why)
     })?;
+    let faults = |faults| faulty(path, &text, faults);
+    let mut medium = Medium::default();
     let imported = match language {
-        Language::Ron => text::read(&text).map(|figure| Import {
-            figure,
-            findings: Vec::new(),
-            gravity: GRAVITY,
-            gravity_is_given: false,
-        }),
-        Language::Urdf => urdf::read(&text),
-        Language::Mjcf => mjcf::read(&text),
-        Language::OpenSim => opensim::read(&text),
-        Language::Sdf => sdf::read_with(&text, &mut Folder::of(path)),
+        Language::Ron => text::read(&text)
+            .map(|figure| Import { figure, findings: Vec::new(), gravity: GRAVITY, gravity_is_given: false })
+            .map_err(faults),
+        Language::Urdf => urdf::read(&text).map_err(faults),
+        Language::Mjcf => mjcf::read_with(&text, &mut Folder::of(path, files)?)
+            .map(|mjcf::Loaded { import, medium: found }| {
+                medium = found;
+                import
+            })
+            .map_err(|error| CliError::Files { path: path.to_owned(), error }),
+        Language::OpenSim => opensim::read(&text).map_err(faults),
+        Language::Sdf => sdf::read_with(&text, &mut Folder::of(path, files)?).map_err(faults),
     };
-    let Import { figure, findings, gravity, gravity_is_given, .. } =
-        imported.map_err(|faults| faulty(path, &text, faults))?;
+    let Import { figure, findings, gravity, gravity_is_given, .. } = imported?;
     if language == Language::Ron {
         let gravity = figure.gravity().copied();
         let gravity_is_given = gravity.is_some();
@@ -172,11 +183,12 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
             findings,
             gravity: gravity.unwrap_or(GRAVITY),
             gravity_is_given,
+            medium,
         });
     }
     // Kept with the figure, so that its text says which way is up.
     let figure = figure.with_gravity(gravity).map_err(|error| CliError::input(path, &error))?;
-    Ok(Body { figure, language, findings, gravity, gravity_is_given })
+    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium })
 }
 
 /// Reads a table of numbers.

@@ -12,10 +12,12 @@ use crate::given::{Given, in_order};
 use crate::ground::{Content, Ground, GroundReport, Predicted, outputs, write_motion};
 use crate::print::print;
 use crate::progress::Progress;
+use crate::words::counted;
 use forces::External;
 use report::{Asked, Report};
-use solaris::analysis::{InverseOptions, Loads, inverse_motion};
+use solaris::analysis::{InverseOptions, Loads, inverse_motion, medium_forces};
 use solaris::io::{csv, sto};
+use solaris::model::Medium;
 use std::path::PathBuf;
 
 pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
@@ -44,6 +46,12 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
         loads = loads.and(ground.forces.loads());
     }
     let passive = args.passive == Switch::On;
+    let medium = &given.body.medium;
+    if passive && !medium.is_empty() {
+        let forces =
+            medium_forces(&given.prepared()?, medium).map_err(|error| CliError::input(from, &error))?;
+        loads = loads.and(forces);
+    }
     let rows = progress.rows(given.motion().len());
     let mut count = |done: usize| rows.at(done);
     let options = InverseOptions { passive, progress: Some(&mut count) };
@@ -66,6 +74,7 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     drop(progress);
     let asked = Asked {
         passive,
+        medium: describe(medium),
         unused: external.unused(&given.table),
         external: match &ground {
             Some(_) => "the ground's, found from the motion".to_owned(),
@@ -81,4 +90,20 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
         report.write(out)?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
+}
+
+/// What the medium is, for the summary; none where there is none.
+fn describe(medium: &Medium) -> Option<String> {
+    let Medium { density, viscosity, wind, immersed, carried } = medium;
+    let fluid = (!immersed.is_empty()).then(|| {
+        let [x, y, z]: [f64; 3] = (*wind).into();
+        let blows = wind.norm_squared() > 0.0;
+        let wind = if blows { format!(", wind ({x}, {y}, {z}) m/s") } else { String::new() };
+        let bodies = counted(immersed.len(), "body", "bodies");
+        format!("a fluid of {density} kg/m³ and {viscosity} Pa s{wind} resists {bodies}")
+    });
+    let carried = (!carried.is_empty())
+        .then(|| format!("{} carried against gravity", counted(carried.len(), "body is", "bodies are")));
+    let parts: Vec<String> = fluid.into_iter().chain(carried).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
 }

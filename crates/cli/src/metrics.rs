@@ -37,7 +37,7 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
     let progress = Progress::new(4);
     progress.stage("reading");
     let (body, of) = match figure {
-        Some(path) => (input::body(path)?, path),
+        Some(path) => (input::body_in(path, args.frame.files.as_deref())?, path),
         None => (Body::own(person(&args.person)?), Path::new("the human")),
     };
     let is_guess = figure.is_none();

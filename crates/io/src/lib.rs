@@ -9,7 +9,7 @@ mod error;
 pub mod headings;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod import;
-#[cfg(feature = "sdf")]
+#[cfg(any(feature = "mjcf", feature = "sdf"))]
 mod loader;
 #[cfg(feature = "mjcf")]
 pub mod mjcf;
@@ -30,6 +30,6 @@ mod xml;
 pub use error::{BvhFault, ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 pub use import::Import;
-#[cfg(feature = "sdf")]
+#[cfg(any(feature = "mjcf", feature = "sdf"))]
 pub use loader::{FileError, FilesError, Loader, NoFiles};
 pub use table::Table;

@@ -78,7 +78,7 @@ pub(crate) fn within(folder: &str, name: &str) -> Result<String, String> {
             ".." => {
                 if parts.pop().is_none() {
                     return Err(
-                        "it leads out of the folder of the model's files; begin with a model in the folder above, or put the file beside the model"
+                        "it leads out of the folder of the model's files; name one that holds both (--files)"
                             .to_owned(),
                     );
                 }

@@ -14,6 +14,7 @@
     allow(dead_code, unused_imports, reason = "each importer uses a part")
 )]
 
+mod lacking;
 mod mended;
 mod numbers;
 mod parse;
@@ -23,6 +24,7 @@ pub(crate) use mended::mended;
 pub(crate) use numbers::text_of;
 pub(crate) use parse::parse;
 
+use lacking::Lacking;
 use solaris_model::{Finding, FindingKind, Place, TextError};
 use std::ops::Range;
 use unread::Unread;
@@ -36,6 +38,7 @@ pub(crate) struct Reader<'a> {
     faults: Vec<(Range<usize>, String)>,
     findings: Vec<(Range<usize>, Finding)>,
     unread: Unread,
+    lacking: Lacking,
     suggestions: usize,
 }
 
@@ -46,7 +49,14 @@ impl<'a> Reader<'a> {
     /// Of nothing yet.
     pub(crate) fn new(text: &'a str) -> Self {
         let (faults, findings) = (Vec::new(), Vec::new());
-        Self { text, faults, findings, unread: Unread::default(), suggestions: 0 }
+        Self {
+            text,
+            faults,
+            findings,
+            unread: Unread::default(),
+            lacking: Lacking::default(),
+            suggestions: 0,
+        }
     }
 
     /// The text.
@@ -89,6 +99,16 @@ impl<'a> Reader<'a> {
         self.finding(FindingKind::Unsupported, span, subject.into(), message.into());
     }
 
+    /// Something that acts and is not in the figure, so that forces differ.
+    pub(crate) fn missing(
+        &mut self,
+        span: Range<usize>,
+        subject: impl Into<String>,
+        message: impl Into<String>,
+    ) {
+        self.finding(FindingKind::Missing, span, subject.into(), message.into());
+    }
+
     /// Something that was done on the way.
     pub(crate) fn note(
         &mut self,
@@ -123,6 +143,7 @@ impl<'a> Reader<'a> {
     /// All findings, with what was not understood, in the order of the text.
     pub(crate) fn findings(mut self) -> Vec<Finding> {
         self.findings.extend(self.unread.findings());
+        self.findings.extend(self.lacking.findings());
         self.findings.sort_by_key(|(span, _)| span.start);
         // One pass over the text for all places.
         let (mut from, mut line, mut column) = (0, 1, 1);

@@ -21,6 +21,7 @@ mod limits;
 mod link;
 mod lint;
 mod measured;
+mod medium;
 mod motion;
 mod prune;
 mod reroot;
@@ -49,6 +50,7 @@ pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
 pub use lint::{Extent, MassDoubt};
 pub use measured::MeasuredForce;
+pub use medium::{Carried, Immersed, ImmersedShape, Medium};
 pub use motion::{
     Contact, ContactTrack, DifferenceStep, Event, EventKind, Ground, Interval, Known, Motion, MotionError,
     MotionInfo, Trajectory,

@@ -6,6 +6,8 @@ use std::fmt;
 /// What kind of thing a reader or a check has to say, short of a fault.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FindingKind {
+    /// Something that acts and is not in what was read: forces differ from those of the program that the text was made for.
+    Missing,
     /// Something that looks wrong.
     Suspect,
     /// Something in the text that has no place in what is read and was left out.

@@ -1,5 +1,6 @@
 //! Requests of the commands about figures: `figure`, `check`, `convert`.
 
+use super::given::FILES;
 use super::value::number;
 use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};
 use clap::{Args, Subcommand};
@@ -103,6 +104,8 @@ pub(crate) struct CheckArgs {
     pub(crate) dh: bool,
     #[arg(long, help = "Exit with 1 if anything looks wrong")]
     pub(crate) strict: bool,
+    #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
+    pub(crate) files: Option<PathBuf>,
     #[arg(long, help = "Print the summary as JSON instead of text")]
     pub(crate) json: bool,
 }
@@ -115,6 +118,8 @@ pub(crate) struct ConvertArgs {
     pub(crate) from: PathBuf,
     #[arg(value_name = "OUT", help = wrap("A figure as .ron, or a motion as .csv, .mot or .sto"))]
     pub(crate) to: PathBuf,
+    #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
+    pub(crate) files: Option<PathBuf>,
     #[arg(long, value_name = "FILE", help = "Whose motion it is; needed where the motion is in degrees")]
     pub(crate) figure: Option<PathBuf>,
     #[command(flatten, next_help_heading = "A figure in another size")]

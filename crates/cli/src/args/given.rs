@@ -3,9 +3,11 @@
 use super::wrap;
 use clap::{Args, ValueEnum};
 use solaris::model::{Base, Vector3};
+use std::path::PathBuf;
 
 pub(super) const FIGURE: &str =
     "A figure (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model";
+pub(super) const FILES: &str = "Folder of the other files of a MuJoCo or SDF model, which holds the model; nothing outside is read [default: the model's own]";
 pub(super) const MOTION: &str =
     "Its motion: .csv with columns DOF.q and, where known, .v and .a; or .mot, .sto";
 
@@ -39,6 +41,8 @@ pub(crate) struct FrameArgs {
          quaternion) [default: as the file says]"
     ))]
     pub(crate) base: Option<AskedBase>,
+    #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
+    pub(crate) files: Option<PathBuf>,
 }
 
 /// What the root of a figure that is fixed to the world may become.

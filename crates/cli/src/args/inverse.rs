@@ -46,7 +46,7 @@ pub(crate) struct InverseArgs {
     pub(crate) frame: FrameArgs,
     #[arg(
         long, value_name = "ON|OFF", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true,
-        help = wrap("Whether armature, damping, springs and friction of the joints count [default: on]")
+        help = wrap("Whether armature, damping, springs and friction of the joints, and a fluid around, count [default: on]")
     )]
     pub(crate) passive: Switch,
 }

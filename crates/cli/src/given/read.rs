@@ -34,7 +34,7 @@ impl Given {
         frame: &FrameArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        Self::of(input::body(of)?, [of, from], record, frame, progress)
+        Self::of(input::body_in(of, frame.files.as_deref())?, [of, from], record, frame, progress)
     }
 
     /// The motion, of which everything is known.

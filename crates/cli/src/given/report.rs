@@ -25,6 +25,8 @@ pub(crate) struct GivenReport {
     /// Degrees of freedom whose accelerations were found from the recorded velocities.
     pub(super) from_velocities: usize,
     pub(super) filter: Option<FilterReport>,
+    /// What acts in the model and is not in the figure.
+    pub(super) missing: Vec<String>,
     pub(super) many_turns: Vec<String>,
     /// What of the figure's masses no matter can have; it was taken as it is.
     pub(super) mass_doubts: Vec<Doubt>,
@@ -103,6 +105,12 @@ impl GivenReport {
                 order: filter.order,
                 spoiled_s: found.unsettled,
             }),
+            missing: body
+                .findings
+                .iter()
+                .filter(|finding| finding.kind == FindingKind::Missing)
+                .map(|finding| format!("{}: {}", finding.subject, finding.message))
+                .collect(),
             many_turns: figure
                 .many_turns(motion.columns()[0])
                 .into_iter()

@@ -49,6 +49,9 @@ impl GivenReport {
 
     /// What looks wrong with it, and what was not used.
     pub(crate) fn write_doubts(&self, out: &mut dyn Write) -> Result<()> {
+        for (i, missing) in self.missing.iter().enumerate() {
+            row(out, if i == 0 { "missing" } else { "" }, missing)?;
+        }
         if !self.many_turns.is_empty() {
             let what = format!("{}: more than two turns; are these degrees?", some(&self.many_turns));
             row(out, "suspect", &what)?;

@@ -4,11 +4,13 @@ use super::moved::{self, Moved};
 use super::soles::{self, From};
 use crate::args::{AskedBelt, ConsistentArgs, FrameArgs, GroundArgs, Number};
 use crate::error::CliError;
+use crate::findings::of_medium;
 use crate::given::Given;
 use solaris::analysis::ground::{
     Belt, GroundError, GroundForces, GroundOption, GroundOptions, Sole, StanceOptions, Stances, find_stances,
     ground_forces, make_consistent,
 };
+use solaris::model::{Finding, FindingKind};
 
 /// What is asked of the ground, and of the figure's frame.
 #[derive(Clone, Copy)]
@@ -36,6 +38,14 @@ impl Predicted {
         given: &mut Given,
     ) -> Result<Self, CliError> {
         needs_times(given)?;
+        let unasked = of_medium(&given.body.medium, FindingKind::Missing);
+        given.body.findings.extend(
+            unasked.map(|finding| Finding {
+                message: "what resists or carries bodies is not counted where the ground's forces are found"
+                    .to_owned(),
+                ..finding
+            }),
+        );
         let consistent = moved::asked(consistent)?;
         let (soles, from) = soles::find(asked.how.soles.as_deref(), given)?;
         let (stances, stance, belt_from) = standing(asked, given, &soles, &from, 0.0)?;

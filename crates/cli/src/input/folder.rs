@@ -1,6 +1,7 @@
 //! Files in the folder of a model.
 
 use super::MOST_BYTES;
+use crate::error::CliError;
 use solaris::io::Loader;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
@@ -15,13 +16,21 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// That of a model's file.
-    pub(super) fn of(path: &Path) -> Self {
-        let folder = match path.parent() {
+    /// That of a model's file, or `files`, which must hold the model.
+    pub(super) fn of(path: &Path, files: Option<&Path>) -> Result<Self, CliError> {
+        let own = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
-        Self { root: fs::canonicalize(folder).map_err(|error| error.to_string()), model: String::new() }
+        let resolved = |folder: &Path| fs::canonicalize(folder).map_err(|error| error.to_string());
+        let Some(files) = files else { return Ok(Self { root: resolved(own), model: String::new() }) };
+        let refuse = |why: String| CliError::option("files", files.display().to_string(), why);
+        let root = resolved(files).map_err(refuse)?;
+        let own = resolved(own).map_err(refuse)?;
+        let within =
+            own.strip_prefix(&root).map_err(|_| refuse(format!("{} is not in it", path.display())))?;
+        let parts: Vec<_> = within.iter().map(|part| part.to_string_lossy()).collect();
+        Ok(Self { root: Ok(root), model: parts.join("/") })
     }
 }
 
@@ -38,7 +47,7 @@ impl Loader for Folder {
         };
         let file = fs::canonicalize(root.join(path)).map_err(|error| why(&error))?;
         if !file.starts_with(root) {
-            return Err("it is a link that leads out of the model's folder".to_owned());
+            return Err("it is a link that leads out of the folder of the model's files; name one that holds both (--files)".to_owned());
         }
         let found = fs::metadata(&file).map_err(|error| why(&error))?;
         if !found.is_file() {

@@ -10,6 +10,8 @@ use std::io::{Result, Write};
 /// What the command line said of the forces.
 pub(super) struct Asked {
     pub(super) passive: bool,
+    /// What the figure moves in.
+    pub(super) medium: Option<String>,
     /// The forces from outside.
     pub(super) external: String,
     /// Prefixes of columns of forces that push nothing.
@@ -28,6 +30,8 @@ pub(super) struct Report {
     /// Absent where the ground's forces were not asked for.
     pub(super) ground: Option<GroundReport>,
     pub(super) passive: bool,
+    /// What the figure moves in; absent where there is nothing.
+    pub(super) medium: Option<String>,
     pub(super) joints: Vec<Load>,
     /// Absent where the figure stands fixed in the world, which then bears what is left over.
     pub(super) residual: Option<Residual>,
@@ -77,6 +81,7 @@ impl Report {
             unused_forces: asked.unused,
             ground: asked.ground,
             passive: asked.passive,
+            medium: asked.medium,
             joints: free.map(load).collect(),
             residual: root_is_free.then_some(Residual {
                 force_rms_n: r.force_rms,

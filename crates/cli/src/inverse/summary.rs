@@ -31,8 +31,11 @@ impl Report {
             let names = names.join(", ");
             row(out, "", &format!("not used: the forces of {names}; --external and --plate apply them"))?;
         }
+        if let (Some(medium), true) = (&self.medium, self.passive) {
+            row(out, "medium", medium)?;
+        }
         if !self.passive {
-            row(out, "passive", "armature, damping, springs and friction left out")?;
+            row(out, "passive", "armature, damping, springs, friction and fluids left out")?;
         }
         Ok(())
     }

@@ -2,8 +2,8 @@
 
 use crate::error::CliError;
 use crate::input;
-use solaris::model::Figure;
 use solaris::model::text::first_word;
+use solaris::model::{Figure, TextError};
 use solaris::scene::{Loader, Scene, read};
 use std::path::{Path, PathBuf};
 
@@ -73,16 +73,23 @@ impl Loader for Files {
 fn why(error: &CliError) -> String {
     match error {
         CliError::Input { why, .. } => why.clone(),
-        CliError::Text { faults, .. } => {
-            let count = faults.faults.len() + faults.omitted;
-            let first = faults.faults.first().map(|fault| format!("{}: {}", fault.place, fault.message));
-            let first = first.unwrap_or_default();
-            if count == 1 {
-                first
-            } else {
-                format!("{count} faults, which 'solaris check' shows; the first: {first}")
-            }
+        CliError::Text { faults, .. } => first_of(faults, 0),
+        CliError::Files { error, .. } => {
+            let others = error.files.iter().skip(1).map(|file| file.error.faults.len() + file.error.omitted);
+            error.files.first().map_or_else(String::new, |file| first_of(&file.error, others.sum()))
         }
         other => other.to_string(),
+    }
+}
+
+/// The first fault of a text, and how many there are with `others`.
+fn first_of(faults: &TextError, others: usize) -> String {
+    let count = faults.faults.len() + faults.omitted + others;
+    let first = faults.faults.first().map(|fault| format!("{}: {}", fault.place, fault.message));
+    let first = first.unwrap_or_default();
+    if count == 1 {
+        first
+    } else {
+        format!("{count} faults, which 'solaris check' shows; the first: {first}")
     }
 }

@@ -6,6 +6,7 @@ mod bad_files;
 mod check;
 mod consistent;
 mod convert;
+mod files;
 mod ground;
 mod manners;
 mod masses;

@@ -2,131 +2,199 @@
 
 mod contents;
 
+use super::assembly::Assembly;
 use super::chain::{Segment, segments};
 use super::compiler::{Compiler, FromGeoms};
-use super::defaults::{Defaults, Resolved, SPECIFIERS};
-use super::geom::{self, Geom};
+use super::defaults::{Resolved, SPECIFIERS};
+use super::geom::{self, At, Geom};
+use super::inertia::{self, Weight};
 use super::joint::{self, Joint, Kind};
+use super::medium::{Acting, Surroundings};
+use super::mesh::Meshes;
+use super::model::Model;
 use super::orientation::placement;
-use super::{inertia, sections};
+use super::sections::World;
+use crate::loader::Loader;
 use crate::tree::{Body, Names};
 use crate::xml::{Node, Reader, elements_called, tag, value_span};
-use contents::Contents;
+use contents::{Around, Contents, Walk};
 use solaris_model::{Joint as FigureJoint, Limits, NamedFrame, Part, Placement, Shape, SourceMap};
-use std::collections::HashSet;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::ops::Range;
+
+/// The most bodies of a model.
+const MOST_BODIES: usize = 100_000;
 
 /// A body that is still to be read.
 struct Open<'a> {
     node: Node<'a>,
-    /// Its parent's place in the list, and the frame around it in the parent.
+    /// Its parent's place in the list.
     parent: Option<usize>,
-    frame: Placement,
-    class: usize,
+    /// What stands around it in the parent.
+    around: Around,
 }
 
 /// What is needed while bodies are read.
 struct Reading<'r, 'a, 't> {
     reader: &'r mut Reader<'t>,
-    compiler: &'r Compiler,
-    defaults: &'a Defaults<'a>,
+    models: &'a [Model<'a>],
+    assembly: &'r Assembly<'r>,
+    world: &'r World,
     places: &'r mut SourceMap,
     bodies: Vec<Body>,
-    /// Which of the bodies are the file's, not links between joints.
-    of_file: Vec<bool>,
+    /// Of each body the model that it is of; none for links between joints, which are not the file's.
+    model_of: Vec<Option<usize>>,
+    /// Of each body whether anything moves it.
+    moving: Vec<bool>,
+    meshes: Meshes<'r>,
+    surroundings: Surroundings,
+    /// Bodies of whose mass something is missing, and whether they have any.
+    missing: Vec<(Range<usize>, String, bool)>,
     body_names: Names,
     joint_names: Names,
     /// Joints of figures that are called like bodies.
     group_names: Names,
-    /// Kinds and names of what has been read.
-    seen: HashSet<(&'static str, &'a str)>,
+    /// Kinds and names of what has been read, with its place.
+    seen: HashMap<(&'static str, String), Range<usize>>,
+    /// Names that were met again.
+    repeated: usize,
     count: usize,
 }
 
-/// All bodies, parents first.
+/// All bodies, parents first, and what acts on them.
 pub(super) fn read<'a>(
     reader: &mut Reader,
-    root: Node<'a>,
-    compiler: &Compiler,
-    defaults: &'a Defaults<'a>,
+    models: &'a [Model<'a>],
+    assembly: &Assembly,
+    world: &World,
     places: &mut SourceMap,
-) -> Vec<Body> {
-    let names = |kinds: &'static [&'static str]| {
-        let worlds = elements_called(root, "worldbody").flat_map(|world| world.descendants());
-        worlds
-            .filter(move |node| kinds.contains(&node.tag_name().name()))
-            .filter_map(|node| Some((node, node.attribute("name")?)))
-    };
-    sections::unique(reader, "body", names(&["body"]));
-    sections::unique(reader, "joint", names(&["joint", "freejoint"]));
+    loader: &mut dyn Loader,
+) -> (Vec<Body>, Acting) {
+    let [bodies, joints] = names(reader, models);
+    let names = |of: &[String]| Names::of(of.iter().map(String::as_str));
     let mut reading = Reading {
+        body_names: names(&bodies),
+        joint_names: names(&joints),
+        group_names: names(&joints),
         reader,
-        compiler,
-        defaults,
+        models,
+        assembly,
+        world,
         places,
         bodies: Vec::new(),
-        of_file: Vec::new(),
-        body_names: Names::of(names(&["body"]).map(|(_, name)| name)),
-        joint_names: Names::of(names(&["joint", "freejoint"]).map(|(_, name)| name)),
-        group_names: Names::of(names(&["joint", "freejoint"]).map(|(_, name)| name)),
-        seen: HashSet::new(),
+        model_of: Vec::new(),
+        moving: Vec::new(),
+        meshes: Meshes::new(loader),
+        surroundings: Surroundings::default(),
+        missing: Vec::new(),
+        seen: HashMap::new(),
+        repeated: 0,
         count: 0,
     };
-    let mut open = Vec::new();
-    for world in elements_called(root, "worldbody") {
-        let contents = Contents::of(reading.reader, world, 0, defaults, compiler);
-        for (node, ..) in &contents.geoms {
+    let (mut walk, mut open) = (Walk::new(models), Vec::new());
+    for world in elements_called(models[0].root, "worldbody") {
+        let contents = walk.contents(reading.reader, world, Around::world());
+        for (node, _) in &contents.geoms {
             reading.reader.aside("<geom> of <worldbody>", tag(*node));
         }
-        for (node, ..) in contents.joints.iter().chain(&contents.inertials) {
+        for (node, _) in contents.joints.iter().chain(&contents.inertials) {
             reading.reader.fault(tag(*node), format!("the world cannot have a <{}>", node.tag_name().name()));
         }
-        for (node, ..) in &contents.sites {
+        for (node, _) in &contents.sites {
             reading.reader.unread("<site> of <worldbody>", tag(*node));
         }
-        let children =
-            contents.bodies.into_iter().map(|(node, frame, class)| Open { node, parent: None, frame, class });
-        open.extend(children.collect::<Vec<_>>().into_iter().rev());
+        let children = contents.bodies.into_iter().map(|(node, around)| Open { node, parent: None, around });
+        open.extend(children.rev());
         while let Some(next) = open.pop() {
-            reading.body(&next, &mut open);
+            if reading.count == MOST_BODIES {
+                let message = format!("the model has more than {MOST_BODIES} bodies");
+                reading.reader.fault(tag(next.node), message);
+                break;
+            }
+            reading.body(&mut walk, next, &mut open);
         }
     }
-    let Reading { reader, mut bodies, of_file, .. } = reading;
-    let mut changed: Vec<&mut Body> =
-        bodies.iter_mut().zip(of_file).filter(|(_, of_file)| *of_file).map(|(body, _)| body).collect();
-    inertia::adjust(reader, &mut changed, compiler, root);
-    bodies
+    reading.sum_up();
+    let Reading { reader, mut bodies, model_of, surroundings, .. } = reading;
+    let changed = bodies.iter_mut().zip(model_of);
+    let mut changed: Vec<(&mut Body, &Compiler)> =
+        changed.filter_map(|(body, model)| Some((body, &models[model?].compiler))).collect();
+    inertia::adjust(reader, &mut changed, models);
+    let acting = if world.springs || world.dampers { surroundings } else { Surroundings::default() };
+    let acting = acting.acting(&bodies);
+    (bodies, acting)
+}
+
+/// The names of all bodies and joints, which others must not get.
+fn names(reader: &Reader, models: &[Model]) -> [Vec<String>; 2] {
+    // What there is to say will be said when they are read.
+    let (mut silent, mut walk) = (Reader::new(reader.text()), Walk::new(models));
+    let (mut bodies, mut joints) = (Vec::new(), Vec::new());
+    for world in elements_called(models[0].root, "worldbody") {
+        let mut open = vec![(world, Around::world())];
+        while let Some((node, around)) = open.pop() {
+            let contents = walk.contents(&mut silent, node, around);
+            joints.extend(contents.joints.iter().filter_map(|(node, around)| around.name(*node)));
+            bodies.extend(contents.bodies.iter().filter_map(|(node, around)| around.name(*node)));
+            open.extend(contents.bodies.into_iter().map(|(node, around)| (node, Around::body(&around))));
+        }
+    }
+    [bodies, joints]
 }
 
 impl<'a> Reading<'_, 'a, '_> {
-    fn body(&mut self, this: &Open<'a>, open: &mut Vec<Open<'a>>) {
-        let node = this.node;
+    fn body(&mut self, walk: &mut Walk<'_, 'a>, this: Open<'a>, open: &mut Vec<Open<'a>>) {
+        let Open { node, parent, around } = this;
         self.count += 1;
-        let mut known = vec!["name", "pos", "childclass", "user"];
+        let mut known = vec!["name", "pos", "childclass", "user", "gravcomp"];
         known.extend(SPECIFIERS);
         self.reader.check_attributes_but(node, &known, &["sleep", "simple", "fuse"]);
-        let name = match node.attribute("name").filter(|name| !name.trim().is_empty()) {
-            // A name that is there already has been reported.
-            Some(name) if self.seen.insert(("body", name)) => name.to_owned(),
-            Some(name) => self.body_names.take(name),
+        let name = match around.name(node) {
+            // A name that is there already is reported.
+            Some(name) if self.is_new("body", &name, node) => name,
+            Some(name) => self.body_names.take(&name),
             None => self.body_names.take(&format!("body{}", self.count)),
         };
-        let class = self.defaults.class(self.reader, node, "childclass").unwrap_or(this.class);
-        let at = this.frame * placement(self.reader, &Resolved::plain(node), self.compiler);
-        let contents = Contents::of(self.reader, node, class, self.defaults, self.compiler);
-        let joints = self.joints(&name, &contents, this.parent);
-        let (geoms, unread) = self.geoms(&contents);
-        if let Some((second, _)) = contents.inertials.get(1).map(|(node, frame, _)| (*node, frame)) {
-            self.reader.fault(tag(second), format!("body '{name}' has a second <inertial>"));
+        let Model { compiler, defaults, .. } = &self.models[around.model];
+        let class = defaults.class(self.reader, node, "childclass").unwrap_or(around.class);
+        let at = around.frame * placement(self.reader, &Resolved::plain(node), compiler);
+        let inside = Around::body(&around).of_class(class);
+        let contents = walk.contents(self.reader, node, inside);
+        let joints = self.joints(&name, &contents, parent);
+        let counts = match compiler.from_geoms {
+            FromGeoms::Never => false,
+            FromGeoms::Auto => contents.inertials.is_empty(),
+            FromGeoms::Always => true,
+        };
+        let (geoms, missing) = self.geoms(&contents, counts);
+        if let Some((second, _)) = contents.inertials.get(1) {
+            self.reader.fault(tag(*second), format!("body '{name}' has a second <inertial>"));
         }
-        let inertial = contents.inertials.first().map(|(node, frame, _)| (*node, *frame));
-        let lump = inertia::of_body(self.reader, inertial, &geoms, self.compiler);
-        self.say_about_mass(node, &name, &contents, unread, lump.is_some());
+        let inertial = contents.inertials.first().map(|(node, around)| (*node, around.frame));
+        let lump = inertia::of_body(self.reader, inertial, &geoms, compiler);
+        let gravcomp = self.reader.number(node, "gravcomp").unwrap_or(0.0);
+        let moves = !joints.is_empty() || parent.is_some_and(|parent| self.moving[parent]);
+        self.say_about_mass(node, &name, moves, &missing, lump.is_some());
 
         let span = if node.has_attribute("name") { value_span(node, "name") } else { tag(node) };
-        let (parent, mut body) = self.chain(&name, node, this.parent, at, &joints);
+        let (parent, mut body) = self.chain(&name, node, parent, at, &joints);
         body.parent = parent;
         body.span = span;
-        if let Some(lump) = lump {
+        let index = self.bodies.len();
+        if moves && self.world.is_fluid() {
+            let ellipsoids = geoms.iter().filter_map(|geom| geom.fluid);
+            let before = self.surroundings.ellipsoids.len();
+            self.surroundings.ellipsoids.extend(ellipsoids.map(|(at, shape)| (index, at, shape)));
+            if self.surroundings.ellipsoids.len() == before {
+                let axes = lump.as_ref().and_then(|weight| weight.axes);
+                self.surroundings.boxes.push((index, axes));
+            }
+        }
+        if moves && gravcomp != 0.0 {
+            self.surroundings.carried.push((index, gravcomp));
+        }
+        if let Some(Weight { lump, .. }) = lump {
             (body.mass, body.com, body.inertia) = (lump.mass, lump.com, lump.inertia);
         }
         body.shape = heaviest(&geoms);
@@ -136,33 +204,56 @@ impl<'a> Reading<'_, 'a, '_> {
             self.places.put_field(Part::Link, &name, field, mass_span.clone());
         }
         self.bodies.push(body);
-        self.of_file.push(true);
+        self.model_of.push(Some(around.model));
+        self.moving.push(moves);
         let parent = Some(self.bodies.len() - 1);
-        let children =
-            contents.bodies.into_iter().map(|(node, frame, class)| Open { node, parent, frame, class });
-        open.extend(children.collect::<Vec<_>>().into_iter().rev());
+        let children = contents.bodies.into_iter().map(|(node, around)| Open { node, parent, around });
+        open.extend(children.rev());
+    }
+
+    /// Whether a name of its kind is the first; another is a fault.
+    fn is_new(&mut self, kind: &'static str, name: &str, node: Node) -> bool {
+        let span = value_span(node, "name");
+        let first = match self.seen.entry((kind, name.to_owned())) {
+            Entry::Vacant(entry) => {
+                entry.insert(span);
+                return true;
+            }
+            Entry::Occupied(entry) => entry.get().clone(),
+        };
+        self.repeated += 1;
+        // Lines are counted for the few that will be read.
+        let before = if self.repeated <= 100 {
+            format!(" (on {})", self.assembly.line(&first))
+        } else {
+            String::new()
+        };
+        let message = format!("{kind} '{name}' is there already{before}; names must be unique");
+        self.reader.fault(span, message);
+        false
     }
 
     fn joints(&mut self, body: &str, contents: &Contents<'a>, parent: Option<usize>) -> Vec<Joint<'a>> {
         let mut joints: Vec<Joint> = Vec::new();
-        for (node, frame, class) in &contents.joints {
+        for (node, around) in &contents.joints {
             joint::check_attributes(self.reader, *node);
+            let Model { compiler, defaults, .. } = &self.models[around.model];
             let element = if node.tag_name().name() == "freejoint" {
                 Resolved::plain(*node)
             } else {
-                self.defaults.resolve(self.reader, *node, *class)
+                defaults.resolve(self.reader, *node, around.class)
             };
             let is_free = node.tag_name().name() == "freejoint" || element.text("type") == Some("free");
-            let name = match node.attribute("name").filter(|name| !name.trim().is_empty()) {
-                Some(name) if self.seen.insert(("joint", name)) => name.to_owned(),
-                Some(name) => self.joint_names.take(name),
+            let name = match around.name(*node) {
+                Some(name) if self.is_new("joint", &name, *node) => name,
+                Some(name) => self.joint_names.take(&name),
                 None => {
                     let name = if is_free { "root".to_owned() } else { format!("{body}_joint") };
                     let name = self.joint_names.take(&name);
                     self.group_names.take(&name)
                 }
             };
-            joints.push(joint::read(self.reader, &element, name, frame, self.compiler));
+            joints.push(joint::read(self.reader, &element, name, &around.frame, compiler, self.world));
         }
         let free = joints.iter().find(|joint| joint.kind == Kind::Free);
         if let Some(free) = free.filter(|_| joints.len() > 1) {
@@ -178,29 +269,32 @@ impl<'a> Reading<'_, 'a, '_> {
         joints
     }
 
-    fn geoms(&mut self, contents: &Contents<'a>) -> (Vec<Geom>, bool) {
-        let (mut geoms, mut unread) = (Vec::new(), false);
-        for (node, frame, class) in &contents.geoms {
+    /// The solids of a body, and why the mass of others is missing.
+    fn geoms(&mut self, contents: &Contents<'a>, counts: bool) -> (Vec<Geom>, Vec<String>) {
+        let (mut geoms, mut missing) = (Vec::new(), Vec::new());
+        for (node, around) in &contents.geoms {
             geom::check_attributes(self.reader, *node);
-            let element = self.defaults.resolve(self.reader, *node, *class);
-            match geom::read(self.reader, &element, frame, self.compiler) {
-                geom::Read::Solid(geom) => geoms.push(geom),
-                geom::Read::Unread => {
-                    unread |= element.text("mass") != Some("0") && element.text("density") != Some("0");
-                }
+            let (models, model) = (self.models, around.model);
+            let element = models[model].defaults.resolve(self.reader, *node, around.class);
+            let in_fluid = self.world.is_fluid();
+            let at = At { frame: around.frame, models, model, counts, in_fluid };
+            match geom::read(self.reader, &element, &at, &mut self.meshes) {
+                geom::Read::Solid(geom) => geoms.push(*geom),
+                geom::Read::Unread(why) => missing.push(why),
                 // What it weighs is not known; that it would weigh nothing is no further fault.
                 geom::Read::Faulty => geoms.push(Geom::unknown()),
                 geom::Read::Nothing => {}
             }
         }
-        (geoms, unread)
+        (geoms, missing)
     }
 
     fn sites(&mut self, contents: &Contents<'a>) -> Vec<NamedFrame> {
         let mut frames = Vec::new();
-        for (node, frame, class) in &contents.sites {
-            let element = self.defaults.resolve(self.reader, *node, *class);
-            let Some(name) = node.attribute("name") else {
+        for (node, around) in &contents.sites {
+            let Model { compiler, defaults, .. } = &self.models[around.model];
+            let element = defaults.resolve(self.reader, *node, around.class);
+            let Some(name) = around.name(*node) else {
                 self.reader.aside("<site> without a name", tag(*node));
                 continue;
             };
@@ -208,26 +302,52 @@ impl<'a> Reading<'_, 'a, '_> {
                 self.reader.unread("<site fromto>", tag(*node));
                 continue;
             }
-            let placement = frame * placement(self.reader, &element, self.compiler);
-            frames.push(NamedFrame { name: name.to_owned(), placement });
+            let placement = around.frame * placement(self.reader, &element, compiler);
+            frames.push(NamedFrame { name, placement });
         }
         frames
     }
 
     /// Says what is missing from a body's mass.
-    fn say_about_mass(&mut self, node: Node, name: &str, contents: &Contents, unread: bool, found: bool) {
-        let from_geoms = match self.compiler.from_geoms {
-            FromGeoms::Never => false,
-            FromGeoms::Auto => contents.inertials.is_empty(),
-            FromGeoms::Always => true,
-        };
-        if unread && from_geoms {
-            let message = "it has geoms made of meshes, which are not read, and their mass is missing: give it an <inertial>";
+    fn say_about_mass(&mut self, node: Node, name: &str, moves: bool, missing: &[String], found: bool) {
+        if let Some(first) = missing.first() {
+            let others = match missing.len() - 1 {
+                0 => String::new(),
+                1 => " (and of one more)".to_owned(),
+                more => format!(" (and of {more} more)"),
+            };
+            let message = format!(
+                "the mass of a geom{others} is missing: {first}; what is known without it counts. Give it an <inertial>, or put the file there"
+            );
             self.reader.suspect(tag(node), name, message);
-        } else if !contents.joints.is_empty() && !found {
+            if moves {
+                self.missing.push((tag(node), name.to_owned(), found));
+            }
+        } else if moves && !found {
             let message = "it moves and has neither <inertial> nor geoms with mass: it counts as massless";
             self.reader.suspect(tag(node), name, message);
         }
+    }
+
+    /// Sums up the mass that is missing.
+    fn sum_up(&mut self) {
+        let Some((span, ..)) = self.missing.first() else { return };
+        let span = span.clone();
+        let (count, all) = (self.missing.len(), self.moving.iter().filter(|moves| **moves).count());
+        let empty = self.missing.iter().filter(|(.., found)| !found).count();
+        let mut names: Vec<&str> = self.missing.iter().take(5).map(|(_, name, _)| name.as_str()).collect();
+        if count > names.len() {
+            names.push("…");
+        }
+        let alone = match empty {
+            0 => String::new(),
+            _ => format!("; {empty} of them have no other mass"),
+        };
+        let message = format!(
+            "of {count} of {all} bodies that move, some is not known, as meshes were not read ({}){alone}",
+            names.join(", ")
+        );
+        self.reader.missing(span, "mass", message);
     }
 
     /// The massless links in front of a body, which are added, and the body with the joint that moves it.
@@ -251,7 +371,8 @@ impl<'a> Reading<'_, 'a, '_> {
             }
             let link = self.body_names.take(&format!("{name}_{after}"));
             self.bodies.push(Body::new(link, parent, joint, tag(node)));
-            self.of_file.push(false);
+            self.model_of.push(None);
+            self.moving.push(true);
             parent = Some(self.bodies.len() - 1);
         }
         let body = match last {

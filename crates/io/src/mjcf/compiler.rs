@@ -14,6 +14,19 @@ pub(super) enum FromGeoms {
     Always,
 }
 
+/// What the names and triangles of meshes mean.
+#[derive(Default)]
+pub(super) struct MeshSettings {
+    /// Where they are, from the model's folder.
+    pub(super) folder: String,
+    /// Whether the folders in the names of files are left out.
+    pub(super) strip_path: bool,
+    /// Whether they are closed surfaces, as MuJoCo before 3.3 said for all of them.
+    pub(super) exact: bool,
+    /// Whether solids are fitted to the box of a mesh, not to its inertia.
+    pub(super) fit_box: bool,
+}
+
 /// The settings that change what a figure becomes.
 pub(super) struct Compiler {
     /// In one unit of angle of the file (rad).
@@ -27,20 +40,16 @@ pub(super) struct Compiler {
     pub(super) balance: bool,
     pub(super) least_mass: f64,
     pub(super) least_inertia: f64,
+    pub(super) meshes: MeshSettings,
     /// The mass of all bodies together and where it is said.
     pub(super) total: Option<(f64, Range<usize>)>,
 }
 
-const SETTINGS: [&str; 20] = [
-    "meshdir",
+const SETTINGS: [&str; 15] = [
     "texturedir",
-    "assetdir",
-    "strippath",
     "discardvisual",
     "usethread",
     "convexhull",
-    "fitaabb",
-    "exactmeshinertia",
     "saveinertial",
     "savecanonical",
     "savecompiled",
@@ -66,8 +75,10 @@ impl Compiler {
             balance: false,
             least_mass: 0.0,
             least_inertia: 0.0,
+            meshes: MeshSettings::default(),
             total: None,
         };
+        let (mut mesh_folder, mut asset_folder) = (None, None);
         let switch = [("true", true), ("false", false)];
         // Later elements win, attribute by attribute.
         for node in elements_called(root, "compiler") {
@@ -78,8 +89,14 @@ impl Compiler {
                 "boundmass",
                 "boundinertia",
                 "settotalmass",
+                "meshdir",
+                "assetdir",
+                "strippath",
+                "fitaabb",
+                "alignfree",
+                "exactmeshinertia",
             ];
-            reader.check_attributes_but(node, &[known.as_slice(), &SETTINGS[15..]].concat(), &SETTINGS);
+            reader.check_attributes_but(node, &[known.as_slice(), &SETTINGS[10..]].concat(), &SETTINGS);
             if let Some(angle) = reader.choice(node, "angle", &[("degree", degree), ("radian", 1.0)]) {
                 compiler.angle = angle;
             }
@@ -93,6 +110,15 @@ impl Compiler {
             };
             set(reader, "autolimits", &mut compiler.autolimits);
             set(reader, "balanceinertia", &mut compiler.balance);
+            set(reader, "strippath", &mut compiler.meshes.strip_path);
+            set(reader, "exactmeshinertia", &mut compiler.meshes.exact);
+            set(reader, "fitaabb", &mut compiler.meshes.fit_box);
+            mesh_folder = node.attribute("meshdir").or(mesh_folder);
+            asset_folder = node.attribute("assetdir").or(asset_folder);
+            if node.attribute("alignfree") == Some("true") {
+                let message = "'alignfree' is not applied: free joints move the body's own frame, not that of its inertia";
+                reader.unsupported(value_span(node, "alignfree"), "<compiler>", message);
+            }
             let modes = [("false", FromGeoms::Never), ("auto", FromGeoms::Auto), ("true", FromGeoms::Always)];
             compiler.from_geoms =
                 reader.choice(node, "inertiafromgeom", &modes).unwrap_or(compiler.from_geoms);
@@ -105,6 +131,8 @@ impl Compiler {
                 compiler.total = (total > 0.0).then(|| (total, value_span(node, "settotalmass")));
             }
         }
+        let folder = mesh_folder.or(asset_folder).unwrap_or_default();
+        folder.clone_into(&mut compiler.meshes.folder);
         compiler
     }
 

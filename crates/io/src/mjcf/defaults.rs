@@ -7,7 +7,25 @@ use std::collections::HashMap;
 pub(super) const SPECIFIERS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
 
 /// The kinds of elements that have defaults here.
-pub(super) const KINDS: [&str; 3] = ["joint", "geom", "site"];
+pub(super) const KINDS: [&str; 17] = [
+    "joint",
+    "geom",
+    "site",
+    "mesh",
+    "tendon",
+    "general",
+    "motor",
+    "position",
+    "velocity",
+    "intvelocity",
+    "damper",
+    "cylinder",
+    "muscle",
+    "adhesion",
+    "dcmotor",
+    "pid",
+    "equality",
+];
 
 /// The defaults of one kind: of each attribute, the element that says it.
 type Set<'a> = HashMap<&'a str, Node<'a>>;
@@ -147,8 +165,19 @@ impl<'a> Defaults<'a> {
 
     /// An element with the defaults of its class, or else of the class of the body around it.
     pub(super) fn resolve<'d>(&'d self, reader: &mut Reader, node: Node<'d>, around: usize) -> Resolved<'d> {
+        self.resolve_as(reader, node, around, node.tag_name().name())
+    }
+
+    /// An element with what its class says of elements called `kind`.
+    pub(super) fn resolve_as<'d>(
+        &'d self,
+        reader: &mut Reader,
+        node: Node<'d>,
+        around: usize,
+        kind: &str,
+    ) -> Resolved<'d> {
         let class = self.class(reader, node, "class").unwrap_or(around);
-        let kind = KINDS.iter().position(|kind| *kind == node.tag_name().name());
+        let kind = KINDS.iter().position(|known| *known == kind);
         Resolved { node, set: kind.map(|kind| &self.classes[class].sets[kind]) }
     }
 }

@@ -3,10 +3,18 @@
 use super::compiler::{Compiler, FromGeoms};
 use super::defaults::{Resolved, SPECIFIERS};
 use super::geom::Geom;
+use super::model::Model;
 use super::orientation::placement;
 use crate::tree::{Body, Lump, combined};
 use crate::xml::{Node, Reader, tag, value_span};
-use solaris_model::{Matrix3, Placement, Vector3};
+use solaris_model::{Matrix3, Placement, UnitQuaternion, Vector3};
+
+/// What a body weighs.
+pub(super) struct Weight {
+    pub(super) lump: Lump,
+    /// The axes of its inertia, where the file says them.
+    pub(super) axes: Option<UnitQuaternion<f64>>,
+}
 
 /// What a body weighs by its `<inertial>` (with the frame it stands in) or its geoms; `None` where neither says anything.
 pub(super) fn of_body(
@@ -14,7 +22,7 @@ pub(super) fn of_body(
     inertial: Option<(Node, Placement)>,
     geoms: &[Geom],
     compiler: &Compiler,
-) -> Option<Lump> {
+) -> Option<Weight> {
     let read = inertial.map(|(node, frame)| read(reader, node, &frame, compiler));
     match compiler.from_geoms {
         FromGeoms::Never => read,
@@ -23,14 +31,16 @@ pub(super) fn of_body(
             let (first, last) = compiler.groups;
             let counted =
                 geoms.iter().filter(|geom| (first..=last).contains(&geom.group) && geom.lump.mass > 0.0);
-            let lumps: Vec<&Lump> = counted.map(|geom| &geom.lump).collect();
-            if lumps.is_empty() { None } else { Some(combined(&lumps)) }
+            let counted: Vec<&Geom> = counted.collect();
+            let lumps: Vec<&Lump> = counted.iter().map(|geom| &geom.lump).collect();
+            let axes = if let [geom] = counted.as_slice() { Some(geom.axes) } else { None };
+            if lumps.is_empty() { None } else { Some(Weight { lump: combined(&lumps), axes }) }
         }
     }
 }
 
 /// Unreadable numbers have been reported, and are replaced by such as no further fault follows from.
-fn read(reader: &mut Reader, node: Node, frame: &Placement, compiler: &Compiler) -> Lump {
+fn read(reader: &mut Reader, node: Node, frame: &Placement, compiler: &Compiler) -> Weight {
     let mut known = vec!["pos", "mass", "diaginertia", "fullinertia"];
     known.extend(SPECIFIERS);
     reader.check_attributes(node, &known);
@@ -64,13 +74,15 @@ fn read(reader: &mut Reader, node: Node, frame: &Placement, compiler: &Compiler)
     }
     let turn = *at.rotation.to_rotation_matrix().matrix();
     let turned = if turn == Matrix3::identity() { own } else { turn * own * turn.transpose() };
-    Lump { mass, com: at.translation.vector, inertia: (turned + turned.transpose()) / 2.0 }
+    let lump = Lump { mass, com: at.translation.vector, inertia: (turned + turned.transpose()) / 2.0 };
+    Weight { lump, axes: full.is_none().then_some(at.rotation) }
 }
 
-/// What the compiler's settings make of the masses of the file's bodies.
-pub(super) fn adjust(reader: &mut Reader, bodies: &mut [&mut Body], compiler: &Compiler, root: Node) {
+/// What the compiler's settings make of the masses of the file's bodies, each with those of its model.
+pub(super) fn adjust(reader: &mut Reader, bodies: &mut [(&mut Body, &Compiler)], models: &[Model]) {
+    let (main, root) = (&models[0].compiler, models[0].root);
     let mut bounded = 0;
-    for body in bodies.iter_mut() {
+    for (body, compiler) in bodies.iter_mut() {
         let before = (body.mass, body.inertia);
         body.mass = body.mass.max(compiler.least_mass);
         if body.inertia.iter().all(|entry| entry.abs() < 1e150)
@@ -96,12 +108,12 @@ pub(super) fn adjust(reader: &mut Reader, bodies: &mut [&mut Body], compiler: &C
         );
         reader.note(tag(root), "<compiler>", message);
     }
-    let sum: f64 = bodies.iter().map(|body| body.mass).sum();
-    if let Some((total, span)) = &compiler.total
+    let sum: f64 = bodies.iter().map(|(body, _)| body.mass).sum();
+    if let Some((total, span)) = &main.total
         && sum > 0.0
     {
         let factor = total / sum;
-        for body in bodies.iter_mut() {
+        for (body, _) in bodies.iter_mut() {
             body.mass *= factor;
             body.inertia *= factor;
         }

@@ -2,6 +2,7 @@
 
 use super::compiler::Compiler;
 use super::defaults::Resolved;
+use super::sections::World;
 use crate::xml::{Node, Reader, tag};
 use solaris_model::{Limits, Passive, Placement, Vector3};
 
@@ -30,7 +31,7 @@ pub(super) struct Joint<'a> {
 }
 
 /// Attributes that are read.
-const READ: [&str; 15] = [
+const READ: [&str; 19] = [
     "name",
     "class",
     "type",
@@ -46,10 +47,14 @@ const READ: [&str; 15] = [
     "frictionloss",
     "group",
     "user",
+    "springdamper",
+    "align",
+    "actuatorfrcrange",
+    "actuatorgravcomp",
 ];
 /// Attributes of the solver.
 const SOLVER: [&str; 6] =
-    ["solreflimit", "solimplimit", "solreffriction", "solimpfriction", "margin", "springyield"];
+    ["solreflimit", "solimplimit", "solreffriction", "solimpfriction", "margin", "actuatorfrclimited"];
 
 /// Lists the attributes that are not read.
 pub(super) fn check_attributes(reader: &mut Reader, node: Node) {
@@ -63,6 +68,7 @@ pub(super) fn read<'a>(
     name: String,
     frame: &Placement,
     compiler: &Compiler,
+    world: &World,
 ) -> Joint<'a> {
     let node = element.node;
     let kinds = [("hinge", Kind::Hinge), ("slide", Kind::Slide), ("ball", Kind::Ball), ("free", Kind::Free)];
@@ -76,33 +82,43 @@ pub(super) fn read<'a>(
     let axis = element.numbers(reader, "axis").map_or_else(Vector3::z, Vector3::from);
     let reference = element.number(reader, "ref").unwrap_or(0.0) * unit;
     let limits = limits(reader, element, kind, &name, unit, compiler);
-    let stiffness = linear(reader, element, "stiffness");
+    let stiffness = linear(reader, element, "stiffness", &name);
+    let set: Option<[f64; 2]> = element.numbers(reader, "springdamper");
+    if set.is_some_and(|set| set.iter().all(|number| *number > 0.0)) {
+        let message = "they set spring and damper by the inertia of the whole model; write 'stiffness' and 'damping' (MuJoCo saves them)";
+        reader.lacks("springdampers of joints", message, element.span("springdamper"), &name);
+    }
     let mut passive = Passive {
         stiffness,
         rest: element.number(reader, "springref").unwrap_or(0.0) * unit,
-        damping: linear(reader, element, "damping"),
+        damping: linear(reader, element, "damping", &name),
         friction: element.number(reader, "frictionloss").unwrap_or(0.0),
     };
     if kind == Kind::Free && stiffness != 0.0 {
-        let message = format!(
-            "the spring of a free joint (stiffness {stiffness}) has no place in a figure; it is left out"
-        );
-        reader.unsupported(element.span("stiffness"), &name, message);
+        let message = "they have no place in a figure";
+        reader.lacks("springs of free joints", message, element.span("stiffness"), &name);
         passive.stiffness = 0.0;
     }
+    passive.stiffness *= f64::from(u8::from(world.springs));
+    passive.damping *= f64::from(u8::from(world.dampers));
+    passive.friction *= f64::from(u8::from(world.friction));
     if passive.stiffness == 0.0 || matches!(kind, Kind::Ball | Kind::Free) {
         passive.rest = 0.0;
     }
     let armature = element.number(reader, "armature").unwrap_or(0.0);
+    if element.text("actuatorgravcomp") == Some("true") {
+        let message = "in MuJoCo, 'gravcomp' is borne by their actuators, and so part of their forces; here it is taken off";
+        reader.lacks("'actuatorgravcomp' of joints", message, element.span("actuatorgravcomp"), &name);
+    }
     if kind == Kind::Free && armature != 0.0 {
-        let message = "its armature acts on the velocity along the body's axes here, along the world's in MuJoCo: forces differ \
-                       by armature·(ω × v)";
-        reader.note(element.span("armature"), &name, message);
+        let message = "it acts on the velocity along the body's axes here, along the world's in MuJoCo: forces differ by \
+                       armature·(ω × v)";
+        reader.lacks("armature of free joints", message, element.span("armature"), &name);
     }
     if kind == Kind::Free && node.attribute("align").is_some_and(|align| align == "true") {
-        let message =
-            "'align' is not applied: the free joint moves the body's own frame, not that of its inertia";
-        reader.unsupported(element.span("align"), &name, message);
+        let message = "it is not applied: the joint moves the body's own frame here, that of its inertia in MuJoCo, so that the \
+                       same numbers are other places";
+        reader.lacks("'align' of free joints", message, element.span("align"), &name);
     }
     Joint {
         node,
@@ -118,12 +134,15 @@ pub(super) fn read<'a>(
 }
 
 /// A coefficient that may be followed by those of higher powers.
-fn linear(reader: &mut Reader, element: &Resolved, attribute: &str) -> f64 {
+fn linear(reader: &mut Reader, element: &Resolved, attribute: &'static str, name: &str) -> f64 {
     let numbers = element.list(reader, attribute, 1..=3).unwrap_or_default();
     if numbers.iter().skip(1).any(|number| *number != 0.0) {
-        let name = element.text("name").unwrap_or("joint");
-        let message = format!("only the first number of '{attribute}', its linear part, is read");
-        reader.unsupported(element.span(attribute), name, message);
+        let (subject, message) = if attribute == "stiffness" {
+            ("springs that are not linear", "of their 'stiffness' the first number alone is in the figure")
+        } else {
+            ("dampers that are not linear", "of their 'damping' the first number alone is in the figure")
+        };
+        reader.lacks(subject, message, element.span(attribute), name);
     }
     numbers.first().copied().unwrap_or(0.0)
 }
@@ -141,10 +160,13 @@ fn limits(
     let said = element.said("limited").and_then(|said| reader.choice(said, "limited", &choices)).flatten();
     // MuJoCo's `auto`: limited where there is a range.
     let auto = compiler.autolimits && range.is_some_and(|[lower, upper]| lower < upper);
-    if !said.unwrap_or(auto) {
+    if !said.unwrap_or(auto) || kind == Kind::Free {
         return None;
     }
     let Some([lower, upper]) = range else {
+        if kind == Kind::Ball {
+            return None;
+        }
         reader.fault(tag(element.node), format!("joint '{name}' is limited and has no 'range'"));
         return None;
     };

@@ -48,7 +48,8 @@ pub(super) fn orientation(
     })
 }
 
-fn turn(way: &str, numbers: &[f64], compiler: &Compiler) -> Option<UnitQuaternion<f64>> {
+/// The turn of one of the five ways, where its numbers are one.
+pub(super) fn turn(way: &str, numbers: &[f64], compiler: &Compiler) -> Option<UnitQuaternion<f64>> {
     let vector = |from: usize| Vector3::new(numbers[from], numbers[from + 1], numbers[from + 2]);
     match way {
         "quat" => wxyz(numbers),

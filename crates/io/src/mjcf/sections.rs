@@ -1,11 +1,10 @@
 //! The sections of a file besides its bodies.
 
-use crate::xml::{Node, Reader, elements, elements_called, tag, value_span};
-use solaris_model::{Place, Vector3};
-use std::collections::HashMap;
+use super::acting;
+use super::model::Model;
+use crate::xml::{Node, Reader, elements, elements_called, tag};
+use solaris_model::Vector3;
 
-/// Sections whose elements act on the bodies.
-const ACTING: [&str; 6] = ["actuator", "contact", "tendon", "equality", "deformable", "keyframe"];
 /// Sections without any use for a motion.
 const ASIDES: [&str; 7] = ["visual", "asset", "statistic", "size", "custom", "extension", "sensor"];
 /// Attributes of `<option>` for the simulation's own steps.
@@ -35,41 +34,76 @@ const STEPS: [&str; 23] = [
     "sdf_iterations",
 ];
 
-/// Elements that stand for others: without them bodies would be missing.
-pub(super) fn refuse_makers(reader: &mut Reader, root: Node) {
-    for node in root.descendants().filter(Node::is_element) {
-        let advice = match node.tag_name().name() {
-            "include" => "other files are not followed: put their elements here",
-            "attach" | "replicate" | "composite" | "flexcomp" => {
-                "the bodies that it makes are not made here: write them out"
-            }
-            _ => continue,
+/// What `<option>` says of the world that the bodies move in, and of what acts there.
+pub(super) struct World {
+    pub(super) gravity: Vector3<f64>,
+    /// Of a fluid (kg/m³, Pa s), and how it moves (m/s).
+    pub(super) density: f64,
+    pub(super) viscosity: f64,
+    pub(super) wind: Vector3<f64>,
+    /// Whether springs, dampers and dry friction of joints act.
+    pub(super) springs: bool,
+    pub(super) dampers: bool,
+    pub(super) friction: bool,
+}
+
+impl World {
+    /// Whether there is a fluid that resists.
+    pub(super) fn is_fluid(&self) -> bool {
+        self.density > 0.0 || self.viscosity > 0.0
+    }
+
+    /// As `<option>` says it.
+    pub(super) fn read(reader: &mut Reader, root: Node) -> Self {
+        let mut world = Self {
+            gravity: Vector3::new(0.0, 0.0, -9.81),
+            density: 0.0,
+            viscosity: 0.0,
+            wind: Vector3::zeros(),
+            springs: true,
+            dampers: true,
+            friction: true,
         };
-        let advice = format!(
-            "<{}>: {advice} (MuJoCo saves a compiled model as one file by mj_saveLastXML)",
-            node.tag_name().name()
-        );
-        reader.fault(tag(node), advice);
+        let mut weightless = false;
+        for option in elements_called(root, "option") {
+            reader.check_attributes_but(option, &["gravity", "density", "viscosity", "wind"], &STEPS);
+            world.gravity = reader.numbers(option, "gravity").map_or(world.gravity, Vector3::from);
+            world.density = reader.number(option, "density").unwrap_or(world.density);
+            world.viscosity = reader.number(option, "viscosity").unwrap_or(world.viscosity);
+            world.wind = reader.numbers(option, "wind").map_or(world.wind, Vector3::from);
+            for flag in elements_called(option, "flag") {
+                for attribute in flag.attributes() {
+                    let off = attribute.value() == "disable";
+                    match attribute.name() {
+                        "gravity" => weightless |= off,
+                        "spring" => world.springs &= !off,
+                        "damper" => world.dampers &= !off,
+                        "passive" if off => (world.springs, world.dampers) = (false, false),
+                        "frictionloss" | "constraint" => world.friction &= !off,
+                        "passive" | "equality" => {}
+                        _ => reader
+                            .aside(format!("attribute '{}' of <flag>", attribute.name()), attribute.range()),
+                    }
+                }
+            }
+        }
+        if weightless {
+            world.gravity = Vector3::zeros();
+        }
+        world
     }
 }
 
-/// Lists what is not read, and returns gravity.
-pub(super) fn read(reader: &mut Reader, root: Node) -> Vector3<f64> {
-    let mut gravity = Vector3::new(0.0, 0.0, -9.81);
-    let mut weightless = false;
-    for section in elements(root) {
+/// Lists what is not read of a model's sections.
+pub(super) fn read(reader: &mut Reader, model: &Model) {
+    for section in elements(model.root) {
         let name = section.tag_name().name();
         match name {
-            "compiler" | "default" | "worldbody" => {}
-            "option" => {
-                reader.check_attributes_but(section, &["gravity"], &STEPS);
-                gravity = reader.numbers(section, "gravity").map_or(gravity, Vector3::from);
-                for flag in elements_called(section, "flag") {
-                    weightless |= flag.attribute("gravity") == Some("disable");
-                    flags(reader, flag);
-                }
+            "compiler" | "default" | "worldbody" | "option" => {}
+            "actuator" | "tendon" | "equality" | "deformable" => {
+                acting::read(reader, section, &model.defaults);
             }
-            _ if ACTING.contains(&name) => {
+            "contact" | "keyframe" => {
                 for child in elements(section) {
                     reader.unread(format!("<{}> of <{name}>", child.tag_name().name()), tag(child));
                 }
@@ -77,40 +111,5 @@ pub(super) fn read(reader: &mut Reader, root: Node) -> Vector3<f64> {
             _ if ASIDES.contains(&name) => reader.aside(format!("<{name}>"), tag(section)),
             _ => reader.unread_element(section),
         }
-    }
-    if weightless { Vector3::zeros() } else { gravity }
-}
-
-fn flags(reader: &mut Reader, flag: Node) {
-    for attribute in flag.attributes() {
-        let listed = format!("attribute '{}' of <flag>", attribute.name());
-        match attribute.name() {
-            "gravity" => {}
-            "passive" | "spring" | "damper" | "frictionloss" | "equality" | "actuation" => {
-                reader.unread(listed, attribute.range());
-            }
-            _ => reader.aside(listed, attribute.range()),
-        }
-    }
-}
-
-/// Names of one kind that are used twice are faults.
-pub(super) fn unique<'a>(reader: &mut Reader, kind: &str, names: impl Iterator<Item = (Node<'a>, &'a str)>) {
-    let mut places = HashMap::new();
-    let mut repeated = 0;
-    for (node, name) in names {
-        let span = value_span(node, "name");
-        let Some(first) = places.get(name) else {
-            places.insert(name, span);
-            continue;
-        };
-        repeated += 1;
-        // Lines are counted for the few that will be read.
-        let before = if repeated <= 100 {
-            format!(" (on line {})", Place::of(reader.text(), std::ops::Range::clone(first)).line)
-        } else {
-            String::new()
-        };
-        reader.fault(span, format!("{kind} '{name}' is there already{before}; names must be unique"));
     }
 }

@@ -132,6 +132,7 @@ fn file(
         let line = finding.place.map_or(1, |place| place.line);
         let message = format!("{} ({path}, line {line})", finding.message);
         match finding.kind {
+            FindingKind::Missing => outer.missing(span.clone(), finding.subject, message),
             FindingKind::Suspect => outer.suspect(span.clone(), finding.subject, message),
             FindingKind::Unsupported => outer.unsupported(span.clone(), finding.subject, message),
             FindingKind::Note => outer.note(span.clone(), finding.subject, message),

@@ -1,6 +1,9 @@
 //! Models read from MJCF.
 #![allow(clippy::doc_markdown, reason = "MuJoCo is a name, not code")]
 
+mod acting;
 mod bad_text;
+mod files;
 mod humanoid;
+mod medium;
 mod models;

@@ -102,6 +102,29 @@ fn figures_in_which_nothing_moves_are_answered() {
     }
 }
 
+/// A joint that closes a loop is left open, and forces say so.
+#[test]
+fn an_open_loop_is_said_beside_the_forces() {
+    let joint = |name: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name='{name}' type='revolute'><parent>{parent}</parent><child>{child}</child><axis><xyz>0 1 0</xyz></axis></joint>"
+        )
+    };
+    let loops = format!(
+        "<sdf version='1.9'><model name='bars'><link name='a'/><link name='b'/>{}{}{}</model></sdf>",
+        joint("left", "world", "a"),
+        joint("top", "a", "b"),
+        joint("right", "world", "b")
+    );
+    let folder = folder(&[("bars.sdf", &loops), ("swing.csv", "time,left.q,top.q\n0,0,0\n1,1,0\n2,1,1\n")]);
+    let said = succeeded(&solaris(folder.path(), "inverse bars.sdf swing.csv"));
+    assert!(
+        said.contains("missing           right: it closes a loop at 'b', which joint 'top' holds already"),
+        "{said}"
+    );
+    assert_eq!(solaris(folder.path(), "check bars.sdf --strict").status.code(), Some(1));
+}
+
 /// A world with a cart whose wheel stands in a file of its own, and a sun that is not there.
 #[test]
 fn worlds_are_read_with_the_models_beside_them() {

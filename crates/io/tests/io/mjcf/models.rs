@@ -1,10 +1,12 @@
 //! Small models against the numbers that MuJoCo 4.0.0 finds for them (`models/mujoco.json`).
 
 use crate::data::numbers;
+use crate::mjcf::files::Parts;
 use serde_json::Value;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
-use solaris_io::{Import, mjcf};
-use solaris_model::{Dof, JointKind};
+use solaris_io::mjcf::Loaded;
+use solaris_io::{Import, Loader, NoFiles, mjcf};
+use solaris_model::{Dof, FindingKind, JointKind};
 
 /// Torques, in one of MuJoCo's samples, with the largest error of its kind.
 pub(crate) fn check_torques(import: &Import, samples: &Value) -> f64 {
@@ -60,9 +62,14 @@ fn check_dof(dof: &Dof, name: &str, said: &Value) {
 }
 
 fn check(model: &str, text: &str) -> Import {
+    check_with(model, text, &mut NoFiles).import
+}
+
+fn check_with(model: &str, text: &str, loader: &mut dyn Loader) -> Loaded {
     let reference: Value = serde_json::from_str(include_str!("models/mujoco.json")).expect("JSON");
     let reference = &reference["models"][model];
-    let import = mjcf::read(text).unwrap_or_else(|error| panic!("{model}: {error}"));
+    let loaded = mjcf::read_with(text, loader).unwrap_or_else(|error| panic!("{model}: {error}"));
+    let import = &loaded.import;
     let mass = reference["mass"].as_f64().expect("a number");
     assert!((import.figure.mass() - mass).abs() < 1e-12 * mass, "{} {mass}", import.figure.mass());
     assert_eq!(import.gravity.as_slice(), numbers(&reference["gravity"]));
@@ -84,9 +91,9 @@ fn check(model: &str, text: &str) -> Import {
         }
     }
     assert!(said.next().is_none());
-    let worst = check_torques(&import, &reference["samples"]);
+    let worst = check_torques(import, &reference["samples"]);
     assert!(worst < 1e-12, "{model}: {worst:e} of the largest torque");
-    import
+    loaded
 }
 
 #[test]
@@ -121,4 +128,17 @@ fn inertials_bounds_and_scales_mean_what_they_mean_in_mujoco() {
     assert_eq!(joints, ["root_2", "root", "swing", "spin", "swing2"]);
     let world = &import.figure.links()[0];
     assert_eq!((world.name(), world.frames()[0].name.as_str()), ("world", "table"));
+}
+
+/// Included files, replicas of replicas with oblique turns, attached bodies and frames of a model with other units and
+/// defaults, and solids of meshes in four formats, convex or not, as solid, shell or hull.
+#[test]
+fn models_in_several_files_with_meshes_weigh_what_they_weigh_in_mujoco() {
+    let import = check_with("files", include_str!("models/files/main.xml"), &mut Parts).import;
+    let names: Vec<&str> = import.figure.links().iter().map(solaris_model::Link::name).collect();
+    let (first, last) = (&names[..6], &names[names.len() - 5..]);
+    assert_eq!(first, ["world", "base", "post_0", "leaf0_0", "leaf1_0", "leaf2_0"]);
+    assert_eq!(last, ["left_upper", "left_lower", "far_grip", "holder", "again_base"]);
+    let suspect = import.findings.iter().find(|finding| finding.kind == FindingKind::Suspect);
+    assert!(suspect.is_none(), "{}", suspect.expect("one"));
 }
