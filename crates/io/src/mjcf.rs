@@ -12,12 +12,18 @@
 //! | `range` | limits of hinges and slides |
 //! | `<site>` with a name | a frame |
 //! | `<frame>`, `<default>`, `class`, `childclass`, `<compiler>` | are applied |
+//! | `<include>`, `<model>` with `<attach>` | are followed by [`read_with`], which asks a [`Loader`] for files |
+//! | `<replicate>` | is written out: the copies of `leaf` are `leaf0`, `leaf1` … |
+//! | `<mesh>` in STL, OBJ, MSH or as corners | its solid, shell or hull, where a body's mass is that of its geoms |
 //! | `<option gravity>` | gravity; MuJoCo's own default is (0, 0, −9.81) |
+//! | `<option density viscosity wind>`, `fluidshape`, `gravcomp` | a [`Medium`] beside the figure |
+//! | `<flag>` of springs, dampers, friction | are applied |
 //!
 //! Joints without a name are called `BODY_joint` (a free one `root`), bodies without one `bodyN` with MuJoCo's number; a
 //! joint of several degrees of freedom is called like its body, a massless link in front of a body `BODY_JOINT` after the
-//! last joint that moves it. Meshes, tendons, actuators, equalities, contacts, sensors and keyframes are listed by name;
-//! a file that includes others or makes bodies (`<include>`, `<replicate>`, `<attach>`, `<composite>`, `<flexcomp>`) is
+//! last joint that moves it. What acts on bodies in MuJoCo and has no place in a figure is a finding of the kind
+//! [`FindingKind::Missing`], once a kind: tendons and actuators with springs, dampers or armature, equalities, soft bodies,
+//! `springdamper`, meshes that were not read. Contacts, sensors and keyframes are listed by name; `<composite>` and `<flexcomp>` are
 //! refused.
 //!
 //! MuJoCo's numbers for free and ball joints differ from ours: [`state_from_mujoco`] is the one place that converts them.

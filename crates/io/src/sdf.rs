@@ -109,7 +109,7 @@ pub fn read_with(text: &str, loader: &mut dyn Loader) -> Result<Import, TextErro
     let name = top.map_or(named.unwrap_or("model"), |model| contents.frames.name(model)).to_owned();
     let mut places = SourceMap::default();
     places.put(Part::Figure, "", tag(root));
-    let bodies = structure::bodies(&mut reader, root, contents, top, &mut places);
+    let bodies = structure::bodies(&mut reader, root, &contents, top, &mut places);
     let (figure, findings) = tree::finish(reader, &name, bodies, places)?;
     let standard = if world.is_some() { OF_WORLDS } else { GRAVITY };
     let gravity_is_given = world.is_some();

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 pub(super) const FIGURE: &str =
     "A figure (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, or BVH (.bvh)";
-pub(super) const FILES: &str = "Folder of a model's other files, which holds the model; nothing outside is read [default: the model's own]";
+pub(super) const FILES: &str = "Folder of the other files of a MuJoCo or SDF model, which holds the model; nothing outside is read [default: the model's own]";
 pub(super) const MOTION: &str =
     "Its motion: .csv with columns DOF.q and, where known, .v and .a; or .mot, .sto";
 

@@ -28,18 +28,24 @@ pub(super) struct Acting {
 impl Surroundings {
     /// When masses are final.
     pub(super) fn acting(self, bodies: &[Body]) -> Acting {
+        // Of a body that a joint moves, the frame of its link is the joint's.
+        let beyond = |i: usize| bodies[i].beyond;
         let massive = |(i, axes): (usize, Option<UnitQuaternion<f64>>)| {
             let body = &bodies[i];
             (body.mass > 0.0).then(|| {
                 let (at, shape) = inertia_box(body, axes);
-                (body.name.clone(), at, shape)
+                (body.name.clone(), beyond(i) * at, shape)
             })
         };
         let boxes = self.boxes.into_iter().filter_map(massive);
-        let named = |(i, at, shape): (usize, Placement, ImmersedShape)| (bodies[i].name.clone(), at, shape);
+        let named = |(i, at, shape): (usize, Placement, ImmersedShape)| {
+            (bodies[i].name.clone(), beyond(i) * at, shape)
+        };
         let immersed = boxes.chain(self.ellipsoids.into_iter().map(named)).collect();
-        let carried =
-            |(i, part): (usize, f64)| (bodies[i].name.clone(), bodies[i].com, bodies[i].mass * part);
+        let carried = |(i, part): (usize, f64)| {
+            let com = beyond(i).rotation * bodies[i].com + beyond(i).translation.vector;
+            (bodies[i].name.clone(), com, bodies[i].mass * part)
+        };
         Acting { immersed, carried: self.carried.into_iter().map(carried).collect() }
     }
 }
@@ -64,15 +70,12 @@ impl Acting {
     pub(super) fn medium(self, figure: &Figure, world: &World) -> Medium {
         let mut places: HashMap<&str, (usize, Placement)> = HashMap::new();
         for (i, link) in figure.links().iter().enumerate() {
-            places.entry(link.name()).or_insert((i, Placement::identity()));
+            places.insert(link.name(), (i, Placement::identity()));
         }
+        // Bodies that nothing moves against their parents are frames of its link; those of links are sites.
         for (i, link) in figure.links().iter().enumerate() {
-            // A link's frame may be that of its joint, and its body's own stand by its name.
             for frame in link.frames() {
-                let place = places.entry(&frame.name).or_insert((i, frame.placement));
-                if link.name() == frame.name {
-                    *place = (i, frame.placement);
-                }
+                places.entry(&frame.name).or_insert((i, frame.placement));
             }
         }
         let find = |body: &str| {

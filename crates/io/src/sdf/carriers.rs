@@ -54,7 +54,9 @@ impl Carriers {
                     Step::To(next) => at = next,
                 }
             };
-            way.into_iter().for_each(|at| all[at] = found);
+            for at in way {
+                all[at] = found;
+            }
         }
         Self { all }
     }

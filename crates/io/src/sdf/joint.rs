@@ -109,13 +109,10 @@ fn lead(reader: &mut Reader, node: Node) -> f64 {
 
 fn end(reader: &mut Reader, node: Node, context: &Context, which: &str) -> Option<Anchor> {
     let found = element(node, which).map(text_of).filter(|(name, _)| !name.is_empty());
-    match found {
-        Some((name, span)) => Some(context.named(name, span)),
-        None => {
-            reader.fault(tag(node), format!("<joint> has no <{which}>"));
-            None
-        }
+    if found.is_none() {
+        reader.fault(tag(node), format!("<joint> has no <{which}>"));
     }
+    found.map(|(name, span)| context.named(name, span))
 }
 
 fn axis(

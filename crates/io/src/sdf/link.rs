@@ -75,7 +75,7 @@ fn read_inertial(reader: &mut Reader, node: Node, version: u32) -> Lump {
     reader.check_elements(node, &["mass", "pose", "inertia", "density", "frame"], &["auto_inertia_params"]);
     if let Some(added) = element(node, "fluid_added_mass") {
         let message = "the mass of the fluid that it carries along is not read: forces differ in a fluid";
-        reader.suspect(tag(added), "<fluid_added_mass>", message);
+        reader.missing(tag(added), "<fluid_added_mass>", message);
     }
     let faults = reader.fault_count();
     let number = |reader: &mut Reader, node: Option<Node>, otherwise: f64| {

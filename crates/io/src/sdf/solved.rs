@@ -51,8 +51,9 @@ impl<'f> Solved<'f> {
                         );
                         reader.fault(spans[next].clone(), message);
                         // Said once.
-                        open.iter().for_each(|entity| states[*entity] = State::Known);
-                        open.clear();
+                        for entity in open.drain(..) {
+                            states[entity] = State::Known;
+                        }
                     }
                     Some(next) => {
                         states[entity] = State::Begun;

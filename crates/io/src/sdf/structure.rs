@@ -36,20 +36,24 @@ fn moves(contents: &Contents, link: usize) -> bool {
 pub(super) fn bodies(
     reader: &mut Reader,
     root: Node,
-    contents: Contents,
+    contents: &Contents,
     top: Option<usize>,
     places: &mut SourceMap,
 ) -> Vec<Body> {
     let solved = Solved::of(reader, &contents.frames, &contents.spans);
-    let moving: Vec<usize> = (0..contents.links.len()).filter(|link| moves(&contents, *link)).collect();
+    let moving: Vec<usize> = (0..contents.links.len()).filter(|link| moves(contents, *link)).collect();
     let all_stand = moving.is_empty();
     let moving = if all_stand { (0..contents.links.len()).collect() } else { moving };
     if moving.is_empty() {
         for (span, message) in &contents.left_out {
             reader.fault(span.clone(), message.clone());
         }
-        reader.fault(tag(root), "there is no <link>");
-        return Vec::new();
+        if reader.has_faults() {
+            return Vec::new();
+        }
+        let message = "it has no <link>, so that nothing can move: is it a part that another file includes?";
+        reader.suspect(tag(root), "<sdf>", message);
+        return vec![Body::new("world", None, FigureJoint::new(""), tag(root))];
     }
     let left_out = contents.links.len() - moving.len();
     if left_out > 0 {
@@ -58,7 +62,7 @@ pub(super) fn bodies(
         reader.note(tag(root), "static models", message);
     }
     let carriers = Carriers::of(reader, &contents.frames, &contents.spans);
-    let mut mechanism = Mechanism::of(reader, &contents, &solved, &carriers, &moving, top);
+    let mut mechanism = Mechanism::of(reader, contents, &solved, &carriers, &moving, top);
     let (held, loops) = if all_stand {
         mechanism.joints.clear();
         (vec![Held::Free; moving.len()], Vec::new())
@@ -149,7 +153,7 @@ impl<'c, 'l> Mechanism<'c, 'l> {
                 "it closes a loop at {child}{holder}; it is left open, and its forces are missing: those of other joints differ \
                  from the closed mechanism's"
             );
-            reader.suspect(joint.span.clone(), self.name(joint.entity), message);
+            reader.missing(joint.span.clone(), self.name(joint.entity), message);
         }
     }
 
@@ -214,7 +218,7 @@ impl<'c, 'l> Mechanism<'c, 'l> {
         }
         if link.weightless {
             let message = "gravity passes it over (<gravity>false</gravity>); here its weight counts";
-            reader.suspect(link.span.clone(), name, message);
+            reader.missing(link.span.clone(), name, message);
         }
         if held == Held::Free {
             let place = self.solved.in_world(link.entity);

@@ -14,7 +14,9 @@ const ARM: &str = r#"<robot name="arm"><link name="base"/>
 
 fn folder(files: &[(&str, &str)]) -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
-    files.iter().for_each(|(name, text)| write(folder.path(), name, text));
+    for (name, text) in files {
+        write(folder.path(), name, text);
+    }
     folder
 }
 
@@ -100,6 +102,29 @@ fn figures_in_which_nothing_moves_are_answered() {
     ] {
         refused(&solaris(folder.path(), line));
     }
+}
+
+/// A joint that closes a loop is left open, and forces say so.
+#[test]
+fn an_open_loop_is_said_beside_the_forces() {
+    let joint = |name: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name='{name}' type='revolute'><parent>{parent}</parent><child>{child}</child><axis><xyz>0 1 0</xyz></axis></joint>"
+        )
+    };
+    let loops = format!(
+        "<sdf version='1.9'><model name='bars'><link name='a'/><link name='b'/>{}{}{}</model></sdf>",
+        joint("left", "world", "a"),
+        joint("top", "a", "b"),
+        joint("right", "world", "b")
+    );
+    let folder = folder(&[("bars.sdf", &loops), ("swing.csv", "time,left.q,top.q\n0,0,0\n1,1,0\n2,1,1\n")]);
+    let said = succeeded(&solaris(folder.path(), "inverse bars.sdf swing.csv"));
+    assert!(
+        said.contains("missing           right: it closes a loop at 'b', which joint 'top' holds already"),
+        "{said}"
+    );
+    assert_eq!(solaris(folder.path(), "check bars.sdf --strict").status.code(), Some(1));
 }
 
 /// A world with a cart whose wheel stands in a file of its own, and a sun that is not there.

@@ -18,12 +18,10 @@ const A: &str = "<link name='a'/>\n";
 
 fn cases(n: usize) -> Vec<(&'static str, String)> {
     let deep = |n: usize, open: &str, close: &str| model(&(open.repeat(n) + A + &close.repeat(n)));
-    let many = |n: usize, each: &dyn Fn(usize) -> String| model(&(0..n).map(each).collect::<String>());
-    let frames = (0..n)
-        .map(|i| format!("<frame name='f{i}'><pose relative_to='f{}'/></frame>", i + 1))
-        .collect::<String>();
-    let attached =
-        (0..n).map(|i| format!("<frame name='f{i}' attached_to='f{}'/>", (i + 1) % n)).collect::<String>();
+    let repeated = |n: usize, each: &dyn Fn(usize) -> String| (0..n).map(each).collect::<Vec<_>>().concat();
+    let many = |n: usize, each: &dyn Fn(usize) -> String| model(&repeated(n, each));
+    let frames = repeated(n, &|i| format!("<frame name='f{i}'><pose relative_to='f{}'/></frame>", i + 1));
+    let attached = repeated(n, &|i| format!("<frame name='f{i}' attached_to='f{}'/>", (i + 1) % n));
     vec![
         ("empty", String::new()),
         ("not SDF", "<robot name='r'/>".to_owned()),
@@ -82,7 +80,7 @@ fn cases(n: usize) -> Vec<(&'static str, String)> {
                 "<link name='a'><pose relative_to='b'/></link><link name='b'><pose relative_to='a'/></link>",
             ),
         ),
-        ("frames in a circle", model(&format!("{A}{}", attached))),
+        ("frames in a circle", model(&format!("{A}{attached}"))),
         (
             "a placement frame that is not there",
             model("").replace("<model name='m'>", "<model name='m' placement_frame='x'>"),

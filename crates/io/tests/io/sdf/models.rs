@@ -95,7 +95,8 @@ fn read(content: &str) -> Import {
 }
 
 fn suspects(import: &Import) -> Vec<String> {
-    let suspects = import.findings.iter().filter(|finding| finding.kind == FindingKind::Suspect);
+    let wrong = |kind| matches!(kind, FindingKind::Missing | FindingKind::Suspect);
+    let suspects = import.findings.iter().filter(|finding| wrong(finding.kind));
     suspects.map(ToString::to_string).collect()
 }
 
