@@ -25,15 +25,15 @@ fn what_is_switched_off_does_not_act() {
     let acts = |option: &str| {
         let import = mjcf::read(&model(option, joint, "")).unwrap_or_else(|error| panic!("{error}"));
         let passive = *import.figure.links()[1].joint().kind().passive(0);
-        [passive.stiffness, passive.damping, passive.friction]
+        [passive.stiffness, passive.damping, passive.friction].map(|number| number > 0.0)
     };
     let off = |what: &str| format!("<option><flag {what}='disable'/></option>");
-    assert_eq!(acts(""), [2.0, 3.0, 4.0]);
-    assert_eq!(acts(&off("spring")), [0.0, 3.0, 4.0]);
-    assert_eq!(acts(&off("damper")), [2.0, 0.0, 4.0]);
-    assert_eq!(acts(&off("passive")), [0.0, 0.0, 4.0]);
-    assert_eq!(acts(&off("frictionloss")), [2.0, 3.0, 0.0]);
-    assert_eq!(acts(&off("contact")), [2.0, 3.0, 4.0]);
+    assert_eq!(acts(""), [true, true, true]);
+    assert_eq!(acts(&off("spring")), [false, true, true]);
+    assert_eq!(acts(&off("damper")), [true, false, true]);
+    assert_eq!(acts(&off("passive")), [false, false, true]);
+    assert_eq!(acts(&off("frictionloss")), [true, true, false]);
+    assert_eq!(acts(&off("contact")), [true, true, true]);
 }
 
 #[test]
