@@ -43,9 +43,10 @@ fn what_acts_and_has_no_place_is_said_once_a_kind() {
         format!("<tendon><fixed name='t' {attributes}><joint joint='j' coef='1'/></fixed></tendon>")
     };
     let defaults = "<default><tendon stiffness='3'/><default class='geared'><general armature='.1'/></default></default>";
-    let cases: [(&str, &str, &str, &[&str]); 15] = [
+    let cases: [(&str, &str, &str, &[&str]); 16] = [
         ("", "", "", none),
-        ("", "springdamper='.1 1'", "", &["springdampers of joints"]),
+        ("", "springdamper='.1 1'", "", none),
+        ("", "type='ball' springdamper='.1 1'", "", &["springdampers of joints"]),
         ("", "springdamper='0 1'", "", none),
         ("", "stiffness='1 2'", "", &["springs that are not linear"]),
         ("", "damping='1 0 3'", "", &["dampers that are not linear"]),
