@@ -23,7 +23,7 @@
 //! joint of several degrees of freedom is called like its body, a massless link in front of a body `BODY_JOINT` after the
 //! last joint that moves it. What acts on bodies in MuJoCo and has no place in a figure is a finding of the kind
 //! [`FindingKind::Missing`], once a kind: tendons and actuators with springs, dampers or armature, equalities, soft bodies,
-//! `springdamper`, meshes that were not read. Contacts, sensors and keyframes are listed by name; `<composite>` and `<flexcomp>` are
+//! meshes that were not read. `springdamper` sets spring and damper by the inertia that the joint feels, as in MuJoCo. Contacts, sensors and keyframes are listed by name; `<composite>` and `<flexcomp>` are
 //! refused.
 //!
 //! MuJoCo's numbers for free and ball joints differ from ours: [`state_from_mujoco`] is the one place that converts them.
@@ -45,6 +45,7 @@ mod model;
 mod orientation;
 mod sections;
 mod shell;
+mod springs;
 mod state;
 
 pub use state::{StateError, forces_from_mujoco, forces_to_mujoco, state_from_mujoco, state_to_mujoco};
@@ -57,6 +58,8 @@ use assembly::Assembly;
 use model::Model;
 use sections::World;
 use solaris_model::{Finding, FindingKind, Joint, Medium, Part, SourceMap, TextError};
+use springs::Sprung;
+use std::collections::HashMap;
 
 /// Bodies may be nested as deep as memory allows: nothing here recurses.
 const DEEPEST: usize = usize::MAX;
@@ -116,12 +119,22 @@ pub struct Loaded {
 /// [`FilesError`] with every fault and its place in its file.
 pub fn read_with(text: &str, loader: &mut dyn Loader) -> Result<Loaded, FilesError> {
     let assembly = Assembly::of(text, loader)?;
-    let mut loaded = assembled(&assembly, loader).map_err(|error| assembly.error(error))?;
+    let read = assembled(&assembly, loader, HashMap::new()).map_err(|error| assembly.error(error))?;
+    let (mut loaded, sprung) = read;
+    if !sprung.joints.is_empty() {
+        // Once more, with what only the whole model tells.
+        let found = springs::find(&loaded.import.figure, &sprung);
+        (loaded, _) = assembled(&assembly, loader, found).map_err(|error| assembly.error(error))?;
+    }
     assembly.place(&mut loaded.import.findings);
     Ok(loaded)
 }
 
-fn assembled(assembly: &Assembly, loader: &mut dyn Loader) -> Result<Loaded, TextError> {
+fn assembled(
+    assembly: &Assembly,
+    loader: &mut dyn Loader,
+    sprung: HashMap<String, [f64; 2]>,
+) -> Result<(Loaded, Sprung), TextError> {
     let text = assembly.text.as_ref();
     let document = xml::parse(text, DEEPEST)?;
     let root = document.root_element();
@@ -133,14 +146,15 @@ fn assembled(assembly: &Assembly, loader: &mut dyn Loader) -> Result<Loaded, Tex
     let mut reader = Reader::new(text);
     let models = Model::all(&mut reader, root, assembly);
     // That of the main model holds for those that it attaches.
-    let world = World::read(&mut reader, root);
+    let world = World { sprung, ..World::read(&mut reader, root) };
     for model in &models {
         reader.check_attributes(model.root, &["model"]);
         sections::read(&mut reader, model);
     }
     let mut places = SourceMap::default();
     places.put(Part::Figure, "", tag(root));
-    let (mut bodies, acting) = bodies::read(&mut reader, &models, assembly, &world, &mut places, loader);
+    let (mut bodies, acting, sprung) =
+        bodies::read(&mut reader, &models, assembly, &world, &mut places, loader);
     if bodies.is_empty() {
         // As MuJoCo opens it: the parts that others include are models, too.
         let message = "it has no <body>, so that nothing can move: is it a part that another file includes?";
@@ -151,5 +165,5 @@ fn assembled(assembly: &Assembly, loader: &mut dyn Loader) -> Result<Loaded, Tex
     let (figure, findings) = tree::finish(reader, name, bodies, places)?;
     let medium = acting.medium(&figure, &world);
     let import = Import { figure, findings, gravity: world.gravity, gravity_is_given: true };
-    Ok(Loaded { import, medium })
+    Ok((Loaded { import, medium }, sprung))
 }

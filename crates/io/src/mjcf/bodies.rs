@@ -14,6 +14,7 @@ use super::mesh::Meshes;
 use super::model::Model;
 use super::orientation::placement;
 use super::sections::World;
+use super::springs::Sprung;
 use crate::loader::Loader;
 use crate::tree::{Body, Names};
 use crate::xml::{Node, Reader, elements_called, tag, value_span};
@@ -49,6 +50,7 @@ struct Reading<'r, 'a, 't> {
     moving: Vec<bool>,
     meshes: Meshes<'r>,
     surroundings: Surroundings,
+    sprung: Sprung,
     /// Bodies of whose mass something is missing, and whether they have any.
     missing: Vec<(Range<usize>, String, bool)>,
     body_names: Names,
@@ -70,7 +72,7 @@ pub(super) fn read<'a>(
     world: &World,
     places: &mut SourceMap,
     loader: &mut dyn Loader,
-) -> (Vec<Body>, Acting) {
+) -> (Vec<Body>, Acting, Sprung) {
     let [bodies, joints] = names(reader, models);
     let names = |of: &[String]| Names::of(of.iter().map(String::as_str));
     let mut reading = Reading {
@@ -87,6 +89,7 @@ pub(super) fn read<'a>(
         moving: Vec::new(),
         meshes: Meshes::new(loader),
         surroundings: Surroundings::default(),
+        sprung: Sprung::default(),
         missing: Vec::new(),
         seen: HashMap::new(),
         repeated: 0,
@@ -116,14 +119,14 @@ pub(super) fn read<'a>(
         }
     }
     reading.sum_up();
-    let Reading { reader, mut bodies, model_of, surroundings, .. } = reading;
+    let Reading { reader, mut bodies, model_of, surroundings, sprung, .. } = reading;
     let changed = bodies.iter_mut().zip(model_of);
     let mut changed: Vec<(&mut Body, &Compiler)> =
         changed.filter_map(|(body, model)| Some((body, &models[model?].compiler))).collect();
     inertia::adjust(reader, &mut changed, models);
     let acting = if world.springs || world.dampers { surroundings } else { Surroundings::default() };
     let acting = acting.acting(&bodies);
-    (bodies, acting)
+    (bodies, acting, sprung)
 }
 
 /// The names of all bodies and joints, which others must not get.
@@ -253,7 +256,12 @@ impl<'a> Reading<'_, 'a, '_> {
                     self.group_names.take(&name)
                 }
             };
-            joints.push(joint::read(self.reader, &element, name, &around.frame, compiler, self.world));
+            let joint = joint::read(self.reader, &element, name, &around.frame, compiler, self.world);
+            if joint.reference != 0.0 {
+                self.sprung.references.insert(joint.name.clone(), joint.reference);
+            }
+            self.sprung.joints.extend(joint.sprung.map(|set| (joint.name.clone(), set)));
+            joints.push(joint);
         }
         let free = joints.iter().find(|joint| joint.kind == Kind::Free);
         if let Some(free) = free.filter(|_| joints.len() > 1) {

@@ -116,8 +116,14 @@ impl Compiler {
             mesh_folder = node.attribute("meshdir").or(mesh_folder);
             asset_folder = node.attribute("assetdir").or(asset_folder);
             if node.attribute("alignfree") == Some("true") {
-                let message = "'alignfree' is not applied: free joints move the body's own frame, not that of its inertia";
-                reader.unsupported(value_span(node, "alignfree"), "<compiler>", message);
+                let message = "it is not applied: they move the body's own frame here, that of its inertia in MuJoCo, so that the \
+                               same numbers are other places";
+                reader.lacks(
+                    "'alignfree' of free joints",
+                    message,
+                    value_span(node, "alignfree"),
+                    "<compiler>",
+                );
             }
             let modes = [("false", FromGeoms::Never), ("auto", FromGeoms::Auto), ("true", FromGeoms::Always)];
             compiler.from_geoms =

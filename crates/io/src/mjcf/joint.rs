@@ -28,6 +28,8 @@ pub(super) struct Joint<'a> {
     pub(super) limits: Option<Limits>,
     pub(super) armature: f64,
     pub(super) passive: Passive,
+    /// Time constant (s) and damping ratio of a spring and damper that the inertia of the whole model sets.
+    pub(super) sprung: Option<[f64; 2]>,
 }
 
 /// Attributes that are read.
@@ -84,16 +86,20 @@ pub(super) fn read<'a>(
     let limits = limits(reader, element, kind, &name, unit, compiler);
     let stiffness = linear(reader, element, "stiffness", &name);
     let set: Option<[f64; 2]> = element.numbers(reader, "springdamper");
-    if set.is_some_and(|set| set.iter().all(|number| *number > 0.0)) {
-        let message = "they set spring and damper by the inertia of the whole model; write 'stiffness' and 'damping' (MuJoCo saves them)";
-        reader.lacks("springdampers of joints", message, element.span("springdamper"), &name);
-    }
+    let sprung = set.filter(|set| set.iter().all(|number| *number > 0.0));
+    let found = sprung.and_then(|_| world.sprung(&name));
     let mut passive = Passive {
         stiffness,
         rest: element.number(reader, "springref").unwrap_or(0.0) * unit,
         damping: linear(reader, element, "damping", &name),
         friction: element.number(reader, "frictionloss").unwrap_or(0.0),
     };
+    if let Some([stiffness, damping]) = found {
+        (passive.stiffness, passive.damping) = (stiffness, damping);
+    } else if sprung.is_some() {
+        let message = "they set spring and damper by the inertia of the whole model; write 'stiffness' and 'damping' (MuJoCo saves them)";
+        reader.lacks("springdampers of joints", message, element.span("springdamper"), &name);
+    }
     if kind == Kind::Free && stiffness != 0.0 {
         let message = "they have no place in a figure";
         reader.lacks("springs of free joints", message, element.span("stiffness"), &name);
@@ -130,6 +136,7 @@ pub(super) fn read<'a>(
         limits,
         armature,
         passive,
+        sprung,
     }
 }
 

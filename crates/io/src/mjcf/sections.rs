@@ -4,6 +4,7 @@ use super::acting;
 use super::model::Model;
 use crate::xml::{Node, Reader, elements, elements_called, tag};
 use solaris_model::Vector3;
+use std::collections::HashMap;
 
 /// Sections without any use for a motion.
 const ASIDES: [&str; 7] = ["visual", "asset", "statistic", "size", "custom", "extension", "sensor"];
@@ -45,6 +46,8 @@ pub(super) struct World {
     pub(super) springs: bool,
     pub(super) dampers: bool,
     pub(super) friction: bool,
+    /// Stiffness and damping that the inertia of the whole model sets, where they are known.
+    pub(super) sprung: HashMap<String, [f64; 2]>,
 }
 
 impl World {
@@ -63,6 +66,7 @@ impl World {
             springs: true,
             dampers: true,
             friction: true,
+            sprung: HashMap::new(),
         };
         let mut weightless = false;
         for option in elements_called(root, "option") {

@@ -143,8 +143,8 @@ mod tests {
 
     #[test]
     fn what_is_inside_or_on_a_face_adds_nothing() {
-        let mut points: Vec<Vector3<f64>> = (0..8)
-            .map(|i| Vector3::new((i & 1) as f64, (i >> 1 & 1) as f64 * 2.0, (i >> 2) as f64 * 3.0))
+        let mut points: Vec<Vector3<f64>> = (0..8_u8)
+            .map(|i| Vector3::new(f64::from(i & 1), f64::from(i >> 1 & 1) * 2.0, f64::from(i >> 2) * 3.0))
             .collect();
         points.extend([
             Vector3::new(0.5, 0.5, 0.5),

@@ -25,15 +25,15 @@ fn what_is_switched_off_does_not_act() {
     let acts = |option: &str| {
         let import = mjcf::read(&model(option, joint, "")).unwrap_or_else(|error| panic!("{error}"));
         let passive = *import.figure.links()[1].joint().kind().passive(0);
-        [passive.stiffness, passive.damping, passive.friction]
+        [passive.stiffness, passive.damping, passive.friction].map(|number| number > 0.0)
     };
     let off = |what: &str| format!("<option><flag {what}='disable'/></option>");
-    assert_eq!(acts(""), [2.0, 3.0, 4.0]);
-    assert_eq!(acts(&off("spring")), [0.0, 3.0, 4.0]);
-    assert_eq!(acts(&off("damper")), [2.0, 0.0, 4.0]);
-    assert_eq!(acts(&off("passive")), [0.0, 0.0, 4.0]);
-    assert_eq!(acts(&off("frictionloss")), [2.0, 3.0, 0.0]);
-    assert_eq!(acts(&off("contact")), [2.0, 3.0, 4.0]);
+    assert_eq!(acts(""), [true, true, true]);
+    assert_eq!(acts(&off("spring")), [false, true, true]);
+    assert_eq!(acts(&off("damper")), [true, false, true]);
+    assert_eq!(acts(&off("passive")), [false, false, true]);
+    assert_eq!(acts(&off("frictionloss")), [true, true, false]);
+    assert_eq!(acts(&off("contact")), [true, true, true]);
 }
 
 #[test]
@@ -43,9 +43,10 @@ fn what_acts_and_has_no_place_is_said_once_a_kind() {
         format!("<tendon><fixed name='t' {attributes}><joint joint='j' coef='1'/></fixed></tendon>")
     };
     let defaults = "<default><tendon stiffness='3'/><default class='geared'><general armature='.1'/></default></default>";
-    let cases: [(&str, &str, &str, &[&str]); 15] = [
+    let cases: [(&str, &str, &str, &[&str]); 16] = [
         ("", "", "", none),
-        ("", "springdamper='.1 1'", "", &["springdampers of joints"]),
+        ("", "springdamper='.1 1'", "", none),
+        ("", "type='ball' springdamper='.1 1'", "", &["springdampers of joints"]),
         ("", "springdamper='0 1'", "", none),
         ("", "stiffness='1 2'", "", &["springs that are not linear"]),
         ("", "damping='1 0 3'", "", &["dampers that are not linear"]),

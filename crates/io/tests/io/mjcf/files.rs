@@ -23,8 +23,11 @@ impl Loader for Parts {
     }
 }
 
+/// Names and texts.
+type Texts = Vec<(&'static str, String)>;
+
 /// Files by name, from memory.
-struct Files(Vec<(&'static str, String)>);
+struct Files(Texts);
 
 impl Loader for Files {
     fn load(&mut self, path: &str) -> Result<Vec<u8>, String> {
@@ -42,7 +45,7 @@ fn world(inside: &str) -> String {
 }
 
 /// Twice the model before, sixty times: 2⁶⁰ bodies.
-fn laughs() -> Vec<(&'static str, String)> {
+fn laughs() -> Texts {
     let names: Vec<&'static str> =
         (0..60).map(|i| &*Box::leak(format!("m{i}.xml").into_boxed_str())).collect();
     let text = |i: usize| match names.get(i + 1) {
@@ -65,7 +68,7 @@ fn doubled() -> String {
     world(&(0..60).map(body).collect::<Vec<_>>().concat())
 }
 
-fn cases() -> Vec<(&'static str, String, Vec<(&'static str, String)>)> {
+fn cases() -> Vec<(&'static str, String, Texts)> {
     let include = |file: &str| format!("<include file='{file}'/>");
     let part = |inside: &str| format!("<mujocoinclude>\n  {inside}\n</mujocoinclude>");
     let copies = |count: &str| {

@@ -121,6 +121,11 @@ fn defaults_and_classes_mean_what_they_mean_in_mujoco() {
 }
 
 #[test]
+fn springdampers_are_set_by_the_inertia_that_they_are_in_mujoco() {
+    check("springs", include_str!("models/springs.xml"));
+}
+
+#[test]
 fn inertials_bounds_and_scales_mean_what_they_mean_in_mujoco() {
     let import = check("inertials", include_str!("models/inertials.xml"));
     let joints: Vec<&str> = import.figure.links().iter().map(|link| link.joint().name()).collect();
