@@ -43,7 +43,6 @@ fn spoilt(pairs: &[(&str, &str)]) -> String {
     })
 }
 
-#[expect(clippy::too_many_lines, reason = "a table")]
 fn cases() -> Vec<(&'static str, String)> {
     let one = |old, new| spoilt(&[(old, new)]);
     vec![
