@@ -24,6 +24,9 @@ use solaris_model::{
 };
 use std::ops::Range;
 
+/// The most bodies of a robot or world that are read: with more, memory is the limit.
+pub(crate) const MOST_BODIES: usize = 1 << 17;
+
 /// A rigid body of a model file, with the joint that moves it.
 pub(crate) struct Body {
     /// Its name, unique among the bodies (the importer sees to that); it becomes the link's or a frame's.

@@ -71,6 +71,10 @@ pub fn read(text: &str) -> Result<Import, TextError> {
         return Err(TextError::one(text, tag(root), message));
     }
     refuse_xacro(text, root)?;
+    if let Some(link) = elements_called(root, "link").nth(tree::MOST_BODIES) {
+        let message = format!("there are more than {} links, the most that are read", tree::MOST_BODIES);
+        return Err(TextError::one(text, tag(link), message));
+    }
     reader.check_attributes(root, &["name", "version"]);
     reader.check_elements(root, &["link", "joint"], &["material"]);
     if root.attribute("name").is_none() {

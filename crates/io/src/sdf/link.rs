@@ -5,7 +5,7 @@ use super::geometry::{self, Solid};
 use super::include::is_true;
 use super::model::{Contents, Context};
 use super::pose;
-use crate::tree::{Lump, combined};
+use crate::tree::{Lump, MOST_BODIES, combined};
 use crate::xml::{Node, Reader, element, elements_called, tag, text_of, value_span};
 use solaris_model::{Matrix3, Shape, Vector3};
 use std::ops::Range;
@@ -25,6 +25,15 @@ pub(super) struct Link {
 }
 
 pub(super) fn read(reader: &mut Reader, node: Node, contents: &mut Contents, context: &Context) {
+    if contents.links.len() >= MOST_BODIES {
+        // Said once.
+        if !contents.is_full {
+            reader
+                .fault(tag(node), format!("there are more than {MOST_BODIES} links, the most that are read"));
+        }
+        contents.is_full = true;
+        return;
+    }
     reader.check_attributes(node, &["name"]);
     let asides = [
         "sensor",

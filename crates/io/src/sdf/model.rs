@@ -45,6 +45,8 @@ pub(super) struct Contents<'l> {
     pub(super) files: Files<'l>,
     /// Models of the world that could not be included, and why.
     pub(super) left_out: Vec<(Range<usize>, String)>,
+    /// Whether there are more links than are read.
+    pub(super) is_full: bool,
 }
 
 /// Where something is read.
@@ -78,6 +80,7 @@ impl<'l> Contents<'l> {
             joints: Vec::new(),
             files,
             left_out: Vec::new(),
+            is_full: false,
         }
     }
 

@@ -40,6 +40,9 @@ pub(super) fn bodies(
     top: Option<usize>,
     places: &mut SourceMap,
 ) -> Vec<Body> {
+    if contents.is_full {
+        return Vec::new();
+    }
     let solved = Solved::of(reader, &contents.frames, &contents.spans);
     let moving: Vec<usize> = (0..contents.links.len()).filter(|link| moves(contents, *link)).collect();
     let all_stand = moving.is_empty();

@@ -114,6 +114,14 @@ fn cases(n: usize) -> Vec<(&'static str, String)> {
     ]
 }
 
+/// More links than memory holds are refused by their number.
+#[test]
+fn more_links_than_fit_are_refused() {
+    let links: Vec<String> = (0..1 << 18).map(|i| format!("<link name='{i}'/>")).collect();
+    let error = sdf::read(&model(&links.concat())).expect_err("too many");
+    assert!(error.to_string().contains("more than 131072 links"), "{error}");
+}
+
 #[test]
 fn strange_texts_are_answered_with_their_places() {
     insta::assert_snapshot!(answers(sdf::read, &cases(10_000)));
