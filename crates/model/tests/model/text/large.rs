@@ -36,8 +36,11 @@ fn seconds(text: &str, times: usize) -> f64 {
 /// Ten times the links take about ten times as long; in a reader that looks back at every link they take a hundred.
 #[test]
 fn time_grows_with_the_text() {
-    let (some, many) = (seconds(&long(2_000, ""), 3), seconds(&long(20_000, ""), 2));
-    assert!(many < 40.0 * some, "{some} s and {many} s");
+    // A busy machine may slow down either; a quadratic reader is slow each time.
+    let (short, long) = (long(2_000, ""), long(20_000, ""));
+    let ratios = (0..6).map(|_| seconds(&long, 1) / seconds(&short, 3));
+    let best = ratios.fold(f64::INFINITY, f64::min);
+    assert!(best < 40.0, "{best} times as long");
 }
 
 #[test]
