@@ -8,6 +8,7 @@ pub mod ground;
 mod inverse;
 mod loads;
 mod nearness;
+pub mod plausibility;
 mod prepared;
 #[cfg(test)]
 mod random;

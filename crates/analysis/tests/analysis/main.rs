@@ -7,4 +7,5 @@ mod inverse;
 mod nearness;
 #[path = "inverse/pinned.rs"]
 mod pinned;
+mod plausibility;
 mod states;
