@@ -96,7 +96,7 @@ mod tests {
     fn table(columns: &[&str], values: &[f64], in_degrees: Option<bool>) -> Table {
         let lines = (2..).take(values.len() / columns.len()).collect();
         let columns = columns.iter().map(|name| (*name).to_owned()).collect();
-        Table { columns, values: values.to_vec(), lines, in_degrees, header_line: 1, title: String::new() }
+        Table { columns, values: values.to_vec(), lines, in_degrees, header_line: 1, ..Table::default() }
     }
 
     #[test]

@@ -26,4 +26,4 @@ mod xml;
 pub use error::{ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim"))]
 pub use import::Import;
-pub use table::Table;
+pub use table::{CoordinateDefault, Table, TableNote};

@@ -34,6 +34,7 @@ mod component;
 mod coordinate;
 mod couplers;
 mod curves;
+mod defaults;
 mod element;
 mod frames;
 mod function;
@@ -44,6 +45,7 @@ mod older;
 mod rest;
 mod spline;
 
+pub use defaults::coordinate_defaults;
 pub use loads::{ExternalForce, ExternalLoads, external_loads};
 
 use crate::import::Import;
