@@ -6,5 +6,5 @@ mod summary;
 mod units;
 
 pub(crate) use read::{Given, in_order};
-pub(crate) use report::GivenReport;
+pub(crate) use report::{GivenReport, is_base};
 pub(crate) use units::slides;

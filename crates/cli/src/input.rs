@@ -2,7 +2,7 @@
 
 use crate::error::CliError;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
-use solaris::io::{Import, Table, csv, mjcf, opensim, sto, urdf};
+use solaris::io::{CoordinateDefault, Import, Table, csv, mjcf, opensim, sto, urdf};
 use solaris::model::{Figure, Finding, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
@@ -82,6 +82,8 @@ pub(crate) struct Body {
     pub(crate) findings: Vec<Finding>,
     pub(crate) gravity: Vector3<f64>,
     pub(crate) gravity_is_given: bool,
+    /// Where its coordinates are while nobody says anything else, as far as the file says so.
+    pub(crate) defaults: Vec<CoordinateDefault>,
 }
 
 impl Body {
@@ -93,6 +95,7 @@ impl Body {
             findings: Vec::new(),
             gravity: GRAVITY,
             gravity_is_given: false,
+            defaults: Vec::new(),
         }
     }
 }
@@ -176,11 +179,14 @@ pub(crate) fn body_with(path: &Path, options: &ReadOptions) -> Result<Body, CliE
             findings,
             gravity: gravity.unwrap_or(GRAVITY),
             gravity_is_given,
+            defaults: Vec::new(),
         });
     }
     // Kept with the figure, so that its text says which way is up.
     let figure = figure.with_gravity(gravity).map_err(|error| CliError::input(path, &error))?;
-    Ok(Body { figure, language, findings, gravity, gravity_is_given })
+    let defaults =
+        if language == Language::OpenSim { opensim::coordinate_defaults(&text) } else { Vec::new() };
+    Ok(Body { figure, language, findings, gravity, gravity_is_given, defaults })
 }
 
 /// Reads a BVH file.
@@ -208,7 +214,8 @@ pub(crate) fn motion(path: &Path, figure: &Figure) -> Result<Table, CliError> {
 pub(crate) fn table(path: &Path) -> Result<Table, CliError> {
     let read = match extension(path).as_str() {
         "csv" => csv::read_table,
-        "mot" | "sto" => sto::read,
+        "mot" => sto::read_mot,
+        "sto" => sto::read,
         _ => {
             refuse_unread(path, "a motion is .csv, .mot, .sto or .bvh")?;
             return Err(CliError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto"));

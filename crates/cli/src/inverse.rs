@@ -9,10 +9,11 @@ use crate::args::{InverseArgs, Switch};
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::{Given, in_order};
-use crate::ground::{Content, Ground, GroundReport, outputs, write_motion};
+use crate::ground::{Content, Ground, GroundReport, known_soles, outputs, write_motion};
+use crate::plausible::Plausibility;
 use crate::print::print;
 use crate::progress::Progress;
-use forces::External;
+pub(crate) use forces::External;
 use report::{Asked, Report};
 use solaris::analysis::{InverseOptions, Loads, inverse_motion};
 use solaris::io::{csv, sto};
@@ -24,6 +25,11 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let (of, from) = (args.figure.as_path(), args.motion.as_path());
     in_order("inverse", of, from)?;
 
+    let has_forces = external.forces.is_some() || external.loads.is_some();
+    if let (Some(soles), false, false) = (&predicted.how.soles, predicted.ground, has_forces) {
+        let why = "soles are for forces of the ground: add --ground, or --external or --external-loads";
+        return Err(CliError::option("soles", soles.display().to_string(), why));
+    }
     let files = [&external.forces, &external.loads, &predicted.how.soles];
     outputs.keep_off([of, from].into_iter().chain(files.into_iter().flatten().map(PathBuf::as_path)))?;
 
@@ -53,6 +59,10 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let mut count = |done: usize| rows.at(done);
     let options = InverseOptions { passive, progress: Some(&mut count) };
     let forces = inverse_motion(&prepared, &loads, options).map_err(|error| CliError::input(from, &error))?;
+    let soles = if measured.is_empty() { None } else { known_soles(predicted.how.soles.as_deref(), &given)? };
+    let plausible = Plausibility::of(&given, &prepared, soles.map(|(soles, _)| soles), &measured)?
+        .map(|plausible| plausible.with_residual(&given, &prepared, &forces, &measured))
+        .transpose()?;
 
     progress.stage("writing");
     outputs.write(|content, mut writer| {
@@ -71,11 +81,13 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let asked = Asked {
         passive,
         unused: external.unused(&given.table),
+        notes: external.notes(),
         external: match &ground {
             Some(_) => "the ground's, found from the motion".to_owned(),
             None => external.describe(),
         },
         ground: ground.map(|ground| GroundReport::new(ground, &given)),
+        plausible,
     };
     let report = Report::new(&given, asked, &forces);
     print(|out| {

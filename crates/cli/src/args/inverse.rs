@@ -51,9 +51,10 @@ pub(crate) struct InverseArgs {
     pub(crate) passive: Switch,
 }
 
-/// Where the ground is not asked for, nothing is asked of it.
+/// Where the ground is not asked for, nothing is asked of it. Soles serve plates as well.
 fn needs_ground(arg: Arg) -> Arg {
-    if GROUND_OPTIONS.contains(&arg.get_id().as_str()) { arg.requires("ground") } else { arg }
+    let id = arg.get_id().as_str();
+    if GROUND_OPTIONS.contains(&id) && id != "soles" { arg.requires("ground") } else { arg }
 }
 
 /// What pushes from outside.
@@ -66,8 +67,8 @@ pub(crate) struct ExternalArgs {
     #[arg(
         long = "plate", value_name = "LINK=PREFIX", requires = "forces", conflicts_with = "loads", value_parser = parse_plate,
         help = wrap(
-            "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx; \
-             LINK may be two, HEEL+TOES: the second once the centre of pressure has passed the ball. Several are allowed"
+            "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx, or within, \
+             as r in ground_force_r_vx; LINK may be two, HEEL+TOES: the second once the centre of pressure has passed the ball. Several are allowed"
         )
     )]
     pub(crate) plates: Vec<(Vec<String>, String)>,

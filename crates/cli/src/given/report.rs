@@ -3,7 +3,10 @@
 use super::read::Given;
 use super::units::slides;
 use crate::input::extension;
+use crate::plausible::Finding;
 use serde::Serialize;
+use solaris::analysis::plausibility::check_angles;
+use solaris::io::TableNote;
 use solaris::model::{AxisKind, FindingKind, JointKind};
 
 /// What went in.
@@ -27,6 +30,12 @@ pub(crate) struct GivenReport {
     pub(super) from_velocities: usize,
     pub(super) filter: Option<FilterReport>,
     pub(super) many_turns: Vec<String>,
+    /// Angles whose ranges make no sense in the unit that they were read in; absent where they do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) suspect_angles: Option<Finding>,
+    /// What is odd about the motion's table, and how it was read all the same.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) notes: Vec<String>,
     pub(super) outside_limits: Vec<Excess>,
     pub(super) ignored_columns: Vec<String>,
     /// Elements of the figure's file that were not read.
@@ -77,6 +86,7 @@ impl GivenReport {
             to_s: time.last().copied().unwrap_or_default(),
             units: match table.in_degrees {
                 _ if extension(&given.from) == "bvh" => "angles in degrees, as BVH has them",
+                _ if table.notes.contains(&TableNote::OldDegrees) => "angles in degrees, as in SIMM",
                 Some(true) => "angles in degrees, as its header says",
                 Some(false) => "angles in rad, as its header says",
                 None if table.header_line > 1 => "angles in rad, though its header does not say",
@@ -101,6 +111,8 @@ impl GivenReport {
                 .into_iter()
                 .map(|dof| names[dof].clone())
                 .collect(),
+            suspect_angles: check_angles(figure, motion, table.in_degrees).as_ref().map(Finding::from),
+            notes: recorded.notes.iter().map(ToString::to_string).collect(),
             outside_limits: excess.collect(),
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
@@ -110,7 +122,7 @@ impl GivenReport {
 }
 
 /// Whether a root's joint places the whole figure in the world, rather than hold it there as a hinge does.
-fn is_base(root: &JointKind) -> bool {
+pub(crate) fn is_base(root: &JointKind) -> bool {
     let slides = root.axes().iter().filter(|dof| dof.axis.kind == AxisKind::Translation).count();
     matches!(root, JointKind::Free { .. }) || (slides >= 2 && root.axes().len() > slides)
 }

@@ -49,7 +49,9 @@ impl GivenReport {
 
     /// What looks wrong with it, and what was not used.
     pub(crate) fn write_doubts(&self, out: &mut dyn Write) -> Result<()> {
-        if !self.many_turns.is_empty() {
+        if let Some(found) = &self.suspect_angles {
+            row(out, "suspect", found.message())?;
+        } else if !self.many_turns.is_empty() {
             let what = format!("{}: more than two turns; are these degrees?", some(&self.many_turns));
             row(out, "suspect", &what)?;
         }
@@ -60,6 +62,9 @@ impl GivenReport {
         }
         if !self.ignored_columns.is_empty() {
             row(out, "columns not used", &some(&self.ignored_columns))?;
+        }
+        for (i, note) in self.notes.iter().enumerate() {
+            row(out, if i == 0 { "of the table" } else { "" }, note)?;
         }
         if self.not_read > 0 {
             let kinds = counted(self.not_read, "kind", "kinds");

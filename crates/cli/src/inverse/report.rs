@@ -2,6 +2,7 @@
 
 use crate::given::{Given, GivenReport, slides};
 use crate::ground::GroundReport;
+use crate::plausible::Plausibility;
 use crate::print::write_json;
 use serde::Serialize;
 use solaris::analysis::{DofLoad, InverseReport};
@@ -14,8 +15,12 @@ pub(super) struct Asked {
     pub(super) external: String,
     /// Prefixes of columns of forces that push nothing.
     pub(super) unused: Vec<String>,
+    /// What is odd about the table of forces.
+    pub(super) notes: Vec<String>,
     /// The ground, where its forces were found from the motion.
     pub(super) ground: Option<GroundReport>,
+    /// Whether measured forces fit.
+    pub(super) plausible: Option<Plausibility>,
 }
 
 /// The summary.
@@ -25,8 +30,14 @@ pub(super) struct Report {
     pub(super) given: GivenReport,
     pub(super) external_forces: String,
     pub(super) unused_forces: Vec<String>,
+    /// What is odd about the table of forces, and how it was read all the same.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) force_notes: Vec<String>,
     /// Absent where the ground's forces were not asked for.
     pub(super) ground: Option<GroundReport>,
+    /// Absent where no forces were measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) plausibility: Option<Plausibility>,
     pub(super) passive: bool,
     pub(super) joints: Vec<Load>,
     /// Absent where the figure stands fixed in the world, which then bears what is left over.
@@ -75,7 +86,9 @@ impl Report {
             given,
             external_forces: asked.external,
             unused_forces: asked.unused,
+            force_notes: asked.notes,
             ground: asked.ground,
+            plausibility: asked.plausible,
             passive: asked.passive,
             joints: free.map(load).collect(),
             residual: root_is_free.then_some(Residual {

@@ -9,6 +9,7 @@ mod convert;
 mod ground;
 mod manners;
 mod metrics;
+mod plausible;
 mod refusals;
 mod robots;
 mod subject;
