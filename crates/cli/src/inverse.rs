@@ -25,11 +25,6 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let (of, from) = (args.figure.as_path(), args.motion.as_path());
     in_order("inverse", of, from)?;
 
-    let has_forces = external.forces.is_some() || external.loads.is_some();
-    if let (Some(soles), false, false) = (&predicted.how.soles, predicted.ground, has_forces) {
-        let why = "soles are for forces of the ground: add --ground, or --external or --external-loads";
-        return Err(CliError::option("soles", soles.display().to_string(), why));
-    }
     let files = [&external.forces, &external.loads, &predicted.how.soles];
     outputs.keep_off([of, from].into_iter().chain(files.into_iter().flatten().map(PathBuf::as_path)))?;
 

@@ -28,7 +28,7 @@ pub fn to_opensim(table: &Table) -> (Table, Vec<String>) {
 ///
 /// # Errors
 ///
-/// [`IoError::Forces`] for a table of forces without a figure; [`IoError::DegreesWithoutFigure`] where the table is in degrees and no figure says which coordinates turn.
+/// [`IoError::Forces`] for a table of forces without a figure; [`IoError::DuplicateColumn`] for a coordinate that stands twice; [`IoError::DegreesWithoutFigure`] where the table is in degrees and no figure says which coordinates turn.
 pub fn from_opensim(table: &Table, figure: Option<&Figure>) -> Result<(Table, Vec<String>), IoError> {
     let in_degrees = table.in_degrees == Some(true);
     let turns = figure.map(coordinates);
@@ -49,6 +49,8 @@ pub fn from_opensim(table: &Table, figure: Option<&Figure>) -> Result<(Table, Ve
         Some((format!("{name}{POSITION}"), unit(*turns)))
     };
     let (table, left_out) = renamed(table, rename);
+    // One that stands twice may be left out, not kept.
+    table.check_headings()?;
     Ok((Table { in_degrees: None, title: String::new(), ..table }, left_out))
 }
 

@@ -19,10 +19,7 @@ fn right_plates_are_said_to_fit() {
     for soles in ["", "--soles soles.ron"] {
         let line = format!("inverse subject.osim walk.mot {PLATES} {FILTER} {soles}");
         let printed = succeeded(&solaris(folder.path(), &line));
-        assert!(
-            printed.contains("plates            bear 100.0 % of what") && !printed.contains("Look at"),
-            "{printed}"
-        );
+        assert!(printed.contains("plates            bear 100.") && !printed.contains("Look at"), "{printed}");
         assert!(printed.contains("published thresholds (Hicks and others 2015)"), "{printed}");
         let report = json(&succeeded(&solaris(folder.path(), &format!("{line} --json"))));
         assert_eq!(kinds(&report), [""; 0]);
@@ -102,18 +99,20 @@ fn a_measured_trial_is_judged_rightly() {
         return;
     };
     let folder = tempfile::tempdir().expect("a folder");
-    let late: String = read(&forces)
+    // Each time with the forces of 0.4 s later.
+    let text = read(&forces);
+    let rows: Vec<(&str, &str)> = text
         .lines()
-        .map(|line| {
-            match line
-                .split_once('\t')
-                .and_then(|(time, rest)| Some((time.trim().parse::<f64>().ok()?, rest)))
-            {
-                Some((time, rest)) => format!("{}\t{rest}\n", time - 0.4),
-                None => format!("{line}\n"),
-            }
-        })
+        .filter_map(|line| line.trim_start().split_once('\t'))
+        .filter(|(time, _)| time.trim().parse::<f64>().is_ok())
         .collect();
+    let header: Vec<&str> = text.lines().take(text.lines().count() - rows.len()).collect();
+    let shift = rows.len() * 4 / 25;
+    let late = rows
+        .iter()
+        .zip(rows.iter().cycle().skip(shift))
+        .map(|((time, _), (_, rest))| format!("{time}\t{rest}\n"));
+    let late = header.join("\n") + "\n" + &late.collect::<String>();
     write(folder.path(), "late.mot", &late);
     let [model, motion, forces] = [&model, &motion, &forces].map(|path| path.to_str().expect("UTF-8"));
     let found = |forces: &str, right: &str, left: &str| {
