@@ -10,6 +10,7 @@ mod loads;
 mod medium;
 mod nearness;
 mod peak;
+pub mod plausibility;
 mod prepared;
 #[cfg(test)]
 mod random;

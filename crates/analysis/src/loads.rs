@@ -233,6 +233,14 @@ fn sampled(record: &MeasuredForce, time: &[f64]) -> Result<Vec<Contact>, LoadErr
     Ok(time.iter().map(|&t| at(record, t)).collect())
 }
 
+/// What a record says at a time (s); `None` beyond it by more than one of its mean steps.
+pub(crate) fn known_at(record: &MeasuredForce, t: f64) -> Option<Contact> {
+    let (first, last) = (record.time.first()?, record.time.last()?);
+    let step = (last - first) / (record.time.len() - 1).max(1) as f64;
+    let margin = step.max(SAME_TIME);
+    (first - margin..=last + margin).contains(&t).then(|| at(record, t))
+}
+
 fn range(time: &[f64]) -> Option<(f64, f64)> {
     let (least, greatest) =
         time.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &t| (a.min(t), b.max(t)));

@@ -20,7 +20,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), CliError> {
     if scene::is_one(&args.file) {
         return scene::run(args);
     }
-    let Body { figure, language, mut findings, gravity, gravity_is_given, medium } =
+    let Body { figure, language, mut findings, gravity, gravity_is_given, medium, .. } =
         input::body_in(&args.file, args.files.as_deref())?;
     // A skeleton is measured, so its sides differ, and its masses are ours.
     if language != Language::Bvh {

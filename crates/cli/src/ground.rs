@@ -41,7 +41,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     let outputs = outputs_or_picture(&args.outputs, &args.consistent.motions)?;
     let (of, from) = (args.figure.as_path(), args.motion.as_path());
     in_order("ground", of, from)?;
-    let others = [&args.ground.soles, &args.against];
+    let others = [&args.ground.soles, &args.against, &args.loads];
     outputs.keep_off([of, from].into_iter().chain(others.into_iter().flatten().map(PathBuf::as_path)))?;
 
     let progress = Progress::new(4);
@@ -51,8 +51,13 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     say_medium(&mut given);
     let ground = Ground::new(&args.ground, &args.frame, &given)?;
     let moved = ground.make_consistent(&args.consistent, &mut given)?;
-    let ground = ground.predict(&given, &given.prepared()?, moved)?;
-    let plates = Plates::read(args.against.as_deref(), &args.plates, &ground.soles)?;
+    let prepared = given.prepared()?;
+    let ground = ground.predict(&given, &prepared, moved)?;
+    let plates = Plates::read(args, &given.body.figure, &ground.soles)?;
+    let plausible = match &plates {
+        Some(plates) => Some(plates.plausibility(&given, &prepared, &ground)?),
+        None => None,
+    };
 
     progress.stage("writing");
     let table = |headings| {
@@ -81,8 +86,8 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
         plates.beside(given.motion().time(), &ground.forces.contacts, ground.forces.report.weight)
     });
     let mut report = Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given) };
-    if let Some((feet, whole)) = beside {
-        report.ground.hold_against(feet, whole);
+    if let (Some((feet, whole)), Some(plausible)) = (beside, plausible) {
+        report.ground.hold_against(feet, whole, plausible);
     }
     print(|out| {
         if args.json {

@@ -5,7 +5,7 @@ mod folder;
 use crate::error::CliError;
 use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
-use solaris::io::{Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
+use solaris::io::{CoordinateDefault, Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
 use solaris::model::{Figure, Finding, FindingKind, Medium, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
@@ -91,6 +91,8 @@ pub(crate) struct Body {
     pub(crate) gravity_is_given: bool,
     /// The fluid that it moves in, and what carries it; empty but for models of MuJoCo.
     pub(crate) medium: Medium,
+    /// Where its coordinates are while nobody says anything else, as far as the file says so.
+    pub(crate) defaults: Vec<CoordinateDefault>,
 }
 
 impl Body {
@@ -103,6 +105,7 @@ impl Body {
             gravity: GRAVITY,
             gravity_is_given: false,
             medium: Medium::default(),
+            defaults: Vec::new(),
         }
     }
 }
@@ -211,11 +214,14 @@ pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions
             gravity: gravity.unwrap_or(GRAVITY),
             gravity_is_given,
             medium,
+            defaults: Vec::new(),
         });
     }
     // Kept with the figure, so that its text says which way is up.
     let figure = figure.with_gravity(gravity).map_err(|error| CliError::input(path, &error))?;
-    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium })
+    let defaults =
+        if language == Language::OpenSim { opensim::coordinate_defaults(&text) } else { Vec::new() };
+    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults })
 }
 
 /// Reads a BVH file.
@@ -244,7 +250,8 @@ pub(crate) fn motion(path: &Path, figure: &Figure) -> Result<Table, CliError> {
 pub(crate) fn table(path: &Path) -> Result<Table, CliError> {
     let read = match extension(path).as_str() {
         "csv" => csv::read_table,
-        "mot" | "sto" => sto::read,
+        "mot" => sto::read_mot,
+        "sto" => sto::read,
         _ => {
             refuse_unread(path, "a motion is .csv, .mot, .sto or .bvh")?;
             return Err(CliError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto"));

@@ -9,11 +9,12 @@ use crate::args::{InverseArgs, Switch};
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::{Given, in_order};
-use crate::ground::{Content, Ground, GroundReport, outputs, say_medium, write_motion};
+use crate::ground::{Content, Ground, GroundReport, known_soles, outputs, say_medium, write_motion};
+use crate::plausible::Plausibility;
 use crate::print::print;
 use crate::progress::Progress;
 use crate::words::counted;
-use forces::External;
+pub(crate) use forces::External;
 use report::{Asked, Report};
 use solaris::analysis::{InverseOptions, Loads, inverse_motion, medium_forces};
 use solaris::io::{csv, sto};
@@ -63,6 +64,10 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     let mut count = |done: usize| rows.at(done);
     let options = InverseOptions { passive, progress: Some(&mut count) };
     let forces = inverse_motion(&prepared, &loads, options).map_err(|error| CliError::input(from, &error))?;
+    let soles = if measured.is_empty() { None } else { known_soles(predicted.how.soles.as_deref(), &given)? };
+    let plausible = Plausibility::of(&given, &prepared, soles.map(|(soles, _)| soles), &measured)?
+        .map(|plausible| plausible.with_residual(&given, &prepared, &forces, &measured))
+        .transpose()?;
 
     progress.stage("writing");
     outputs.write(|content, mut writer| {
@@ -82,11 +87,13 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
         passive,
         medium: describe(medium),
         unused: external.unused(&given.table),
+        notes: external.notes(),
         external: match &ground {
             Some(_) => "the ground's, found from the motion".to_owned(),
             None => external.describe(),
         },
         ground: ground.map(|ground| GroundReport::new(ground, &given)),
+        plausible,
     };
     let report = Report::new(&given, asked, forces);
     print(|out| {

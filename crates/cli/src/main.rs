@@ -16,6 +16,7 @@ mod inverse;
 mod limbs;
 mod metrics;
 mod output;
+mod plausible;
 mod print;
 mod profile;
 mod progress;

@@ -259,8 +259,8 @@ pub enum IoError {
     },
     /// A table without the forces that were asked for.
     #[error(
-        "line {line}: no column begins a force with the prefix '{prefix}': neither '{prefix}.fx' nor \
-         '{prefix}ground_force_vx' is there; {}", prefixes(.known)
+        "line {line}: no force is called '{prefix}': neither '{prefix}.fx' nor '{prefix}ground_force_vx' nor \
+         'ground_force_{}_vx' is there; {}", .prefix.trim_end_matches('_'), prefixes(.known, .headings)
     )]
     NoForce {
         /// Line of the headings, from 1.
@@ -269,6 +269,8 @@ pub enum IoError {
         prefix: String,
         /// The prefixes that the table has.
         known: Vec<String>,
+        /// The first headings that it has.
+        headings: Vec<String>,
     },
 }
 
@@ -290,12 +292,14 @@ fn missing_columns(columns: &[(String, Option<String>)]) -> String {
 }
 
 /// Which prefixes a table of forces has.
-fn prefixes(known: &[String]) -> String {
-    if known.is_empty() {
-        return "the table holds no forces".to_owned();
+fn prefixes(known: &[String], headings: &[String]) -> String {
+    let quoted =
+        |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+    match (known, headings) {
+        ([], []) => "the table holds no forces".to_owned(),
+        ([], _) => format!("the table holds no forces, but {} …", quoted(headings)),
+        _ => format!("its prefixes are {}", quoted(known)),
     }
-    let quoted: Vec<String> = known.iter().map(|prefix| format!("'{prefix}'")).collect();
-    format!("its prefixes are {}", quoted.join(", "))
 }
 
 /// What is wrong with a contact track.

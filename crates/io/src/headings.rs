@@ -28,7 +28,7 @@ pub fn to_opensim(table: &Table) -> (Table, Vec<String>) {
 ///
 /// # Errors
 ///
-/// [`IoError::Forces`] for a table of forces without a figure; [`IoError::DegreesWithoutFigure`] where the table is in degrees and no figure says which coordinates turn.
+/// [`IoError::Forces`] for a table of forces without a figure; [`IoError::DuplicateColumn`] for a coordinate that stands twice; [`IoError::DegreesWithoutFigure`] where the table is in degrees and no figure says which coordinates turn.
 pub fn from_opensim(table: &Table, figure: Option<&Figure>) -> Result<(Table, Vec<String>), IoError> {
     let in_degrees = table.in_degrees == Some(true);
     let turns = figure.map(coordinates);
@@ -49,6 +49,8 @@ pub fn from_opensim(table: &Table, figure: Option<&Figure>) -> Result<(Table, Ve
         Some((format!("{name}{POSITION}"), unit(*turns)))
     };
     let (table, left_out) = renamed(table, rename);
+    // One that stands twice may be left out, not kept.
+    table.check_headings()?;
     Ok((Table { in_degrees: None, title: String::new(), ..table }, left_out))
 }
 
@@ -96,7 +98,7 @@ mod tests {
     fn table(columns: &[&str], values: &[f64], in_degrees: Option<bool>) -> Table {
         let lines = (2..).take(values.len() / columns.len()).collect();
         let columns = columns.iter().map(|name| (*name).to_owned()).collect();
-        Table { columns, values: values.to_vec(), lines, in_degrees, header_line: 1, title: String::new() }
+        Table { columns, values: values.to_vec(), lines, in_degrees, header_line: 1, ..Table::default() }
     }
 
     #[test]

@@ -34,4 +34,4 @@ pub use error::{ContactProblem, ExternalForceProblem, IoError};
 pub use import::Import;
 #[cfg(any(feature = "mjcf", feature = "sdf"))]
 pub use loader::{FileError, FilesError, Loader, NoFiles};
-pub use table::Table;
+pub use table::{CoordinateDefault, Table, TableNote};

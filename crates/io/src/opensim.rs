@@ -46,6 +46,7 @@ mod coordinate;
 mod couplers;
 mod curves;
 mod custom;
+mod defaults;
 mod element;
 mod ellipsoid;
 mod frames;
@@ -60,6 +61,7 @@ mod rest;
 mod spline;
 mod station;
 
+pub use defaults::coordinate_defaults;
 pub use loads::{ExternalForce, ExternalLoads, external_loads};
 
 use crate::import::Import;

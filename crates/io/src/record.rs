@@ -10,6 +10,10 @@
 //! | where they act | `PREFIX.px py pz`, where it is known | `PREFIXground_force_px py pz` |
 //! | moments | `PREFIX.mx my mz`, about the world's origin | `PREFIXground_torque_x y z`, about that point |
 //!
+//! Files of forces have other names too, in which `NAME` is the prefix: `ground_force_NAME_vx`, `ground_force_NAME_px` with
+//! `ground_torque_NAME_x`, `ground_force_NAME_mx` or `ground_moment_NAME_mx`; `ground_forceNAME_vx`; `NAME_force_vx` with
+//! `NAME_torque_x`; `NAME_vx`, `NAME_px`.
+//!
 //! A table is of the first kind where any heading ends in `.q`, `.v` or `.a`. A one-dof joint's own name stands for its
 //! degree of freedom in both, and `OpenSim`'s tables of states may head it `/jointset/JOINT/DOF/value` and `/speed`.
 //! Columns of degrees of freedom that follow others may be missing and are not used: they are where their leaders put
@@ -21,13 +25,14 @@
 mod columns;
 mod force_table;
 mod forces;
+mod patterns;
 
 pub use force_table::{ForceHeadings, force_table};
 pub use forces::{force_prefixes, forces};
 
 use crate::error::IoError;
 use crate::record::columns::Columns;
-use crate::table::{TIME, Table};
+use crate::table::{CoordinateDefault, TIME, Table, TableNote};
 use solaris_model::{Figure, Known, Motion, MotionInfo, Vector3};
 
 /// How far (rad or m) a recorded follower may be from where its leader puts it: printed digits.
@@ -40,6 +45,8 @@ pub struct ReadMotion {
     pub motion: Motion,
     /// Headings of columns that mean nothing for the figure. Columns of forces (`.tau`, contacts) are not among them.
     pub ignored: Vec<String>,
+    /// What is odd about it, and how it was read all the same: the table's own notes, and more.
+    pub notes: Vec<TableNote>,
 }
 
 /// What `table` says of the motion of `figure` under `gravity` (m/s², world axes).
@@ -68,7 +75,33 @@ pub struct ReadMotion {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read(figure: &Figure, gravity: Vector3<f64>, table: &Table) -> Result<ReadMotion, IoError> {
-    let columns = Columns::find(figure, table)?;
+    read_with_defaults(figure, gravity, table, &[])
+}
+
+/// As [`read`], of a model that says where coordinates are that have no column (`opensim::coordinate_defaults`).
+///
+/// A locked coordinate may always be missing. Others may where at most half of the coordinates are missing and none of the
+/// columns that mean nothing is called nearly like one of them. A note says which were taken.
+///
+/// # Errors
+///
+/// Those of [`read`]; all missing columns at once.
+pub fn read_with_defaults(
+    figure: &Figure,
+    gravity: Vector3<f64>,
+    table: &Table,
+    defaults: &[CoordinateDefault],
+) -> Result<ReadMotion, IoError> {
+    let columns = Columns::find(figure, table, defaults)?;
+    let cleaned;
+    let table = if columns.know_all(figure) {
+        // Rows of which everything is known need not follow each other.
+        table
+    } else {
+        cleaned = table.without_repeated_times();
+        &*cleaned
+    };
+    let mut notes = table.notes.clone();
     if table.is_empty() {
         return Err(IoError::NoRows { line: table.header_line });
     }
@@ -89,6 +122,13 @@ pub fn read(figure: &Figure, gravity: Vector3<f64>, table: &Table) -> Result<Rea
         }
     }
     let (nq, nv) = (columns.q.len(), columns.v.len());
+    for (coordinate, default) in &columns.defaulted {
+        q.iter_mut().skip(*coordinate).step_by(nq).for_each(|x| *x = default.value);
+    }
+    if !columns.defaulted.is_empty() {
+        let coordinates = columns.defaulted.iter().map(|(_, default)| default.clone()).collect();
+        notes.push(TableNote::Defaults { coordinates });
+    }
     let mut off = vec![0.0_f64; figure.followers().len()];
     for row in 0..table.len() {
         let q = &mut q[row * nq..][..nq];
@@ -109,7 +149,6 @@ pub fn read(figure: &Figure, gravity: Vector3<f64>, table: &Table) -> Result<Rea
         known_v[follower.dof] = known_v[follower.leader];
         known_a[follower.dof] = known_v[follower.leader] && known_a[follower.leader];
     }
-    // Rows of which everything is known need not follow each other.
     let is_known = known_v.iter().chain(&known_a).all(|known| *known);
     let time = match table.column(TIME) {
         Some(column) if is_known => table.values_of(column).collect(),
@@ -126,7 +165,7 @@ pub fn read(figure: &Figure, gravity: Vector3<f64>, table: &Table) -> Result<Rea
     }
     let info = MotionInfo::recorded(figure, gravity, &time);
     let motion = Motion::recorded(figure, info, time, [q, v, a], Known { v: known_v, a: known_a })?;
-    Ok(ReadMotion { motion, ignored })
+    Ok(ReadMotion { motion, ignored, notes })
 }
 
 /// The times, rising.

@@ -16,18 +16,24 @@
 //! ```
 //!
 //! - The first line is the title, unless it is one of the keys below; a line `name=…` is a title too.
-//! - `nRows` (`datarows`) and `nColumns` (`datacolumns`) must be right where they are given: a table that was cut off is
-//!   not read as a shorter one.
-//! - `inDegrees` is kept as it stands, and `Angles are in degrees.` of files without a version counts as one. Which
-//!   columns are angles is the figure's to say: a table of forces may claim degrees too, and translations never are.
-//! - Every other line of the header is passed over.
+//! - Where `nRows` (`datarows`) and `nColumns` (`datacolumns`) are wrong the table counts, with a
+//!   [note](crate::TableNote): a table that was cut off is not read in silence.
+//! - `inDegrees` is kept as it stands, and `Angles are in degrees.` of files without a version counts as one. A `.mot` without
+//!   a version is in degrees where it does not say radians, as in SIMM ([`read_mot`]). Which columns are angles is the figure's to say: a table of forces may
+//!   claim degrees too, and translations never are.
+//! - Every other line of the header is passed over. `endheader` may be written in capitals.
 //! - Numbers are finite. `nan`, which OpenSim writes for what it could not compute, is refused with its place.
-//! - Line ends may be those of Windows.
+//! - Cells of several numbers (`DataType=Vec3`, `Quaternion`, …, or `~[x,y,z]`) become columns of one each: `NAME.x`, `.y`, `.z`;
+//!   of a quaternion `NAME.w` first, as it stands there.
+//! - A heading that stands twice is a note; whoever asks for it is refused.
+//! - Line ends may be those of Windows, and what stands between numbers any tabs and spaces.
 
+mod cells;
+mod header;
 mod read;
 mod write;
 
-pub use read::read;
+pub use read::{read, read_mot};
 pub use write::write;
 
 /// What the header of a `.mot` or `.sto` table says wrongly.
@@ -63,18 +69,6 @@ pub enum StoFault {
         text: String,
         /// Rows or columns.
         what: &'static str,
-    },
-    /// Fewer or more rows or columns than the header says.
-    #[error(
-        "the header says {told} {what}, there are {found}: the file was cut off or edited; correct the one or the other"
-    )]
-    Count {
-        /// Rows or columns.
-        what: &'static str,
-        /// What the header says.
-        told: usize,
-        /// What there are.
-        found: usize,
     },
     /// Neither yes nor no.
     #[error("'inDegrees' is '{text}'; it must be yes or no")]

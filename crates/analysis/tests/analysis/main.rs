@@ -7,6 +7,7 @@ mod inverse;
 mod nearness;
 #[path = "inverse/pinned.rs"]
 mod pinned;
+mod plausibility;
 #[cfg(feature = "serde")]
 mod reports;
 mod states;

@@ -43,9 +43,13 @@ pub(crate) struct GroundCommandArgs {
     pub(crate) against: Option<PathBuf>,
     #[arg(long = "plate", value_name = "FOOT=PREFIX", requires = "against", value_parser = parse_plate, help = wrap(
         "Which columns of that file were measured under which sole, by its name: PREFIX is what stands before \
-         ground_force_vx (may be empty) or before .fx. Several are allowed"
+         ground_force_vx (may be empty) or before .fx, or within, as r in ground_force_r_vx. Several are allowed"
     ))]
     pub(crate) plates: Vec<AskedPlate>,
+    #[arg(long = "external-loads", value_name = "FILE.xml", conflicts_with = "against", help = wrap(
+        "The same as OpenSim's ExternalLoads file: measured forces, and the bodies of the soles that they act on"
+    ))]
+    pub(crate) loads: Option<PathBuf>,
     #[arg(long, help = "Print the summary as JSON instead of a table")]
     pub(crate) json: bool,
     #[command(flatten, next_help_heading = "The ground")]

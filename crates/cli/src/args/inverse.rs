@@ -3,7 +3,7 @@
 use super::given::{self, FrameArgs, RecordArgs};
 use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs};
 use super::wrap;
-use clap::{Arg, Args, ValueEnum};
+use clap::{Arg, ArgGroup, Args, ValueEnum};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "Examples:
@@ -25,6 +25,7 @@ const EXAMPLES: &str = "Examples:
 /// A figure in a motion, of which the joints' forces are found.
 #[derive(Debug, Args)]
 #[command(about = "Joint torques of a given motion", after_help = EXAMPLES, mut_args(needs_ground))]
+#[command(group(ArgGroup::new("of_the_ground").args(["ground", "forces", "loads"]).multiple(true)))]
 pub(crate) struct InverseArgs {
     #[arg(value_name = "FIGURE", help = wrap(given::FIGURE))]
     pub(crate) figure: PathBuf,
@@ -51,9 +52,13 @@ pub(crate) struct InverseArgs {
     pub(crate) passive: Switch,
 }
 
-/// Where the ground is not asked for, nothing is asked of it.
+/// Where the ground is not asked for, nothing is asked of it. Soles serve plates as well.
 fn needs_ground(arg: Arg) -> Arg {
-    if GROUND_OPTIONS.contains(&arg.get_id().as_str()) { arg.requires("ground") } else { arg }
+    match arg.get_id().as_str() {
+        "soles" => arg.requires("of_the_ground"),
+        id if GROUND_OPTIONS.contains(&id) => arg.requires("ground"),
+        _ => arg,
+    }
 }
 
 /// What pushes from outside.
@@ -66,8 +71,8 @@ pub(crate) struct ExternalArgs {
     #[arg(
         long = "plate", value_name = "LINK=PREFIX", requires = "forces", conflicts_with = "loads", value_parser = parse_plate,
         help = wrap(
-            "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx; \
-             LINK may be two, HEEL+TOES: the second once the centre of pressure has passed the ball. Several are allowed"
+            "Which link which columns push: PREFIX is what stands before ground_force_vx (may be empty) or before .fx, or within, \
+             as r in ground_force_r_vx; LINK may be two, HEEL+TOES: the second once the centre of pressure has passed the ball. Several are allowed"
         )
     )]
     pub(crate) plates: Vec<(Vec<String>, String)>,

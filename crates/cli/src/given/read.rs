@@ -68,7 +68,7 @@ impl Given {
             body.gravity = gravity.vector;
         }
         let table = input::motion(from, &body.figure)?;
-        let recorded = record::read(&body.figure, body.gravity, &table)
+        let recorded = record::read_with_defaults(&body.figure, body.gravity, &table, &body.defaults)
             .map_err(|error| CliError::input(from, &error))?;
         progress.stage("finding velocities and accelerations");
         let filter = record.filter.map(|cutoff| Filter { cutoff, order: record.filter_order.into() });

@@ -2,8 +2,11 @@
 
 use super::read::Given;
 use crate::input::extension;
+use crate::plausible::Finding;
 use serde::Serialize;
-use solaris::model::{AxisKind, Finding, FindingKind, MassDoubt};
+use solaris::analysis::plausibility::check_angles;
+use solaris::io::TableNote;
+use solaris::model::{AxisKind, FindingKind, MassDoubt};
 
 /// What went in.
 #[derive(Serialize)]
@@ -30,6 +33,12 @@ pub(crate) struct GivenReport {
     pub(super) many_turns: Vec<String>,
     /// What of the figure's masses no matter can have; it was taken as it is.
     pub(super) mass_doubts: Vec<Doubt>,
+    /// Angles whose ranges make no sense in the unit that they were read in; absent where they do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) suspect_angles: Option<Finding>,
+    /// What is odd about the motion's table, and how it was read all the same.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) notes: Vec<String>,
     pub(super) outside_limits: Vec<Excess>,
     pub(super) ignored_columns: Vec<String>,
     /// Elements of the figure's file that were not read.
@@ -87,6 +96,7 @@ impl GivenReport {
             to_s: time.last().copied().unwrap_or_default(),
             units: match table.in_degrees {
                 _ if extension(&given.from) == "bvh" => "angles in degrees, as BVH has them",
+                _ if table.notes.contains(&TableNote::OldDegrees) => "angles in degrees, as in SIMM",
                 Some(true) => "angles in degrees, as its header says",
                 Some(false) => "angles in rad, as its header says",
                 None if table.header_line > 1 => "angles in rad, though its header does not say",
@@ -118,6 +128,8 @@ impl GivenReport {
                 .map(|dof| names[dof].clone())
                 .collect(),
             mass_doubts: figure.mass_doubts().iter().map(Doubt::of).collect(),
+            suspect_angles: check_angles(figure, motion, table.in_degrees).as_ref().map(Finding::from),
+            notes: recorded.notes.iter().map(ToString::to_string).collect(),
             outside_limits: excess.collect(),
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
@@ -128,7 +140,7 @@ impl GivenReport {
 
 impl Doubt {
     fn of(doubt: &MassDoubt) -> Self {
-        let Finding { subject, message, .. } = doubt.finding();
+        let solaris::model::Finding { subject, message, .. } = doubt.finding();
         Self { subject, message }
     }
 }

@@ -52,7 +52,9 @@ impl GivenReport {
         for (i, missing) in self.missing.iter().enumerate() {
             row(out, if i == 0 { "missing" } else { "" }, missing)?;
         }
-        if !self.many_turns.is_empty() {
+        if let Some(found) = &self.suspect_angles {
+            row(out, "suspect", found.message())?;
+        } else if !self.many_turns.is_empty() {
             let what = format!("{}: more than two turns; are these degrees?", some(&self.many_turns));
             row(out, "suspect", &what)?;
         }
@@ -68,6 +70,9 @@ impl GivenReport {
         }
         if !self.ignored_columns.is_empty() {
             row(out, "columns not used", &some(&self.ignored_columns))?;
+        }
+        for (i, note) in self.notes.iter().enumerate() {
+            row(out, if i == 0 { "of the table" } else { "" }, note)?;
         }
         if self.not_read > 0 {
             let kinds = counted(self.not_read, "kind", "kinds");

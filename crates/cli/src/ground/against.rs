@@ -1,13 +1,18 @@
 //! Forces that plates measured, beside those that were found.
 
-use crate::args::AskedPlate;
+use super::predicted::Predicted;
+use crate::args::{AskedPlate, ExternalArgs, GroundCommandArgs};
 use crate::error::CliError;
+use crate::given::Given;
 use crate::input;
+use crate::inverse::External;
+use crate::plausible::Plausibility;
 use crate::words::short;
 use serde::Serialize;
-use solaris::analysis::ground::Sole;
+use solaris::analysis::PreparedMotion;
+use solaris::analysis::ground::{PlacedFeet, Sole};
 use solaris::io::record;
-use solaris::model::{ContactTrack, MeasuredForce, Vector3, nearest};
+use solaris::model::{ContactTrack, Figure, MeasuredForce, Vector3, nearest};
 use std::path::Path;
 
 /// What plates measured under the soles.
@@ -29,16 +34,19 @@ pub(crate) struct Beside {
 }
 
 impl Plates {
-    /// What the options name, for these soles; none without any.
+    /// What the options name, for these soles of the figure; none without any.
     pub(super) fn read(
-        against: Option<&Path>,
-        plates: &[AskedPlate],
+        args: &GroundCommandArgs,
+        figure: &Figure,
         soles: &[Sole],
     ) -> Result<Option<Self>, CliError> {
-        let Some(path) = against else { return Ok(None) };
+        if let Some(path) = &args.loads {
+            return Self::described(path, figure, soles).map(Some);
+        }
+        let Some(path) = &args.against else { return Ok(None) };
         let table = input::table(path)?;
         let mut feet: Vec<(usize, MeasuredForce)> = Vec::new();
-        for AskedPlate { foot, prefix } in plates {
+        for AskedPlate { foot, prefix } in &args.plates {
             let fault = |why: String| CliError::option("plate", format!("{foot}={prefix}"), why);
             let Some(sole) = soles.iter().position(|sole| sole.name == *foot) else {
                 let names: Vec<&str> = soles.iter().map(|sole| &*sole.name).collect();
@@ -49,12 +57,47 @@ impl Plates {
             if feet.iter().any(|(other, _)| *other == sole) {
                 return Err(fault("this sole has a plate already; name each once".to_owned()));
             }
-            let links = [foot.clone()];
+            let links = [figure.links()[soles[sole].foot].name().to_owned()];
             let record =
                 record::forces(&table, &links, prefix).map_err(|error| CliError::input(path, &error))?;
             feet.push((sole, record));
         }
         Ok(Some(Self { feet }))
+    }
+
+    /// What OpenSim's description names, by the links of the soles.
+    fn described(path: &Path, figure: &Figure, soles: &[Sole]) -> Result<Self, CliError> {
+        let loads = ExternalArgs { forces: None, plates: Vec::new(), loads: Some(path.to_owned()) };
+        let mut feet: Vec<(usize, MeasuredForce)> = Vec::new();
+        for record in External::read(&loads)?.records(figure)? {
+            let link = figure.link_index(&record.links[0]);
+            let Some(sole) = soles.iter().position(|sole| Some(sole.foot) == link || sole.toes == link)
+            else {
+                let names: Vec<&str> = soles.iter().map(|sole| figure.links()[sole.foot].name()).collect();
+                let why = format!("no sole is on '{}', but on {}", record.links[0], names.join(", "));
+                return Err(CliError::input(path, &why));
+            };
+            if feet.iter().any(|(other, _)| *other == sole) {
+                let why =
+                    format!("two forces act on '{}'; one plate a sole is held against", record.links[0]);
+                return Err(CliError::input(path, &why));
+            }
+            feet.push((sole, record));
+        }
+        Ok(Self { feet })
+    }
+
+    /// Whether they fit the motion, as the soles of the ground that was found stand in it.
+    pub(super) fn plausibility(
+        &self,
+        given: &Given,
+        prepared: &PreparedMotion<'_>,
+        ground: &Predicted,
+    ) -> Result<Plausibility, CliError> {
+        let feet = PlacedFeet::new(prepared, &*ground.soles)
+            .map_err(|error| CliError::input(&given.from, &error))?;
+        let measured: Vec<MeasuredForce> = self.feet.iter().map(|(_, record)| record.clone()).collect();
+        Plausibility::on(given, &feet, &ground.forces.stances, &measured)
     }
 
     /// Index of the sole, and what was measured under it.

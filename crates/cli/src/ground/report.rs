@@ -5,6 +5,7 @@ use super::moved::Moved;
 use super::predicted::Predicted;
 use super::soles::From;
 use crate::given::Given;
+use crate::plausible::Plausibility;
 use crate::words::short;
 use serde::Serialize;
 use solaris::analysis::ground::{FootReport, Split, Unsupported};
@@ -29,6 +30,9 @@ pub(crate) struct GroundReport {
     /// The forces of the feet that have a plate, together, beside these.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) beside_plates: Option<Beside>,
+    /// Whether those forces fit the motion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) plausibility: Option<Plausibility>,
     /// What a person should look at.
     pub(super) warnings: Vec<String>,
 }
@@ -60,6 +64,7 @@ impl GroundReport {
             irregular_frames: found.irregular,
             unsupported: found.unsupported,
             beside_plates: None,
+            plausibility: None,
             warnings: Vec::new(),
         };
         report.warnings = report.doubts(&from, given.body.figure.root_is_free());
@@ -67,11 +72,18 @@ impl GroundReport {
     }
 
     /// Takes in how far the forces are from those of plates: by foot, and of all feet with a plate together.
-    pub(super) fn hold_against(&mut self, feet: Vec<Option<Beside>>, whole: Option<Beside>) {
+    pub(super) fn hold_against(
+        &mut self,
+        feet: Vec<Option<Beside>>,
+        whole: Option<Beside>,
+        plausible: Plausibility,
+    ) {
         for (foot, beside) in self.feet.iter_mut().zip(feet) {
             foot.beside_plate = beside;
         }
         self.beside_plates = whole;
+        self.warnings.extend(plausible.messages().map(str::to_owned));
+        self.plausibility = Some(plausible);
     }
 
     /// What looks wrong, in words.

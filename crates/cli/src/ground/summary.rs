@@ -27,6 +27,9 @@ impl GroundReport {
         if let Some(beside) = &self.beside_plates {
             row(out, "beside all plates", &beside.words())?;
         }
+        if let Some(plausible) = &self.plausibility {
+            plausible.write_fit(out)?;
+        }
         if air.frames == 0 {
             row(out, "no foot stands", "in no frame")?;
         } else {

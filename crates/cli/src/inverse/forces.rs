@@ -3,12 +3,12 @@
 use crate::args::ExternalArgs;
 use crate::error::CliError;
 use crate::input;
-use solaris::io::{Table, opensim, record};
+use solaris::io::{Table, TableNote, opensim, record};
 use solaris::model::{Figure, Link, MeasuredForce, nearest};
 use std::path::{Path, PathBuf};
 
 /// Measured forces as they were read.
-pub(super) enum External {
+pub(crate) enum External {
     None,
     /// A table, and which of its columns push which links.
     Plates {
@@ -26,7 +26,7 @@ pub(super) enum External {
 }
 
 impl External {
-    pub(super) fn read(ExternalArgs { forces, plates, loads }: &ExternalArgs) -> Result<Self, CliError> {
+    pub(crate) fn read(ExternalArgs { forces, plates, loads }: &ExternalArgs) -> Result<Self, CliError> {
         if let Some(path) = forces {
             for (i, (links, prefix)) in plates.iter().enumerate() {
                 if let Some((other, _)) = plates[..i].iter().find(|(_, before)| before == prefix) {
@@ -36,11 +36,7 @@ impl External {
                     return Err(of_plate(&links, prefix, why));
                 }
             }
-            return Ok(Self::Plates {
-                path: path.clone(),
-                table: input::table(path)?,
-                plates: plates.clone(),
-            });
+            return Ok(Self::Plates { path: path.clone(), table: forces_of(path)?, plates: plates.clone() });
         }
         let Some(path) = loads else { return Ok(Self::None) };
         let text = input::text(path)?;
@@ -53,11 +49,11 @@ impl External {
             ));
         };
         let data = path.parent().unwrap_or_else(|| Path::new("")).join(named.trim());
-        Ok(Self::Loads { path: path.clone(), table: input::table(&data)?, data, loads })
+        Ok(Self::Loads { path: path.clone(), table: forces_of(&data)?, data, loads })
     }
 
     /// The forces on the figure's links.
-    pub(super) fn records(&self, figure: &Figure) -> Result<Vec<MeasuredForce>, CliError> {
+    pub(crate) fn records(&self, figure: &Figure) -> Result<Vec<MeasuredForce>, CliError> {
         let (path, records) = match self {
             Self::None => return Ok(Vec::new()),
             Self::Plates { path, table, plates } => {
@@ -95,10 +91,24 @@ impl External {
             Self::None => record::force_prefixes(motion),
             Self::Plates { table, plates, .. } => {
                 let all = record::force_prefixes(table).into_iter();
-                all.filter(|prefix| plates.iter().all(|(_, used)| used != prefix)).collect()
+                let bare = |name: &str| name.trim_end_matches('_').to_owned();
+                all.filter(|prefix| plates.iter().all(|(_, used)| bare(used) != bare(prefix))).collect()
             }
             // OpenSim's description says what is meant.
             Self::Loads { .. } => Vec::new(),
+        }
+    }
+
+    /// What is odd about the table, and how it was read all the same.
+    pub(super) fn notes(&self) -> Vec<String> {
+        match self {
+            Self::None => Vec::new(),
+            Self::Plates { table, .. } | Self::Loads { table, .. } => table
+                .notes
+                .iter()
+                .filter(|note| **note != TableNote::OldDegrees)
+                .map(ToString::to_string)
+                .collect(),
         }
     }
 
@@ -120,6 +130,11 @@ impl External {
         };
         format!("{}: {}", file.display(), plates.join(", "))
     }
+}
+
+/// A table of forces, rows that repeat a time left out.
+fn forces_of(path: &Path) -> Result<Table, CliError> {
+    Ok(input::table(path)?.without_repeated_times().into_owned())
 }
 
 /// What is wrong with a plate, said of the option.

@@ -2,6 +2,7 @@
 
 use crate::given::{Given, GivenReport};
 use crate::ground::GroundReport;
+use crate::plausible::Plausibility;
 use crate::print::write_json;
 use serde::Serialize;
 use solaris::analysis::{DofLoad, InverseReport, Residual};
@@ -16,8 +17,12 @@ pub(super) struct Asked {
     pub(super) external: String,
     /// Prefixes of columns of forces that push nothing.
     pub(super) unused: Vec<String>,
+    /// What is odd about the table of forces.
+    pub(super) notes: Vec<String>,
     /// The ground, where its forces were found from the motion.
     pub(super) ground: Option<GroundReport>,
+    /// Whether measured forces fit.
+    pub(super) plausible: Option<Plausibility>,
 }
 
 /// The summary.
@@ -27,8 +32,14 @@ pub(super) struct Report {
     pub(super) given: GivenReport,
     pub(super) external_forces: String,
     pub(super) unused_forces: Vec<String>,
+    /// What is odd about the table of forces, and how it was read all the same.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) force_notes: Vec<String>,
     /// Absent where the ground's forces were not asked for.
     pub(super) ground: Option<GroundReport>,
+    /// Absent where no forces were measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) plausibility: Option<Plausibility>,
     pub(super) passive: bool,
     /// What the figure moves in; absent where there is nothing.
     pub(super) medium: Option<String>,
@@ -46,7 +57,9 @@ impl Report {
             given: GivenReport::new(given),
             external_forces: asked.external,
             unused_forces: asked.unused,
+            force_notes: asked.notes,
             ground: asked.ground,
+            plausibility: asked.plausible,
             passive: asked.passive,
             medium: asked.medium,
             joints: free.map(|(_, load)| load).collect(),

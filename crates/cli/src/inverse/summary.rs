@@ -13,6 +13,9 @@ impl Report {
         if let Some(ground) = &self.ground {
             ground.write(out)?;
         }
+        if let Some(plausible) = &self.plausibility {
+            plausible.write(out)?;
+        }
         let width = self.joints.iter().map(|joint| joint.dof.chars().count()).max().unwrap_or(0).max(18);
         writeln!(out, "\n  {:<width$}{:>12}{:>12}", "joint forces", "rms", "greatest")?;
         for joint in self.joints.iter().filter(|joint| !joint.is_residual) {
@@ -27,6 +30,7 @@ impl Report {
     /// What pushes from outside.
     fn write_forces(&self, out: &mut dyn Write) -> Result<()> {
         row(out, "forces", &self.external_forces)?;
+        self.force_notes.iter().try_for_each(|note| row(out, "", note))?;
         if !self.unused_forces.is_empty() {
             let names: Vec<String> = self.unused_forces.iter().map(|prefix| format!("'{prefix}'")).collect();
             let names = names.join(", ");
@@ -70,7 +74,8 @@ impl Report {
         writeln!(
             out,
             "\n  Nothing holds the root: these forces would have to come out of the air. They are what motion, masses and {what}"
-        )
+        )?;
+        self.plausibility.as_ref().map_or(Ok(()), |plausible| plausible.write_residual(out))
     }
 }
 

@@ -11,5 +11,5 @@ pub(crate) fn positions(figure: &Figure, motion: &Motion) -> Table {
     let values = rows.flat_map(|(frame, time)| std::iter::once(*time).chain(motion.q(frame).iter().copied()));
     let (values, lines) = (values.collect(), (1..).take(motion.len()).collect());
     let title = figure.name().to_owned();
-    Table { title, in_degrees: Some(false), columns, values, lines, header_line: 1 }
+    Table { title, in_degrees: Some(false), columns, values, lines, header_line: 1, ..Table::default() }
 }

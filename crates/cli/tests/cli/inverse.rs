@@ -11,6 +11,7 @@ mod ground;
 mod manners;
 mod masses;
 mod metrics;
+mod plausible;
 mod refusals;
 mod robots;
 mod subject;

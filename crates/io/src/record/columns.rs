@@ -1,7 +1,7 @@
 //! Where in a table each number of a state stands.
 
 use crate::error::IoError;
-use crate::table::{CONTACT, TAU, TIME, Table};
+use crate::table::{CONTACT, CoordinateDefault, TAU, TIME, Table};
 use solaris_model::{AxisKind, Figure, JointKind, nearest};
 use std::collections::{BTreeMap, HashMap};
 
@@ -12,7 +12,7 @@ const MOST_COMPARED: usize = 10_000;
 
 /// Places of the columns of a state.
 pub(super) struct Columns {
-    /// Of each coordinate; `None` for those of followers that are missing.
+    /// Of each coordinate; `None` for those of followers and defaults that are missing.
     pub(super) q: Vec<Option<usize>>,
     /// Of each degree of freedom, where its velocity is known.
     pub(super) v: Vec<Option<usize>>,
@@ -22,6 +22,8 @@ pub(super) struct Columns {
     pub(super) turning: BTreeMap<usize, usize>,
     /// Headings that mean nothing here.
     pub(super) ignored: Vec<String>,
+    /// The coordinates without a column that the model knows, and where.
+    pub(super) defaulted: Vec<(usize, CoordinateDefault)>,
 }
 
 /// What a heading means.
@@ -36,7 +38,11 @@ enum Meaning {
 }
 
 impl Columns {
-    pub(super) fn find(figure: &Figure, table: &Table) -> Result<Self, IoError> {
+    pub(super) fn find(
+        figure: &Figure,
+        table: &Table,
+        defaults: &[CoordinateDefault],
+    ) -> Result<Self, IoError> {
         let dotted =
             table.columns.iter().any(|name| [".q", ".v", ".a"].iter().any(|ending| name.ends_with(ending)));
         let meanings = meanings(figure, dotted);
@@ -63,7 +69,9 @@ impl Columns {
             a: (0..nv).map(|i| find(Meaning::Acceleration(i))).collect(),
             turning: turning(figure),
             ignored: Vec::new(),
+            defaulted: Vec::new(),
         };
+        found.take_defaults(figure, table, &strange, defaults);
         found.check_whole(figure, table, &strange, dotted)?;
         if find(Meaning::Time).is_none() {
             found.check_needs_no_time(figure, table.header_line)?;
@@ -87,6 +95,43 @@ impl Columns {
         Ok(found)
     }
 
+    /// Whether velocities and accelerations of all degrees of freedom are in the table, but for those of followers.
+    pub(super) fn know_all(&self, figure: &Figure) -> bool {
+        let known = |places: &[Option<usize>]| {
+            places.iter().enumerate().all(|(dof, place)| place.is_some() || figure.follows(dof))
+        };
+        known(&self.v) && known(&self.a)
+    }
+
+    /// Takes missing coordinates from where the model has them, if that is all that is meant.
+    fn take_defaults(
+        &mut self,
+        figure: &Figure,
+        table: &Table,
+        strange: &[usize],
+        defaults: &[CoordinateDefault],
+    ) {
+        let names = figure.layout().q_names();
+        let follows = |q: &usize| figure.followers().iter().any(|follower| follower.coordinate == *q);
+        let missing: Vec<usize> =
+            (0..self.q.len()).filter(|&q| self.q[q].is_none() && !follows(&q)).collect();
+        let default = |q: usize| defaults.iter().find(|default| default.name == names[q]);
+        let free: Vec<usize> = missing
+            .iter()
+            .copied()
+            .filter(|&q| !default(q).is_some_and(|default| default.is_locked))
+            .collect();
+        let is_misspelt = |q: usize| {
+            let columns = strange.iter().take(MOST_COMPARED).map(|&place| table.columns[place].as_str());
+            nearest(&names[q], columns).is_some()
+        };
+        // A table of another figure is refused as such.
+        if free.len() * 2 > names.len() || free.iter().any(|&q| default(q).is_none() || is_misspelt(q)) {
+            return;
+        }
+        self.defaulted = missing.into_iter().filter_map(|q| Some((q, default(q)?.clone()))).collect();
+    }
+
     /// Refuses what is missing: positions, and parts of the velocities of ball and free joints.
     fn check_whole(
         &self,
@@ -100,7 +145,7 @@ impl Columns {
         let named =
             |name: &String, ending: &str| if dotted { format!("{name}.{ending}") } else { name.clone() };
         let mut missing: Vec<String> = (0..layout.nq())
-            .filter(|&q| self.q[q].is_none() && !follows(q))
+            .filter(|&q| self.q[q].is_none() && !follows(q) && !self.is_defaulted(q))
             .map(|q| named(&layout.q_names()[q], "q"))
             .collect();
         for (link, at) in figure.links().iter().zip(layout.joints()) {
@@ -126,6 +171,10 @@ impl Columns {
         };
         let columns = missing.into_iter().enumerate().map(hint).collect();
         Err(IoError::MissingColumns { line: table.header_line, columns })
+    }
+
+    fn is_defaulted(&self, q: usize) -> bool {
+        self.defaulted.iter().any(|(coordinate, _)| *coordinate == q)
     }
 
     /// Rows without times can be states of their own only where nothing is to be differentiated.

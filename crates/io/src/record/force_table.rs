@@ -80,5 +80,5 @@ pub fn force_table(headings: ForceHeadings, time: &[f64], tracks: &[ContactTrack
         ForceHeadings::OpenSim => ("Ground reaction forces".to_owned(), Some(false)),
     };
     let lines = (1..).take(time.len()).collect();
-    Ok(Table { title, in_degrees, columns, values, lines, header_line: 1 })
+    Ok(Table { title, in_degrees, columns, values, lines, header_line: 1, ..Table::default() })
 }

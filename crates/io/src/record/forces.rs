@@ -1,11 +1,11 @@
 //! Measured forces of a table.
 
-use super::times;
+use super::{patterns, times};
 use crate::error::IoError;
 use crate::table::{CONTACT, TIME, Table};
 use solaris_model::{Contact, MeasuredForce, Vector3, nearest};
 
-/// Endings of force, point of application and torque in a table of `OpenSim`.
+/// Endings of force, point of application and torque in a table of `OpenSim`, as they are written.
 pub(super) const OPENSIM: [&str; 9] = [
     "ground_force_vx",
     "ground_force_vy",
@@ -18,13 +18,16 @@ pub(super) const OPENSIM: [&str; 9] = [
     "ground_torque_z",
 ];
 
-/// The forces on `links` (one, or a foot and its toes) whose columns begin with `prefix`; the [module](super) has their
-/// names.
+/// How many headings an error shows.
+const MOST_HEADINGS: usize = 12;
+
+/// The forces on `links` (one, or a foot and its toes) that are called `prefix` in the table; the [module](super) has the names
+/// of their columns.
 ///
 /// Our own moments are about the world's origin; the torque of `OpenSim` is about the point of application, so that the
 /// moment is `M = T + p × F`. In `OpenSim`'s convention the torque may be missing (it is zero then), in ours the centre
-/// of pressure, as long as it need not decide between two links. The prefix is all that stands before `.fx` or
-/// `ground_force_vx` and may be empty there.
+/// of pressure, as long as it need not decide between two links. The prefix is what stands before `.fx`, or before, after or
+/// within `ground_force_vx`, and may be empty there; an underscore beside it may be left out.
 ///
 /// # Errors
 ///
@@ -33,15 +36,17 @@ pub(super) const OPENSIM: [&str; 9] = [
 pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<MeasuredForce, IoError> {
     let line = table.header_line;
     let ours = CONTACT.map(|ending| format!("{prefix}.{ending}"));
-    let theirs = OPENSIM.map(|ending| format!("{prefix}{ending}"));
     let is_there = |name: &String| table.column(name).is_some();
     let (names, optional, is_ours) = if is_there(&ours[0]) {
         let optional = if links.len() < 2 { 6..9 } else { 9..9 };
         (ours, optional, true)
-    } else if is_there(&theirs[0]) {
+    } else if let Some(theirs) = patterns::find(table, prefix) {
         (theirs, 6..9, false)
     } else {
-        return Err(IoError::NoForce { line, prefix: prefix.to_owned(), known: force_prefixes(table) });
+        let headings =
+            table.columns.iter().filter(|name| *name != TIME).take(MOST_HEADINGS).cloned().collect();
+        let known = force_prefixes(table);
+        return Err(IoError::NoForce { line, prefix: prefix.to_owned(), known, headings });
     };
     let absent = !names[optional.clone()].iter().any(is_there);
     let needed = |i: &usize| !(absent && optional.contains(i));
@@ -61,6 +66,13 @@ pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<MeasuredF
     if table.is_empty() {
         return Err(IoError::NoRows { line });
     }
+    for name in &names {
+        let mut places = (0..table.columns.len()).filter(|place| table.columns[*place] == *name);
+        if let (Some(first), Some(column)) = (places.next(), places.next()) {
+            let (column, first) = (column + 1, first + 1);
+            return Err(IoError::DuplicateColumn { line, column, name: name.clone(), first });
+        }
+    }
     let places = names.map(|name| table.column(&name));
     let samples = (0..table.len()).map(|row| {
         let row = table.row(row);
@@ -79,7 +91,9 @@ pub fn forces(table: &Table, links: &[String], prefix: &str) -> Result<MeasuredF
 
 /// The prefixes of all forces of a table, in its order.
 pub fn force_prefixes(table: &Table) -> Vec<String> {
-    let prefix =
-        |name: &String| name.strip_suffix(".fx").or_else(|| name.strip_suffix(OPENSIM[0])).map(str::to_owned);
+    let headings = table.columns.iter().map(String::as_str).collect();
+    let prefix = |name: &String| {
+        name.strip_suffix(".fx").or_else(|| patterns::name_of(&headings, name)).map(str::to_owned)
+    };
     table.columns.iter().filter_map(prefix).collect()
 }

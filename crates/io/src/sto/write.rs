@@ -1,6 +1,6 @@
 //! A table to a text.
 
-use super::read::is_key;
+use super::header::is_key;
 use crate::error::IoError;
 use crate::table::Table;
 use std::io::{self, Write};

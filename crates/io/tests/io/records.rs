@@ -2,7 +2,7 @@
 
 use crate::motions::{Full, full_human};
 use solaris_io::record::ForceHeadings;
-use solaris_io::{IoError, Table, csv, record, sto};
+use solaris_io::{CoordinateDefault, IoError, Table, csv, record, sto};
 use solaris_model::{Contact, ContactTrack, Curve, Figure, FigureBuilder, Joint, LinkSpec, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -182,6 +182,108 @@ fn torques_of_opensim_are_about_the_center_of_pressure() {
     assert_eq!(record::force_prefixes(&table(&text)), ["", "1_"]);
 }
 
+/// Each of the ways in which files head their forces: as it is asked for, and the headings of force, point and torque.
+#[test]
+fn forces_have_many_names() {
+    let cases = [
+        ("", "ground_force_v", "ground_force_p", "ground_torque_"),
+        ("1_", "1_ground_force_v", "1_ground_force_p", "1_ground_torque_"),
+        ("1", "1_ground_force_v", "1_ground_force_p", "1_ground_torque_"),
+        ("R", "R_ground_force_v", "R_ground_force_p", "R_ground_torque_"),
+        ("l_", "l_ground_force_v", "l_ground_force_p", "l_ground_moment_"),
+        ("r", "ground_force_r_v", "ground_force_r_p", "ground_torque_r_"),
+        ("1", "ground_force_1_v", "ground_force_1_p", "ground_force_1_m"),
+        ("2", "ground_force_2_v", "ground_force_2_p", "ground_moment_2_m"),
+        ("calcn_l", "ground_force_calcn_l_v", "ground_force_calcn_l_p", "ground_torque_calcn_l_"),
+        ("1", "ground_force1_v", "ground_force1_p", "ground_torque1_"),
+        ("right_foot", "right_foot_force_v", "right_foot_force_p", "right_foot_torque_"),
+        ("head", "head_v", "head_p", "head_torque_"),
+    ];
+    for (asked, force, point, torque) in cases {
+        let names = [force, point, torque]
+            .into_iter()
+            .flat_map(|name| ["x", "y", "z"].map(|axis| format!("{name}{axis}")));
+        let columns: Vec<String> = std::iter::once("time".to_owned()).chain(names).collect();
+        let numbers = (0..10).map(|i| format!("\t{i}")).collect::<String>();
+        let text = format!("t\nendheader\n{}\n{}\n", columns.join("\t"), numbers.trim_start());
+        let table = sto::read(&text).expect("a table");
+        let found = record::forces(&table, &["foot".to_owned()], asked)
+            .unwrap_or_else(|error| panic!("{force}: {error}"));
+        let contact = &found.samples[0];
+        assert_eq!(contact.force, Vector3::new(1.0, 2.0, 3.0), "{force}");
+        assert_eq!(contact.cop, Vector3::new(4.0, 5.0, 6.0), "{force}");
+        // (4, 5, 6) × (1, 2, 3) = (3, −6, 3)
+        assert_eq!(contact.moment, Vector3::new(10.0, 2.0, 12.0), "{torque}");
+        let prefixes = record::force_prefixes(&table);
+        assert_eq!(prefixes.len(), 1, "{force}: {prefixes:?}");
+        assert_eq!(prefixes[0].trim_end_matches('_'), asked.trim_end_matches('_'), "{force}");
+    }
+}
+
+#[test]
+fn forces_that_are_not_there_are_answered_with_those_that_are() {
+    let answer = |headings: &str, asked: &str| {
+        let row = headings.split(' ').map(|_| "0").collect::<Vec<_>>().join(" ");
+        let table = sto::read(&format!("t\nendheader\n{headings}\n{row}\n")).expect("a table");
+        record::forces(&table, &["foot".to_owned()], asked).expect_err("not there").to_string()
+    };
+    let two = "time ground_force_r_vx ground_force_r_vy ground_force_r_vz ground_force_l_vx";
+    assert!(answer(two, "right").ends_with("its prefixes are 'r', 'l'"), "{}", answer(two, "right"));
+    let plain = answer("time Fx1 Fy1 Fz1", "");
+    assert!(plain.ends_with("the table holds no forces, but 'Fx1', 'Fy1', 'Fz1' …"), "{plain}");
+    let points = answer(two, "r");
+    assert!(points.contains("'ground_force_r_px'") && points.contains("missing"), "{points}");
+    let twice =
+        "ground_force_vx ground_force_vy ground_force_vz ground_force_px ground_force_py ground_force_pz";
+    let twice = answer(&format!("time {twice} {twice}"), "");
+    assert!(twice.contains("'ground_force_vx' is also the heading of column 2"), "{twice}");
+}
+
+#[test]
+fn rows_that_repeat_a_time_are_left_out_and_noted() {
+    let text = "time,knee_angle_r.q,pelvis_tx.q,pelvis_tilt.q,ankle_angle_r.q\n0,1,2,3,4\n0.1,1,2,3,4\n0.1,9,9,9,9\n";
+    let table = csv::read_table(text).expect("a table");
+    let read = record::read(&leg(), Vector3::zeros(), &table).expect("a motion");
+    assert_eq!((read.motion.len(), read.notes.len()), (2, 1));
+    assert_eq!(read.notes[0].to_string(), "one row repeats the time before (line 4 is the first), left out");
+}
+
+#[test]
+fn missing_coordinates_are_where_the_model_has_them() {
+    let default =
+        |name: &str, value, is_locked| CoordinateDefault { name: name.to_owned(), value, is_locked };
+    let all = ["pelvis_tx", "pelvis_tilt", "knee_angle_r", "ankle_angle_r"];
+    let read = |columns: &[&str], defaults: &[CoordinateDefault]| {
+        let numbers = columns.iter().map(|_| "\t90").collect::<String>();
+        let text =
+            format!("t\ninDegrees=yes\nendheader\ntime\t{}\n0{numbers}\n1{numbers}\n", columns.join("\t"));
+        record::read_with_defaults(&leg(), Vector3::zeros(), &sto::read(&text).expect("a table"), defaults)
+    };
+    let defaults = [default("ankle_angle_r", 0.25, true), default("pelvis_tx", -0.5, false)];
+    let found = read(&all[1..3], &defaults).expect("the rest is known");
+    let q =
+        |name: &str| found.motion.q(1)[leg().layout().q_names().iter().position(|q| q == name).expect("one")];
+    assert_eq!((q("ankle_angle_r"), q("pelvis_tx")), (0.25, -0.5), "never in degrees");
+    assert_eq!(
+        found.notes[0].to_string().matches("'ankle_angle_r' (0.25, locked)").count(),
+        1,
+        "{}",
+        found.notes[0]
+    );
+    // Misspelt, not missing.
+    let misspelt = read(&["pelvis_xt", "pelvis_tilt", "knee_angle_r", "ankle_angle_r"], &defaults);
+    let misspelt = misspelt.expect_err("misspelt").to_string();
+    assert!(misspelt.contains("'pelvis_tx'"), "{misspelt}");
+    // Of another figure, and without a default: all missing ones are named.
+    let few =
+        read(&["pelvis_tilt"], &[default("pelvis_tx", 0.0, false), default("knee_angle_r", 0.0, false)]);
+    let few = few.expect_err("of another figure").to_string();
+    assert!(
+        few.contains("pelvis_tx") && few.contains("knee_angle_r") && few.contains("ankle_angle_r"),
+        "{few}"
+    );
+}
+
 #[test]
 fn mistakes_in_states_are_answered() {
     let unit = "0,0,0,0,0,0,1";
@@ -197,7 +299,7 @@ fn mistakes_in_states_are_answered() {
         (leg(), format!("{good},ankle_angel_r.v\n0,1,2,3,4,5\n")),
         (leg(), format!("{good},hip.tau\n0,1,2,3,4,5\n")),
         (leg(), format!("{good},ankle_r.q\n0,1,2,3,4,5\n")),
-        (leg(), format!("{good}\n0.5,1,2,3,4\n0.5,1,2,3,4\n")),
+        (leg(), format!("{good}\n0.5,1,2,3,4\n0.25,1,2,3,4\n")),
         (leg(), format!("{good}\n")),
         (thrown(), format!("{thrown_head}\n0,{unit},0,0,0,0.99,0\n")),
         (thrown(), format!("{thrown_head},shoulder.wx.v\n0,{unit},0,0,0,1,0,7\n")),

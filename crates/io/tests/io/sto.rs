@@ -17,6 +17,7 @@ fn table() -> Table {
         values: vec![0.0, -0.0, 1.0 / 3.0, 0.1 + 0.2, f64::MAX, -5e-324, 1e-7, 1e22, 123_456_789.125],
         lines: vec![8, 9, 10],
         header_line: 7,
+        ..Table::default()
     }
 }
 
@@ -88,15 +89,11 @@ fn bad_tables_are_answered_with_line_and_column() {
         ("short row", with(("\t4", ""))),
         ("long row", with(("\t4", "\t4\t5"))),
         ("a gap", with(("0\t1\t2", "0\t\t2"))),
-        ("cut off", with(("0.1\t3\t4\n", ""))),
         ("cut off in a row", with(("0.1\t3\t4\n", "0.1\t3"))),
-        ("more rows than told", with(("nRows=2", "nRows=1"))),
-        ("other columns than told", with(("nColumns=3", "nColumns=4"))),
         ("rows are a word", with(("nRows=2", "nRows=two"))),
         ("rows are negative", with(("nRows=2", "nRows=-2"))),
         ("columns beyond numbers", with(("nColumns=3", "nColumns=99999999999999999999999"))),
         ("degrees perhaps", with(("inDegrees=no", "inDegrees=perhaps"))),
-        ("heading twice", with(("\ta\tb", "\ta\ta"))),
         ("empty heading", with(("time\ta\tb", "time\t\tb"))),
         ("no time", with(("time", "frame"))),
     ];
@@ -107,6 +104,86 @@ fn bad_tables_are_answered_with_line_and_column() {
     }
     assert!(!said.contains("READ"), "{said}");
     insta::assert_snapshot!(said);
+}
+
+/// What the notes of a table say.
+fn notes(text: &str) -> String {
+    let table = sto::read_mot(text).expect("odd, not wrong");
+    table.notes.iter().map(|note| format!("{note}\n")).collect()
+}
+
+#[test]
+fn what_is_odd_is_read_and_noted() {
+    let mut said = String::new();
+    for (name, text) in [
+        ("nothing odd", with(("t\n", "t\n"))),
+        ("cut off", with(("0.1\t3\t4\n", ""))),
+        ("more rows than told", with(("nRows=2", "nRows=1"))),
+        ("other columns than told", with(("nColumns=3", "nColumns=4"))),
+        ("heading twice", with(("\ta\tb", "\ta\ta"))),
+        (
+            "headings twice",
+            with(("time\ta\tb\n0\t1\t2\n0.1\t3\t4", "time\ta\tb\ta\tb\n0 1 2 3 4\n1 2 3 4 5")),
+        ),
+        ("no version", with(("version=1\n", "")).replace("inDegrees=no\n", "")),
+    ] {
+        let _ = writeln!(said, "{name}: {}", notes(&text).trim_end());
+    }
+    insta::assert_snapshot!(said);
+    // A heading that stands twice is there once.
+    let twice = sto::read(&with(("\ta\tb", "\ta\ta"))).expect("odd");
+    assert_eq!((twice.column("a"), twice.columns.len()), (Some(1), 3));
+}
+
+#[test]
+fn a_mot_without_a_version_is_in_degrees() {
+    let simm = "name walk\ndatacolumns 2\ndatarows 1\notherdata 1\nrange 0.0 1.0\nendheader\ntime a\n0 1\n";
+    let told = |text: &str| sto::read_mot(text).expect("a motion").in_degrees;
+    assert_eq!([told(simm), sto::read(simm).expect("a table").in_degrees], [Some(true), None]);
+    assert_eq!(told(&simm.replace("name", "Angles are in radians.\nname")), Some(false));
+    assert_eq!(told("t\nversion=1\nendheader\ntime a\n0 1\n"), None);
+}
+
+#[test]
+fn blanks_tabs_and_capitals_do_not_matter() {
+    let plain = sto::read(&with(("t\n", "t\n"))).expect("plain");
+    for odd in [
+        with(("endheader", "EndHeader")),
+        with(("time\ta\tb", "time a \t b\t\t")),
+        with(("0\t1\t2", "  0 1\t\t2\t ")),
+        with(("t\n", "t\n")).replace('\n', "\r\n"),
+        with(("time\ta", "\ttime\ta")),
+    ] {
+        let read = sto::read(&odd).unwrap_or_else(|error| panic!("{odd:?}: {error}"));
+        assert_eq!((&read.columns, &read.values), (&plain.columns, &plain.values), "{odd:?}");
+    }
+}
+
+#[test]
+fn cells_of_vectors_are_columns_of_numbers() {
+    let read = |kind: &str, heading: &str, row: &str| {
+        let text =
+            format!("DataRate=100\nDataType={kind}\nversion=3\nendheader\ntime\t{heading}\n0\t{row}\n");
+        sto::read(&text)
+    };
+    let markers = read("Vec3", "head\tfoot", "1,2,3\t4,5,6").expect("markers");
+    assert_eq!(markers.columns, ["time", "head.x", "head.y", "head.z", "foot.x", "foot.y", "foot.z"]);
+    assert_eq!(markers.row(0), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    let sensors = read("Quaternion", "pelvis_imu", "1,0,0,0").expect("sensors");
+    assert_eq!(sensors.columns[1..], ["pelvis_imu.w", "pelvis_imu.x", "pelvis_imu.y", "pelvis_imu.z"]);
+    let dressed = read("Vec3", "head\tknee", "~[1, 2,3]\t7").expect("as Simbody prints them");
+    assert_eq!((dressed.columns.len(), dressed.row(0)), (5, &[0.0, 1.0, 2.0, 3.0, 7.0][..]));
+    let wide = read("Vec4", "head", "1,2,3,4").expect("numbered");
+    assert_eq!(wide.columns[4], "head.4");
+    assert_eq!(
+        markers.notes[0].to_string(),
+        "its cells hold 3 numbers each (Vec3); 'head.x' and so on are columns of one"
+    );
+    for (row, why) in [("1,2\t3,x", "'x' is no finite number"), ("1,2", "2 fields"), ("1,2,3\t4", "fields")] {
+        let text = format!("DataType=Vec2\nendheader\ntime\ta\tb\n0\t1,2\t3,4\n1\t{row}\n");
+        let error = sto::read(&text).err().map(|error| error.to_string()).unwrap_or_default();
+        assert!(error.contains(why) || error.contains("no finite number"), "{row}: {error}");
+    }
 }
 
 #[test]

@@ -108,7 +108,7 @@ fn plates_that_are_none_are_refused_by_name() {
     for (options, said) in [
         ("--plate rigt=", "--plate rigt=: no sole has this name, but right, left; did you mean 'right'?"),
         ("--plate right= --plate right=1_", "this sole has a plate already"),
-        ("--plate right=2_", "no column begins a force with the prefix '2_'"),
+        ("--plate right=2_", "no force is called '2_'"),
     ] {
         let message = refused(&solaris(folder.path(), &format!("{FILES} {options}")));
         assert!(message.contains(said), "{options}: {message}");

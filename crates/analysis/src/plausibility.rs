@@ -1,0 +1,20 @@
+//! Whether a motion, the forces that were measured beside it and the figure belong together.
+//!
+//! Swapped feet, the plates of another trial, a model of another person and angles in the wrong unit all give joint forces that
+//! look like joint forces. Each check asks one thing that must be so where all fits, and what does not is a
+//! [`MotionFinding`] with its value, the threshold and the likely cause. Nothing is refused.
+//!
+//! The thresholds are wide: they tell mistakes, not the errors of a good laboratory.
+
+mod angles;
+mod finding;
+mod plates;
+mod residual;
+
+pub use angles::{GREATEST_DEGREES_OF_RADIANS, GREATEST_RADIANS, LEAST_RANGE, check_angles};
+pub use finding::{FarCause, MotionFinding};
+pub use plates::{
+    AIRBORNE, BORNE, FAR, FAR_SHARE, MISSING, OBLIQUE, PlateFit, PlateReport, SWAPPED, check_plates,
+    soles_of_plates,
+};
+pub use residual::{RESIDUAL_FORCE, RESIDUAL_MOMENT, ResidualCheck, check_residual};

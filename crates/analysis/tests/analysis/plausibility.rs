@@ -1,0 +1,221 @@
+//! Plates, angles and residuals that do not fit, on the project's subject and on a measured one.
+
+use crate::pinned::{file, say};
+use solaris_analysis::ground::{PlacedFeet, Sole, StanceOptions, find_stances, guessed_soles};
+use solaris_analysis::plausibility::{
+    FarCause, MotionFinding, PlateReport, ResidualCheck, check_angles, check_plates, check_residual,
+    soles_of_plates,
+};
+use solaris_analysis::{Filter, InverseOptions, Loads, PreparedMotion, differentiate, inverse_motion};
+use solaris_io::{Import, Table, opensim, record, sto};
+use solaris_model::{MeasuredForce, Vector3};
+
+/// A figure, its motion and the plates under its feet.
+struct Trial {
+    name: &'static str,
+    import: Import,
+    motion: Table,
+    plates: Vec<MeasuredForce>,
+    soles: Vec<Sole>,
+}
+
+/// The project's subject, and the measured ones where they are at hand.
+fn trials() -> Vec<Trial> {
+    let own = |name: &str| {
+        let path = format!("{}/../../fixtures/subject/{name}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(path).expect("a fixture")
+    };
+    let trial = |name, model: &str, motion: &str, plates: &str| {
+        let plates = sto::read(plates).expect("a table");
+        let import = opensim::read(model).expect("a model");
+        let plate = |body: &str, prefix| {
+            let (link, _) = import.figure.locate(body).expect("a foot");
+            let link = import.figure.links()[link].name().to_owned();
+            record::forces(&plates, &[link], prefix).expect("its columns")
+        };
+        let plates = vec![plate("calcn_r", ""), plate("calcn_l", "1_")];
+        let soles = match guessed_soles(&import.figure) {
+            none if none.is_empty() => soles_of_plates(&import.figure, &plates),
+            soles => soles,
+        };
+        Trial { name, motion: sto::read(motion).expect("a table"), plates, soles, import }
+    };
+    let mut trials = vec![trial("project", &own("subject.osim"), &own("walk.mot"), &own("grf.mot"))];
+    let [model, motion, plates] =
+        ["gait10dof18musc_subject01.osim", "subject01_walk_ik_planar10.mot", "subject01_walk_grf.mot"]
+            .map(file);
+    if let (Some(model), Some(motion), Some(plates)) = (model, motion, plates) {
+        trials.push(trial("measured", &model, &motion, &plates));
+    }
+    trials
+}
+
+impl Trial {
+    fn check(&self) -> (PlateReport, ResidualCheck, Option<MotionFinding>) {
+        let Import { figure, gravity, .. } = &self.import;
+        let recorded = record::read(figure, *gravity, &self.motion).expect("a motion").motion;
+        let filter = Some(Filter { cutoff: 6.0, order: 3 });
+        let found = differentiate(figure, &recorded, filter).expect("differentiated");
+        let (motion, unsettled) = (found.motion, found.unsettled);
+        let prepared = PreparedMotion::new(figure, &motion).expect("ready");
+        let feet = PlacedFeet::new(&prepared, &*self.soles).expect("placed");
+        let stances = find_stances(&feet, &StanceOptions::default()).expect("stances");
+        let report = check_plates(&prepared, Some((&feet, &stances)), &self.plates).expect("checked");
+        let loads = Loads::at_times(figure, &self.plates, motion.time()).expect("loads");
+        let forces = inverse_motion(&prepared, &loads, InverseOptions::default()).expect("forces");
+        let residual = check_residual(&prepared, &forces, &self.plates, stances.level, unsettled);
+        let residual = residual.expect("checked").expect("forces");
+        let angles = check_angles(figure, &motion, self.motion.in_degrees);
+        say(&format!(
+            "{}: borne {:?} in {} frames, {:.3?}",
+            self.name, report.borne, report.complete, report.plates
+        ));
+        report.findings.iter().for_each(|finding| say(&format!("    {finding}")));
+        say(&format!("    {residual:.2?} {}", residual.cause()));
+        (report, residual, angles)
+    }
+
+    fn findings(&self) -> Vec<MotionFinding> {
+        self.check().0.findings
+    }
+}
+
+#[test]
+fn right_plates_raise_nothing() {
+    for trial in trials() {
+        let (report, residual, angles) = trial.check();
+        assert_eq!(report.findings, [], "{}", trial.name);
+        assert_eq!(angles, None, "{}", trial.name);
+        assert!((report.borne.expect("frames") - 1.0).abs() < 0.03 && report.complete > 50, "{report:?}");
+        assert!(!residual.cause().contains("another"), "{residual:?}");
+    }
+}
+
+#[test]
+fn swapped_feet_are_named_as_such() {
+    for mut trial in trials() {
+        let links: Vec<_> = trial.plates.iter().rev().map(|plate| plate.links.clone()).collect();
+        trial.plates.iter_mut().zip(links).for_each(|(plate, links)| plate.links = links);
+        let found = trial.findings();
+        let is_swap = |finding: &&MotionFinding| {
+            matches!(
+                finding,
+                MotionFinding::Far { cause: FarCause::Swapped { .. }, .. }
+                    | MotionFinding::Airborne { cause: FarCause::Swapped { .. }, .. }
+            )
+        };
+        assert!(found.iter().filter(is_swap).count() == 2, "{}: {found:?}", trial.name);
+    }
+}
+
+/// The same plates a third of a stride later: feet stand where nothing bears.
+#[test]
+fn plates_of_another_time_are_caught() {
+    for mut trial in trials() {
+        for plate in &mut trial.plates {
+            let by = plate.samples.len() / 7;
+            plate.samples.rotate_left(by);
+        }
+        let (report, residual, _) = trial.check();
+        assert!(report.findings.len() >= 2, "{}: {:?}", trial.name, report.findings);
+        assert!(!residual.is_met() && residual.cause().contains("another trial"), "{residual:?}");
+    }
+}
+
+/// Another trial of the same body: faster, and elsewhere on the ground.
+#[test]
+fn plates_of_another_trial_are_caught() {
+    for mut trial in trials() {
+        for plate in &mut trial.plates {
+            let begin = plate.time[0];
+            plate.time.iter_mut().for_each(|time| *time = begin + (*time - begin) * 1.25);
+        }
+        let found = trial.findings();
+        let is_other = |finding: &MotionFinding| {
+            matches!(finding, MotionFinding::Airborne { .. } | MotionFinding::Far { .. })
+        };
+        assert!(found.iter().any(is_other), "{}: {found:?}", trial.name);
+    }
+}
+
+/// A lab whose origin is elsewhere.
+#[test]
+fn a_shifted_origin_is_named_as_such() {
+    for mut trial in trials() {
+        let by = Vector3::new(0.3, 0.0, 0.1);
+        for contact in trial.plates.iter_mut().flat_map(|plate| &mut plate.samples) {
+            contact.cop += by;
+            contact.moment += by.cross(&contact.force);
+        }
+        let found = trial.findings();
+        let shifted = |finding: &MotionFinding| matches!(finding, MotionFinding::Far { cause: FarCause::Shifted { by }, .. } if by[0] > 0.15);
+        assert!(found.iter().any(shifted), "{}: {found:?}", trial.name);
+    }
+}
+
+#[test]
+fn plates_of_another_body_are_weighed() {
+    for mut trial in trials() {
+        for contact in trial.plates.iter_mut().flat_map(|plate| &mut plate.samples) {
+            contact.force *= 1.2;
+            contact.moment *= 1.2;
+        }
+        let found = trial.findings();
+        let heavy = |finding: &MotionFinding| matches!(finding, MotionFinding::Mass { borne, .. } if (borne - 1.2).abs() < 0.03);
+        assert!(found.iter().any(heavy), "{}: {found:?}", trial.name);
+    }
+}
+
+#[test]
+fn units_and_signs_of_forces_are_named() {
+    for (factor, word) in [(1e-3, "kN"), (-1.0, "signs"), (1.0 / 9.81, "kg instead of N")] {
+        for mut trial in trials() {
+            for contact in trial.plates.iter_mut().flat_map(|plate| &mut plate.samples) {
+                contact.force *= factor;
+                contact.moment *= factor;
+            }
+            let said: Vec<String> = trial.findings().iter().map(ToString::to_string).collect();
+            assert!(said.iter().any(|said| said.contains(word)), "{}: {said:?}", trial.name);
+        }
+    }
+}
+
+#[test]
+fn a_foot_without_a_plate_is_named_with_its_time() {
+    for mut trial in trials() {
+        let left = trial.plates.pop().expect("two");
+        let found = trial.findings();
+        let bare = |finding: &&MotionFinding| matches!(finding, MotionFinding::NoPlate { foot, has_plate: false, missing, .. } if foot == "calcn_l" && *missing > 0.5);
+        assert_eq!(found.iter().filter(bare).count(), 1, "{}: {found:?}", trial.name);
+        // A plate that was off is no plate.
+        let samples = left.samples.iter().map(|_| solaris_model::Contact::default()).collect();
+        trial.plates.push(MeasuredForce { samples, ..left });
+        let found = trial.findings();
+        let bare = |finding: &&MotionFinding| matches!(finding, MotionFinding::NoPlate { foot, has_plate: true, .. } if foot == "calcn_l");
+        assert_eq!(found.iter().filter(bare).count(), 1, "{}: {found:?}", trial.name);
+    }
+}
+
+/// The numbers stay, the header says the other unit.
+#[test]
+fn degrees_and_radians_that_are_swapped_are_caught() {
+    for mut trial in trials() {
+        assert_eq!(trial.motion.in_degrees, Some(true), "{}", trial.name);
+        trial.motion.in_degrees = Some(false);
+        let (_, _, angles) = trial.check();
+        assert!(matches!(angles, Some(MotionFinding::DegreesAsRadians { .. })), "{}: {angles:?}", trial.name);
+        let slides = ["time", "pelvis_tx", "pelvis_ty", "pelvis_tz"];
+        let slides: Vec<bool> =
+            trial.motion.columns.iter().map(|name| slides.contains(&name.as_str())).collect();
+        for (i, value) in trial.motion.values.iter_mut().enumerate() {
+            if !slides[i % slides.len()] {
+                *value = value.to_radians();
+            }
+        }
+        let (_, _, angles) = trial.check();
+        assert_eq!(angles, None, "{}: in radians, as it says", trial.name);
+        trial.motion.in_degrees = Some(true);
+        let (_, _, angles) = trial.check();
+        assert!(matches!(angles, Some(MotionFinding::RadiansAsDegrees { .. })), "{}: {angles:?}", trial.name);
+    }
+}
