@@ -1,10 +1,12 @@
 //! The joint forces of a motion that is known, with what acts on it from outside.
 
 use crate::loads::Loads;
+use crate::peak::Peak;
 use crate::prepared::{PreparedMotion, StateError, each};
 use solaris_dynamics::{
     DynamicsError, Workspace, Wrench, add_passive_forces, forward_kinematics, inverse_dynamics,
 };
+use solaris_model::AxisKind;
 
 /// Frames between two reports of progress; enough to keep all cores busy.
 const CHUNK: usize = 2048;
@@ -19,44 +21,69 @@ pub struct InverseOptions<'a> {
 }
 
 /// The joint forces of a motion, and what they are like.
+///
+/// With the feature `serde` its keys are `joints` and `residual`; the forces themselves are a table for other formats.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InverseReport {
     /// Generalized forces (N m or N), `nv` a row, in the order of the figure.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub tau: Vec<f64>,
     /// Of each degree of freedom, how great its force is; those of the root's joint are residuals where nothing in the
     /// world holds the root.
+    #[cfg_attr(feature = "serde", serde(rename = "joints"))]
     pub dofs: Vec<DofLoad>,
     /// What is missing for the whole figure's balance of momentum: what acts through the root's joint.
     pub residual: Residual,
 }
 
 /// How great the force of a degree of freedom is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+///
+/// With the feature `serde` its keys are `dof`, `unit`, `rms`, `greatest`, `at_s` and `root`.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DofLoad {
+    /// The degree of freedom's name.
+    pub dof: String,
+    /// What its force is in: `N` where it slides, else `N m`.
+    pub unit: &'static str,
     /// Root of the mean square (N m or N).
     pub rms: f64,
     /// Of greatest magnitude (N m or N), with its sign.
     pub greatest: f64,
     /// When (s).
+    #[cfg_attr(feature = "serde", serde(rename = "at_s"))]
     pub time: f64,
+    /// Whether it belongs to a [root that is free](solaris_model::Figure::root_is_free), so that its force is a residual.
+    #[cfg_attr(feature = "serde", serde(rename = "root"))]
+    pub is_residual: bool,
 }
 
 /// What must act on the whole figure besides gravity and the given forces, in magnitude.
 ///
 /// Zero would say that motion, masses and measured forces agree; what is left over is the error of one of them.
+///
+/// With the feature `serde` its keys are `force_rms_n`, `force_greatest_n`, `force_at_s`, and with `moment` and `nm` the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Residual {
     /// Root of the mean square of the force (N).
+    #[cfg_attr(feature = "serde", serde(rename = "force_rms_n"))]
     pub force_rms: f64,
     /// Greatest force (N).
+    #[cfg_attr(feature = "serde", serde(rename = "force_greatest_n"))]
     pub force: f64,
     /// When (s).
+    #[cfg_attr(feature = "serde", serde(rename = "force_at_s"))]
     pub force_time: f64,
     /// Root of the mean square of the moment about the root link's origin (N m).
+    #[cfg_attr(feature = "serde", serde(rename = "moment_rms_nm"))]
     pub moment_rms: f64,
     /// Greatest moment about the root link's origin (N m).
+    #[cfg_attr(feature = "serde", serde(rename = "moment_greatest_nm"))]
     pub moment: f64,
     /// When (s).
+    #[cfg_attr(feature = "serde", serde(rename = "moment_at_s"))]
     pub moment_time: f64,
 }
 
@@ -145,31 +172,42 @@ pub fn inverse_motion(
         }
     }
     let column = |dof: usize| report.tau.iter().skip(dof).step_by(nv.max(1)).copied();
-    report.dofs = (0..nv).map(|dof| extent(time, column(dof))).collect();
+    let layout = prepared.figure.layout();
+    let root = if prepared.figure.root_is_free() { layout.joints()[0].nv } else { 0 };
+    let load = |dof: usize| {
+        let (rms, greatest) = extent(time, column(dof));
+        DofLoad {
+            dof: layout.v_names()[dof].clone(),
+            unit: if layout.axis_kind(dof) == AxisKind::Translation { "N" } else { "N m" },
+            rms,
+            greatest: greatest.value,
+            time: greatest.time,
+            is_residual: dof < root,
+        }
+    };
+    report.dofs = (0..nv).map(load).collect();
     let [force, moment] = [0, 1].map(|part| extent(time, wrenches.iter().map(|wrench| wrench[part])));
     report.residual = Residual {
-        force_rms: force.rms,
-        force: force.greatest,
-        force_time: force.time,
-        moment_rms: moment.rms,
-        moment: moment.greatest,
-        moment_time: moment.time,
+        force_rms: force.0,
+        force: force.1.value,
+        force_time: force.1.time,
+        moment_rms: moment.0,
+        moment: moment.1.value,
+        moment_time: moment.1.time,
     };
     Ok(report)
 }
 
 /// Root mean square and greatest of a column.
-fn extent(time: &[f64], column: impl Iterator<Item = f64>) -> DofLoad {
-    let mut load = DofLoad::default();
-    let mut squares = 0.0;
+fn extent(time: &[f64], column: impl Iterator<Item = f64>) -> (f64, Peak) {
+    let (mut squares, mut greatest) = (0.0, Peak::default());
     for (value, &time) in column.zip(time) {
         squares += value * value;
-        if value.abs() > load.greatest.abs() {
-            (load.greatest, load.time) = (value, time);
+        if value.abs() > greatest.value.abs() {
+            greatest = Peak { value, time };
         }
     }
-    load.rms = (squares / time.len().max(1) as f64).sqrt();
-    load
+    ((squares / time.len().max(1) as f64).sqrt(), greatest)
 }
 
 /// The forces of one frame.

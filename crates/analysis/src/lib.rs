@@ -8,6 +8,7 @@ pub mod ground;
 mod inverse;
 mod loads;
 mod nearness;
+mod peak;
 mod prepared;
 #[cfg(test)]
 mod random;
@@ -20,7 +21,8 @@ pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiat
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
-pub use nearness::{Near, Nearest, Nearness, NearnessError, nearness};
+pub use nearness::{LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness};
+pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use rooted::{RootReport, reactions_from_feet};

@@ -1,8 +1,11 @@
 //! Nearness: the least distance between links of a figure in a motion.
 
 mod fill;
+mod limbs;
 mod pairs;
 mod segment;
+
+pub use limbs::{LimbOverlap, NearSpell, NearestLimbs};
 
 use fill::{Capsule, fill};
 use nalgebra::Vector3;

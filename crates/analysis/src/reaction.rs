@@ -6,6 +6,7 @@
 
 use crate::carrier::Carrier;
 use crate::error::ReactionError;
+use crate::peak::Peak;
 use crate::prepared::{PreparedMotion, each};
 use crate::split::{FootSupport, split_at_pivot};
 use nalgebra::Vector3;
@@ -30,16 +31,27 @@ pub trait SupportLaw: Sync {
 }
 
 /// What was found, besides the contacts and forces in the motion.
+///
+/// With the feature `serde` its keys are `double_support_split`, `root_residual_n`, `root_residual_n_m`, `from_prescribed_n` and
+/// `cop_from_prescribed_m`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ReactionReport {
     /// Name of the rule that shares the load in double support.
+    #[cfg_attr(feature = "serde", serde(rename = "double_support_split"))]
     pub split: &'static str,
-    /// Greatest force (N) and moment (N m) that is left at the root's degrees of freedom; rounding.
-    pub root_residual: (f64, f64),
-    /// Greatest difference of the total force from the prescribed one (N), and when (s).
-    pub from_prescribed: Option<(f64, f64)>,
-    /// Greatest difference of the total centre of pressure from the nominal one (m), and when (s).
-    pub cop_from_nominal: (f64, f64),
+    /// Greatest force (N) that is left at the root's degrees of freedom; rounding.
+    #[cfg_attr(feature = "serde", serde(rename = "root_residual_n"))]
+    pub root_force: f64,
+    /// Greatest moment (N m) that is left there; rounding.
+    #[cfg_attr(feature = "serde", serde(rename = "root_residual_n_m"))]
+    pub root_moment: f64,
+    /// Greatest difference of the total force from the prescribed one (N).
+    #[cfg_attr(feature = "serde", serde(rename = "from_prescribed_n"))]
+    pub from_prescribed: Option<Peak>,
+    /// Greatest difference of the total centre of pressure from the nominal one (m).
+    #[cfg_attr(feature = "serde", serde(rename = "cop_from_prescribed_m"))]
+    pub cop_from_nominal: Peak,
 }
 
 /// A foot: the links that carry its wrench.
@@ -99,9 +111,10 @@ pub fn ground_reactions(
     let root = figure.layout().joints()[0];
     let mut report = ReactionReport {
         split: "pivot",
-        root_residual: (0.0, 0.0),
+        root_force: 0.0,
+        root_moment: 0.0,
         from_prescribed: None,
-        cop_from_nominal: (0.0, 0.0),
+        cop_from_nominal: Peak::default(),
     };
     let mut tau = Vec::with_capacity(motion.len() * figure.layout().nv());
     let mut tracks =
@@ -109,17 +122,15 @@ pub fn ground_reactions(
     let slides = slides(figure.links()[0].joint().kind());
     for (frame, &time) in frames.into_iter().zip(motion.time()) {
         for (residual, slide) in frame.tau[root.v..root.v + root.nv].iter().zip(&slides) {
-            let greatest = if *slide { &mut report.root_residual.0 } else { &mut report.root_residual.1 };
+            let greatest = if *slide { &mut report.root_force } else { &mut report.root_moment };
             *greatest = greatest.max(residual.abs());
         }
         if let Some(difference) = frame.from_prescribed
-            && report.from_prescribed.is_none_or(|(worst, _)| difference > worst)
+            && report.from_prescribed.is_none_or(|worst| difference > worst.value)
         {
-            report.from_prescribed = Some((difference, time));
+            report.from_prescribed = Some(Peak { value: difference, time });
         }
-        if frame.cop_from_nominal > report.cop_from_nominal.0 {
-            report.cop_from_nominal = (frame.cop_from_nominal, time);
-        }
+        report.cop_from_nominal = report.cop_from_nominal.max(Peak { value: frame.cop_from_nominal, time });
         tau.extend(frame.tau);
         for (track, contact) in tracks.iter_mut().zip(frame.contacts) {
             track.samples.push(contact);

@@ -10,15 +10,26 @@ use solaris_model::{Contact, Event, EventKind, Figure, Motion, RootAt};
 const LEAST_SHARE: f64 = 1.0 / 3.0;
 
 /// What became of the forces when they were computed from the feet.
+///
+/// With the feature `serde` its keys are `links` (each with the time from which on it was the root), `force_differs_n` and
+/// `torque_differs_n_m`.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RootReport {
-    /// From when (s) on which link was the root.
-    pub roots: Vec<(f64, String)>,
-    /// Greatest difference of the root foot's force (N) and of its moment about the world's origin (N m) from what they were.
-    pub reaction: (f64, f64),
+    /// Which link was the root from when (s) on.
+    #[cfg_attr(feature = "serde", serde(rename = "links"))]
+    pub roots: Vec<(String, f64)>,
+    /// Greatest difference of the root foot's force (N) from what it was.
+    #[cfg_attr(feature = "serde", serde(rename = "force_differs_n"))]
+    pub reaction_force: f64,
+    /// Greatest difference of its moment about the world's origin (N m).
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub reaction_moment: f64,
     /// Greatest difference of a joint's force (N m or N) from what it was.
+    #[cfg_attr(feature = "serde", serde(rename = "torque_differs_n_m"))]
     pub torque: f64,
     /// Greatest of what was compared: force (N), moment (N m), joint force.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub scale: (f64, f64, f64),
 }
 
@@ -68,8 +79,8 @@ pub fn reactions_from_feet(
         // There is one now.
         let Some(view) = views.iter_mut().find(|view| view.link == links[on]) else { continue };
         let name = figure.links()[links[on]].name();
-        if report.roots.last().is_none_or(|(_, last)| last != name) {
-            report.roots.push((motion.time()[row], name.to_owned()));
+        if report.roots.last().is_none_or(|(last, _)| last != name) {
+            report.roots.push((name.to_owned(), motion.time()[row]));
         }
         let other =
             (links[1 - on], Wrench { force: contacts[1 - on].force, moment: contacts[1 - on].moment });
@@ -90,7 +101,7 @@ pub fn reactions_from_feet(
             .roots
             .iter()
             .skip(1)
-            .map(|(time, link)| Event { time: *time, kind: EventKind::RootChange { link: link.clone() } }),
+            .map(|(link, time)| Event { time: *time, kind: EventKind::RootChange { link: link.clone() } }),
     );
     motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     Ok(report)
@@ -99,8 +110,8 @@ pub fn reactions_from_feet(
 impl RootReport {
     fn compare(&mut self, was: &Contact, is: &Wrench<f64>, tau_was: Option<&[f64]>, tau_is: &[f64]) {
         let greatest = |value: &mut f64, other: f64| *value = value.max(other);
-        greatest(&mut self.reaction.0, (is.force - was.force).norm());
-        greatest(&mut self.reaction.1, (is.moment - was.moment).norm());
+        greatest(&mut self.reaction_force, (is.force - was.force).norm());
+        greatest(&mut self.reaction_moment, (is.moment - was.moment).norm());
         greatest(&mut self.scale.0, was.force.norm());
         greatest(&mut self.scale.1, was.moment.norm());
         for (was, is) in tau_was.into_iter().flatten().zip(tau_is) {

@@ -3,8 +3,6 @@
 mod read;
 mod report;
 mod summary;
-mod units;
 
 pub(crate) use read::{Given, in_order};
 pub(crate) use report::GivenReport;
-pub(crate) use units::slides;

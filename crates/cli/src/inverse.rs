@@ -77,7 +77,7 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
         },
         ground: ground.map(|ground| GroundReport::new(ground, &given)),
     };
-    let report = Report::new(&given, asked, &forces);
+    let report = Report::new(&given, asked, forces);
     print(|out| {
         if args.json {
             return report.write_json(out);

@@ -57,7 +57,7 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
     let evidence = Evidence::find(args, &given, &prepared)?;
     progress.stage("measuring");
     let all = metrics(&evidence.input()).map_err(|error| CliError::input(from, &error))?;
-    let report = Report::new(GivenReport::new(&given), &evidence, &all);
+    let report = Report::new(GivenReport::new(&given), &evidence, all);
     outputs.write(|format, mut writer| match format {
         Format::Json => report.write_json(writer).map_err(CliError::other),
         Format::Csv => report.write_csv(&mut writer).map_err(CliError::other),

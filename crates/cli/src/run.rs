@@ -16,7 +16,7 @@ pub(crate) use table::positions;
 use crate::args::RunArgs;
 use crate::error::CliError;
 use crate::input::extension;
-use crate::limbs::Limbs;
+use crate::limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use report::Report;
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error))?;
     watcher.writing();
-    let limbs = Limbs::of(scene.figure(), &simulated.motion)?;
+    let limbs = limbs::nearest(scene.figure(), &simulated.motion)?;
     let report = Report::new(&scene, &simulated, limbs);
     outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report))?;
     drop(watcher);
@@ -84,7 +84,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     print(|out| {
         out.write_all(summary::text(&report).as_bytes())?;
         if args.plan {
-            out.write_all(plan::text(&report.phases).as_bytes())?;
+            out.write_all(plan::text(&report.run.phases).as_bytes())?;
         }
         out.write_all(summary::written(outputs.written()).as_bytes())
     })

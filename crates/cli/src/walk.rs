@@ -12,7 +12,7 @@ mod told;
 use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
 use crate::error::CliError;
 use crate::input;
-use crate::limbs::Limbs;
+use crate::limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
@@ -53,11 +53,11 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     progress.stage("measuring");
     let measures = measure(&figure, &planned.motion).map_err(CliError::other)?;
     let lone = isolated_peaks(&planned.motion).map_err(CliError::other)?;
-    let limbs = Limbs::of(&figure, &planned.motion)?;
+    let limbs = limbs::nearest(&figure, &planned.motion)?;
     let motion = planned.motion.clone();
     // A page goes by its time; who plays frame after frame shall not see one twice.
     let frames = if planned.repeats { looped::without_last(&figure, &motion)? } else { motion.clone() };
-    let report = Report::new(figure.mass(), planned, &measures, &lone, limbs);
+    let report = Report::new(figure.mass(), planned, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
         let motion = if matches!(format, Format::Html) { &motion } else { &frames };

@@ -6,6 +6,8 @@ use crate::smooth::WalkPlan;
 use crate::thesis::determinants::{Determinants, KeySolution, LegAngles, Proportions};
 
 /// A key posture and the walk's own at its instant.
+///
+/// With the feature `serde` its keys are `posture`, `at_s`, and the deviations of thigh, shank and foot `stance_deg` and `swing_deg`.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "Beside")]
 pub struct PostureComparison {
@@ -28,6 +30,20 @@ impl PostureComparison {
         };
         let ([a, b, c], [d, e, f]) = (of(0), of(1));
         [a, b, c, d, e, f]
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for PostureComparison {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let [a, b, c, d, e, f] = self.deviations().map(f64::to_degrees);
+        let mut posture = serializer.serialize_struct("PostureComparison", 4)?;
+        posture.serialize_field("posture", self.name)?;
+        posture.serialize_field("at_s", &self.time)?;
+        posture.serialize_field("stance_deg", &[a, b, c])?;
+        posture.serialize_field("swing_deg", &[d, e, f])?;
+        posture.end()
     }
 }
 

@@ -35,8 +35,9 @@ pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;
 pub use error::{BodyError, GaitError, MapError, MeasureError, PlanError, PostureError, RequestError};
 pub use measure::{
-    Band, BandCheck, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS,
-    WalkMeasures, check_bands, free_moment, isolated_peaks, measure, measure_stride,
+    Band, BandCheck, BandReport, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS,
+    WalkExtremes, WalkMeasures, band_reports, check_bands, free_moment, isolated_peaks, measure,
+    measure_stride,
 };
 pub use request::{
     CHANGING_STEPS, DEFAULT_STEP_FREQUENCY, Extent, Resolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
@@ -46,7 +47,7 @@ pub use smooth::{
     FRICTION, LONGEST_STAND, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Unit, WalkNumbers,
     WalkPlan, WalkSegment, WalkSequence, walk,
 };
-pub use styled::{StyledPlan, StyledRequest, WalkForces};
+pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{
     Edge, FeasibleMap, InBetween, KeyChoice, KeyScript, KeyframedOptions, KeyframedWalk, MapCondition,
     ScriptCycle, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, determinants, stick_figures, thesis_walk,

@@ -10,8 +10,9 @@ mod series;
 mod steady;
 pub(crate) mod window;
 
-pub use bands::{Band, BandCheck, RECIPE_BANDS, TEXTBOOK_BANDS, check_bands};
+pub use bands::{Band, BandCheck, BandReport, RECIPE_BANDS, TEXTBOOK_BANDS, band_reports, check_bands};
 pub use isolated::{IsolatedPeak, isolated_peaks};
+pub use solaris_analysis::Peak;
 pub use steady::SteadyStride;
 
 use crate::body::FEET;
@@ -19,17 +20,11 @@ use crate::error::GaitError;
 use series::Series;
 use solaris_model::{EventKind, Figure, Motion};
 
-/// The greatest value of a quantity and when it occurs (s).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Peak {
-    /// The value.
-    pub value: f64,
-    /// When.
-    pub time: f64,
-}
-
 /// Greatest moments and powers of one joint, both sides, over the whole walk; per kg of body mass.
+///
+/// With the feature `serde` its keys are the fields' names, in N m/kg and W/kg.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct JointPeaks {
     /// Hip, knee or ankle.
     pub joint: &'static str,
@@ -44,29 +39,56 @@ pub struct JointPeaks {
 }
 
 /// The numbers of a walk.
+///
+/// With the feature `serde` its keys are `steps`, `distance_m`, `duration_s`, `double_supports_percent`, those of [`WalkExtremes`],
+/// `joints` and `steady_stride`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[doc(alias = "spatiotemporal parameters")]
 #[doc(alias = "gait parameters")]
 pub struct WalkMeasures {
     /// Steps, without the closing one.
     pub steps: usize,
     /// Distance that the centre of mass went forward (m).
+    #[cfg_attr(feature = "serde", serde(rename = "distance_m"))]
     pub distance: f64,
     /// How long it lasts (s).
+    #[cfg_attr(feature = "serde", serde(rename = "duration_s"))]
     pub duration: f64,
     /// Each double support between steps, in % of the stride time at it.
     #[doc(alias = "double support")]
     #[doc(alias = "dual support")]
+    #[cfg_attr(feature = "serde", serde(rename = "double_supports_percent"))]
     pub double_supports: Vec<f64>,
+    /// Greatest and least values over all of it.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub extremes: WalkExtremes,
+    /// Hip, knee and ankle.
+    pub joints: Vec<JointPeaks>,
+    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps).
+    #[cfg_attr(feature = "serde", serde(rename = "steady_stride"))]
+    pub steady: Option<SteadyStride>,
+}
+
+/// Greatest and least values over a whole walk.
+///
+/// With the feature `serde` its keys are `vertical_percent_bw`, `braking_percent_bw`, `pushing_percent_bw`, `friction`,
+/// `foot_friction`, `slide_m`, `sink_m`, `toe_clearance_m`, `cop_outside_m` and `least_knee_deg`.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct WalkExtremes {
     /// Greatest vertical force on one foot (% of body weight).
     #[doc(alias = "grf")]
     #[doc(alias = "vgrf")]
     #[doc(alias = "ground reaction force")]
+    #[cfg_attr(feature = "serde", serde(rename = "vertical_percent_bw"))]
     pub vertical: Peak,
     /// Greatest braking and pushing force on one foot (% of body weight).
     #[doc(alias = "grf")]
+    #[cfg_attr(feature = "serde", serde(rename = "braking_percent_bw"))]
     pub braking: Peak,
     /// See `braking`.
+    #[cfg_attr(feature = "serde", serde(rename = "pushing_percent_bw"))]
     pub pushing: Peak,
     /// Greatest friction ratio of both feet together.
     pub friction: Peak,
@@ -75,25 +97,32 @@ pub struct WalkMeasures {
     /// Greatest distance that a planted point moves (m).
     #[doc(alias = "foot skate")]
     #[doc(alias = "foot sliding")]
+    #[cfg_attr(feature = "serde", serde(rename = "slide_m"))]
     pub slide: Peak,
     /// Greatest depth of a point of the soles below the ground (m).
+    #[cfg_attr(feature = "serde", serde(rename = "sink_m"))]
     pub sink: Peak,
     /// Least height of the toes' tip in mid-swing (m).
     #[doc(alias = "toe clearance")]
     #[doc(alias = "foot clearance")]
     #[doc(alias = "mtc")]
+    #[cfg_attr(feature = "serde", serde(rename = "toe_clearance_m"))]
     pub clearance: Peak,
     /// Greatest distance of a centre of pressure outside the part of the foot that touches the ground (m).
     #[doc(alias = "cop")]
     #[doc(alias = "centre of pressure")]
     #[doc(alias = "center of pressure")]
+    #[cfg_attr(feature = "serde", serde(rename = "cop_outside_m"))]
     pub cop_outside: Peak,
     /// Least knee flexion (rad); negative is hyperextended.
+    #[cfg_attr(feature = "serde", serde(rename = "least_knee_deg", serialize_with = "degrees"))]
     pub least_knee: Peak,
-    /// Hip, knee and ankle.
-    pub joints: Vec<JointPeaks>,
-    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps).
-    pub steady: Option<SteadyStride>,
+}
+
+/// An angle (rad) in degrees.
+#[cfg(feature = "serde")]
+fn degrees<S: serde::Serializer>(angle: &Peak, serializer: S) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&Peak { value: angle.value.to_degrees(), ..*angle }, serializer)
 }
 
 /// Measures a walk.
@@ -113,11 +142,7 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
         let peak = series.greatest(values(0)).max(series.greatest(values(1)));
         Peak { value: sign * peak.value, ..peak }
     };
-    Ok(WalkMeasures {
-        steps,
-        distance: forward(motion.len() - 1) - forward(0),
-        duration: motion.time()[motion.len() - 1],
-        double_supports: double_supports(motion, &contacts),
+    let extremes = WalkExtremes {
         vertical: force(|f| f.y, 1.0),
         braking: force(|f| f.z, -1.0),
         pushing: force(|f| f.z, 1.0),
@@ -138,6 +163,13 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
             let peak = series.greatest(knees);
             Peak { value: -peak.value, ..peak }
         },
+    };
+    Ok(WalkMeasures {
+        steps,
+        distance: forward(motion.len() - 1) - forward(0),
+        duration: motion.time()[motion.len() - 1],
+        double_supports: double_supports(motion, &contacts),
+        extremes,
         joints: series.joint_peaks(),
         steady: SteadyStride::find(motion, &series, &contacts),
     })
@@ -175,19 +207,6 @@ pub fn free_moment(motion: &Motion) -> Peak {
         }
     }
     worst
-}
-
-impl Peak {
-    /// Less than anything.
-    pub(crate) const NONE: Self = Self { value: f64::NEG_INFINITY, time: 0.0 };
-
-    pub(crate) fn max(self, other: Self) -> Self {
-        if other.value > self.value { other } else { self }
-    }
-
-    pub(crate) fn min(self, other: Self) -> Self {
-        if other.value < self.value { other } else { self }
-    }
 }
 
 /// Times of the contacts, and the side of each.

@@ -43,6 +43,8 @@ impl<'a> MetricsInput<'a> {
 }
 
 /// A number of a motion.
+///
+/// With the feature `serde` its keys are `metric`, `name`, `value`, `unit`, `at_s`, and `why` there is no value where there is none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Metric {
     /// Its name for programs, with its unit.
@@ -55,6 +57,21 @@ pub struct Metric {
     pub value: Result<f64, NoValue>,
     /// When it is reached (s), where it is reached at one time.
     pub at: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Metric {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let mut metric = serializer.serialize_struct("Metric", 6)?;
+        metric.serialize_field("metric", self.key)?;
+        metric.serialize_field("name", self.name)?;
+        metric.serialize_field("value", &self.value.ok())?;
+        metric.serialize_field("unit", self.unit)?;
+        metric.serialize_field("at_s", &self.at)?;
+        metric.serialize_field("why", &self.value.err().map(|why| why.to_string()))?;
+        metric.end()
+    }
 }
 
 /// Why a motion has no such number.

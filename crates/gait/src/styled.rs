@@ -1,12 +1,16 @@
 //! A walk in either style, with its forces.
 
+mod forces;
+
+pub use forces::{Pull, WalkForces};
+
 use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
 use crate::request::WalkRequest;
 use crate::smooth::{WalkPlan, WalkSegment, WalkSequence, walk};
 use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
-use solaris_analysis::ground::{GroundReport, Split, reactions_of_planted};
-use solaris_analysis::{ReactionReport, Residual, SupportLaw, ground_reactions};
+use solaris_analysis::ground::{Split, reactions_of_planted};
+use solaris_analysis::{SupportLaw, ground_reactions};
 use solaris_model::{Figure, Motion, Trajectory as _};
 
 /// A request in one of the two styles.
@@ -28,15 +32,6 @@ pub enum StyledPlan {
     Sequence(Box<WalkSequence>),
     /// Through key postures.
     Thesis(Box<ThesisWalk>),
-}
-
-/// What is known of the forces of a sampled walk, besides the forces in it.
-#[derive(Clone, Debug, PartialEq)]
-pub enum WalkForces {
-    /// The plan prescribes them.
-    Prescribed(ReactionReport),
-    /// They are what the motion needs, and what is left at its root.
-    Needed(Box<GroundReport>, Residual),
 }
 
 impl StyledPlan {

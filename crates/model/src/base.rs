@@ -3,7 +3,7 @@
 use crate::anatomy::AnatomicalAngle;
 use crate::figure::Figure;
 use crate::follower::followers;
-use crate::joint::{Dof, Joint, JointKind};
+use crate::joint::{AxisKind, Dof, Joint, JointKind};
 use crate::layout::{StateLayout, velocity_names};
 use crate::link::Link;
 
@@ -109,6 +109,22 @@ impl Figure {
         let mut links = self.links.clone();
         links[0].joint = wanted.placed(root.joint.placement);
         Ok(self.with_links(links))
+    }
+
+    /// Whether the root's joint places the whole figure in the world, rather than hold it there as a hinge does: it is free, or it
+    /// slides along two axes at least and turns besides. The forces of such a joint come out of the air.
+    ///
+    /// ```
+    /// use solaris_model::{Base, FigureBuilder, Joint, LinkSpec};
+    /// let arm = FigureBuilder::new("arm").link(LinkSpec::root("base", Joint::new("ground")).mass(4.0)).build()?;
+    /// assert!(!arm.root_is_free() && arm.on_base(Base::Floating)?.root_is_free());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias = "floating base")]
+    pub fn root_is_free(&self) -> bool {
+        let root = self.links[0].joint.kind();
+        let slides = root.axes().iter().filter(|dof| dof.axis.kind == AxisKind::Translation).count();
+        matches!(root, JointKind::Free { .. }) || (slides >= 2 && root.axes().len() > slides)
     }
 
     /// Refuses the joint of a base whose names the rest of the figure has.

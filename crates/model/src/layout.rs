@@ -1,6 +1,6 @@
 //! The layout of the state vectors: where each joint's coordinates stand in `q` and `v`, and their names.
 
-use crate::joint::JointKind;
+use crate::joint::{AxisKind, JointKind};
 use crate::link::Link;
 use std::collections::HashMap;
 
@@ -32,6 +32,7 @@ pub struct StateLayout {
     q_names: Vec<String>,
     v_names: Vec<String>,
     coordinates: Vec<Option<usize>>,
+    axis_kinds: Vec<AxisKind>,
     by_name: HashMap<String, usize>,
 }
 
@@ -52,6 +53,10 @@ impl StateLayout {
                 // Where there is a coordinate that is the integral of the velocity.
                 layout.coordinates.push(kind.quaternion().is_none().then_some(q + i));
             }
+            let slides: Vec<usize> = kind.slides().collect();
+            let axis_kind =
+                |i: usize| if slides.contains(&i) { AxisKind::Translation } else { AxisKind::Rotation };
+            layout.axis_kinds.extend((0..kind.nv()).map(axis_kind));
             layout.q_names.extend(position_names(name, kind));
             layout.v_names.extend(names);
         }
@@ -91,6 +96,11 @@ impl StateLayout {
     /// the rates of no coordinate.
     pub fn coordinate(&self, dof: usize) -> Option<usize> {
         self.coordinates[dof]
+    }
+
+    /// Whether a degree of freedom turns or slides: its velocity is in rad/s or m/s, its force in N m or N.
+    pub fn axis_kind(&self, dof: usize) -> AxisKind {
+        self.axis_kinds[dof]
     }
 
     /// Index in `v` of the degree of freedom called `name`.
@@ -134,7 +144,7 @@ fn suffixed(joint: &str, parts: &[&str]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{FigureBuilder, Joint, LinkSpec};
+    use crate::{AxisKind, FigureBuilder, Joint, LinkSpec};
 
     #[test]
     fn a_repeated_axis_gets_a_number() {
@@ -164,5 +174,17 @@ mod tests {
         );
         assert_eq!((layout.dof_index("knee"), layout.dof_index("flexion")), (Some(9), Some(9)));
         assert_eq!((layout.coordinate(9), layout.coordinate(6)), (Some(11), None));
+    }
+
+    #[test]
+    fn a_free_joint_slides_first_and_axes_are_what_they_are_called() {
+        let figure = FigureBuilder::new("f")
+            .link(LinkSpec::root("a", Joint::free("root")).mass(1.0))
+            .link(LinkSpec::child("b", "a", Joint::ball("hip")).mass(1.0))
+            .link(LinkSpec::child("c", "b", Joint::new("knee").rx().ty()).mass(1.0))
+            .build()
+            .expect("valid");
+        let slides = |dof: &usize| figure.layout().axis_kind(*dof) == AxisKind::Translation;
+        assert_eq!((0..11).filter(slides).collect::<Vec<_>>(), [0, 1, 2, 10]);
     }
 }

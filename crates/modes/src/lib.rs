@@ -17,13 +17,13 @@ pub mod study;
 pub mod time;
 
 pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
-pub use drive::{Course, Drive, EndCondition, Law, Outcome, OutcomeKind, Shape, Step, Target};
+pub use drive::{Course, Drive, EndCondition, Law, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};
 pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 pub use recorded::RecordedMotion;
 pub use report::{
-    ContactReport, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
-    PhaseReport, Remark, Run, RunReport,
+    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
+    Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;

@@ -221,7 +221,7 @@ impl Phase {
         if !chosen.1.fused.is_empty() {
             // Axes that what stands still has turned askew may cost more than standing still does.
             let other = reduced(false)?;
-            if plan::total(&other.1.cost.1) < plan::total(&chosen.1.cost.1) {
+            if other.1.operations.total() < chosen.1.operations.total() {
                 chosen = other;
             }
         }

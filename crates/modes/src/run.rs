@@ -19,7 +19,7 @@ mod watching;
 use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
-use crate::report::{Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
+use crate::report::{Cost, Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -116,8 +116,8 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     }
     let seconds = begun.zip(observer.now()).map(|(begun, ended)| ended - begun);
     let energy = ledger.report;
-    let report =
-        RunReport { method, why, counts, seconds, error, energy, outcomes, impacts, ground, phases, remarks };
+    let cost = Cost { counts, seconds };
+    let report = RunReport { method, why, error, cost, energy, outcomes, impacts, phases, ground, remarks };
     Ok(Run { motion, report })
 }
 

@@ -73,7 +73,7 @@ fn ten_times_as_many_steps_allocate_as_much() {
             let settings = Settings { method, estimate: false, forces: false, ..Settings::new(0.1, 20.0) };
             let before = ALLOCATIONS.get();
             let run = simulation.run(&settings).expect("no trouble");
-            (ALLOCATIONS.get() - before, run.report.counts.evaluations)
+            (ALLOCATIONS.get() - before, run.report.cost.counts.evaluations)
         };
         let ((few, short), (many, long)) = (run(0.005), run(0.0005));
         assert!(long >= 9 * short && short >= 20, "{short} and {long} evaluations");

@@ -63,6 +63,11 @@ impl Counted {
 impl Operations {
     const NONE: Self = Self { multiplications: 0, additions: 0, divisions: 0, sines: 0 };
 
+    /// Operations of all kinds, a pair of a sine and a cosine as one.
+    pub const fn total(self) -> u64 {
+        self.multiplications + self.additions + self.divisions + self.sines
+    }
+
     /// What was added to an earlier count.
     fn since(self, before: Self) -> Self {
         Self {

@@ -37,8 +37,8 @@ pub(super) fn forces() -> Result<String, String> {
     let mut text = "| steps/min, steps | frames | force | CoP |\n|---|---|---|---|".to_owned();
     for (frequency, steps) in WALKS {
         let Walked { frames, reactions, .. } = walked(&request(frequency, steps, &[]))?;
-        let force = reactions.from_prescribed.map_or(f64::NAN, |(force, _)| force);
-        let cop = 1e3 * reactions.cop_from_nominal.0;
+        let force = reactions.from_prescribed.map_or(f64::NAN, |off| off.value);
+        let cop = 1e3 * reactions.cop_from_nominal.value;
         // Writing into a string does not fail.
         let _ = write!(text, "\n| {frequency}, {steps} | {frames} | {} N | {} mm |", two(force), two(cop));
     }
@@ -62,14 +62,14 @@ pub(super) fn changes() -> Result<String, String> {
     for (i, (name, request)) in walks.iter().enumerate() {
         let Walked { weight, reactions, measures, .. } =
             walked(request).map_err(|error| format!("{name}: {error}"))?;
-        let off = reactions.from_prescribed.map_or(f64::NAN, |(force, _)| 100.0 * force / weight);
+        let off = reactions.from_prescribed.map_or(f64::NAN, |off| 100.0 * off.value / weight);
         let _ = write!(
             text,
             "\n| {name} | {off:.1}{} | {:.2}, {:.2} | {:.1}° |",
             if i == 0 { " %BW" } else { "" },
-            measures.friction.value,
-            measures.foot_friction.value,
-            measures.least_knee.value.to_degrees()
+            measures.extremes.friction.value,
+            measures.extremes.foot_friction.value,
+            measures.extremes.least_knee.value.to_degrees()
         );
     }
     Ok(text)

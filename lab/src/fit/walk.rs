@@ -55,14 +55,14 @@ impl Found {
             sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
         };
         Ok(Self {
-            friction: (measures.friction.value, measures.foot_friction.value),
-            friction_at: from_closing(measures.friction.time),
+            friction: (measures.extremes.friction.value, measures.extremes.foot_friction.value),
+            friction_at: from_closing(measures.extremes.friction.time),
             free_moment: twist.value,
             free_moment_at: from_closing(twist.time),
             first_knee: most_bent(0.5, 0.78, 1),
             stance_knee: stances.fold(f64::NEG_INFINITY, f64::max),
-            least_knee: measures.least_knee.value.to_degrees(),
-            sink: measures.sink.value * 1e3,
+            least_knee: measures.extremes.least_knee.value.to_degrees(),
+            sink: measures.extremes.sink.value * 1e3,
             vertical: range(1),
             along: range(2),
             steady: measures.steady.map(|steady| {

@@ -70,14 +70,26 @@ impl Default for ConsistencyOptions {
 }
 
 /// How impossible the ground's reaction is.
+///
+/// With the feature `serde` its keys are `frames`, `cop_outside_mm` and `pull_n`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Violation {
-    /// How far (m) the centre of pressure is outside of the outline, at worst.
-    pub outside: f64,
-    /// With what force (N) the ground would have to pull, at worst; there is no centre of pressure then.
-    pub pull: f64,
     /// Frames at fault: pulling, or outside by more than the tolerance.
     pub frames: usize,
+    /// How far (m) the centre of pressure is outside of the outline, at worst.
+    #[cfg_attr(feature = "serde", serde(rename = "cop_outside_mm", serialize_with = "millimetres"))]
+    pub outside: f64,
+    /// With what force (N) the ground would have to pull, at worst; there is no centre of pressure then.
+    #[cfg_attr(feature = "serde", serde(rename = "pull_n"))]
+    pub pull: f64,
+}
+
+/// A length (m) in mm.
+#[cfg(feature = "serde")]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde hands over a reference")]
+fn millimetres<S: serde::Serializer>(length: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(length * 1e3)
 }
 
 /// How it ended.

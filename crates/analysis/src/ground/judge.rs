@@ -5,34 +5,58 @@ use crate::ground::{BalanceFrame, GroundError, PlacedFeet, Stances};
 use solaris_model::{Contact, GroundAxes};
 
 /// The worst of a quantity over time.
+///
+/// With the feature `serde` its keys are `worst`, `at_s` and `share`; whoever holds it names its unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Worst {
     /// The worst value.
+    #[cfg_attr(feature = "serde", serde(rename = "worst"))]
     pub value: f64,
     /// When (s).
+    #[cfg_attr(feature = "serde", serde(rename = "at_s"))]
     pub time: f64,
     /// Share of the foot's standing frames that are at fault.
     pub share: f64,
 }
 
 /// What is to be said of one foot's forces.
+///
+/// With the feature `serde` its keys are `name`, `link`, `toes`, `width_m`, `stances_s`, `frames`, `greatest_n`,
+/// `greatest_of_weight`, `least_n`, `friction` and `cop_outside_m`.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FootReport {
     /// The sole's name.
     pub name: String,
+    /// The foot's link.
+    pub link: String,
+    /// The toes' link, where the sole has one.
+    pub toes: Option<String>,
+    /// The sole's breadth (m), where it has one.
+    #[cfg_attr(feature = "serde", serde(rename = "width_m"))]
+    pub width: Option<f64>,
+    /// From when until when it stands (s).
+    #[cfg_attr(feature = "serde", serde(rename = "stances_s"))]
+    pub stances: Vec<[f64; 2]>,
     /// Frames in which it stands.
     pub frames: usize,
+    /// Greatest normal force (N).
+    #[cfg_attr(feature = "serde", serde(rename = "greatest_n"))]
+    pub greatest: f64,
+    /// The same as a share of the figure's weight.
+    pub greatest_of_weight: f64,
+    /// Least normal force (N); `share` of frames in which the ground would have to pull. `None` where the foot never
+    /// stands.
+    #[cfg_attr(feature = "serde", serde(rename = "least_n"))]
+    pub least: Option<Worst>,
     /// Greatest tangential over normal force, while the foot bears [`FootReport::LOADED`] of the weight; `share` of
     /// frames above [`FootReport::FRICTION`]. `None` where it never bears so much.
     pub friction: Option<Worst>,
     /// How far (m) the centre of pressure is outside of the sole's outline at worst, while the foot bears so much;
     /// `share` of frames outside. `None` where it never does, and where the sole has no breadth.
+    #[cfg_attr(feature = "serde", serde(rename = "cop_outside_m"))]
     pub outside: Option<Worst>,
-    /// Least normal force (N); `share` of frames in which the ground would have to pull. `None` where the foot never
-    /// stands.
-    pub least: Option<Worst>,
-    /// Greatest normal force (N).
-    pub greatest: f64,
 }
 
 impl FootReport {
@@ -45,15 +69,21 @@ impl FootReport {
 }
 
 /// Frames in which no foot stands: nothing but gravity should act there, and the whole wrench be zero.
+///
+/// With the feature `serde` its keys are `frames`, `force_rms_n`, `force_greatest_n` and `at_s`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Unsupported {
     /// How many.
     pub frames: usize,
     /// Root of the mean square of the force (N) that is left unexplained.
+    #[cfg_attr(feature = "serde", serde(rename = "force_rms_n"))]
     pub force_rms: f64,
     /// Greatest force (N).
+    #[cfg_attr(feature = "serde", serde(rename = "force_greatest_n"))]
     pub force: f64,
     /// When (s).
+    #[cfg_attr(feature = "serde", serde(rename = "at_s"))]
     pub time: f64,
 }
 
@@ -78,6 +108,7 @@ pub fn judge(
         return Err(GroundError::Length { what: "the ground's force", found, expected });
     }
     let ground = GroundAxes::new(&prepared.up);
+    let link = |index: usize| prepared.figure.links()[index].name().to_owned();
     let reports = soles.iter().enumerate().map(|(foot, sole)| {
         let standing: Vec<usize> =
             (0..rows).filter(|row| stances.stands(foot, prepared.time()[*row])).collect();
@@ -108,13 +139,20 @@ pub fn judge(
         let mut friction = bearing.iter().map(|row| (*row, friction(*row)));
         let mut outside = bearing.iter().filter_map(|row| beyond(*row).map(|value| (*row, value)));
         let least = worst(&mut standing.iter().map(|row| (*row, -normal(*row))), &|pull| pull > 0.0);
+        let own = stances.list.iter().filter(|stance| stance.foot == foot);
+        let greatest = standing.iter().map(|row| normal(*row)).fold(0.0, f64::max);
         FootReport {
             name: sole.name.clone(),
+            link: link(sole.foot),
+            toes: sole.toes.map(link),
+            width: sole.width,
+            stances: own.map(|stance| [stance.start, stance.end]).collect(),
             frames: count,
+            greatest,
+            greatest_of_weight: greatest / prepared.weight,
+            least: least.map(|least| Worst { value: -least.value, ..least }),
             friction: worst(&mut friction, &|ratio| ratio > FootReport::FRICTION),
             outside: worst(&mut outside, &|distance| distance > 0.0),
-            least: least.map(|least| Worst { value: -least.value, ..least }),
-            greatest: standing.iter().map(|row| normal(*row)).fold(0.0, f64::max),
         }
     });
     Ok((reports.collect(), unsupported(soles.len(), stances, total)))

@@ -36,16 +36,21 @@ pub struct GroundForces {
 }
 
 /// What is to be said of forces that were found.
+///
+/// With the feature `serde` its keys are `split`, `weight_n`, `feet`, `irregular_frames` and `unsupported`.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GroundReport {
-    /// The figure's weight (N).
-    pub weight: f64,
     /// How feet share the wrench.
     pub split: Split,
-    /// Frames in which several feet stand, not between two single supports; see [`crate::ground::Shared::irregular`].
-    pub irregular: usize,
+    /// The figure's weight (N).
+    #[cfg_attr(feature = "serde", serde(rename = "weight_n"))]
+    pub weight: f64,
     /// By sole.
     pub feet: Vec<FootReport>,
+    /// Frames in which several feet stand, not between two single supports; see [`crate::ground::Shared::irregular`].
+    #[cfg_attr(feature = "serde", serde(rename = "irregular_frames"))]
+    pub irregular: usize,
     /// Frames in which no foot stands.
     pub unsupported: Unsupported,
 }

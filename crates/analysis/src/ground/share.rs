@@ -74,6 +74,13 @@ impl Split {
     }
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for Split {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
 /// What each foot got.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shared {

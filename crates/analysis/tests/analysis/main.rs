@@ -7,4 +7,6 @@ mod inverse;
 mod nearness;
 #[path = "inverse/pinned.rs"]
 mod pinned;
+#[cfg(feature = "serde")]
+mod reports;
 mod states;

@@ -1,10 +1,9 @@
 //! The report on a given figure and motion, and how they were taken.
 
 use super::read::Given;
-use super::units::slides;
 use crate::input::extension;
 use serde::Serialize;
-use solaris::model::{AxisKind, FindingKind, JointKind};
+use solaris::model::{AxisKind, FindingKind};
 
 /// What went in.
 #[derive(Serialize)]
@@ -56,12 +55,12 @@ impl GivenReport {
         let Given { body, table, recorded, found, .. } = given;
         let (motion, time) = (&found.motion, found.motion.time());
         let figure = &body.figure;
-        let (names, slides) = (figure.layout().v_names(), slides(figure));
+        let (layout, names) = (figure.layout(), figure.layout().v_names());
         let excess = figure.limit_excess(motion.columns()[0]).into_iter().map(|found| Excess {
             dof: names[found.dof].clone(),
             by: found.by,
             at_s: time[found.row],
-            turns: !slides[found.dof],
+            turns: layout.axis_kind(found.dof) == AxisKind::Rotation,
         });
         let derived = |from_velocity: bool| {
             let dofs = found.found.iter().enumerate();
@@ -104,13 +103,7 @@ impl GivenReport {
             outside_limits: excess.collect(),
             ignored_columns: recorded.ignored.clone(),
             not_read: body.findings.iter().filter(|f| f.kind == FindingKind::Unsupported).count(),
-            root_is_free: is_base(figure.links()[0].joint().kind()),
+            root_is_free: figure.root_is_free(),
         }
     }
-}
-
-/// Whether a root's joint places the whole figure in the world, rather than hold it there as a hinge does.
-fn is_base(root: &JointKind) -> bool {
-    let slides = root.axes().iter().filter(|dof| dof.axis.kind == AxisKind::Translation).count();
-    matches!(root, JointKind::Free { .. }) || (slides >= 2 && root.axes().len() > slides)
 }

@@ -96,8 +96,8 @@ pub(crate) struct Moved {
     greatest: Peak,
     /// Along the world's axes.
     axes: [Along; 3],
-    before: Impossible,
-    after: Impossible,
+    before: Violation,
+    after: Violation,
     iterations: usize,
 }
 
@@ -124,20 +124,6 @@ struct Along {
     rms_mm: f64,
     /// With its sign.
     greatest: Peak,
-}
-
-/// What the ground cannot do.
-#[derive(Serialize)]
-struct Impossible {
-    frames: usize,
-    cop_outside_mm: f64,
-    pull_n: f64,
-}
-
-impl std::convert::From<Violation> for Impossible {
-    fn from(of: Violation) -> Self {
-        Self { frames: of.frames, cop_outside_mm: of.outside * 1e3, pull_n: of.pull }
-    }
 }
 
 impl Moved {
@@ -171,8 +157,8 @@ impl Moved {
             rms_mm: found.rms * 1e3,
             greatest: peak(&|frame| found.shift[frame].norm()),
             axes: [0, 1, 2].map(axis),
-            before: found.before.into(),
-            after: found.after.into(),
+            before: found.before,
+            after: found.after,
             iterations: found.iterations,
         }
     }
@@ -192,8 +178,8 @@ impl Moved {
         for Along { axis, rms_mm, greatest } in &self.axes {
             line(out, &format!("  along {axis}"), &moved(*rms_mm, *greatest))?;
         }
-        line(out, "before", &self.before.describe())?;
-        line(out, "after", &self.after.describe())
+        line(out, "before", &impossible(self.before))?;
+        line(out, "after", &impossible(self.after))
     }
 
     fn describe(&self) -> String {
@@ -234,20 +220,18 @@ impl Moved {
     }
 }
 
-impl Impossible {
-    fn describe(&self) -> String {
-        let Self { frames, cop_outside_mm, pull_n } = *self;
-        if frames == 0 {
-            return "no impossible frame".to_owned();
-        }
-        let mut what = Vec::new();
-        if cop_outside_mm > 0.0 {
-            what.push(format!("pressure {} mm outside of what stands", short(cop_outside_mm)));
-        }
-        if pull_n > 0.0 {
-            what.push(format!("a pull of {} N", short(pull_n)));
-        }
-        let frames = counted(frames, "impossible frame", "impossible frames");
-        format!("{frames}: {}, at worst", what.join(", "))
+/// What the ground cannot do, in words.
+fn impossible(Violation { frames, outside, pull }: Violation) -> String {
+    if frames == 0 {
+        return "no impossible frame".to_owned();
     }
+    let mut what = Vec::new();
+    if outside > 0.0 {
+        what.push(format!("pressure {} mm outside of what stands", short(outside * 1e3)));
+    }
+    if pull > 0.0 {
+        what.push(format!("a pull of {} N", short(pull)));
+    }
+    let frames = counted(frames, "impossible frame", "impossible frames");
+    format!("{frames}: {}, at worst", what.join(", "))
 }

@@ -4,10 +4,10 @@ use super::against::Beside;
 use super::moved::Moved;
 use super::predicted::Predicted;
 use super::soles::From;
-use crate::given::{Given, GivenReport};
+use crate::given::Given;
 use crate::words::short;
 use serde::Serialize;
-use solaris::analysis::ground::{FootReport, Split, Worst};
+use solaris::analysis::ground::{FootReport, Split, Unsupported};
 
 /// The ground and what it does to the feet.
 #[derive(Serialize)]
@@ -17,9 +17,7 @@ pub(crate) struct GroundReport {
     pub(super) belt_m_s: [f64; 3],
     pub(super) belt_from: &'static str,
     pub(super) stances_from: &'static str,
-    pub(super) split: &'static str,
-    #[serde(skip)]
-    pub(super) assumption: &'static str,
+    pub(super) split: Split,
     /// What was changed of the motion; absent where that was not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) consistent: Option<Moved>,
@@ -38,96 +36,33 @@ pub(crate) struct GroundReport {
 /// One foot.
 #[derive(Serialize)]
 pub(super) struct Foot {
-    pub(super) name: String,
-    pub(super) link: String,
-    pub(super) toes: Option<String>,
-    pub(super) width_m: Option<f64>,
-    pub(super) stances_s: Vec<[f64; 2]>,
-    pub(super) frames: usize,
-    pub(super) greatest_n: f64,
-    pub(super) greatest_of_weight: f64,
-    /// Absent where it never stands; `share` of frames in which the ground would pull.
-    pub(super) least_n: Option<Extreme>,
-    /// Absent where it never bears enough; `share` of frames above 0.6.
-    pub(super) friction: Option<Extreme>,
-    /// Absent where it is not judged; `share` of frames outside.
-    pub(super) cop_outside_m: Option<Extreme>,
+    #[serde(flatten)]
+    pub(super) found: FootReport,
     /// Where it has a plate.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) beside_plate: Option<Beside>,
 }
 
-/// The worst of a quantity, and the share of the foot's frames that are at fault.
-#[derive(Clone, Copy, Serialize)]
-pub(super) struct Extreme {
-    pub(super) worst: f64,
-    pub(super) at_s: f64,
-    pub(super) share: f64,
-}
-
-impl std::convert::From<Worst> for Extreme {
-    fn from(worst: Worst) -> Self {
-        Self { worst: worst.value, at_s: worst.time, share: worst.share }
-    }
-}
-
-/// Frames in which no foot stands.
-#[derive(Serialize)]
-pub(super) struct Unsupported {
-    pub(super) frames: usize,
-    pub(super) force_rms_n: f64,
-    pub(super) force_greatest_n: f64,
-    pub(super) at_s: f64,
-}
-
 impl GroundReport {
     pub(crate) fn new(ground: Predicted, given: &Given) -> Self {
-        let (stances, found) = (&ground.forces.stances, &ground.forces.report);
-        let name = |link: usize| given.body.figure.links()[link].name().to_owned();
-        let foot = |(i, (sole, foot)): (usize, (&solaris::analysis::ground::Sole, &FootReport))| {
-            let own = stances.list.iter().filter(|stance| stance.foot == i);
-            Foot {
-                name: sole.name.clone(),
-                link: name(sole.foot),
-                toes: sole.toes.map(name),
-                width_m: sole.width,
-                stances_s: own.map(|stance| [stance.start, stance.end]).collect(),
-                frames: foot.frames,
-                greatest_n: foot.greatest,
-                greatest_of_weight: foot.greatest / found.weight,
-                least_n: foot.least.map(Extreme::from),
-                friction: foot.friction.map(Extreme::from),
-                cop_outside_m: foot.outside.map(Extreme::from),
-                beside_plate: None,
-            }
-        };
+        let Predicted { from, belt_from, moved, forces, .. } = ground;
+        let (stances, found) = (forces.stances, forces.report);
         let mut report = Self {
-            soles_from: ground.from.describe(),
+            soles_from: from.describe(),
             level_m: stances.level,
             belt_m_s: stances.belt.into(),
-            belt_from: ground.belt_from,
+            belt_from,
             stances_from: stances.method,
-            split: found.split.name(),
-            assumption: match found.split {
-                Split::Transition => "smooth curves fitted to people who walk",
-                Split::Pivot => "forces point at one point above the centre of mass",
-                Split::Effort => "least moments in the joints",
-                _ => "",
-            },
-            consistent: ground.moved,
+            split: found.split,
+            consistent: moved,
             weight_n: found.weight,
-            feet: ground.soles.iter().zip(&found.feet).enumerate().map(foot).collect(),
+            feet: found.feet.into_iter().map(|found| Foot { found, beside_plate: None }).collect(),
             irregular_frames: found.irregular,
-            unsupported: Unsupported {
-                frames: found.unsupported.frames,
-                force_rms_n: found.unsupported.force_rms,
-                force_greatest_n: found.unsupported.force,
-                at_s: found.unsupported.time,
-            },
+            unsupported: found.unsupported,
             beside_plates: None,
             warnings: Vec::new(),
         };
-        report.warnings = report.doubts(&ground.from, GivenReport::new(given).root_is_free);
+        report.warnings = report.doubts(&from, given.body.figure.root_is_free());
         report
     }
 
@@ -153,29 +88,29 @@ impl GroundReport {
                 "the soles are a guess by the names of the bodies; --soles says where they are".to_owned(),
             );
         }
-        for foot in &self.feet {
+        for Foot { found: foot, .. } in &self.feet {
             let name = &foot.name;
             if foot.frames == 0 {
                 doubts.push(format!("{name} never stands: is its sole where it should be?"));
             }
-            if let Some(least) = foot.least_n.filter(|least| least.worst < -PULL * self.weight_n) {
-                let (pull, at) = (short(-least.worst), short(least.at_s));
+            if let Some(least) = foot.least.filter(|least| least.value < -PULL * self.weight_n) {
+                let (pull, at) = (short(-least.value), short(least.time));
                 doubts.push(format!("the ground would have to pull on {name}: {pull} N at {at} s"));
             }
             if let Some(ratio) = foot.friction.filter(|ratio| ratio.share > 0.0) {
-                let (ratio, at) = (short(ratio.worst), short(ratio.at_s));
+                let (ratio, at) = (short(ratio.value), short(ratio.time));
                 doubts.push(format!("{name} would slip: it needs a friction of {ratio} at {at} s"));
             }
-            if let Some(outside) = foot.cop_outside_m.filter(|outside| outside.worst > OUTSIDE) {
-                let (by, at) = (short(outside.worst * 1000.0), short(outside.at_s));
+            if let Some(outside) = foot.outside.filter(|outside| outside.value > OUTSIDE) {
+                let (by, at) = (short(outside.value * 1000.0), short(outside.time));
                 doubts.push(format!(
                     "the centre of pressure of {name} is {by} mm outside of its sole at {at} s"
                 ));
             }
         }
-        if self.unsupported.force_rms_n > AIR * self.weight_n {
+        if self.unsupported.force_rms > AIR * self.weight_n {
             let (frames, share) =
-                (self.unsupported.frames, self.unsupported.force_rms_n / self.weight_n * 100.0);
+                (self.unsupported.frames, self.unsupported.force_rms / self.weight_n * 100.0);
             doubts.push(format!(
                 "no foot stands in {frames} frames, and {share:.0} % of the weight is left in the air there: \
                  see --stance-height, --stance-speed"

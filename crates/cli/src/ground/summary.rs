@@ -1,13 +1,14 @@
 //! The summary of the ground's forces, for people.
 
-use super::report::{Extreme, Foot, GroundReport};
+use super::report::{Foot, GroundReport};
 use crate::words::{row, short, some};
+use solaris::analysis::ground::{Split, Worst};
 use std::io::{Result, Write};
 
 impl GroundReport {
     /// Soles, ground, stances; each foot; what to look at.
     pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {
-        let names: Vec<String> = self.feet.iter().map(|foot| foot.name.clone()).collect();
+        let names: Vec<String> = self.feet.iter().map(|foot| foot.found.name.clone()).collect();
         row(out, "soles", &format!("{}, {}", some(&names), self.soles_from))?;
         row(
             out,
@@ -15,12 +16,12 @@ impl GroundReport {
             &format!("{} m up, {}", short((self.level_m * 1e3).round() / 1e3 + 0.0), self.belt()),
         )?;
         row(out, "stances", &format!("by {}", self.stances_from))?;
-        row(out, "split", &format!("{}: {}; an assumption, no law", self.split, self.assumption))?;
+        let (split, assumption) = (self.split.name(), assumption(self.split));
+        row(out, "split", &format!("{split}: {assumption}; an assumption, no law"))?;
         if let Some(moved) = &self.consistent {
             moved.write(out)?;
         }
-        let weight = self.weight_n;
-        self.feet.iter().try_for_each(|foot| foot.write(out, weight))?;
+        self.feet.iter().try_for_each(|foot| foot.write(out))?;
         let air = &self.unsupported;
         writeln!(out)?;
         if let Some(beside) = &self.beside_plates {
@@ -29,7 +30,7 @@ impl GroundReport {
         if air.frames == 0 {
             row(out, "no foot stands", "in no frame")?;
         } else {
-            let [rms, force, at] = [air.force_rms_n, air.force_greatest_n, air.at_s].map(short);
+            let [rms, force, at] = [air.force_rms, air.force, air.time].map(short);
             let left = format!("a force of {rms} N is left there (rms), {force} N at {at} s");
             row(out, "no foot stands", &format!("in {} frames; {left}", air.frames))?;
         }
@@ -51,35 +52,33 @@ impl GroundReport {
 }
 
 impl Foot {
-    fn write(&self, out: &mut dyn Write, weight: f64) -> Result<()> {
-        writeln!(out, "\n  under {}", self.name)?;
-        let stances: Vec<String> = self
-            .stances_s
-            .iter()
-            .map(|[start, end]| format!("{} to {}", short(*start), short(*end)))
-            .collect();
+    fn write(&self, out: &mut dyn Write) -> Result<()> {
+        let foot = &self.found;
+        writeln!(out, "\n  under {}", foot.name)?;
+        let stances: Vec<String> =
+            foot.stances.iter().map(|[start, end]| format!("{} to {}", short(*start), short(*end))).collect();
         if stances.is_empty() {
             return line(out, "stands", "never");
         }
         line(out, "stands", &format!("{} s", some(&stances)))?;
-        let (greatest, of_weight) = (short(self.greatest_n), percent(self.greatest_n / weight));
+        let (greatest, of_weight) = (short(foot.greatest), percent(foot.greatest_of_weight));
         line(out, "greatest force", &format!("{greatest} N, {of_weight} of the weight"))?;
-        if let Some(Extreme { worst, at_s, share }) = self.least_n {
+        if let Some(Worst { value, time, share }) = foot.least {
             let pulls = if share > 0.0 {
                 format!("; it pulls in {} of its frames", percent(share))
             } else {
                 String::new()
             };
-            line(out, "least force", &format!("{} N at {} s{pulls}", short(worst), short(at_s)))?;
+            line(out, "least force", &format!("{} N at {} s{pulls}", short(value), short(time)))?;
         }
-        if let Some(Extreme { worst, at_s, share }) = self.friction {
+        if let Some(Worst { value, time, share }) = foot.friction {
             let above = percent(share);
-            let what = format!("{} at {} s; above 0.6 in {above} of its frames", short(worst), short(at_s));
+            let what = format!("{} at {} s; above 0.6 in {above} of its frames", short(value), short(time));
             line(out, "greatest friction", &what)?;
         }
-        match self.cop_outside_m {
-            Some(Extreme { worst, at_s, share }) if worst > 0.0 => {
-                let (by, at, share) = (short(worst * 1000.0), short(at_s), percent(share));
+        match foot.outside {
+            Some(Worst { value, time, share }) if value > 0.0 => {
+                let (by, at, share) = (short(value * 1000.0), short(time), percent(share));
                 line(
                     out,
                     "pressure",
@@ -87,10 +86,20 @@ impl Foot {
                 )
             }
             Some(_) => line(out, "pressure", "inside of the sole"),
-            None if self.width_m.is_none() => line(out, "pressure", "not judged: the sole has no width"),
+            None if foot.width.is_none() => line(out, "pressure", "not judged: the sole has no width"),
             None => line(out, "pressure", "not judged: the foot never bears 5 % of the weight"),
         }?;
         self.beside_plate.map_or(Ok(()), |beside| line(out, "beside its plate", &beside.words()))
+    }
+}
+
+/// What a split takes for granted.
+fn assumption(split: Split) -> &'static str {
+    match split {
+        Split::Transition => "smooth curves fitted to people who walk",
+        Split::Pivot => "forces point at one point above the centre of mass",
+        Split::Effort => "least moments in the joints",
+        _ => "",
     }
 }
 

@@ -1,10 +1,10 @@
 //! The report of inverse dynamics, as text and as JSON.
 
-use crate::given::{Given, GivenReport, slides};
+use crate::given::{Given, GivenReport};
 use crate::ground::GroundReport;
 use crate::print::write_json;
 use serde::Serialize;
-use solaris::analysis::{DofLoad, InverseReport};
+use solaris::analysis::{DofLoad, InverseReport, Residual};
 use std::io::{Result, Write};
 
 /// What the command line said of the forces.
@@ -28,64 +28,24 @@ pub(super) struct Report {
     /// Absent where the ground's forces were not asked for.
     pub(super) ground: Option<GroundReport>,
     pub(super) passive: bool,
-    pub(super) joints: Vec<Load>,
+    /// Without those that follow others.
+    pub(super) joints: Vec<DofLoad>,
     /// Absent where the figure stands fixed in the world, which then bears what is left over.
     pub(super) residual: Option<Residual>,
 }
 
-#[derive(Serialize)]
-pub(super) struct Load {
-    pub(super) dof: String,
-    pub(super) unit: &'static str,
-    pub(super) rms: f64,
-    pub(super) greatest: f64,
-    pub(super) at_s: f64,
-    /// Whether it belongs to the root's joint.
-    pub(super) root: bool,
-}
-
-#[derive(Serialize)]
-pub(super) struct Residual {
-    pub(super) force_rms_n: f64,
-    pub(super) force_greatest_n: f64,
-    pub(super) force_at_s: f64,
-    pub(super) moment_rms_nm: f64,
-    pub(super) moment_greatest_nm: f64,
-    pub(super) moment_at_s: f64,
-}
-
 impl Report {
-    pub(super) fn new(given: &Given, asked: Asked, forces: &InverseReport) -> Self {
-        let figure = &given.body.figure;
-        let (names, slides) = (figure.layout().v_names(), slides(figure));
-        let root = figure.layout().joints()[0];
-        let given = GivenReport::new(given);
-        let root_is_free = given.root_is_free;
-        let load = |(dof, load): (usize, &DofLoad)| Load {
-            dof: names[dof].clone(),
-            unit: if slides[dof] { "N" } else { "N m" },
-            rms: load.rms,
-            greatest: load.greatest,
-            at_s: load.time,
-            root: root_is_free && dof < root.nv,
-        };
-        let free = forces.dofs.iter().enumerate().filter(|(dof, _)| !figure.follows(*dof));
-        let r = &forces.residual;
+    pub(super) fn new(given: &Given, asked: Asked, forces: InverseReport) -> Self {
+        let (figure, root_is_free) = (&given.body.figure, given.body.figure.root_is_free());
+        let free = forces.dofs.into_iter().enumerate().filter(|(dof, _)| !figure.follows(*dof));
         Self {
-            given,
+            given: GivenReport::new(given),
             external_forces: asked.external,
             unused_forces: asked.unused,
             ground: asked.ground,
             passive: asked.passive,
-            joints: free.map(load).collect(),
-            residual: root_is_free.then_some(Residual {
-                force_rms_n: r.force_rms,
-                force_greatest_n: r.force,
-                force_at_s: r.force_time,
-                moment_rms_nm: r.moment_rms,
-                moment_greatest_nm: r.moment,
-                moment_at_s: r.moment_time,
-            }),
+            joints: free.map(|(_, load)| load).collect(),
+            residual: root_is_free.then_some(forces.residual),
         }
     }
 

@@ -1,7 +1,8 @@
 //! The summary of inverse dynamics, for people.
 
-use super::report::{Load, Report};
+use super::report::Report;
 use crate::words::{row, short};
+use solaris::analysis::DofLoad;
 use std::io::{Result, Write};
 
 impl Report {
@@ -14,8 +15,8 @@ impl Report {
         }
         let width = self.joints.iter().map(|joint| joint.dof.chars().count()).max().unwrap_or(0).max(18);
         writeln!(out, "\n  {:<width$}{:>12}{:>12}", "joint forces", "rms", "greatest")?;
-        for joint in self.joints.iter().filter(|joint| !joint.root) {
-            joint.write(out, width)?;
+        for joint in self.joints.iter().filter(|joint| !joint.is_residual) {
+            write_load(joint, out, width)?;
         }
         if self.given.root_is_free {
             self.write_residual(out, width)?;
@@ -39,22 +40,21 @@ impl Report {
 
     fn write_residual(&self, out: &mut dyn Write, width: usize) -> Result<()> {
         writeln!(out, "\n  {:<width$}{:>12}{:>12}", "residual at the root", "rms", "greatest")?;
-        for joint in self.joints.iter().filter(|joint| joint.root) {
-            joint.write(out, width)?;
+        for joint in self.joints.iter().filter(|joint| joint.is_residual) {
+            write_load(joint, out, width)?;
         }
         // A joint of fewer degrees of freedom holds the rest.
-        if let (6, Some(r)) = (self.joints.iter().filter(|joint| joint.root).count(), &self.residual) {
-            let size = |name: &str, rms, greatest, at_s, unit| Load {
+        if let (6, Some(r)) = (self.joints.iter().filter(|joint| joint.is_residual).count(), &self.residual) {
+            let size = |name: &str, rms, greatest, time, unit| DofLoad {
                 dof: name.to_owned(),
                 unit,
                 rms,
                 greatest,
-                at_s,
-                root: true,
+                time,
+                is_residual: true,
             };
-            size("whole force", r.force_rms_n, r.force_greatest_n, r.force_at_s, "N").write(out, width)?;
-            size("whole moment", r.moment_rms_nm, r.moment_greatest_nm, r.moment_at_s, "N m")
-                .write(out, width)?;
+            write_load(&size("whole force", r.force_rms, r.force, r.force_time, "N"), out, width)?;
+            write_load(&size("whole moment", r.moment_rms, r.moment, r.moment_time, "N m"), out, width)?;
         }
         let what = match self.ground {
             None => {
@@ -71,15 +71,8 @@ impl Report {
     }
 }
 
-impl Load {
-    fn write(&self, out: &mut dyn Write, width: usize) -> Result<()> {
-        let [rms, greatest] = [self.rms, self.greatest].map(short);
-        writeln!(
-            out,
-            "  {:<width$}{rms:>12}{greatest:>12} {:<4} at {} s",
-            self.dof,
-            self.unit,
-            short(self.at_s)
-        )
-    }
+fn write_load(load: &DofLoad, out: &mut dyn Write, width: usize) -> Result<()> {
+    let [rms, greatest] = [load.rms, load.greatest].map(short);
+    let DofLoad { dof, unit, time, .. } = load;
+    writeln!(out, "  {dof:<width$}{rms:>12}{greatest:>12} {unit:<4} at {} s", short(*time))
 }

@@ -24,31 +24,12 @@ pub(super) struct Report {
     belt_from: &'static str,
     stances_from: Option<&'static str>,
     forces_from: &'static str,
-    metrics: Vec<Row>,
-}
-
-/// One number; `why` there is none where there is none.
-#[derive(Serialize)]
-struct Row {
-    metric: &'static str,
-    name: &'static str,
-    value: Option<f64>,
-    unit: &'static str,
-    at_s: Option<f64>,
-    why: Option<String>,
+    metrics: Vec<Metric>,
 }
 
 impl Report {
-    pub(super) fn new(given: GivenReport, evidence: &Evidence<'_>, metrics: &[Metric]) -> Self {
+    pub(super) fn new(given: GivenReport, evidence: &Evidence<'_>, metrics: Vec<Metric>) -> Self {
         let stances = evidence.stances.as_ref();
-        let one = |metric: &Metric| Row {
-            metric: metric.key,
-            name: metric.name,
-            value: metric.value.ok(),
-            unit: metric.unit,
-            at_s: metric.at,
-            why: metric.value.err().map(|why| why.to_string()),
-        };
         Self {
             version: env!("CARGO_PKG_VERSION"),
             given,
@@ -60,7 +41,7 @@ impl Report {
             belt_from: evidence.belt_from,
             stances_from: stances.map(|stances| stances.method),
             forces_from: evidence.forces_from,
-            metrics: metrics.iter().map(one).collect(),
+            metrics,
         }
     }
 
@@ -72,9 +53,9 @@ impl Report {
     pub(super) fn write_csv(&self, out: &mut impl Write) -> std::result::Result<(), IoError> {
         write_row(["metric", "value", "unit", "at_s", "why"], out)?;
         let text = |number: Option<f64>| number.map_or_else(String::new, number_text);
-        self.metrics.iter().try_for_each(|row| {
-            let why = row.why.clone().unwrap_or_default();
-            write_row([row.metric, &text(row.value), row.unit, &text(row.at_s), &why], out)
+        self.metrics.iter().try_for_each(|Metric { key, unit, value, at, .. }| {
+            let why = value.err().map_or_else(String::new, |why| why.to_string());
+            write_row([*key, &text(value.ok()), *unit, &text(*at), &why], out)
         })
     }
 
@@ -97,13 +78,13 @@ impl Report {
         }
         row(out, "forces", self.forces_from)?;
         writeln!(out)?;
-        for Row { name, value, unit, at_s, why, .. } in &self.metrics {
-            let note = match (why, at_s) {
-                (Some(why), _) => why.clone(),
-                (None, Some(at)) => format!("at {} s", short(*at)),
-                (None, None) => String::new(),
+        for Metric { name, value, unit, at, .. } in &self.metrics {
+            let note = match (value, at) {
+                (Err(why), _) => why.to_string(),
+                (Ok(_), Some(at)) => format!("at {} s", short(*at)),
+                (Ok(_), None) => String::new(),
             };
-            let value = value.map_or_else(|| "–".to_owned(), |value| short(value + 0.0));
+            let value = value.map_or_else(|_| "–".to_owned(), |value| short(value + 0.0));
             let line = format!("  {name:<34}{value:>10} {unit:<10} {note}");
             writeln!(out, "{}", line.trim_end())?;
         }

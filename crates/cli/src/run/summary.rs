@@ -1,8 +1,10 @@
 //! The table that a run prints, and the one on its page.
 
 use super::energy::digits;
-use super::outcomes;
-use super::report::Report;
+use super::report::{Reactions, Report};
+use super::{contact, energy, outcomes};
+use crate::limbs;
+use solaris::modes::Cost;
 use solaris::view::TableRow;
 use std::fmt::Write;
 
@@ -35,15 +37,16 @@ fn frames(report: &Report) -> String {
 /// Label, value and note.
 fn rows(report: &Report) -> Vec<[String; 3]> {
     let row = |label: &str, value: String, note: &str| [label.to_owned(), value, note.to_owned()];
-    let cost = &report.cost;
+    let run = &report.run;
+    let Cost { counts, seconds } = run.cost;
     let mut rows = vec![
         row("frames", report.frames.to_string(), &frames(report)),
-        row("method", report.method.clone(), ""),
+        row("method", run.method.clone(), ""),
     ];
-    if !report.why.is_empty() {
-        rows.push(row("because", report.why.clone(), ""));
+    if !run.why.is_empty() {
+        rows.push(row("because", run.why.clone(), ""));
     }
-    if let Some(error) = &report.error {
+    if let Some(error) = &run.error {
         rows.push(row(
             "error of positions",
             format!("{:.1e}", error.position),
@@ -51,34 +54,38 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
         ));
         rows.push(row("error of velocities", format!("{:.1e}", error.velocity), "rad/s or m/s"));
     }
-    if cost.evaluations > 0 {
-        let mut note = format!("in {} steps", cost.steps);
+    if counts.evaluations > 0 {
+        let mut note = format!("in {} steps", counts.steps);
         for (count, what) in
-            [(cost.rejected_steps, "rejected"), (cost.jacobians, "Jacobians"), (cost.events, "events")]
+            [(counts.rejected, "rejected"), (counts.jacobians, "Jacobians"), (counts.events, "events")]
         {
             if count > 0 {
                 let _ = write!(note, ", {count} {what}");
             }
         }
-        rows.push(row("evaluations", cost.evaluations.to_string(), &note));
+        rows.push(row("evaluations", counts.evaluations.to_string(), &note));
     }
-    if let Some(seconds) = cost.seconds {
+    if let Some(seconds) = seconds {
         rows.push(row("run time", format!("{} ms", digits(1e3 * seconds)), "with all that was tried"));
     }
-    if report.energy.at_play > 0.0 {
-        rows.extend(report.energy.rows());
+    if run.energy.scale > 0.0 {
+        rows.extend(energy::rows(&run.energy));
     }
-    if let Some(contact) = &report.contact {
-        rows.extend(contact.rows());
+    if let Some(ground) = &run.ground {
+        rows.extend(contact::rows(ground));
     }
     if let Some(limbs) = &report.nearest_limbs {
-        rows.push(row("nearest limbs", format!("{} mm", limbs.millimetres()), &limbs.note()));
+        rows.push(row("nearest limbs", format!("{} mm", limbs::millimetres(limbs)), &limbs::note(limbs)));
     }
-    if let Some(ground) = &report.ground {
-        let residual = format!("{:.0e} / {:.0e}", ground.root_residual_n, ground.root_residual_n_m);
+    if let Some(Reactions(ground)) = &report.ground {
+        let residual = format!("{:.0e} / {:.0e}", ground.root_force, ground.root_moment);
         rows.push(row("root residual", residual, "N / N m, what no ground reaction explains"));
-        if let Some(off) = ground.from_prescribed_n {
-            rows.push(row("force off the planned one", format!("{off:.1} N"), "of the ground, at most"));
+        if let Some(off) = ground.from_prescribed {
+            rows.push(row(
+                "force off the planned one",
+                format!("{:.1} N", off.value),
+                "of the ground, at most",
+            ));
         }
     }
     rows
@@ -92,9 +99,9 @@ pub(super) fn page_rows(report: &Report) -> Vec<TableRow> {
         _ => TableRow::new(label, value, "", note),
     };
     let mut all: Vec<TableRow> = rows(report).iter().map(row).collect();
-    all.extend(outcomes::lines(&report.drives).iter().map(|line| TableRow::new("drive", "", "", line)));
+    all.extend(outcomes::lines(&report.run.outcomes).iter().map(|line| TableRow::new("drive", "", "", line)));
     all.extend(
-        outcomes::hits(&report.impacts).iter().take(MANY).map(|hit| TableRow::new("impact", "", "", hit)),
+        outcomes::hits(&report.run.impacts).iter().take(MANY).map(|hit| TableRow::new("impact", "", "", hit)),
     );
     all.extend(report.remarks.iter().map(|remark| TableRow::new("note", "", "", remark)));
     all
@@ -107,15 +114,15 @@ pub(super) fn text(report: &Report) -> String {
         let line = format!("  {label:<28}{value:<28} {note}");
         let _ = writeln!(text, "{}", line.trim_end());
     }
-    if !report.drives.is_empty() {
+    if !report.run.outcomes.is_empty() {
         let _ = writeln!(text, "\nWhat became of the drives\n");
-        for line in outcomes::lines(&report.drives) {
+        for line in outcomes::lines(&report.run.outcomes) {
             let _ = writeln!(text, "  {line}");
         }
     }
-    if !report.impacts.is_empty() {
+    if !report.run.impacts.is_empty() {
         let _ = writeln!(text, "\nImpacts\n");
-        let hits = outcomes::hits(&report.impacts);
+        let hits = outcomes::hits(&report.run.impacts);
         for hit in hits.iter().take(MANY) {
             let _ = writeln!(text, "  {hit}");
         }

@@ -16,7 +16,7 @@ pub(super) fn notes(
             InBetween::Rest => "the body stops at every posture",
             InBetween::Linear => "the body's velocity jumps at every posture",
         };
-        let reach = measures.vertical.value;
+        let reach = measures.extremes.vertical.value;
         notes.push(format!("{what}: forces reach {reach:.0} %BW; --style smooth walks on"));
         notes.extend(artefacts(lone, weight));
         if let Some(slide) = plan.walk.toe_slide() {
@@ -37,16 +37,17 @@ pub(super) fn notes(
         ));
     }
     let step_frequency = plan.style().step_frequency;
-    if measures.least_knee.value < 0.0 {
+    if measures.extremes.least_knee.value < 0.0 {
         notes.push(format!(
             "a knee is hyperextended by {:.1}° at {:.2} s",
-            -measures.least_knee.value.to_degrees(),
-            measures.least_knee.time
+            -measures.extremes.least_knee.value.to_degrees(),
+            measures.extremes.least_knee.time
         ));
     }
-    for (whose, peak, limit) in
-        [("both feet", measures.friction, FRICTION.0), ("one foot", measures.foot_friction, FRICTION.1)]
-    {
+    for (whose, peak, limit) in [
+        ("both feet", measures.extremes.friction, FRICTION.0),
+        ("one foot", measures.extremes.foot_friction, FRICTION.1),
+    ] {
         if peak.value > limit {
             notes.push(format!(
                 "as written, the motion needs a friction of {:.2} under {whose} at {:.2} s, and soles hold {limit}: a leg \
@@ -55,11 +56,11 @@ pub(super) fn notes(
             ));
         }
     }
-    if measures.cop_outside.value > 1e-3 {
+    if measures.extremes.cop_outside.value > 1e-3 {
         notes.push(format!(
             "the ground would have to press {:.0} mm beside a foot at {:.2} s",
-            1e3 * measures.cop_outside.value,
-            measures.cop_outside.time
+            1e3 * measures.extremes.cop_outside.value,
+            measures.extremes.cop_outside.time
         ));
     }
     if step_frequency > 115.0 {

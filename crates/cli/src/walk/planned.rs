@@ -2,13 +2,13 @@
 
 use super::looped;
 use super::request::Asked;
-use super::told::{BesideKeyPostures, BesidePosture, Forces, KeyPostures, Pull, roots};
+use super::told::{BesideKeyPostures, Forces, KeyPostures};
 use crate::args::{Loop, RATE, RootLink, WalkArgs};
 use crate::error::CliError;
 use crate::progress::Progress;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
-use solaris::gait::{FEET, PostureComparison, StyledPlan, StyledRequest, WalkForces, on_the_spot};
+use solaris::gait::{FEET, StyledPlan, StyledRequest, on_the_spot};
 use solaris::model::{Figure, Motion};
 use std::time::{Duration, Instant};
 
@@ -84,10 +84,10 @@ impl Planned {
         if (motion.info.rate / rate - 1.0).abs() < 1e-9 {
             motion.info.rate = rate;
         }
-        let mut forces = forces(&found);
+        let mut forces = Forces { found, roots: None };
         if args.manner.root == RootLink::Foot {
             let rooted = reactions_from_feet(figure, &mut motion, FEET).map_err(CliError::other)?;
-            forces.roots = Some(roots(&rooted));
+            forces.roots = Some(rooted);
         }
         if looped == Some(Loop::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
@@ -115,42 +115,6 @@ impl Planned {
 /// A smooth walk beside the key postures of the same step, where such a step has any.
 fn beside(plan: &StyledPlan, determinants: Determinants) -> Option<BesideKeyPostures> {
     let plan = plan.smooth()?;
-    let posture = |beside: PostureComparison| {
-        let [a, b, c, d, e, f] = beside.deviations().map(f64::to_degrees);
-        BesidePosture { posture: beside.name, at_s: beside.time, stance_deg: [a, b, c], swing_deg: [d, e, f] }
-    };
-    let postures = plan.compare_postures(determinants).ok()?.into_iter().map(posture).collect();
+    let postures = plan.compare_postures(determinants).ok()?;
     Some(BesideKeyPostures { determinants: determinants.count(), postures })
-}
-
-/// What is told of the forces.
-fn forces(found: &WalkForces) -> Forces {
-    match found {
-        WalkForces::Prescribed(report) => Forces {
-            double_support_split: report.split,
-            root_residual_n: report.root_residual.0,
-            root_residual_n_m: report.root_residual.1,
-            from_prescribed_n: report.from_prescribed.map(Into::into),
-            cop_from_prescribed_m: Some(report.cop_from_nominal.into()),
-            pulls: None,
-            roots: None,
-        },
-        WalkForces::Needed(report, residual) => {
-            let least = report.feet.iter().filter_map(|foot| foot.least);
-            let least = least.min_by(|a, b| a.value.total_cmp(&b.value));
-            Forces {
-                double_support_split: report.split.name(),
-                root_residual_n: residual.force,
-                root_residual_n_m: residual.moment,
-                from_prescribed_n: None,
-                cop_from_prescribed_m: None,
-                pulls: least.filter(|least| least.value < 0.0).map(|least| Pull {
-                    least_percent_bw: 100.0 * least.value / report.weight,
-                    at_s: least.time,
-                    share_of_stance: least.share,
-                }),
-                roots: None,
-            }
-        }
-    }
 }

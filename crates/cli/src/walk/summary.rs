@@ -1,8 +1,10 @@
 //! The table that a walk prints, and the one on its page.
 
 use super::numbers::{beside, fixed, short, wrapped};
-use super::report::{BandList, Check, Report};
-use super::told::{BesideKeyPostures, BesidePosture, Extreme, KeyPostures};
+use super::report::Report;
+use super::told::{BesideKeyPostures, KeyPostures};
+use crate::limbs;
+use solaris::gait::{BandCheck, BandReport, Peak, PostureComparison};
 use solaris::view::TableRow;
 use std::fmt::Write;
 
@@ -70,7 +72,7 @@ pub(super) fn table(report: &Report, written: impl Iterator<Item = String>) -> S
         text.push_str(&lines(&beside_rows(beside)));
     }
     if let Some(stride) = &report.steady_stride {
-        let (from, to) = stride.span_s;
+        let (from, to) = stride.span;
         let _ = writeln!(text, "\nA steady stride, from {from:.2} to {to:.2} s, and people's\n");
         text.push_str(&lines(&steady_rows(report)));
     }
@@ -111,15 +113,15 @@ fn capped(value: f64, decimals: usize, most: f64) -> String {
     if value > most { format!("over {most}") } else { fixed(value, decimals) }
 }
 
-fn at(extreme: &Extreme) -> String {
-    format!("at {:.2} s", extreme.at_s)
+fn at(peak: Peak) -> String {
+    format!("at {:.2} s", peak.time)
 }
 
 /// The whole walk.
 fn walk_rows(report: &Report) -> Vec<Row> {
-    let (walk, whole) = (&report.walk, &report.whole_walk);
-    let pair = |a: &Extreme, b: &Extreme, d: usize| format!("{} / {}", fixed(a.value, d), fixed(b.value, d));
-    let millimetres = |extreme: &Extreme, decimals| fixed(1e3 * extreme.value, decimals);
+    let (walk, whole) = (&report.walk, &report.whole_walk.extremes);
+    let pair = |a: Peak, b: Peak, d: usize| format!("{} / {}", fixed(a.value, d), fixed(b.value, d));
+    let millimetres = |peak: Peak, decimals| fixed(1e3 * peak.value, decimals);
     let ratio = walk.step_length_over_peoples;
     let people = if (ratio - 1.0).abs() < 5e-4 { String::new() } else { format!("{ratio:.2} of ") };
     let frames = if walk.repeats {
@@ -138,16 +140,11 @@ fn walk_rows(report: &Report) -> Vec<Row> {
     rows.extend([
         row(
             "vertical force, peak",
-            fixed(whole.vertical_percent_bw.value, 1),
+            fixed(whole.vertical.value, 1),
             "%BW",
-            format!("of one foot, {}", at(&whole.vertical_percent_bw)),
+            format!("of one foot, {}", at(whole.vertical)),
         ),
-        row(
-            "fore-aft force, peaks",
-            pair(&whole.braking_percent_bw, &whole.pushing_percent_bw, 1),
-            "%BW",
-            "brake / push",
-        ),
+        row("fore-aft force, peaks", pair(whole.braking, whole.pushing, 1), "%BW", "brake / push"),
         row(
             "friction needed",
             format!(
@@ -158,23 +155,27 @@ fn walk_rows(report: &Report) -> Vec<Row> {
             "",
             "both feet / one foot",
         ),
-        row("greatest slide", millimetres(&whole.slide_m, 3), "mm", "of a planted point"),
-        row("greatest sink", millimetres(&whole.sink_m, 3), "mm", "of a sole's point"),
-        row("toe clearance", millimetres(&whole.toe_clearance_m, 1), "mm", "least in mid-swing"),
-        row("CoP outside the foot", capped(1e3 * whole.cop_outside_m.value, 1, 1e3), "mm", "at most"),
-        row("least knee flexion", fixed(whole.least_knee_deg.value, 1), "°", at(&whole.least_knee_deg)),
+        row("greatest slide", millimetres(whole.slide, 3), "mm", "of a planted point"),
+        row("greatest sink", millimetres(whole.sink, 3), "mm", "of a sole's point"),
+        row("toe clearance", millimetres(whole.clearance, 1), "mm", "least in mid-swing"),
+        row("CoP outside the foot", capped(1e3 * whole.cop_outside.value, 1, 1e3), "mm", "at most"),
+        row("least knee flexion", fixed(whole.least_knee.value.to_degrees(), 1), "°", at(whole.least_knee)),
     ]);
     rows.extend(
-        whole.nearest_limbs.iter().map(|limbs| row("nearest limbs", limbs.millimetres(), "mm", limbs.note())),
+        report
+            .whole_walk
+            .nearest_limbs
+            .iter()
+            .map(|near| row("nearest limbs", limbs::millimetres(near), "mm", limbs::note(near))),
     );
-    for joint in &whole.joints {
+    for joint in &report.whole_walk.joints {
         let (moment, power, names) = match joint.joint {
             "hip" => ("hip moment, peaks", "hip power, peaks", "extensor / flexor"),
             "knee" => ("knee moment, peaks", "knee power, peaks", "extensor / flexor"),
             _ => ("ankle moment, peaks", "ankle power, peaks", "plantarflexor / dorsiflexor"),
         };
-        rows.push(row(moment, pair(&joint.extension, &joint.flexion, 2), "N m/kg", names));
-        rows.push(row(power, pair(&joint.generated, &joint.absorbed, 2), "W/kg", "generated / absorbed"));
+        rows.push(row(moment, pair(joint.extension, joint.flexion, 2), "N m/kg", names));
+        rows.push(row(power, pair(joint.generated, joint.absorbed, 2), "W/kg", "generated / absorbed"));
     }
     rows
 }
@@ -196,13 +197,14 @@ fn posture_rows(postures: &KeyPostures) -> Vec<Row> {
 
 /// A smooth walk less the key postures.
 fn beside_rows(beside: &BesideKeyPostures) -> Vec<Row> {
-    let three = |angles: &[f64; 3]| angles.map(|angle| fixed(angle, 0)).join(" / ");
-    let leg = |posture: &BesidePosture, angles: &[f64; 3], leg: &str| {
-        let note = format!("thigh / shank / foot of the {leg} leg, at {:.2} s", posture.at_s);
-        row(posture.posture, three(angles), "°", note)
+    let leg = |posture: &PostureComparison, angles: &[f64], leg: &str| {
+        let angles: Vec<String> = angles.iter().map(|angle| fixed(angle.to_degrees(), 0)).collect();
+        let note = format!("thigh / shank / foot of the {leg} leg, at {:.2} s", posture.time);
+        row(posture.name, angles.join(" / "), "°", note)
     };
-    let both = |posture: &BesidePosture| {
-        [leg(posture, &posture.stance_deg, "standing"), leg(posture, &posture.swing_deg, "other")]
+    let both = |posture: &PostureComparison| {
+        let off = posture.deviations();
+        [leg(posture, &off[..3], "standing"), leg(posture, &off[3..], "other")]
     };
     beside.postures.iter().flat_map(both).collect()
 }
@@ -218,17 +220,18 @@ fn double_support_row(supports: &[f64]) -> Option<Row> {
 fn steady_rows(report: &Report) -> Vec<Row> {
     let Some(stride) = &report.steady_stride else { return Vec::new() };
     // Kirtley, Whittle and Jefferson 1985: stance = 64.2 − 3.5 v.
-    let stance = format!("people {:.1} at this speed (Kirtley 1985)", 64.2 - 3.5 * stride.speed_m_s);
+    let stance = format!("people {:.1} at this speed (Kirtley 1985)", 64.2 - 3.5 * stride.speed);
     let ratio = "people 0.0065 (Sekiya 1996, PMC5430280)";
     let mut rows = vec![
-        row("walk ratio", fixed(stride.walk_ratio_m_min, 5), "m·min", ratio),
-        row("stance", fixed(stride.stance_percent, 1), "% stride", stance),
+        row("walk ratio", fixed(stride.walk_ratio(), 5), "m·min", ratio),
+        row("stance", fixed(stride.stance, 1), "% stride", stance),
     ];
     for list in report.bands.iter().filter(|list| list.name == "textbook") {
         rows.extend(list.checks.iter().map(|check| {
             let verdict = if check.inside { "inside" } else { "OUTSIDE" };
-            let note = format!("{verdict:<7} {} to {}, {}", check.lower, check.upper, list.source);
-            row(check.name, value(check), check.unit, note)
+            let (lower, upper) = check.band.range;
+            let note = format!("{verdict:<7} {lower} to {upper}, {}", list.source);
+            row(check.band.name, value(check), check.band.unit, note)
         }));
     }
     rows
@@ -236,9 +239,9 @@ fn steady_rows(report: &Report) -> Vec<Row> {
 
 /// What the forces rest on and what the run cost.
 fn trust_rows(report: &Report) -> Vec<Row> {
-    let (forces, time) = (&report.forces, &report.run_time);
+    let (forces, time) = (&report.forces.found, &report.run_time);
     let mut rows = Vec::new();
-    if let Some(off) = &forces.from_prescribed_n {
+    if let Some(off) = forces.from_prescribed() {
         rows.push(row(
             "force off the planned one",
             fixed(off.value, 1),
@@ -246,36 +249,41 @@ fn trust_rows(report: &Report) -> Vec<Row> {
             format!("at most, {}", at(off)),
         ));
     }
-    let residual = format!("{:.0e} / {:.0e}", forces.root_residual_n, forces.root_residual_n_m);
+    let [force, moment] = forces.root_residual();
+    let residual = format!("{force:.0e} / {moment:.0e}");
     rows.push(row("root residual", residual, "N / N m", "what no ground reaction explains"));
-    if let Some(roots) = &forces.roots {
-        let value = format!("{:.0e} / {:.0e}", roots.force_differs_n, roots.torque_differs_n_m);
-        let note = format!("off those from the pelvis; {} changes of root", roots.links.len() - 1);
+    if let Some(roots) = &report.forces.roots {
+        let value = format!("{:.0e} / {:.0e}", roots.reaction_force, roots.torque);
+        let note = format!("off those from the pelvis; {} changes of root", roots.roots.len() - 1);
         rows.push(row("forces from the feet", value, "N / N m", &note));
     }
-    if let Some(pull) = &forces.pulls {
-        let note = format!("the ground would have to pull, at {:.2} s; no ground does", pull.at_s);
-        rows.push(row("least force on a foot", fixed(pull.least_percent_bw, 0), "%BW", note));
+    if let Some(pull) = forces.pull() {
+        let note = format!("the ground would have to pull, at {:.2} s; no ground does", pull.time);
+        rows.push(row("least force on a foot", fixed(pull.percent, 0), "%BW", note));
     }
-    rows.push(row("double support", forces.double_support_split, "", "split: an assumption, no law"));
+    rows.push(row("double support", forces.split(), "", "split: an assumption, no law"));
     let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));
     rows.push(row("run time", format!("{plan} + {rest}"), "ms", "plan + forces"));
     rows
 }
 
-fn heading(list: &BandList) -> &'static str {
+fn heading(list: &BandReport) -> &'static str {
     if list.name == "recipe" { "Recipe's bands" } else { "Textbook bands" }
 }
 
 /// The bands that hold, and those that do not with their numbers.
-fn names(list: &BandList) -> [Vec<String>; 2] {
-    let (inside, outside): (Vec<&Check>, Vec<&Check>) = list.checks.iter().partition(|check| check.inside);
-    let off = |c: &&Check| format!("{} {} {} ({} to {})", c.name, value(c), c.unit, c.lower, c.upper);
-    [inside.iter().map(|check| check.name.to_owned()).collect(), outside.iter().map(off).collect()]
+fn names(list: &BandReport) -> [Vec<String>; 2] {
+    let (inside, outside): (Vec<&BandCheck>, Vec<&BandCheck>) =
+        list.checks.iter().partition(|check| check.inside);
+    let off = |check: &&BandCheck| {
+        let ((lower, upper), band) = (check.band.range, check.band);
+        format!("{} {} {} ({lower} to {upper})", band.name, value(check), band.unit)
+    };
+    [inside.iter().map(|check| check.band.name.to_owned()).collect(), outside.iter().map(off).collect()]
 }
 
 /// Two decimals for moments, one for the rest.
-fn value(check: &Check) -> String {
-    let decimals = if check.unit == "N m/kg" { 2 } else { 1 };
-    beside(check.value, (check.lower, check.upper), decimals)
+fn value(check: &BandCheck) -> String {
+    let decimals = if check.band.unit == "N m/kg" { 2 } else { 1 };
+    beside(check.value, check.band.range, decimals)
 }

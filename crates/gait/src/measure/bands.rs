@@ -22,6 +22,8 @@ impl Band {
 }
 
 /// A band and where a stride lies.
+///
+/// With the feature `serde` its keys are `name`, `unit`, `value`, `lower`, `upper` and `inside`.
 #[derive(Clone, Copy, Debug)]
 pub struct BandCheck {
     /// The band.
@@ -30,6 +32,53 @@ pub struct BandCheck {
     pub value: f64,
     /// Whether it lies inside.
     pub inside: bool,
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for BandCheck {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let Band { name, unit, range: (lower, upper), .. } = self.band;
+        let mut check = serializer.serialize_struct("BandCheck", 6)?;
+        check.serialize_field("name", name)?;
+        check.serialize_field("unit", unit)?;
+        check.serialize_field("value", &self.value)?;
+        check.serialize_field("lower", lower)?;
+        check.serialize_field("upper", upper)?;
+        check.serialize_field("inside", &self.inside)?;
+        check.end()
+    }
+}
+
+/// A list of bands and where a stride lies in each.
+///
+/// With the feature `serde` its keys are the fields' names.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct BandReport {
+    /// Which list: `recipe` or `textbook`.
+    pub name: &'static str,
+    /// Where its bands come from.
+    pub source: &'static str,
+    /// How many hold.
+    pub inside: usize,
+    /// Of how many.
+    pub of: usize,
+    /// Each of them.
+    pub checks: Vec<BandCheck>,
+}
+
+/// Holds a stride against [`RECIPE_BANDS`] and [`TEXTBOOK_BANDS`].
+pub fn band_reports(stride: &SteadyStride) -> [BandReport; 2] {
+    let lists = [
+        ("recipe", "the bands that the walk was fitted to", RECIPE_BANDS),
+        ("textbook", "textbook range, not cited", TEXTBOOK_BANDS),
+    ];
+    lists.map(|(name, source, bands)| {
+        let checks = check_bands(bands, stride);
+        let inside = checks.iter().filter(|check| check.inside).count();
+        BandReport { name, source, inside, of: checks.len(), checks }
+    })
 }
 
 /// Holds a stride against a list of bands.

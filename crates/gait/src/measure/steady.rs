@@ -11,6 +11,9 @@ const UNEVEN: f64 = 0.02;
 
 /// The measures of a steady stride of the left leg. Forces in % of body weight, angles in degrees, excursions in cm,
 /// moments in N m/kg about the distal segment's axes.
+///
+/// With the feature `serde` its keys are `span_s`, `step_length_m`, `speed_m_s`, `cadence_per_min`, `double_support_percent`,
+/// `stance_percent` and `walk_ratio_m_min`; what bands ask about is written with them ([`super::BandReport`]).
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs, reason = "the names are the measures; the bands list them with units")]
 #[doc(alias = "gait cycle")]
@@ -50,6 +53,11 @@ pub struct SteadyStride {
 }
 
 impl SteadyStride {
+    /// Step length over cadence (m·min); people's is about 0.0065 (Sekiya 1996).
+    pub fn walk_ratio(&self) -> f64 {
+        self.step_length / self.cadence
+    }
+
     /// The stride from the middle-most left contact that has three steps before it and two after it, of those that go straight on
     /// along z at an even pace; eight steps have one.
     pub(super) fn find(motion: &Motion, series: &Series<'_>, contacts: &[(f64, usize)]) -> Option<Self> {
@@ -129,5 +137,21 @@ impl SteadyStride {
             hip_flexor: moment(0, 0, -1.0),
             hip_abductor: moment(0, 2, 1.0),
         }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for SteadyStride {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let mut stride = serializer.serialize_struct("SteadyStride", 7)?;
+        stride.serialize_field("span_s", &self.span)?;
+        stride.serialize_field("step_length_m", &self.step_length)?;
+        stride.serialize_field("speed_m_s", &self.speed)?;
+        stride.serialize_field("cadence_per_min", &self.cadence)?;
+        stride.serialize_field("double_support_percent", &self.double_support)?;
+        stride.serialize_field("stance_percent", &self.stance)?;
+        stride.serialize_field("walk_ratio_m_min", &self.walk_ratio())?;
+        stride.end()
     }
 }

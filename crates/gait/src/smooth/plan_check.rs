@@ -110,7 +110,7 @@ impl PlanCheck<'_> {
     fn check_pressure(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let mut motion = plan.motion(self.figure, RATE)?;
         ground_reactions(self.figure, &mut motion, FEET, plan)?;
-        let outside = measure(self.figure, &motion)?.cop_outside;
+        let outside = measure(self.figure, &motion)?.extremes.cop_outside;
         if outside.value <= OUTSIDE {
             return Ok(());
         }

@@ -63,25 +63,28 @@ fn the_laws_hold_through_every_change() {
         let plan = walk(&figure, &request).unwrap_or_else(|error| panic!("{name}: {error}"));
         let mut motion = plan.motion(&figure, 120.0).expect("sampled");
         let report = ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
-        let prescribed = report.from_prescribed.expect("prescribed").0 / plan.weight();
+        let prescribed = report.from_prescribed.expect("prescribed").value / plan.weight();
         let walk = measure(&figure, &motion).expect("measured");
         println!(
             "{name}: forces {:.1} %BW from those prescribed; friction {:.2}, a foot's {:.2}; slide {:.1e} m, sink {:.1e} m, \
              clearance {:.1} mm, pressed outside by {:.1} mm, least knee {:.1}°",
             100.0 * prescribed,
-            walk.friction.value,
-            walk.foot_friction.value,
-            walk.slide.value,
-            walk.sink.value,
-            1e3 * walk.clearance.value,
-            1e3 * walk.cop_outside.value,
-            walk.least_knee.value.to_degrees()
+            walk.extremes.friction.value,
+            walk.extremes.foot_friction.value,
+            walk.extremes.slide.value,
+            walk.extremes.sink.value,
+            1e3 * walk.extremes.clearance.value,
+            1e3 * walk.extremes.cop_outside.value,
+            walk.extremes.least_knee.value.to_degrees()
         );
         assert!(prescribed < 0.05, "{name}");
-        assert!(walk.friction.value < FRICTION.0 && walk.foot_friction.value < FRICTION.1, "{name}");
-        assert!(walk.slide.value < 1e-9 && walk.sink.value < 1e-4, "{name}");
-        assert!(walk.cop_outside.value < 1e-3 && walk.clearance.value > 0.005, "{name}");
-        assert!(walk.least_knee.value > -1.0_f64.to_radians(), "{name}");
+        assert!(
+            walk.extremes.friction.value < FRICTION.0 && walk.extremes.foot_friction.value < FRICTION.1,
+            "{name}"
+        );
+        assert!(walk.extremes.slide.value < 1e-9 && walk.extremes.sink.value < 1e-4, "{name}");
+        assert!(walk.extremes.cop_outside.value < 1e-3 && walk.extremes.clearance.value > 0.005, "{name}");
+        assert!(walk.extremes.least_knee.value > -1.0_f64.to_radians(), "{name}");
         // From rest to rest, and the mean vertical force is the weight.
         let vertical: Vec<f64> = (0..motion.len())
             .map(|i| FEET.iter().map(|foot| motion.contact(foot).expect("a foot").samples[i].force.y).sum())

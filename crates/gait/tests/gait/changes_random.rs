@@ -74,13 +74,16 @@ fn random_changes_obey_the_laws() {
         let mut motion = plan.motion(&figure, 120.0).expect("sampled");
         let report = ground_reactions(&figure, &mut motion, FEET, &plan)
             .unwrap_or_else(|error| panic!("{error}; {of}"));
-        let prescribed = report.from_prescribed.expect("prescribed").0 / plan.weight();
+        let prescribed = report.from_prescribed.expect("prescribed").value / plan.weight();
         let walk = measure(&figure, &motion).expect("measured");
         assert!(prescribed < 0.15, "{prescribed}; {of}");
-        assert!(walk.friction.value <= FRICTION.0 && walk.foot_friction.value <= FRICTION.1, "{of}");
-        assert!(walk.slide.value < 1e-9 && walk.sink.value < 1e-4, "{of}");
-        assert!(walk.cop_outside.value < 1e-3, "{} m; {of}", walk.cop_outside.value);
-        assert!(walk.clearance.value > 0.005 && walk.least_knee.value > -0.0175, "{of}");
+        assert!(
+            walk.extremes.friction.value <= FRICTION.0 && walk.extremes.foot_friction.value <= FRICTION.1,
+            "{of}"
+        );
+        assert!(walk.extremes.slide.value < 1e-9 && walk.extremes.sink.value < 1e-4, "{of}");
+        assert!(walk.extremes.cop_outside.value < 1e-3, "{} m; {of}", walk.extremes.cop_outside.value);
+        assert!(walk.extremes.clearance.value > 0.005 && walk.extremes.least_knee.value > -0.0175, "{of}");
         let all: usize = request.then.iter().map(|leg| leg.steps).sum();
         assert_eq!(walk.steps, plan.steps(), "{of}");
         assert!(plan.steps() > all, "{of}");

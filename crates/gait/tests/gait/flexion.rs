@@ -47,18 +47,18 @@ fn a_flexed_walk_obeys_the_laws() {
         let plan = planned(&figure, step_frequency, &[("flexion", 12.0), ("rotation", 0.0), ("tilt", 5.0)]);
         let mut motion = plan.motion(&figure, 120.0).expect("sampled");
         let report = ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
-        assert!(report.from_prescribed.expect("prescribed").0 < 0.05 * plan.weight());
+        assert!(report.from_prescribed.expect("prescribed").value < 0.05 * plan.weight());
         let walked = measure(&figure, &motion).expect("measured");
-        assert!(walked.slide.value < 1e-9 && walked.sink.value < 1e-4);
+        assert!(walked.extremes.slide.value < 1e-9 && walked.extremes.sink.value < 1e-4);
         // The last landing, on a leg that is still bent.
-        let outside = walked.cop_outside;
+        let outside = walked.extremes.cop_outside;
         assert!(
             outside.value < 6e-3,
             "{step_frequency}/min: {outside:?}, clock {}",
             plan.clock_at(outside.time)
         );
-        assert!(walked.clearance.value > 0.01);
-        assert!(walked.friction.value < 0.4 && walked.least_knee.value > 0.0);
+        assert!(walked.extremes.clearance.value > 0.01);
+        assert!(walked.extremes.friction.value < 0.4 && walked.extremes.least_knee.value > 0.0);
         // The stance knee bends by more than twice the shank's pitch, for the thigh leans the other way.
         let steady = walked.steady.expect("a steady stride");
         assert!(steady.knee_loading > 24.0, "{}", steady.knee_loading);

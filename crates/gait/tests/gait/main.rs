@@ -23,6 +23,8 @@ mod mirror;
 mod people;
 mod posed;
 mod refusals;
+#[cfg(feature = "serde")]
+mod reports;
 mod sequence;
 mod smooth_laws;
 mod stride_loop;

@@ -92,9 +92,9 @@ fn assert_agrees(walked: &Walked, all: &[Metric]) {
     let steady: &SteadyStride = own.steady.as_ref().expect("eight steps have one");
     let frame = 100.0 / RATE / (steady.span.1 - steady.span.0);
     for (key, wanted, within) in [
-        ("slide_greatest_mm", 1e3 * own.slide.value, 0.1),
-        ("sink_mm", 1e3 * own.sink.value, 1e-9),
-        ("clearance_mm", 1e3 * own.clearance.value, 1.0),
+        ("slide_greatest_mm", 1e3 * own.extremes.slide.value, 0.1),
+        ("sink_mm", 1e3 * own.extremes.sink.value, 1e-9),
+        ("clearance_mm", 1e3 * own.extremes.clearance.value, 1.0),
         ("touch_downs", own.steps as f64 + 1.0, 0.0),
         ("double_support_percent", steady.double_support, 2.0 * frame),
         ("stance_percent", steady.stance, 2.0 * frame),

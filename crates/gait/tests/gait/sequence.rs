@@ -39,11 +39,11 @@ fn stopping_and_starting_again_obeys_the_laws() {
     let mut motion = sequence.motion(&figure, 120.0).expect("sampled");
     let report = ground_reactions(&figure, &mut motion, FEET, &sequence).expect("forces");
     let weight = sequence.first().weight();
-    assert!(report.from_prescribed.expect("prescribed").0 < 0.05 * weight);
+    assert!(report.from_prescribed.expect("prescribed").value < 0.05 * weight);
     let walked = measure(&figure, &motion).expect("measured");
-    assert!(walked.slide.value < 1e-6, "{}", walked.slide.value);
-    assert!(walked.sink.value < 1e-4 && walked.cop_outside.value < 1e-3);
-    assert!(walked.friction.value < 0.4 && walked.least_knee.value > 0.0);
+    assert!(walked.extremes.slide.value < 1e-6, "{}", walked.extremes.slide.value);
+    assert!(walked.extremes.sink.value < 1e-4 && walked.extremes.cop_outside.value < 1e-3);
+    assert!(walked.extremes.friction.value < 0.4 && walked.extremes.least_knee.value > 0.0);
     // Nine and a half steps: the last touch-down of each walk closes.
     let touch = motion.events.iter().filter(|e| matches!(e.kind, EventKind::TouchDown { .. })).count();
     assert_eq!(touch, (6 + 1) + (1 + 1) + (5 + 1));

@@ -30,9 +30,9 @@ fn a_row_has_the_numbers_of_the_walk() {
     for (heading, wanted) in [
         ("walked_steps", 8.0),
         ("distance_m", measures.distance),
-        ("vertical_peak_percent_bw", measures.vertical.value),
-        ("friction", measures.friction.value),
-        ("sink_mm", 1e3 * measures.sink.value),
+        ("vertical_peak_percent_bw", measures.extremes.vertical.value),
+        ("friction", measures.extremes.friction.value),
+        ("sink_mm", 1e3 * measures.extremes.sink.value),
         ("com_rise_cm", measures.steady.as_ref().expect("steady").com_vertical),
         ("ankle_plantarflexor_n_m_kg", measures.joints[2].extension.value),
     ] {

@@ -205,7 +205,11 @@ fn the_mean_vertical_force_is_the_weight_and_no_force_depends_on_the_root() {
         assert_relative_eq!(mean, weight, max_relative = 2e-3);
         let scale = (0..frames).map(|frame| vertical(frame).abs()).fold(0.0, f64::max);
         let rooted = reactions_from_feet(&figure, &mut motion, FEET).expect("from the feet");
-        assert!(rooted.reaction.0 < 1e-9 * scale, "{determinants:?}: {} of {scale} N", rooted.reaction.0);
+        assert!(
+            rooted.reaction_force < 1e-9 * scale,
+            "{determinants:?}: {} of {scale} N",
+            rooted.reaction_force
+        );
         assert!(rooted.torque < 1e-9 * scale, "{determinants:?}: {} N m", rooted.torque);
     }
 }

@@ -6,7 +6,8 @@ mod curve;
 pub(crate) use analysis::analyse;
 
 use super::path::{Path, last_within};
-use super::{Course, OutcomeKind, Target};
+use super::{Course, Target};
+use crate::report::OutcomeKind;
 use curve::{BangBang, Harmonic};
 use solaris_profiles::{Curve, ProfileError, acceleration, displacement};
 use std::f64::consts::{PI, TAU};

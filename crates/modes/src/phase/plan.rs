@@ -28,7 +28,7 @@ pub(super) fn report(
     let full = cost(source, &source.figure, (source.springs.len(), all_touches), roles, standing);
     let mut report = PhaseReport {
         dynamic: names(&mut (0..roles.len()).filter(is_dynamic)),
-        cost: (full, Operations::default()),
+        operations_of_all: full,
         omitted: Vec::new(),
         ..PhaseReport::default()
     };
@@ -45,19 +45,13 @@ pub(super) fn report(
     report.fused = names(&mut reduction.fused.iter().copied());
     report.dropped =
         reduction.dropped.iter().map(|link| source.figure.links()[*link].name().to_owned()).collect();
-    report.cost.1 = if reduction.dropped.is_empty() && reduction.fused.is_empty() {
+    report.operations = if reduction.dropped.is_empty() && reduction.fused.is_empty() {
         full
     } else {
         cost(source, &reduction.figure, (reduction.springs.len(), left), &small_roles, &small_q)
     };
     report.omitted.extend(omitted(source, reduction));
     report
-}
-
-/// Operations of all kinds.
-pub(super) fn total(cost: &Operations) -> u64 {
-    let Operations { multiplications, additions, divisions, sines, .. } = *cost;
-    multiplications + additions + divisions + sines
 }
 
 /// What was left out of the ground, if anything: `left` of `all` spheres can touch it.

@@ -140,10 +140,21 @@ impl Pass<'_> {
         self.passed.counts.evaluations += 1;
         self.passed.jumps = true;
         for &(dof, _, what) in wanted {
-            let (velocity, impulse) = ((self.v[dof], struck.v[dof]), struck.impulse[dof]);
+            let (velocity_before, velocity_after) = (self.v[dof], struck.v[dof]);
+            let (layout, impulse) = (self.simulation.figure.layout(), struck.impulse[dof]);
             // −½·P·(v⁺ + v⁻): over all degrees of freedom, what the figure loses.
-            let loss = -0.5 * impulse * (velocity.0 + velocity.1);
-            self.passed.impacts.push(Impact { time: self.t, dof, what, velocity, impulse, loss });
+            let loss = -0.5 * impulse * (velocity_before + velocity_after);
+            self.passed.impacts.push(Impact {
+                time: self.t,
+                dof,
+                name: layout.v_names()[dof].clone(),
+                axis_kind: layout.axis_kind(dof),
+                what,
+                velocity_before,
+                velocity_after,
+                impulse,
+                loss,
+            });
         }
         self.passed.ledger.lose(struck.loss);
         for dof in struck.released {

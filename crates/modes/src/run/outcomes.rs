@@ -11,8 +11,7 @@ impl Pass<'_> {
     /// What came of a drive that is done by itself.
     pub(crate) fn result(&self, dof: usize) -> OutcomeKind {
         let driven = &self.driven[dof];
-        let position =
-            self.simulation.figure.layout().coordinate(dof).map_or(0.0, |coordinate| self.q[coordinate]);
+        let position = self.position(dof).unwrap_or(0.0);
         match self.simulation.drives[dof].get(driven.step).map(|step| &step.drive) {
             Some(Drive::Simple { target, .. }) => {
                 let same = (self.v[dof] - target.velocity).abs() <= 1e-9 * (1.0 + target.velocity.abs());
@@ -26,7 +25,7 @@ impl Pass<'_> {
                     }
                     () if driven.limited => OutcomeKind::LimitedByTorque,
                     () if off <= REACHED => OutcomeKind::ReachedWithVelocity,
-                    () => OutcomeKind::Missed(off),
+                    () => OutcomeKind::Missed,
                 }
             }
             Some(Drive::Torque(_) | Drive::FreeStyle { .. }) => OutcomeKind::Ended,
@@ -50,11 +49,30 @@ impl Pass<'_> {
         result: OutcomeKind,
         acceleration: Option<f64>,
     ) {
-        let coordinate = self.simulation.figure.layout().coordinate(dof);
-        let position = coordinate.map_or(0.0, |coordinate| self.q[coordinate]);
-        let (end, velocity) = (self.t, self.v[dof]);
-        let outcome = Outcome { dof, drive, start, end, result, position, velocity, acceleration };
-        self.passed.outcomes.push(outcome);
+        let (layout, position) = (self.simulation.figure.layout(), self.position(dof));
+        let target = match self.simulation.drives[dof].get(self.driven[dof].step).map(|step| &step.drive) {
+            Some(Drive::Intensive { target, .. }) if result == OutcomeKind::Missed => Some(target.position),
+            _ => None,
+        };
+        self.passed.outcomes.push(Outcome {
+            dof,
+            name: layout.v_names()[dof].clone(),
+            axis_kind: layout.axis_kind(dof),
+            has_position: position.is_some(),
+            drive,
+            start,
+            end: self.t,
+            result,
+            position: position.unwrap_or(0.0),
+            velocity: self.v[dof],
+            missed_by: position.zip(target).map(|(position, target)| (position - target).abs()),
+            acceleration,
+        });
+    }
+
+    /// The position of a degree of freedom that has one.
+    fn position(&self, dof: usize) -> Option<f64> {
+        self.simulation.figure.layout().coordinate(dof).map(|coordinate| self.q[coordinate])
     }
 
     /// Writes down what the end of the run has left undone.

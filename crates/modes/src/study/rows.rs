@@ -71,7 +71,7 @@ pub(super) fn measure(
         Ok((Run { motion, report }, seconds)) => {
             let (position, velocity) = compare(&motion);
             let energy = report.energy;
-            row.counts = report.counts;
+            row.counts = report.cost.counts;
             row.seconds = seconds;
             row.result = Ok(Accuracy {
                 position,

@@ -6,7 +6,6 @@ use super::rows::timed;
 use crate::report::Run;
 use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
-use solaris_dynamics::scalar::Operations;
 
 /// A run with everything in it beside one from which what nothing depends on is left out.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,13 +51,8 @@ fn operations(run: &Run) -> (f64, f64) {
     for phase in &run.report.phases {
         // A phase may be as short as an instant.
         let weight = (phase.end - phase.start).max(1e-12);
-        let [whole, left] = [phase.cost.0, phase.cost.1].map(total);
+        let [whole, left] = [phase.operations_of_all, phase.operations].map(|all| all.total() as f64);
         sums = (sums.0 + weight, sums.1 + weight * whole, sums.2 + weight * left);
     }
     if sums.0 > 0.0 { (sums.1 / sums.0, sums.2 / sums.0) } else { (0.0, 0.0) }
-}
-
-/// All of them, a pair of a sine and a cosine as one.
-fn total(cost: Operations) -> f64 {
-    (cost.multiplications + cost.additions + cost.divisions + cost.sines) as f64
 }

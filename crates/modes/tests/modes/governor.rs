@@ -116,9 +116,9 @@ fn a_step_beyond_stability_ends_in_advice() {
 fn the_stiff_method_keeps_its_tolerance() {
     for (tolerance, evaluations) in [(1e-9, 60_000), (1e-10, 100_000)] {
         let run = run(Method::Stiff { tolerance }).expect("it comes to the end");
-        println!("{tolerance:e}: {:e}, {:?}", error(&run), run.report.counts);
+        println!("{tolerance:e}: {:e}, {:?}", error(&run), run.report.cost.counts);
         assert!(error(&run) < 1e-6, "{:e}", error(&run));
-        assert!(run.report.counts.evaluations < evaluations, "{:?}", run.report.counts);
+        assert!(run.report.cost.counts.evaluations < evaluations, "{:?}", run.report.cost.counts);
     }
 }
 
@@ -127,8 +127,8 @@ fn the_stiff_method_keeps_its_tolerance() {
 fn the_adaptive_explicit_method_takes_as_long_whatever_the_tolerance() {
     let counts = [1e-4, 1e-6].map(|tolerance| {
         let run = run(Method::Adaptive { tolerance }).expect("it comes to the end");
-        println!("{tolerance:e}: {:e}, {:?}", error(&run), run.report.counts);
-        run.report.counts.evaluations as f64
+        println!("{tolerance:e}: {:e}, {:?}", error(&run), run.report.cost.counts);
+        run.report.cost.counts.evaluations as f64
     });
     assert!(counts.iter().all(|count| (5e4..4e5).contains(count)), "{counts:?}");
     assert!((counts[1] / counts[0] - 1.0).abs() < 0.5, "{counts:?}");

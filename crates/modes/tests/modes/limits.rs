@@ -36,8 +36,8 @@ fn a_block_bounces_at_the_times_and_heights_of_the_parabola() {
     assert_eq!(impacts.len(), 4);
     for impact in impacts {
         assert_abs_diff_eq!(impact.time, time, epsilon = 1e-12);
-        assert_abs_diff_eq!(impact.velocity.0, -speed, epsilon = 1e-12);
-        assert_abs_diff_eq!(impact.velocity.1, 0.7 * speed, epsilon = 1e-12);
+        assert_abs_diff_eq!(impact.velocity_before, -speed, epsilon = 1e-12);
+        assert_abs_diff_eq!(impact.velocity_after, 0.7 * speed, epsilon = 1e-12);
         assert_abs_diff_eq!(impact.impulse, 2.0 * 1.7 * speed, epsilon = 1e-11);
         assert_abs_diff_eq!(impact.loss, 0.51 * speed * speed, epsilon = 1e-11);
         assert_eq!((impact.what, impact.dof), ("limit", 0));
@@ -48,7 +48,7 @@ fn a_block_bounces_at_the_times_and_heights_of_the_parabola() {
         let last = impacts.iter().rev().find(|impact| impact.time <= *t);
         let height = last.map_or(1.0 - 0.5 * G * t * t, |impact| {
             let s = t - impact.time;
-            s * (impact.velocity.1 - 0.5 * G * s)
+            s * (impact.velocity_after - 0.5 * G * s)
         });
         assert_abs_diff_eq!(found.motion.q(frame)[0], height, epsilon = 1e-11);
     }
@@ -122,7 +122,7 @@ fn a_block_with_no_restitution_stays_where_it_fell() {
     let hit = (1.0 + (1.0 + G).sqrt()) / G;
     assert_eq!(found.report.impacts.len(), 1);
     assert_abs_diff_eq!(found.report.impacts[0].time, hit, epsilon = 1e-12);
-    assert_abs_diff_eq!(found.report.impacts[0].velocity.1, 0.0, epsilon = 0.0);
+    assert_abs_diff_eq!(found.report.impacts[0].velocity_after, 0.0, epsilon = 0.0);
     assert_abs_diff_eq!(found.motion.q(200)[0], 0.0, epsilon = 1e-12);
 }
 
@@ -256,10 +256,10 @@ fn a_knee_that_snaps_straight_takes_the_thigh_along() {
     assert_eq!(first.dof, 1);
     // M·Δv by hand: m₁l² + m₂·(2l)², coupling m₂·l·2l, m₂l² with the knee straight; no impulse on the hip.
     let l2 = 0.16;
-    let jump = first.velocity.1 - first.velocity.0;
+    let jump = first.velocity_after - first.velocity_before;
     let (m11, m12, m22) = ((2.0 + 4.0) * l2, 2.0 * l2, l2);
     assert_abs_diff_eq!(first.impulse, (m22 - m12 * m12 / m11) * jump, epsilon = 1e-12);
-    assert_abs_diff_eq!(first.loss, 0.5 * first.impulse * first.velocity.0.abs(), epsilon = 1e-12);
+    assert_abs_diff_eq!(first.loss, 0.5 * first.impulse * first.velocity_before.abs(), epsilon = 1e-12);
     assert!(found.motion.q(0).len() == 2 && found.motion.time().len() == 1501);
     let lowest = (0..found.motion.len()).map(|frame| found.motion.q(frame)[1]).fold(f64::MAX, f64::min);
     assert!(lowest >= -1e-9, "{lowest:e}");

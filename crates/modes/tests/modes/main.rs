@@ -6,6 +6,8 @@ mod drives;
 mod governor;
 mod limits;
 mod plan;
+#[cfg(feature = "serde")]
+mod reports;
 mod steppers;
 #[cfg(feature = "stiff")]
 mod steppers_stiff;

@@ -147,7 +147,7 @@ fn check(seed: u64, sweep: &mut Sweep) {
         Err(other) => panic!("scene {seed}: {other}"),
     };
     assert_eq!(found.motion.len(), 11, "scene {seed}");
-    sweep.evaluations = sweep.evaluations.max(found.report.counts.evaluations);
+    sweep.evaluations = sweep.evaluations.max(found.report.cost.counts.evaluations);
     let Some(estimate) = found.report.error else {
         assert!(!found.report.remarks.is_empty(), "scene {seed} has no estimate and does not say why");
         return;

@@ -41,7 +41,7 @@ fn forces_do_not_depend_on_the_root_through_every_change_of_support() {
             );
         }
         // Each step has the foot and then its toes as the root; from standing, through every step, to standing.
-        let links: Vec<&str> = report.roots.iter().map(|(_, link)| link.as_str()).collect();
+        let links: Vec<&str> = report.roots.iter().map(|(link, _)| link.as_str()).collect();
         assert!(links.len() >= 2 * count, "{links:?}");
         for pair in links.windows(2) {
             let (from, to) = (pair[0], pair[1]);
@@ -49,11 +49,11 @@ fn forces_do_not_depend_on_the_root_through_every_change_of_support() {
             let is_step = from[..4] != to[..4] && to.ends_with("_foot");
             assert!(is_roll || is_step || from == to.replace("_foot", "_toes"), "{links:?}");
         }
-        let changes: Vec<(f64, String)> = motion
+        let changes: Vec<(String, f64)> = motion
             .events
             .iter()
             .filter_map(|event| match &event.kind {
-                EventKind::RootChange { link } => Some((event.time, link.clone())),
+                EventKind::RootChange { link } => Some((link.clone(), event.time)),
                 _ => None,
             })
             .collect();

@@ -50,7 +50,7 @@ impl Scene {
             error = off.fold(error, f64::max);
         }
         let said = run.report.error.map(|error| error.position);
-        Ok(Found { error, evaluations: run.report.counts.evaluations as f64, said })
+        Ok(Found { error, evaluations: run.report.cost.counts.evaluations as f64, said })
     }
 }
 

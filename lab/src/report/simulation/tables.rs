@@ -132,7 +132,7 @@ pub(super) fn governor_by(methods: &[Method]) -> Result<Table, String> {
             Ok(run) => {
                 let s = |time: f64| run.motion.q((time * 10.0).round() as usize)[1];
                 let worst = GOVERNOR.iter().map(|(t, known)| (s(*t) - known).abs()).fold(0.0, f64::max);
-                let evaluations = run.report.counts.evaluations as f64;
+                let evaluations = run.report.cost.counts.evaluations as f64;
                 vec![
                     name,
                     Cell::Numbers(vec![evaluations]),

@@ -95,7 +95,7 @@ fn a_loose_arm_needs_only_what_carries_it() {
     assert!(!report.dropped.iter().any(|name| name == "left_hand" || name == "left_upper_arm"));
     let total =
         |operations: &solaris_dynamics::scalar::Operations| operations.multiplications + operations.additions;
-    let (full, left) = (&report.cost.0, &report.cost.1);
+    let (full, left) = (&report.operations_of_all, &report.operations);
     assert!(total(left) > 0 && 2 * total(left) < total(full), "{full:?} {left:?}");
     assert!(report.fused.is_empty() && report.omitted.iter().any(|text| text.starts_with("contact")));
 }
@@ -108,7 +108,7 @@ fn without_anything_to_move_nothing_is_computed() {
     let mut phase = Phase::with(&simulation, &roles, &simulation.q, true).expect("valid");
     assert!(!phase.is_dynamic() && phase.len() == 2);
     assert_eq!(phase.report.dropped.len(), figure.links().len());
-    assert_eq!(phase.report.cost.1, solaris_dynamics::scalar::Operations::default());
+    assert_eq!(phase.report.operations, solaris_dynamics::scalar::Operations::default());
     assert!(rate(&mut phase, 0.0, &[1.0, 2.0]).iter().all(|rate| *rate == 0.0));
     assert_eq!(phase.condition(0.0, &[1.0, 2.0]).expect("nothing to fail"), (1.0, 0));
     assert!(phase.energy(0.0, &[1.0, 2.0]).expect("nothing to fail").total() == 0.0);

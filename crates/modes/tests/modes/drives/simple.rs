@@ -65,7 +65,7 @@ fn what_stops_a_degree_of_freedom_is_an_impulse_of_its_momentum() {
     let stop = &found.report.impacts[0];
     assert_eq!((stop.what, stop.dof), ("stop", 0));
     assert_abs_diff_eq!(stop.time, 1.0, epsilon = 1e-12);
-    assert_abs_diff_eq!(stop.velocity.0, 2.0, epsilon = 1e-12);
+    assert_abs_diff_eq!(stop.velocity_before, 2.0, epsilon = 1e-12);
     assert_abs_diff_eq!(stop.impulse, -4.0, epsilon = 1e-11);
     assert_abs_diff_eq!(stop.loss, 4.0, epsilon = 1e-11);
 }

@@ -101,7 +101,7 @@ fn an_impact_that_leaps_over_a_velocity_has_passed_it() {
     let run = simulation.run(&settings).expect("it comes to the end");
     assert_eq!(run.report.outcomes.last().map(|outcome| outcome.result), Some(OutcomeKind::Ended));
     assert!(run.motion.q(100)[0].abs() < 1e-9 && run.motion.v(100)[0].abs() < 1e-12);
-    assert_eq!(run.report.counts.events, 1);
+    assert_eq!(run.report.cost.counts.events, 1);
 }
 
 #[test]

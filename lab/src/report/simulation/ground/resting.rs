@@ -191,6 +191,6 @@ pub(super) fn foot(ratio: f64, planted: bool, method: Method) -> Result<Stood, S
         off: (force / weight - 1.0).abs(),
         energy: run.report.energy.imbalance / run.report.energy.scale,
         said: run.report.error.map_or(f64::INFINITY, |error| error.position),
-        evaluations: run.report.counts.evaluations as f64,
+        evaluations: run.report.cost.counts.evaluations as f64,
     })
 }
