@@ -11,6 +11,7 @@ use crate::words::{rounded, some};
 use solaris::io::bvh::{self, ReadOptions, Up};
 use solaris::io::{Table, csv, headings, record, sto};
 use solaris::model::{Figure, Finding, Motion, Scaling, Vector3, text};
+use solaris::view::{PageOptions, TableRow, page};
 use std::path::Path;
 
 /// What a table is written as.
@@ -27,6 +28,8 @@ pub(crate) enum TableFormat {
 enum MotionFormat {
     Table(TableFormat),
     Bvh,
+    /// The figure in its motion, on a page.
+    Page,
 }
 
 const MOTION: Formats<MotionFormat> = &[
@@ -34,7 +37,11 @@ const MOTION: Formats<MotionFormat> = &[
     ("sto", MotionFormat::Table(TableFormat::Sto)),
     ("mot", MotionFormat::Table(TableFormat::Sto)),
     ("bvh", MotionFormat::Bvh),
+    ("html", MotionFormat::Page),
 ];
+
+/// Motions that are read.
+const READ: [&str; 4] = ["csv", "sto", "mot", "bvh"];
 
 /// How far a frame may be from where the frames' rate has it, as a part of the time between two (BVH has one such time).
 const UNEVEN: f64 = 0.01;
@@ -48,8 +55,8 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     if args.bvh.is_asked() && !is_bvh {
         return Err(UsageError::OnlyOfBvh.into());
     }
-    let is_motion = |path: &Path| MOTION.iter().any(|(known, _)| *known == extension(path));
-    if if is_bvh { !is_motion(&args.to) } else { !is_motion(&args.from) } {
+    let is_written = MOTION.iter().any(|(known, _)| *known == extension(&args.to));
+    if if is_bvh { !is_written } else { !READ.contains(&extension(&args.from).as_str()) } {
         return figure(args);
     }
     if args.size.is_asked() {
@@ -105,8 +112,9 @@ fn motion(ConvertArgs { from, to, figure, bvh, .. }: &ConvertArgs) -> Result<(),
         None => None,
     };
     let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;
-    if body.is_none() && extension(to) == "bvh" {
-        return Err(UsageError::BvhOfFigure { to: to.clone() }.into());
+    if body.is_none() && ["bvh", "html"].contains(&extension(to).as_str()) {
+        let what = extension(to);
+        return Err(UsageError::OfFigure { what, to: to.clone() }.into());
     }
     let (bare, no_positions) = headings::to_opensim(&table);
     if bare.columns.iter().all(|name| name == "time") {
@@ -125,6 +133,16 @@ fn motion(ConvertArgs { from, to, figure, bvh, .. }: &ConvertArgs) -> Result<(),
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;
             bvh::write(&body.figure, &motion, bvh::Unit::default(), &mut writer).map_err(CliError::other)
+        }
+        MotionFormat::Page => {
+            let Some(body) = &body else { return Ok(()) };
+            let found = record::read(&body.figure, body.gravity, &table);
+            let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
+            let title = from.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+            let rows = findings.iter().map(|finding| TableRow::new("Look at", "", "", finding.to_string()));
+            let options = PageOptions { title, table: rows.collect(), ..PageOptions::default() };
+            let page = page(&body.figure, &motion, &options).map_err(CliError::other)?;
+            writer.write_all(page.as_bytes()).map_err(CliError::other)
         }
     })?;
     print(|out| {

@@ -1,6 +1,8 @@
 //! Drawn shapes of links.
 
+use crate::LinkLine;
 use crate::camera::Bounds;
+use crate::error::ViewError;
 use glam::{DMat3, DQuat, DVec3};
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -110,6 +112,26 @@ pub(crate) fn links(figure: &Figure) -> Vec<Drawn> {
         Drawn { name, side, parts }
     };
     (0..figure.links().len()).map(draw).collect()
+}
+
+/// Adds lines to the links that they go with, but for links with a shape of their own, which would hide them.
+pub(crate) fn add_lines(links: &mut [Drawn], figure: &Figure, lines: &[LinkLine]) -> Result<(), ViewError> {
+    let reach = reach(figure);
+    for line in lines {
+        let Some(link) = figure.links().get(line.link) else {
+            let (link, links) = (line.link, links.len());
+            return Err(ViewError::LineLink { link, figure: figure.name().to_owned(), links });
+        };
+        if link.shape().is_some() {
+            continue;
+        }
+        let [from, to] = line.ends;
+        if let Some(mut part) = stick(&(to - from), reach) {
+            part.at = (DVec3::from_array(part.at) + DVec3::new(from.x, from.y, from.z)).into();
+            links[line.link].parts.push(part);
+        }
+    }
+    Ok(())
 }
 
 /// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots.

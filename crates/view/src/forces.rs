@@ -25,6 +25,12 @@ pub struct FootForces<'a> {
 /// The same forces give the same text, byte for byte.
 pub fn forces(feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)], title: &str) -> String {
     let mut picture = Picture::new(title);
+    draw(&mut picture, feet, axes);
+    picture.finish()
+}
+
+/// The same below what a picture holds already.
+pub(crate) fn draw(picture: &mut Picture, feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)]) {
     let mut names: Vec<&str> = Vec::new();
     for foot in feet {
         if !names.contains(&foot.name) {
@@ -53,12 +59,11 @@ pub fn forces(feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)], title: &st
     let time = Axis::around(feet.iter().flat_map(|foot| foot.time.iter().copied()), 8.0);
     for (((name, _), up), columns) in axes.iter().zip(up).zip(&columns) {
         picture.heading(&format!("{name} (N)"));
-        let panel = Panel::from_left(&mut picture, left, HEIGHT, time.clone(), up);
-        panel.grid(&mut picture);
+        let panel = Panel::from_left(picture, left, HEIGHT, time.clone(), up);
+        panel.grid(picture);
         for (foot, values) in feet.iter().zip(columns) {
-            panel.curve(&mut picture, &class(foot), foot.time, values);
+            panel.curve(picture, &class(foot), foot.time, values);
         }
-        panel.foot(&mut picture, "time (s)");
+        panel.foot(picture, "time (s)");
     }
-    picture.finish()
 }

@@ -3,6 +3,7 @@
 use super::wrap;
 use clap::{Args, ValueEnum};
 use solaris::model::{Base, Vector3};
+use std::path::PathBuf;
 
 pub(super) const FIGURE: &str =
     "A figure (.ron), URDF (.urdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model";
@@ -25,6 +26,20 @@ pub(crate) struct RecordArgs {
         help = "Order of the filter, there and back; OpenSim's is 3 [default: 2]"
     )]
     pub(crate) filter_order: u8,
+}
+
+/// Means over strides.
+#[derive(Debug, Args)]
+pub(crate) struct CyclesArgs {
+    #[arg(long = "cycles", value_name = "FOOT", requires = "cycles_out", help = wrap(
+        "Cut the motion at the touch-downs of this foot: right, left, or a sole's name"
+    ))]
+    pub(crate) foot: Option<String>,
+    #[arg(id = "cycles_out", long = "cycles-out", value_name = "FILE", requires = "foot", help = wrap(
+        "Write mean and standard deviation over these strides at every percent of them: .csv (COLUMN.mean, COLUMN.sd), or draw \
+         them: .svg [default: none]"
+    ))]
+    pub(crate) outputs: Vec<PathBuf>,
 }
 
 /// What the figure is under, and what its root is.

@@ -26,7 +26,11 @@ pub(super) enum External {
 }
 
 impl External {
-    pub(super) fn read(ExternalArgs { forces, plates, loads }: &ExternalArgs) -> Result<Self, CliError> {
+    /// What the options say; the files are those of one motion.
+    pub(super) fn read(
+        ExternalArgs { plates, .. }: &ExternalArgs,
+        [forces, loads]: [Option<&Path>; 2],
+    ) -> Result<Self, CliError> {
         if let Some(path) = forces {
             for (i, (links, prefix)) in plates.iter().enumerate() {
                 if let Some((other, _)) = plates[..i].iter().find(|(_, before)| before == prefix) {
@@ -37,7 +41,7 @@ impl External {
                 }
             }
             return Ok(Self::Plates {
-                path: path.clone(),
+                path: path.to_owned(),
                 table: input::table(path)?,
                 plates: plates.clone(),
             });
@@ -53,7 +57,7 @@ impl External {
             ));
         };
         let data = path.parent().unwrap_or_else(|| Path::new("")).join(named.trim());
-        Ok(Self::Loads { path: path.clone(), table: input::table(&data)?, data, loads })
+        Ok(Self::Loads { path: path.to_owned(), table: input::table(&data)?, data, loads })
     }
 
     /// The forces on the figure's links.
