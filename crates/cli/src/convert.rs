@@ -7,6 +7,7 @@ use crate::findings::list;
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
+use crate::shown::forward;
 use crate::words::{rounded, some};
 use solaris::io::bvh::{self, ReadOptions, Up};
 use solaris::io::{Table, csv, headings, record, sto};
@@ -140,7 +141,8 @@ fn motion(ConvertArgs { from, to, figure, bvh, .. }: &ConvertArgs) -> Result<(),
             let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
             let title = from.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
             let rows = findings.iter().map(|finding| TableRow::new("Look at", "", "", finding.to_string()));
-            let options = PageOptions { title, table: rows.collect(), ..PageOptions::default() };
+            let (table, forward) = (rows.collect(), forward(body));
+            let options = PageOptions { title, table, forward, ..PageOptions::default() };
             let page = page(&body.figure, &motion, &options).map_err(CliError::other)?;
             writer.write_all(page.as_bytes()).map_err(CliError::other)
         }

@@ -58,6 +58,8 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     let (time, weight) = (given.motion().time(), ground.forces.report.weight);
     let (soles, stances) = (ground.soles.clone(), ground.forces.stances.clone());
     let tracks = ground.forces.contacts.clone();
+    // The same by link, where tables go by the sole.
+    let contacts = ground.forces.loads().contacts(&given.body.figure);
     let mut report =
         Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given), cycles: None };
     if let Some(plates) = &plates {
@@ -71,7 +73,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     }
     let shown = Shown {
         given: &given,
-        contacts: &tracks,
+        contacts: &contacts,
         is_measured: false,
         soles: &soles,
         level: Some(stances.level),

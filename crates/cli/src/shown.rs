@@ -2,6 +2,7 @@
 
 use crate::error::CliError;
 use crate::given::{Given, GivenReport};
+use crate::input::{Body, Language};
 use solaris::analysis::InverseReport;
 use solaris::analysis::ground::Sole;
 use solaris::model::{ContactTrack, Ground, Motion, Vector3};
@@ -38,6 +39,7 @@ impl Shown<'_> {
             table,
             lines: lines(self.soles),
             curves: self.residuals(),
+            forward: forward(&self.given.body),
         };
         page_of(figure, &self.motion()?, &options).map_err(CliError::other)
     }
@@ -104,22 +106,28 @@ impl Shown<'_> {
     }
 }
 
+/// Which way figures of a format go forward, where a page would not know.
+pub(crate) fn forward(body: &Body) -> Option<Vector3<f64>> {
+    (body.language == Language::OpenSim).then(Vector3::x)
+}
+
 /// A motion's name: its file without folder and extension.
 pub(crate) fn stem(given: &Given) -> String {
     given.from.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
-/// Heel to ball to tip, and the sole's breadth at the ball.
+/// Heel to ball to tip, and both from the ankle.
 fn lines(soles: &[Sole]) -> Vec<LinkLine> {
     let of = |sole: &Sole| {
-        let mut lines = vec![LinkLine { link: sole.foot, ends: [sole.heel, sole.ball] }];
-        // The tip of toes is told in their own frame, in which nobody says where the ball is.
-        if sole.toes.is_none() {
-            lines.push(LinkLine { link: sole.foot, ends: [sole.ball, sole.tip] });
-        } else if let Some(toes) = sole.toes {
-            lines.push(LinkLine { link: toes, ends: [Vector3::zeros(), sole.tip] });
-        }
-        lines
+        let line = |link, from, to| LinkLine { link, ends: [from, to] };
+        let (foot, ankle) = (sole.foot, Vector3::zeros());
+        // The tip of toes is told in their own frame, which begins at their joint.
+        let tip = match sole.toes {
+            Some(toes) => line(toes, Vector3::zeros(), sole.tip),
+            None => line(foot, sole.ball, sole.tip),
+        };
+        let edges = [[sole.heel, sole.ball], [ankle, sole.heel], [ankle, sole.ball]];
+        edges.into_iter().map(move |[from, to]| line(foot, from, to)).chain([tip])
     };
     soles.iter().flat_map(of).collect()
 }
@@ -127,8 +135,14 @@ fn lines(soles: &[Sole]) -> Vec<LinkLine> {
 /// What a page says of what went in, and what looks wrong with it.
 pub(crate) fn given_rows(report: &GivenReport) -> Vec<TableRow> {
     let mut rows = report.page_rows();
-    rows.extend(report.doubts().into_iter().map(|(what, value)| TableRow::new(what, "", "", value)));
+    rows.extend(report.doubts().into_iter().map(|(what, value)| TableRow::new(capital(what), "", "", value)));
     rows
+}
+
+/// As labels begin.
+fn capital(what: &str) -> String {
+    let mut letters = what.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What is to be looked at.

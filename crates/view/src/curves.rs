@@ -42,7 +42,8 @@ pub(crate) struct ForceCurves {
 }
 
 /// These come first, in this order.
-const FIRST: [&str; 3] = ["hip.flexion", "knee.flexion", "ankle.dorsiflexion"];
+const FIRST: [&str; 6] =
+    ["hip.flexion", "knee.flexion", "ankle.dorsiflexion", "hip_flexion", "knee_angle", "ankle_angle"];
 
 /// A coordinate that is plotted.
 struct Coordinate {
@@ -60,8 +61,8 @@ fn coordinates(figure: &Figure) -> Vec<Coordinate> {
     let layout = figure.layout();
     let mut all = Vec::new();
     for (link, joint) in figure.links().iter().zip(layout.joints()) {
-        // The forces at a root that can move in every way are no joint's: they are what is left over.
-        let floating = link.parent().is_none() && joint.nv >= 6;
+        // The forces at a root that nothing holds are no joint's: they are what is left over.
+        let floating = link.parent().is_none() && figure.root_is_free();
         for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|_| joint.nq == joint.nv) {
             let turns = dof.axis.kind == AxisKind::Rotation;
             all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns));
@@ -99,7 +100,11 @@ pub(crate) fn joints(
             names.push(&coordinate.name);
         }
     }
-    names.sort_by_key(|name| FIRST.iter().position(|first| first == name).unwrap_or(FIRST.len()));
+    let is_residual = |name: &str| coordinates.iter().any(|c| c.name == name && c.tau.is_none());
+    names.sort_by_key(|name| {
+        let first = FIRST.iter().position(|first| name.starts_with(first)).map(|place| place % 3);
+        first.unwrap_or(if is_residual(name) { 4 } else { 3 })
+    });
     let mut curves = Vec::new();
     for name in names {
         let members: Vec<&Coordinate> = coordinates.iter().filter(|c| c.name == name).collect();

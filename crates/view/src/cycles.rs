@@ -31,7 +31,7 @@ pub fn cycles(curves: &[CycleCurve], title: &str) -> String {
     let lines: Vec<Line> = curves.iter().map(line).collect();
     multiples::draw(
         &mut picture,
-        "across: percent of the stride; lines are means, areas one standard deviation around them",
+        "across: percent of the stride; areas: one standard deviation",
         &percent,
         &lines,
     );

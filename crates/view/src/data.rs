@@ -81,7 +81,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
         return Err(ViewError::Empty { figure: figure.name().to_owned() });
     }
     check_contacts(figure, motion)?;
-    let world = World::new(&motion.info.gravity);
+    let world = World::new(&motion.info.gravity, options.forward.as_ref());
     let samples = chosen(motion);
     let mut links = draw::links(figure);
     draw::add_lines(&mut links, figure, &options.lines)?;

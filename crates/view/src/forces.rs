@@ -1,6 +1,7 @@
 //! Forces of the ground over time, as a picture.
 
 use crate::chart::{Axis, Key, Panel, Picture, SERIES};
+use crate::draw::Side;
 use solaris_model::{Contact, Vector3};
 
 /// Height of a panel (px).
@@ -37,8 +38,15 @@ pub(crate) fn draw(picture: &mut Picture, feet: &[FootForces<'_>], axes: &[(&str
             names.push(foot.name);
         }
     }
+    // As everywhere the left one is blue.
+    let one_a_side = match names[..] {
+        [one] => side(one) != Side::Middle,
+        [one, other] => side(one) != side(other) && ![one, other].map(side).contains(&Side::Middle),
+        _ => false,
+    };
     let class = |foot: &FootForces<'_>| {
         let series = names.iter().position(|name| *name == foot.name).unwrap_or_default() % SERIES;
+        let series = if one_a_side { usize::from(side(foot.name) == Side::Right) } else { series };
         if foot.is_measured { format!("thin s{series}") } else { format!("line s{series}") }
     };
     let name = |foot: &FootForces<'_>| {
@@ -65,5 +73,14 @@ pub(crate) fn draw(picture: &mut Picture, feet: &[FootForces<'_>], axes: &[(&str
             panel.curve(picture, &class(foot), foot.time, values);
         }
         panel.foot(picture, "time (s)");
+    }
+}
+
+/// The side of a foot, which may be called by it alone.
+fn side(name: &str) -> Side {
+    match name {
+        "left" => Side::Left,
+        "right" => Side::Right,
+        _ => Side::split(name).0,
     }
 }

@@ -44,6 +44,8 @@ pub struct PageOptions {
     pub lines: Vec<LinkLine>,
     /// Curves beside those of the ground's forces, such as residuals.
     pub curves: Vec<PageCurve>,
+    /// Which way is forward (world axes), where it is not z, or x where z is up.
+    pub forward: Option<Vector3<f64>>,
 }
 
 /// A line that goes with a link.

@@ -44,7 +44,7 @@ pub(crate) fn draw(picture: &mut Picture, caption: &str, places: &[f64], lines: 
             None => all.push(Small { name, lines: vec![(side, line)] }),
         }
     }
-    let sides = [(Side::Left, 0, "left"), (Side::Right, 1, "right"), (Side::Middle, 2, "neither")];
+    let sides = [(Side::Left, 0, "left"), (Side::Right, 1, "right"), (Side::Middle, 2, "middle")];
     let has = |side| all.iter().any(|small| small.lines.iter().any(|(of, _)| *of == side));
     if has(Side::Left) || has(Side::Right) {
         let there = sides.iter().filter(|(side, ..)| has(*side));
@@ -78,7 +78,7 @@ fn up(lines: &[(Side, &Line)]) -> Axis {
         let spread = |i: usize| line.spread.as_ref().map_or(0.0, |spread| spread[i]);
         line.values.iter().enumerate().flat_map(move |(i, value)| [value - spread(i), value + spread(i)])
     });
-    Axis::around(ends, 3.0).padded(0.06)
+    Axis::around(ends, 4.0).padded(0.06)
 }
 
 fn curve(picture: &mut Picture, panel: &Panel, side: Side, places: &[f64], line: &Line) {

@@ -136,8 +136,7 @@ pub(crate) struct GroundArgs {
 }
 
 /// Options of [`GroundArgs`] that say when feet stand, by their ids.
-pub(super) const STANCE_OPTIONS: [&str; 5] =
-    ["soles", "belt", "stance_height", "stance_speed", "stance_shortest"];
+pub(super) const STANCE_OPTIONS: [&str; 4] = ["belt", "stance_height", "stance_speed", "stance_shortest"];
 /// The other ones, and those of [`ConsistentArgs`].
 pub(super) const GROUND_OPTIONS: [&str; 4] = ["split", "consistent", "consistent_limit", "motions"];
 

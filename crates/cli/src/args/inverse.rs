@@ -32,7 +32,7 @@ const EXAMPLES: &str = "Examples:
 pub(crate) struct InverseArgs {
     #[arg(value_name = "FIGURE", help = wrap(given::FIGURE))]
     pub(crate) figure: PathBuf,
-    #[arg(value_name = "MOTION", required = true, num_args = 1.., help = wrap(&format!(
+    #[arg(id = "trials", value_name = "MOTION", required = true, num_args = 1.., help = wrap(&format!(
         "{}. Several are allowed: they are taken at once, on all cores", given::MOTION
     )))]
     pub(crate) motions: Vec<PathBuf>,
@@ -64,6 +64,8 @@ pub(crate) struct InverseArgs {
 /// Where neither the ground nor strides are asked for, nothing is asked of feet.
 fn needs_ground(arg: Arg) -> Arg {
     match arg.get_id().as_str() {
+        // A page draws them in any case.
+        "soles" => arg,
         id if GROUND_OPTIONS.contains(&id) => arg.requires("ground"),
         id if STANCE_OPTIONS.contains(&id) => arg.requires("feet"),
         _ => arg,

@@ -48,7 +48,7 @@ impl Plan {
         }
         let trials = args.motions.iter().map(|motion| trial(args, motion, &each));
         let mut trials = trials.collect::<Result<Vec<Trial>, CliError>>()?;
-        if let (false, Some(trial)) = (is_many, trials.pop()) {
+        if !is_many && let Some(trial) = trials.pop() {
             return Ok(Self::One(trial));
         }
         let tables = Outputs::new(tables.into_iter().map(|path| ("-o", path, TABLE)))?;

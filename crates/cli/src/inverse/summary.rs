@@ -38,14 +38,14 @@ impl Report {
         if let Some(r) = &self.residual {
             let left = |what: &str, unit: &str, greatest: f64, rms: f64, at: f64| {
                 let note = format!("greatest, at {} s; rms {}", short(at), short(rms));
-                TableRow::new(what, short(greatest), unit, note)
+                TableRow::new(what, short(greatest), whole(unit), note)
             };
             rows.push(left("Residual force", "N", r.force, r.force_rms, r.force_time));
             rows.push(left("Residual moment", "N m", r.moment, r.moment_rms, r.moment_time));
         }
         rows.extend(self.joints.iter().filter(|joint| !joint.is_residual).map(|joint| {
             let note = format!("at {} s; rms {}", short(joint.time), short(joint.rms));
-            TableRow::new(joint.dof.as_str(), short(joint.greatest), joint.unit, note)
+            TableRow::new(joint.dof.as_str(), short(joint.greatest), whole(joint.unit), note)
         }));
         rows.extend(self.ground.iter().flat_map(|ground| warning_rows(&ground.warnings)));
         rows
@@ -94,6 +94,11 @@ impl Report {
             "\n  Nothing holds the root: these forces would have to come out of the air. They are what motion, masses and {what}"
         )
     }
+}
+
+/// A unit that stays in one line.
+fn whole(unit: &str) -> String {
+    unit.replace(' ', "\u{a0}")
 }
 
 fn write_load(load: &DofLoad, out: &mut dyn Write, width: usize) -> Result<()> {

@@ -12,7 +12,7 @@ use crate::ground::{Content, Ground, GroundReport, known_soles, write_motion};
 use crate::input::Body;
 use crate::output::Outputs;
 use crate::progress::Progress;
-use crate::shown::Shown;
+use crate::shown::{Shown, stem};
 use solaris::analysis::ground::{Sole, Stances};
 use solaris::analysis::{InverseOptions, InverseReport, Loads, PreparedMotion, inverse_motion};
 use solaris::io::{csv, sto};
@@ -125,7 +125,7 @@ impl Trial {
                 }
                 Content::Motion(format) => return write_motion(format, writer, shown.given),
                 Content::Cycles(format) => {
-                    let title = shown.title(what);
+                    let title = stem(shown.given);
                     return report
                         .cycles
                         .iter()
@@ -148,7 +148,7 @@ impl Feet {
             let stances = ground.standing(given, &ground.feet(given, prepared)?, 0.0)?.stances;
             return Ok(Self { soles: ground.soles, stances: Some(stances) });
         }
-        let soles = known_soles(None, given)?.map(|(soles, _)| soles).unwrap_or_default();
+        let soles = known_soles(how.soles.as_deref(), given)?.map(|(soles, _)| soles).unwrap_or_default();
         Ok(Self { soles, stances: None })
     }
 }
@@ -161,16 +161,18 @@ fn columns(given: &Given, forces: &InverseReport) -> Vec<Column> {
     for (link, joint) in figure.links().iter().zip(layout.joints()) {
         for axis in 0..joint.nv {
             let (dof, load) = (joint.v + axis, &forces.dofs[joint.v + axis]);
+            let turns = layout.axis_kind(dof) == AxisKind::Rotation;
+            // A picture of strides is of joints: how far the root has gone, and what is left over there, is in the table.
+            let own = (!load.is_residual).then(|| load.dof.clone());
             if figure.follows(dof) {
                 continue;
             }
             // Orientations of ball and free joints have no angle of one axis.
             if joint.nq == joint.nv && link.joint().kind().axes().len() == joint.nv {
-                let turns = layout.axis_kind(dof) == AxisKind::Rotation;
                 let values = (0..motion.len()).map(|frame| motion.q(frame)[joint.q + axis]);
                 columns.push(Column {
                     heading: format!("{}.q", load.dof),
-                    name: Some(load.dof.clone()),
+                    name: own.clone().or_else(|| turns.then(|| load.dof.clone())),
                     unit: if turns { "°" } else { "m" },
                     factor: if turns { 1_f64.to_degrees() } else { 1.0 },
                     values: values.collect(),
@@ -179,7 +181,7 @@ fn columns(given: &Given, forces: &InverseReport) -> Vec<Column> {
             let values = forces.tau.iter().skip(dof).step_by(layout.nv().max(1));
             columns.push(Column {
                 heading: format!("{}.tau", load.dof),
-                name: Some(load.dof.clone()),
+                name: own,
                 unit: load.unit,
                 factor: 1.0,
                 values: values.copied().collect(),

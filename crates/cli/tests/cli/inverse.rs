@@ -8,6 +8,7 @@ mod consistent;
 mod convert;
 mod ground;
 mod manners;
+mod many;
 mod metrics;
 mod refusals;
 mod robots;
