@@ -93,7 +93,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
             }
             Content::Motion(format) => return write_motion(format, writer, &given),
             Content::Cycles(format) => {
-                let title = shown.title("forces of the ground");
+                let title = stem(&given);
                 return report
                     .cycles
                     .iter()
