@@ -10,6 +10,8 @@ use crate::print::print;
 use crate::shown::forward;
 use crate::words::{rounded, some};
 use solaris::io::bvh::{self, ReadOptions, Up};
+#[cfg(feature = "parquet")]
+use solaris::io::parquet;
 use solaris::io::{Table, csv, headings, record, sto};
 use solaris::model::{Figure, Finding, Motion, Scaling, Vector3, text};
 use solaris::view::{PageOptions, TableRow, page};
@@ -22,6 +24,9 @@ pub(crate) enum TableFormat {
     Csv,
     /// OpenSim's, `DOF`.
     Sto,
+    /// Parquet, headed as CSV.
+    #[cfg(feature = "parquet")]
+    Parquet,
 }
 
 /// What a motion is written as.
@@ -38,6 +43,8 @@ const MOTION: Formats<MotionFormat> = &[
     ("sto", MotionFormat::Table(TableFormat::Sto)),
     ("mot", MotionFormat::Table(TableFormat::Sto)),
     ("bvh", MotionFormat::Bvh),
+    #[cfg(feature = "parquet")]
+    ("parquet", MotionFormat::Table(TableFormat::Parquet)),
     ("html", MotionFormat::Page),
 ];
 
@@ -130,6 +137,10 @@ fn motion(ConvertArgs { from, to, figure, bvh, .. }: &ConvertArgs) -> Result<(),
             csv::write_table(&table, &mut writer).map_err(CliError::other)
         }
         MotionFormat::Table(TableFormat::Sto) => sto::write(&bare, &mut writer).map_err(CliError::other),
+        #[cfg(feature = "parquet")]
+        MotionFormat::Table(TableFormat::Parquet) => {
+            parquet::write_table(&table, &mut writer).map_err(CliError::other)
+        }
         MotionFormat::Bvh => {
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;

@@ -91,6 +91,11 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
                 let table = table(ForceHeadings::OpenSim)?;
                 return sto::write(&table, &mut writer).map_err(CliError::other);
             }
+            #[cfg(feature = "parquet")]
+            Content::Forces(TableFormat::Parquet) => {
+                let table = table(ForceHeadings::Solaris)?;
+                return solaris::io::parquet::write_table(&table, &mut writer).map_err(CliError::other);
+            }
             Content::Motion(format) => return write_motion(format, writer, &given),
             Content::Cycles(format) => {
                 let title = stem(&given);

@@ -13,6 +13,8 @@ mod import;
 pub mod mjcf;
 #[cfg(feature = "opensim")]
 pub mod opensim;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 pub mod record;
 pub mod sto;
 mod table;

@@ -100,7 +100,9 @@ pub(crate) fn joints(
             names.push(&coordinate.name);
         }
     }
-    let is_residual = |name: &str| coordinates.iter().any(|c| c.name == name && c.tau.is_none());
+    // A person's pelvis stands where the anatomical angles have it; any other root comes last.
+    let by_axes = figure.anatomical_angles().is_empty();
+    let is_residual = |name: &str| by_axes && coordinates.iter().any(|c| c.name == name && c.tau.is_none());
     names.sort_by_key(|name| {
         let first = FIRST.iter().position(|first| name.starts_with(first)).map(|place| place % 3);
         first.unwrap_or(if is_residual(name) { 4 } else { 3 })

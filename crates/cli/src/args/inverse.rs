@@ -14,7 +14,7 @@ const EXAMPLES: &str = "Examples:
       the same, with OpenSim's own description of the forces
   solaris inverse subject.osim trials/*.mot --external-loads loads/{}.xml --filter 6Hz -o out/ -o out/{}.html -o all.csv
       many motions on all cores: moments and a page of each, and a table with a row for each; {} is the motion's name
-  solaris inverse subject.osim walk.mot --ground --filter 6Hz --cycles right --cycles-out stride.csv --cycles-out stride.svg
+  solaris inverse subject.osim walk.mot --ground --soles soles.ron --cycles right --cycles-out stride.csv --cycles-out stride.svg
       angles and moments over the stride: mean and standard deviation at every percent
   solaris inverse robot.urdf trajectory.csv -o tau.csv
       motor torques of a robot
@@ -28,7 +28,13 @@ const EXAMPLES: &str = "Examples:
 
 /// A figure in a motion, of which the joints' forces are found.
 #[derive(Debug, Args)]
-#[command(about = "Joint torques of a given motion", after_help = EXAMPLES, mut_args(needs_ground), group = ArgGroup::new("feet").args(["ground", "foot"]).multiple(true))]
+#[command(
+    about = "Joint torques of a given motion, or of many",
+    after_help = EXAMPLES,
+    mut_args(needs_ground),
+    group = ArgGroup::new("feet").args(["ground", "foot"]).multiple(true),
+    group = ArgGroup::new("pushed").args(["ground", "foot", "forces", "loads"]).multiple(true)
+)]
 pub(crate) struct InverseArgs {
     #[arg(value_name = "FIGURE", help = wrap(given::FIGURE))]
     pub(crate) figure: PathBuf,
@@ -65,7 +71,7 @@ pub(crate) struct InverseArgs {
 fn needs_ground(arg: Arg) -> Arg {
     match arg.get_id().as_str() {
         // A page draws them in any case.
-        "soles" => arg,
+        "soles" => arg.requires("pushed"),
         id if GROUND_OPTIONS.contains(&id) => arg.requires("ground"),
         id if STANCE_OPTIONS.contains(&id) => arg.requires("feet"),
         _ => arg,

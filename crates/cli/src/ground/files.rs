@@ -42,6 +42,8 @@ const FORCES: Formats<Content> = &[
     ("csv", Content::Forces(TableFormat::Csv)),
     ("sto", Content::Forces(TableFormat::Sto)),
     ("mot", Content::Forces(TableFormat::Sto)),
+    #[cfg(feature = "parquet")]
+    ("parquet", Content::Forces(TableFormat::Parquet)),
     ("html", Content::Page),
     ("svg", Content::Picture),
 ];

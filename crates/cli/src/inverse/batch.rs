@@ -40,7 +40,7 @@ pub(super) fn run(args: &InverseArgs, many: &Many) -> Result<(), CliError> {
         one.collect()
     });
     drop(bar);
-    many.tables.write(|(), writer| rows::write_table(&all, writer).map_err(CliError::other))?;
+    many.tables.write(|format, writer| rows::write_table(&all, format, writer).map_err(CliError::other))?;
     print(|out| {
         if args.json {
             return write_json(out, &all);

@@ -1,5 +1,6 @@
 //! Which files belong to which motion, where there may be many.
 
+use super::rows::RowsFormat;
 use super::trial::Trial;
 use crate::args::InverseArgs;
 use crate::error::CliError;
@@ -13,7 +14,11 @@ use std::path::{Path, PathBuf};
 const NAME: &str = "{}";
 
 /// The summary of many motions, a row each.
-const TABLE: Formats<()> = &[("csv", ())];
+const TABLE: Formats<RowsFormat> = &[
+    ("csv", RowsFormat::Csv),
+    #[cfg(feature = "parquet")]
+    ("parquet", RowsFormat::Parquet),
+];
 
 /// The motions of a command.
 pub(super) enum Plan {
@@ -25,7 +30,7 @@ pub(super) enum Plan {
 pub(super) struct Many {
     pub(super) trials: Vec<Trial>,
     /// Tables with a row for each.
-    pub(super) tables: Outputs<()>,
+    pub(super) tables: Outputs<RowsFormat>,
 }
 
 impl Plan {
@@ -67,7 +72,8 @@ fn check_many(args: &InverseArgs, tables: &[&PathBuf]) -> Result<(), CliError> {
         );
         Err(CliError::Output { option, path: path.to_owned(), why })
     };
-    for table in tables.iter().filter(|table| extension(table) != "csv") {
+    let is_table = |path: &Path| TABLE.iter().any(|(known, _)| *known == extension(path));
+    for table in tables.iter().filter(|table| !is_table(table)) {
         let of = if extension(table).is_empty() { "sto".to_owned() } else { extension(table) };
         return refuse("-o", table, &format!("out/{NAME}.{of}; one table with a row for each is .csv"));
     }

@@ -7,6 +7,8 @@ use solaris::analysis::DofLoad;
 use solaris::io::csv::{number_text, write_row};
 use std::io::{Result, Write};
 
+/// The first column: the file.
+const MOTION: &str = "motion";
 /// The last column: why there is nothing.
 const REFUSAL: &str = "refusal";
 
@@ -75,24 +77,57 @@ fn greatest(report: &Report) -> Option<&DofLoad> {
     joints.max_by(|a, b| a.greatest.abs().total_cmp(&b.greatest.abs()))
 }
 
-/// The same as CSV: the residuals, the greatest force of each joint, and why there are none.
+/// What a table of many motions is written as.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum RowsFormat {
+    Csv,
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+/// The same as a file: the residuals, the greatest force of each joint, and why there are none.
 pub(super) fn write_table(
     all: &[Done],
+    format: RowsFormat,
     mut out: &mut dyn Write,
 ) -> std::result::Result<(), solaris::io::IoError> {
+    let (heads, rows) = fields(all);
+    match format {
+        RowsFormat::Csv => {
+            std::iter::once(heads).chain(rows).try_for_each(|fields| write_row(fields, &mut out))
+        }
+        #[cfg(feature = "parquet")]
+        RowsFormat::Parquet => {
+            use solaris::io::parquet::{self, Column};
+            let of = |(column, heading): (usize, String)| {
+                let fields = rows.iter().map(|row| row[column].as_str());
+                let values = if [MOTION, REFUSAL].contains(&heading.as_str()) {
+                    Column::Texts(fields.map(str::to_owned).collect())
+                } else {
+                    Column::Numbers(fields.map(|field| field.parse().ok()).collect())
+                };
+                (heading, values)
+            };
+            let columns: Vec<_> = heads.into_iter().enumerate().map(of).collect();
+            parquet::write(&columns, &mut out)
+        }
+    }
+}
+
+/// Headings, and the fields of each motion.
+fn fields(all: &[Done]) -> (Vec<String>, Vec<Vec<String>>) {
     let mut dofs: Vec<&str> = Vec::new();
     if let Some(report) = all.iter().find_map(|done| done.report.as_ref()) {
         dofs.extend(report.joints.iter().filter(|load| !load.is_residual).map(|load| load.dof.as_str()));
     }
-    let heads = ["motion", "rows", "from_s", "to_s"].map(str::to_owned).into_iter();
+    let heads = [MOTION, "rows", "from_s", "to_s"].map(str::to_owned).into_iter();
     let residuals = ["force_rms_n", "force_greatest_n", "moment_rms_nm", "moment_greatest_nm"]
         .map(|r| format!("residual_{r}"));
     let joints = dofs.iter().map(|dof| format!("{dof}.tau_greatest"));
     let last = ["findings", REFUSAL].map(str::to_owned);
     let heads: Vec<String> = heads.chain(residuals).chain(joints).chain(last).collect();
     let columns = heads.len();
-    write_row(heads, &mut out)?;
-    for Done { motion, report, refusal } in all {
+    let row = |Done { motion, report, refusal }: &Done| {
         let mut fields = vec![motion.clone()];
         if let Some(report) = report {
             let given = &report.given;
@@ -101,14 +136,13 @@ pub(super) fn write_table(
                 report.residual.map(|r| [r.force_rms, r.force, r.moment_rms, r.moment].map(number_text));
             fields.extend(left.unwrap_or_default());
             let of = |dof: &&str| report.joints.iter().find(|load| load.dof == **dof);
-            fields.extend(
-                dofs.iter().map(|dof| of(dof).map_or_else(String::new, |load| number_text(load.greatest))),
-            );
+            let greatest = |dof| of(dof).map_or_else(String::new, |load| number_text(load.greatest));
+            fields.extend(dofs.iter().map(greatest));
             fields.push(report.findings().len().to_string());
         }
         fields.resize(columns - 1, String::new());
         fields.push(refusal.clone().unwrap_or_default());
-        write_row(fields, &mut out)?;
-    }
-    Ok(())
+        fields
+    };
+    (heads, all.iter().map(row).collect())
 }

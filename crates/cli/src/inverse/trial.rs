@@ -123,6 +123,11 @@ impl Trial {
                     let table = tables::moments(figure, motion, forces);
                     return sto::write(&table, &mut writer).map_err(CliError::other);
                 }
+                #[cfg(feature = "parquet")]
+                Content::Forces(TableFormat::Parquet) => {
+                    let table = tables::torques(figure, motion, forces);
+                    return solaris::io::parquet::write_table(&table, &mut writer).map_err(CliError::other);
+                }
                 Content::Motion(format) => return write_motion(format, writer, shown.given),
                 Content::Cycles(format) => {
                     let title = stem(shown.given);
