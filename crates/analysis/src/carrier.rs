@@ -13,6 +13,11 @@ pub(crate) struct Carrier {
 }
 
 impl Carrier {
+    /// The link, of two the first.
+    pub(crate) const fn first(&self) -> usize {
+        self.link
+    }
+
     /// Always the same link.
     pub(crate) const fn of_one(link: usize) -> Self {
         Self { link, toes: None }

@@ -29,6 +29,9 @@ pub struct InverseReport {
     /// Generalized forces (N m or N), `nv` a row, in the order of the figure.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub tau: Vec<f64>,
+    /// Of each frame, the magnitude of what is missing: the force (N) and its moment about the root link's origin (N m).
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub residuals: Vec<[f64; 2]>,
     /// Of each degree of freedom, how great its force is; those of the root's joint are residuals where nothing in the
     /// world holds the root.
     #[cfg_attr(feature = "serde", serde(rename = "joints"))]
@@ -195,6 +198,7 @@ pub fn inverse_motion(
         moment: moment.1.value,
         moment_time: moment.1.time,
     };
+    report.residuals = wrenches;
     Ok(report)
 }
 

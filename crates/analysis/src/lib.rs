@@ -2,6 +2,7 @@
 
 mod balance;
 mod carrier;
+pub mod cycles;
 mod differentiate;
 mod error;
 pub mod ground;

@@ -3,7 +3,7 @@
 use crate::carrier::Carrier;
 use nalgebra::Vector3;
 use solaris_dynamics::{Workspace, Wrench};
-use solaris_model::{Contact, Figure, MeasuredForce};
+use solaris_model::{Contact, ContactTrack, Figure, MeasuredForce};
 
 /// How far (s) two times may be apart and still be the same.
 const SAME_TIME: f64 = 1e-9;
@@ -126,6 +126,15 @@ impl Loads {
     /// `samples` on what carries them, one a time.
     pub(crate) fn of(tracks: impl IntoIterator<Item = (Carrier, Vec<Contact>)>) -> Self {
         Self { tracks: tracks.into_iter().map(|(carrier, samples)| Track { carrier, samples }).collect() }
+    }
+
+    /// The forces at each time as contacts of `figure`'s links; of two links, the first one's.
+    pub fn contacts(&self, figure: &Figure) -> Vec<ContactTrack> {
+        let track = |track: &Track| {
+            let link = figure.links()[track.carrier.first()].name().to_owned();
+            ContactTrack { link, samples: track.samples.clone() }
+        };
+        self.tracks.iter().map(track).collect()
     }
 
     /// At how many times they are known; `None` where nothing acts.

@@ -7,10 +7,14 @@ use crate::findings::{list, of_medium};
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
+use crate::shown::forward;
 use crate::words::{rounded, some};
 use solaris::io::bvh::{self, ReadOptions, Up};
+#[cfg(feature = "parquet")]
+use solaris::io::parquet;
 use solaris::io::{Table, csv, headings, record, sto};
 use solaris::model::{Figure, Finding, FindingKind, Motion, Scaling, Vector3, text};
+use solaris::view::{PageOptions, TableRow, page};
 use std::path::Path;
 
 /// What a table is written as.
@@ -20,6 +24,9 @@ pub(crate) enum TableFormat {
     Csv,
     /// OpenSim's, `DOF`.
     Sto,
+    /// Parquet, headed as CSV.
+    #[cfg(feature = "parquet")]
+    Parquet,
 }
 
 /// What a motion is written as.
@@ -27,6 +34,8 @@ pub(crate) enum TableFormat {
 enum MotionFormat {
     Table(TableFormat),
     Bvh,
+    /// The figure in its motion, on a page.
+    Page,
 }
 
 const MOTION: Formats<MotionFormat> = &[
@@ -34,7 +43,13 @@ const MOTION: Formats<MotionFormat> = &[
     ("sto", MotionFormat::Table(TableFormat::Sto)),
     ("mot", MotionFormat::Table(TableFormat::Sto)),
     ("bvh", MotionFormat::Bvh),
+    #[cfg(feature = "parquet")]
+    ("parquet", MotionFormat::Table(TableFormat::Parquet)),
+    ("html", MotionFormat::Page),
 ];
+
+/// Motions that are read.
+const READ: [&str; 4] = ["csv", "sto", "mot", "bvh"];
 
 /// How far a frame may be from where the frames' rate has it, as a part of the time between two (BVH has one such time).
 const UNEVEN: f64 = 0.01;
@@ -48,8 +63,8 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     if args.bvh.is_asked() && !is_bvh {
         return Err(UsageError::OnlyOfBvh.into());
     }
-    let is_motion = |path: &Path| MOTION.iter().any(|(known, _)| *known == extension(path));
-    if if is_bvh { !is_motion(&args.to) } else { !is_motion(&args.from) } {
+    let is_written = MOTION.iter().any(|(known, _)| *known == extension(&args.to));
+    if if is_bvh { !is_written } else { !READ.contains(&extension(&args.from).as_str()) } {
         return figure(args);
     }
     if args.size.is_asked() {
@@ -107,8 +122,9 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Res
         None => None,
     };
     let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;
-    if body.is_none() && extension(to) == "bvh" {
-        return Err(UsageError::BvhOfFigure { to: to.clone() }.into());
+    if body.is_none() && ["bvh", "html"].contains(&extension(to).as_str()) {
+        let what = extension(to);
+        return Err(UsageError::OfFigure { what, to: to.clone() }.into());
     }
     let (bare, no_positions) = headings::to_opensim(&table);
     if bare.columns.iter().all(|name| name == "time") {
@@ -123,10 +139,25 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Res
             csv::write_table(&table, &mut writer).map_err(CliError::other)
         }
         MotionFormat::Table(TableFormat::Sto) => sto::write(&bare, &mut writer).map_err(CliError::other),
+        #[cfg(feature = "parquet")]
+        MotionFormat::Table(TableFormat::Parquet) => {
+            parquet::write_table(&table, &mut writer).map_err(CliError::other)
+        }
         MotionFormat::Bvh => {
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;
             bvh::write(&body.figure, &motion, bvh::Unit::default(), &mut writer).map_err(CliError::other)
+        }
+        MotionFormat::Page => {
+            let Some(body) = &body else { return Ok(()) };
+            let found = record::read(&body.figure, body.gravity, &table);
+            let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
+            let title = from.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+            let rows = findings.iter().map(|finding| TableRow::new("Look at", "", "", finding.to_string()));
+            let (table, forward) = (rows.collect(), forward(body));
+            let options = PageOptions { title, table, forward, ..PageOptions::default() };
+            let page = page(&body.figure, &motion, &options).map_err(CliError::other)?;
+            writer.write_all(page.as_bytes()).map_err(CliError::other)
         }
     })?;
     print(|out| {

@@ -46,6 +46,9 @@ pub(crate) enum CliError {
     /// Something looks wrong where nothing was to.
     #[error("{path}: {count} thing{} wrong, and --strict asks for none", if *.count == 1 { " looks" } else { "s look" }, path = .path.display())]
     Strict { path: PathBuf, count: usize },
+    /// Of many motions some cannot be used; each is told in the summary.
+    #[error("{failed} of {of} motions failed; the summary says why")]
+    Motions { failed: usize, of: usize },
     #[error("standard output: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]

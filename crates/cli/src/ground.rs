@@ -8,25 +8,25 @@ mod report;
 mod soles;
 mod summary;
 
-pub(crate) use files::{Content, outputs, write_motion};
+pub(crate) use files::{Content, CyclesFormat, outputs, write_motion};
 pub(crate) use predicted::{Ground, Standing, needs_times, say_medium};
 pub(crate) use report::GroundReport;
 pub(crate) use soles::{From as SolesFrom, find as find_soles, known as known_soles};
 
 use crate::args::GroundCommandArgs;
 use crate::convert::TableFormat;
+use crate::cycles::{Column, Cycles};
 use crate::error::CliError;
 use crate::given::{Given, GivenReport, in_order};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
+use crate::shown::{Shown, axes, given_rows, stem, warning_rows};
 use against::Plates;
-use files::{Written, outputs_or_picture};
-use predicted::Predicted;
 use serde::Serialize;
 use solaris::io::record::{ForceHeadings, force_table};
-use solaris::io::{csv, sto};
-use solaris::model::Vector3;
-use solaris::view::{FootForces, forces};
+use solaris::io::{Table, csv, sto};
+use solaris::model::ContactTrack;
+use solaris::view::{FootForces, TableRow, forces};
 use std::path::PathBuf;
 
 /// What is printed as JSON.
@@ -35,10 +35,13 @@ struct Report {
     #[serde(flatten)]
     given: GivenReport,
     ground: GroundReport,
+    /// The strides, where means over them were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cycles: Option<Cycles>,
 }
 
 pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
-    let outputs = outputs_or_picture(&args.outputs, &args.consistent.motions)?;
+    let outputs = outputs(&args.outputs, &args.consistent.motions, &args.cycles.outputs)?;
     let (of, from) = (args.figure.as_path(), args.motion.as_path());
     in_order("ground", of, from)?;
     let others = [&args.ground.soles, &args.against, &args.loads];
@@ -58,51 +61,99 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
         Some(plates) => Some(plates.plausibility(&given, &prepared, &ground)?),
         None => None,
     };
-
-    progress.stage("writing");
-    let table = |headings| {
-        let tracks = &ground.forces.contacts;
-        force_table(headings, given.motion().time(), tracks).map_err(CliError::other)
-    };
-    outputs.write(|content, mut writer| {
-        match content {
-            Written::Table(Content::Forces(TableFormat::Csv)) => {
-                csv::write_table(&table(ForceHeadings::Solaris)?, &mut writer)
-            }
-            Written::Table(Content::Forces(TableFormat::Sto)) => {
-                sto::write(&table(ForceHeadings::OpenSim)?, &mut writer)
-            }
-            Written::Picture => {
-                return writer
-                    .write_all(picture(&ground, &given, plates.as_ref()).as_bytes())
-                    .map_err(CliError::other);
-            }
-            Written::Table(Content::Motion(format)) => return write_motion(format, writer, &given),
-        }
-        .map_err(CliError::other)
-    })?;
-    drop(progress);
-    let beside = plates.map(|plates| {
-        plates.beside(given.motion().time(), &ground.forces.contacts, ground.forces.report.weight)
-    });
-    let mut report = Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given) };
-    if let (Some((feet, whole)), Some(plausible)) = (beside, plausible) {
+    let (time, weight) = (given.motion().time(), ground.forces.report.weight);
+    let (soles, stances) = (ground.soles.clone(), ground.forces.stances.clone());
+    let tracks = ground.forces.contacts.clone();
+    // The same by link, where tables go by the sole.
+    let contacts = ground.forces.loads().contacts(&given.body.figure);
+    let mut report =
+        Report { ground: GroundReport::new(ground, &given), given: GivenReport::new(&given), cycles: None };
+    if let (Some(plates), Some(plausible)) = (&plates, plausible) {
+        let (feet, whole) = plates.beside(time, &tracks, weight);
         report.ground.hold_against(feet, whole, plausible);
     }
+    let table = |headings| force_table(headings, time, &tracks).map_err(CliError::other);
+    if let Some(foot) = &args.cycles.foot {
+        let columns = columns(&table(ForceHeadings::Solaris)?);
+        report.cycles = Some(Cycles::of(foot, (&soles, &stances), time, columns)?);
+    }
+    let shown = Shown {
+        given: &given,
+        contacts: &contacts,
+        is_measured: false,
+        soles: &soles,
+        level: Some(stances.level),
+        forces: None,
+    };
+
+    progress.stage("writing");
+    outputs.write(|content, mut writer| {
+        let text = match content {
+            Content::Forces(TableFormat::Csv) => {
+                let table = table(ForceHeadings::Solaris)?;
+                return csv::write_table(&table, &mut writer).map_err(CliError::other);
+            }
+            Content::Forces(TableFormat::Sto) => {
+                let table = table(ForceHeadings::OpenSim)?;
+                return sto::write(&table, &mut writer).map_err(CliError::other);
+            }
+            #[cfg(feature = "parquet")]
+            Content::Forces(TableFormat::Parquet) => {
+                let table = table(ForceHeadings::Solaris)?;
+                return solaris::io::parquet::write_table(&table, &mut writer).map_err(CliError::other);
+            }
+            Content::Motion(format) => return write_motion(format, writer, &given),
+            Content::Cycles(format) => {
+                let title = stem(&given);
+                return report
+                    .cycles
+                    .iter()
+                    .try_for_each(|cycles| cycles.write_file(format, &title, &mut *writer));
+            }
+            Content::Page => shown.page("the ground's forces", report.page_rows())?,
+            Content::Picture => picture(&tracks, &given, plates.as_ref()),
+        };
+        writer.write_all(text.as_bytes()).map_err(CliError::other)
+    })?;
+    drop(progress);
     print(|out| {
         if args.json {
             return write_json(out, &report);
         }
         report.given.write(out)?;
         report.given.write_doubts(out)?;
+        report.cycles.iter().try_for_each(|cycles| cycles.write(out))?;
         report.ground.write(out)?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
 }
 
+impl Report {
+    fn page_rows(&self) -> Vec<TableRow> {
+        let mut rows = given_rows(&self.given);
+        rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
+        rows.extend(self.ground.page_rows());
+        rows.extend(warning_rows(&self.ground.warnings));
+        rows
+    }
+}
+
+/// Every column of a table of forces; pictures have the forces alone.
+fn columns(table: &Table) -> Vec<Column> {
+    let forces = table.columns.iter().enumerate().filter(|(_, heading)| *heading != "time");
+    let column = |(index, heading): (usize, &String)| Column {
+        heading: heading.clone(),
+        name: [".fx", ".fy", ".fz"].iter().any(|end| heading.ends_with(end)).then(|| heading.clone()),
+        unit: "N",
+        factor: 1.0,
+        values: table.values_of(index).collect(),
+    };
+    forces.map(column).collect()
+}
+
 /// Forces of each foot along the world's axes, and what plates measured.
-fn picture(ground: &Predicted, given: &Given, plates: Option<&Plates>) -> String {
-    let (time, tracks) = (given.motion().time(), &ground.forces.contacts);
+fn picture(tracks: &[ContactTrack], given: &Given, plates: Option<&Plates>) -> String {
+    let time = given.motion().time();
     let mut feet: Vec<FootForces<'_>> = Vec::new();
     let [first, last] = [time.first(), time.last()].map(|time| time.copied().unwrap_or_default());
     for (sole, track) in tracks.iter().enumerate() {
@@ -118,7 +169,5 @@ fn picture(ground: &Predicted, given: &Given, plates: Option<&Plates>) -> String
             }
         }
     }
-    let axes = [("along x", Vector3::x()), ("along y", Vector3::y()), ("along z", Vector3::z())];
-    let title = given.from.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    forces(&feet, &axes, &format!("{title}: forces of the ground"))
+    forces(&feet, &axes(), &format!("{}: forces of the ground", stem(given)))
 }

@@ -82,6 +82,7 @@ fn root_element(text: &str) -> &str {
 }
 
 /// A figure as it was read.
+#[derive(Clone)]
 pub(crate) struct Body {
     pub(crate) figure: Figure,
     pub(crate) language: Language,

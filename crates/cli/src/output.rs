@@ -108,6 +108,25 @@ impl<F: Copy + 'static> Outputs<F> {
     }
 }
 
+/// Whether a path is meant as a folder: it is one, or it ends like one.
+pub(crate) fn is_folder(path: &Path) -> bool {
+    path.is_dir() || path.as_os_str().to_string_lossy().ends_with(std::path::is_separator)
+}
+
+/// Makes a folder where there is none.
+pub(crate) fn make_folder(option: &'static str, path: &Path) -> Result<(), CliError> {
+    if path.is_dir() {
+        return Ok(());
+    }
+    fs::create_dir(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => {
+            refuse(option, path, "the folder that it is to be in is not there; make it first".into())
+        }
+        ErrorKind::AlreadyExists => refuse(option, path, "it is a file, and a folder is needed".into()),
+        _ => refuse(option, path, error.to_string()),
+    })
+}
+
 /// Extensions as people list them.
 fn listed<F>(formats: &[(&str, F)]) -> String {
     let names: Vec<String> = formats.iter().map(|(extension, _)| format!(".{extension}")).collect();

@@ -17,6 +17,11 @@ impl Progress {
         Self(bar)
     }
 
+    /// Of work that is a part of other work, which shows its own.
+    pub(crate) fn hidden() -> Self {
+        Self(ProgressBar::hidden())
+    }
+
     /// Says what is done now.
     pub(crate) fn stage(&self, what: &'static str) {
         self.0.set_message(what);
@@ -29,7 +34,7 @@ impl Progress {
     pub(crate) fn rows(&self, count: usize) -> Rows {
         let bar = ProgressBar::new(count as u64);
         // Many rows only: a bar that flashes tells nothing.
-        if count < MANY_ROWS {
+        if count < MANY_ROWS || self.0.is_hidden() {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         } else {
             self.0.finish_and_clear();

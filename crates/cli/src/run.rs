@@ -152,7 +152,8 @@ fn write(
             solaris::io::sto::write(&table::positions(figure, motion), &mut writer).map_err(CliError::other)
         }
         Format::Html => {
-            let options = PageOptions { title: summary::title(report), table: summary::page_rows(report) };
+            let (title, table) = (summary::title(report), summary::page_rows(report));
+            let options = PageOptions { title, table, ..PageOptions::default() };
             let html = page(figure, motion, &options).map_err(CliError::other)?;
             writer.write_all(html.as_bytes()).map_err(CliError::other)
         }

@@ -122,7 +122,11 @@ fn write(
             solaris::io::bvh::write(figure, motion, unit, &mut writer).map_err(CliError::other)
         }
         Format::Html => {
-            let options = PageOptions { title: summary::title(report), table: summary::page_rows(report) };
+            let options = PageOptions {
+                title: summary::title(report),
+                table: summary::page_rows(report),
+                ..PageOptions::default()
+            };
             let html = page(figure, motion, &options).map_err(CliError::other)?;
             writer.write_all(html.as_bytes()).map_err(CliError::other)
         }

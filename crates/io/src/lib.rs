@@ -16,6 +16,8 @@ mod loader;
 pub mod mjcf;
 #[cfg(feature = "opensim")]
 pub mod opensim;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 pub mod record;
 #[cfg(feature = "sdf")]
 pub mod sdf;

@@ -134,6 +134,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             TableRow::new("Speed", format!("{SPEED:.2}"), "m/s", ""),
             TableRow::new("Body mass", format!("{:.1}", sketch.figure.mass()), "kg", "1.75 m tall"),
         ],
+        ..PageOptions::default()
     };
     let path =
         std::env::args().nth(1).ok_or("name the file to write: cargo run --example preview -- page.html")?;

@@ -1,5 +1,6 @@
 //! The curves beside the picture: angles and moments of the joints, forces of the ground.
 
+use crate::PageCurve;
 use crate::draw::Side;
 use crate::error::{ViewError, finite};
 use crate::pack::{Packed, ranged};
@@ -17,7 +18,7 @@ pub(crate) struct Line {
 /// Curves that share an axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Plot {
-    unit: &'static str,
+    unit: String,
     lines: Vec<Line>,
 }
 
@@ -28,18 +29,21 @@ pub(crate) struct JointCurves {
     position: Plot,
     #[serde(skip_serializing_if = "Option::is_none")]
     effort: Option<Plot>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    power: Option<Plot>,
 }
 
 /// One component of the ground's forces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct ForceCurves {
-    label: &'static str,
+    label: String,
     #[serde(flatten)]
     plot: Plot,
 }
 
 /// These come first, in this order.
-const FIRST: [&str; 3] = ["hip.flexion", "knee.flexion", "ankle.dorsiflexion"];
+const FIRST: [&str; 6] =
+    ["hip.flexion", "knee.flexion", "ankle.dorsiflexion", "hip_flexion", "knee_angle", "ankle_angle"];
 
 /// A coordinate that is plotted.
 struct Coordinate {
@@ -57,8 +61,8 @@ fn coordinates(figure: &Figure) -> Vec<Coordinate> {
     let layout = figure.layout();
     let mut all = Vec::new();
     for (link, joint) in figure.links().iter().zip(layout.joints()) {
-        // The forces at a root that can move in every way are no joint's: they are what is left over.
-        let floating = link.parent().is_none() && joint.nv >= 6;
+        // The forces at a root that nothing holds are no joint's: they are what is left over.
+        let floating = link.parent().is_none() && figure.root_is_free();
         for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|_| joint.nq == joint.nv) {
             let turns = dof.axis.kind == AxisKind::Rotation;
             all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns));
@@ -96,7 +100,13 @@ pub(crate) fn joints(
             names.push(&coordinate.name);
         }
     }
-    names.sort_by_key(|name| FIRST.iter().position(|first| first == name).unwrap_or(FIRST.len()));
+    // A person's pelvis stands where the anatomical angles have it; any other root comes last.
+    let by_axes = figure.anatomical_angles().is_empty();
+    let is_residual = |name: &str| by_axes && coordinates.iter().any(|c| c.name == name && c.tau.is_none());
+    names.sort_by_key(|name| {
+        let first = FIRST.iter().position(|first| name.starts_with(first)).map(|place| place % 3);
+        first.unwrap_or(if is_residual(name) { 4 } else { 3 })
+    });
     let mut curves = Vec::new();
     for name in names {
         let members: Vec<&Coordinate> = coordinates.iter().filter(|c| c.name == name).collect();
@@ -107,35 +117,45 @@ pub(crate) fn joints(
             let values: Vec<f64> = chosen.iter().map(|&sample| factor * motion.q(sample)[c.q]).collect();
             Line { side: c.side, values: ranged(&values) }
         });
-        let position = Plot { unit, lines: lines.collect() };
+        let position = Plot { unit: unit.to_owned(), lines: lines.collect() };
         let effort = effort(&members, figure, motion, chosen)?;
-        let effort = effort.map(|lines| Plot { unit: if turns { "N m/kg" } else { "N/kg" }, lines });
-        curves.push(JointCurves { label: words(name), position, effort });
+        let [effort, power] = match effort {
+            Some([effort, power]) => {
+                let unit = if turns { "N m/kg" } else { "N/kg" };
+                [(unit, effort), ("W/kg", power)]
+                    .map(|(unit, lines)| Some(Plot { unit: unit.to_owned(), lines }))
+            }
+            None => [None, None],
+        };
+        curves.push(JointCurves { label: words(name), position, effort, power });
     }
     Ok(curves)
 }
 
-/// Moments of these coordinates; `None` where the motion or the coordinate has none.
+/// Moments of these coordinates and their powers; `None` where the motion or the coordinate has none.
 fn effort(
     members: &[&Coordinate],
     figure: &Figure,
     motion: &Motion,
     chosen: &[usize],
-) -> Result<Option<Vec<Line>>, ViewError> {
+) -> Result<Option<[Vec<Line>; 2]>, ViewError> {
     let mass = figure.mass();
-    let mut lines = Vec::new();
+    let (mut lines, mut powers) = (Vec::new(), Vec::new());
     for coordinate in members {
         let Some(index) = coordinate.tau.filter(|_| mass > 0.0) else { return Ok(None) };
         let mut values = Vec::with_capacity(chosen.len());
+        let mut power = Vec::with_capacity(chosen.len());
         for &sample in chosen {
             let Some(tau) = motion.tau(sample) else { return Ok(None) };
             let name = || format!("tau of '{}'", figure.layout().v_names()[index]);
             finite(name, motion.time()[sample], &[tau[index]])?;
             values.push(coordinate.sign * tau[index] / mass);
+            power.push(tau[index] * motion.v(sample)[index] / mass);
         }
         lines.push(Line { side: coordinate.side, values: ranged(&values) });
+        powers.push(Line { side: coordinate.side, values: ranged(&power) });
     }
-    Ok(Some(lines))
+    Ok(Some([lines, powers]))
 }
 
 /// `hip.flexion` → `Hip flexion`.
@@ -169,10 +189,36 @@ pub(crate) fn forces(
             };
             Line { side, values: ranged(&chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>()) }
         };
-        Plot { unit, lines: sides.iter().map(line).collect() }
+        Plot { unit: unit.to_owned(), lines: sides.iter().map(line).collect() }
     };
     let shown = components.iter().filter(|_| !sides.is_empty());
-    shown.map(|&(label, component)| ForceCurves { label, plot: curve(component) }).collect()
+    shown.map(|&(label, component)| ForceCurves { label: label.to_owned(), plot: curve(component) }).collect()
+}
+
+/// Curves of the caller's.
+///
+/// # Errors
+///
+/// A curve of another length than the motion, a number that is not finite.
+pub(crate) fn others(
+    motion: &Motion,
+    chosen: &[usize],
+    curves: &[PageCurve],
+) -> Result<Vec<ForceCurves>, ViewError> {
+    let one = |PageCurve { label, unit, values }: &PageCurve| {
+        let (found, expected) = (values.len(), motion.len());
+        if found != expected {
+            return Err(ViewError::CurveLength { label: label.clone(), found, expected });
+        }
+        let mut shown = Vec::with_capacity(chosen.len());
+        for &sample in chosen {
+            finite(|| label.clone(), motion.time()[sample], &values[sample..=sample])?;
+            shown.push(values[sample]);
+        }
+        let lines = vec![Line { side: Side::Middle, values: ranged(&shown) }];
+        Ok(ForceCurves { label: label.clone(), plot: Plot { unit: unit.clone(), lines } })
+    };
+    curves.iter().map(one).collect()
 }
 
 #[cfg(test)]
@@ -211,7 +257,7 @@ mod tests {
         let (figure, motion) = bent_knee();
         let curves = joints(&figure, &motion, &[0]).expect("finite");
         let knee = &curves[1];
-        assert_eq!((knee.position.unit, knee.position.lines[0].side), ("°", Side::Left));
+        assert_eq!((knee.position.unit.as_str(), knee.position.lines[0].side), ("°", Side::Left));
         assert!((knee.position.lines[0].values.unpack()[0] - 28.647_889_756_5).abs() < 1e-9);
         assert!(knee.position.lines[1].values.unpack()[0].abs() < 1e-12);
         let hip = curves[0].effort.as_ref().expect("moments");

@@ -1,5 +1,6 @@
 //! Everything that a page is told, as one object.
 
+use crate::PageOptions;
 use crate::curves::{self, ForceCurves, JointCurves};
 use crate::draw::{self, Drawn, Side};
 use crate::error::{ViewError, finite};
@@ -74,21 +75,24 @@ const VERSION: u32 = 2;
 const TURN_STEP: f64 = 1.0 / 32_767.0;
 
 /// Gathers the data, and refuses what cannot be shown.
-pub(crate) fn collect(figure: &Figure, motion: &Motion) -> Result<Data, ViewError> {
+pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<Data, ViewError> {
     motion.check_figure(figure)?;
     if motion.is_empty() {
         return Err(ViewError::Empty { figure: figure.name().to_owned() });
     }
     check_contacts(figure, motion)?;
-    let world = World::new(&motion.info.gravity);
+    let world = World::new(&motion.info.gravity, options.forward.as_ref());
     let samples = chosen(motion);
-    let links = draw::links(figure);
+    let mut links = draw::links(figure);
+    draw::add_lines(&mut links, figure, &options.lines)?;
     let frames = Frames::new(figure, motion, &samples, &world, &links)?;
     let camera = frames.camera();
     // Adding zero turns -0 into 0.
     let origin = camera.aim[0].trunc() + DVec3::ZERO;
     let weight = Some(figure.mass() * motion.info.gravity.norm()).filter(|weight| *weight > 0.0);
     let turns: Vec<f64> = frames.turns.iter().flat_map(DQuat::to_array).collect();
+    let mut forces = curves::forces(motion, &samples, &world, weight);
+    forces.extend(curves::others(motion, &samples, &options.curves)?);
     Ok(Data {
         version: VERSION,
         figure: figure.name().to_owned(),
@@ -110,7 +114,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion) -> Result<Data, ViewErro
         com: frames.com.as_ref().map(|com| ranged(&components(com))),
         feet: motion.contacts.iter().map(|track| foot(track, &samples, &world, origin)).collect(),
         joints: curves::joints(figure, motion, &samples)?,
-        forces: curves::forces(motion, &samples, &world, weight),
+        forces,
     })
 }
 

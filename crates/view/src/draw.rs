@@ -1,6 +1,8 @@
 //! Drawn shapes of links.
 
+use crate::LinkLine;
 use crate::camera::Bounds;
+use crate::error::ViewError;
 use glam::{DMat3, DQuat, DVec3};
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -10,9 +12,9 @@ use solaris_model::{Figure, Link, Shape, ShapeKind};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Side {
-    /// `left_…`, `…_left`, `l_…`, `…_l`.
+    /// `left_…`, `…_left`, `l_…`, `…_l`, `left.…`.
     Left,
-    /// `right_…`, `…_right`, `r_…`, `…_r`.
+    /// `right_…`, `…_right`, `r_…`, `…_r`, `right.…`.
     Right,
     /// Anything else.
     Middle,
@@ -23,6 +25,10 @@ impl Side {
     pub(crate) fn split(name: &str) -> (Self, String) {
         let (head, tail) = name.split_once('.').map_or((name, None), |(head, tail)| (head, Some(tail)));
         for (side, words) in [(Self::Left, ["left", "l"]), (Self::Right, ["right", "r"])] {
+            // A part of something that is called by its side alone: `left.fx`.
+            if let Some(tail) = tail.filter(|_| head == words[0]) {
+                return (side, tail.to_owned());
+            }
             for word in words {
                 let before = head.strip_prefix(word).and_then(|rest| rest.strip_prefix('_'));
                 let rest = before.or_else(|| head.strip_suffix(word).and_then(|rest| rest.strip_suffix('_')));
@@ -110,6 +116,36 @@ pub(crate) fn links(figure: &Figure) -> Vec<Drawn> {
         Drawn { name, side, parts }
     };
     (0..figure.links().len()).map(draw).collect()
+}
+
+/// Adds lines to the links that they go with, but for links with a shape of their own, which would hide them.
+pub(crate) fn add_lines(links: &mut [Drawn], figure: &Figure, lines: &[LinkLine]) -> Result<(), ViewError> {
+    let reach = reach(figure);
+    let is_end = |link: usize| {
+        let mut children = figure.links().iter().filter(|child| child.parent() == Some(link));
+        figure.links()[link].tip().is_none() && children.next().is_none()
+    };
+    // Better than a ball where its mass is.
+    for line in lines.iter().filter(|line| line.link < figure.links().len()) {
+        if figure.links()[line.link].shape().is_none() && is_end(line.link) {
+            links[line.link].parts.clear();
+        }
+    }
+    for line in lines {
+        let Some(link) = figure.links().get(line.link) else {
+            let (link, links) = (line.link, links.len());
+            return Err(ViewError::LineLink { link, figure: figure.name().to_owned(), links });
+        };
+        if link.shape().is_some() {
+            continue;
+        }
+        let [from, to] = line.ends;
+        if let Some(mut part) = stick(&(to - from), reach) {
+            part.at = (DVec3::from_array(part.at) + DVec3::new(from.x, from.y, from.z)).into();
+            links[line.link].parts.push(part);
+        }
+    }
+    Ok(())
 }
 
 /// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots.
@@ -214,6 +250,7 @@ mod tests {
         assert_eq!(split("lumbar.bend"), (Side::Middle, "lumbar.bend".into()));
         assert_eq!(split("lever"), (Side::Middle, "lever".into()));
         assert_eq!(split("left"), (Side::Middle, "left".into()));
+        assert_eq!(split("left.fx"), (Side::Left, "fx".into()));
     }
 
     #[test]

@@ -43,6 +43,26 @@ pub enum ViewError {
         /// The motion's samples.
         expected: usize,
     },
+    /// A line goes with a link that the figure does not have.
+    #[error("a line is to go with link {link}, and figure '{figure}' has {links}; name one of them")]
+    LineLink {
+        /// The index.
+        link: usize,
+        /// The figure's name.
+        figure: String,
+        /// How many links it has.
+        links: usize,
+    },
+    /// A curve is longer or shorter than the motion.
+    #[error("the curve '{label}' has {found} values, the motion {expected} samples; give it one a sample")]
+    CurveLength {
+        /// What the curve is called.
+        label: String,
+        /// Its values.
+        found: usize,
+        /// The motion's samples.
+        expected: usize,
+    },
     /// A number cannot be shown.
     #[error("{what} at {time} s is {value}; it must be a finite number")]
     NotFinite {

@@ -1,6 +1,7 @@
 //! Forces of the ground over time, as a picture.
 
 use crate::chart::{Axis, Key, Panel, Picture, SERIES};
+use crate::draw::Side;
 use solaris_model::{Contact, Vector3};
 
 /// Height of a panel (px).
@@ -25,14 +26,27 @@ pub struct FootForces<'a> {
 /// The same forces give the same text, byte for byte.
 pub fn forces(feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)], title: &str) -> String {
     let mut picture = Picture::new(title);
+    draw(&mut picture, feet, axes);
+    picture.finish()
+}
+
+/// The same below what a picture holds already.
+pub(crate) fn draw(picture: &mut Picture, feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)]) {
     let mut names: Vec<&str> = Vec::new();
     for foot in feet {
         if !names.contains(&foot.name) {
             names.push(foot.name);
         }
     }
+    // As everywhere the left one is blue.
+    let one_a_side = match names[..] {
+        [one] => side(one) != Side::Middle,
+        [one, other] => side(one) != side(other) && ![one, other].map(side).contains(&Side::Middle),
+        _ => false,
+    };
     let class = |foot: &FootForces<'_>| {
         let series = names.iter().position(|name| *name == foot.name).unwrap_or_default() % SERIES;
+        let series = if one_a_side { usize::from(side(foot.name) == Side::Right) } else { series };
         if foot.is_measured { format!("thin s{series}") } else { format!("line s{series}") }
     };
     let name = |foot: &FootForces<'_>| {
@@ -53,12 +67,20 @@ pub fn forces(feet: &[FootForces<'_>], axes: &[(&str, Vector3<f64>)], title: &st
     let time = Axis::around(feet.iter().flat_map(|foot| foot.time.iter().copied()), 8.0);
     for (((name, _), up), columns) in axes.iter().zip(up).zip(&columns) {
         picture.heading(&format!("{name} (N)"));
-        let panel = Panel::from_left(&mut picture, left, HEIGHT, time.clone(), up);
-        panel.grid(&mut picture);
+        let panel = Panel::from_left(picture, left, HEIGHT, time.clone(), up);
+        panel.grid(picture);
         for (foot, values) in feet.iter().zip(columns) {
-            panel.curve(&mut picture, &class(foot), foot.time, values);
+            panel.curve(picture, &class(foot), foot.time, values);
         }
-        panel.foot(&mut picture, "time (s)");
+        panel.foot(picture, "time (s)");
     }
-    picture.finish()
+}
+
+/// The side of a foot, which may be called by it alone.
+fn side(name: &str) -> Side {
+    match name {
+        "left" => Side::Left,
+        "right" => Side::Right,
+        _ => Side::split(name).0,
+    }
 }

@@ -4,13 +4,16 @@ mod camera;
 pub mod chart;
 mod coordinates;
 mod curves;
+mod cycles;
 mod data;
 pub mod denavit_hartenberg;
 mod draw;
+mod efforts;
 mod error;
 mod forces;
 mod frames;
 mod html;
+mod multiples;
 mod pack;
 mod postures;
 pub mod precision;
@@ -20,21 +23,49 @@ mod skin;
 mod world;
 
 pub use coordinates::coordinates;
+pub use cycles::{CycleCurve, cycles};
+pub use efforts::{Effort, efforts};
 pub use error::ViewError;
 pub use forces::{FootForces, forces};
 pub use frames::FRAME_RATE;
 pub use postures::{Room, Stick, StickLine, StickPart, postures};
 pub use regions::{Regions, regions};
 
-use solaris_model::{Figure, Motion};
+use solaris_model::{Figure, Motion, Vector3};
 
 /// What a page says beside the motion itself.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PageOptions {
     /// Title of the page, plain text; the figure's name where it is empty.
     pub title: String,
     /// Rows of the summary table, which is left out where there are none.
     pub table: Vec<TableRow>,
+    /// Lines that are drawn on links without a shape of their own, such as soles.
+    pub lines: Vec<LinkLine>,
+    /// Curves beside those of the ground's forces, such as residuals.
+    pub curves: Vec<PageCurve>,
+    /// Which way is forward (world axes), where it is not z, or x where z is up.
+    pub forward: Option<Vector3<f64>>,
+}
+
+/// A line that goes with a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkLine {
+    /// The link's index in the figure.
+    pub link: usize,
+    /// Its ends (m), in the link's frame.
+    pub ends: [Vector3<f64>; 2],
+}
+
+/// A quantity over the whole motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PageCurve {
+    /// What it is: "Residual force".
+    pub label: String,
+    /// In what: "N".
+    pub unit: String,
+    /// One value a sample of the motion.
+    pub values: Vec<f64>,
 }
 
 /// A row of the summary table; plain text, ready to be read.
@@ -80,8 +111,8 @@ pub fn picture_page(title: &str, svg: &str) -> String {
 /// # Errors
 ///
 /// [`ViewError`]: a motion of another figure, one without samples, contacts that do not fit to the motion or to the
-/// figure, numbers that are not finite.
+/// figure, a line of a link that is none, a curve of another length, numbers that are not finite.
 pub fn page(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<String, ViewError> {
-    let data = data::collect(figure, motion)?;
+    let data = data::collect(figure, motion, options)?;
     Ok(html::render(&data, options))
 }

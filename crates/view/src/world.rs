@@ -5,6 +5,8 @@ use nalgebra::{Matrix3, Vector3};
 
 /// Below this gravity counts as none (m/s²).
 const NO_GRAVITY: f64 = 1e-9;
+/// Sine of the least angle between forward and up.
+const LEAST: f64 = 0.1;
 
 /// The turn from the motion's world to the page's.
 #[derive(Clone, Copy, Debug)]
@@ -13,10 +15,13 @@ pub(crate) struct World {
 }
 
 impl World {
-    /// Up is against `gravity` (m/s²), or y; forward is z, or x where z is within 45° of the vertical.
-    pub(crate) fn new(gravity: &Vector3<f64>) -> Self {
+    /// Up is against `gravity` (m/s²), or y; forward is as told, or z, or x where z is within 45° of the vertical.
+    pub(crate) fn new(gravity: &Vector3<f64>, forward: Option<&Vector3<f64>>) -> Self {
         let up = if gravity.norm() > NO_GRAVITY { -vector(gravity).normalize() } else { DVec3::Y };
-        let forward = if up.z.abs() > std::f64::consts::FRAC_1_SQRT_2 { DVec3::X } else { DVec3::Z };
+        let usual = if up.z.abs() > std::f64::consts::FRAC_1_SQRT_2 { DVec3::X } else { DVec3::Z };
+        // What points up or nowhere is no way forward.
+        let told = forward.map(vector).filter(|told| up.cross(*told).length() > LEAST * told.length());
+        let forward = told.unwrap_or(usual);
         let left = up.cross(forward).normalize();
         // The rows are the page's axes in the motion's world.
         let turn = DMat3::from_cols(left, up, left.cross(up)).transpose();
@@ -50,13 +55,13 @@ mod tests {
 
     #[test]
     fn the_world_of_generated_figures_is_the_page_s() {
-        assert!(World::new(&Vector3::new(0.0, -9.81, 0.0)).is_identity());
-        assert!(World::new(&Vector3::zeros()).is_identity());
+        assert!(World::new(&Vector3::new(0.0, -9.81, 0.0), None).is_identity());
+        assert!(World::new(&Vector3::zeros(), None).is_identity());
     }
 
     #[test]
     fn a_world_with_z_up_goes_forward_along_x() {
-        let world = World::new(&Vector3::new(0.0, 0.0, -9.81));
+        let world = World::new(&Vector3::new(0.0, 0.0, -9.81), None);
         let near =
             |a: Vector3<f64>, b: DVec3| assert!(world.vector(&a).distance(b) < 1e-12, "{}", world.vector(&a));
         near(Vector3::x(), DVec3::Z);
@@ -67,9 +72,19 @@ mod tests {
     }
 
     #[test]
+    fn forward_is_as_told_unless_that_is_up() {
+        let gravity = Vector3::new(0.0, -9.81, 0.0);
+        let world = World::new(&gravity, Some(&Vector3::x()));
+        assert!(world.vector(&Vector3::x()).distance(DVec3::Z) < 1e-12);
+        assert!(world.vector(&Vector3::z()).distance(-DVec3::X) < 1e-12, "right is -x");
+        assert!(World::new(&gravity, Some(&Vector3::y())).is_identity());
+        assert!(World::new(&gravity, Some(&Vector3::zeros())).is_identity());
+    }
+
+    #[test]
     fn up_stays_up_when_gravity_is_inclined() {
         let gravity = Vector3::new(1.0, -9.0, 2.0);
-        let world = World::new(&gravity);
+        let world = World::new(&gravity, None);
         assert!(world.vector(&(-gravity.normalize())).distance(DVec3::Y) < 1e-12);
     }
 }

@@ -29,6 +29,20 @@ pub(crate) struct RecordArgs {
     pub(crate) filter_order: u8,
 }
 
+/// Means over strides.
+#[derive(Debug, Args)]
+pub(crate) struct CyclesArgs {
+    #[arg(long = "cycles", value_name = "FOOT", requires = "cycles_out", help = wrap(
+        "Cut the motion at the touch-downs of this foot: right, left, or a sole's name"
+    ))]
+    pub(crate) foot: Option<String>,
+    #[arg(id = "cycles_out", long = "cycles-out", value_name = "FILE", requires = "foot", help = wrap(
+        "Write mean and standard deviation over these strides at every percent of them: .csv (COLUMN.mean, COLUMN.sd), or draw \
+         them: .svg [default: none]"
+    ))]
+    pub(crate) outputs: Vec<PathBuf>,
+}
+
 /// What the figure is under, and what its root is.
 #[derive(Debug, Args)]
 pub(crate) struct FrameArgs {

@@ -1,6 +1,6 @@
 //! The request of `solaris ground`, and its options that `solaris inverse` and `solaris metrics` have as well.
 
-use super::given::{self, FrameArgs, RecordArgs};
+use super::given::{self, CyclesArgs, FrameArgs, RecordArgs};
 use super::{Number, wrap};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -33,7 +33,7 @@ pub(crate) struct GroundCommandArgs {
     pub(crate) motion: PathBuf,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
         "Write force, moment and centre of pressure of each foot: .mot or .sto with OpenSim's names (NAME_ground_force_vx), \
-         .csv with NAME.fx; or draw the forces: .svg [default: none]"
+         .csv with NAME.fx; draw the forces: .svg; or show all of it on a page: .html [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "FILE", requires = "plates", help = wrap(
@@ -54,6 +54,8 @@ pub(crate) struct GroundCommandArgs {
     pub(crate) json: bool,
     #[command(flatten, next_help_heading = "The ground")]
     pub(crate) ground: GroundArgs,
+    #[command(flatten, next_help_heading = "Strides")]
+    pub(crate) cycles: CyclesArgs,
     #[command(flatten, next_help_heading = "A motion that the ground can bear")]
     pub(crate) consistent: ConsistentArgs,
     #[command(flatten, next_help_heading = "The motion")]
@@ -137,18 +139,10 @@ pub(crate) struct GroundArgs {
     pub(crate) stance_shortest: Option<Number>,
 }
 
-/// The options of [`GroundArgs`] and [`ConsistentArgs`], by their ids.
-pub(super) const GROUND_OPTIONS: [&str; 9] = [
-    "split",
-    "soles",
-    "belt",
-    "stance_height",
-    "stance_speed",
-    "stance_shortest",
-    "consistent",
-    "consistent_limit",
-    "motions",
-];
+/// Options of [`GroundArgs`] that say when feet stand, by their ids.
+pub(super) const STANCE_OPTIONS: [&str; 4] = ["belt", "stance_height", "stance_speed", "stance_shortest"];
+/// The other ones, and those of [`ConsistentArgs`].
+pub(super) const GROUND_OPTIONS: [&str; 4] = ["split", "consistent", "consistent_limit", "motions"];
 
 /// How the motion is changed before forces are found.
 #[derive(Debug, Args)]

@@ -1,7 +1,7 @@
 //! The request of `solaris inverse`.
 
-use super::given::{self, FrameArgs, RecordArgs};
-use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs};
+use super::given::{self, CyclesArgs, FrameArgs, RecordArgs};
+use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs, STANCE_OPTIONS};
 use super::wrap;
 use clap::{Arg, ArgGroup, Args, ValueEnum};
 use std::path::PathBuf;
@@ -12,6 +12,10 @@ const EXAMPLES: &str = "Examples:
       joint moments of a measured walk on force plates; the left foot's columns begin with 1_
   solaris inverse subject.osim walk.mot --external-loads loads.xml --filter 6Hz -o moments.sto
       the same, with OpenSim's own description of the forces
+  solaris inverse subject.osim trials/*.mot --external-loads loads/{}.xml --filter 6Hz -o out/ -o out/{}.html -o all.csv
+      many motions on all cores: moments and a page of each, and a table with a row for each; {} is the motion's name
+  solaris inverse subject.osim walk.mot --ground --soles soles.ron --cycles right --cycles-out stride.csv --cycles-out stride.svg
+      angles and moments over the stride: mean and standard deviation at every percent
   solaris inverse robot.urdf trajectory.csv -o tau.csv
       motor torques of a robot
   solaris inverse human.ron walk.csv --external walk.csv --plate left_foot+left_toes=left_foot \\
@@ -24,15 +28,24 @@ const EXAMPLES: &str = "Examples:
 
 /// A figure in a motion, of which the joints' forces are found.
 #[derive(Debug, Args)]
-#[command(about = "Joint torques of a given motion", after_help = EXAMPLES, mut_args(needs_ground))]
-#[command(group(ArgGroup::new("of_the_ground").args(["ground", "forces", "loads"]).multiple(true)))]
+#[command(
+    about = "Joint torques of a given motion, or of many",
+    after_help = EXAMPLES,
+    mut_args(needs_ground),
+    group = ArgGroup::new("feet").args(["ground", "foot"]).multiple(true),
+    group = ArgGroup::new("pushed").args(["ground", "foot", "forces", "loads"]).multiple(true)
+)]
 pub(crate) struct InverseArgs {
     #[arg(value_name = "FIGURE", help = wrap(given::FIGURE))]
     pub(crate) figure: PathBuf,
-    #[arg(value_name = "MOTION", help = wrap(given::MOTION))]
-    pub(crate) motion: PathBuf,
+    #[arg(id = "trials", value_name = "MOTION", required = true, num_args = 1.., help = wrap(&format!(
+        "{}. Several are allowed: they are taken at once, on all cores", given::MOTION
+    )))]
+    pub(crate) motions: Vec<PathBuf>,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the torques: .csv with columns DOF.tau, or .sto with OpenSim's names [default: none]"
+        "Write the torques: .csv with columns DOF.tau, or .sto with OpenSim's names; draw them: .svg; or show all of it on a \
+         page: .html. Of several motions: a folder for NAME.sto, a file for each (out/{}.html, where {} is the motion's name), or \
+         .csv with a row for each [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, help = "Print the summary as JSON instead of a table")]
@@ -41,6 +54,8 @@ pub(crate) struct InverseArgs {
     pub(crate) external: ExternalArgs,
     #[command(flatten, next_help_heading = "Forces found from the motion")]
     pub(crate) predicted: PredictedArgs,
+    #[command(flatten, next_help_heading = "Strides")]
+    pub(crate) cycles: CyclesArgs,
     #[command(flatten, next_help_heading = "The motion")]
     pub(crate) record: RecordArgs,
     #[command(flatten, next_help_heading = "The figure")]
@@ -52,11 +67,13 @@ pub(crate) struct InverseArgs {
     pub(crate) passive: Switch,
 }
 
-/// Where the ground is not asked for, nothing is asked of it. Soles serve plates as well.
+/// Where neither the ground nor strides are asked for, nothing is asked of feet.
 fn needs_ground(arg: Arg) -> Arg {
     match arg.get_id().as_str() {
-        "soles" => arg.requires("of_the_ground"),
+        // A page draws them in any case.
+        "soles" => arg.requires("pushed"),
         id if GROUND_OPTIONS.contains(&id) => arg.requires("ground"),
+        id if STANCE_OPTIONS.contains(&id) => arg.requires("feet"),
         _ => arg,
     }
 }
@@ -65,7 +82,8 @@ fn needs_ground(arg: Arg) -> Arg {
 #[derive(Debug, Args)]
 pub(crate) struct ExternalArgs {
     #[arg(long = "external", value_name = "FILE", conflicts_with = "loads", requires = "plates", help = wrap(
-        "Measured forces: .mot, .sto (forces, centre of pressure, free moment) or .csv (as `solaris walk` writes)"
+        "Measured forces: .mot, .sto (forces, centre of pressure, free moment) or .csv (as `solaris walk` writes). Of several \
+         motions {} stands for each one's name: grf/{}.mot"
     ))]
     pub(crate) forces: Option<PathBuf>,
     #[arg(

@@ -31,8 +31,8 @@ pub(crate) enum UsageError {
     MotionHasNoSize,
     #[error("--unit, --up, --masses and --skip-frames say what a BVH file does not; IN is none")]
     OnlyOfBvh,
-    #[error("OUT {}: a .bvh is written of a figure; say whose motion it is: --figure FILE", .to.display())]
-    BvhOfFigure { to: PathBuf },
+    #[error("OUT {}: a .{what} is written of a figure; say whose motion it is: --figure FILE", .to.display())]
+    OfFigure { what: String, to: PathBuf },
     #[error("--x and --y name the same parameter; a map needs two")]
     SameAxes,
     #[error("-o writes one curve, and its free parameter has no value; give it one")]

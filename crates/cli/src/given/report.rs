@@ -15,9 +15,9 @@ pub(crate) struct GivenReport {
     pub(super) format: &'static str,
     pub(super) dofs: usize,
     pub(super) mass_kg: f64,
-    pub(super) rows: usize,
-    pub(super) from_s: f64,
-    pub(super) to_s: f64,
+    pub(crate) rows: usize,
+    pub(crate) from_s: f64,
+    pub(crate) to_s: f64,
     /// What the motion's angles are in, and who says so.
     pub(super) units: &'static str,
     pub(super) has_times: bool,

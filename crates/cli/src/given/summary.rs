@@ -2,6 +2,7 @@
 
 use super::report::{FilterReport, GivenReport};
 use crate::words::{counted, row, short, some};
+use solaris::view::TableRow;
 use std::io::{Result, Write};
 
 impl GivenReport {
@@ -36,6 +37,32 @@ impl GivenReport {
         self.write_filter(out)
     }
 
+    /// What a page says of them.
+    pub(crate) fn page_rows(&self) -> Vec<TableRow> {
+        let rows = counted(self.rows, "row", "rows");
+        let [x, y, z] = self.gravity_m_s2;
+        let mut all = vec![
+            TableRow::new(
+                "Figure",
+                short(self.mass_kg),
+                "kg",
+                format!(
+                    "{} '{}', {}",
+                    self.format,
+                    self.figure,
+                    counted(self.dofs, "degree of freedom", "degrees of freedom")
+                ),
+            ),
+            TableRow::new("Motion", short(self.to_s - self.from_s), "s", format!("{rows}; {}", self.units)),
+            TableRow::new("Gravity", "", "", format!("({x}, {y}, {z}) m/s², {}", self.gravity_from)),
+        ];
+        if let Some(FilterReport { cutoff_hz, order, .. }) = &self.filter {
+            let what = format!("zero-phase Butterworth of order {order}, there and back");
+            all.push(TableRow::new("Filter", short(*cutoff_hz), "Hz", what));
+        }
+        all
+    }
+
     fn write_filter(&self, out: &mut dyn Write) -> Result<()> {
         let Some(FilterReport { cutoff_hz, order, spoiled_s }) = &self.filter else { return Ok(()) };
         if self.from_positions + self.from_velocities == 0 {
@@ -49,35 +76,41 @@ impl GivenReport {
 
     /// What looks wrong with it, and what was not used.
     pub(crate) fn write_doubts(&self, out: &mut dyn Write) -> Result<()> {
+        self.doubts().iter().try_for_each(|(what, value)| row(out, what, value))
+    }
+
+    /// The same by line: what it is about (nothing where that is as before), and what there is to say.
+    pub(crate) fn doubts(&self) -> Vec<(&'static str, String)> {
+        let mut doubts = Vec::new();
         for (i, missing) in self.missing.iter().enumerate() {
-            row(out, if i == 0 { "missing" } else { "" }, missing)?;
+            doubts.push((if i == 0 { "missing" } else { "" }, missing.clone()));
         }
         if let Some(found) = &self.suspect_angles {
-            row(out, "suspect", found.message())?;
+            doubts.push(("suspect", found.message().to_owned()));
         } else if !self.many_turns.is_empty() {
             let what = format!("{}: more than two turns; are these degrees?", some(&self.many_turns));
-            row(out, "suspect", &what)?;
+            doubts.push(("suspect", what));
         }
         if !self.mass_doubts.is_empty() {
             let subjects: Vec<String> = self.mass_doubts.iter().map(|doubt| doubt.subject.clone()).collect();
             let what = format!("{}: masses that no matter has, taken as they are", some(&subjects));
-            row(out, "suspect", &format!("{what}; solaris check says more"))?;
+            doubts.push(("suspect", format!("{what}; solaris check says more")));
         }
         for (i, excess) in self.outside_limits.iter().enumerate() {
             let (by, unit) = if excess.turns { (excess.by.to_degrees(), "°") } else { (excess.by, " m") };
             let what = if i == 0 { "outside limits" } else { "" };
-            row(out, what, &format!("{} by {}{unit} at {} s", excess.dof, short(by), short(excess.at_s)))?;
+            doubts.push((what, format!("{} by {}{unit} at {} s", excess.dof, short(by), short(excess.at_s))));
         }
         if !self.ignored_columns.is_empty() {
-            row(out, "columns not used", &some(&self.ignored_columns))?;
+            doubts.push(("columns not used", some(&self.ignored_columns)));
         }
         for (i, note) in self.notes.iter().enumerate() {
-            row(out, if i == 0 { "of the table" } else { "" }, note)?;
+            doubts.push((if i == 0 { "of the table" } else { "" }, note.clone()));
         }
         if self.not_read > 0 {
             let kinds = counted(self.not_read, "kind", "kinds");
-            row(out, "not read", &format!("{kinds} of things in the model; solaris check lists them"))?;
+            doubts.push(("not read", format!("{kinds} of things in the model; solaris check lists them")));
         }
-        Ok(())
+        doubts
     }
 }

@@ -1,7 +1,7 @@
 //! Forces that plates measured, beside those that were found.
 
 use super::predicted::Predicted;
-use crate::args::{AskedPlate, ExternalArgs, GroundCommandArgs};
+use crate::args::{AskedPlate, GroundCommandArgs};
 use crate::error::CliError;
 use crate::given::Given;
 use crate::input;
@@ -67,9 +67,8 @@ impl Plates {
 
     /// What OpenSim's description names, by the links of the soles.
     fn described(path: &Path, figure: &Figure, soles: &[Sole]) -> Result<Self, CliError> {
-        let loads = ExternalArgs { forces: None, plates: Vec::new(), loads: Some(path.to_owned()) };
         let mut feet: Vec<(usize, MeasuredForce)> = Vec::new();
-        for record in External::read(&loads)?.records(figure)? {
+        for record in External::read(&[], [None, Some(path)])?.records(figure)? {
             let link = figure.link_index(&record.links[0]);
             let Some(sole) = soles.iter().position(|sole| Some(sole.foot) == link || sole.toes == link)
             else {

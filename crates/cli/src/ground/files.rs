@@ -1,4 +1,4 @@
-//! The files that `solaris ground` and `solaris inverse` write: a table of forces, and the motion that was changed.
+//! The files that `solaris ground` and `solaris inverse` write.
 
 use crate::convert::TableFormat;
 use crate::error::CliError;
@@ -15,8 +15,14 @@ use std::path::PathBuf;
 pub(crate) enum Content {
     /// Forces, of the ground or of the joints.
     Forces(TableFormat),
+    /// The figure in its motion, and curves.
+    Page,
+    /// Curves of forces.
+    Picture,
     /// The motion that `--consistent` made.
     Motion(MotionFormat),
+    /// Means over strides, as a table or as a picture.
+    Cycles(CyclesFormat),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -26,10 +32,20 @@ pub(crate) enum MotionFormat {
     Bvh,
 }
 
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum CyclesFormat {
+    Table,
+    Picture,
+}
+
 const FORCES: Formats<Content> = &[
     ("csv", Content::Forces(TableFormat::Csv)),
     ("sto", Content::Forces(TableFormat::Sto)),
     ("mot", Content::Forces(TableFormat::Sto)),
+    #[cfg(feature = "parquet")]
+    ("parquet", Content::Forces(TableFormat::Parquet)),
+    ("html", Content::Page),
+    ("svg", Content::Picture),
 ];
 
 const MOTION: Formats<Content> = &[
@@ -39,49 +55,19 @@ const MOTION: Formats<Content> = &[
     ("bvh", Content::Motion(MotionFormat::Bvh)),
 ];
 
-/// What a file of `solaris ground` is to hold.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Written {
-    Table(Content),
-    /// Forces over time.
-    Picture,
-}
+const CYCLES: Formats<Content> =
+    &[("csv", Content::Cycles(CyclesFormat::Table)), ("svg", Content::Cycles(CyclesFormat::Picture))];
 
-const FORCES_OR_PICTURE: Formats<Written> = &[
-    ("csv", Written::Table(Content::Forces(TableFormat::Csv))),
-    ("sto", Written::Table(Content::Forces(TableFormat::Sto))),
-    ("mot", Written::Table(Content::Forces(TableFormat::Sto))),
-    ("svg", Written::Picture),
-];
-
-const MOVED: Formats<Written> = &[
-    ("csv", Written::Table(Content::Motion(MotionFormat::Csv))),
-    ("sto", Written::Table(Content::Motion(MotionFormat::Sto))),
-    ("mot", Written::Table(Content::Motion(MotionFormat::Sto))),
-    ("bvh", Written::Table(Content::Motion(MotionFormat::Bvh))),
-];
-
-/// The files that the options of `solaris ground` name.
-pub(super) fn outputs_or_picture(
+/// The files that the options of `solaris ground` and `solaris inverse` name: of forces, of the motion, of means over strides.
+pub(crate) fn outputs(
     forces: &[PathBuf],
     motions: &[PathBuf],
-) -> Result<Outputs<Written>, CliError> {
-    named(forces, motions, FORCES_OR_PICTURE, MOVED)
-}
-
-/// The files that the options of `solaris inverse` name.
-pub(crate) fn outputs(forces: &[PathBuf], motions: &[PathBuf]) -> Result<Outputs<Content>, CliError> {
-    named(forces, motions, FORCES, MOTION)
-}
-
-fn named<T: Copy + 'static>(
-    forces: &[PathBuf],
-    motions: &[PathBuf],
-    formats: Formats<T>,
-    motion: Formats<T>,
-) -> Result<Outputs<T>, CliError> {
-    let motions = motions.iter().map(|path| ("--motion-out", path, motion));
-    Outputs::new(forces.iter().map(|path| ("-o", path, formats)).chain(motions))
+    cycles: &[PathBuf],
+) -> Result<Outputs<Content>, CliError> {
+    let forces = forces.iter().map(|path| ("-o", path, FORCES));
+    let motions = motions.iter().map(|path| ("--motion-out", path, MOTION));
+    let cycles = cycles.iter().map(|path| ("--cycles-out", path, CYCLES));
+    Outputs::new(forces.chain(motions).chain(cycles))
 }
 
 /// Writes the motion as it is now; its frames are equally far apart.

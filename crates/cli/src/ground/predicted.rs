@@ -30,7 +30,7 @@ pub(crate) struct Standing {
 
 /// The ground's forces, and what they are found from.
 pub(crate) struct Predicted {
-    pub(super) soles: Vec<Sole>,
+    pub(crate) soles: Vec<Sole>,
     pub(super) from: From,
     /// How the ground's own motion is known.
     pub(super) belt_from: &'static str,

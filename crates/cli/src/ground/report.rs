@@ -34,7 +34,7 @@ pub(crate) struct GroundReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) plausibility: Option<Plausibility>,
     /// What a person should look at.
-    pub(super) warnings: Vec<String>,
+    pub(crate) warnings: Vec<String>,
 }
 
 /// One foot.

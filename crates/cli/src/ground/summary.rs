@@ -1,8 +1,9 @@
 //! The summary of the ground's forces, for people.
 
 use super::report::{Foot, GroundReport};
-use crate::words::{row, short, some};
+use crate::words::{counted, row, short, some};
 use solaris::analysis::ground::{Split, Worst};
+use solaris::view::TableRow;
 use std::io::{Result, Write};
 
 impl GroundReport {
@@ -51,6 +52,25 @@ impl GroundReport {
         }
         let [x, y, z] = self.belt_m_s.map(short);
         format!("a belt of {} m/s, ({x}, {y}, {z}), {from}", short(speed))
+    }
+}
+
+impl GroundReport {
+    /// What a page says of the feet.
+    pub(crate) fn page_rows(&self) -> Vec<TableRow> {
+        let foot = |Foot { found, .. }: &Foot| {
+            let stances = counted(found.stances.len(), "stance", "stances");
+            let weight = percent(found.greatest_of_weight);
+            TableRow::new(
+                format!("Under {}", found.name),
+                short(found.greatest),
+                "N",
+                format!("greatest; {weight} of the weight, {stances}"),
+            )
+        };
+        let split = format!("{}: {}; an assumption, no law", self.split.name(), assumption(self.split));
+        let split = TableRow::new("Shares of two feet", "", "", split);
+        self.feet.iter().map(foot).chain([split]).collect()
     }
 }
 

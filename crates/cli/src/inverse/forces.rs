@@ -1,6 +1,5 @@
 //! External forces: plates named one by one, or OpenSim's description of them.
 
-use crate::args::ExternalArgs;
 use crate::error::CliError;
 use crate::input;
 use solaris::io::{Table, TableNote, opensim, record};
@@ -26,7 +25,11 @@ pub(crate) enum External {
 }
 
 impl External {
-    pub(crate) fn read(ExternalArgs { forces, plates, loads }: &ExternalArgs) -> Result<Self, CliError> {
+    /// What the options say; the files are those of one motion.
+    pub(crate) fn read(
+        plates: &[(Vec<String>, String)],
+        [forces, loads]: [Option<&Path>; 2],
+    ) -> Result<Self, CliError> {
         if let Some(path) = forces {
             for (i, (links, prefix)) in plates.iter().enumerate() {
                 if let Some((other, _)) = plates[..i].iter().find(|(_, before)| before == prefix) {
@@ -36,7 +39,11 @@ impl External {
                     return Err(of_plate(&links, prefix, why));
                 }
             }
-            return Ok(Self::Plates { path: path.clone(), table: forces_of(path)?, plates: plates.clone() });
+            return Ok(Self::Plates {
+                path: path.to_owned(),
+                table: forces_of(path)?,
+                plates: plates.to_vec(),
+            });
         }
         let Some(path) = loads else { return Ok(Self::None) };
         let text = input::text(path)?;
@@ -49,7 +56,7 @@ impl External {
             ));
         };
         let data = path.parent().unwrap_or_else(|| Path::new("")).join(named.trim());
-        Ok(Self::Loads { path: path.clone(), table: forces_of(&data)?, data, loads })
+        Ok(Self::Loads { path: path.to_owned(), table: forces_of(&data)?, data, loads })
     }
 
     /// The forces on the figure's links.

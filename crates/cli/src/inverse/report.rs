@@ -1,5 +1,6 @@
 //! The report of inverse dynamics, as text and as JSON.
 
+use crate::cycles::Cycles;
 use crate::given::{Given, GivenReport};
 use crate::ground::GroundReport;
 use crate::plausible::Plausibility;
@@ -23,6 +24,8 @@ pub(super) struct Asked {
     pub(super) ground: Option<GroundReport>,
     /// Whether measured forces fit.
     pub(super) plausible: Option<Plausibility>,
+    /// The strides, where means over them were asked for.
+    pub(super) cycles: Option<Cycles>,
 }
 
 /// The summary.
@@ -47,12 +50,15 @@ pub(super) struct Report {
     pub(super) joints: Vec<DofLoad>,
     /// Absent where the figure stands fixed in the world, which then bears what is left over.
     pub(super) residual: Option<Residual>,
+    /// Absent where means over strides were not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) cycles: Option<Cycles>,
 }
 
 impl Report {
-    pub(super) fn new(given: &Given, asked: Asked, forces: InverseReport) -> Self {
+    pub(super) fn new(given: &Given, asked: Asked, forces: &InverseReport) -> Self {
         let (figure, root_is_free) = (&given.body.figure, given.body.figure.root_is_free());
-        let free = forces.dofs.into_iter().enumerate().filter(|(dof, _)| !figure.follows(*dof));
+        let free = forces.dofs.iter().enumerate().filter(|(dof, _)| !figure.follows(*dof));
         Self {
             given: GivenReport::new(given),
             external_forces: asked.external,
@@ -62,9 +68,26 @@ impl Report {
             plausibility: asked.plausible,
             passive: asked.passive,
             medium: asked.medium,
-            joints: free.map(|(_, load)| load).collect(),
+            joints: free.map(|(_, load)| load.clone()).collect(),
             residual: root_is_free.then_some(forces.residual),
+            cycles: asked.cycles,
         }
+    }
+
+    /// What a person should look at, a sentence each.
+    pub(super) fn findings(&self) -> Vec<String> {
+        let given = self.given.doubts().into_iter().map(|(what, value)| format!("{what}: {value}"));
+        let ground = self.ground.iter().flat_map(|ground| ground.warnings.iter().cloned());
+        let strides = self.cycles.iter().filter_map(Cycles::doubt);
+        given.chain(self.unused_words()).chain(ground).chain(strides).collect()
+    }
+
+    /// Measured forces that nothing makes use of.
+    pub(super) fn unused_words(&self) -> Option<String> {
+        let names: Vec<String> = self.unused_forces.iter().map(|prefix| format!("'{prefix}'")).collect();
+        let names = names.join(", ");
+        (!self.unused_forces.is_empty())
+            .then(|| format!("not used: the forces of {names}; --external and --plate apply them"))
     }
 
     pub(super) fn write_json(&self, out: &mut dyn Write) -> Result<()> {

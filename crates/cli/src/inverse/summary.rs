@@ -1,8 +1,11 @@
 //! The summary of inverse dynamics, for people.
 
 use super::report::Report;
+use crate::ground::GroundReport;
+use crate::shown::{given_rows, warning_rows};
 use crate::words::{row, short};
 use solaris::analysis::DofLoad;
+use solaris::view::TableRow;
 use std::io::{Result, Write};
 
 impl Report {
@@ -10,6 +13,7 @@ impl Report {
         self.given.write(out)?;
         self.write_forces(out)?;
         self.given.write_doubts(out)?;
+        self.cycles.iter().try_for_each(|cycles| cycles.write(out))?;
         if let Some(ground) = &self.ground {
             ground.write(out)?;
         }
@@ -27,14 +31,35 @@ impl Report {
         Ok(())
     }
 
+    /// What a page says of it all.
+    pub(super) fn page_rows(&self) -> Vec<TableRow> {
+        let mut rows = given_rows(&self.given);
+        rows.push(TableRow::new("Forces from outside", "", "", self.external_forces.as_str()));
+        rows.extend(self.unused_words().map(|unused| TableRow::new("", "", "", unused)));
+        rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
+        rows.extend(self.ground.iter().flat_map(GroundReport::page_rows));
+        if let Some(r) = &self.residual {
+            let left = |what: &str, unit: &str, greatest: f64, rms: f64, at: f64| {
+                let note = format!("greatest, at {} s; rms {}", short(at), short(rms));
+                TableRow::new(what, short(greatest), whole(unit), note)
+            };
+            rows.push(left("Residual force", "N", r.force, r.force_rms, r.force_time));
+            rows.push(left("Residual moment", "N m", r.moment, r.moment_rms, r.moment_time));
+        }
+        rows.extend(self.joints.iter().filter(|joint| !joint.is_residual).map(|joint| {
+            let note = format!("at {} s; rms {}", short(joint.time), short(joint.rms));
+            TableRow::new(joint.dof.as_str(), short(joint.greatest), whole(joint.unit), note)
+        }));
+        rows.extend(self.ground.iter().flat_map(|ground| warning_rows(&ground.warnings)));
+        rows
+    }
+
     /// What pushes from outside.
     fn write_forces(&self, out: &mut dyn Write) -> Result<()> {
         row(out, "forces", &self.external_forces)?;
         self.force_notes.iter().try_for_each(|note| row(out, "", note))?;
-        if !self.unused_forces.is_empty() {
-            let names: Vec<String> = self.unused_forces.iter().map(|prefix| format!("'{prefix}'")).collect();
-            let names = names.join(", ");
-            row(out, "", &format!("not used: the forces of {names}; --external and --plate apply them"))?;
+        if let Some(unused) = self.unused_words() {
+            row(out, "", &unused)?;
         }
         if let (Some(medium), true) = (&self.medium, self.passive) {
             row(out, "medium", medium)?;
@@ -77,6 +102,11 @@ impl Report {
         )?;
         self.plausibility.as_ref().map_or(Ok(()), |plausible| plausible.write_residual(out))
     }
+}
+
+/// A unit that stays in one line.
+fn whole(unit: &str) -> String {
+    unit.replace(' ', "\u{a0}")
 }
 
 fn write_load(load: &DofLoad, out: &mut dyn Write, width: usize) -> Result<()> {

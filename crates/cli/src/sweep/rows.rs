@@ -2,18 +2,16 @@
 
 use crate::args::{WalkArgs, parse, walk_options};
 use crate::error::CliError;
+use crate::pool::pool;
 use crate::walk::{asked, figure};
 use clap::Command;
+use rayon::ThreadPool;
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use solaris::gait::sweep::{COLUMNS, metrics_of};
 use solaris::io::csv::{Row, number_text};
 
 /// Rows that a thread takes on before they are written.
 const AT_A_TIME: usize = 32;
-
-/// Stack of a thread (bytes): a thread that waits for a walk's frames may begin another walk.
-const STACK: usize = 16 << 20;
 
 /// What became of a row.
 pub(super) enum Done {
@@ -48,9 +46,7 @@ pub(super) struct Walker {
 impl Walker {
     /// For rows below these headings, measured at so many samples a second, by so many threads (0: one a core).
     pub(super) fn new(columns: &[String], rate: f64, threads: usize) -> Result<Self, CliError> {
-        let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
-        let pool = pool.map_err(CliError::other)?;
-        Ok(Self { columns: columns.to_vec(), rate, options: walk_options(), pool })
+        Ok(Self { columns: columns.to_vec(), rate, options: walk_options(), pool: pool(threads)? })
     }
 
     pub(super) fn threads(&self) -> usize {

@@ -9,6 +9,7 @@ mod convert;
 mod files;
 mod ground;
 mod manners;
+mod many;
 mod masses;
 mod metrics;
 mod plausible;

@@ -58,7 +58,7 @@ fn walk() -> (Figure, Motion) {
 
 fn options() -> PageOptions {
     let table = (0..12).map(|i| TableRow::new(format!("Row {i}"), "1.234", "m/s", "as asked for")).collect();
-    PageOptions { title: "A walk".to_owned(), table }
+    PageOptions { title: "A walk".to_owned(), table, ..PageOptions::default() }
 }
 
 /// The object that the page holds.
@@ -123,7 +123,8 @@ fn text_cannot_become_markup() {
     let info = MotionInfo { fingerprint: figure.fingerprint(), gravity: GRAVITY, ground: None, rate: 50.0 };
     let motion =
         Motion::new(&figure, info, vec![0.0], [vec![0.1], vec![0.0], vec![0.0]]).expect("one sample");
-    let options = PageOptions { title: evil.to_owned(), table: vec![TableRow::new(evil, evil, evil, evil)] };
+    let table = vec![TableRow::new(evil, evil, evil, evil)];
+    let options = PageOptions { title: evil.to_owned(), table, ..PageOptions::default() };
     let html = page(&figure, &motion, &options).expect("a page");
     assert!(!html.contains("<img"), "markup from text");
     let escaped =

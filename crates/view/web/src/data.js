@@ -36,6 +36,7 @@ export function readData(element) {
       label: joint.label,
       position: quantity(joint.position),
       effort: quantity(joint.effort),
+      power: quantity(joint.power),
     })),
     forces: raw.forces.map((plot) => ({ label: plot.label, ...quantity(plot) })),
   };

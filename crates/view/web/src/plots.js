@@ -1,4 +1,4 @@
-// The curves: one joint's angle and moment, and the forces of the ground. A line follows the time; a click seeks.
+// The curves: one joint's angle, moment and power, and the forces of the ground. A line follows the time; a click seeks.
 
 import uPlot from 'uplot';
 
@@ -139,13 +139,16 @@ export function makePlots(joints, forces, data, clock, theme) {
     });
     const angle = makeSection(joints, '');
     const moment = makeSection(joints, '');
+    const power = makeSection(joints, '');
     const showJoint = () => {
       const joint = data.joints[chosen];
       mark(chosen);
       angle.querySelector('h2').textContent = joint.label;
       moment.querySelector('h2').textContent = `${joint.label} ${joint.effort?.unit.startsWith('N/') ? 'force' : 'moment'}`;
+      power.querySelector('h2').textContent = `${joint.label} power`;
       put(angle, joint.position);
       put(moment, joint.effort);
+      put(power, joint.power);
     };
     drawn.push(showJoint);
   }

@@ -61,8 +61,8 @@ fn a_picture_shows_each_foot_and_its_plate() {
         (">left<", 1),
         (">left, plate<", 1),
         // In the legend and in each of the three panels, in the colour of its foot.
-        ("<path class=\"thin s1\"", 4),
-        ("<path class=\"line s1\"", 4),
+        ("<path class=\"thin s0\"", 4),
+        ("<path class=\"line s0\"", 4),
         ("NaN", 0),
     ] {
         assert_eq!(svg.matches(text).count(), count, "{text}");

@@ -187,7 +187,11 @@ fn what_cannot_be_converted_says_why() {
     let folder = subject();
     for (line, code, why) in [
         ("convert subject.osim walk.mot", 1, "OUT walk.mot: IN subject.osim is a figure"),
-        ("convert walk.mot walk.ron", 1, "OUT walk.ron: its extension must be .csv, .sto or .mot"),
+        (
+            "convert walk.mot walk.ron",
+            1,
+            "OUT walk.ron: its extension must be .csv, .sto, .mot, .bvh or .html",
+        ),
         ("convert walk.mot walk.csv --mass 70", 2, "a motion has no size"),
         ("convert subject.osim s.ron --mass 0", 1, "mass"),
         ("convert subject.osim s.ron --mass -3", 1, "mass"),

@@ -1,0 +1,248 @@
+//! One motion and its files.
+
+use super::forces::External;
+use super::report::{Asked, Report};
+use super::tables;
+use crate::args::{InverseArgs, Switch};
+use crate::convert::TableFormat;
+use crate::cycles::{Column, Cycles};
+use crate::error::CliError;
+use crate::given::Given;
+use crate::ground::{Content, Ground, GroundReport, known_soles, say_medium, write_motion};
+use crate::input::Body;
+use crate::output::Outputs;
+use crate::plausible::Plausibility;
+use crate::progress::Progress;
+use crate::shown::{Shown, stem};
+use crate::words::counted;
+use solaris::analysis::ground::{Sole, Stances};
+use solaris::analysis::{
+    InverseOptions, InverseReport, Loads, PreparedMotion, inverse_motion, medium_forces,
+};
+use solaris::io::{csv, sto};
+use solaris::model::{AxisKind, MeasuredForce, Medium};
+use std::path::PathBuf;
+
+/// A motion, the files of the forces in it, and what is to be written of it.
+pub(super) struct Trial {
+    pub(super) motion: PathBuf,
+    /// The file of `--external`.
+    pub(super) forces: Option<PathBuf>,
+    /// The file of `--external-loads`.
+    pub(super) loads: Option<PathBuf>,
+    pub(super) outputs: Outputs<Content>,
+}
+
+/// The feet, as far as they are known.
+struct Feet {
+    soles: Vec<Sole>,
+    stances: Option<Stances>,
+}
+
+impl Trial {
+    /// Finds the joints' forces and writes the files.
+    pub(super) fn analyse(
+        &self,
+        args: &InverseArgs,
+        body: Body,
+        progress: &Progress,
+    ) -> Result<Report, CliError> {
+        let (predicted, from) = (&args.predicted, self.motion.as_path());
+        let mut given = Given::of(body, [&args.figure, from], &args.record, &args.frame, progress)?;
+        let external =
+            External::read(&args.external.plates, [self.forces.as_deref(), self.loads.as_deref()])?;
+        let measured = external.records(&given.body.figure)?;
+
+        progress.stage("finding the forces");
+        if predicted.ground {
+            say_medium(&mut given);
+        }
+        let asked = || Ground::new(&predicted.how, &args.frame, &given);
+        let ground = predicted.ground.then(asked).transpose()?;
+        let moved = match &ground {
+            Some(ground) => ground.make_consistent(&predicted.consistent, &mut given)?,
+            None => None,
+        };
+        let prepared = given.prepared()?;
+        let ground = ground.map(|ground| ground.predict(&given, &prepared, moved)).transpose()?;
+        let figure = &given.body.figure;
+        let mut loads = Loads::at_times(figure, &measured, given.motion().time())
+            .map_err(|error| CliError::input(from, &error))?;
+        if let Some(ground) = &ground {
+            loads = loads.and(ground.forces.loads());
+        }
+        let passive = args.passive == Switch::On;
+        let medium = &given.body.medium;
+        if passive && !medium.is_empty() {
+            let forces = medium_forces(&prepared, medium).map_err(|error| CliError::input(from, &error))?;
+            loads = loads.and(forces);
+        }
+        let rows = progress.rows(given.motion().len());
+        let mut count = |done: usize| rows.at(done);
+        let options = InverseOptions { passive, progress: Some(&mut count) };
+        let forces =
+            inverse_motion(&prepared, &loads, options).map_err(|error| CliError::input(from, &error))?;
+
+        let feet = match &ground {
+            Some(ground) => {
+                Feet { soles: ground.soles.clone(), stances: Some(ground.forces.stances.clone()) }
+            }
+            None => Feet::of(args, &given, &prepared)?,
+        };
+        let plausible = self.plausibility(args, &given, &prepared, &measured, &forces)?;
+        let cycles = match (&args.cycles.foot, &feet.stances) {
+            (Some(foot), Some(stances)) => {
+                let columns = columns(&given, &forces);
+                Some(Cycles::of(foot, (&feet.soles, stances), given.motion().time(), columns)?)
+            }
+            _ => None,
+        };
+        let is_measured = ground.is_none();
+        let asked = Asked {
+            passive,
+            medium: describe(medium),
+            unused: external.unused(&given.table),
+            notes: external.notes(),
+            external: match &ground {
+                Some(_) => "the ground's, found from the motion".to_owned(),
+                None => external.describe(),
+            },
+            ground: ground.map(|ground| GroundReport::new(ground, &given)),
+            plausible,
+            cycles,
+        };
+        let report = Report::new(&given, asked, &forces);
+
+        progress.stage("writing");
+        let contacts = loads.contacts(figure);
+        let shown = Shown {
+            given: &given,
+            contacts: &contacts,
+            is_measured,
+            soles: &feet.soles,
+            level: feet.stances.as_ref().map(|stances| stances.level),
+            forces: Some(&forces),
+        };
+        self.write(&shown, &report, &forces)?;
+        Ok(report)
+    }
+
+    /// Whether measured forces fit the motion, where there are some.
+    fn plausibility(
+        &self,
+        args: &InverseArgs,
+        given: &Given,
+        prepared: &PreparedMotion<'_>,
+        measured: &[MeasuredForce],
+        forces: &InverseReport,
+    ) -> Result<Option<Plausibility>, CliError> {
+        if measured.is_empty() {
+            return Ok(None);
+        }
+        let soles = known_soles(args.predicted.how.soles.as_deref(), given)?.map(|(soles, _)| soles);
+        Plausibility::of(given, prepared, soles, measured)?
+            .map(|plausible| plausible.with_residual(given, prepared, forces, measured))
+            .transpose()
+    }
+
+    fn write(&self, shown: &Shown<'_>, report: &Report, forces: &InverseReport) -> Result<(), CliError> {
+        let (figure, motion) = (&shown.given.body.figure, shown.given.motion());
+        let what = "joint moments";
+        self.outputs.write(|content, mut writer| {
+            let text = match content {
+                Content::Forces(TableFormat::Csv) => {
+                    let table = tables::torques(figure, motion, forces);
+                    return csv::write_table(&table, &mut writer).map_err(CliError::other);
+                }
+                Content::Forces(TableFormat::Sto) => {
+                    let table = tables::moments(figure, motion, forces);
+                    return sto::write(&table, &mut writer).map_err(CliError::other);
+                }
+                #[cfg(feature = "parquet")]
+                Content::Forces(TableFormat::Parquet) => {
+                    let table = tables::torques(figure, motion, forces);
+                    return solaris::io::parquet::write_table(&table, &mut writer).map_err(CliError::other);
+                }
+                Content::Motion(format) => return write_motion(format, writer, shown.given),
+                Content::Cycles(format) => {
+                    let title = stem(shown.given);
+                    return report
+                        .cycles
+                        .iter()
+                        .try_for_each(|cycles| cycles.write_file(format, &title, &mut *writer));
+                }
+                Content::Page => shown.page(what, report.page_rows())?,
+                Content::Picture => shown.picture(what),
+            };
+            writer.write_all(text.as_bytes()).map_err(CliError::other)
+        })
+    }
+}
+
+impl Feet {
+    /// The soles where somebody knows them; when they stand, where strides are asked for.
+    fn of(args: &InverseArgs, given: &Given, prepared: &PreparedMotion<'_>) -> Result<Self, CliError> {
+        let how = &args.predicted.how;
+        if args.cycles.foot.is_some() {
+            let ground = Ground::new(how, &args.frame, given)?;
+            let stances = ground.standing(given, &ground.feet(given, prepared)?, 0.0)?.stances;
+            return Ok(Self { soles: ground.soles, stances: Some(stances) });
+        }
+        let soles = known_soles(how.soles.as_deref(), given)?.map(|(soles, _)| soles).unwrap_or_default();
+        Ok(Self { soles, stances: None })
+    }
+}
+
+/// Positions and forces of all degrees of freedom that are free.
+fn columns(given: &Given, forces: &InverseReport) -> Vec<Column> {
+    let (figure, motion) = (&given.body.figure, given.motion());
+    let layout = figure.layout();
+    let mut columns = Vec::new();
+    for (link, joint) in figure.links().iter().zip(layout.joints()) {
+        for axis in 0..joint.nv {
+            let (dof, load) = (joint.v + axis, &forces.dofs[joint.v + axis]);
+            let turns = layout.axis_kind(dof) == AxisKind::Rotation;
+            // A picture of strides is of joints: how far the root has gone, and what is left over there, is in the table.
+            let own = (!load.is_residual).then(|| load.dof.clone());
+            if figure.follows(dof) {
+                continue;
+            }
+            // Orientations of ball and free joints have no angle of one axis.
+            if joint.nq == joint.nv && link.joint().kind().axes().len() == joint.nv {
+                let values = (0..motion.len()).map(|frame| motion.q(frame)[joint.q + axis]);
+                columns.push(Column {
+                    heading: format!("{}.q", load.dof),
+                    name: own.clone().or_else(|| turns.then(|| load.dof.clone())),
+                    unit: if turns { "°" } else { "m" },
+                    factor: if turns { 1_f64.to_degrees() } else { 1.0 },
+                    values: values.collect(),
+                });
+            }
+            let values = forces.tau.iter().skip(dof).step_by(layout.nv().max(1));
+            columns.push(Column {
+                heading: format!("{}.tau", load.dof),
+                name: own,
+                unit: load.unit,
+                factor: 1.0,
+                values: values.copied().collect(),
+            });
+        }
+    }
+    columns
+}
+
+/// What the medium is, for the summary; none where there is none.
+fn describe(medium: &Medium) -> Option<String> {
+    let Medium { density, viscosity, wind, immersed, carried } = medium;
+    let fluid = (!immersed.is_empty()).then(|| {
+        let [x, y, z]: [f64; 3] = (*wind).into();
+        let blows = wind.norm_squared() > 0.0;
+        let wind = if blows { format!(", wind ({x}, {y}, {z}) m/s") } else { String::new() };
+        let bodies = counted(immersed.len(), "body", "bodies");
+        format!("a fluid of {density} kg/m³ and {viscosity} Pa s{wind} resists {bodies}")
+    });
+    let carried = (!carried.is_empty())
+        .then(|| format!("{} carried against gravity", counted(carried.len(), "body is", "bodies are")));
+    let parts: Vec<String> = fluid.into_iter().chain(carried).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
