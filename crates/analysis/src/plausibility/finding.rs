@@ -148,8 +148,7 @@ impl MotionFinding {
     /// The foot or degree of freedom that it is about; `None` for the whole figure.
     pub fn subject(&self) -> Option<&str> {
         match self {
-            Self::Far { foot, .. } | Self::Airborne { foot, .. } => Some(foot),
-            Self::NoPlate { foot, .. } => Some(foot),
+            Self::Far { foot, .. } | Self::Airborne { foot, .. } | Self::NoPlate { foot, .. } => Some(foot),
             Self::DegreesAsRadians { dof, .. } => Some(dof),
             Self::Direction { .. } | Self::Mass { .. } | Self::RadiansAsDegrees { .. } => None,
         }

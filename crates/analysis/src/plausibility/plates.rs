@@ -22,7 +22,7 @@ pub const BORNE: f64 = 0.06;
 pub const OBLIQUE: f64 = 0.35;
 
 /// How far (m) from its sole a centre of pressure may be. Errors of a calibrated laboratory are some mm to 2 cm, and 1 cm changes
-/// joint moments by some 10 % already (McCaw and `DeVita` 1995, J. Biomech. 28:985–988).
+/// joint moments by some 10 % already (`McCaw` and `DeVita` 1995, J. Biomech. 28:985–988).
 pub const FAR: f64 = 0.1;
 
 /// Share of a foot's loaded frames that may be farther than [`FAR`]: touch-down and lift-off, when little force acts.

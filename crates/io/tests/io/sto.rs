@@ -109,7 +109,7 @@ fn bad_tables_are_answered_with_line_and_column() {
 /// What the notes of a table say.
 fn notes(text: &str) -> String {
     let table = sto::read_mot(text).expect("odd, not wrong");
-    table.notes.iter().map(|note| format!("{note}\n")).collect()
+    table.notes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 #[test]

@@ -51,7 +51,7 @@ impl Placed {
 
     /// Distances from a sole (m), by loaded frame.
     fn distances(&self, sole: usize) -> impl Iterator<Item = f64> {
-        self.ways[sole].iter().map(|way| way.norm())
+        self.ways[sole].iter().map(Vector2::norm)
     }
 
     fn mean(&self, sole: usize) -> f64 {

@@ -112,7 +112,7 @@ fn a_measured_trial_is_judged_rightly() {
         .iter()
         .zip(rows.iter().cycle().skip(shift))
         .map(|((time, _), (_, rest))| format!("{time}\t{rest}\n"));
-    let late = header.join("\n") + "\n" + &late.collect::<String>();
+    let late = header.join("\n") + "\n" + &late.collect::<Vec<String>>().concat();
     write(folder.path(), "late.mot", &late);
     let [model, motion, forces] = [&model, &motion, &forces].map(|path| path.to_str().expect("UTF-8"));
     let found = |forces: &str, right: &str, left: &str| {
