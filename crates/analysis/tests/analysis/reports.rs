@@ -1,7 +1,7 @@
 //! Reports as JSON: the keys carry the units, the values are the fields'.
 
 use serde_json::{Value, json};
-use solaris_analysis::ground::{GroundOptions, Violation, ground_forces, soles};
+use solaris_analysis::ground::{GroundOptions, PlacedFeet, Violation, ground_forces, soles};
 use solaris_analysis::{InverseOptions, Loads, Peak, PreparedMotion, RootReport, inverse_motion, nearness};
 use solaris_model::{Base, Figure, FigureBuilder, Joint, LinkSpec, Motion, MotionInfo, human};
 
@@ -67,7 +67,8 @@ fn the_ground_under_each_foot_is_written_with_its_sole() {
     let ann = human(1.65, 58.0).expect("a person");
     let motion = still(&ann);
     let prepared = PreparedMotion::new(&ann, &motion).expect("ready");
-    let found = ground_forces(&prepared, &soles(&ann), &GroundOptions::default()).expect("forces");
+    let feet = PlacedFeet::new(&prepared, soles(&ann)).expect("placed");
+    let found = ground_forces(&feet, &GroundOptions::default()).expect("forces");
     let written = serde_json::to_value(&found.report).expect("written");
     assert_eq!(keys(&written), ["feet", "irregular_frames", "split", "unsupported", "weight_n"]);
     assert_eq!((&written["split"], &written["weight_n"]), (&json!("pivot"), &json!(found.report.weight)));
