@@ -131,9 +131,9 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
 impl Report {
     fn page_rows(&self) -> Vec<TableRow> {
         let mut rows = given_rows(&self.given);
+        rows.extend(warning_rows(&self.ground.warnings));
         rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
         rows.extend(self.ground.page_rows());
-        rows.extend(warning_rows(&self.ground.warnings));
         rows
     }
 }

@@ -1,4 +1,4 @@
-//! Tables as Parquet, which pyarrow, pandas, polars, R and DuckDB read: one row group, uncompressed.
+//! Tables as Parquet, which pyarrow, pandas, polars, R and many others read: one row group, uncompressed.
 //!
 //! Headings are those of CSV. A column of numbers is of doubles, all there where it comes from a [`Table`]; one of texts is UTF-8.
 

@@ -73,7 +73,7 @@ fn check_many(args: &InverseArgs, tables: &[&PathBuf]) -> Result<(), CliError> {
         Err(CliError::Output { option, path: path.to_owned(), why })
     };
     let is_table = |path: &Path| TABLE.iter().any(|(known, _)| *known == extension(path));
-    for table in tables.iter().filter(|table| !is_table(table)) {
+    if let Some(table) = tables.iter().find(|table| !is_table(table)) {
         let of = if extension(table).is_empty() { "sto".to_owned() } else { extension(table) };
         return refuse("-o", table, &format!("out/{NAME}.{of}; one table with a row for each is .csv"));
     }

@@ -34,6 +34,7 @@ impl Report {
     /// What a page says of it all.
     pub(super) fn page_rows(&self) -> Vec<TableRow> {
         let mut rows = given_rows(&self.given);
+        rows.extend(self.ground.iter().flat_map(|ground| warning_rows(&ground.warnings)));
         rows.push(TableRow::new("Forces from outside", "", "", self.external_forces.as_str()));
         rows.extend(self.unused_words().map(|unused| TableRow::new("", "", "", unused)));
         rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
@@ -50,7 +51,6 @@ impl Report {
             let note = format!("at {} s; rms {}", short(joint.time), short(joint.rms));
             TableRow::new(joint.dof.as_str(), short(joint.greatest), whole(joint.unit), note)
         }));
-        rows.extend(self.ground.iter().flat_map(|ground| warning_rows(&ground.warnings)));
         rows
     }
 

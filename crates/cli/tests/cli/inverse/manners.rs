@@ -248,7 +248,7 @@ fn every_example_of_the_help_runs() {
     write(folder.path(), "trajectory.csv", "time,shoulder.q,elbow.q\n0,0,0\n1,0.1,0.2\n2,0.3,0\n3,0,0\n");
     let scene = Path::new(crate::inverse::FIXTURES).join("scenes/pendulum.ron");
     std::fs::copy(scene, folder.path().join("scene.ron")).expect("copied");
-    succeeded(&solaris(folder.path(), "walk --steps 1 --rate 30 -o walk.csv"));
+    succeeded(&solaris(folder.path(), "walk --steps 1 --rate 30 -o walk.csv -o dance.bvh"));
     std::fs::copy(folder.path().join("walk.csv"), folder.path().join("clip.csv")).expect("copied");
     for name in ["trials", "loads"] {
         std::fs::create_dir(folder.path().join(name)).expect("made");

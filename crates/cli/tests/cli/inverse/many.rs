@@ -16,7 +16,8 @@ fn trials() -> tempfile::TempDir {
     for name in ["trials", "grf"] {
         fs::create_dir(at(name)).expect("made");
     }
-    ["subject.osim", "soles.ron"].iter().for_each(|name| copy(name, name));
+    copy("subject.osim", "subject.osim");
+    copy("soles.ron", "soles.ron");
     for name in ["a", "b", "c"] {
         copy("walk.mot", &format!("trials/{name}.mot"));
         copy("grf.mot", &format!("grf/{name}.mot"));
