@@ -116,7 +116,15 @@ fn table(
     let values = rows.iter().flat_map(|(time, row)| std::iter::once(time).chain(row)).map(digits).collect();
     let lines = (0..rows.len() as u64).collect();
     let in_degrees = Some(in_degrees);
-    let table = Table { title: title.to_owned(), in_degrees, columns, values, lines, header_line: 0 };
+    let table = Table {
+        title: title.to_owned(),
+        in_degrees,
+        columns,
+        values,
+        lines,
+        header_line: 0,
+        ..Table::default()
+    };
     let mut text = Vec::new();
     sto::write(&table, &mut text).map_err(|error| error.to_string())?;
     Ok(text)

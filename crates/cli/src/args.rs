@@ -20,7 +20,7 @@ pub(crate) use gait::{
 };
 pub(crate) use given::{FrameArgs, RecordArgs};
 pub(crate) use ground::{AskedBelt, AskedPlate, ConsistentArgs, GroundArgs, GroundCommandArgs};
-pub(crate) use inverse::{ExternalArgs, InverseArgs, Switch};
+pub(crate) use inverse::{InverseArgs, Switch};
 pub(crate) use metrics::{AskedLevel, MetricsArgs, StancesFrom};
 pub(crate) use parameters::key_options;
 pub(crate) use profile::{

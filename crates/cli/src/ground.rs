@@ -132,6 +132,7 @@ impl Report {
     fn page_rows(&self) -> Vec<TableRow> {
         let mut rows = given_rows(&self.given);
         rows.extend(warning_rows(&self.ground.warnings));
+        rows.extend(self.ground.plausibility().iter().flat_map(|plausible| plausible.page_rows()));
         rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
         rows.extend(self.ground.page_rows());
         rows

@@ -10,6 +10,7 @@ use solaris::analysis::plausibility::{
 };
 use solaris::analysis::{InverseReport, PreparedMotion};
 use solaris::model::MeasuredForce;
+use solaris::view::TableRow;
 use std::io::{Result, Write};
 
 /// What is to be said of measured forces.
@@ -153,6 +154,11 @@ impl Plausibility {
     /// What does not fit, in words.
     pub(crate) fn messages(&self) -> impl Iterator<Item = &str> {
         self.findings.iter().map(Finding::message)
+    }
+
+    /// What does not fit, for a page.
+    pub(crate) fn page_rows(&self) -> impl Iterator<Item = TableRow> {
+        self.messages().map(|message| TableRow::new("Look at", "", "", message))
     }
 
     /// How the plates fit, in a line, and what does not fit.

@@ -71,6 +71,11 @@ impl GroundReport {
         report
     }
 
+    /// Whether plates fit the motion, where there are some.
+    pub(super) fn plausibility(&self) -> Option<&Plausibility> {
+        self.plausibility.as_ref()
+    }
+
     /// Takes in how far the forces are from those of plates: by foot, and of all feet with a plate together.
     pub(super) fn hold_against(
         &mut self,

@@ -2,6 +2,7 @@
 
 use super::report::Report;
 use crate::ground::GroundReport;
+use crate::plausible::Plausibility;
 use crate::shown::{given_rows, warning_rows};
 use crate::words::{row, short};
 use solaris::analysis::DofLoad;
@@ -35,6 +36,7 @@ impl Report {
     pub(super) fn page_rows(&self) -> Vec<TableRow> {
         let mut rows = given_rows(&self.given);
         rows.extend(self.ground.iter().flat_map(|ground| warning_rows(&ground.warnings)));
+        rows.extend(self.plausibility.iter().flat_map(Plausibility::page_rows));
         rows.push(TableRow::new("Forces from outside", "", "", self.external_forces.as_str()));
         rows.extend(self.unused_words().map(|unused| TableRow::new("", "", "", unused)));
         rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
