@@ -89,7 +89,7 @@ impl Trial {
             }
             None => Feet::of(args, &given, &prepared)?,
         };
-        let plausible = self.plausibility(args, &given, &prepared, &measured, &forces)?;
+        let plausible = plausibility(args, &given, &prepared, &measured, &forces)?;
         let cycles = match (&args.cycles.foot, &feet.stances) {
             (Some(foot), Some(stances)) => {
                 let columns = columns(&given, &forces);
@@ -127,24 +127,6 @@ impl Trial {
         Ok(report)
     }
 
-    /// Whether measured forces fit the motion, where there are some.
-    fn plausibility(
-        &self,
-        args: &InverseArgs,
-        given: &Given,
-        prepared: &PreparedMotion<'_>,
-        measured: &[MeasuredForce],
-        forces: &InverseReport,
-    ) -> Result<Option<Plausibility>, CliError> {
-        if measured.is_empty() {
-            return Ok(None);
-        }
-        let soles = known_soles(args.predicted.how.soles.as_deref(), given)?.map(|(soles, _)| soles);
-        Plausibility::of(given, prepared, soles, measured)?
-            .map(|plausible| plausible.with_residual(given, prepared, forces, measured))
-            .transpose()
-    }
-
     fn write(&self, shown: &Shown<'_>, report: &Report, forces: &InverseReport) -> Result<(), CliError> {
         let (figure, motion) = (&shown.given.body.figure, shown.given.motion());
         let what = "joint moments";
@@ -177,6 +159,23 @@ impl Trial {
             writer.write_all(text.as_bytes()).map_err(CliError::other)
         })
     }
+}
+
+/// Whether measured forces fit the motion, where there are some.
+fn plausibility(
+    args: &InverseArgs,
+    given: &Given,
+    prepared: &PreparedMotion<'_>,
+    measured: &[MeasuredForce],
+    forces: &InverseReport,
+) -> Result<Option<Plausibility>, CliError> {
+    if measured.is_empty() {
+        return Ok(None);
+    }
+    let soles = known_soles(args.predicted.how.soles.as_deref(), given)?.map(|(soles, _)| soles);
+    Plausibility::of(given, prepared, soles, measured)?
+        .map(|plausible| plausible.with_residual(given, prepared, forces, measured))
+        .transpose()
 }
 
 impl Feet {
