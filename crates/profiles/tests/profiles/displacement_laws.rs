@@ -163,7 +163,9 @@ proptest! {
             }
             for u in FRACTIONS {
                 let (sample, image) = (curve.at(u * duration), back.at((1.0 - u) * duration).reversed());
-                assert_close(name, image, sample, sizes(curve.as_ref()), 1e-13);
+                // The image of a time is rounded to half an ε of the duration, in which a stiff curve's end turns by stiffness·ε/2.
+                let turned = if *name == "tension" { p.stiffness * f64::EPSILON } else { 0.0 };
+                assert_close(name, image, sample, sizes(curve.as_ref()), 1e-13 + turned);
             }
         }
         // Backwards, 1 − s becomes 1/(1 − s).
