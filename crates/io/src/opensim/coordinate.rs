@@ -93,11 +93,14 @@ fn held(reader: &mut Reader, node: Node, name: &str) {
     };
     list(
         "locked",
-        format!("it is locked at {at} in the file and free here; give it this value in the motion"),
+        format!(
+            "it is locked at {at} in the file and free here; it has this value in a motion without a column for it"
+        ),
     );
     list("prescribed", "its motion is prescribed in the file and free here".to_owned());
-    list(
-        "clamped",
-        "it is clamped to its range in the file; here the range is reported, not enforced".to_owned(),
-    );
+    // One line for all: models clamp every coordinate, and ranges are reported here.
+    if child_flag(reader, node, "clamped", false) {
+        let span = element(node, "clamped").map_or_else(|| tag(node), tag);
+        reader.aside("<clamped> (ranges are reported, not enforced)".to_owned(), span);
+    }
 }
