@@ -64,7 +64,8 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
         return Err(UsageError::OnlyOfBvh.into());
     }
     let is_written = MOTION.iter().any(|(known, _)| *known == extension(&args.to));
-    if if is_bvh { !is_written } else { !READ.contains(&extension(&args.from).as_str()) } {
+    let is_motion = if is_bvh { is_written } else { READ.contains(&extension(&args.from).as_str()) };
+    if !is_motion {
         return figure(args);
     }
     if args.size.is_asked() {

@@ -238,13 +238,16 @@ fn clip_of(path: &Path, text: &str, options: &ReadOptions) -> Result<Clip, CliEr
     })
 }
 
-/// Reads a motion of a figure.
-pub(crate) fn motion(path: &Path, figure: &Figure) -> Result<Table, CliError> {
-    if extension(path) == "bvh" {
-        let clip = clip(path, &ReadOptions::default())?;
-        return clip.table_of(figure).map_err(|error| CliError::input(path, &error));
+/// Reads a motion of a figure, and what looks wrong with it.
+pub(crate) fn motion(path: &Path, figure: &Figure) -> Result<(Table, Vec<Finding>), CliError> {
+    if extension(path) != "bvh" {
+        return Ok((table(path)?, Vec::new()));
     }
-    table(path)
+    let mut clip = clip(path, &ReadOptions::default())?;
+    let table = clip.table_of(figure).map_err(|error| CliError::input(path, &error))?;
+    // The masses are the figure's.
+    clip.findings.retain(|finding| finding.kind == FindingKind::Suspect && finding.subject != "masses");
+    Ok((table, clip.findings))
 }
 
 /// Reads a table of numbers.

@@ -2,12 +2,12 @@
 
 use crate::args::{FrameArgs, RecordArgs};
 use crate::error::{CliError, UsageError};
-use crate::input::{self, Body};
+use crate::input::{self, Body, Language};
 use crate::progress::Progress;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
 use solaris::io::record::{self, ReadMotion};
-use solaris::model::{Base, Motion};
+use solaris::model::{Base, Finding, FindingKind, Motion};
 use std::path::{Path, PathBuf};
 
 /// A figure in a motion, of which everything is known.
@@ -20,6 +20,8 @@ pub(crate) struct Given {
     /// Whether gravity was asked for.
     pub(crate) gravity_is_asked: bool,
     pub(crate) table: Table,
+    /// What looks wrong with what a BVH file says, or leaves to guess.
+    pub(crate) doubtful: Vec<Finding>,
     pub(crate) recorded: ReadMotion,
     pub(crate) filter: Option<Filter>,
     pub(crate) found: Differentiated,
@@ -67,7 +69,11 @@ impl Given {
         if let Some(gravity) = &frame.gravity {
             body.gravity = gravity.vector;
         }
-        let table = input::motion(from, &body.figure)?;
+        let (table, mut doubtful) = input::motion(from, &body.figure)?;
+        if body.language == Language::Bvh {
+            doubtful
+                .extend(body.findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).cloned());
+        }
         let recorded = record::read_with_defaults(&body.figure, body.gravity, &table, &body.defaults)
             .map_err(|error| CliError::input(from, &error))?;
         progress.stage("finding velocities and accelerations");
@@ -76,7 +82,7 @@ impl Given {
             .map_err(|error| CliError::input(from, &error))?;
         let gravity_is_asked = frame.gravity.is_some();
         let (of, from) = (of.to_owned(), from.to_owned());
-        Ok(Self { of, from, body, gravity_is_asked, table, recorded, filter, found })
+        Ok(Self { of, from, body, gravity_is_asked, table, doubtful, recorded, filter, found })
     }
 }
 

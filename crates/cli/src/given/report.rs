@@ -30,6 +30,9 @@ pub(crate) struct GivenReport {
     pub(super) filter: Option<FilterReport>,
     /// What acts in the model and is not in the figure.
     pub(super) missing: Vec<String>,
+    /// What looks wrong with what a BVH file says, or leaves to guess.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) guessed: Vec<String>,
     pub(super) many_turns: Vec<String>,
     /// What of the figure's masses no matter can have; it was taken as it is.
     pub(super) mass_doubts: Vec<Doubt>,
@@ -116,12 +119,8 @@ impl GivenReport {
                 order: filter.order,
                 spoiled_s: found.unsettled,
             }),
-            missing: body
-                .findings
-                .iter()
-                .filter(|finding| finding.kind == FindingKind::Missing)
-                .map(|finding| format!("{}: {}", finding.subject, finding.message))
-                .collect(),
+            missing: said(&mut body.findings.iter().filter(|finding| finding.kind == FindingKind::Missing)),
+            guessed: said(&mut given.doubtful.iter()),
             many_turns: figure
                 .many_turns(motion.columns()[0])
                 .into_iter()
@@ -136,6 +135,18 @@ impl GivenReport {
             root_is_free: figure.root_is_free(),
         }
     }
+}
+
+/// Findings in words, each once.
+fn said(findings: &mut dyn Iterator<Item = &solaris::model::Finding>) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for finding in findings {
+        let word = format!("{}: {}", finding.subject, finding.message);
+        if !words.contains(&word) {
+            words.push(word);
+        }
+    }
+    words
 }
 
 impl Doubt {

@@ -85,6 +85,7 @@ impl GivenReport {
         for (i, missing) in self.missing.iter().enumerate() {
             doubts.push((if i == 0 { "missing" } else { "" }, missing.clone()));
         }
+        doubts.extend(self.guessed.iter().map(|guess| ("suspect", guess.clone())));
         if let Some(found) = &self.suspect_angles {
             doubts.push(("suspect", found.message().to_owned()));
         } else if !self.many_turns.is_empty() {
