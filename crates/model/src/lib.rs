@@ -20,6 +20,7 @@ mod layout;
 mod limits;
 mod link;
 mod lint;
+mod markers;
 mod measured;
 mod medium;
 mod motion;
@@ -50,6 +51,7 @@ pub use layout::{JointLayout, StateLayout};
 pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
 pub use lint::{Extent, MassDoubt};
+pub use markers::{Marker, MarkerTrial, MarkerTrialError};
 pub use measured::MeasuredForce;
 pub use medium::{Carried, Immersed, ImmersedShape, Medium};
 pub use motion::{
