@@ -4,6 +4,7 @@ pub(crate) mod acceleration;
 pub(crate) mod climb;
 pub(crate) mod frame;
 pub(crate) mod jacobian;
+pub(crate) mod points;
 
 use crate::error::DynamicsError;
 use crate::scalar::Scalar;

@@ -40,6 +40,7 @@ pub use inverse::{bias_forces, inverse_dynamics};
 pub use kinematics::acceleration::{accelerations, bias_accelerations};
 pub use kinematics::frame::Frame;
 pub use kinematics::jacobian::{JacobianAxes, jacobian, jacobian_rate};
+pub use kinematics::points::{joint_jacobians, point_columns};
 pub use kinematics::{forward_kinematics, velocities};
 pub use passive::{add_passive_forces, rotation_vector};
 pub use root_view::{RootView, RootViewError};

@@ -64,6 +64,8 @@ fn no_question_allocates() {
         let mut all = || {
             dynamics::jacobian(&tree, ws, &q, &frame, axes, &mut six)?;
             dynamics::jacobian_rate(&tree, ws, &q, &v, &frame, axes, &mut six)?;
+            dynamics::joint_jacobians(&tree, ws, &q)?;
+            dynamics::point_columns(&tree, ws, &frame, |dof, column| tau[dof] = column.linear.x);
             dynamics::accelerations(&tree, ws, &q, &v, &a)?;
             dynamics::bias_accelerations(&tree, ws, &q, &v)?;
             dynamics::composite_body(&tree, ws, &q)?;

@@ -173,7 +173,6 @@ impl MarkerTrial {
     /// Frames a second (Hz); `None` of fewer than two frames.
     pub fn rate(&self) -> Option<f64> {
         let (first, last) = (self.time.first()?, self.time.last()?);
-        #[expect(clippy::cast_precision_loss, reason = "a count of frames")]
         (self.len() > 1).then(|| (self.len() - 1) as f64 / (last - first))
     }
 

@@ -1,10 +1,11 @@
 //! Jacobians, their rates, drifts and accelerations, against differences of positions and velocities.
 
 use crate::questions::case::{Case, derivative, difference, matrix, unit};
-use nalgebra::{DMatrix, DVector, Vector6};
+use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 use proptest::prelude::*;
 use solaris_dynamics::{
     Frame, JacobianAxes, Pose, Twist, accelerations, bias_accelerations, jacobian, jacobian_rate,
+    joint_jacobians, point_columns,
 };
 
 const BOTH: [JacobianAxes; 2] = [JacobianAxes::World, JacobianAxes::Frame];
@@ -43,6 +44,14 @@ impl Case {
         accelerations(tree, ws, &self.q, &self.v, &self.a).expect("valid");
         frame.acceleration(ws)
     }
+}
+
+fn same_joint(case: &Case, i: usize, j: usize) -> bool {
+    case.figure
+        .layout()
+        .joints()
+        .iter()
+        .any(|at| (at.v..at.v + at.nv).contains(&i) && (at.v..at.v + at.nv).contains(&j))
 }
 
 proptest! {
@@ -98,6 +107,37 @@ proptest! {
             let error = difference(&rate, &slope, 1.0);
             prop_assert!(error < 1e-8, "{axes:?} {error:e}");
         }
+    }
+
+    /// The columns that are visited are the Jacobian's, and the second derivatives that they give are the slope of its
+    /// product with the step.
+    #[test]
+    fn visited_columns_are_those_of_the_jacobian(seed in any::<u64>()) {
+        let mut case = Case::random(seed);
+        let (frame, q, v) = (case.frame(), case.q.clone(), case.v.clone());
+        let mut columns = vec![Twist { linear: Vector3::zeros(), angular: Vector3::zeros() }; v.len()];
+        joint_jacobians(&case.kernel.tree, &mut case.kernel.workspace, &q).expect("valid");
+        point_columns(&case.kernel.tree, &case.kernel.workspace, &frame, |dof, column| columns[dof] = column);
+        let j = case.jacobian(&q, &frame, JacobianAxes::World);
+        for (k, column) in columns.iter().enumerate() {
+            prop_assert_eq!(six(column), j.column(k));
+        }
+        let mut bent = Vector3::zeros();
+        for j in 0..v.len() {
+            for i in 0..j {
+                // The mean of both ways round, twice: for a pair of one ball it matters, and else the other way is another joint's.
+                let spherical = case.figure.layout().coordinate(i).is_none() && same_joint(&case, i, j);
+                let (there, back) =
+                    (columns[i].angular.cross(&columns[j].linear), columns[j].angular.cross(&columns[i].linear));
+                bent += if spherical { there + back } else { there * 2.0 } * (v[i] * v[j]);
+            }
+            bent += columns[j].angular.cross(&columns[j].linear) * (v[j] * v[j]);
+        }
+        let slope = derivative(|t| {
+            let moved = case.moved(&v, t);
+            case.jacobian(&moved, &frame, JacobianAxes::World) * DVector::from_row_slice(&v)
+        });
+        prop_assert!((bent - slope.fixed_rows::<3>(0)).norm() < 1e-8 * (1.0 + bent.norm()), "{bent} {slope}");
     }
 
     /// Accelerations are slopes of velocities, and `J·a + J̇·v`; without `a` they are the bias accelerations.
