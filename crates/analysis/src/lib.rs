@@ -8,6 +8,7 @@ mod error;
 pub mod ground;
 mod inverse;
 mod loads;
+pub mod markers;
 mod medium;
 mod nearness;
 mod peak;

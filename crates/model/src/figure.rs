@@ -53,15 +53,14 @@ impl Figure {
         self.link_index(name).map(|index| &self.links[index])
     }
 
-    /// Index of the link called `name`, or of the one that carries the frame of that name (bodies that cannot move against
-    /// each other are one link), with where in the link's frame it stands: the link itself at its origin.
+    /// Where a body of the figure is: the link that carries the frame called `name` and where in the link's frame it stands, or,
+    /// if no frame is, the link called so, at its origin. Bodies that cannot move against each other are one link; one whose
+    /// joint is not at its origin has a frame of its own name.
     #[doc(alias = "getFrameId")]
     pub fn locate(&self, name: &str) -> Option<(usize, Placement)> {
-        if let Some(link) = self.link_index(name) {
-            return Some((link, Placement::identity()));
-        }
         let frames = self.links.iter().map(|link| link.frames.iter().find(|frame| frame.name == name));
-        frames.enumerate().find_map(|(link, frame)| Some((link, frame?.placement)))
+        let frame = frames.enumerate().find_map(|(link, frame)| Some((link, frame?.placement)));
+        frame.or_else(|| self.link_index(name).map(|link| (link, Placement::identity())))
     }
 
     /// Index of the link that the joint called `name` moves.

@@ -4,6 +4,7 @@
 mod consistency;
 mod ground;
 mod inverse;
+mod markers;
 mod nearness;
 #[path = "inverse/pinned.rs"]
 mod pinned;
