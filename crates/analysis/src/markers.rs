@@ -13,6 +13,8 @@
 mod blind;
 mod chain;
 mod matched;
+mod measure;
+mod place;
 mod problem;
 mod report;
 mod solve;
@@ -20,6 +22,8 @@ mod start;
 mod swaps;
 
 pub use matched::Matched;
+pub use measure::{MeasureError, MeasuredFactor, PairRatio, measured_factor};
+pub use place::{place_markers, places};
 pub use problem::{CoordinateTask, IkError, IkOptions};
 pub use report::{DofSight, FrameFit, MarkerFit, MarkerMotion};
 pub use swaps::Swap;

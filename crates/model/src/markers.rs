@@ -176,6 +176,34 @@ impl MarkerTrial {
         (self.len() > 1).then(|| (self.len() - 1) as f64 / (last - first))
     }
 
+    /// The frames between two times: from the last one that is not after `start` to the first one that is not before `end`, as
+    /// OpenSim chooses them; of what is before or after the trial, its first or last frame.
+    #[must_use]
+    pub fn within(&self, start: f64, end: f64) -> Self {
+        let last = self.len().saturating_sub(1);
+        let first = self.time.iter().rposition(|time| *time <= start).unwrap_or(0);
+        let until = self.time.iter().position(|time| *time >= end).unwrap_or(last).max(first);
+        let width = self.names.len();
+        Self {
+            names: self.names.clone(),
+            time: self.time.get(first..=until).map_or_else(Vec::new, <[f64]>::to_vec),
+            points: self.points.get(first * width..(until + 1) * width).map_or_else(Vec::new, <[_]>::to_vec),
+        }
+    }
+
+    /// The trial's mean as one frame, at its first time: of each marker the mean of where it was seen.
+    #[must_use]
+    pub fn mean(&self) -> Self {
+        let point = |marker: usize| {
+            let seen = (0..self.len()).filter_map(|frame| self.point(frame, marker));
+            let (sum, count) = seen.fold((Vector3::zeros(), 0_usize), |(sum, n), point| (sum + point, n + 1));
+            sum / count as f64
+        };
+        let time: Vec<f64> = self.time.first().copied().into_iter().collect();
+        let points = time.iter().flat_map(|_| (0..self.names.len()).map(point)).collect();
+        Self { names: self.names.clone(), time, points }
+    }
+
     /// The same trial with every point moved by `map`: into other axes, say, or other units.
     #[must_use]
     pub fn mapped(mut self, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Self {
@@ -200,6 +228,23 @@ mod tests {
         assert!(said(two(), vec![0.0, 0.0], vec![origin(); 4]).contains("of frame 2"));
         assert!(said(two(), vec![f64::NAN], vec![origin(); 2]).contains("is NaN"));
         assert!(said(two(), vec![0.0], vec![origin(); 3]).contains("3 points for 2 markers in 1 frames"));
+    }
+
+    #[test]
+    fn a_part_and_its_mean_leave_out_what_was_hidden() {
+        let hidden = Vector3::repeat(f64::NAN);
+        let points = vec![Vector3::x(), hidden, Vector3::x() * 3.0, hidden, Vector3::y(), hidden];
+        let trial = MarkerTrial::new(vec!["a".into(), "b".into()], vec![0.0, 0.1, 0.2], points).unwrap();
+        assert_eq!(trial.within(0.05, 0.06).time(), [0.0, 0.1]);
+        assert_eq!(trial.within(-1.0, 9.0).len(), 3);
+        assert_eq!(trial.within(0.1, 0.1).time(), [0.1]);
+        let mean = trial.within(0.0, 0.1).mean();
+        assert_eq!(
+            (mean.time(), mean.point(0, 0), mean.point(0, 1)),
+            (&[0.0][..], Some(Vector3::x() * 2.0), None)
+        );
+        let none = MarkerTrial::new(vec!["a".into()], vec![], vec![]).unwrap();
+        assert!(none.within(0.0, 1.0).is_empty() && none.mean().is_empty());
     }
 
     #[test]

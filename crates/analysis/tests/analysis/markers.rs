@@ -1,7 +1,10 @@
 //! Inverse kinematics of markers, against poses that are known, and against the objective itself.
 
 use proptest::prelude::*;
-use solaris_analysis::markers::{CoordinateTask, IkError, IkOptions, MarkerMotion, inverse_kinematics};
+use solaris_analysis::markers::{
+    CoordinateTask, IkError, IkOptions, MarkerMotion, inverse_kinematics, measured_factor, place_markers,
+    places,
+};
 use solaris_dynamics::{Frame, Tree, Workspace, forward_kinematics};
 use solaris_model::{Base, Figure, FigureBuilder, Joint, LinkSpec, Marker, MarkerTrial, Vector3, human};
 
@@ -258,4 +261,52 @@ fn what_cannot_be_asked_is_refused_by_name() {
     assert!(said(&lost, &trial, none()).contains("'m1_0' sits at (NaN"));
     let error = inverse_kinematics(&figure, &markers, &trial, &IkOptions { rest: Some(vec![0.0]), ..none() });
     assert!(matches!(error, Err(IkError::Rest(_))));
+}
+
+#[test]
+fn a_factor_is_the_mean_of_the_pairs_ratios() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let markers = markers(&figure, 3);
+    let rest = vec![0.0; figure.layout().nq()];
+    let own = seen(&figure, &markers, &[rest.clone(), rest.clone()]);
+    let longer = own.clone().mapped(|point| point * 1.07);
+    let longer = changed(&longer, |f, m, p| if f == 1 && m == 4 { Vector3::repeat(f64::NAN) } else { p });
+    let pair = |a: usize, b: usize| [a, b].map(|m| markers[m].name.clone());
+    let factor =
+        |trial: &MarkerTrial, pairs: &[[String; 2]]| measured_factor(&figure, &markers, &rest, trial, pairs);
+    let found = factor(&longer, &[pair(0, 4), pair(3, 11)]).expect("seen");
+    assert!((found.factor - 1.07).abs() < 1e-14);
+    assert_eq!([found.pairs[0].frames, found.pairs[1].frames], [1, 2]);
+    let said = |trial, pairs: &[[String; 2]]| factor(trial, pairs).expect_err("refused").to_string();
+    assert!(
+        said(&longer, &[["m0_0".into(), "m0_9".into()]])
+            .contains("the model has no marker 'm0_9'; did you mean")
+    );
+    let hidden = changed(&own, |_, m, p| if m == 4 { Vector3::repeat(f64::NAN) } else { p });
+    assert!(said(&hidden, &[pair(0, 4)]).starts_with("no frame shows both 'm0_0' and 'm1_1'"));
+    assert!(said(&own, &[pair(2, 2)]).contains("are in one place"));
+    assert!(said(&own, &[]).contains("no pair"));
+}
+
+/// What a static trial saw is where the markers are afterwards, but for those that are fixed.
+#[test]
+fn markers_are_placed_where_they_were_seen() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let mut markers = markers(&figure, 3);
+    let poses = swaying(&figure, 1, 0.7);
+    let trial = seen(&figure, &markers, &poses);
+    let (moved, lost) = {
+        for marker in &mut markers {
+            marker.position += Vector3::new(0.01, -0.02, 0.03);
+        }
+        markers[5].is_fixed = true;
+        markers.push(Marker { name: "stray".into(), ..markers[0].clone() });
+        place_markers(&figure, &markers, &poses[0], &trial).expect("a configuration")
+    };
+    assert_eq!(lost, ["stray"]);
+    let now = places(&figure, &moved, &poses[0]).expect("a configuration");
+    for (i, (place, seen)) in now.iter().zip(trial.frame(0)).enumerate() {
+        let off = (place - seen).norm();
+        assert!(if i == 5 { (off - 0.0014_f64.sqrt()).abs() < 1e-12 } else { off < 1e-12 }, "{i} {off:e}");
+    }
 }
