@@ -36,9 +36,10 @@
 //! The world is the model's ground: y up, x forward, z to the right. A link's frame has the directions of its body's
 //! frame and its origin at the joint; where that is not the body's origin, the body's frame stays by its name.
 //!
-//! Muscles, actuators, other forces and constraints, controllers, markers, wrapping and geometry are listed, not read.
+//! Muscles, actuators, other forces and constraints, controllers, wrapping and geometry are listed, not read.
 //!
-//! [`external_loads`] reads which columns of a table are forces on which bodies.
+//! [`external_loads`] reads which columns of a table are forces on which bodies, [`markers`] the markers of a model or of a file
+//! of their own, [`ik_setup`] and [`scale_setup`] what OpenSim's tools for markers are told.
 
 mod axes;
 mod component;
@@ -54,15 +55,22 @@ mod function;
 mod joint;
 mod layout;
 mod loads;
+mod marker_set;
 mod mount;
 mod older;
 mod quintic;
 mod rest;
+mod setup;
 mod spline;
 mod station;
 
 pub use defaults::coordinate_defaults;
 pub use loads::{ExternalForce, ExternalLoads, external_loads};
+pub use marker_set::{MarkerSet, markers};
+pub use setup::{
+    BodyAxes, CoordinateTask, IkSetup, ManualScale, MarkerTask, Measurement, PlacerSetup, ScaleSetup,
+    ScalingStep, TaskValue, ik_setup, scale_setup,
+};
 
 use crate::import::Import;
 use crate::tree::finish;

@@ -96,11 +96,13 @@ pub struct CoordinateDefault {
     pub value: f64,
     /// Whether the model holds it there.
     pub is_locked: bool,
+    /// Whether the model keeps it within its range.
+    pub is_clamped: bool,
 }
 
 fn defaults(coordinates: &[CoordinateDefault]) -> String {
     const MOST: usize = 8;
-    let one = |CoordinateDefault { name, value, is_locked }: &CoordinateDefault| {
+    let one = |CoordinateDefault { name, value, is_locked, .. }: &CoordinateDefault| {
         format!("'{name}' ({value}{})", if *is_locked { ", locked" } else { "" })
     };
     let shown: Vec<String> = coordinates.iter().take(MOST).map(one).collect();

@@ -5,8 +5,8 @@ use super::element::child_words;
 use crate::table::CoordinateDefault;
 use crate::xml;
 
-/// The coordinates of an OpenSim model of which it says where they are (rad or m), and which of them it locks there; none of a
-/// text that is no model.
+/// The coordinates of an OpenSim model of which it says where they are (rad or m), which of them it locks there, and which it
+/// keeps within their range; none of a text that is no model.
 ///
 /// # Examples
 ///
@@ -26,9 +26,15 @@ pub fn coordinate_defaults(text: &str) -> Vec<CoordinateDefault> {
             Some(CoordinateDefault {
                 name: node.attribute("name")?.trim().to_owned(),
                 value: child_words(node, "default_value")?.parse().ok()?,
-                is_locked: child_words(node, "locked").is_some_and(|told| told.eq_ignore_ascii_case("true")),
+                is_locked: says_so(node, "locked"),
+                is_clamped: says_so(node, "clamped"),
             })
         })
         .filter(|default| default.value.is_finite())
         .collect()
+}
+
+/// Whether a child says `true`.
+fn says_so(node: xml::Node, name: &str) -> bool {
+    child_words(node, name).is_some_and(|told| told.eq_ignore_ascii_case("true"))
 }

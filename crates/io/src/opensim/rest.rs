@@ -6,12 +6,12 @@ use super::frames::{OFFSET, THROUGH_POINTS};
 use crate::xml::{Node, Reader, element, elements, elements_called, shown, tag};
 
 /// Children of a model that are read, or say nothing that could be left out.
-const READ: [&str; 7] =
-    ["Ground", "gravity", "BodySet", "JointSet", "ConstraintSet", "length_units", "force_units"];
+const READ: [&str; 8] =
+    ["Ground", "gravity", "BodySet", "JointSet", "ConstraintSet", "MarkerSet", "length_units", "force_units"];
 /// Sets whose members may matter to the motion.
 const SETS: [&str; 5] = ["ForceSet", "ControllerSet", "ProbeSet", "ComponentSet", "AnalysisSet"];
 /// Sets whose members do not.
-const ASIDE_SETS: [&str; 3] = ["MarkerSet", "ContactGeometrySet", "FrameSet"];
+const ASIDE_SETS: [&str; 2] = ["ContactGeometrySet", "FrameSet"];
 /// Children that are about the file or its looks.
 const ASIDES: [&str; 8] = [
     "credits",
