@@ -1,7 +1,7 @@
 //! The parameters: named values in named groups.
 
 use super::bytes::Bytes;
-use super::header::Header;
+use super::header::{BLOCK, Header};
 use std::collections::HashMap;
 
 /// All parameters of a file, by group and name in capitals.
@@ -35,11 +35,19 @@ pub(super) fn parameters<'a>(bytes: Bytes<'a>, header: &Header) -> Parameters<'a
     let mut groups: HashMap<i8, String> = HashMap::new();
     let mut own: Vec<(i8, String, Parameter<'a>)> = Vec::new();
     let mut at = header.parameters + 4;
-    loop {
+    // Some files have a last record that says where a next one would be.
+    let data = usize::from(header.data).saturating_sub(1) * BLOCK;
+    let end = if data > header.parameters { data } else { bytes.bytes.len() };
+    while at < end {
         match record(bytes, at) {
             Ok(Some((id, name, parameter, next))) => {
                 match parameter {
                     None => drop(groups.insert(id, name)),
+                    Some(parameter) if parameter.offset + parameter.data.len() > end => {
+                        all.broken =
+                            Some(Broken { offset: at, why: format!("'{name}' runs into the frames") });
+                        break;
+                    }
                     Some(parameter) => own.push((id, name, parameter)),
                 }
                 match next {

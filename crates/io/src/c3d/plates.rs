@@ -142,14 +142,16 @@ impl Group {
             said.say(FindingKind::Note, subject, message.to_owned());
         }
         let plate = Plate {
+            number: at + 1,
             kind,
             corners,
             origin,
             rate,
             channels,
             matrix,
-            polynomial: self.polynomial(at, metre),
+            polynomials: self.polynomials(at, metre),
             baseline: self.baseline.clone(),
+            is_opposite: false,
         };
         plate
             .axes()
@@ -168,10 +170,11 @@ impl Group {
     }
 
     /// The polynomials of a plate, if it has some that are not zero, for lengths in metres.
-    fn polynomial(&self, at: usize, metre: f64) -> Option<[f64; 6]> {
-        let own = self.polynomials.get(6 * at..6 * at + 6)?;
+    fn polynomials(&self, at: usize, metre: f64) -> Option<[[f64; 6]; 2]> {
+        let own = self.polynomials.get(12 * at..12 * at + 12)?;
         let powers = [6, 4, 2, 4, 2, 0];
-        own.iter().any(|p| *p != 0.0).then(|| std::array::from_fn(|i| own[i] / metre.powi(powers[i])))
+        let of = |first: usize| std::array::from_fn(|i| own[first + i] / metre.powi(powers[i]));
+        own.iter().any(|p| *p != 0.0).then(|| [of(0), of(6)])
     }
 }
 

@@ -53,7 +53,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Recording, C3dError> 
             return Err(field("a parameter", &broken.why, broken.offset, advice));
         }
         let message =
-            format!("those after byte {} make no sense ({}), and are left out", broken.offset, broken.why);
+            format!("those from byte {} on make no sense ({}), and are left out", broken.offset, broken.why);
         said.say(FindingKind::Suspect, "parameters", message);
     }
     let layout = layout(&bytes, &header, &all, &mut said)?;

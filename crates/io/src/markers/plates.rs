@@ -8,6 +8,8 @@ use solaris_model::{Matrix3, Vector3};
 /// middle of the four.
 #[derive(Clone, Debug)]
 pub struct Plate {
+    /// Its number in the file, from 1.
+    pub number: usize,
     /// What its channels mean.
     pub kind: PlateKind,
     /// Its corners (m, laboratory axes), in the order of the file.
@@ -20,10 +22,12 @@ pub struct Plate {
     pub channels: Vec<Vec<f64>>,
     /// The calibration of type 4: force (N) and moment (N·m) of the six channels, row by row.
     pub matrix: Option<[[f64; 6]; 6]>,
-    /// Kistler's polynomials of the centre of pressure (type 3, in metres), where the file has them.
-    pub polynomial: Option<[f64; 6]>,
+    /// Kistler's polynomials of the centre of pressure along x and y (type 3, in metres), where the file has them.
+    pub polynomials: Option<[[f64; 6]; 2]>,
     /// The samples in which the plate was empty, if the file names some.
     pub baseline: Option<std::ops::Range<usize>>,
+    /// Whether the channels hold what the subject does to the plate, so that loads are the opposite of them.
+    pub is_opposite: bool,
 }
 
 /// What the channels of a plate mean.
@@ -114,6 +118,9 @@ impl Plate {
 
     /// What acts on the subject in each sample.
     ///
+    /// They are what the file holds: the plate on the subject in most, the other way round in some
+    /// ([`Recording::turned`](super::Recording::turned) tells by which way is up).
+    ///
     /// # Source
     ///
     /// The C3D file format user guide (Motion Lab Systems), "Force platform"; Kistler's formulas for the eight channels and
@@ -122,6 +129,7 @@ impl Plate {
     pub fn loads(&self, options: &LoadOptions) -> Vec<Load> {
         let Some(axes) = self.axes() else { return vec![Load::NONE; self.len()] };
         let middle = self.middle();
+        let sign = if self.is_opposite { -1.0 } else { 1.0 };
         let offsets = self.offsets(options.subtract_baseline);
         let mut sample = vec![0.0; self.channels.len()];
         (0..self.len())
@@ -131,9 +139,9 @@ impl Plate {
                 }
                 let Some(local) = self.local(&sample, options.least_force) else { return Load::NONE };
                 Load {
-                    force: axes * local.force,
+                    force: axes * local.force * sign,
                     centre: local.centre.map(|centre| axes * centre + middle),
-                    free_moment: axes * local.free_moment,
+                    free_moment: axes * local.free_moment * sign,
                 }
             })
             .collect()
@@ -195,10 +203,10 @@ impl Plate {
             return None;
         }
         let mut centre = Vector3::new(-moment.y / force.z, moment.x / force.z, 0.0);
-        if let Some(p) = self.polynomial.as_ref().filter(|_| self.kind == PlateKind::Corners) {
+        if let Some([of_x, of_y]) = self.polynomials.as_ref().filter(|_| self.kind == PlateKind::Corners) {
             let (x, y) = (centre.x, centre.y);
-            centre.x -= polynomial(p, x, y);
-            centre.y -= polynomial(p, y, x);
+            centre.x -= polynomial(of_x, x, y);
+            centre.y -= polynomial(of_y, y, x);
         }
         let free = (moment - centre.cross(&force)).z;
         Some(Load { force, centre: Some(centre), free_moment: Vector3::new(0.0, 0.0, free) })

@@ -1,8 +1,9 @@
 //! What a file of markers holds.
 
-use super::plates::Plate;
+use super::axes::Axes;
+use super::plates::{LoadOptions, Plate};
 use super::unit::LengthUnit;
-use solaris_model::{Finding, MarkerTrial};
+use solaris_model::{Finding, FindingKind, MarkerTrial};
 
 /// What a file of markers holds.
 #[derive(Clone, Debug)]
@@ -26,6 +27,31 @@ pub struct Recording {
     pub plates: Vec<Plate>,
     /// What was odd, guessed or left out.
     pub findings: Vec<Finding>,
+}
+
+impl Recording {
+    /// The same recording along other axes: what is along `from` in the file is along `to`. Plates that push the subject
+    /// down, as in files that hold what the subject does to the plate, are [turned round](Plate::is_opposite), with a finding.
+    #[must_use]
+    pub fn turned(mut self, from: &Axes, to: &Axes) -> Self {
+        let turn = from.turn_to(to);
+        self.markers = self.markers.mapped(|point| turn * point);
+        let up = to.up().vector();
+        for plate in &mut self.plates {
+            plate.corners = plate.corners.map(|corner| turn * corner);
+            let push = plate.mean_force(&LoadOptions::default()).0.dot(&up);
+            if push < 0.0 {
+                plate.is_opposite = !plate.is_opposite;
+                let message = format!(
+                    "it pushes down with {:.0} N: that is the subject on the plate, and is turned round",
+                    -push
+                );
+                let subject = format!("force plate {}", plate.number);
+                self.findings.push(Finding { kind: FindingKind::Note, subject, message, place: None });
+            }
+        }
+        self
+    }
 }
 
 /// Something that happened.
