@@ -3,6 +3,8 @@
 #![doc = include_str!("../README.md")]
 
 pub mod bvh;
+#[cfg(feature = "c3d")]
+pub mod c3d;
 #[cfg(feature = "csv")]
 pub mod csv;
 mod encoding;
@@ -12,6 +14,8 @@ pub mod headings;
 mod import;
 #[cfg(any(feature = "mjcf", feature = "sdf"))]
 mod loader;
+#[cfg(any(feature = "c3d", feature = "trc"))]
+pub mod markers;
 #[cfg(feature = "mjcf")]
 pub mod mjcf;
 #[cfg(feature = "opensim")]
@@ -23,6 +27,8 @@ pub mod record;
 pub mod sdf;
 pub mod sto;
 mod table;
+#[cfg(feature = "trc")]
+pub mod trc;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod tree;
 #[cfg(feature = "urdf")]

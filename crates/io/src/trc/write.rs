@@ -1,0 +1,70 @@
+//! A TRC file from a trial.
+
+use crate::markers::LengthUnit;
+use solaris_model::MarkerTrial;
+use std::io::{self, Write};
+
+/// Writes a trial as TRC, with `title` as its file's name and lengths in `unit` to a thousandth of a micrometre. A marker that
+/// was hidden has blank cells.
+///
+/// # Errors
+///
+/// Those of the writer.
+///
+/// # Examples
+///
+/// ```
+/// use solaris_io::{markers::LengthUnit, trc};
+/// use solaris_model::{MarkerTrial, Vector3};
+/// let trial = MarkerTrial::new(vec!["heel".into()], vec![0.0], vec![Vector3::new(0.1, 0.2, 0.3)])?;
+/// let mut text = Vec::new();
+/// trc::write(&trial, "walk.trc", LengthUnit::Millimetres, &mut text)?;
+/// assert!(String::from_utf8(text)?.ends_with("1\t0\t100\t200\t300\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(trial: &MarkerTrial, title: &str, unit: LengthUnit, mut out: impl Write) -> io::Result<()> {
+    let rate = number(trial.rate().unwrap_or(1.0), 6);
+    let (frames, markers) = (trial.len(), trial.names().len());
+    writeln!(out, "PathFileType\t4\t(X/Y/Z)\t{}", plain(title))?;
+    writeln!(
+        out,
+        "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\tOrigDataStartFrame\tOrigNumFrames"
+    )?;
+    writeln!(out, "{rate}\t{rate}\t{frames}\t{markers}\t{unit}\t{rate}\t1\t{frames}")?;
+    write!(out, "Frame#\tTime")?;
+    for name in trial.names() {
+        write!(out, "\t{}\t\t", plain(name))?;
+    }
+    write!(out, "\n\t")?;
+    for marker in 1..=markers {
+        write!(out, "\tX{marker}\tY{marker}\tZ{marker}")?;
+    }
+    write!(out, "\n\n")?;
+    let decimals = (9.0 + unit.metres().log10().floor()) as usize;
+    for (frame, time) in trial.time().iter().enumerate() {
+        write!(out, "{}\t{}", frame + 1, number(*time, 9))?;
+        for point in trial.frame(frame) {
+            if point.x.is_nan() {
+                write!(out, "\t\t\t")?;
+                continue;
+            }
+            for value in point.iter() {
+                write!(out, "\t{}", number(value / unit.metres(), decimals))?;
+            }
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// A text that fits in a cell.
+fn plain(text: &str) -> String {
+    text.replace(['\t', '\n', '\r'], " ")
+}
+
+/// A number with so many decimals at most.
+fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
