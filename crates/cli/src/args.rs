@@ -4,7 +4,9 @@ mod figure;
 mod gait;
 mod given;
 mod ground;
+mod ik;
 mod inverse;
+mod markers;
 mod metrics;
 mod parameters;
 mod profile;
@@ -20,7 +22,9 @@ pub(crate) use gait::{
 };
 pub(crate) use given::{FrameArgs, RecordArgs};
 pub(crate) use ground::{AskedBelt, AskedPlate, ConsistentArgs, GroundArgs, GroundCommandArgs};
+pub(crate) use ik::IkArgs;
 pub(crate) use inverse::{InverseArgs, Switch};
+pub(crate) use markers::MarkerArgs;
 pub(crate) use metrics::{AskedLevel, MetricsArgs, StancesFrom};
 pub(crate) use parameters::key_options;
 pub(crate) use profile::{
@@ -79,6 +83,7 @@ pub(crate) enum Command {
     Sweep(SweepArgs),
     Run(RunArgs),
     Inverse(Box<InverseArgs>),
+    Ik(Box<IkArgs>),
     Ground(Box<GroundCommandArgs>),
     Metrics(Box<MetricsArgs>),
     #[command(subcommand)]

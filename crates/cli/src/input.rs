@@ -5,6 +5,7 @@ mod folder;
 use crate::error::CliError;
 use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
+use solaris::io::opensim::MarkerSet;
 use solaris::io::{CoordinateDefault, Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
 use solaris::model::{Figure, Finding, FindingKind, Medium, TextError, Vector3, text};
 use std::fs::{self, File};
@@ -94,6 +95,8 @@ pub(crate) struct Body {
     pub(crate) medium: Medium,
     /// Where its coordinates are while nobody says anything else, as far as the file says so.
     pub(crate) defaults: Vec<CoordinateDefault>,
+    /// Its markers, as far as the file has any.
+    pub(crate) markers: MarkerSet,
 }
 
 impl Body {
@@ -107,14 +110,15 @@ impl Body {
             gravity_is_given: false,
             medium: Medium::default(),
             defaults: Vec::new(),
+            markers: MarkerSet::default(),
         }
     }
 }
 
 /// What is known of files that are not read yet, by their extensions.
 const UNREAD: [(&str, &str); 7] = [
-    ("c3d", "measured markers (C3D), which are not read yet"),
-    ("trc", "measured markers (TRC), which are not read yet"),
+    ("c3d", "measured markers (C3D)"),
+    ("trc", "measured markers (TRC)"),
     ("fbx", "a model of a 3-D program (FBX), which is not read yet"),
     ("glb", "a model of a 3-D program (glTF), which is not read yet"),
     ("gltf", "a model of a 3-D program (glTF), which is not read yet"),
@@ -216,13 +220,17 @@ pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions
             gravity_is_given,
             medium,
             defaults: Vec::new(),
+            markers: MarkerSet::default(),
         });
     }
     // Kept with the figure, so that its text says which way is up.
     let figure = figure.with_gravity(gravity).map_err(|error| CliError::input(path, &error))?;
-    let defaults =
-        if language == Language::OpenSim { opensim::coordinate_defaults(&text) } else { Vec::new() };
-    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults })
+    let (mut defaults, mut markers) = (Vec::new(), MarkerSet::default());
+    if language == Language::OpenSim {
+        defaults = opensim::coordinate_defaults(&text);
+        markers = opensim::markers(&text, &figure).map_err(faults)?;
+    }
+    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults, markers })
 }
 
 /// Reads a BVH file.
@@ -274,6 +282,11 @@ pub(crate) fn faulty(path: &Path, text: &str, faults: TextError) -> CliError {
     CliError::Text { path: path.to_owned(), text: text.to_owned(), faults }
 }
 
+/// A file's text, as other programs may have written it.
+pub(crate) fn decoded(path: &Path) -> Result<String, CliError> {
+    decode(bytes(path)?).map(|(text, _)| text).map_err(|bytes| no_text(path, bytes))
+}
+
 /// A file's text.
 pub(crate) fn text(path: &Path) -> Result<String, CliError> {
     String::from_utf8(bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
@@ -285,7 +298,7 @@ fn no_text(path: &Path, bytes: Vec<u8>) -> CliError {
     CliError::input(path, &format!("it is no text: byte {at} is not UTF-8"))
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
+pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     let refuse = |why: &dyn ToString| CliError::input(path, why);
     if fs::metadata(path).is_ok_and(|found| found.is_dir()) {
         return Err(refuse(&"it is a folder; name a file"));

@@ -12,9 +12,11 @@ mod findings;
 mod gait;
 mod given;
 mod ground;
+mod ik;
 mod input;
 mod inverse;
 mod limbs;
+mod markers;
 mod metrics;
 mod output;
 mod plausible;
@@ -56,6 +58,7 @@ fn run(command: &Command) -> Result<(), CliError> {
         Command::Sweep(args) => sweep::run(args),
         Command::Run(args) => run::run(args),
         Command::Inverse(args) => inverse::run(args),
+        Command::Ik(args) => ik::run(args),
         Command::Ground(args) => ground::run(args),
         Command::Metrics(args) => metrics::run(args),
         Command::Figure(command) => figure::run(command),

@@ -11,7 +11,7 @@ mod table;
 mod watch;
 
 pub(crate) use load::{Loaded, load};
-pub(crate) use table::positions;
+pub(crate) use table::{as_csv, in_degrees, positions};
 
 use crate::args::RunArgs;
 use crate::error::CliError;

@@ -1,5 +1,6 @@
 //! Options for a figure in a motion: how both are taken.
 
+use super::markers::MarkerArgs;
 use super::wrap;
 use clap::{Args, ValueEnum};
 use solaris::model::{Base, Vector3};
@@ -9,7 +10,7 @@ pub(super) const FIGURE: &str =
     "A figure (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, or BVH (.bvh)";
 pub(super) const FILES: &str = "Folder of the other files of a MuJoCo or SDF model, which holds the model; nothing outside is read [default: the model's own]";
 pub(super) const MOTION: &str =
-    "Its motion: .csv with columns DOF.q and, where known, .v and .a; or .mot, .sto";
+    "Its motion: .csv with columns DOF.q and, where known, .v and .a; .mot, .sto; or markers, .trc, .c3d";
 
 /// Order of the filter when none is asked for.
 const FILTER_ORDER: u8 = 2;
@@ -27,6 +28,8 @@ pub(crate) struct RecordArgs {
         help = "Order of the filter, there and back; OpenSim's is 3 [default: 2]"
     )]
     pub(crate) filter_order: u8,
+    #[command(flatten, next_help_heading = "A motion that is markers")]
+    pub(crate) markers: MarkerArgs,
 }
 
 /// Means over strides.

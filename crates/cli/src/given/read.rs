@@ -3,7 +3,9 @@
 use crate::args::{FrameArgs, RecordArgs};
 use crate::error::{CliError, UsageError};
 use crate::input::{self, Body, Language};
+use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
+use crate::run::as_csv;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
 use solaris::io::record::{self, ReadMotion};
@@ -22,6 +24,8 @@ pub(crate) struct Given {
     pub(crate) table: Table,
     /// What looks wrong with what a BVH file says, or leaves to guess.
     pub(crate) doubtful: Vec<Finding>,
+    /// How well the markers fit, where the motion is markers.
+    pub(crate) markers: Option<MarkersReport>,
     pub(crate) recorded: ReadMotion,
     pub(crate) filter: Option<Filter>,
     pub(crate) found: Differentiated,
@@ -69,21 +73,38 @@ impl Given {
         if let Some(gravity) = &frame.gravity {
             body.gravity = gravity.vector;
         }
-        let (table, mut doubtful) = input::motion(from, &body.figure)?;
+        let (table, recorded, mut doubtful, fitted) = motion(&body, from, record)?;
         if body.language == Language::Bvh {
             doubtful
                 .extend(body.findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).cloned());
         }
-        let recorded = record::read_with_defaults(&body.figure, body.gravity, &table, &body.defaults)
-            .map_err(|error| CliError::input(from, &error))?;
+        let markers = fitted.map(|fitted| MarkersReport::of(&fitted, &body.figure));
         progress.stage("finding velocities and accelerations");
         let filter = record.filter.map(|cutoff| Filter { cutoff, order: record.filter_order.into() });
         let found = differentiate(&body.figure, &recorded.motion, filter)
             .map_err(|error| CliError::input(from, &error))?;
         let gravity_is_asked = frame.gravity.is_some();
         let (of, from) = (of.to_owned(), from.to_owned());
-        Ok(Self { of, from, body, gravity_is_asked, table, doubtful, recorded, filter, found })
+        Ok(Self { of, from, body, gravity_is_asked, table, doubtful, markers, recorded, filter, found })
     }
+}
+
+/// The motion in a file: its table, what is known of it, what looks wrong with it, and the markers if it is markers.
+fn motion(
+    body: &Body,
+    from: &Path,
+    record: &RecordArgs,
+) -> Result<(Table, ReadMotion, Vec<Finding>, Option<Fitted>), CliError> {
+    if markers::is_markers(from) {
+        let fitted = markers::fit(body, from, &record.markers)?;
+        let table = as_csv(&body.figure, &fitted.motion);
+        let recorded = ReadMotion { motion: fitted.motion.clone(), ignored: Vec::new(), notes: Vec::new() };
+        return Ok((table, recorded, Vec::new(), Some(fitted)));
+    }
+    let (table, doubtful) = input::motion(from, &body.figure)?;
+    let recorded = record::read_with_defaults(&body.figure, body.gravity, &table, &body.defaults)
+        .map_err(|error| CliError::input(from, &error))?;
+    Ok((table, recorded, doubtful, None))
 }
 
 /// Refuses a motion where the figure goes, and the figure where the motion goes.

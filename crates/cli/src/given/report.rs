@@ -2,6 +2,7 @@
 
 use super::read::Given;
 use crate::input::extension;
+use crate::markers::MarkersReport;
 use crate::plausible::Finding;
 use serde::Serialize;
 use solaris::analysis::plausibility::check_angles;
@@ -33,6 +34,9 @@ pub(crate) struct GivenReport {
     /// What looks wrong with what a BVH file says, or leaves to guess.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) guessed: Vec<String>,
+    /// How well the markers fit, where the motion is markers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) markers: Option<MarkersReport>,
     pub(super) many_turns: Vec<String>,
     /// What of the figure's masses no matter can have; it was taken as it is.
     pub(super) mass_doubts: Vec<Doubt>,
@@ -121,6 +125,7 @@ impl GivenReport {
             }),
             missing: said(&mut body.findings.iter().filter(|finding| finding.kind == FindingKind::Missing)),
             guessed: said(&mut given.doubtful.iter()),
+            markers: given.markers.clone(),
             many_turns: figure
                 .many_turns(motion.columns()[0])
                 .into_iter()

@@ -1,6 +1,7 @@
 //! The summary of a given figure and motion, for people.
 
 use super::report::{FilterReport, GivenReport};
+use crate::markers::MarkersReport;
 use crate::words::{counted, row, short, some};
 use solaris::view::TableRow;
 use std::io::{Result, Write};
@@ -34,7 +35,8 @@ impl GivenReport {
         if self.from_positions + self.from_velocities == 0 {
             row(out, "derivatives", "as recorded")?;
         }
-        self.write_filter(out)
+        self.write_filter(out)?;
+        self.markers.iter().try_for_each(|markers| markers.write(out))
     }
 
     /// What a page says of them.
@@ -60,6 +62,7 @@ impl GivenReport {
             let what = format!("zero-phase Butterworth of order {order}, there and back");
             all.push(TableRow::new("Filter", short(*cutoff_hz), "Hz", what));
         }
+        all.extend(self.markers.iter().flat_map(MarkersReport::page_rows));
         all
     }
 

@@ -8,7 +8,7 @@ use crate::xml::{self, Node, Reader, element, tag};
 use solaris_model::{Figure, Finding, Marker, Placement, TextError, nearest};
 
 /// Markers, and what there is to say about them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct MarkerSet {
     /// The markers, on the links of the figure.
     pub markers: Vec<Marker>,

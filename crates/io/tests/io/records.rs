@@ -250,8 +250,12 @@ fn rows_that_repeat_a_time_are_left_out_and_noted() {
 
 #[test]
 fn missing_coordinates_are_where_the_model_has_them() {
-    let default =
-        |name: &str, value, is_locked| CoordinateDefault { name: name.to_owned(), value, is_locked, is_clamped: false };
+    let default = |name: &str, value, is_locked| CoordinateDefault {
+        name: name.to_owned(),
+        value,
+        is_locked,
+        is_clamped: false,
+    };
     let all = ["pelvis_tx", "pelvis_tilt", "knee_angle_r", "ankle_angle_r"];
     let read = |columns: &[&str], defaults: &[CoordinateDefault]| {
         let numbers = columns.iter().map(|_| "\t90").collect::<String>();

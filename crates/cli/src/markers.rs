@@ -1,0 +1,159 @@
+//! Motions that are markers: read, and brought to positions of a figure.
+
+mod report;
+
+pub(crate) use report::MarkersReport;
+
+use crate::args::MarkerArgs;
+use crate::error::CliError;
+use crate::input::{self, Body, extension};
+use solaris::analysis::markers::{CoordinateTask, IkOptions, MarkerMotion, inverse_kinematics};
+use solaris::io::markers::Recording;
+use solaris::io::opensim::{self, IkSetup, TaskValue};
+use solaris::io::{c3d, trc};
+use solaris::model::{Figure, Finding, JointKind, Known, Marker, Motion, MotionInfo};
+use std::path::Path;
+
+/// A trial of markers, and the positions that fit it.
+pub(crate) struct Fitted {
+    pub(crate) recording: Recording,
+    /// Positions alone; nothing else is known yet.
+    pub(crate) motion: Motion,
+    pub(crate) found: MarkerMotion,
+    /// What the setup file says and has no effect.
+    pub(crate) findings: Vec<Finding>,
+}
+
+/// Whether a file holds markers, by its extension.
+pub(crate) fn is_markers(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "trc" | "c3d")
+}
+
+/// Reads a file of markers.
+pub(crate) fn read(path: &Path) -> Result<Recording, CliError> {
+    match extension(path).as_str() {
+        "c3d" => c3d::read(&input::bytes(path)?, &c3d::ReadOptions::default())
+            .map_err(|error| CliError::input(path, &error)),
+        "trc" => {
+            let text = input::decoded(path)?;
+            trc::read(&text, &trc::ReadOptions::default())
+                .map_err(|faults| input::faulty(path, &text, faults))
+        }
+        _ => Err(CliError::input(path, &"its extension says nothing; markers are .trc or .c3d")),
+    }
+}
+
+/// Finds the positions of a figure that fit the markers in a file.
+pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted, CliError> {
+    let mut recording = read(path)?;
+    let setup = args.ik_setup.as_deref().map(setup).transpose()?;
+    let markers = markers(body, args)?;
+    let options = options(body, setup.as_ref(), args)?;
+    if let Some((from, to)) = setup.as_ref().and_then(|setup| setup.time_range) {
+        recording.markers = recording.markers.within(from, to);
+    }
+    let figure = &body.figure;
+    let found = inverse_kinematics(figure, &markers, &recording.markers, &options)
+        .map_err(|error| CliError::input(path, &error))?;
+    let time = recording.markers.time().to_vec();
+    let info = MotionInfo::recorded(figure, body.gravity, &time);
+    let nv = figure.layout().nv();
+    let still = vec![0.0; time.len() * nv];
+    let states = [found.q.clone(), still.clone(), still];
+    let known = Known { v: vec![false; nv], a: vec![false; nv] };
+    let motion =
+        Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
+    let findings = setup.map_or_else(Vec::new, |setup| setup.findings);
+    Ok(Fitted { recording, motion, found, findings })
+}
+
+/// Reads a setup of OpenSim's tool.
+fn setup(path: &Path) -> Result<IkSetup, CliError> {
+    let text = input::decoded(path)?;
+    opensim::ik_setup(&text).map_err(|faults| input::faulty(path, &text, faults))
+}
+
+/// The markers of a figure: the model's, with those of a file; where there are none, its named frames.
+fn markers(body: &Body, args: &MarkerArgs) -> Result<Vec<Marker>, CliError> {
+    let mut set = body.markers.clone();
+    if let Some(path) = &args.marker_set {
+        let text = input::decoded(path)?;
+        let more =
+            opensim::markers(&text, &body.figure).map_err(|faults| input::faulty(path, &text, faults))?;
+        set = set.with(more);
+    }
+    Ok(if set.markers.is_empty() { frames(&body.figure) } else { set.markers })
+}
+
+/// The named frames of a figure as markers.
+fn frames(figure: &Figure) -> Vec<Marker> {
+    let of = figure.links().iter().enumerate();
+    of.flat_map(|(link, it)| {
+        it.frames().iter().map(move |frame| Marker {
+            name: frame.name.clone(),
+            link,
+            position: frame.placement.translation.vector,
+            is_fixed: false,
+        })
+    })
+    .collect()
+}
+
+/// What to weigh and hold: defaults and locks are the model's; ranges hold where it clamps them, and where the format knows no
+/// clamps.
+fn options(body: &Body, setup: Option<&IkSetup>, args: &MarkerArgs) -> Result<IkOptions, CliError> {
+    let (figure, layout) = (&body.figure, body.figure.layout());
+    let mut rest = vec![0.0; layout.nq()];
+    figure.neutral(&mut rest).map_err(CliError::other)?;
+    let mut options = IkOptions { keep_labels: args.keep_labels, ..IkOptions::default() };
+    let known = body.defaults.iter().filter_map(|default| {
+        let dof = layout.dof_index(&default.name).filter(|dof| !figure.follows(*dof))?;
+        Some((default, dof, layout.coordinate(dof)?))
+    });
+    for (default, dof, at) in known {
+        rest[at] = default.value;
+        if default.is_locked {
+            options.held.push((dof, default.value));
+        }
+    }
+    let is_clamped = |dof: usize| {
+        let default = body.defaults.iter().find(|default| layout.dof_index(&default.name) == Some(dof));
+        default.map_or(body.defaults.is_empty(), |default| default.is_clamped)
+    };
+    for (link, at) in figure.links().iter().zip(layout.joints()) {
+        let JointKind::Axes(dofs) = link.joint().kind() else { continue };
+        for (i, dof) in dofs.iter().enumerate() {
+            if let Some(limits) = dof.limits.filter(|_| is_clamped(at.v + i) && !figure.follows(at.v + i)) {
+                options.bounds.push((at.v + i, limits.lower, limits.upper));
+            }
+        }
+    }
+    if let Some(setup) = setup {
+        if !setup.markers.is_empty() {
+            options.weights =
+                Some(setup.markers.iter().map(|task| (task.name.clone(), task.weight)).collect());
+        }
+        for task in &setup.coordinates {
+            let dof = layout.dof_index(&task.name).and_then(|dof| Some((dof, layout.coordinate(dof)?)));
+            let refuse = |why: &str| {
+                CliError::input(
+                    args.ik_setup.as_deref().unwrap_or(Path::new("")),
+                    &format!("{}: {why}", task.name),
+                )
+            };
+            let Some((dof, at)) = dof else {
+                return Err(refuse("the figure has no coordinate of this name"));
+            };
+            let value = match task.value {
+                TaskValue::Default => rest[at],
+                TaskValue::Manual(value) => value,
+                TaskValue::FromFile => {
+                    return Err(refuse("values from a file are not read; give manual_value"));
+                }
+            };
+            options.tasks.push(CoordinateTask { dof, value, weight: task.weight });
+        }
+    }
+    options.rest = Some(rest);
+    Ok(options)
+}
