@@ -1,12 +1,16 @@
-//! Scaling of a figure to another subject's height, mass and segment lengths.
+//! Scaling of a figure to another subject's height, mass and segment lengths, or by factors for the axes of its links.
 
+mod contents;
 mod error;
+mod factors;
 mod links;
 mod mass;
+mod stretch;
 
 pub(crate) use mass::exact_total;
 
 pub use error::ScaleError;
+pub use stretch::{MassShares, Stretching};
 
 use crate::figure::Figure;
 use crate::lint::sides::mates;

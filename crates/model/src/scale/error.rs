@@ -73,6 +73,57 @@ pub enum ScaleError {
         /// Their ratio.
         factor: f64,
     },
+    /// Not three factors for each link.
+    #[error("there are factors for {factors} links, and the figure has {links}; give each link its own")]
+    FactorCount {
+        /// How many links there are.
+        links: usize,
+        /// For how many there are factors.
+        factors: usize,
+    },
+    /// A factor that is none.
+    #[error(
+        "link '{name}': its factor along {axis} is {factor}; it must lie between {:e} and {:e}",
+        super::RANGE.0, super::RANGE.1
+    )]
+    AxisFactor {
+        /// The link.
+        name: String,
+        /// The axis.
+        axis: char,
+        /// What was asked.
+        factor: f64,
+    },
+    /// Two bodies of one link.
+    #[error(
+        "bodies '{}' and '{}' cannot move against each other, both are parts of link '{link}', and they have different factors; \
+         give them the same",
+        .names[0], .names[1]
+    )]
+    Disagree {
+        /// The link.
+        link: String,
+        /// The bodies.
+        names: [String; 2],
+    },
+    /// A body whose axes are not those of its link.
+    #[error(
+        "body '{name}' is turned against the link '{link}' that it is part of, so it takes only one factor for all its axes"
+    )]
+    Turned {
+        /// The body.
+        name: String,
+        /// The link.
+        link: String,
+    },
+    /// A marker that is nowhere.
+    #[error("marker '{marker}' is on link {link}, for which there are no factors")]
+    MarkerLink {
+        /// The marker.
+        marker: String,
+        /// The number of its link.
+        link: usize,
+    },
     /// Numbers that were finite are not after scaling.
     #[error("link '{link}': its numbers are too large to be scaled so; check their units")]
     NotFinite {

@@ -1,9 +1,10 @@
 //! Links with scaled lengths and masses.
 
+use super::contents::contents;
 use crate::figure::Figure;
-use crate::inertia::ShapeKind;
-use crate::joint::{AxisKind, Follow, Joint, JointKind, Placement};
+use crate::joint::{AxisKind, Follow, Joint, JointKind};
 use crate::link::Link;
+use nalgebra::Vector3;
 
 /// Of every link the distance from its joint to the farthest joint of its children, or else to its tip (m).
 pub(super) fn reaches(figure: &Figure) -> Vec<Option<f64>> {
@@ -25,7 +26,7 @@ pub(super) fn scaled(figure: &Figure, root: f64, lengths: &[f64], masses: &[f64]
     let carrier = |link: usize| figure.links[link].parent.map_or(root, |parent| lengths[parent]);
     let mut links = figure.links.clone();
     for (i, link) in links.iter_mut().enumerate() {
-        contents(link, lengths[i], masses[i]);
+        contents(link, &Vector3::repeat(lengths[i]), masses[i]);
         joint(&mut link.joint, carrier(i));
     }
     // What a leader that slides measures is scaled as well.
@@ -44,35 +45,6 @@ pub(super) fn scaled(figure: &Figure, root: f64, lengths: &[f64], masses: &[f64]
         }
     }
     links
-}
-
-fn contents(link: &mut Link, s: f64, mass: f64) {
-    let place = |placement: &mut Placement| placement.translation.vector *= s;
-    let share = if link.mass > 0.0 { mass / link.mass } else { 1.0 };
-    link.mass = mass;
-    link.inertia *= share * (s * s);
-    link.com *= s;
-    if let Some(shape) = &mut link.shape {
-        shape.kind = sized(shape.kind, s);
-        place(&mut shape.placement);
-    }
-    link.tip.iter_mut().for_each(|tip| *tip *= s);
-    link.sole.iter_mut().for_each(|point| point.position *= s);
-    link.frames.iter_mut().for_each(|frame| place(&mut frame.placement));
-}
-
-fn sized(kind: ShapeKind, s: f64) -> ShapeKind {
-    match kind {
-        ShapeKind::Box { size } => ShapeKind::Box { size: size * s },
-        ShapeKind::Cylinder { radius, length } => {
-            ShapeKind::Cylinder { radius: radius * s, length: length * s }
-        }
-        ShapeKind::Ellipsoid { radii } => ShapeKind::Ellipsoid { radii: radii * s },
-        ShapeKind::Capsule { radius, length } => {
-            ShapeKind::Capsule { radius: radius * s, length: length * s }
-        }
-        ShapeKind::Sphere { radius } => ShapeKind::Sphere { radius: radius * s },
-    }
 }
 
 /// Where the joint sits on a link scaled by `s`, and what its slides measure there.

@@ -16,5 +16,6 @@ mod poses;
 mod reroot;
 mod sampling;
 mod scale;
+mod stretch;
 mod text;
 mod tumbling;
