@@ -12,6 +12,7 @@
 
 mod blind;
 mod chain;
+mod fit;
 mod matched;
 mod measure;
 mod place;
@@ -21,6 +22,7 @@ mod solve;
 mod start;
 mod swaps;
 
+pub use fit::{FitError, FitOptions, SegmentFit, SubjectFit, fit_subject};
 pub use matched::Matched;
 pub use measure::{MeasureError, MeasuredFactor, PairRatio, measured_factor};
 pub use place::{place_markers, places};

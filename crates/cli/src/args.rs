@@ -12,6 +12,7 @@ mod parameters;
 mod profile;
 mod report;
 mod run;
+mod subject;
 mod sweep;
 mod value;
 mod walk;
@@ -33,6 +34,7 @@ pub(crate) use profile::{
 };
 pub(crate) use report::ReportArgs;
 pub(crate) use run::RunArgs;
+pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
@@ -84,6 +86,7 @@ pub(crate) enum Command {
     Run(RunArgs),
     Inverse(Box<InverseArgs>),
     Ik(Box<IkArgs>),
+    Scale(Box<ScaleArgs>),
     Ground(Box<GroundCommandArgs>),
     Metrics(Box<MetricsArgs>),
     #[command(subcommand)]

@@ -100,6 +100,11 @@ pub(crate) struct Body {
 }
 
 impl Body {
+    /// The figure with its markers as named frames.
+    pub(crate) fn marked(&self) -> Figure {
+        self.figure.with_markers(&self.markers.markers)
+    }
+
     /// A figure that nobody had to read.
     pub(crate) fn own(figure: Figure) -> Self {
         Self {

@@ -26,7 +26,9 @@ mod profile;
 mod progress;
 mod report;
 mod run;
+mod scale;
 mod shown;
+mod subject;
 mod sweep;
 mod underline;
 mod walk;
@@ -59,6 +61,7 @@ fn run(command: &Command) -> Result<(), CliError> {
         Command::Run(args) => run::run(args),
         Command::Inverse(args) => inverse::run(args),
         Command::Ik(args) => ik::run(args),
+        Command::Scale(args) => scale::run(args),
         Command::Ground(args) => ground::run(args),
         Command::Metrics(args) => metrics::run(args),
         Command::Figure(command) => figure::run(command),

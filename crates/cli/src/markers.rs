@@ -9,8 +9,8 @@ use crate::error::CliError;
 use crate::input::{self, Body, extension};
 use solaris::analysis::markers::{CoordinateTask, IkOptions, MarkerMotion, inverse_kinematics};
 use solaris::io::markers::Recording;
-use solaris::io::opensim::{self, IkSetup, TaskValue};
-use solaris::io::{c3d, trc};
+use solaris::io::opensim::{self, IkSetup, MarkerTask, TaskValue};
+use solaris::io::{CoordinateDefault, c3d, trc};
 use solaris::model::{Figure, Finding, JointKind, Known, Marker, Motion, MotionInfo};
 use std::path::Path;
 
@@ -46,10 +46,11 @@ pub(crate) fn read(path: &Path) -> Result<Recording, CliError> {
 /// Finds the positions of a figure that fit the markers in a file.
 pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted, CliError> {
     let mut recording = read(path)?;
-    let setup = args.ik_setup.as_deref().map(setup).transpose()?;
-    let markers = markers(body, args)?;
-    let options = options(body, setup.as_ref(), args)?;
-    if let Some((from, to)) = setup.as_ref().and_then(|setup| setup.time_range) {
+    let setup = args.ik_setup.as_deref().map(|path| setup(path).map(|setup| (setup, path))).transpose()?;
+    let markers = markers(body, args.marker_set.as_deref())?;
+    let tasks = setup.as_ref().map(|(setup, path)| (&*setup.markers, &*setup.coordinates, *path));
+    let options = options(body, tasks, args)?;
+    if let Some((from, to)) = setup.as_ref().and_then(|(setup, _)| setup.time_range) {
         recording.markers = recording.markers.within(from, to);
     }
     let figure = &body.figure;
@@ -63,7 +64,7 @@ pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted,
     let known = Known { v: vec![false; nv], a: vec![false; nv] };
     let motion =
         Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
-    let findings = setup.map_or_else(Vec::new, |setup| setup.findings);
+    let findings = setup.map_or_else(Vec::new, |(setup, _)| setup.findings);
     Ok(Fitted { recording, motion, found, findings })
 }
 
@@ -74,9 +75,9 @@ fn setup(path: &Path) -> Result<IkSetup, CliError> {
 }
 
 /// The markers of a figure: the model's, with those of a file; where there are none, its named frames.
-fn markers(body: &Body, args: &MarkerArgs) -> Result<Vec<Marker>, CliError> {
+pub(crate) fn markers(body: &Body, more: Option<&Path>) -> Result<Vec<Marker>, CliError> {
     let mut set = body.markers.clone();
-    if let Some(path) = &args.marker_set {
+    if let Some(path) = more {
         let text = input::decoded(path)?;
         let more =
             opensim::markers(&text, &body.figure).map_err(|faults| input::faulty(path, &text, faults))?;
@@ -101,20 +102,16 @@ fn frames(figure: &Figure) -> Vec<Marker> {
 
 /// What to weigh and hold: defaults and locks are the model's; ranges hold where it clamps them, and where the format knows no
 /// clamps.
-fn options(body: &Body, setup: Option<&IkSetup>, args: &MarkerArgs) -> Result<IkOptions, CliError> {
+pub(crate) fn options(
+    body: &Body,
+    tasks: Option<(&[MarkerTask], &[opensim::CoordinateTask], &Path)>,
+    args: &MarkerArgs,
+) -> Result<IkOptions, CliError> {
     let (figure, layout) = (&body.figure, body.figure.layout());
-    let mut rest = vec![0.0; layout.nq()];
-    figure.neutral(&mut rest).map_err(CliError::other)?;
+    let rest = rest(body)?;
     let mut options = IkOptions { keep_labels: args.keep_labels, ..IkOptions::default() };
-    let known = body.defaults.iter().filter_map(|default| {
-        let dof = layout.dof_index(&default.name).filter(|dof| !figure.follows(*dof))?;
-        Some((default, dof, layout.coordinate(dof)?))
-    });
-    for (default, dof, at) in known {
-        rest[at] = default.value;
-        if default.is_locked {
-            options.held.push((dof, default.value));
-        }
+    for (default, dof, _) in defaults(body).filter(|(default, _, _)| default.is_locked) {
+        options.held.push((dof, default.value));
     }
     let is_clamped = |dof: usize| {
         let default = body.defaults.iter().find(|default| layout.dof_index(&default.name) == Some(dof));
@@ -128,19 +125,13 @@ fn options(body: &Body, setup: Option<&IkSetup>, args: &MarkerArgs) -> Result<Ik
             }
         }
     }
-    if let Some(setup) = setup {
-        if !setup.markers.is_empty() {
-            options.weights =
-                Some(setup.markers.iter().map(|task| (task.name.clone(), task.weight)).collect());
+    if let Some((markers, coordinates, path)) = tasks {
+        if !markers.is_empty() {
+            options.weights = Some(markers.iter().map(|task| (task.name.clone(), task.weight)).collect());
         }
-        for task in &setup.coordinates {
+        for task in coordinates {
             let dof = layout.dof_index(&task.name).and_then(|dof| Some((dof, layout.coordinate(dof)?)));
-            let refuse = |why: &str| {
-                CliError::input(
-                    args.ik_setup.as_deref().unwrap_or(Path::new("")),
-                    &format!("{}: {why}", task.name),
-                )
-            };
+            let refuse = |why: &str| CliError::input(path, &format!("{}: {why}", task.name));
             let Some((dof, at)) = dof else {
                 return Err(refuse("the figure has no coordinate of this name"));
             };
@@ -156,4 +147,26 @@ fn options(body: &Body, setup: Option<&IkSetup>, args: &MarkerArgs) -> Result<Ik
     }
     options.rest = Some(rest);
     Ok(options)
+}
+
+/// The positions that a figure has while nobody says anything else.
+pub(crate) fn rest(body: &Body) -> Result<Vec<f64>, CliError> {
+    let figure = &body.figure;
+    let mut rest = vec![0.0; figure.layout().nq()];
+    figure.neutral(&mut rest).map_err(CliError::other)?;
+    for (default, _, at) in defaults(body) {
+        rest[at] = default.value;
+    }
+    let nv = figure.layout().nv();
+    figure.follow(&mut rest, &mut vec![0.0; nv], &mut vec![0.0; nv]);
+    Ok(rest)
+}
+
+/// What the model says of coordinates that are free, each with its degree of freedom and its place in `q`.
+fn defaults(body: &Body) -> impl Iterator<Item = (&CoordinateDefault, usize, usize)> {
+    let (figure, layout) = (&body.figure, body.figure.layout());
+    body.defaults.iter().filter_map(move |default| {
+        let dof = layout.dof_index(&default.name).filter(|dof| !figure.follows(*dof))?;
+        Some((default, dof, layout.coordinate(dof)?))
+    })
 }

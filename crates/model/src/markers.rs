@@ -1,6 +1,9 @@
 //! Markers: points on a figure, and where a camera saw them.
 
-use nalgebra::Vector3;
+use crate::figure::Figure;
+use crate::joint::Placement;
+use crate::link::NamedFrame;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::collections::HashSet;
 
 /// A point of a figure that cameras follow.
@@ -14,6 +17,27 @@ pub struct Marker {
     pub position: Vector3<f64>,
     /// Whether its place is known (on a bone that can be felt, say), so that a static trial does not move it.
     pub is_fixed: bool,
+}
+
+impl Figure {
+    /// The figure with its markers as named frames, along the axes of their links; a frame that had a marker's name before is
+    /// gone.
+    ///
+    /// # Panics
+    ///
+    /// For a marker on a link that the figure does not have.
+    #[must_use]
+    pub fn with_markers(&self, markers: &[Marker]) -> Self {
+        let mut figure = self.clone();
+        for Marker { name, link, position, .. } in markers {
+            for other in &mut figure.links {
+                other.frames.retain(|frame| frame.name != *name);
+            }
+            let placement = Placement::from_parts((*position).into(), UnitQuaternion::identity());
+            figure.links[*link].frames.push(NamedFrame { name: name.clone(), placement });
+        }
+        figure
+    }
 }
 
 /// Where points were seen: a name a marker, a time a frame, and a place for each of both unless it was hidden.

@@ -51,6 +51,12 @@ impl Figure {
         self.link_index(link).and_then(|link| links::reaches(self)[link])
     }
 
+    /// The links that are a left and a right one of the same name, as `left_thigh` and `right_thigh`, `femur_l` and `femur_r`:
+    /// their indices, the left one first.
+    pub fn mates(&self) -> Vec<[usize; 2]> {
+        mates(&self.links).into_iter().map(|pair| [pair.left, pair.right]).collect()
+    }
+
     /// The figure scaled to a height, a mass, and lengths of segments.
     ///
     /// Every link scales alike in all directions, by its own factor `s`: that of the height (`height / stature`), or for

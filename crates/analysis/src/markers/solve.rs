@@ -8,7 +8,9 @@
 
 use super::problem::{Problem, Role, Sight, Unknown};
 use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
-use solaris_dynamics::{DynamicsError, Twist, Workspace, forward_kinematics, joint_jacobians, point_columns};
+use solaris_dynamics::{
+    DynamicsError, Pose, Twist, Workspace, forward_kinematics, joint_jacobians, point_columns,
+};
 
 /// How strongly every coordinate is drawn to where it began (m²/rad²): it decides where nothing else does, and moves what one
 /// marker of 40 sees from 1 cm away by 4e-7 of the way.
@@ -163,6 +165,27 @@ impl<'p> Solver<'p> {
         forward_kinematics(&self.problem.tree, &mut self.workspace, q)?;
         let place = |sight: &Sight| sight.frame.pose(&self.workspace).translation;
         Ok(self.problem.sights.iter().map(place).collect())
+    }
+
+    /// Where the links are at `q`.
+    pub(super) fn poses(&mut self, q: &[f64]) -> Result<Vec<Pose<f64>>, DynamicsError> {
+        joint_jacobians(&self.problem.tree, &mut self.workspace, q)?;
+        Ok((0..self.problem.figure.links().len()).map(|link| *self.workspace.pose(link)).collect())
+    }
+
+    /// Visits the derivatives of a marker's place by the unknowns, at the configuration of the last [`Self::poses`], which is
+    /// `q`; one unknown may come several times, and they add up.
+    pub(super) fn columns(&self, q: &[f64], sight: &Sight, mut visit: impl FnMut(usize, Vector3<f64>)) {
+        let problem = self.problem;
+        point_columns(&problem.tree, &self.workspace, &sight.frame, |dof, column| {
+            match &problem.roles[dof] {
+                Role::Free(unknown) => visit(*unknown, column.linear),
+                Role::Follows { unknown, leader, curve, .. } => {
+                    visit(*unknown, column.linear * curve.at(q[*leader])[1]);
+                }
+                Role::Held => {}
+            }
+        });
     }
 
     /// `Σ w·Jᵀ·J / Σ w` over the unknowns at `q`, with the weights of tasks: what the markers of a frame tell of them.

@@ -1,5 +1,7 @@
 //! Inverse kinematics of markers, against poses that are known, and against the objective itself.
 
+mod fit;
+
 use proptest::prelude::*;
 use solaris_analysis::markers::{
     CoordinateTask, IkError, IkOptions, MarkerMotion, inverse_kinematics, measured_factor, place_markers,

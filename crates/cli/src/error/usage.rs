@@ -33,6 +33,8 @@ pub(crate) enum UsageError {
     OnlyOfBvh,
     #[error("OUT {}: a .{what} is written of a figure; say whose motion it is: --figure FILE", .to.display())]
     OfFigure { what: String, to: PathBuf },
+    #[error("nothing says whom to scale it to; give --static FILE, --scale-setup FILE.xml or --mass KG")]
+    NothingToScale,
     #[error("--x and --y name the same parameter; a map needs two")]
     SameAxes,
     #[error("-o writes one curve, and its free parameter has no value; give it one")]

@@ -1,0 +1,177 @@
+//! What a fit looks for: the logarithms of factors, and how far markers are off.
+
+use super::{FitError, FitOptions, SegmentFit};
+use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
+use solaris_model::{Figure, Marker, MassShares, Stretching};
+
+/// The unknowns of a fit: three logarithms a group of links, then three lengths a marker (m, in its stretched link's frame).
+pub(super) struct Unknowns {
+    /// The group of each link.
+    pub(super) groups: Vec<usize>,
+    count: usize,
+    markers: usize,
+    /// The prior's matrix `C⁻¹` of the logarithms, and `1/σ_d²` of each marker.
+    scale_prior: DMatrix<f64>,
+    marker_prior: Vec<f64>,
+}
+
+impl Unknowns {
+    pub(super) fn of(figure: &Figure, markers: &[Marker], options: &FitOptions) -> Self {
+        let (groups, count) = groups(figure);
+        let n = 3 * count;
+        let covariance = DMatrix::from_fn(n, n, |i, j| {
+            let together = options.size.powi(2);
+            let segment = if i / 3 == j / 3 { options.segment.powi(2) } else { 0.0 };
+            let axis = if i == j { options.axis.powi(2) } else { 0.0 };
+            together + segment + axis
+        });
+        let scale_prior =
+            Cholesky::new(covariance).map_or_else(|| DMatrix::identity(n, n), |factors| factors.inverse());
+        let spread = |marker: &Marker| if marker.is_fixed { options.placing / 4.0 } else { options.placing };
+        let marker_prior = markers.iter().map(|marker| spread(marker).powi(-2)).collect();
+        Self { groups, count, markers: markers.len(), scale_prior, marker_prior }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        3 * (self.count + self.markers)
+    }
+
+    /// The first unknown of a link's factors.
+    pub(super) fn scale(&self, link: usize) -> usize {
+        3 * self.groups[link]
+    }
+
+    /// The first unknown of a marker.
+    pub(super) fn marker(&self, marker: usize) -> usize {
+        3 * (self.count + marker)
+    }
+
+    /// Nothing is known: factors of one, markers where they are.
+    pub(super) fn start(&self) -> DVector<f64> {
+        DVector::zeros(self.len())
+    }
+
+    pub(super) fn factors(&self, state: &DVector<f64>) -> Vec<Vector3<f64>> {
+        let of = |group: &usize| Vector3::from_fn(|k, _| state[3 * group + k].exp());
+        self.groups.iter().map(of).collect()
+    }
+
+    /// The figure and its markers, as the unknowns have them.
+    pub(super) fn apply(
+        &self,
+        figure: &Figure,
+        markers: &[Marker],
+        state: &DVector<f64>,
+    ) -> Result<(Figure, Vec<Marker>), FitError> {
+        let stretching = Stretching { factors: self.factors(state), mass: None, shares: MassShares::Kept };
+        let mut placed = stretching.markers(markers)?;
+        for (i, marker) in placed.iter_mut().enumerate() {
+            marker.position += self.offset(state, i);
+        }
+        Ok((figure.stretched(&stretching)?, placed))
+    }
+
+    /// Adds what is known beforehand: the cost, its gradient and its matrix.
+    pub(super) fn add_prior(
+        &self,
+        state: &DVector<f64>,
+        matrix: &mut DMatrix<f64>,
+        gradient: &mut DVector<f64>,
+    ) -> f64 {
+        let n = 3 * self.count;
+        let logarithms = state.rows(0, n);
+        let pull = &self.scale_prior * logarithms;
+        let mut cost = 0.5 * logarithms.dot(&pull);
+        let mut rows = gradient.rows_mut(0, n);
+        rows += &pull;
+        let mut block = matrix.view_mut((0, 0), (n, n));
+        block += &self.scale_prior;
+        for (i, prior) in self.marker_prior.iter().enumerate() {
+            for at in self.marker(i)..self.marker(i) + 3 {
+                matrix[(at, at)] += prior;
+                gradient[at] += prior * state[at];
+                cost += 0.5 * prior * state[at] * state[at];
+            }
+        }
+        cost
+    }
+
+    /// How far a marker is off where its stretched link would have it (m, the link's frame).
+    pub(super) fn offset(&self, state: &DVector<f64>, marker: usize) -> Vector3<f64> {
+        let at = self.marker(marker);
+        Vector3::from_fn(|k, _| state[at + k])
+    }
+
+    /// How far each marker was moved (m).
+    pub(super) fn moved(&self, markers: &[Marker], state: &DVector<f64>) -> Vec<(String, f64)> {
+        markers
+            .iter()
+            .enumerate()
+            .map(|(i, marker)| (marker.name.clone(), self.offset(state, i).norm()))
+            .collect()
+    }
+
+    /// The lengths of segments with their errors, of links that have one.
+    ///
+    /// ```text
+    /// l = |s∘r|      σ_l² = gᵀ·Σ·g,  g_k = (s_k·r_k)² / l
+    /// ```
+    pub(super) fn lengths(
+        &self,
+        figure: &Figure,
+        state: &DVector<f64>,
+        covariance: &DMatrix<f64>,
+    ) -> Vec<SegmentFit> {
+        let factors = self.factors(state);
+        let of = |(link, it): (usize, &solaris_model::Link)| {
+            let children = figure.links().iter().filter(|child| child.parent() == Some(link));
+            let reach = children.map(|child| child.joint().placement().translation.vector);
+            let reach =
+                reach.max_by(|a, b| a.norm().total_cmp(&b.norm())).filter(|reach| reach.norm() > 0.0)?;
+            let way = factors[link].component_mul(&reach);
+            let (length, at) = (way.norm(), self.scale(link));
+            let slope = way.component_mul(&way) / length;
+            let block = covariance.fixed_view::<3, 3>(at, at);
+            let error = (slope.transpose() * block * slope)[0].max(0.0).sqrt();
+            Some(SegmentFit { link: it.name().to_owned(), before: reach.norm(), length, error })
+        };
+        figure.links().iter().enumerate().filter_map(of).collect()
+    }
+}
+
+/// The links that are scaled alike: a left and a right one, and a massless one with the only child that it carries.
+fn groups(figure: &Figure) -> (Vec<usize>, usize) {
+    let links = figure.links();
+    let mut first: Vec<usize> = (0..links.len()).collect();
+    for [left, right] in figure.mates() {
+        first[right.max(left)] = right.min(left);
+    }
+    for link in (0..links.len()).rev() {
+        let mut children = (0..links.len()).filter(|child| links[*child].parent() == Some(link));
+        if let (Some(child), None) = (children.next(), children.next())
+            && links[link].mass() <= 0.0
+        {
+            // Its group is its child's, which comes later: the two change places.
+            let (link, child) = (root(&first, link), root(&first, child));
+            first[link.max(child)] = link.min(child);
+        }
+    }
+    let mut numbers = vec![None; links.len()];
+    let mut count = 0;
+    let groups = (0..links.len()).map(|link| {
+        let of = root(&first, link);
+        *numbers[of].get_or_insert_with(|| {
+            count += 1;
+            count - 1
+        })
+    });
+    let groups = groups.collect();
+    (groups, count)
+}
+
+fn root(first: &[usize], mut link: usize) -> usize {
+    while first[link] != link {
+        link = first[link];
+    }
+    link
+}

@@ -1,0 +1,208 @@
+//! A figure that is brought to a person's size.
+
+mod report;
+
+pub(crate) use report::SubjectReport;
+
+use crate::args::{FrameArgs, MarkerArgs, SubjectArgs};
+use crate::error::CliError;
+use crate::input::{self, Body};
+use crate::markers;
+use report::{BodyFactors, Measured, Pair, Placed};
+use solaris::analysis::markers::{inverse_kinematics, measured_factor, place_markers};
+use solaris::io::markers::Recording;
+use solaris::io::opensim::{self, MarkerSet, Measurement, PlacerSetup, ScaleSetup, ScalingStep};
+use solaris::model::{Base, MarkerTrial, MassShares, Stretching, Vector3};
+use std::path::{Path, PathBuf};
+
+/// Reads a figure and brings it to a person's size, where that is asked for.
+pub(crate) fn body(
+    path: &Path,
+    subject: &SubjectArgs,
+    markers: &MarkerArgs,
+    frame: &FrameArgs,
+) -> Result<(Body, Option<SubjectReport>), CliError> {
+    let mut body = input::body_in(path, frame.files.as_deref())?;
+    if let Some(base) = frame.base.map(Base::from).filter(|base| *base != Base::Fixed) {
+        body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
+    }
+    if !subject.is_asked() {
+        return Ok((body, None));
+    }
+    let report = scale(&mut body, path, subject, markers)?;
+    Ok((body, Some(report)))
+}
+
+/// A setup and where it stands, which its files' names count from.
+struct Setup<'a> {
+    setup: ScaleSetup,
+    path: &'a Path,
+}
+
+impl Setup<'_> {
+    /// A file that it names, as a path from here.
+    fn file(&self, name: &Option<String>) -> Option<PathBuf> {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        name.as_ref().map(|name| folder.join(name.replace('\\', "/")))
+    }
+}
+
+/// Brings a figure to a person's size.
+fn scale(
+    body: &mut Body,
+    path: &Path,
+    subject: &SubjectArgs,
+    markers: &MarkerArgs,
+) -> Result<SubjectReport, CliError> {
+    let setup = subject.scale_setup.as_deref().map(read_setup).transpose()?;
+    let set_file = setup.as_ref().and_then(|setup| setup.file(&setup.setup.marker_set_file));
+    body.markers = MarkerSet {
+        markers: markers::markers(body, markers.marker_set.as_deref().or(set_file.as_deref()))?,
+        findings: std::mem::take(&mut body.markers.findings),
+    };
+    let mut report = SubjectReport::new(body, setup.as_ref().map(|setup| &setup.setup));
+    let factors = match &setup {
+        Some(setup) => measured(body, setup, subject, &mut report)?,
+        None => Vec::new(),
+    };
+    let figure = &body.figure;
+    let refuse = |error: &dyn ToString| CliError::input(path, error);
+    let told = subject.mass.as_ref().map(|mass| mass.value);
+    let shares = match &setup {
+        Some(setup) if !setup.setup.keeps_mass_distribution => MassShares::Volumes,
+        _ => MassShares::Kept,
+    };
+    let stretching = Stretching {
+        factors: figure.stretch_factors(&factors).map_err(|error| refuse(&error))?,
+        mass: told.or(setup.as_ref().and_then(|setup| setup.setup.mass)),
+        shares,
+    };
+    body.markers.markers = stretching.markers(&body.markers.markers).map_err(|error| refuse(&error))?;
+    body.figure = figure.stretched(&stretching).map_err(|error| refuse(&error))?;
+    if let Some(setup) = &setup
+        && let Some(placer) = &setup.setup.placer
+    {
+        report.placed = Some(place(body, setup, placer, subject, markers)?);
+    }
+    report.finish(body, factors);
+    Ok(report)
+}
+
+fn read_setup(path: &Path) -> Result<Setup<'_>, CliError> {
+    let text = input::decoded(path)?;
+    let setup = opensim::scale_setup(&text).map_err(|faults| input::faulty(path, &text, faults))?;
+    Ok(Setup { setup, path })
+}
+
+/// The trial that a part of the setup names, or the one that was asked for.
+fn trial(
+    setup: &Setup,
+    name: &Option<String>,
+    range: Option<(f64, f64)>,
+    subject: &SubjectArgs,
+    report: Option<&mut SubjectReport>,
+) -> Result<(PathBuf, MarkerTrial), CliError> {
+    let Some(path) = subject.standing.clone().or_else(|| setup.file(name)) else {
+        let why = "it names no trial; name one by --static";
+        return Err(CliError::input(setup.path, &why));
+    };
+    let Recording { markers, findings, .. } = markers::read(&path)?;
+    if let Some(report) = report {
+        report.notes.extend(findings.iter().map(ToString::to_string));
+    }
+    // The setup's times are those of its own trial.
+    let own = setup.file(name);
+    let range = range.filter(|_| own.as_deref().and_then(Path::file_name) == path.file_name());
+    Ok((path, range.map_or(markers.clone(), |(from, to)| markers.within(from, to))))
+}
+
+/// The factors of bodies, in the setup's order.
+fn measured(
+    body: &Body,
+    setup: &Setup,
+    subject: &SubjectArgs,
+    report: &mut SubjectReport,
+) -> Result<Vec<(String, Vector3<f64>)>, CliError> {
+    let mut factors: Vec<(String, Vector3<f64>)> = Vec::new();
+    let mut set = |name: &str, axes: [bool; 3], by: &Vector3<f64>| {
+        let at = factors.iter().position(|(known, _)| known == name).unwrap_or_else(|| {
+            factors.push((name.to_owned(), Vector3::repeat(1.0)));
+            factors.len() - 1
+        });
+        for (axis, _) in axes.iter().enumerate().filter(|(_, asked)| **asked) {
+            factors[at].1[axis] = by[axis];
+        }
+    };
+    let ScaleSetup { marker_file, time_range, .. } = &setup.setup;
+    for step in &setup.setup.steps {
+        match step {
+            ScalingStep::Manual => {
+                for manual in &setup.setup.manual {
+                    set(&manual.body, [true; 3], &manual.factors);
+                }
+            }
+            ScalingStep::Measurements => {
+                let (path, trial) = trial(setup, marker_file, *time_range, subject, Some(&mut *report))?;
+                let rest = markers::rest(body)?;
+                for Measurement { name, pairs, bodies } in &setup.setup.measurements {
+                    let found = measured_factor(&body.figure, &body.markers.markers, &rest, &trial, pairs);
+                    let found = match found {
+                        Ok(found) => found,
+                        Err(error) => {
+                            let why = format!("measurement '{name}': {error}; its bodies keep their size");
+                            report.notes.push(format!("{}: {why}", path.display()));
+                            continue;
+                        }
+                    };
+                    for scaled in bodies {
+                        set(&scaled.body, scaled.axes, &Vector3::repeat(found.factor));
+                    }
+                    report.measured.push(Measured {
+                        name: name.clone(),
+                        factor: found.factor,
+                        pairs: found.pairs.iter().map(Pair::of).collect(),
+                    });
+                }
+            }
+        }
+    }
+    factors.retain(|(name, _)| {
+        let is_known = body.figure.locate(name).is_some();
+        if !is_known {
+            report.notes.push(format!("{}: the model has no body '{name}' to scale", setup.path.display()));
+        }
+        is_known
+    });
+    Ok(factors)
+}
+
+/// Puts the markers where the static trial has them.
+fn place(
+    body: &mut Body,
+    setup: &Setup,
+    placer: &PlacerSetup,
+    subject: &SubjectArgs,
+    args: &MarkerArgs,
+) -> Result<Placed, CliError> {
+    let (path, trial) = trial(setup, &placer.marker_file, placer.time_range, subject, None)?;
+    let standing = trial.mean();
+    let options = markers::options(body, Some((&placer.markers, &placer.coordinates, setup.path)), args)?;
+    let refuse = |error: &dyn ToString| CliError::input(&path, error);
+    let found = inverse_kinematics(&body.figure, &body.markers.markers, &standing, &options)
+        .map_err(|error| refuse(&error))?;
+    let (placed, lost) = place_markers(&body.figure, &body.markers.markers, &found.q, &standing)
+        .map_err(|error| refuse(&error))?;
+    let before = &body.markers.markers;
+    let moved = placed.iter().filter_map(|marker| {
+        let old = before.iter().find(|old| old.name == marker.name)?;
+        Some((marker.name.clone(), (marker.position - old.position).norm()))
+    });
+    let placed_report = Placed::new(&found, trial.len(), moved.collect(), lost);
+    body.markers.markers = placed;
+    Ok(placed_report)
+}
+
+/// The factors of a body, if it has any.
+fn factors_of((body, factors): &(String, Vector3<f64>)) -> BodyFactors {
+    BodyFactors { body: body.clone(), factors: (*factors).into() }
+}
