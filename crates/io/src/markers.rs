@@ -14,7 +14,7 @@ mod unit;
 pub use axes::{Axes, AxesError, Way};
 pub use found::find_axes;
 pub use ground::ground_forces;
-pub(crate) use names::unique;
+pub(crate) use names::{counted, unique};
 pub use plates::{Load, LoadOptions, Plate, PlateKind};
 pub use recording::{Channel, Event, Recording};
 pub use unit::LengthUnit;

@@ -172,6 +172,11 @@ fn frames(
             format!("{who} says {told}, and the file holds {there} at most; the {count} by {by} are read");
         said.say(FindingKind::Suspect, "frames", message);
     }
+    if count == 0 {
+        let field = "the first frame".to_owned();
+        let (offset, length) = (layout.start, bytes.bytes.len());
+        return Err(C3dError::Cut { field, offset, end: offset.saturating_add(size), length });
+    }
     layout.frames = count;
     Ok(())
 }

@@ -4,7 +4,7 @@ use super::bytes::Bytes;
 use super::layout::Layout;
 use super::parameters::Parameters;
 use super::read::Said;
-use crate::markers::unique;
+use crate::markers::{counted, unique};
 use solaris_model::{FindingKind, Vector3};
 use std::collections::HashSet;
 
@@ -76,8 +76,10 @@ fn names(layout: &Layout, all: &Parameters<'_>, said: &mut Said) -> (Vec<usize>,
     strip_subject(&mut names, said);
     let (names, changed) = unique(names);
     if let Some((was, is)) = changed.first() {
-        let message =
-            format!("{} have no name of their own: '{was}' is called '{is}', for one", changed.len());
+        let message = format!(
+            "{} without a name of its own: '{was}' is called '{is}', for one",
+            counted(changed.len(), "marker")
+        );
         said.say(FindingKind::Note, "markers", message);
     }
     (kept, names)
