@@ -113,8 +113,8 @@ impl Body {
 
 /// What is known of files that are not read yet, by their extensions.
 const UNREAD: [(&str, &str); 7] = [
-    ("c3d", "measured markers (C3D), which are not read yet"),
-    ("trc", "measured markers (TRC), which are not read yet"),
+    ("c3d", "a recording of markers (C3D), which solaris check and convert read"),
+    ("trc", "a recording of markers (TRC), which solaris check and convert read"),
     ("fbx", "a model of a 3-D program (FBX), which is not read yet"),
     ("glb", "a model of a 3-D program (glTF), which is not read yet"),
     ("gltf", "a model of a 3-D program (glTF), which is not read yet"),
@@ -279,13 +279,20 @@ pub(crate) fn text(path: &Path) -> Result<String, CliError> {
     String::from_utf8(bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
 }
 
+/// A file's text in any of the encodings that people's and other programs' editors write.
+pub(crate) fn decoded(path: &Path) -> Result<String, CliError> {
+    let (text, _) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
+    Ok(text)
+}
+
 /// The error of bytes that are no text.
 fn no_text(path: &Path, bytes: Vec<u8>) -> CliError {
     let at = String::from_utf8(bytes).err().map_or(0, |error| error.utf8_error().valid_up_to());
     CliError::input(path, &format!("it is no text: byte {at} is not UTF-8"))
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
+/// A file's bytes.
+pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     let refuse = |why: &dyn ToString| CliError::input(path, why);
     if fs::metadata(path).is_ok_and(|found| found.is_dir()) {
         return Err(refuse(&"it is a folder; name a file"));

@@ -15,6 +15,7 @@ mod ground;
 mod input;
 mod inverse;
 mod limbs;
+mod markers;
 mod metrics;
 mod output;
 mod plausible;

@@ -9,6 +9,7 @@ mod ground;
 mod names;
 mod plates;
 mod recording;
+mod table;
 mod unit;
 
 pub use axes::{Axes, AxesError, Way};
@@ -17,5 +18,6 @@ pub use ground::ground_forces;
 pub(crate) use names::{counted, unique};
 pub use plates::{Load, LoadOptions, Plate, PlateKind};
 pub use recording::{Channel, Event, Recording};
+pub use table::write_csv;
 pub use unit::LengthUnit;
 pub(crate) use unit::{Extent, plausible};
