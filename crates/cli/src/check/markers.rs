@@ -18,6 +18,8 @@ pub(super) fn run(args: &CheckArgs) -> std::result::Result<(), CliError> {
     }
     let recording = markers::read(&args.file, None)?;
     let (axes, found) = find_axes(&recording);
+    // Along its own axes, but with plates that push up.
+    let recording = recording.turned(&axes, &axes);
     let mut findings = recording.findings.clone();
     findings.extend(found);
     let up = axes.up().vector();
