@@ -78,7 +78,7 @@ Frame Time: 0.033333
 0 101 0 15 32 0 0 26 0
 ";
 
-/// Two markers in millimetres that say metres, without times, one of them lost in the second frame.
+/// Three markers in millimetres that say metres, without times, of which one is at zeros in the second frame; the header counts two.
 const METRES: &str = "\
 PathFileType\t4\t(X/Y/Z)\tmetres.trc
 DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\tOrigDataStartFrame\tOrigNumFrames

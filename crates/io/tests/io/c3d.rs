@@ -52,7 +52,7 @@ fn read_file(file: &File) -> Recording {
 }
 
 fn said(recording: &Recording) -> String {
-    recording.findings.iter().map(|finding| format!("{finding}\n")).collect()
+    recording.findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 #[test]
@@ -251,13 +251,14 @@ fn faults_name_the_field_its_value_and_its_byte() {
         change(&mut bytes);
         read(&bytes, &ReadOptions::default()).map(|read| said(&read)).expect_err("a fault").to_string()
     };
-    let mut all = Vec::new();
-    all.push(refused(&|bytes| bytes[1] = 0x4b));
-    all.push(refused(&|bytes| bytes[0] = 0));
-    all.push(refused(&|bytes| bytes[515] = 1));
-    all.push(refused(&|bytes| bytes.truncate(514)));
-    all.push(refused(&|bytes| bytes[16] = 0xff));
-    all.push(refused(&|bytes| bytes.truncate(2560)));
+    let mut all = vec![
+        refused(&|bytes| bytes[1] = 0x4b),
+        refused(&|bytes| bytes[0] = 0),
+        refused(&|bytes| bytes[515] = 1),
+        refused(&|bytes| bytes.truncate(514)),
+        refused(&|bytes| bytes[16] = 0xff),
+        refused(&|bytes| bytes.truncate(2560)),
+    ];
     let mut file = trial(Machine::Intel, false);
     file.parameters.push(("POINT", "RATE", Value::Reals(vec![], vec![-2.0])));
     file.rate = 0.0;

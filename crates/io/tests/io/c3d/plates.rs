@@ -39,7 +39,7 @@ fn channels(kind: usize) -> Vec<f64> {
             let raw = surface - FORCE.cross(&Vector3::new(0.0, 0.0, SENSORS.z));
             let z = |x: f64, y: f64| FORCE.z / 4.0 + x * raw.x / (4.0 * b) + y * raw.y / (4.0 * a);
             let turn = raw.z / b;
-            let (fx12, fx34) = ((FORCE.x - turn) / 2.0, (FORCE.x + turn) / 2.0);
+            let (fx12, fx34) = (0.5 * (FORCE.x - turn), 0.5 * (FORCE.x + turn));
             let (fy14, fy23) = (FORCE.y / 2.0, FORCE.y / 2.0);
             vec![fx12, fx34, fy14, fy23, z(1.0, -1.0), z(1.0, 1.0), z(-1.0, 1.0), z(-1.0, -1.0)]
         }
