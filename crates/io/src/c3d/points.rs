@@ -12,18 +12,18 @@ use std::collections::HashSet;
 pub(super) struct Points {
     pub(super) names: Vec<String>,
     /// Frame by frame; NaN where hidden.
-    pub(super) points: Vec<Vector3<f64>>,
+    pub(super) places: Vec<Vector3<f64>>,
     pub(super) residuals: Vec<f64>,
 }
 
 /// Reads the markers.
 pub(super) fn points(bytes: &Bytes<'_>, layout: &Layout, all: &Parameters<'_>, said: &mut Said) -> Points {
     let (kept, names) = names(layout, all, said);
-    let mut found = Points { names, points: Vec::new(), residuals: Vec::new() };
+    let mut found = Points { names, places: Vec::new(), residuals: Vec::new() };
     for frame in 0..layout.frames {
         for point in &kept {
             let (place, residual) = one(bytes, layout, layout.point(frame, *point));
-            found.points.push(place);
+            found.places.push(place);
             found.residuals.push(residual);
         }
     }

@@ -118,7 +118,7 @@ fn names(text: &str, labels: &[Range<usize>], has_tabs: bool) -> (Vec<String>, b
         return (labels.iter().map(own).collect(), false);
     }
     if filled().all(|(column, _)| column.is_multiple_of(3)) {
-        let count = filled().last().map_or(0, |(column, _)| column / 3 + 1);
+        let count = filled().next_back().map_or(0, |(column, _)| column / 3 + 1);
         return (labels.iter().step_by(3).take(count).map(own).collect(), false);
     }
     (filled().map(|(_, cell)| own(cell)).collect(), true)

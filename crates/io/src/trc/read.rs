@@ -45,7 +45,7 @@ pub fn read(text: &str, options: &ReadOptions) -> Result<Recording, TextError> {
     let mut said = Said(Vec::new());
     differences(&header, &rows, &mut said);
     let names = names(&header, rows.markers, &mut said);
-    let (unit, message) = unit(&header, options, &rows);
+    let (unit, message) = unit(&header, options.unit, &rows);
     if let Some((kind, message)) = message {
         said.say(kind, "unit", message);
     }
@@ -131,12 +131,12 @@ fn names(header: &Header<'_>, markers: usize, said: &mut Said) -> Vec<String> {
 /// The unit of lengths, and what there is to say of it.
 fn unit(
     header: &Header<'_>,
-    options: &ReadOptions,
+    asked: Option<LengthUnit>,
     rows: &Rows,
 ) -> (LengthUnit, Option<(FindingKind, String)>) {
     let text = header.value("Units").unwrap_or("");
     let told = LengthUnit::named(text);
-    if let Some(unit) = options.unit {
+    if let Some(unit) = asked {
         let other = told.filter(|told| *told != unit);
         let message = other.map(|told| format!("{unit}, as asked for, and not {told} as the file says"));
         return (unit, message.map(|message| (FindingKind::Note, message)));
