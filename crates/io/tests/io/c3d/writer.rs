@@ -184,12 +184,16 @@ impl File {
             }
             Value::Words(sizes, values) => {
                 let mut data = Vec::new();
-                values.iter().for_each(|value| self.machine.word(*value as u16, &mut data));
+                for value in values {
+                    self.machine.word(*value as u16, &mut data);
+                }
                 (2, sizes.clone(), data)
             }
             Value::Reals(sizes, values) => {
                 let mut data = Vec::new();
-                values.iter().for_each(|value| self.machine.real(*value, &mut data));
+                for value in values {
+                    self.machine.real(*value, &mut data);
+                }
                 (4, sizes.clone(), data)
             }
         };
