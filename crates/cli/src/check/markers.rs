@@ -81,7 +81,9 @@ struct Facts<'a> {
 #[derive(Serialize)]
 struct Seen<'a> {
     name: &'a str,
-    seen_frames: usize,
+    /// In how many frames.
+    #[serde(rename = "seen_frames")]
+    frames: usize,
     gaps: usize,
     longest_gap_frames: usize,
 }
@@ -113,7 +115,7 @@ fn seen(recording: &Recording) -> Vec<Seen<'_>> {
             longest = longest.max(length);
         }
         let name = trial.names()[marker].as_str();
-        Seen { name, seen_frames: trial.seen(marker), gaps, longest_gap_frames: longest }
+        Seen { name, frames: trial.seen(marker), gaps, longest_gap_frames: longest }
     };
     (0..trial.names().len()).map(one).collect()
 }
@@ -170,11 +172,11 @@ impl Facts<'_> {
         let width = hidden().map(|marker| marker.name.chars().count()).max().unwrap_or(0).max(6);
         let always = self.markers.len() - hidden().count();
         writeln!(out, "\nMarkers hidden at times ({always} of {} never are)", self.markers.len())?;
-        for Seen { name, seen_frames, gaps, longest_gap_frames } in hidden() {
+        for Seen { name, frames, gaps, longest_gap_frames } in hidden() {
             let gaps = counted(*gaps, "gap", "gaps");
             writeln!(
                 out,
-                "  {name:<width$}  seen in {seen_frames} of {} frames; {gaps}, the longest {longest_gap_frames}",
+                "  {name:<width$}  seen in {frames} of {} frames; {gaps}, the longest {longest_gap_frames}",
                 self.frames
             )?;
         }

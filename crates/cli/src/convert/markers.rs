@@ -44,22 +44,17 @@ pub(super) fn run(args: &ConvertArgs) -> Result<(), CliError> {
             .map_err(CliError::other),
     })?;
     print(|out| {
-        match &forces {
-            Some(table) => writeln!(
-                out,
-                "{} in {} at {} Hz, in N, m and N·m",
-                counted(recording.plates.len(), "force plate", "force plates"),
-                counted(table.len(), "row", "rows"),
-                short(recording.plates[0].rate)
-            )?,
-            None => {
-                let (names, frames) = (recording.markers.names().len(), recording.markers.len());
-                let rate = recording.rate.map(|rate| format!(" at {} Hz", short(rate))).unwrap_or_default();
-                let unit = if to.extension().is_some_and(|end| end == "csv") { "m" } else { "mm" };
-                let (names, frames) =
-                    (counted(names, "marker", "markers"), counted(frames, "frame", "frames"));
-                writeln!(out, "{names} in {frames}{rate}, in {unit}")?;
-            }
+        if let Some(table) = &forces {
+            let plates = counted(recording.plates.len(), "force plate", "force plates");
+            let rows = counted(table.len(), "row", "rows");
+            let rate = short(recording.plates[0].rate);
+            writeln!(out, "{plates} in {rows} at {rate} Hz, in N, m and N·m")?;
+        } else {
+            let names = counted(recording.markers.names().len(), "marker", "markers");
+            let frames = counted(recording.markers.len(), "frame", "frames");
+            let rate = recording.rate.map(|rate| format!(" at {} Hz", short(rate))).unwrap_or_default();
+            let unit = if crate::input::extension(to) == "csv" { "m" } else { "mm" };
+            writeln!(out, "{names} in {frames}{rate}, in {unit}")?;
         }
         writeln!(
             out,
