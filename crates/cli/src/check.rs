@@ -1,5 +1,6 @@
 //! `solaris check`: what a figure or a scene is, and what looks wrong with it.
 
+mod markers;
 mod scene;
 
 use crate::args::CheckArgs;
@@ -17,6 +18,9 @@ use std::io::Write;
 const MOST_LINKS: usize = 5000;
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), CliError> {
+    if crate::recording::is_one(&args.file) {
+        return markers::run(args);
+    }
     if scene::is_one(&args.file) {
         return scene::run(args);
     }

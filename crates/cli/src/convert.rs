@@ -1,5 +1,7 @@
 //! `solaris convert`: a figure or a motion from one format to another.
 
+mod markers;
+
 use crate::args::{BvhArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
@@ -55,9 +57,15 @@ const READ: [&str; 4] = ["csv", "sto", "mot", "bvh"];
 const UNEVEN: f64 = 0.01;
 
 pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
+    if crate::recording::is_one(&args.from) {
+        return markers::run(args);
+    }
+    if args.axes.is_some() {
+        return Err(UsageError::OnlyOfMarkers.into());
+    }
     refuse_unread(
         &args.from,
-        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto) and both (.bvh)",
+        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto), both (.bvh) and markers (.c3d, .trc)",
     )?;
     let is_bvh = extension(&args.from) == "bvh";
     if args.bvh.is_asked() && !is_bvh {

@@ -287,14 +287,15 @@ pub(crate) fn faulty(path: &Path, text: &str, faults: TextError) -> CliError {
     CliError::Text { path: path.to_owned(), text: text.to_owned(), faults }
 }
 
-/// A file's text, as other programs may have written it.
-pub(crate) fn decoded(path: &Path) -> Result<String, CliError> {
-    decode(bytes(path)?).map(|(text, _)| text).map_err(|bytes| no_text(path, bytes))
-}
-
 /// A file's text.
 pub(crate) fn text(path: &Path) -> Result<String, CliError> {
     String::from_utf8(bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
+}
+
+/// A file's text in any of the encodings that people's and other programs' editors write.
+pub(crate) fn decoded(path: &Path) -> Result<String, CliError> {
+    let (text, _) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
+    Ok(text)
 }
 
 /// The error of bytes that are no text.
@@ -303,6 +304,7 @@ fn no_text(path: &Path, bytes: Vec<u8>) -> CliError {
     CliError::input(path, &format!("it is no text: byte {at} is not UTF-8"))
 }
 
+/// A file's bytes.
 pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     let refuse = |why: &dyn ToString| CliError::input(path, why);
     if fs::metadata(path).is_ok_and(|found| found.is_dir()) {

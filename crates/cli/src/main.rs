@@ -24,6 +24,7 @@ mod pool;
 mod print;
 mod profile;
 mod progress;
+mod recording;
 mod report;
 mod run;
 mod scale;

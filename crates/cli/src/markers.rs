@@ -6,11 +6,12 @@ pub(crate) use report::MarkersReport;
 
 use crate::args::MarkerArgs;
 use crate::error::CliError;
-use crate::input::{self, Body, extension};
+use crate::input::{self, Body};
+use crate::recording;
 use solaris::analysis::markers::{CoordinateTask, IkOptions, MarkerMotion, inverse_kinematics};
+use solaris::io::CoordinateDefault;
 use solaris::io::markers::Recording;
 use solaris::io::opensim::{self, IkSetup, MarkerTask, TaskValue};
-use solaris::io::{CoordinateDefault, c3d, trc};
 use solaris::model::{Figure, Finding, JointKind, Known, Marker, Motion, MotionInfo};
 use std::path::Path;
 
@@ -24,28 +25,9 @@ pub(crate) struct Fitted {
     pub(crate) findings: Vec<Finding>,
 }
 
-/// Whether a file holds markers, by its extension.
-pub(crate) fn is_markers(path: &Path) -> bool {
-    matches!(extension(path).as_str(), "trc" | "c3d")
-}
-
-/// Reads a file of markers.
-pub(crate) fn read(path: &Path) -> Result<Recording, CliError> {
-    match extension(path).as_str() {
-        "c3d" => c3d::read(&input::bytes(path)?, &c3d::ReadOptions::default())
-            .map_err(|error| CliError::input(path, &error)),
-        "trc" => {
-            let text = input::decoded(path)?;
-            trc::read(&text, &trc::ReadOptions::default())
-                .map_err(|faults| input::faulty(path, &text, faults))
-        }
-        _ => Err(CliError::input(path, &"its extension says nothing; markers are .trc or .c3d")),
-    }
-}
-
 /// Finds the positions of a figure that fit the markers in a file.
 pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted, CliError> {
-    let mut recording = read(path)?;
+    let mut recording = recording::in_world(path, body.gravity, args)?;
     let setup = args.ik_setup.as_deref().map(|path| setup(path).map(|setup| (setup, path))).transpose()?;
     let markers = markers(body, args.marker_set.as_deref())?;
     let tasks = setup.as_ref().map(|(setup, path)| (&*setup.markers, &*setup.coordinates, *path));

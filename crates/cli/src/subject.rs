@@ -8,6 +8,7 @@ use crate::args::{FrameArgs, MarkerArgs, SubjectArgs};
 use crate::error::CliError;
 use crate::input::{self, Body};
 use crate::markers;
+use crate::recording;
 use report::{BodyFactors, Measured, Pair, Placed};
 use solaris::analysis::markers::{inverse_kinematics, measured_factor, place_markers};
 use solaris::io::markers::Recording;
@@ -62,7 +63,7 @@ fn scale(
     };
     let mut report = SubjectReport::new(body, setup.as_ref().map(|setup| &setup.setup));
     let factors = match &setup {
-        Some(setup) => measured(body, setup, subject, &mut report)?,
+        Some(setup) => measured(body, setup, (subject, markers), &mut report)?,
         None => Vec::new(),
     };
     let figure = &body.figure;
@@ -82,7 +83,7 @@ fn scale(
     if let Some(setup) = &setup
         && let Some(placer) = &setup.setup.placer
     {
-        report.placed = Some(place(body, setup, placer, subject, markers)?);
+        report.placed = Some(place(body, setup, placer, (subject, markers))?);
     }
     report.finish(body, factors);
     Ok(report)
@@ -94,19 +95,19 @@ fn read_setup(path: &Path) -> Result<Setup<'_>, CliError> {
     Ok(Setup { setup, path })
 }
 
-/// The trial that a part of the setup names, or the one that was asked for.
+/// The trial that a part of the setup names, or the one that was asked for, in the world of the figure.
 fn trial(
     setup: &Setup,
-    name: &Option<String>,
-    range: Option<(f64, f64)>,
-    subject: &SubjectArgs,
+    (name, range): (&Option<String>, Option<(f64, f64)>),
+    gravity: Vector3<f64>,
+    (subject, args): (&SubjectArgs, &MarkerArgs),
     report: Option<&mut SubjectReport>,
 ) -> Result<(PathBuf, MarkerTrial), CliError> {
     let Some(path) = subject.standing.clone().or_else(|| setup.file(name)) else {
         let why = "it names no trial; name one by --static";
         return Err(CliError::input(setup.path, &why));
     };
-    let Recording { markers, findings, .. } = markers::read(&path)?;
+    let Recording { markers, findings, .. } = recording::in_world(&path, gravity, args)?;
     if let Some(report) = report {
         report.notes.extend(findings.iter().map(ToString::to_string));
     }
@@ -120,7 +121,7 @@ fn trial(
 fn measured(
     body: &Body,
     setup: &Setup,
-    subject: &SubjectArgs,
+    asked: (&SubjectArgs, &MarkerArgs),
     report: &mut SubjectReport,
 ) -> Result<Vec<(String, Vector3<f64>)>, CliError> {
     let mut factors: Vec<(String, Vector3<f64>)> = Vec::new();
@@ -142,7 +143,8 @@ fn measured(
                 }
             }
             ScalingStep::Measurements => {
-                let (path, trial) = trial(setup, marker_file, *time_range, subject, Some(&mut *report))?;
+                let (path, trial) =
+                    trial(setup, (marker_file, *time_range), body.gravity, asked, Some(&mut *report))?;
                 let rest = markers::rest(body)?;
                 for Measurement { name, pairs, bodies } in &setup.setup.measurements {
                     let found = measured_factor(&body.figure, &body.markers.markers, &rest, &trial, pairs);
@@ -181,12 +183,11 @@ fn place(
     body: &mut Body,
     setup: &Setup,
     placer: &PlacerSetup,
-    subject: &SubjectArgs,
-    args: &MarkerArgs,
+    asked: (&SubjectArgs, &MarkerArgs),
 ) -> Result<Placed, CliError> {
-    let (path, trial) = trial(setup, &placer.marker_file, placer.time_range, subject, None)?;
+    let (path, trial) = trial(setup, (&placer.marker_file, placer.time_range), body.gravity, asked, None)?;
     let standing = trial.mean();
-    let options = markers::options(body, Some((&placer.markers, &placer.coordinates, setup.path)), args)?;
+    let options = markers::options(body, Some((&placer.markers, &placer.coordinates, setup.path)), asked.1)?;
     let refuse = |error: &dyn ToString| CliError::input(&path, error);
     let found = inverse_kinematics(&body.figure, &body.markers.markers, &standing, &options)
         .map_err(|error| refuse(&error))?;

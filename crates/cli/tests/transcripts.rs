@@ -1,7 +1,7 @@
 //! The transcripts of `tests/cmd`: what a user types, the exit code behind `?`, and what is printed.
 //!
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
-//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clip (`dancer.ron`, `dance.csv`), the robot `arm.urdf`, the same with faults
+//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clips (`dancer.ron`, `dance.csv`, `walk.c3d`), two recordings of markers with something odd (`metres.trc`, `torn.trc`), the robot `arm.urdf`, the same with faults
 //! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), walks of a
 //! sweep (`people.csv`), and of curves the keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
 //! the robot, the same with faults (`faulty_scene.ron`), `falls.ron` of the robot and nothing else, and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
@@ -78,6 +78,19 @@ Frame Time: 0.033333
 0 101 0 15 32 0 0 26 0
 ";
 
+/// Three markers in millimetres that say metres, without times, of which one is at zeros in the second frame; the header counts two.
+const METRES: &str = "\
+PathFileType\t4\t(X/Y/Z)\tmetres.trc
+DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\tOrigDataStartFrame\tOrigNumFrames
+100\t100\t4\t2\tm\t100\t1\t4
+Frame#\tTime\tHead\t\t\tR Heel\t\t\tR Toe\t\t
+\t\tX1\tY1\tZ1\tX2\tY2\tZ2\tX3\tY3\tZ3
+
+1\t\t0\t1700\t0\t-50\t30\t100\t150\t20\t100
+2\t\t0\t1700\t0\t0\t0\t0\t150\t20\t100
+3\t\t0\t1700\t0\t-50\t30\t100
+";
+
 /// Puts the files there that the transcripts read.
 fn furnish(folder: &Path) {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
@@ -90,6 +103,7 @@ fn furnish(folder: &Path) {
         "figures/arm.urdf",
         "clips/dancer.ron",
         "clips/dance.csv",
+        "clips/walk.c3d",
         "scenes/pendulum.ron",
         "scenes/arm_modes.ron",
         "scenes/walk_loose_arm.ron",
@@ -122,6 +136,8 @@ fn furnish(folder: &Path) {
              ball: (0.14, -0.08), tip: (0.21, -0.08, 0), widht: 0.1),\n])\n",
         ),
         ("falls.ron", "Scene(version: 1, figures: {\"it\": File(\"arm.urdf\")}, duration: 2.0)\n"),
+        ("metres.trc", METRES),
+        ("torn.trc", &METRES.replace("150\t20\t100\n3", "15O\t20\t100\n3")),
         ("notes", "no folder"),
         ("people.csv", PEOPLE),
         ("keys.csv", "time,position\n0,5\n1,7\n2,-9\n"),

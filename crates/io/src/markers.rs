@@ -9,13 +9,15 @@ mod ground;
 mod names;
 mod plates;
 mod recording;
+mod table;
 mod unit;
 
 pub use axes::{Axes, AxesError, Way};
 pub use found::find_axes;
 pub use ground::ground_forces;
-pub(crate) use names::unique;
+pub(crate) use names::{counted, unique};
 pub use plates::{Load, LoadOptions, Plate, PlateKind};
 pub use recording::{Channel, Event, Recording};
+pub use table::write_csv;
 pub use unit::LengthUnit;
 pub(crate) use unit::{Extent, plausible};

@@ -5,6 +5,7 @@ use super::value::{count, number};
 use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::io::bvh::Unit;
+use solaris::io::markers::Axes;
 use std::path::PathBuf;
 
 const FIGURE_EXAMPLES: &str = "Examples:
@@ -19,7 +20,9 @@ const CHECK_EXAMPLES: &str = "Examples:
   solaris check robot.urdf --dh
       the same of a robot, with its Denavit-Hartenberg table
   solaris check subject.osim --strict
-      exit code 1 if anything looks wrong";
+      exit code 1 if anything looks wrong
+  solaris check walk.c3d
+      what was recorded: markers and their gaps, force plates, events, and what is odd";
 
 const CONVERT_EXAMPLES: &str = "Examples:
   solaris convert robot.urdf robot.ron
@@ -35,7 +38,11 @@ const CONVERT_EXAMPLES: &str = "Examples:
   solaris convert dance.bvh dance.csv --skip-frames 1
       its motion, without the reference pose in front
   solaris convert ik.mot ik.bvh --figure subject.osim
-      a motion for animation programs";
+      a motion for animation programs
+  solaris convert walk.c3d walk.trc
+      markers for OpenSim, in mm, with y up and x forward
+  solaris convert walk.c3d forces.mot --axes z,-y
+      what the force plates measured, of a file in which z is up and the person walks along -y";
 
 /// A figure to be written.
 #[derive(Debug, Subcommand)]
@@ -95,12 +102,13 @@ fn parse_segment(text: &str) -> Result<(String, f64), String> {
 /// A figure or a scene to be looked at.
 #[derive(Debug, Args)]
 #[command(
-    about = "Says what a figure or a scene is and what looks wrong with it, or every fault of its text",
+    about = "Says what a figure, a scene or a recording is and what looks wrong with it, or every fault of its text",
     after_help = CHECK_EXAMPLES
 )]
 pub(crate) struct CheckArgs {
     #[arg(value_name = "FILE", help = wrap(
-        "A figure or a scene (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, or BVH (.bvh)"
+        "A figure or a scene (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, BVH (.bvh), or \
+         markers (.c3d, .trc)"
     ))]
     pub(crate) file: PathBuf,
     #[arg(
@@ -122,10 +130,13 @@ pub(crate) struct CheckArgs {
 #[command(about = "A figure or a motion from one format to another", after_help = CONVERT_EXAMPLES)]
 pub(crate) struct ConvertArgs {
     #[arg(value_name = "IN", help = wrap(
-        "A figure (.ron, .urdf, .sdf, .xml, .mjcf, .osim), a motion (.csv, .mot, .sto), or both (.bvh)"
+        "A figure (.ron, .urdf, .sdf, .xml, .mjcf, .osim), a motion (.csv, .mot, .sto), both (.bvh), or a recording of markers \
+         (.c3d, .trc)"
     ))]
     pub(crate) from: PathBuf,
-    #[arg(value_name = "OUT", help = wrap("A figure as .ron, or a motion as .csv, .mot, .sto or .bvh"))]
+    #[arg(value_name = "OUT", help = wrap(
+        "A figure as .ron, a motion as .csv, .mot, .sto or .bvh, markers as .trc or .csv, or their force plates as .mot"
+    ))]
     pub(crate) to: PathBuf,
     #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
     pub(crate) files: Option<PathBuf>,
@@ -133,6 +144,17 @@ pub(crate) struct ConvertArgs {
         "Whose motion it is; needed where the motion is in degrees, and to write .bvh"
     ))]
     pub(crate) figure: Option<PathBuf>,
+    #[arg(
+        long,
+        value_name = "UP,FORWARD",
+        allow_hyphen_values = true,
+        help_heading = "What a file of markers does not say",
+        help = wrap(
+            "Which ways of IN are up and forward, such as z,-y; they become y and x [default: found by plates, names and \
+             where the markers go]"
+        )
+    )]
+    pub(crate) axes: Option<Axes>,
     #[command(flatten, next_help_heading = "A figure in another size")]
     pub(crate) size: SizeArgs,
     #[command(flatten, next_help_heading = "What a BVH file does not say")]
@@ -143,7 +165,7 @@ pub(crate) struct ConvertArgs {
 #[derive(Debug, Args)]
 pub(crate) struct BvhArgs {
     #[arg(long, value_name = "UNIT", value_parser = parse_unit, help = wrap(
-        "Unit of its lengths: cm, m, mm, inch, cmu (an inch over 0.45), or so many metres [default: the one in which \
+        "Unit of its lengths, of markers too: cm, m, mm, inch, cmu (an inch over 0.45), or so many metres [default: the one in which \
          it is as large as a person]"
     ))]
     pub(crate) unit: Option<Unit>,

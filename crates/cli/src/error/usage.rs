@@ -31,6 +31,14 @@ pub(crate) enum UsageError {
     MotionHasNoSize,
     #[error("--unit, --up, --masses and --skip-frames say what a BVH file does not; IN is none")]
     OnlyOfBvh,
+    #[error("--axes says which way is up and which forward in a file of markers (.c3d, .trc); IN is none")]
+    OnlyOfMarkers,
+    #[error("--unit of markers is mm, cm, m or inch")]
+    UnitOfMarkers,
+    #[error(
+        "a recording of markers has no figure: --figure, --height, --mass, --segment and --dh are of figures and motions"
+    )]
+    MarkersHaveNoFigure,
     #[error("OUT {}: a .{what} is written of a figure; say whose motion it is: --figure FILE", .to.display())]
     OfFigure { what: String, to: PathBuf },
     #[error("nothing says whom to scale it to; give --static FILE, --scale-setup FILE.xml or --mass KG")]

@@ -5,6 +5,7 @@ use crate::error::{CliError, UsageError};
 use crate::input::{self, Body, Language};
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
+use crate::recording;
 use crate::run::as_csv;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
@@ -95,7 +96,7 @@ fn motion(
     from: &Path,
     record: &RecordArgs,
 ) -> Result<(Table, ReadMotion, Vec<Finding>, Option<Fitted>), CliError> {
-    if markers::is_markers(from) {
+    if recording::is_one(from) {
         let fitted = markers::fit(body, from, &record.markers)?;
         let table = as_csv(&body.figure, &fitted.motion);
         let recorded = ReadMotion { motion: fitted.motion.clone(), ignored: Vec::new(), notes: Vec::new() };

@@ -32,14 +32,11 @@ pub(super) fn analog(
         // Some programs write a name of their own.
         offsets = all.continued("ANALOG", "OFFSETS", numbers);
     }
-    let short = [("SCALE", scales.len()), ("OFFSET", offsets.len())];
-    for (name, length) in short.into_iter().filter(|(_, length)| *length < layout.channels) {
-        let message = format!(
-            "{length} for {} channels; the others have {}",
-            layout.channels,
-            if name == "SCALE" { 1 } else { 0 }
-        );
-        said.say(FindingKind::Suspect, &format!("ANALOG:{name}"), message);
+    for (name, length, other) in [("SCALE", scales.len(), 1), ("OFFSET", offsets.len(), 0)] {
+        if length < layout.channels {
+            let message = format!("{length} for {} channels; the others have {other}", layout.channels);
+            said.say(FindingKind::Suspect, &format!("ANALOG:{name}"), message);
+        }
     }
     let raw = |frame, sample, channel| {
         let at = layout.sample(frame, sample, channel);

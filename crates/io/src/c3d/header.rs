@@ -33,7 +33,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<(Header, Bytes<'_>), C3dError> {
     let block = usize::from(bytes[0]);
     if block < 2 {
         let advice = "the parameters begin in block 2 or later; export the trial again";
-        return Err(field("the number of the parameters' block", block, 0, advice));
+        return Err(field("the number of the parameters' block", &block, 0, advice));
     }
     let parameters = (block - 1) * BLOCK;
     let mut all = Bytes { bytes, machine: Machine::Intel };
@@ -45,7 +45,7 @@ pub(super) fn header(bytes: &[u8]) -> Result<(Header, Bytes<'_>), C3dError> {
         _ => {
             let advice = "it must be 84 (Intel), 85 (DEC) or 86 (MIPS); the header or the parameters are broken: export the \
                           trial again";
-            return Err(field("the kind of processor", kind, parameters + 3, advice));
+            return Err(field("the kind of processor", &kind, parameters + 3, advice));
         }
     };
     let word = |name, number: usize| all.word(name, 2 * (number - 1));
@@ -64,6 +64,6 @@ pub(super) fn header(bytes: &[u8]) -> Result<(Header, Bytes<'_>), C3dError> {
 }
 
 /// A fault of a field.
-pub(super) fn field(name: &str, value: impl ToString, offset: usize, advice: &'static str) -> C3dError {
+pub(super) fn field(name: &str, value: &dyn ToString, offset: usize, advice: &'static str) -> C3dError {
     C3dError::Field { field: name.to_owned(), value: value.to_string(), offset, advice }
 }

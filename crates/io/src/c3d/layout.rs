@@ -67,12 +67,12 @@ pub(super) fn layout(
     if scale == 0.0 || !scale.is_finite() {
         let at = all.get("POINT", "SCALE").map_or(12, |parameter| parameter.offset);
         let advice = "it must be below zero for reals and above for integers; export the trial again";
-        return Err(field("POINT:SCALE", scale, at, advice));
+        return Err(field("POINT:SCALE", &scale, at, advice));
     }
     let rate = all.number("POINT", "RATE").filter(|rate| *rate > 0.0).unwrap_or(f64::from(header.rate));
     if rate <= 0.0 || !rate.is_finite() {
         let at = all.get("POINT", "RATE").map_or(20, |parameter| parameter.offset);
-        return Err(field("POINT:RATE", rate, at, "it must be the frames a second, above zero; correct it"));
+        return Err(field("POINT:RATE", &rate, at, "it must be the frames a second, above zero; correct it"));
     }
     let (channels, samples) = analog(header, all, rate, said);
     let block = match header.data {
@@ -83,7 +83,7 @@ pub(super) fn layout(
     if block < 2 || start >= bytes.bytes.len() {
         let advice = "the frames begin after the parameters and within the file; it was cut off or its header is broken: \
                       export the trial again";
-        return Err(field("the first block of the frames (POINT:DATA_START)", block, 16, advice));
+        return Err(field("the first block of the frames (POINT:DATA_START)", &block, 16, advice));
     }
     let mut layout = Layout {
         start,
@@ -134,7 +134,7 @@ fn frames(
     let size = layout.frame();
     if size == 0 {
         let advice = "a recording needs points or channels; was the trial exported without them?";
-        return Err(field("POINT:USED", 0, 2, advice));
+        return Err(field("POINT:USED", &0, 2, advice));
     }
     let there = (bytes.bytes.len() - layout.start) / size;
     let long = |name| match all.counts("TRIAL", name)[..] {
@@ -162,7 +162,7 @@ fn frames(
     }
     let Some(&(who, told)) = claims.first() else {
         let advice = "no first and last frame, and POINT:FRAMES is missing too; export the trial again";
-        return Err(field("the header's last frame", last, 8, advice));
+        return Err(field("the header's last frame", &last, 8, advice));
     };
     let fits = |claim: &&(&str, i64)| usize::try_from(claim.1).is_ok_and(|count| count <= there);
     let (by, count) =
@@ -171,6 +171,11 @@ fn frames(
         let message =
             format!("{who} says {told}, and the file holds {there} at most; the {count} by {by} are read");
         said.say(FindingKind::Suspect, "frames", message);
+    }
+    if count == 0 {
+        let field = "the first frame".to_owned();
+        let (offset, length) = (layout.start, bytes.bytes.len());
+        return Err(C3dError::Cut { field, offset, end: offset.saturating_add(size), length });
     }
     layout.frames = count;
     Ok(())

@@ -68,8 +68,7 @@ fn named(kind: i64) -> &'static str {
     match kind {
         5 => "eight channels as type 3, with a 6 × 8 calibration matrix",
         6 => "twelve channels, three forces at each corner",
-        7 => "eight channels with a calibration matrix of their own, as of treadmills",
-        8 => "a treadmill's channels",
+        7 | 8 => "which some makers' programs define for plates of their own",
         11 => "Kistler's treadmill of two belts",
         12 => "Kistler's treadmill with a calibration matrix",
         21 => "AMTI's stairs of three steps",
@@ -96,7 +95,7 @@ impl Group {
     fn plate(
         &self,
         at: usize,
-        kind: PlateKind,
+        mut kind: PlateKind,
         analog: &[Channel],
         subject: &str,
         said: &mut Said,
@@ -128,11 +127,22 @@ impl Group {
         match kind {
             PlateKind::Wrench => channels[3..].iter_mut().flatten().for_each(|value| *value *= moment),
             PlateKind::Pressure => {
-                channels[3..5].iter_mut().flatten().for_each(|value| *value *= metre);
+                for place in 3..5 {
+                    let length = LengthUnit::named(units[place]).map_or(metre, LengthUnit::metres);
+                    channels[place].iter_mut().for_each(|value| *value *= length);
+                }
                 let moment = moment_unit(units[5], metre);
                 channels[5].iter_mut().for_each(|value| *value *= moment);
             }
-            PlateKind::Matrix => matrix = Some(self.calibration(at, metre)?),
+            PlateKind::Matrix => {
+                matrix = self.calibration(at, metre);
+                if matrix.is_none() {
+                    kind = PlateKind::Wrench;
+                    channels[3..].iter_mut().flatten().for_each(|value| *value *= moment);
+                    let message = "it is of type 4 and has no FORCE_PLATFORM:CAL_MATRIX of 6 × 6 numbers; read as type 2";
+                    said.say(FindingKind::Suspect, subject, message.to_owned());
+                }
+            }
             PlateKind::Corners => {}
         }
         let mut origin = vector(&self.origins, 3 * at);
@@ -160,11 +170,9 @@ impl Group {
     }
 
     /// The 6 × 6 matrix of a plate, which the file has column by column, with moments in N·m.
-    fn calibration(&self, at: usize, metre: f64) -> Result<[[f64; 6]; 6], String> {
-        let own = self.matrices.get(at * self.matrix..).filter(|own| self.matrix >= 36 && own.len() >= 36);
-        let own = own
-            .ok_or_else(|| "a plate of type 4 needs FORCE_PLATFORM:CAL_MATRIX of 6 × 6 numbers".to_owned())?;
-        Ok(std::array::from_fn(|row| {
+    fn calibration(&self, at: usize, metre: f64) -> Option<[[f64; 6]; 6]> {
+        let own = self.matrices.get(at * self.matrix..).filter(|own| self.matrix >= 36 && own.len() >= 36)?;
+        Some(std::array::from_fn(|row| {
             std::array::from_fn(|column| own[6 * column + row] * if row < 3 { 1.0 } else { metre })
         }))
     }

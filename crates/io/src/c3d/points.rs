@@ -4,7 +4,7 @@ use super::bytes::Bytes;
 use super::layout::Layout;
 use super::parameters::Parameters;
 use super::read::Said;
-use crate::markers::unique;
+use crate::markers::{counted, unique};
 use solaris_model::{FindingKind, Vector3};
 use std::collections::HashSet;
 
@@ -12,18 +12,18 @@ use std::collections::HashSet;
 pub(super) struct Points {
     pub(super) names: Vec<String>,
     /// Frame by frame; NaN where hidden.
-    pub(super) points: Vec<Vector3<f64>>,
+    pub(super) places: Vec<Vector3<f64>>,
     pub(super) residuals: Vec<f64>,
 }
 
 /// Reads the markers.
 pub(super) fn points(bytes: &Bytes<'_>, layout: &Layout, all: &Parameters<'_>, said: &mut Said) -> Points {
     let (kept, names) = names(layout, all, said);
-    let mut found = Points { names, points: Vec::new(), residuals: Vec::new() };
+    let mut found = Points { names, places: Vec::new(), residuals: Vec::new() };
     for frame in 0..layout.frames {
         for point in &kept {
             let (place, residual) = one(bytes, layout, layout.point(frame, *point));
-            found.points.push(place);
+            found.places.push(place);
             found.residuals.push(residual);
         }
     }
@@ -76,8 +76,10 @@ fn names(layout: &Layout, all: &Parameters<'_>, said: &mut Said) -> (Vec<usize>,
     strip_subject(&mut names, said);
     let (names, changed) = unique(names);
     if let Some((was, is)) = changed.first() {
-        let message =
-            format!("{} have no name of their own: '{was}' is called '{is}', for one", changed.len());
+        let message = format!(
+            "{} without a name of its own: '{was}' is called '{is}', for one",
+            counted(changed.len(), "marker")
+        );
         said.say(FindingKind::Note, "markers", message);
     }
     (kept, names)

@@ -58,10 +58,10 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Recording, C3dError> 
     }
     let layout = layout(&bytes, &header, &all, &mut said)?;
     let found = points(&bytes, &layout, &all, &mut said);
-    let unit = unit(&all, options, &found.points, found.names.len(), &mut said);
+    let unit = unit(&all, options.unit, &found.places, found.names.len(), &mut said);
     let metre = unit.metres();
     let time = (0..layout.frames).map(|frame| frame as f64 / layout.rate).collect();
-    let markers = MarkerTrial::new(found.names, time, found.points)?.mapped(|point| point * metre);
+    let markers = MarkerTrial::new(found.names, time, found.places)?.mapped(|point| point * metre);
     let analog = analog(&bytes, &layout, &all, &mut said);
     let plates = plates(&layout, &all, &analog, unit, &mut said);
     Ok(Recording {
@@ -80,7 +80,7 @@ pub fn read(bytes: &[u8], options: &ReadOptions) -> Result<Recording, C3dError> 
 /// The unit of lengths: the asked one, or the file's where it can be.
 fn unit(
     all: &Parameters<'_>,
-    options: &ReadOptions,
+    asked: Option<LengthUnit>,
     points: &[solaris_model::Vector3<f64>],
     markers: usize,
     said: &mut Said,
@@ -88,7 +88,7 @@ fn unit(
     let texts = all.texts("POINT", "UNITS");
     let text = texts.first().map_or("", String::as_str);
     let told = LengthUnit::named(text);
-    if let Some(unit) = options.unit {
+    if let Some(unit) = asked {
         if let Some(told) = told.filter(|told| *told != unit) {
             said.say(
                 FindingKind::Note,

@@ -1,7 +1,7 @@
 //! The axes of a laboratory, found by its plates, by the names of the markers and by where they go.
 
 use super::axes::{Axes, Way};
-use super::plates::LoadOptions;
+use super::plates::{LoadOptions, Plate};
 use super::recording::Recording;
 use solaris_model::{Finding, FindingKind, MarkerTrial, Vector3};
 
@@ -16,8 +16,8 @@ const TOE: [&str; 7] = ["toe", "mt1", "mt2", "mt5", "mtp", "hallux", "met"];
 
 /// Which way is up and which way the subject goes, with a finding each that says by what.
 ///
-/// Up is where head and shoulders are from the feet, by their markers' names; without such names the way of the plates' mean
-/// force; without plates the axis along which the markers stay on one side of the floor at zero and reach farthest. Forward is
+/// Up is where head and shoulders are from the feet, by their markers' names; without such names the way across the loaded plates on which
+/// the markers are; without plates the axis along which the markers stay on one side of the floor at zero and reach farthest. Forward is
 /// the axis along which the middle of the markers goes; of who stays within half a metre the one from heel to toe; without such
 /// names the first horizontal one. Ways are along the laboratory's axes: who walks aslant goes along the nearest one.
 pub fn find_axes(recording: &Recording) -> (Axes, Vec<Finding>) {
@@ -42,7 +42,16 @@ fn up(recording: &Recording) -> (Way, String, FindingKind) {
     let force: Vector3<f64> =
         recording.plates.iter().map(|plate| plate.mean_force(&LoadOptions::default()).0).sum();
     if force.norm() > 1.0 {
-        return (Way::nearest(&force), "the way that the plates push".to_owned(), FindingKind::Note);
+        // Some files hold what the subject does to the plate; who stands on one is above it.
+        let mut way = Way::nearest(&force);
+        if height(recording, way) < 0.0 {
+            way = way.back();
+        }
+        return (
+            way,
+            "as it lies across the plates, with the markers above them".to_owned(),
+            FindingKind::Note,
+        );
     }
     let (mut low, mut high) = (Vector3::repeat(f64::MAX), Vector3::repeat(f64::MIN));
     for point in all(trial) {
@@ -69,6 +78,18 @@ fn up(recording: &Recording) -> (Way, String, FindingKind) {
     }
 }
 
+/// How far the middle of all markers is from that of the plates along a way (m).
+fn height(recording: &Recording, way: Way) -> f64 {
+    let (mut sum, mut count) = (Vector3::zeros(), 0.0);
+    for point in all(&recording.markers) {
+        sum += point;
+        count += 1.0;
+    }
+    let plates =
+        recording.plates.iter().map(Plate::middle).sum::<Vector3<f64>>() / recording.plates.len() as f64;
+    if count > 0.0 { (sum / count - plates).dot(&way.vector()) } else { 0.0 }
+}
+
 fn forward(trial: &MarkerTrial, up: Way) -> (Way, String, FindingKind) {
     let flat = |mut way: Vector3<f64>| {
         way[up.axis()] = 0.0;
@@ -93,7 +114,8 @@ fn forward(trial: &MarkerTrial, up: Way) -> (Way, String, FindingKind) {
 fn between(trial: &MarkerTrial, from: &[&str], to: &[&str]) -> Option<Vector3<f64>> {
     let with = |parts: &[&str]| -> Vec<usize> {
         let has = |name: &String| {
-            let name = name.to_lowercase();
+            // The sacrum is no acromion.
+            let name = name.to_lowercase().replace("sacr", "");
             parts.iter().any(|part| name.contains(part))
         };
         (0..trial.names().len()).filter(|marker| has(&trial.names()[*marker])).collect()

@@ -32,7 +32,8 @@ pub fn ground_forces(plates: &[Plate], options: &LoadOptions) -> Option<Table> {
         for loads in &loads {
             let load = &loads[row];
             let parts = [load.force, load.centre.unwrap_or_default(), load.free_moment];
-            values.extend(parts.iter().flat_map(|part| part.iter().copied()));
+            // A sum with zero has no negative one.
+            values.extend(parts.iter().flat_map(|part| part.iter().map(|value| value + 0.0)));
         }
     }
     Some(Table {

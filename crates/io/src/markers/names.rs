@@ -30,6 +30,11 @@ pub(crate) fn unique(names: Vec<String>) -> (Vec<String>, Vec<(String, String)>)
     (own.collect(), changed)
 }
 
+/// A number of things: `1 line`, `2 lines`.
+pub(crate) fn counted(count: usize, one: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::unique;

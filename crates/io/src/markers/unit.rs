@@ -81,7 +81,7 @@ pub(crate) struct Extent(f64);
 
 impl Extent {
     /// Of points (in any unit) of frames of `markers` points each: the longest side of the box around a frame's points, the
-    /// median over at most a hundred frames that have three of them or more.
+    /// median over at most a hundred frames that have two of them or more.
     pub(crate) fn of(points: &[Vector3<f64>], markers: usize) -> Option<Self> {
         let frames = points.len().checked_div(markers)?;
         let mut sides: Vec<f64> = (0..frames)
@@ -94,7 +94,7 @@ impl Extent {
                 for point in seen {
                     (low, high, count) = (low.inf(point), high.sup(point), count + 1);
                 }
-                (count > 2).then(|| (high - low).max())
+                (count > 1).then(|| (high - low).max())
             })
             .filter(|side| *side > 0.0)
             .collect();

@@ -87,19 +87,26 @@ impl<'a> Header<'a> {
     }
 }
 
-/// The names and values of the header: a line of names with `DataRate` or `Units` among them, and one of values below it.
+/// The names and values of the header: a line of names with `DataRate` or `Units` among them, and one of values below it. They
+/// belong together in their order where there are as many, and else by their columns.
 fn values<'a>(text: &'a str, lines: &[Range<usize>]) -> Vec<(&'a str, &'a str)> {
-    for pair in lines.windows(2) {
-        let words = |line: &Range<usize>| {
-            let has_tabs = text[line.clone()].contains('\t');
-            cells(text, line, has_tabs).into_iter().map(|cell| &text[cell]).filter(|cell| !cell.is_empty())
-        };
-        let keys: Vec<&str> = words(&pair[0]).collect();
-        if keys.iter().any(|key| key.eq_ignore_ascii_case("DataRate") || key.eq_ignore_ascii_case("Units")) {
-            return keys.into_iter().zip(words(&pair[1])).collect();
-        }
+    let words = |line: &Range<usize>| -> Vec<&'a str> {
+        let has_tabs = text[line.clone()].contains('\t');
+        cells(text, line, has_tabs).into_iter().map(|cell| &text[cell]).collect()
+    };
+    let is_key = |key: &&str| key.eq_ignore_ascii_case("DataRate") || key.eq_ignore_ascii_case("Units");
+    let Some(pair) = lines.windows(2).find(|pair| words(&pair[0]).iter().any(is_key)) else {
+        return Vec::new();
+    };
+    let (keys, found) = (words(&pair[0]), words(&pair[1]));
+    let filled = |words: &[&'a str]| -> Vec<&'a str> {
+        words.iter().copied().filter(|word| !word.is_empty()).collect()
+    };
+    let (whole, own) = (filled(&keys), filled(&found));
+    if whole.len() == own.len() {
+        return whole.into_iter().zip(own).collect();
     }
-    Vec::new()
+    keys.into_iter().zip(found).collect()
 }
 
 /// The markers' names, and whether they stand elsewhere than every third column from the third.
@@ -111,7 +118,7 @@ fn names(text: &str, labels: &[Range<usize>], has_tabs: bool) -> (Vec<String>, b
         return (labels.iter().map(own).collect(), false);
     }
     if filled().all(|(column, _)| column.is_multiple_of(3)) {
-        let count = filled().last().map_or(0, |(column, _)| column / 3 + 1);
+        let count = filled().next_back().map_or(0, |(column, _)| column / 3 + 1);
         return (labels.iter().step_by(3).take(count).map(own).collect(), false);
     }
     (filled().map(|(_, cell)| own(cell)).collect(), true)

@@ -2,7 +2,7 @@
 
 use super::header::{Header, lines};
 use super::rows::{Rows, rows};
-use crate::markers::{Extent, LengthUnit, Recording, plausible, unique};
+use crate::markers::{Extent, LengthUnit, Recording, counted, plausible, unique};
 use solaris_model::{Finding, FindingKind, MarkerTrial, TextError, Vector3};
 
 /// What is not left to the file.
@@ -45,7 +45,7 @@ pub fn read(text: &str, options: &ReadOptions) -> Result<Recording, TextError> {
     let mut said = Said(Vec::new());
     differences(&header, &rows, &mut said);
     let names = names(&header, rows.markers, &mut said);
-    let (unit, message) = unit(&header, options, &rows);
+    let (unit, message) = unit(&header, options.unit, &rows);
     if let Some((kind, message)) = message {
         said.say(kind, "unit", message);
     }
@@ -55,8 +55,12 @@ pub fn read(text: &str, options: &ReadOptions) -> Result<Recording, TextError> {
     let trial = MarkerTrial::new(names, time, rows.points)
         .map_err(|error| TextError::one(text, header.line.clone(), error.to_string()))?
         .mapped(|point| point * metre);
+    // The times count, which are rounded where they agree with the rate.
+    let told = header.number("DataRate").filter(|rate| *rate > 0.0);
+    let own = trial.rate();
+    let rate = told.filter(|told| own.is_none_or(|own| !differ(own, *told))).or(own);
     Ok(Recording {
-        rate: header.number("DataRate").filter(|rate| *rate > 0.0).or_else(|| trial.rate()),
+        rate,
         markers: trial,
         unit,
         first_frame: rows.first.unwrap_or(1),
@@ -96,21 +100,17 @@ fn differences(header: &Header<'_>, rows: &Rows, said: &mut Said) {
     }
     if rows.short > 0 {
         let message =
-            format!("{} end early; the markers of their missing cells are hidden", lines_of(rows.short));
+            format!("missing at the end of {}; their markers are hidden", counted(rows.short, "line"));
         said.say(FindingKind::Note, "cells", message);
     }
     if rows.halves > 0 {
         let message =
-            format!("{} places have one or two coordinates only, and are taken as hidden", rows.halves);
+            format!("{} with one or two coordinates only, taken as hidden", counted(rows.halves, "place"));
         said.say(FindingKind::Suspect, "cells", message);
     }
     if rows.has_commas {
         said.say(FindingKind::Note, "numbers", "with decimal commas".to_owned());
     }
-}
-
-fn lines_of(count: usize) -> String {
-    if count == 1 { "1 line".to_owned() } else { format!("{count} lines") }
 }
 
 /// A name for each marker.
@@ -119,8 +119,10 @@ fn names(header: &Header<'_>, markers: usize, said: &mut Said) -> Vec<String> {
     names.resize(markers, String::new());
     let (names, changed) = unique(names);
     if let Some((was, is)) = changed.first() {
-        let message =
-            format!("{} have no name of their own: '{was}' is called '{is}', for one", changed.len());
+        let message = format!(
+            "{} without a name of its own: '{was}' is called '{is}', for one",
+            counted(changed.len(), "marker")
+        );
         said.say(FindingKind::Suspect, "markers", message);
     }
     names
@@ -129,12 +131,12 @@ fn names(header: &Header<'_>, markers: usize, said: &mut Said) -> Vec<String> {
 /// The unit of lengths, and what there is to say of it.
 fn unit(
     header: &Header<'_>,
-    options: &ReadOptions,
+    asked: Option<LengthUnit>,
     rows: &Rows,
 ) -> (LengthUnit, Option<(FindingKind, String)>) {
     let text = header.value("Units").unwrap_or("");
     let told = LengthUnit::named(text);
-    if let Some(unit) = options.unit {
+    if let Some(unit) = asked {
         let other = told.filter(|told| *told != unit);
         let message = other.map(|told| format!("{unit}, as asked for, and not {told} as the file says"));
         return (unit, message.map(|message| (FindingKind::Note, message)));
@@ -150,6 +152,11 @@ fn unit(
         message = Some(format!("'{text}' is no unit of lengths: {}", message.unwrap_or_default()));
     }
     (unit, message.map(|message| (FindingKind::Suspect, message)))
+}
+
+/// Whether two rates are not the same to a hundredth.
+fn differ(own: f64, told: f64) -> bool {
+    (own / told - 1.0).abs() > 0.01
 }
 
 fn is_origin(point: &Vector3<f64>) -> bool {
@@ -183,14 +190,15 @@ fn origins(rows: &mut Rows, names: &[String], metre: f64, said: &mut Said) {
     }
     if let Some(first) = which.first() {
         let message = format!(
-            "{hidden} places of {} markers, such as '{first}', are 0 0 0 while the marker is elsewhere far from there; taken \
-             as hidden",
-            which.len()
+            "{} of {} at 0 0 0, such as of '{first}', which is elsewhere far from there; taken as hidden",
+            counted(hidden, "place"),
+            counted(which.len(), "marker")
         );
         said.say(FindingKind::Suspect, "zeros", message);
     }
     if let Some(first) = left.first() {
-        let message = format!("{} markers, such as '{first}', are at 0 0 0 at times; left there", left.len());
+        let message =
+            format!("at 0 0 0 at times: '{first}', of {}; left there", counted(left.len(), "marker"));
         said.say(FindingKind::Suspect, "zeros", message);
     }
 }
@@ -222,7 +230,7 @@ fn times(text: &str, header: &Header<'_>, rows: &Rows, said: &mut Said) -> Resul
     }
     if let (Some(rate), [first, .., last]) = (rate, &time[..]) {
         let own = (time.len() - 1) as f64 / (last - first);
-        if (own / rate - 1.0).abs() > 0.01 {
+        if differ(own, rate) {
             let message = format!("the header says {rate} Hz, the times {own:.4} Hz; the times count");
             said.say(FindingKind::Suspect, "DataRate", message);
         }

@@ -3,6 +3,8 @@
 mod bvh;
 mod bvh_in;
 mod bvh_reader;
+#[cfg(feature = "c3d")]
+mod c3d;
 #[cfg(feature = "csv")]
 mod csv;
 mod csv_tables;
@@ -28,5 +30,7 @@ mod sdf;
 mod sto;
 #[cfg(any(feature = "mjcf", feature = "sdf", feature = "urdf"))]
 mod table;
+#[cfg(feature = "trc")]
+mod trc;
 #[cfg(feature = "urdf")]
 mod urdf;

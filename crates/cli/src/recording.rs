@@ -1,0 +1,85 @@
+//! Recordings of markers: C3D and TRC files.
+
+use crate::args::MarkerArgs;
+use crate::error::{CliError, UsageError};
+use crate::input::{self, extension};
+use solaris::io::bvh::Unit;
+use solaris::io::markers::{Axes, LengthUnit, Recording, Way, find_axes};
+use solaris::io::{c3d, trc};
+use solaris::model::{Finding, FindingKind, Vector3};
+use std::path::Path;
+
+/// A recording along the axes of `OpenSim`, and which of its own those were.
+pub(crate) struct Turned {
+    pub(crate) recording: Recording,
+    /// Which ways of the file were up and forward.
+    pub(crate) axes: Axes,
+}
+
+/// Whether a file is one of markers, by its extension.
+pub(crate) fn is_one(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "c3d" | "trc")
+}
+
+/// Reads a recording, in the unit that is asked for or its own.
+pub(crate) fn read(path: &Path, unit: Option<LengthUnit>) -> Result<Recording, CliError> {
+    if extension(path) == "c3d" {
+        let bytes = input::bytes(path)?;
+        return c3d::read(&bytes, &c3d::ReadOptions { unit }).map_err(|error| CliError::input(path, &error));
+    }
+    let text = input::decoded(path)?;
+    trc::read(&text, &trc::ReadOptions { unit }).map_err(|faults| input::faulty(path, &text, faults))
+}
+
+/// Turns a recording into the axes of `OpenSim` (x forward, y up) from those that are named, or else from those that are found.
+pub(crate) fn turned(mut recording: Recording, named: Option<Axes>) -> Turned {
+    let axes = named.unwrap_or_else(|| {
+        let (axes, findings) = find_axes(&recording);
+        recording.findings.extend(findings);
+        axes
+    });
+    Turned { recording: recording.turned(&axes, &Axes::OPENSIM), axes }
+}
+
+/// Reads a recording along the axes of a world with this gravity: turned where another way is up in it, or where its axes are
+/// named. Without gravity it stays as it is.
+pub(crate) fn in_world(path: &Path, gravity: Vector3<f64>, args: &MarkerArgs) -> Result<Recording, CliError> {
+    let mut recording = read(path, args.unit)?;
+    if gravity.norm_squared() == 0.0 {
+        return Ok(recording);
+    }
+    let up = Way::nearest(&-gravity);
+    // Any level way will do for forward, as nothing in a world looks anywhere; that of OpenSim where it is one.
+    let forward = if up.axis() == 0 { Way::along(1) } else { Way::along(0) };
+    let Ok(world) = Axes::new(up, forward) else { return Ok(recording) };
+    if let Some(axes) = args.axes {
+        return Ok(recording.turned(&axes, &world));
+    }
+    let (axes, findings) = find_axes(&recording);
+    if axes.up() == up {
+        // Plates that hold what the subject does to them are turned round all the same.
+        return Ok(recording.turned(&world, &world));
+    }
+    recording.findings.extend(findings);
+    Ok(recording.turned(&axes, &world))
+}
+
+/// The unit of lengths that `--unit` names.
+pub(crate) fn unit(asked: Option<Unit>) -> Result<Option<LengthUnit>, UsageError> {
+    Ok(match asked {
+        None => None,
+        Some(Unit::Millimetres) => Some(LengthUnit::Millimetres),
+        Some(Unit::Centimetres) => Some(LengthUnit::Centimetres),
+        Some(Unit::Metres) => Some(LengthUnit::Metres),
+        Some(Unit::Inches) => Some(LengthUnit::Inches),
+        Some(Unit::Cmu | Unit::Of(_)) => return Err(UsageError::UnitOfMarkers),
+    })
+}
+
+/// Those of findings that look wrong.
+pub(crate) fn doubts(findings: &[Finding]) -> usize {
+    findings
+        .iter()
+        .filter(|finding| matches!(finding.kind, FindingKind::Missing | FindingKind::Suspect))
+        .count()
+}
