@@ -21,6 +21,7 @@ use crate::given::{Given, GivenReport, in_order};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
 use crate::shown::{Shown, axes, given_rows, stem, warning_rows};
+use crate::subject;
 use against::Plates;
 use serde::Serialize;
 use solaris::io::record::{ForceHeadings, force_table};
@@ -49,7 +50,8 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
 
     let progress = Progress::new(4);
     progress.stage("reading");
-    let mut given = Given::read(of, from, &args.record, &args.frame, &progress)?;
+    let body = subject::body(of, &args.subject, &args.record.markers, &args.frame)?;
+    let mut given = Given::of(body, [of, from], &args.record, &args.frame, &progress)?;
     progress.stage("finding the ground's forces");
     say_medium(&mut given);
     let ground = Ground::new(&args.ground, &args.frame, &given)?;

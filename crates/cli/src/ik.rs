@@ -2,14 +2,13 @@
 
 use crate::args::IkArgs;
 use crate::error::CliError;
-use crate::input;
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
 use crate::run::{as_csv, in_degrees};
+use crate::subject;
 use solaris::io::{IoError, bvh, csv, sto};
-use solaris::model::Base;
 use std::io::Write;
 
 /// What is written.
@@ -33,10 +32,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
     outputs.keep_off([args.figure.as_path(), args.trial.as_path()])?;
     let progress = Progress::new(3);
     progress.stage("reading");
-    let mut body = input::body_in(&args.figure, args.frame.files.as_deref())?;
-    if let Some(base) = args.frame.base.map(Base::from) {
-        body.figure = body.figure.on_base(base).map_err(|error| CliError::input(&args.figure, &error))?;
-    }
+    let mut body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame)?;
     if let Some(gravity) = &args.frame.gravity {
         body.gravity = gravity.vector;
     }
@@ -60,6 +56,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             return write_json(out, &report);
         }
         writeln!(out, "{} '{}'\n", body.language.name(), figure.name())?;
+        body.subject.iter().try_for_each(|subject| subject.write(out))?;
         report.write(out)?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })

@@ -3,6 +3,7 @@
 mod folder;
 
 use crate::error::CliError;
+use crate::subject::SubjectReport;
 use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
 use solaris::io::opensim::MarkerSet;
@@ -97,6 +98,8 @@ pub(crate) struct Body {
     pub(crate) defaults: Vec<CoordinateDefault>,
     /// Its markers, as far as the file has any.
     pub(crate) markers: MarkerSet,
+    /// How it was brought to a person's size, if it was.
+    pub(crate) subject: Option<SubjectReport>,
 }
 
 impl Body {
@@ -116,6 +119,7 @@ impl Body {
             medium: Medium::default(),
             defaults: Vec::new(),
             markers: MarkerSet::default(),
+            subject: None,
         }
     }
 }
@@ -226,6 +230,7 @@ pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions
             medium,
             defaults: Vec::new(),
             markers: MarkerSet::default(),
+            subject: None,
         });
     }
     // Kept with the figure, so that its text says which way is up.
@@ -235,7 +240,17 @@ pub(crate) fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions
         defaults = opensim::coordinate_defaults(&text);
         markers = opensim::markers(&text, &figure).map_err(faults)?;
     }
-    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults, markers })
+    Ok(Body {
+        figure,
+        language,
+        findings,
+        gravity,
+        gravity_is_given,
+        medium,
+        defaults,
+        markers,
+        subject: None,
+    })
 }
 
 /// Reads a BVH file.

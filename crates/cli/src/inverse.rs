@@ -3,6 +3,7 @@
 mod batch;
 mod forces;
 mod plan;
+mod plates;
 mod report;
 mod rows;
 mod summary;
@@ -13,9 +14,9 @@ pub(crate) use forces::External;
 
 use crate::args::InverseArgs;
 use crate::error::CliError;
-use crate::input;
 use crate::print::print;
 use crate::progress::Progress;
+use crate::subject;
 use plan::Plan;
 
 pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
@@ -25,8 +26,11 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     };
     let progress = Progress::new(5);
     progress.stage("reading");
-    let report =
-        trial.analyse(args, input::body_in(&args.figure, args.frame.files.as_deref())?, &progress)?;
+    let report = trial.analyse(
+        args,
+        subject::body(&args.figure, &args.subject, &args.record.markers, &args.frame)?,
+        &progress,
+    )?;
     drop(progress);
     print(|out| {
         if args.json {

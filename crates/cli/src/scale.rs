@@ -14,15 +14,15 @@ pub(crate) fn run(args: &ScaleArgs) -> Result<(), CliError> {
     }
     let outputs = Outputs::new(args.outputs.iter().map(|path| ("-o", path, TEXT)))?;
     outputs.keep_off([args.figure.as_path()])?;
-    let (body, report) = subject::body(&args.figure, &args.subject, &args.markers, &args.frame)?;
+    let body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame)?;
     let text = text::write(&body.marked());
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
     print(|out| {
         if args.json {
-            return write_json(out, &report);
+            return write_json(out, &body.subject);
         }
         writeln!(out, "{} '{}'\n", body.language.name(), body.figure.name())?;
-        report.iter().try_for_each(|report| report.write(out))?;
+        body.subject.iter().try_for_each(|report| report.write(out))?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })
 }

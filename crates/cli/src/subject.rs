@@ -22,16 +22,15 @@ pub(crate) fn body(
     subject: &SubjectArgs,
     markers: &MarkerArgs,
     frame: &FrameArgs,
-) -> Result<(Body, Option<SubjectReport>), CliError> {
+) -> Result<Body, CliError> {
     let mut body = input::body_in(path, frame.files.as_deref())?;
     if let Some(base) = frame.base.map(Base::from).filter(|base| *base != Base::Fixed) {
         body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
     }
-    if !subject.is_asked() {
-        return Ok((body, None));
+    if subject.is_asked() {
+        body.subject = Some(scale(&mut body, path, subject, markers)?);
     }
-    let report = scale(&mut body, path, subject, markers)?;
-    Ok((body, Some(report)))
+    Ok(body)
 }
 
 /// A setup and where it stands, which its files' names count from.

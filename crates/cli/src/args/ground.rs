@@ -1,6 +1,7 @@
 //! The request of `solaris ground`, and its options that `solaris inverse` and `solaris metrics` have as well.
 
 use super::given::{self, CyclesArgs, FrameArgs, RecordArgs};
+use super::subject::SubjectArgs;
 use super::{Number, wrap};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -60,6 +61,8 @@ pub(crate) struct GroundCommandArgs {
     pub(crate) consistent: ConsistentArgs,
     #[command(flatten, next_help_heading = "The motion")]
     pub(crate) record: RecordArgs,
+    #[command(flatten, next_help_heading = "A figure that is brought to a person's size")]
+    pub(crate) subject: SubjectArgs,
     #[command(flatten, next_help_heading = "The figure")]
     pub(crate) frame: FrameArgs,
 }

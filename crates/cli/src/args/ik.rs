@@ -2,6 +2,7 @@
 
 use super::given::{FIGURE, FrameArgs};
 use super::markers::MarkerArgs;
+use super::subject::SubjectArgs;
 use super::wrap;
 use clap::Args;
 use std::path::PathBuf;
@@ -30,6 +31,8 @@ pub(crate) struct IkArgs {
     pub(crate) errors_out: Option<PathBuf>,
     #[arg(long, help = "Print the summary as JSON instead of a table")]
     pub(crate) json: bool,
+    #[command(flatten, next_help_heading = "A figure that is brought to a person's size")]
+    pub(crate) subject: SubjectArgs,
     #[command(flatten, next_help_heading = "The markers")]
     pub(crate) markers: MarkerArgs,
     #[command(flatten, next_help_heading = "The figure")]

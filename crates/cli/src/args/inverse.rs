@@ -2,6 +2,7 @@
 
 use super::given::{self, CyclesArgs, FrameArgs, RecordArgs};
 use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs, STANCE_OPTIONS};
+use super::subject::SubjectArgs;
 use super::wrap;
 use clap::{Arg, ArgGroup, Args, ValueEnum};
 use std::path::PathBuf;
@@ -58,6 +59,8 @@ pub(crate) struct InverseArgs {
     pub(crate) cycles: CyclesArgs,
     #[command(flatten, next_help_heading = "The motion")]
     pub(crate) record: RecordArgs,
+    #[command(flatten, next_help_heading = "A figure that is brought to a person's size")]
+    pub(crate) subject: SubjectArgs,
     #[command(flatten, next_help_heading = "The figure")]
     pub(crate) frame: FrameArgs,
     #[arg(

@@ -9,6 +9,7 @@ use crate::recording;
 use crate::run::as_csv;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
+use solaris::io::markers::Plate;
 use solaris::io::record::{self, ReadMotion};
 use solaris::model::{Base, Finding, FindingKind, Motion};
 use std::path::{Path, PathBuf};
@@ -27,23 +28,14 @@ pub(crate) struct Given {
     pub(crate) doubtful: Vec<Finding>,
     /// How well the markers fit, where the motion is markers.
     pub(crate) markers: Option<MarkersReport>,
+    /// Force plates that stand in the motion's own file.
+    pub(crate) plates: Vec<Plate>,
     pub(crate) recorded: ReadMotion,
     pub(crate) filter: Option<Filter>,
     pub(crate) found: Differentiated,
 }
 
 impl Given {
-    /// Reads the figure `of` and the motion `from`, as the options say.
-    pub(crate) fn read(
-        of: &Path,
-        from: &Path,
-        record: &RecordArgs,
-        frame: &FrameArgs,
-        progress: &Progress,
-    ) -> Result<Self, CliError> {
-        Self::of(input::body_in(of, frame.files.as_deref())?, [of, from], record, frame, progress)
-    }
-
     /// The motion, of which everything is known.
     pub(crate) fn motion(&self) -> &Motion {
         &self.found.motion
@@ -79,14 +71,27 @@ impl Given {
             doubtful
                 .extend(body.findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).cloned());
         }
-        let markers = fitted.map(|fitted| MarkersReport::of(&fitted, &body.figure));
+        let markers = fitted.as_ref().map(|fitted| MarkersReport::of(fitted, &body.figure));
+        let plates = fitted.map_or_else(Vec::new, |fitted| fitted.recording.plates);
         progress.stage("finding velocities and accelerations");
         let filter = record.filter.map(|cutoff| Filter { cutoff, order: record.filter_order.into() });
         let found = differentiate(&body.figure, &recorded.motion, filter)
             .map_err(|error| CliError::input(from, &error))?;
         let gravity_is_asked = frame.gravity.is_some();
         let (of, from) = (of.to_owned(), from.to_owned());
-        Ok(Self { of, from, body, gravity_is_asked, table, doubtful, markers, recorded, filter, found })
+        Ok(Self {
+            of,
+            from,
+            body,
+            gravity_is_asked,
+            table,
+            doubtful,
+            markers,
+            plates,
+            recorded,
+            filter,
+            found,
+        })
     }
 }
 

@@ -4,6 +4,7 @@ use super::read::Given;
 use crate::input::extension;
 use crate::markers::MarkersReport;
 use crate::plausible::Finding;
+use crate::subject::SubjectReport;
 use serde::Serialize;
 use solaris::analysis::plausibility::check_angles;
 use solaris::io::TableNote;
@@ -34,6 +35,9 @@ pub(crate) struct GivenReport {
     /// What looks wrong with what a BVH file says, or leaves to guess.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) guessed: Vec<String>,
+    /// How the figure was brought to a person's size, if it was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) subject: Option<SubjectReport>,
     /// How well the markers fit, where the motion is markers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) markers: Option<MarkersReport>,
@@ -125,6 +129,7 @@ impl GivenReport {
             }),
             missing: said(&mut body.findings.iter().filter(|finding| finding.kind == FindingKind::Missing)),
             guessed: said(&mut given.doubtful.iter()),
+            subject: given.body.subject.clone(),
             markers: given.markers.clone(),
             many_turns: figure
                 .many_turns(motion.columns()[0])

@@ -36,6 +36,7 @@ impl GivenReport {
             row(out, "derivatives", "as recorded")?;
         }
         self.write_filter(out)?;
+        self.subject.iter().try_for_each(|subject| subject.write(out))?;
         self.markers.iter().try_for_each(|markers| markers.write(out))
     }
 

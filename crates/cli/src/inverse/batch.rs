@@ -5,10 +5,10 @@ use super::report::Report;
 use super::rows;
 use crate::args::InverseArgs;
 use crate::error::CliError;
-use crate::input;
 use crate::pool::pool;
 use crate::print::{print, write_json};
 use crate::progress::{Progress, Rows as Bar};
+use crate::subject;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ pub(super) struct Done {
 }
 
 pub(super) fn run(args: &InverseArgs, many: &Many) -> Result<(), CliError> {
-    let body = input::body_in(&args.figure, args.frame.files.as_deref())?;
+    let body = subject::body(&args.figure, &args.subject, &args.record.markers, &args.frame)?;
     let bar = Bar::shown(many.trials.len());
     let all: Vec<Done> = pool(0)?.install(|| {
         let one = many.trials.par_iter().with_max_len(1).map(|trial| {

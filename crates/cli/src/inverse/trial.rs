@@ -1,6 +1,7 @@
 //! One motion and its files.
 
 use super::forces::External;
+use super::plates::OwnPlates;
 use super::report::{Asked, Report};
 use super::tables;
 use crate::args::{InverseArgs, Switch};
@@ -51,7 +52,7 @@ impl Trial {
         let mut given = Given::of(body, [&args.figure, from], &args.record, &args.frame, progress)?;
         let external =
             External::read(&args.external.plates, [self.forces.as_deref(), self.loads.as_deref()])?;
-        let measured = external.records(&given.body.figure)?;
+        let mut measured = external.records(&given.body.figure)?;
 
         progress.stage("finding the forces");
         if predicted.ground {
@@ -65,6 +66,13 @@ impl Trial {
         };
         let prepared = given.prepared()?;
         let ground = ground.map(|ground| ground.predict(&given, &prepared, moved)).transpose()?;
+        let own = if measured.is_empty() && ground.is_none() {
+            let soles = known_soles(predicted.how.soles.as_deref(), &given)?.map(|(soles, _)| soles);
+            OwnPlates::of(&given, &prepared, soles)?
+        } else {
+            OwnPlates::default()
+        };
+        measured.extend(own.forces);
         let figure = &given.body.figure;
         let mut loads = Loads::at_times(figure, &measured, given.motion().time())
             .map_err(|error| CliError::input(from, &error))?;
@@ -105,6 +113,7 @@ impl Trial {
             notes: external.notes(),
             external: match &ground {
                 Some(_) => "the ground's, found from the motion".to_owned(),
+                None if !own.words.is_empty() => own.words.join("; "),
                 None => external.describe(),
             },
             ground: ground.map(|ground| GroundReport::new(ground, &given)),
