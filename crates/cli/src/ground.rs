@@ -50,7 +50,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
 
     let progress = Progress::new(4);
     progress.stage("reading");
-    let body = subject::body(of, &args.subject, &args.record.markers, &args.frame)?;
+    let body = subject::body(of, &args.subject, &args.record.markers, &args.frame, &[from])?;
     let mut given = Given::of(body, [of, from], &args.record, &args.frame, &progress)?;
     progress.stage("finding the ground's forces");
     say_medium(&mut given);

@@ -32,7 +32,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
     outputs.keep_off([args.figure.as_path(), args.trial.as_path()])?;
     let progress = Progress::new(3);
     progress.stage("reading");
-    let mut body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame)?;
+    let mut body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &[&args.trial])?;
     if let Some(gravity) = &args.frame.gravity {
         body.gravity = gravity.vector;
     }

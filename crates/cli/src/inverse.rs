@@ -28,7 +28,7 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
     progress.stage("reading");
     let report = trial.analyse(
         args,
-        subject::body(&args.figure, &args.subject, &args.record.markers, &args.frame)?,
+        subject::body(&args.figure, &args.subject, &args.record.markers, &args.frame, &args.trials())?,
         &progress,
     )?;
     drop(progress);

@@ -7,6 +7,7 @@ use crate::output::Outputs;
 use crate::print::{print, write_json};
 use crate::subject;
 use solaris::model::text;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(args: &ScaleArgs) -> Result<(), CliError> {
     if !args.subject.is_asked() {
@@ -14,7 +15,8 @@ pub(crate) fn run(args: &ScaleArgs) -> Result<(), CliError> {
     }
     let outputs = Outputs::new(args.outputs.iter().map(|path| ("-o", path, TEXT)))?;
     outputs.keep_off([args.figure.as_path()])?;
-    let body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame)?;
+    let trials: Vec<&Path> = args.trials.iter().map(PathBuf::as_path).collect();
+    let body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &trials)?;
     let text = text::write(&body.marked());
     outputs.write(|(), writer| writer.write_all(text.as_bytes()).map_err(CliError::other))?;
     print(|out| {

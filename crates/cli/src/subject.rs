@@ -5,12 +5,14 @@ mod report;
 pub(crate) use report::SubjectReport;
 
 use crate::args::{FrameArgs, MarkerArgs, SubjectArgs};
-use crate::error::CliError;
+use crate::error::{CliError, UsageError};
 use crate::input::{self, Body};
 use crate::markers;
 use crate::recording;
-use report::{BodyFactors, Measured, Pair, Placed};
-use solaris::analysis::markers::{inverse_kinematics, measured_factor, place_markers};
+use report::{BodyFactors, Fitted, Measured, Pair, Placed};
+use solaris::analysis::markers::{
+    FitOptions, fit_subject, inverse_kinematics, measured_factor, place_markers,
+};
 use solaris::io::markers::Recording;
 use solaris::io::opensim::{self, MarkerSet, Measurement, PlacerSetup, ScaleSetup, ScalingStep};
 use solaris::model::{Base, MarkerTrial, MassShares, Stretching, Vector3};
@@ -22,15 +24,55 @@ pub(crate) fn body(
     subject: &SubjectArgs,
     markers: &MarkerArgs,
     frame: &FrameArgs,
+    trials: &[&Path],
 ) -> Result<Body, CliError> {
     let mut body = input::body_in(path, frame.files.as_deref())?;
     if let Some(base) = frame.base.map(Base::from).filter(|base| *base != Base::Fixed) {
         body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
     }
     if subject.is_asked() {
-        body.subject = Some(scale(&mut body, path, subject, markers)?);
+        let report = if subject.scale_setup.is_none() && (subject.fit || subject.standing.is_some()) {
+            fit(&mut body, path, (subject, markers), trials)?
+        } else {
+            scale(&mut body, path, subject, markers)?
+        };
+        body.subject = Some(report);
     }
     Ok(body)
+}
+
+/// Fits a figure's lengths and markers to trials of a person.
+fn fit(
+    body: &mut Body,
+    path: &Path,
+    (subject, args): (&SubjectArgs, &MarkerArgs),
+    others: &[&Path],
+) -> Result<SubjectReport, CliError> {
+    let others = others.iter().copied().filter(|path| subject.fit && recording::is_one(path));
+    let files: Vec<&Path> = subject.standing.as_deref().into_iter().chain(others).collect();
+    if files.is_empty() {
+        return Err(UsageError::NothingToFit.into());
+    }
+    body.markers.markers = markers::markers(body, args.marker_set.as_deref())?;
+    let mut report = SubjectReport::new(body, None);
+    let mut trials = Vec::new();
+    for file in files {
+        let Recording { markers, findings, .. } = recording::in_world(file, body.gravity, args)?;
+        report.notes.extend(findings.iter().map(|finding| format!("{}: {finding}", file.display())));
+        trials.push(markers);
+    }
+    let refuse = |error: &dyn ToString| CliError::input(path, error);
+    let options = markers::options(body, None, args)?;
+    let found = fit_subject(&body.figure, &body.markers.markers, &trials, &options, &FitOptions::default())
+        .map_err(|error| refuse(&error))?;
+    let mass = subject.mass.as_ref().map(|mass| mass.value);
+    let stretching = Stretching { factors: found.factors.clone(), mass, shares: MassShares::Kept };
+    body.figure = body.figure.stretched(&stretching).map_err(|error| refuse(&error))?;
+    body.markers.markers.clone_from(&found.markers);
+    report.fitted = Some(Fitted::new(&found, trials.len()));
+    let names = body.figure.links().iter().map(|link| link.name().to_owned());
+    report.finish(body, names.zip(found.factors).collect());
+    Ok(report)
 }
 
 /// A setup and where it stands, which its files' names count from.

@@ -5,7 +5,7 @@ use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs, STANCE_OPTIONS};
 use super::subject::SubjectArgs;
 use super::wrap;
 use clap::{Arg, ArgGroup, Args, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "Examples:
   solaris inverse subject.osim walk.mot --external grf.mot --plate calcn_r= --plate calcn_l=1_ --filter 6Hz \\
@@ -17,6 +17,8 @@ const EXAMPLES: &str = "Examples:
       many motions on all cores: moments and a page of each, and a table with a row for each; {} is the motion's name
   solaris inverse subject.osim walk.mot --ground --soles soles.ron --cycles right --cycles-out stride.csv --cycles-out stride.svg
       angles and moments over the stride: mean and standard deviation at every percent
+  solaris inverse generic.osim --markers walk.c3d --static static.c3d --mass 72.6 --filter 6Hz -o page.html
+      from markers to moments: the model is brought to the person's size, plates are found under the feet
   solaris inverse robot.urdf trajectory.csv -o tau.csv
       motor torques of a robot
   solaris inverse human.ron walk.csv --external walk.csv --plate left_foot+left_toes=left_foot \\
@@ -39,10 +41,14 @@ const EXAMPLES: &str = "Examples:
 pub(crate) struct InverseArgs {
     #[arg(value_name = "FIGURE", help = wrap(given::FIGURE))]
     pub(crate) figure: PathBuf,
-    #[arg(id = "trials", value_name = "MOTION", required = true, num_args = 1.., help = wrap(&format!(
+    #[arg(id = "trials", value_name = "MOTION", required_unless_present = "marker_files", num_args = 1.., help = wrap(&format!(
         "{}. Several are allowed: they are taken at once, on all cores", given::MOTION
     )))]
-    pub(crate) motions: Vec<PathBuf>,
+    motions: Vec<PathBuf>,
+    #[arg(id = "marker_files", long = "markers", value_name = "FILE", conflicts_with = "trials", help = wrap(
+        "The same as MOTION, of markers: .c3d (with its force plates) or .trc; several are allowed"
+    ))]
+    marker_files: Vec<PathBuf>,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
         "Write the torques: .csv with columns DOF.tau, or .sto with OpenSim's names; draw them: .svg; or show all of it on a \
          page: .html. Of several motions: a folder for NAME.sto, a file for each (out/{}.html, where {} is the motion's name), or \
@@ -68,6 +74,18 @@ pub(crate) struct InverseArgs {
         help = wrap("Whether armature, damping, springs and friction of the joints, and a fluid around, count [default: on]")
     )]
     pub(crate) passive: Switch,
+}
+
+impl InverseArgs {
+    /// The motions' files.
+    pub(crate) fn motions(&self) -> Vec<&PathBuf> {
+        self.motions.iter().chain(&self.marker_files).collect()
+    }
+
+    /// The same as paths.
+    pub(crate) fn trials(&self) -> Vec<&Path> {
+        self.motions().into_iter().map(PathBuf::as_path).collect()
+    }
 }
 
 /// Where neither the ground nor strides are asked for, nothing is asked of feet.

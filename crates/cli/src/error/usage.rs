@@ -43,6 +43,8 @@ pub(crate) enum UsageError {
     OfFigure { what: String, to: PathBuf },
     #[error("nothing says whom to scale it to; give --static FILE, --scale-setup FILE.xml or --mass KG")]
     NothingToScale,
+    #[error("--fit: there is no trial of markers; give .trc or .c3d files, or --static FILE")]
+    NothingToFit,
     #[error("--x and --y name the same parameter; a map needs two")]
     SameAxes,
     #[error("-o writes one curve, and its free parameter has no value; give it one")]

@@ -25,7 +25,7 @@ pub(super) struct Done {
 }
 
 pub(super) fn run(args: &InverseArgs, many: &Many) -> Result<(), CliError> {
-    let body = subject::body(&args.figure, &args.subject, &args.record.markers, &args.frame)?;
+    let body = subject::body(&args.figure, &args.subject, &args.record.markers, &args.frame, &args.trials())?;
     let bar = Bar::shown(many.trials.len());
     let all: Vec<Done> = pool(0)?.install(|| {
         let one = many.trials.par_iter().with_max_len(1).map(|trial| {

@@ -36,10 +36,10 @@ pub(super) struct Many {
 impl Plan {
     /// Sorts the files, and refuses those that cannot be.
     pub(super) fn of(args: &InverseArgs) -> Result<Self, CliError> {
-        for motion in &args.motions {
+        for motion in args.motions() {
             in_order("inverse", &args.figure, motion)?;
         }
-        let is_many = args.motions.len() > 1 || args.outputs.iter().any(|path| is_folder(path));
+        let is_many = args.motions().len() > 1 || args.outputs.iter().any(|path| is_folder(path));
         let (mut each, mut tables): (Vec<&PathBuf>, Vec<&PathBuf>) = (Vec::new(), Vec::new());
         for path in &args.outputs {
             let is_for_each = !is_many || is_folder(path) || is_named(path);
@@ -51,7 +51,7 @@ impl Plan {
         for folder in args.outputs.iter().filter(|path| is_folder(path)) {
             make_folder("-o", folder)?;
         }
-        let trials = args.motions.iter().map(|motion| trial(args, motion, &each));
+        let trials = args.motions().into_iter().map(|motion| trial(args, motion, &each));
         let mut trials = trials.collect::<Result<Vec<Trial>, CliError>>()?;
         if !is_many && let Some(trial) = trials.pop() {
             return Ok(Self::One(trial));
@@ -65,7 +65,7 @@ impl Plan {
 
 /// Refuses files that belong to one motion and are to serve many, and motions of the same name.
 fn check_many(args: &InverseArgs, tables: &[&PathBuf]) -> Result<(), CliError> {
-    let count = args.motions.len();
+    let count = args.motions().len();
     let refuse = |option: &'static str, path: &Path, example: &str| {
         let why = format!(
             "there are {count} motions and this is one file; let {NAME} stand for each one's name, such as {example}"
@@ -95,8 +95,8 @@ fn check_many(args: &InverseArgs, tables: &[&PathBuf]) -> Result<(), CliError> {
             }
         }
     }
-    for (i, motion) in args.motions.iter().enumerate() {
-        if let Some(other) = args.motions[..i].iter().find(|other| stem(other) == stem(motion)) {
+    for (i, motion) in args.motions().into_iter().enumerate() {
+        if let Some(other) = args.motions()[..i].iter().find(|other| stem(other) == stem(motion)) {
             let why = format!(
                 "{} has the same name, and files are called by it; rename one, or take them one after the other",
                 other.display()

@@ -4,7 +4,7 @@ use super::factors_of;
 use crate::input::Body;
 use crate::words::{counted, row, short, some};
 use serde::Serialize;
-use solaris::analysis::markers::{MarkerMotion, PairRatio};
+use solaris::analysis::markers::{MarkerMotion, PairRatio, SubjectFit};
 use solaris::io::opensim::ScaleSetup;
 use solaris::model::Vector3;
 use std::io::{Result, Write};
@@ -19,6 +19,8 @@ pub(crate) struct SubjectReport {
     mass_kg: f64,
     pub(super) measured: Vec<Measured>,
     factors: Vec<BodyFactors>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fitted: Option<Fitted>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) placed: Option<Placed>,
     pub(super) notes: Vec<String>,
@@ -53,6 +55,83 @@ pub(super) struct BodyFactors {
     pub(super) factors: [f64; 3],
 }
 
+/// Lengths and markers that were fitted.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Fitted {
+    trials: usize,
+    frames: usize,
+    rms_before_mm: f64,
+    rms_mm: f64,
+    lengths: Vec<Length>,
+    /// How far each marker moved on its link (mm), the farthest first.
+    moved: Vec<Moved>,
+}
+
+/// A segment's length.
+#[derive(Clone, Debug, Serialize)]
+struct Length {
+    segment: String,
+    before_m: f64,
+    length_m: f64,
+    standard_error_m: f64,
+}
+
+impl Fitted {
+    pub(super) fn new(found: &SubjectFit, trials: usize) -> Self {
+        let lengths = found.lengths.iter().map(|segment| Length {
+            segment: segment.link.clone(),
+            before_m: segment.before,
+            length_m: segment.length,
+            standard_error_m: segment.error,
+        });
+        Self {
+            trials,
+            frames: found.frames,
+            rms_before_mm: found.rms_before * 1e3,
+            rms_mm: found.rms * 1e3,
+            lengths: lengths.collect(),
+            moved: farthest(found.moved.clone()),
+        }
+    }
+
+    fn write(&self, out: &mut dyn Write) -> Result<()> {
+        let frames = counted(self.frames, "frame", "frames");
+        let trials = counted(self.trials, "trial", "trials");
+        let words = format!(
+            "{frames} of {trials}: {} mm rms, before {}",
+            short(self.rms_mm),
+            short(self.rms_before_mm)
+        );
+        row(out, "fitted", &words)?;
+        for (i, length) in self.lengths.iter().enumerate() {
+            let words = format!(
+                "{}: {} ± {} mm, in the model {}",
+                length.segment,
+                short(length.length_m * 1e3),
+                short(length.standard_error_m * 1e3),
+                short(length.before_m * 1e3)
+            );
+            row(out, if i == 0 { "lengths" } else { "" }, &words)?;
+        }
+        row(out, "markers", &format!("farthest moved: {}", most(&self.moved)))
+    }
+}
+
+/// The farthest moved first.
+fn farthest(moved: Vec<(String, f64)>) -> Vec<Moved> {
+    let mut moved: Vec<Moved> =
+        moved.into_iter().map(|(marker, by)| Moved { marker, by_mm: by * 1e3 }).collect();
+    moved.sort_by(|a, b| b.by_mm.total_cmp(&a.by_mm));
+    moved
+}
+
+/// Those that moved most, in words.
+fn most(moved: &[Moved]) -> String {
+    let words: Vec<String> =
+        moved.iter().take(SHOWN).map(|moved| format!("{} {} mm", moved.marker, short(moved.by_mm))).collect();
+    words.join(", ")
+}
+
 /// What placing the markers did.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Placed {
@@ -81,15 +160,12 @@ impl Placed {
         lost: Vec<String>,
     ) -> Self {
         let worst = found.frames.first().and_then(|frame| frame.worst);
-        let mut moved: Vec<Moved> =
-            moved.into_iter().map(|(marker, by)| Moved { marker, by_mm: by * 1e3 }).collect();
-        moved.sort_by(|a, b| b.by_mm.total_cmp(&a.by_mm));
         Self {
             frames,
             rms_mm: found.rms() * 1e3,
             worst: worst.map(|(marker, _)| found.markers[marker].name.clone()),
             worst_mm: worst.map(|(_, distance)| distance * 1e3),
-            moved,
+            moved: farthest(moved),
             lost,
         }
     }
@@ -120,6 +196,9 @@ impl SubjectReport {
             let words = format!("{}: ×{:.4} ({})", measured.name, measured.factor, some(&pairs));
             row(out, if i == 0 { "measured" } else { "" }, &words)?;
         }
+        if let Some(fitted) = &self.fitted {
+            fitted.write(out)?;
+        }
         if let Some(placed) = &self.placed {
             placed.write(out)?;
         }
@@ -138,13 +217,7 @@ impl Placed {
         };
         let frames = counted(self.frames, "frame", "frames");
         row(out, "static pose", &format!("mean of {frames}: {} mm rms{worst}", short(self.rms_mm)))?;
-        let most: Vec<String> = self
-            .moved
-            .iter()
-            .take(SHOWN)
-            .map(|moved| format!("{} {} mm", moved.marker, short(moved.by_mm)))
-            .collect();
-        row(out, "markers", &format!("{} placed; farthest moved: {}", self.moved.len(), most.join(", ")))?;
+        row(out, "markers", &format!("{} placed; farthest moved: {}", self.moved.len(), most(&self.moved)))?;
         if !self.lost.is_empty() {
             row(out, "", &format!("not in the trial, left away: {}", some(&self.lost)))?;
         }
