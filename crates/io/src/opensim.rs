@@ -38,6 +38,8 @@
 //!
 //! Muscles, actuators, other forces and constraints, controllers, markers, wrapping and geometry are listed, not read.
 //!
+//! [`rescale`] scales the text of a model to a subject, by the rules of OpenSim's `ScaleTool`.
+//!
 //! [`external_loads`] reads which columns of a table are forces on which bodies.
 
 mod axes;
@@ -57,12 +59,14 @@ mod loads;
 mod mount;
 mod older;
 mod quintic;
+mod rescale;
 mod rest;
 mod spline;
 mod station;
 
 pub use defaults::coordinate_defaults;
 pub use loads::{ExternalForce, ExternalLoads, external_loads};
+pub use rescale::{MarkerPlace, Rescaling, rescale};
 
 use crate::import::Import;
 use crate::tree::finish;
