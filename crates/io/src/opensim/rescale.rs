@@ -7,9 +7,12 @@ mod lengths;
 mod markers;
 mod masses;
 mod paths;
+mod wraps;
 
 pub use markers::MarkerPlace;
 
+use super::couplers::COUPLER;
+use super::element::{child_flag, child_words};
 use super::{DEEPEST, model_of};
 use crate::xml::{self, Node, Reader, tag};
 use bodies::Bodies;
@@ -49,7 +52,7 @@ pub struct Rescaling {
 /// | wrap objects' sizes, `scale_factors` of what is attached | by how much longer their own axes become |
 /// | `mass` | its share, or times `s_x·s_y·s_z`, then all to the total |
 /// | `inertia` | [`solaris_model::stretched_inertia`] |
-/// | fibres, tendons, springs at rest | as the path becomes longer in the default pose, where it has no wrap object |
+/// | fibres, tendons, springs at rest | as the path becomes longer in the default pose, where it touches no wrap object and the model has no constraints but couplers of two coordinates |
 ///
 /// A function gets a `MultiplierFunction` around it, as OpenSim writes it. The findings say which muscles and springs kept their
 /// lengths, and what OpenSim does not scale either.
@@ -122,8 +125,22 @@ fn measured(scaled: &str) -> Result<(HashMap<String, markers::Frame>, Vec<Length
     Ok((frames, lengths))
 }
 
-/// The lengths of the paths of the model that `text` is; none where it is no figure.
+/// Whether an element is a constraint that a figure cannot hold.
+fn constrains(reader: &mut Reader, node: Node) -> bool {
+    let name = node.tag_name().name();
+    let is_one = name.ends_with("Constraint")
+        && child_flag(reader, node, "isEnforced", true)
+        && !child_flag(reader, node, "isDisabled", false);
+    let leaders = child_words(node, "independent_coordinate_names").unwrap_or_default();
+    is_one && (name != COUPLER || leaders.split_whitespace().count() != 1)
+}
+
+/// The lengths of the paths of the model that `text` is; unknown where it is no figure.
 fn path_lengths(reader: &mut Reader, bodies: &mut Bodies, text: &str) -> Vec<Length> {
+    // What closes loops moves the default pose, in OpenSim.
+    if parts(bodies.model).any(|node| constrains(reader, node)) {
+        return paths::unknown(bodies.model);
+    }
     let names: Vec<String> = bodies.list.iter().map(|(name, _)| (*name).to_owned()).collect();
     match Pose::of(text, names.into_iter()) {
         Some(pose) => paths::lengths(reader, bodies, &pose),

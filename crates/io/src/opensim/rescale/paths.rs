@@ -4,8 +4,10 @@ use super::bodies::Bodies;
 use super::drives::location;
 use super::edits::Edits;
 use super::lengths::ON;
+use super::wraps::Wraps;
 use crate::opensim::defaults::coordinate_defaults;
 use crate::opensim::element::{child_vector, child_words};
+use crate::opensim::frames::Anchor;
 use crate::opensim::function;
 use crate::xml::{Node, Reader, element, elements, elements_called, tag};
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
@@ -60,6 +62,15 @@ impl Pose {
         };
         Some(Self { bodies: names.filter_map(place).collect(), values })
     }
+
+    /// Where a frame stands in the world.
+    pub(super) fn frame(&self, bodies: &Bodies, at: &Anchor) -> Option<Placement> {
+        let body = match at.body {
+            None => Placement::identity(),
+            body => *self.bodies.get(bodies.name(body))?,
+        };
+        Some(body * at.within)
+    }
 }
 
 /// How long a path is.
@@ -75,7 +86,8 @@ pub(super) enum Length {
 
 /// The lengths of all paths of a model, in the order of the file.
 pub(super) fn lengths(reader: &mut Reader, bodies: &mut Bodies, pose: &Pose) -> Vec<Length> {
-    sets(bodies.model).map(|set| length(reader, bodies, pose, set)).collect()
+    let wraps = Wraps::of(bodies.model);
+    sets(bodies.model).map(|set| length(reader, bodies, pose, &wraps, set)).collect()
 }
 
 /// The sets of points of all paths.
@@ -85,24 +97,25 @@ fn sets(model: Node<'_>) -> impl Iterator<Item = Node<'_>> {
     model.descendants().filter(move |node| is_set(node) && !is_default(node))
 }
 
-fn length(reader: &mut Reader, bodies: &mut Bodies, pose: &Pose, set: Node) -> Length {
-    let wraps = set.parent().into_iter().flat_map(elements);
-    let mut wraps = wraps.filter(|node| matches!(node.tag_name().name(), "PathWrapSet" | "MuscleWrapSet"));
-    if wraps.any(|wraps| elements_called(wraps, "objects").flat_map(elements).next().is_some()) {
-        return Length::Wraps;
-    }
+fn length(reader: &mut Reader, bodies: &mut Bodies, pose: &Pose, wraps: &Wraps, set: Node) -> Length {
     let mut points = Vec::new();
     for node in elements_called(set, "objects").flat_map(elements) {
-        match is_there(reader, pose, node) {
-            Some(true) => {}
-            Some(false) => continue,
-            None => return Length::Unknown,
-        }
-        match point(reader, bodies, pose, node) {
-            Some(point) => points.push(point),
-            None => return Length::Unknown,
+        let found = match is_there(reader, pose, node) {
+            Some(true) => point(reader, bodies, pose, node).map(Some),
+            Some(false) => Some(None),
+            None => None,
+        };
+        let Some(found) = found else { return Length::Unknown };
+        points.push(found);
+    }
+    for beside in set.parent().into_iter().flat_map(elements) {
+        if matches!(beside.tag_name().name(), "PathWrapSet" | "MuscleWrapSet")
+            && !wraps.leave_straight(reader, bodies, pose, beside, &points)
+        {
+            return Length::Wraps;
         }
     }
+    let points: Vec<Vector3<f64>> = points.into_iter().flatten().collect();
     Length::Straight(points.array_windows().map(|[a, b]| (b - a).norm()).sum())
 }
 
@@ -125,10 +138,7 @@ fn is_there(reader: &mut Reader, pose: &Pose, node: Node) -> Option<bool> {
 /// Where a point is in the world.
 fn point(reader: &mut Reader, bodies: &mut Bodies, pose: &Pose, node: Node) -> Option<Vector3<f64>> {
     let at = bodies.holder(reader, node, &ON)?;
-    let frame = match at.body {
-        None => Placement::identity(),
-        body => *pose.bodies.get(bodies.name(body))?,
-    };
+    let frame = pose.frame(bodies, &at)?;
     let mut place = child_vector(reader, node, "location");
     if matches!(node.tag_name().name(), "MovingPathPoint" | "MovingMusclePoint") {
         for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
@@ -137,7 +147,7 @@ fn point(reader: &mut Reader, bodies: &mut Bodies, pose: &Pose, node: Node) -> O
             place[i] = function::read(reader, location(node, axis)?, "point")?.at(over)[0];
         }
     }
-    Some(frame.transform_point(&at.within.transform_point(&place.into())).coords)
+    Some(frame.transform_point(&place.into()).coords)
 }
 
 /// Scales what muscles and springs measure of their paths, by how much longer those become.
@@ -166,7 +176,7 @@ pub(super) fn scale(
                     edits.scale(reader, field, &[factor]);
                 }
             }
-            (Length::Wraps, _) => wrapped.push(owner),
+            (Length::Wraps, _) | (_, Length::Wraps) => wrapped.push(owner),
             _ => unknown.push(owner),
         }
     }
@@ -174,9 +184,15 @@ pub(super) fn scale(
     tell(
         reader,
         &wrapped,
-        &format!("their paths may lie on wrap objects, which are not computed here: {why}"),
+        &format!(
+            "their paths lie on wrap objects in the default pose, or may, and such paths are not measured here: {why}"
+        ),
     );
-    tell(reader, &unknown, &format!("their paths cannot be measured here: {why}"));
+    tell(
+        reader,
+        &unknown,
+        &format!("their paths cannot be measured here (points or a pose that a figure does not have): {why}"),
+    );
 }
 
 /// Says something about muscles and springs, of which the first few are named.
