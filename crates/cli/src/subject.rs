@@ -110,10 +110,7 @@ fn scale(
     let figure = &body.figure;
     let refuse = |error: &dyn ToString| CliError::input(path, error);
     let told = subject.mass.as_ref().map(|mass| mass.value);
-    let shares = match &setup {
-        Some(setup) if !setup.setup.keeps_mass_distribution => MassShares::Volumes,
-        _ => MassShares::Kept,
-    };
+    let shares = if report.grows_by_volume() { MassShares::Volumes } else { MassShares::Kept };
     let stretching = Stretching {
         factors: figure.stretch_factors(&factors).map_err(|error| refuse(&error))?,
         mass: told.or(setup.as_ref().and_then(|setup| setup.setup.mass)),

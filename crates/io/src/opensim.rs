@@ -38,6 +38,8 @@
 //!
 //! Muscles, actuators, other forces and constraints, controllers, wrapping and geometry are listed, not read.
 //!
+//! [`rescale`] scales the text of a model to a subject, by the rules of OpenSim's `ScaleTool`.
+//!
 //! [`external_loads`] reads which columns of a table are forces on which bodies, [`markers`] the markers of a model or of a file
 //! of their own, [`ik_setup`] and [`scale_setup`] what OpenSim's tools for markers are told.
 
@@ -59,6 +61,7 @@ mod marker_set;
 mod mount;
 mod older;
 mod quintic;
+mod rescale;
 mod rest;
 mod setup;
 mod spline;
@@ -67,6 +70,7 @@ mod station;
 pub use defaults::coordinate_defaults;
 pub use loads::{ExternalForce, ExternalLoads, external_loads};
 pub use marker_set::{MarkerSet, markers};
+pub use rescale::{MarkerPlace, Rescaling, rescale};
 pub use setup::{
     BodyAxes, CoordinateTask, IkSetup, ManualScale, MarkerTask, Measurement, PlacerSetup, ScaleSetup,
     ScalingStep, TaskValue, ik_setup, scale_setup,

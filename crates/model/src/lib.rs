@@ -61,7 +61,7 @@ pub use motion::{
 pub use prune::{PruneError, Pruned};
 
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
-pub use scale::{MassShares, ScaleError, Scaling, Stretching};
+pub use scale::{MassShares, ScaleError, Scaling, Stretching, stretched_inertia};
 pub use source::SourceMap;
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};

@@ -9,6 +9,7 @@ mod stretch;
 
 pub(crate) use mass::exact_total;
 
+pub use contents::stretched_inertia;
 pub use error::ScaleError;
 pub use stretch::{MassShares, Stretching};
 

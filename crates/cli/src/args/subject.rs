@@ -54,7 +54,7 @@ pub(crate) struct ScaleArgs {
     #[arg(value_name = "TRIALS", help = wrap("Trials of the person's markers, for --fit: .trc or .c3d"))]
     pub(crate) trials: Vec<PathBuf>,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the figure: .ron, its markers as named frames; several are allowed [default: none]"
+        "Write the figure: .osim, the model's own text scaled; .ron, its markers as named frames; several are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, help = "Print the summary as JSON instead of a table")]

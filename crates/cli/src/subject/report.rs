@@ -17,6 +17,8 @@ const SHOWN: usize = 5;
 pub(crate) struct SubjectReport {
     mass_before_kg: f64,
     mass_kg: f64,
+    /// Whether masses grew as volumes do, before the total was set; otherwise each segment keeps its share.
+    by_volume: bool,
     pub(super) measured: Vec<Measured>,
     factors: Vec<BodyFactors>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -174,7 +176,23 @@ impl Placed {
 impl SubjectReport {
     pub(super) fn new(body: &Body, setup: Option<&ScaleSetup>) -> Self {
         let notes = setup.iter().flat_map(|setup| setup.findings.iter().map(ToString::to_string)).collect();
-        Self { mass_before_kg: body.figure.mass(), notes, ..Self::default() }
+        let by_volume = setup.is_some_and(|setup| !setup.keeps_mass_distribution);
+        Self { mass_before_kg: body.figure.mass(), by_volume, notes, ..Self::default() }
+    }
+
+    /// The factors of bodies' axes.
+    pub(crate) fn factors(&self) -> impl Iterator<Item = (&str, Vector3<f64>)> {
+        self.factors.iter().map(|scaled| (scaled.body.as_str(), scaled.factors.into()))
+    }
+
+    /// Markers that the figure has lost.
+    pub(crate) fn lost_markers(&self) -> impl Iterator<Item = &str> {
+        self.placed.iter().flat_map(|placed| placed.lost.iter().map(String::as_str))
+    }
+
+    /// Whether masses grew as volumes do.
+    pub(crate) fn grows_by_volume(&self) -> bool {
+        self.by_volume
     }
 
     pub(super) fn finish(&mut self, body: &Body, factors: Vec<(String, Vector3<f64>)>) {

@@ -5,6 +5,7 @@ use super::component::{path_of, resolved};
 use super::element::{child_words, offset, words_at};
 use super::station;
 use crate::xml::{Node, Reader, element, elements, elements_called, tag};
+use roxmltree::NodeId;
 use solaris_model::{Placement, Vector3};
 use std::collections::HashMap;
 
@@ -30,6 +31,8 @@ pub(super) struct Frames<'a> {
     paths: HashMap<String, usize>,
     /// By the last name of their paths; nothing where several have it.
     names: HashMap<String, Option<usize>>,
+    /// By their elements.
+    nodes: HashMap<NodeId, usize>,
 }
 
 struct Frame<'a> {
@@ -66,7 +69,8 @@ fn connector<'a>(holder: Node<'a>, socket: &str) -> Option<&'a str> {
 impl<'a> Frames<'a> {
     /// The frames of a model whose bodies are these elements.
     pub(super) fn of(model: Node<'a>, bodies: &[Node<'a>]) -> Self {
-        let mut frames = Self { list: Vec::new(), paths: HashMap::new(), names: HashMap::new() };
+        let (paths, names, nodes) = (HashMap::new(), HashMap::new(), HashMap::new());
+        let mut frames = Self { list: Vec::new(), paths, names, nodes };
         let at = |body| State::At(Anchor { body, within: Placement::identity() });
         let body_at: HashMap<_, usize> = bodies.iter().enumerate().map(|(i, node)| (node.id(), i)).collect();
         for node in model.descendants() {
@@ -94,6 +98,7 @@ impl<'a> Frames<'a> {
     fn add(&mut self, frame: Frame<'a>) {
         let index = self.list.len();
         self.paths.entry(frame.path.clone()).or_insert(index);
+        self.nodes.entry(frame.node.id()).or_insert(index);
         let name = frame.path.rsplit('/').next().unwrap_or_default().to_owned();
         self.names.entry(name).and_modify(|found| *found = None).or_insert(Some(index));
         self.list.push(frame);
@@ -111,6 +116,17 @@ impl<'a> Frames<'a> {
     ) -> Option<Anchor> {
         let index = self.connected(reader, holder, path, socket, owner)?;
         self.place(reader, index, 0)
+    }
+
+    /// Where the frame stands that this element is; nothing where it is none or cannot be found, which is a fault.
+    pub(super) fn at(&mut self, reader: &mut Reader, node: Node) -> Option<Anchor> {
+        let index = *self.nodes.get(&node.id())?;
+        self.place(reader, index, 0)
+    }
+
+    /// Whether the element says what its socket `socket` is connected to.
+    pub(super) fn is_connected(holder: Node, socket: &str) -> bool {
+        child_words(holder, socket).or_else(|| connector(holder, socket)).is_some()
     }
 
     /// The frame that a socket names.

@@ -168,7 +168,7 @@ impl Layout<'_> {
 
 /// The inertia of a body: `xx yy zz xy xz yz`, in one element or in six; nothing where it is no six numbers, which is a
 /// fault.
-fn inertia(reader: &mut Reader, body: Node) -> Option<Matrix3<f64>> {
+pub(super) fn inertia(reader: &mut Reader, body: Node) -> Option<Matrix3<f64>> {
     let numbers = match element(body, "inertia") {
         Some(node) => reader.text_numbers(node, 6..=6)?,
         None => ["xx", "yy", "zz", "xy", "xz", "yz"]

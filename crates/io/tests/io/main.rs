@@ -24,6 +24,8 @@ mod opensim_laws;
 mod opensim_loads;
 #[cfg(feature = "opensim")]
 mod opensim_reference;
+#[cfg(feature = "opensim")]
+mod opensim_rescale;
 mod records;
 #[cfg(feature = "sdf")]
 mod sdf;

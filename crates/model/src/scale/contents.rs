@@ -10,7 +10,7 @@ pub(super) fn contents(link: &mut Link, s: &Vector3<f64>, mass: f64) {
     let place = |placement: &mut Placement| placement.translation.vector.component_mul_assign(s);
     let share = if link.mass > 0.0 { mass / link.mass } else { 1.0 };
     link.mass = mass;
-    inertia(&mut link.inertia, s, share);
+    link.inertia = stretched_inertia(&link.inertia, s, share);
     link.com.component_mul_assign(s);
     if let Some(shape) = &mut link.shape {
         shape.kind = sized(shape, s);
@@ -32,7 +32,8 @@ pub(super) fn along(direction: &Vector3<f64>, s: &Vector3<f64>) -> f64 {
     alike(s).unwrap_or_else(|| direction.component_mul(s).norm())
 }
 
-/// Scales an inertia about the centre of mass whose mass becomes `share` times as much.
+/// The inertia about the centre of mass (kg m²) of a body that is `factors` times as long along its x, y and z, with `share`
+/// times the mass.
 ///
 /// ```text
 /// s_x = s_y = s_z = s:   I′ = share·s²·I
@@ -46,11 +47,12 @@ pub(super) fn along(direction: &Vector3<f64>, s: &Vector3<f64>) -> f64 {
 ///
 /// `Body::scaleInertialProperties` of OpenSim 4.6, which goes by the cylinder's radius and length, `r² = 2·I_aa/m` and
 /// `L² = 12·(I_oo − m·r²/4)/m`; here they are put in.
-fn inertia(inertia: &mut Matrix3<f64>, s: &Vector3<f64>, share: f64) {
+pub fn stretched_inertia(inertia: &Matrix3<f64>, factors: &Vector3<f64>, share: f64) -> Matrix3<f64> {
+    let s = factors;
     if let Some(s) = alike(s) {
-        *inertia *= share * (s * s);
-        return;
+        return inertia * (share * (s * s));
     }
+    let mut stretched = *inertia;
     let diagonal = inertia.diagonal();
     let along = diagonal.imin();
     let [across, other] = [(along + 1) % 3, (along + 2) % 3];
@@ -60,12 +62,14 @@ fn inertia(inertia: &mut Matrix3<f64>, s: &Vector3<f64>, share: f64) {
     let long = share * (s[along] * s[along] * (seen - diagonal[along] / 2.0).max(0.0));
     for i in 0..3 {
         for j in 0..3 {
-            inertia[(i, j)] *= share * s[i] * s[j];
+            // In this order `I_ij` and `I_ji` are the same to the last bit.
+            stretched[(i, j)] *= share * (s[i] * s[j]);
         }
     }
-    inertia[(along, along)] = thin;
-    inertia[(across, across)] = long + thin / 2.0;
-    inertia[(other, other)] = long + thin / 2.0;
+    stretched[(along, along)] = thin;
+    stretched[(across, across)] = long + thin / 2.0;
+    stretched[(other, other)] = long + thin / 2.0;
+    stretched
 }
 
 /// The shape with each of its own axes as much longer as the link is along it; what is round stays round, but a sphere
@@ -100,8 +104,8 @@ mod tests {
     /// By hand: a rod of mass 12 along z with r² = 0.04 and L² = 1 has 0.24 about z and 1 + 0.12 across.
     #[test]
     fn a_cylinder_scales_along_and_across() {
-        let mut rod = Matrix3::from_diagonal(&Vector3::new(1.12, 1.12, 0.24));
-        inertia(&mut rod, &Vector3::new(2.0, 3.0, 5.0), 0.5);
+        let rod = Matrix3::from_diagonal(&Vector3::new(1.12, 1.12, 0.24));
+        let rod = stretched_inertia(&rod, &Vector3::new(2.0, 3.0, 5.0), 0.5);
         // Half the mass: 6·(0.04·6)/2 = 0.72 along, 6·(25/12 + 0.24/4) = 12.86 across.
         assert_relative_eq!(
             rod,
