@@ -41,8 +41,8 @@ pub(crate) fn turned(mut recording: Recording, named: Option<Axes>) -> Turned {
     Turned { recording: recording.turned(&axes, &Axes::OPENSIM), axes }
 }
 
-/// Reads a recording along the axes of a world with this gravity: turned where another way is up in it, or where its axes are
-/// named. Without gravity it stays as it is.
+/// Reads a recording along the axes of a world with this gravity: turned where its axes are named, or where plates or names tell
+/// that another way is up in it. Without gravity it stays as it is.
 pub(crate) fn in_world(path: &Path, gravity: Vector3<f64>, args: &MarkerArgs) -> Result<Recording, CliError> {
     let mut recording = read(path, args.unit)?;
     if gravity.norm_squared() == 0.0 {
@@ -56,11 +56,18 @@ pub(crate) fn in_world(path: &Path, gravity: Vector3<f64>, args: &MarkerArgs) ->
         return Ok(recording.turned(&axes, &world));
     }
     let (axes, findings) = find_axes(&recording);
-    if axes.up() == up {
+    // The first one is about up; forward is nobody's concern, as markers may be seen from any side.
+    let Some(by) = findings.into_iter().next().filter(|_| axes.up() != up) else {
         // Plates that hold what the subject does to them are turned round all the same.
         return Ok(recording.turned(&world, &world));
+    };
+    if by.kind == FindingKind::Suspect {
+        let message =
+            format!("neither names nor plates tell which way is up; {up} is taken to be, as of the figure");
+        recording.findings.push(Finding { message, ..by });
+        return Ok(recording);
     }
-    recording.findings.extend(findings);
+    recording.findings.push(by);
     Ok(recording.turned(&axes, &world))
 }
 

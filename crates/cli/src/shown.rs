@@ -3,6 +3,7 @@
 use crate::error::CliError;
 use crate::given::{Given, GivenReport};
 use crate::input::{Body, Language};
+use crate::words::capital;
 use solaris::analysis::InverseReport;
 use solaris::analysis::ground::Sole;
 use solaris::model::{ContactTrack, Ground, Motion, Vector3};
@@ -14,6 +15,9 @@ use solaris::view::{
 pub(crate) fn axes() -> [(&'static str, Vector3<f64>); 3] {
     [("along x", Vector3::x()), ("along y", Vector3::y()), ("along z", Vector3::z())]
 }
+
+/// Half the length of the strokes of a marker's cross (m).
+const CROSS: f64 = 0.008;
 
 /// What was found of a motion.
 pub(crate) struct Shown<'a> {
@@ -37,7 +41,7 @@ impl Shown<'_> {
         let options = PageOptions {
             title: self.title(what),
             table,
-            lines: lines(self.soles),
+            lines: lines(self.soles).into_iter().chain(self.markers()).collect(),
             curves: self.residuals(),
             forward: forward(&self.given.body),
         };
@@ -71,6 +75,17 @@ impl Shown<'_> {
             })
             .collect();
         efforts(time, &own, &feet, &axes(), &self.title(what))
+    }
+
+    /// The markers, where the motion is markers: a small cross each.
+    fn markers(&self) -> impl Iterator<Item = LinkLine> {
+        let markers = self.given.markers.iter().flat_map(|_| &self.given.body.markers.markers);
+        markers.flat_map(|marker| {
+            [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| LinkLine {
+                link: marker.link,
+                ends: [marker.position - axis * CROSS, marker.position + axis * CROSS],
+            })
+        })
     }
 
     /// `walk: joint moments`.
@@ -137,12 +152,6 @@ pub(crate) fn given_rows(report: &GivenReport) -> Vec<TableRow> {
     let mut rows = report.page_rows();
     rows.extend(report.doubts().into_iter().map(|(what, value)| TableRow::new(capital(what), "", "", value)));
     rows
-}
-
-/// As labels begin.
-fn capital(what: &str) -> String {
-    let mut letters = what.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What is to be looked at.

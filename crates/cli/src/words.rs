@@ -14,6 +14,12 @@ pub(crate) fn rounded(mass: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').trim_start_matches('-').to_owned()
 }
 
+/// As labels begin.
+pub(crate) fn capital(what: &str) -> String {
+    let mut letters = what.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
 /// Names as far as a person reads them.
 pub(crate) fn some(names: &[String]) -> String {
     const MANY: usize = 8;

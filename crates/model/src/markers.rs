@@ -200,6 +200,18 @@ impl MarkerTrial {
         (self.len() > 1).then(|| (self.len() - 1) as f64 / (last - first))
     }
 
+    /// Gives each of two markers the other's places in these frames.
+    ///
+    /// # Panics
+    ///
+    /// Where there are no such markers or frames.
+    pub fn exchange(&mut self, [a, b]: [usize; 2], frames: std::ops::RangeInclusive<usize>) {
+        let width = self.names.len();
+        for frame in frames {
+            self.points.swap(frame * width + a, frame * width + b);
+        }
+    }
+
     /// The frames between two times: from the last one that is not after `start` to the first one that is not before `end`, as
     /// OpenSim chooses them; of what is before or after the trial, its first or last frame.
     #[must_use]
@@ -276,6 +288,11 @@ mod tests {
         let half = Vector3::new(1.0, f64::INFINITY, 0.0);
         let trial = MarkerTrial::new(vec!["a".into()], vec![0.0, 0.5], vec![half, Vector3::x()]).unwrap();
         assert_eq!((trial.point(0, 0), trial.seen(0), trial.rate()), (None, 1, Some(2.0)));
+        let mut both =
+            MarkerTrial::new(vec!["a".into(), "b".into()], vec![0.0], vec![Vector3::x(), Vector3::y()])
+                .unwrap();
+        both.exchange([0, 1], 0..=0);
+        assert_eq!(both.point(0, 0), Some(Vector3::y()));
         let moved = trial.mapped(|point| point * 1e-3);
         assert_eq!((moved.point(0, 0), moved.point(1, 0).unwrap().x), (None, 1e-3));
     }

@@ -127,6 +127,7 @@ pub fn fit_subject(
     options: &FitOptions,
 ) -> Result<SubjectFit, FitError> {
     check(options)?;
+    let trials = &relabelled(figure, markers, trials, ik)?[..];
     if trials.is_empty() {
         return Err(FitError::NoTrials);
     }
@@ -189,6 +190,28 @@ fn check(options: &FitOptions) -> Result<(), FitError> {
         Some((name, value)) => Err(FitError::Option { name, value }),
         None => Ok(()),
     }
+}
+
+/// The trials with exchanged labels changed back, as far as the figure tells before it fits.
+fn relabelled(
+    figure: &Figure,
+    markers: &[Marker],
+    trials: &[MarkerTrial],
+    ik: &IkOptions,
+) -> Result<Vec<MarkerTrial>, FitError> {
+    let mended = |trial: &MarkerTrial| {
+        let mut trial = trial.clone();
+        if !ik.keep_labels {
+            for swap in super::inverse_kinematics(figure, markers, &trial, ik)?.swaps {
+                let [a, b] = swap.names.each_ref().map(|name| trial.marker(name));
+                if let (Some(a), Some(b)) = (a, b) {
+                    trial.exchange([a, b], swap.first..=swap.last);
+                }
+            }
+        }
+        Ok(trial)
+    };
+    trials.iter().map(mended).collect()
 }
 
 /// Trial and frame of the frames that are looked at: as many of each trial as of the others, evenly chosen.

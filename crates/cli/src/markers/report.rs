@@ -1,7 +1,7 @@
 //! How well markers fit, as numbers and in words.
 
 use super::Fitted;
-use crate::words::{counted, row, short, some};
+use crate::words::{capital, counted, row, short, some};
 use serde::Serialize;
 use solaris::model::Figure;
 use solaris::view::TableRow;
@@ -211,9 +211,4 @@ impl MarkersReport {
         let rows = self.rows();
         rows.into_iter().map(|(what, words)| TableRow::new(capital(what), "", "", words)).collect()
     }
-}
-
-fn capital(word: &str) -> String {
-    let mut letters = word.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

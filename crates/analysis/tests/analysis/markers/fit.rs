@@ -59,6 +59,18 @@ fn lengths_are_found_within_their_errors() {
     assert!((made.segment_length("left_thigh").expect("a length") - thigh.length).abs() < 1e-12);
 }
 
+/// Labels that are exchanged for a while do not count.
+#[test]
+fn exchanged_labels_do_not_spoil_lengths() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let markers = markers(&figure, 4);
+    let mut trials = trials(&figure, &markers);
+    let right = fit(&figure, &markers, &trials);
+    trials[1].exchange([20, 45], 30..=80);
+    let found = fit(&figure, &markers, &trials);
+    assert!((found.rms - right.rms).abs() < 1e-9, "{} for {}", found.rms, right.rms);
+}
+
 #[test]
 fn what_fits_already_stays() {
     let figure = human(1.75, 73.0).expect("a person");
