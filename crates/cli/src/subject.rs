@@ -6,7 +6,7 @@ pub(crate) use report::SubjectReport;
 
 use crate::args::{FrameArgs, MarkerArgs, SubjectArgs};
 use crate::error::{CliError, UsageError};
-use crate::input::{self, Body};
+use crate::input::{self, Body, Language};
 use crate::markers;
 use crate::recording;
 use report::{BodyFactors, Fitted, Measured, Pair, Placed};
@@ -14,8 +14,8 @@ use solaris::analysis::markers::{
     FitOptions, fit_subject, inverse_kinematics, measured_factor, place_markers,
 };
 use solaris::io::markers::Recording;
-use solaris::io::opensim::{self, MarkerSet, Measurement, PlacerSetup, ScaleSetup, ScalingStep};
-use solaris::model::{Base, MarkerTrial, MassShares, Stretching, Vector3};
+use solaris::io::opensim::{self, MarkerSet, Measurement, PlacerSetup, Rescaling, ScaleSetup, ScalingStep};
+use solaris::model::{Base, Figure, MarkerTrial, MassShares, Stretching, Vector3};
 use std::path::{Path, PathBuf};
 
 /// Reads a figure and brings it to a person's size, where that is asked for.
@@ -117,7 +117,11 @@ fn scale(
         shares,
     };
     body.markers.markers = stretching.markers(&body.markers.markers).map_err(|error| refuse(&error))?;
-    body.figure = figure.stretched(&stretching).map_err(|error| refuse(&error))?;
+    body.figure = if body.language == Language::OpenSim {
+        rescaled(body, path, &factors, &stretching)?
+    } else {
+        figure.stretched(&stretching).map_err(|error| refuse(&error))?
+    };
     if let Some(setup) = &setup
         && let Some(placer) = &setup.setup.placer
     {
@@ -125,6 +129,22 @@ fn scale(
     }
     report.finish(body, factors);
     Ok(report)
+}
+
+/// The figure of an OpenSim model whose text is scaled: exact body by body, where a figure's links may be several bodies.
+fn rescaled(
+    body: &Body,
+    path: &Path,
+    factors: &[(String, Vector3<f64>)],
+    stretching: &Stretching,
+) -> Result<Figure, CliError> {
+    let text = input::decoded(path)?;
+    let Stretching { mass, shares, .. } = *stretching;
+    let rescaling = Rescaling { factors: factors.to_vec(), mass, shares, ..Rescaling::default() };
+    let faulty = |faults| input::faulty(path, &text, faults);
+    let (scaled, _) = opensim::rescale(&text, &rescaling).map_err(faulty)?;
+    let figure = opensim::read(&scaled).map_err(faulty)?.figure;
+    figure.with_gravity(body.gravity).map_err(|error| CliError::input(path, &error))
 }
 
 fn read_setup(path: &Path) -> Result<Setup<'_>, CliError> {

@@ -4,5 +4,6 @@ mod hard;
 mod laws;
 mod measured;
 mod placed;
+mod plates;
 mod support;
 mod toes;
