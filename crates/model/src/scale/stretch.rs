@@ -79,8 +79,10 @@ impl Figure {
     ///
     /// # Source
     ///
-    /// `Model::scale` of OpenSim 4.6, with one difference: for a slide along an oblique axis it takes `Σ|u_i|·s_i`, which is
-    /// not one where the factors are.
+    /// `Model::scale` of OpenSim 4.6, with one difference: for a slide along `u` it takes `Σ|u_i|·s_i` with `u` in the joint's own
+    /// frame, which is not one along an oblique axis where the factors are, and of other axes than the body's where that frame
+    /// is turned. Along an axis of the body, and for a body with one factor, both are the same. Bodies that cannot move against
+    /// each other are one link, whose inertia is scaled as one.
     ///
     /// # Errors
     ///

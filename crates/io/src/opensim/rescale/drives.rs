@@ -42,7 +42,10 @@ pub(super) fn scale(edits: &mut Edits, reader: &mut Reader, bodies: &mut Bodies,
 /// The function of a moving point's place along an axis.
 pub(super) fn location<'a>(point: Node<'a>, axis: &str) -> Option<Node<'a>> {
     let name = format!("{axis}_location");
-    let within = element(point, &name).and_then(|holder| elements(holder).next());
+    // The second name is that of versions before 2.
+    let older = format!("{}Attachment", axis.to_uppercase());
+    let holder = element(point, &name).or_else(|| element(point, &older));
+    let within = holder.and_then(|holder| elements(holder).next());
     within.or_else(|| elements(point).find(|child| child.attribute("name") == Some(&name)))
 }
 

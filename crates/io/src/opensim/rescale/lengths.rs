@@ -61,6 +61,10 @@ fn child(edits: &mut Edits, reader: &mut Reader, node: Node, name: &str, s: &Vec
 fn looks(edits: &mut Edits, reader: &mut Reader, node: Node, s: &Vector3<f64>) {
     let sets = elements_called(node, "GeometrySet").flat_map(|set| elements_called(set, "objects"));
     let shapes: Vec<Node> = sets.flat_map(elements).collect();
+    // Before 2.1 there are only names of files.
+    if shapes.is_empty() && child_words(node, "geometry_files").is_some() {
+        edits.scale_child(reader, node, "scale_factors", 1.0, s.as_slice());
+    }
     for shape in &shapes {
         edits.scale_child(reader, *shape, "scale_factors", 1.0, s.as_slice());
     }
