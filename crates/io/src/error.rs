@@ -138,6 +138,9 @@ pub enum IoError {
         /// What is wrong.
         fault: StoFault,
     },
+    /// A table that cannot be a `.mot` or `.sto` one.
+    #[error("a table without a column called 'time' cannot be written to a .sto table; add the times")]
+    StoTime,
     /// A heading that a `.mot` or `.sto` table cannot hold.
     #[error("column '{name}' cannot be written to a .sto table: headings there are one word; rename it")]
     StoHeading {

@@ -116,11 +116,13 @@ fn shortened(field: &str) -> String {
 ///
 /// # Errors
 ///
-/// A table in degrees: nothing in CSV says so; a number that is not finite; the writer's own errors.
+/// A table in degrees: nothing in CSV says so; headings that would not be read, such as one that stands twice; a number that is
+/// not finite; the writer's own errors.
 pub fn write_table(table: &Table, out: &mut impl Write) -> Result<(), IoError> {
     if table.in_degrees == Some(true) {
         return Err(IoError::DegreesWithoutFigure);
     }
+    check_header(table)?;
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(&table.columns).map_err(writing)?;
     let (mut text, time) = (Vec::new(), table.column(TIME));

@@ -88,6 +88,12 @@ fn what_csv_cannot_say_is_not_written() {
     assert_eq!(error(table(f64::NAN, None)), "'knee' at 0.25 s is NaN; a file holds finite numbers only");
     assert!(error(table(1.0, Some(true))).contains("inDegrees=yes"));
     assert!(csv::write_table(&table(1.0, Some(false)), &mut Vec::new()).is_ok());
+    // A table of OpenSim may have it, nothing that is written to be read.
+    let twice = vec!["time".to_owned(), "time".to_owned()];
+    assert!(
+        error(Table { columns: twice, ..table(1.0, None) })
+            .contains("'time' is also the heading of column 1")
+    );
 }
 
 /// A million numbers in a second or so, and no more memory than a few times the numbers.

@@ -195,7 +195,9 @@ fn what_a_table_cannot_hold_is_not_written() {
     spaced.columns[1] = "left knee".to_owned();
     let mut twice = table();
     twice.columns[2] = "time".to_owned();
-    insta::assert_snapshot!([not_finite, spaced, twice].map(refused).join("\n"));
+    let mut timeless = table();
+    timeless.columns[0] = "frame".to_owned();
+    insta::assert_snapshot!([not_finite, spaced, twice, timeless].map(refused).join("\n"));
 }
 
 /// A hundred thousand rows in well under a second.
