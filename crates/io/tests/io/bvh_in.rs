@@ -163,6 +163,16 @@ fn a_person_has_a_persons_masses() {
     );
 }
 
+/// Rigs of which the hand is where the elbow is.
+#[test]
+fn a_bone_of_no_length_has_a_mass() {
+    let (whole, wrist) = (person(100.0), "OFFSET 0 -27 0");
+    assert!(whole.contains(wrist));
+    let figure = clip(&whole.replacen(wrist, "OFFSET 0 0 0", 1)).figure;
+    let forearm = figure.link("mixamorig:LeftForeArm").expect("a forearm");
+    assert!(forearm.mass() > 0.0 && forearm.inertia().iter().all(|x| x.is_finite()));
+}
+
 #[test]
 fn the_unit_is_the_one_in_which_a_person_is_a_person() {
     for (per_metre, unit) in

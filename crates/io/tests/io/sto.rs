@@ -200,6 +200,14 @@ fn what_a_table_cannot_hold_is_not_written() {
     insta::assert_snapshot!([not_finite, spaced, twice, timeless].map(refused).join("\n"));
 }
 
+/// Cells of several numbers are columns, but the time's.
+#[test]
+fn a_time_of_several_numbers_is_none() {
+    let text = "DataType=Vec3\nendheader\ntime\tball\n0,0,0\t1,2,3\n0.1,0,0\t1,2,3\n";
+    let error = sto::read(text).expect_err("no time").to_string();
+    assert_eq!(error, "line 4, column 1 ('time'): '0,0,0' is no finite number");
+}
+
 /// A hundred thousand rows in well under a second.
 #[test]
 fn long_tables_are_read() {
