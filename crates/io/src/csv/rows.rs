@@ -48,6 +48,7 @@ pub fn read_rows(text: &str) -> Result<Rows, IoError> {
     // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
     while reader.read_record(&mut record).map_err(writing)? {
         let line = lines.of(record.position().map_or(0, csv::Position::byte));
+        Table::check_width(line, record.len())?;
         let fields: Vec<String> = record.iter().map(str::to_owned).collect();
         if out.columns.is_empty() {
             check_header(&Table { columns: fields.clone(), header_line: line, ..Table::default() })?;

@@ -31,6 +31,7 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
     // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
     while reader.read_record(&mut record).map_err(writing)? {
         let line = lines.of(record.position().map_or(0, csv::Position::byte));
+        Table::check_width(line, record.len())?;
         if table.columns.is_empty() {
             table.columns = record.iter().map(str::to_owned).collect();
             table.header_line = line;

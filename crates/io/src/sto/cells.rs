@@ -33,7 +33,8 @@ pub(super) fn hold_vectors(kind: &str, row: &str) -> bool {
 pub(super) fn split_columns(table: &mut Table, kind: &str, row: &str) -> Vec<usize> {
     let mut parts: Vec<usize> = row.split_whitespace().map(|cell| cell.matches(',').count() + 1).collect();
     if parts.len() != table.columns.len() {
-        return parts;
+        // Its first row is at fault for that.
+        return vec![1; table.columns.len()];
     }
     let names = std::mem::take(&mut table.columns);
     for (name, parts) in names.into_iter().zip(&mut parts) {

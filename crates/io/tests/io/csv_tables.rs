@@ -1,6 +1,6 @@
 //! Tables of any numbers: what is read, and what the messages say.
 
-use solaris_io::{Table, csv};
+use solaris_io::{Table, csv, sto};
 
 fn read(text: &str) -> Table {
     csv::read_table(text).expect("a table")
@@ -94,6 +94,17 @@ fn what_csv_cannot_say_is_not_written() {
         error(Table { columns: twice, ..table(1.0, None) })
             .contains("'time' is also the heading of column 1")
     );
+}
+
+/// Rows of more fields than are kept are refused by their number, in all readers of tables.
+#[test]
+fn too_many_columns_are_refused() {
+    let many = "a,".repeat(1_000_001);
+    let told = "has 1000002 fields; at most 1000000 are read";
+    assert!(csv::read_table(&many).expect_err("many").to_string().contains(told));
+    assert!(csv::read_rows(&format!("a\n{many}")).expect_err("many").to_string().contains(told));
+    let many = format!("endheader\ntime {}", "a ".repeat(1_000_001));
+    assert!(sto::read(&many).expect_err("many").to_string().contains(told));
 }
 
 /// A million numbers in a second or so, and no more memory than a few times the numbers.
