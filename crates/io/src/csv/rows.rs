@@ -1,6 +1,6 @@
 //! Tables of any text, from and to CSV.
 
-use super::table::{Lines, check_header};
+use super::table::{Lines, check_header, check_lines};
 use super::write::{number, writing};
 use crate::error::IoError;
 use crate::table::Table;
@@ -44,6 +44,7 @@ pub fn read_rows(text: &str) -> Result<Rows, IoError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
+    check_lines(text)?;
     let (mut out, mut record, mut lines) = (Rows::default(), StringRecord::new(), Lines::new(text));
     // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
     while reader.read_record(&mut record).map_err(writing)? {

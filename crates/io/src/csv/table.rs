@@ -27,6 +27,7 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
+    check_lines(text)?;
     let (mut table, mut record, mut lines) = (Table::default(), StringRecord::new(), Lines::new(text));
     // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
     while reader.read_record(&mut record).map_err(writing)? {
@@ -51,6 +52,16 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
         table.lines.push(line);
     }
     if table.columns.is_empty() { Err(IoError::NoHeader) } else { Ok(table) }
+}
+
+/// Refuses lines of more fields than are kept, for which the reader itself would ask for a gigabyte.
+pub(super) fn check_lines(text: &str) -> Result<(), IoError> {
+    for (line, text) in (1..).zip(text.split('\n')) {
+        if text.len() > Table::MOST_COLUMNS {
+            Table::check_width(line, text.bytes().filter(|byte| *byte == b',').count() + 1)?;
+        }
+    }
+    Ok(())
 }
 
 /// Counts lines. The reader counts a line end of Windows to the line after it.

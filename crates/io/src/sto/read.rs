@@ -66,6 +66,8 @@ fn read_with_header(text: &str) -> Result<(Table, Header), IoError> {
     check(&table)?;
     agree(&mut table, header.columns, "columns", |table| table.columns.len());
     let row = first.unwrap_or_default();
+    let numbers = row.split_whitespace().count() + row.matches(',').count();
+    Table::check_width(lines.peek().map_or(header_line, |(line, _)| *line), numbers)?;
     let parts = hold_vectors(&header.kind, lines.peek().map_or("", |(_, row)| row))
         .then(|| split_columns(&mut table, &header.kind, &row));
     note_duplicates(&mut table);

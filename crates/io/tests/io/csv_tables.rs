@@ -105,6 +105,8 @@ fn too_many_columns_are_refused() {
     assert!(csv::read_rows(&format!("a\n{many}")).expect_err("many").to_string().contains(told));
     let many = format!("endheader\ntime {}", "a ".repeat(1_000_001));
     assert!(sto::read(&many).expect_err("many").to_string().contains(told));
+    let many = format!("DataType=Vec3\nendheader\ntime a\n0 {}1\n", "1,".repeat(1_000_000));
+    assert!(sto::read(&many).expect_err("many").to_string().contains(told));
 }
 
 /// A million numbers in a second or so, and no more memory than a few times the numbers.
