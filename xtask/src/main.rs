@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
 mod ci;
+mod fuzz;
 mod golden;
 mod layers;
 mod nightly;
@@ -13,9 +14,10 @@ const HELP: &str = "\
 cargo xtask CHORE
 
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
+  fuzz [--minutes N] [--target T]   fuzzes every reader, 12 minutes in all, or one; needs a nightly compiler and cargo-fuzz
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
-  nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff: about an hour
+  nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff, and fuzz: about an hour
   help                              this list
 
 Measurements and what writes pages is `cargo lab`.
@@ -29,6 +31,7 @@ fn main() -> ExitCode {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let done = match args[..] {
         ["ci"] => ci::run(),
+        ["fuzz", ref options @ ..] => fuzz::Options::parse(options).and_then(|options| fuzz::run(&options)),
         ["golden", ref options @ ..] => {
             golden::Options::parse(options).and_then(|options| golden::run(&options))
         }

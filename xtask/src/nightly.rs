@@ -1,5 +1,7 @@
-//! The chore for what is too long for every `cargo test`: ignored tests, and the feature `stiff`, which takes two minutes to build.
+//! The chore for what is too long for every `cargo test`: ignored tests, the feature `stiff`, which takes two minutes to build, and
+//! fuzzing.
 
+use crate::fuzz;
 use crate::workspace::{self, cargo};
 use std::time::Instant;
 
@@ -44,13 +46,17 @@ const STEPS: [(&str, &[&str]); 3] = [
 /// Runs all steps, whatever becomes of each; an error names those that failed.
 pub(crate) fn run() -> Result<(), String> {
     let mut failed = Vec::new();
-    for (name, arguments) in STEPS {
-        println!("{name}: cargo {}", arguments.join(" "));
+    let mut step = |name: &str, step: &dyn Fn() -> Result<(), String>| {
         let begun = Instant::now();
-        if let Err(error) = workspace::run(cargo().args(arguments)) {
+        if let Err(error) = step() {
             failed.push(format!("{name}: {error}"));
         }
         println!("{name}: {:.0} s", begun.elapsed().as_secs_f64());
+    };
+    for (name, arguments) in STEPS {
+        println!("{name}: cargo {}", arguments.join(" "));
+        step(name, &|| workspace::run(cargo().args(arguments)));
     }
+    step("fuzzing", &|| fuzz::run(&fuzz::Options::default()));
     if failed.is_empty() { Ok(()) } else { Err(failed.join("\n")) }
 }

@@ -1,6 +1,7 @@
 //! Errors of writing motions and reading texts.
 
 use crate::sto::StoFault;
+use crate::table::Table;
 use solaris_model::{MotionError, Vector3};
 
 /// Why a motion cannot be written or a text is not one.
@@ -138,6 +139,17 @@ pub enum IoError {
         /// What is wrong.
         fault: StoFault,
     },
+    /// More columns than are read.
+    #[error("line {line} has {found} fields; at most {} are read", Table::MOST_COLUMNS)]
+    ManyColumns {
+        /// Line, from 1.
+        line: u64,
+        /// How many fields it has.
+        found: usize,
+    },
+    /// A table that cannot be a `.mot` or `.sto` one.
+    #[error("a table without a column called 'time' cannot be written to a .sto table; add the times")]
+    StoTime,
     /// A heading that a `.mot` or `.sto` table cannot hold.
     #[error("column '{name}' cannot be written to a .sto table: headings there are one word; rename it")]
     StoHeading {

@@ -127,8 +127,11 @@ pub fn read(text: &str) -> Result<Import, TextError> {
     if !tree.whole {
         reader.error().map_or(Ok(()), Err)?;
     }
-    let name = model.attribute("name").unwrap_or("model");
-    let (figure, findings) = finish(reader, name, tree.bodies, tree.places)?;
+    let name = model.attribute("name").unwrap_or("model").to_owned();
+    // Of large models, all that is no longer needed.
+    drop(layout);
+    drop(document);
+    let (figure, findings) = finish(reader, &name, tree.bodies, tree.places)?;
     let gravity_is_given = gravity.is_some();
     let gravity = gravity.unwrap_or_else(|| Vector3::new(0.0, -9.80665, 0.0));
     Ok(Import { figure, findings, gravity, gravity_is_given })

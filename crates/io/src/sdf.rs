@@ -110,9 +110,12 @@ pub fn read_with(text: &str, loader: &mut dyn Loader) -> Result<Import, TextErro
     let mut places = SourceMap::default();
     places.put(Part::Figure, "", tag(root));
     let bodies = structure::bodies(&mut reader, root, &contents, top, &mut places);
+    let is_of_world = world.is_some();
+    // Of large models, all that is no longer needed.
+    drop((contents, document));
     let (figure, findings) = tree::finish(reader, &name, bodies, places)?;
-    let standard = if world.is_some() { OF_WORLDS } else { GRAVITY };
-    let gravity_is_given = world.is_some();
+    let standard = if is_of_world { OF_WORLDS } else { GRAVITY };
+    let gravity_is_given = is_of_world;
     let gravity = gravity.unwrap_or_else(|| Vector3::new(0.0, 0.0, -standard));
     Ok(Import { figure, findings, gravity, gravity_is_given })
 }

@@ -111,6 +111,14 @@ fn defaults(coordinates: &[CoordinateDefault]) -> String {
 }
 
 impl Table {
+    /// The most columns of a table that is read.
+    pub const MOST_COLUMNS: usize = 1_000_000;
+
+    /// Refuses a row of the text with more columns than are read, before any is kept.
+    pub(crate) fn check_width(line: u64, found: usize) -> Result<(), IoError> {
+        if found > Self::MOST_COLUMNS { Err(IoError::ManyColumns { line, found }) } else { Ok(()) }
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.lines.len()

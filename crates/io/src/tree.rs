@@ -24,7 +24,7 @@ use solaris_model::{
 };
 use std::ops::Range;
 
-/// The most bodies of a robot or world that are read: with more, memory is the limit.
+/// The most bodies of a model that are read: all that is kept of as many takes less than a gigabyte.
 pub(crate) const MOST_BODIES: usize = 1 << 17;
 
 /// A rigid body of a model file, with the joint that moves it.
@@ -129,6 +129,10 @@ pub(crate) fn finish(
 ) -> Result<(Figure, Vec<Finding>), TextError> {
     if let Some(error) = reader.error().filter(|_| bodies.is_empty()) {
         return Err(error);
+    }
+    if let Some(body) = bodies.get(MOST_BODIES) {
+        let message = format!("there are more than {MOST_BODIES} bodies, the most that are read");
+        return Err(TextError::one(reader.text(), body.span.clone(), message));
     }
     let built = assemble(name, bodies, places, reader.text());
     if let Err(error) = &built {

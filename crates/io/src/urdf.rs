@@ -80,14 +80,16 @@ pub fn read(text: &str) -> Result<Import, TextError> {
     if root.attribute("name").is_none() {
         reader.suspect(tag(root), "robot", "<robot> has no attribute 'name'; the figure is called 'robot'");
     }
-    let name = root.attribute("name").unwrap_or("robot");
+    let name = root.attribute("name").unwrap_or("robot").to_owned();
 
     let links = elements_called(root, "link").map(|node| link::read(&mut reader, node)).collect();
     let joints: Vec<_> = elements_called(root, "joint").map(|node| joint::read(&mut reader, node)).collect();
     let mut places = SourceMap::default();
     places.put(solaris_model::Part::Figure, "", tag(root));
     let bodies = structure::bodies(&mut reader, root, links, &joints, &mut places);
-    let (figure, findings) = tree::finish(reader, name, bodies, places)?;
+    // Of large models, all that is no longer needed.
+    drop((joints, document));
+    let (figure, findings) = tree::finish(reader, &name, bodies, places)?;
     let gravity = Vector3::new(0.0, 0.0, -GRAVITY);
     Ok(Import { figure, findings, gravity, gravity_is_given: false })
 }

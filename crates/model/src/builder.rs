@@ -117,6 +117,12 @@ impl LinkSpec {
             }
         }
     }
+
+    /// The same without what rounding and few digits leave on one side of the diagonal alone.
+    fn symmetric_tensor(&self) -> Matrix3<f64> {
+        let inertia = self.tensor();
+        (inertia + inertia.transpose()) / 2.0
+    }
 }
 
 /// Collects links and names, and builds a [`Figure`] or says everything that is wrong.
@@ -375,7 +381,7 @@ impl FigureBuilder {
 
 /// The link, with its rotation normalised in the working precision.
 fn finish(spec: LinkSpec, place: &HashMap<String, usize>) -> Link {
-    let inertia = spec.tensor();
+    let inertia = spec.symmetric_tensor();
     let mut joint = spec.joint;
     joint.placement.rotation.renormalize();
     Link {
@@ -384,7 +390,7 @@ fn finish(spec: LinkSpec, place: &HashMap<String, usize>) -> Link {
         joint,
         mass: spec.mass,
         com: spec.com,
-        inertia: (inertia + inertia.transpose()) / 2.0,
+        inertia,
         shape: spec.shape,
         tip: spec.tip,
         sole: spec.sole,

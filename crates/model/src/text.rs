@@ -79,7 +79,7 @@ use solaris_text::TextError;
 /// [`TextError`] with every fault, in the order of the text: the one place where it is no RON, or else everything that is
 /// unknown, missing, of the wrong kind, or not possible in a figure. Where a link could not be read, nothing is said
 /// about what needs it. Time and memory grow in proportion to a text without faults; brackets in each other are refused
-/// beyond 64.
+/// beyond 64, and links beyond 131 072.
 pub fn read(text: &str) -> Result<Figure, TextError> {
     read::read(text)
 }

@@ -8,12 +8,19 @@ use std::ops::Range;
 pub(crate) struct Cursor<'a> {
     pub(crate) text: &'a str,
     pub(crate) at: usize,
+    /// How many values have begun.
+    pub(crate) values: usize,
 }
 
 /// A fault that ends the reading.
 pub(crate) type Stop = (Range<usize>, String);
 
 impl<'a> Cursor<'a> {
+    /// At the beginning of a text, after a mark of its encoding.
+    pub(crate) fn new(text: &'a str) -> Self {
+        Self { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 }, values: 0 }
+    }
+
     pub(crate) fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }

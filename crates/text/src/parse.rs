@@ -7,10 +7,12 @@ use std::ops::Range;
 
 /// How deep brackets may stand in each other.
 const DEEPEST: usize = 64;
+/// The most values of a text: some 300 MB of them.
+const MOST_VALUES: usize = 4_000_000;
 
 /// The word that a text begins with, after comments: `Figure`, `Scene`.
 pub fn first_word(text: &str) -> Option<&str> {
-    let mut cursor = Cursor { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 } };
+    let mut cursor = Cursor::new(text);
     cursor.skip().ok()?;
     while cursor.rest().starts_with("#!") {
         extension(&mut cursor).ok()?;
@@ -21,7 +23,8 @@ pub fn first_word(text: &str) -> Option<&str> {
 /// The tree of a text: `noun` says what it is (`scene`), `begins` how one begins (`Scene(version: 1, …)`), both for messages.
 ///
 /// Of RON there is all that such texts need: comments (`//`, `/* */`), commas at the end, raw texts, names left out. Texts end on
-/// the line on which they begin. Time and memory grow in proportion to the text; brackets in each other are refused beyond 64.
+/// the line on which they begin. Time and memory grow in proportion to the text; brackets in each other are refused beyond 64, and
+/// values beyond 4 million.
 ///
 /// # Errors
 ///
@@ -35,7 +38,7 @@ fn whole<'a>(text: &'a str, name: &str, begins: &str) -> Result<Node<'a>, Stop> 
     if let Some(at) = text.find('\0') {
         return Err((at..at + 1, format!("this is no text but binary data; give the text of a {name}")));
     }
-    let mut cursor = Cursor { text, at: if text.starts_with('\u{feff}') { 3 } else { 0 } };
+    let mut cursor = Cursor::new(text);
     cursor.skip()?;
     while cursor.rest().starts_with("#!") {
         extension(&mut cursor)?;
@@ -68,6 +71,11 @@ fn extension(cursor: &mut Cursor<'_>) -> Result<(), Stop> {
 
 fn value<'a>(cursor: &mut Cursor<'a>, depth: usize) -> Result<Node<'a>, Stop> {
     let start = cursor.at;
+    cursor.values += 1;
+    if cursor.values > MOST_VALUES {
+        let message = format!("there are more than {MOST_VALUES} values, the most that are read");
+        return Err((cursor.next_span(), message));
+    }
     let value = match cursor.peek() {
         Some('(' | '[' | '{') => group(cursor, None, depth)?,
         Some('"') => cursor.quoted()?,
@@ -136,7 +144,7 @@ fn group<'a>(cursor: &mut Cursor<'a>, name: Option<Named<'a>>, depth: usize) -> 
 
 /// Whether a word and a colon come next.
 fn begins_with_field(cursor: &Cursor<'_>) -> Result<bool, Stop> {
-    let mut ahead = Cursor { text: cursor.text, at: cursor.at };
+    let mut ahead = Cursor { ..*cursor };
     if ahead.word().is_empty() {
         return Ok(false);
     }

@@ -102,7 +102,8 @@ pub(super) fn of_person(bones: &[Length], height: f64, mass: Option<f64>) -> Vec
             let portion = bone.segment.of_adult();
             // A segment that is one bone, or nearly, is the published one.
             let alone = portions[i] > 0.9 * sums[&bone] && shares[&bone] < 1.5 * portion.mass;
-            match portion.limb.filter(|_| alone && bones[i].bone == Some(bone)) {
+            let has_length = bones[i].along.norm() > 0.0;
+            match portion.limb.filter(|_| alone && has_length && bones[i].bone == Some(bone)) {
                 Some(limb) => published(mass, bones[i].along, limb, portion.density),
                 None => solid(mass, bones[i].along, portion.density),
             }

@@ -5,6 +5,8 @@ use std::ops::Range;
 
 /// The most channels of all joints together, so that a row is never longer than memory.
 const MOST_CHANNELS: usize = 1_000_000;
+/// The most joints of a file, as many as models of other formats may have bodies.
+const MOST_JOINTS: usize = 1 << 17;
 
 /// A file as it is written: lengths in its own unit, along its own axes, angles in degrees.
 pub(super) struct Text<'a> {
@@ -159,6 +161,9 @@ fn hierarchy<'a>(cursor: &mut Cursor<'a>) -> Result<(Vec<Node<'a>>, usize), Text
                 open.push(Block::Joint(0));
             }
             ("JOINT", Some(Block::Joint(parent))) => {
+                if joints.len() > MOST_JOINTS {
+                    return cursor.fault(span, format!("there are more than {MOST_JOINTS} joints"));
+                }
                 open.push(Block::Joint(joints.len()));
                 joints.push(opened(cursor, Some(parent), width)?);
             }

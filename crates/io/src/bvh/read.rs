@@ -139,12 +139,16 @@ fn rows(file: &mut Text, skip: usize, said: &mut Said) -> Result<(), BvhError> {
     Ok(())
 }
 
+/// The most joints that are said one by one to have other names.
+const MOST_RENAMED: usize = 100;
+
 /// Names of links and joints: those of the file, made different, without blanks.
 fn names(file: &Text, said: &mut Said) -> Vec<String> {
     let mut taken: HashSet<String> = HashSet::new();
     // How often a stem was tried, so that a thousand joints of one name are no million tries.
     let mut tried: HashMap<String, usize> = HashMap::new();
     let mut names = Vec::with_capacity(file.joints.len());
+    let mut renamed = 0;
     for joint in &file.joints {
         let words: Vec<&str> = joint.name.split_whitespace().collect();
         let stem = if words.is_empty() { "joint".to_owned() } else { words.join("_") };
@@ -154,11 +158,17 @@ fn names(file: &Text, said: &mut Said) -> Vec<String> {
             *count += 1;
             name = format!("{stem}_{count}");
         }
-        if name != joint.name {
+        renamed += usize::from(name != joint.name);
+        if name != joint.name && renamed <= MOST_RENAMED {
             let message = format!("it is called '{name}' here: names differ and have no blanks");
             said.say(FindingKind::Note, format!("joint '{}'", joint.name), message, Some(joint.span.clone()));
         }
         names.push(name);
+    }
+    if renamed > MOST_RENAMED {
+        let more = renamed - MOST_RENAMED;
+        let message = format!("{more} more are called otherwise here: names differ and have no blanks");
+        said.say(FindingKind::Note, "joints", message, None);
     }
     names
 }

@@ -1,6 +1,6 @@
 //! Tables of any text, from and to CSV.
 
-use super::table::{Lines, check_header};
+use super::table::{Lines, check_header, check_lines};
 use super::write::{number, writing};
 use crate::error::IoError;
 use crate::table::Table;
@@ -44,10 +44,12 @@ pub fn read_rows(text: &str) -> Result<Rows, IoError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
+    check_lines(text)?;
     let (mut out, mut record, mut lines) = (Rows::default(), StringRecord::new(), Lines::new(text));
     // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
     while reader.read_record(&mut record).map_err(writing)? {
         let line = lines.of(record.position().map_or(0, csv::Position::byte));
+        Table::check_width(line, record.len())?;
         let fields: Vec<String> = record.iter().map(str::to_owned).collect();
         if out.columns.is_empty() {
             check_header(&Table { columns: fields.clone(), header_line: line, ..Table::default() })?;

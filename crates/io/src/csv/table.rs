@@ -27,10 +27,12 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader =
         ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
+    check_lines(text)?;
     let (mut table, mut record, mut lines) = (Table::default(), StringRecord::new(), Lines::new(text));
     // Text in memory is UTF-8 and any row length is taken, so the reader itself has nothing to refuse.
     while reader.read_record(&mut record).map_err(writing)? {
         let line = lines.of(record.position().map_or(0, csv::Position::byte));
+        Table::check_width(line, record.len())?;
         if table.columns.is_empty() {
             table.columns = record.iter().map(str::to_owned).collect();
             table.header_line = line;
@@ -50,6 +52,16 @@ pub fn read_table(text: &str) -> Result<Table, IoError> {
         table.lines.push(line);
     }
     if table.columns.is_empty() { Err(IoError::NoHeader) } else { Ok(table) }
+}
+
+/// Refuses lines of more fields than are kept, for which the reader itself would ask for a gigabyte.
+pub(super) fn check_lines(text: &str) -> Result<(), IoError> {
+    for (line, text) in (1..).zip(text.split('\n')) {
+        if text.len() > Table::MOST_COLUMNS {
+            Table::check_width(line, text.bytes().filter(|byte| *byte == b',').count() + 1)?;
+        }
+    }
+    Ok(())
 }
 
 /// Counts lines. The reader counts a line end of Windows to the line after it.
@@ -116,11 +128,13 @@ fn shortened(field: &str) -> String {
 ///
 /// # Errors
 ///
-/// A table in degrees: nothing in CSV says so; a number that is not finite; the writer's own errors.
+/// A table in degrees: nothing in CSV says so; headings that would not be read, such as one that stands twice; a number that is
+/// not finite; the writer's own errors.
 pub fn write_table(table: &Table, out: &mut impl Write) -> Result<(), IoError> {
     if table.in_degrees == Some(true) {
         return Err(IoError::DegreesWithoutFigure);
     }
+    check_header(table)?;
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(&table.columns).map_err(writing)?;
     let (mut text, time) = (Vec::new(), table.column(TIME));

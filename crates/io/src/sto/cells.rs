@@ -31,13 +31,19 @@ pub(super) fn hold_vectors(kind: &str, row: &str) -> bool {
 /// Splits the columns of `table` whose cells hold several numbers, as its first row (undressed) has them. Returns the number of
 /// numbers of each cell.
 pub(super) fn split_columns(table: &mut Table, kind: &str, row: &str) -> Vec<usize> {
-    let parts: Vec<usize> = row.split_whitespace().map(|cell| cell.matches(',').count() + 1).collect();
+    let mut parts: Vec<usize> = row.split_whitespace().map(|cell| cell.matches(',').count() + 1).collect();
     if parts.len() != table.columns.len() {
-        return parts;
+        // Its first row is at fault for that.
+        return vec![1; table.columns.len()];
     }
     let names = std::mem::take(&mut table.columns);
-    for (name, &parts) in names.into_iter().zip(&parts) {
-        if parts == 1 || name == TIME {
+    for (name, parts) in names.into_iter().zip(&mut parts) {
+        // A time is one number, or at fault.
+        if name == TIME {
+            *parts = 1;
+        }
+        let parts = *parts;
+        if parts == 1 {
             table.columns.push(name);
         } else {
             let first = table.columns.len();

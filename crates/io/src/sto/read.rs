@@ -57,6 +57,7 @@ fn read_with_header(text: &str) -> Result<(Table, Header), IoError> {
     let mut lines = lines.filter(|(_, line)| !line.trim().is_empty()).peekable();
     let (header_line, line) =
         lines.next().ok_or(IoError::Sto { line: header.end, fault: StoFault::NoHeadings })?;
+    Table::check_width(header_line, line.split_whitespace().count())?;
     let first = lines.peek().map(|(_, row)| undressed(row));
     let cells = first.as_ref().map(|row| row.split_whitespace().count());
     let columns = headings(line, [cells, header.columns.map(|(_, count)| count)]);
@@ -65,6 +66,8 @@ fn read_with_header(text: &str) -> Result<(Table, Header), IoError> {
     check(&table)?;
     agree(&mut table, header.columns, "columns", |table| table.columns.len());
     let row = first.unwrap_or_default();
+    let numbers = row.split_whitespace().count() + row.matches(',').count();
+    Table::check_width(lines.peek().map_or(header_line, |(line, _)| *line), numbers)?;
     let parts = hold_vectors(&header.kind, lines.peek().map_or("", |(_, row)| row))
         .then(|| split_columns(&mut table, &header.kind, &row));
     note_duplicates(&mut table);

@@ -2,7 +2,7 @@
 
 use super::header::is_key;
 use crate::error::IoError;
-use crate::table::Table;
+use crate::table::{TIME, Table};
 use std::io::{self, Write};
 
 /// Writes a table as OpenSim reads it.
@@ -13,10 +13,13 @@ use std::io::{self, Write};
 ///
 /// # Errors
 ///
-/// A number that is not finite, a heading that is empty or holds a blank, headings that stand twice, and the writer's
-/// own errors.
+/// A table without a column of times, a number that is not finite, a heading that is empty or holds a blank, headings that
+/// stand twice, and the writer's own errors.
 pub fn write(table: &Table, out: &mut impl Write) -> Result<(), IoError> {
     table.check_headings()?;
+    if table.column(TIME).is_none() {
+        return Err(IoError::StoTime);
+    }
     if let Some(name) =
         table.columns.iter().find(|name| name.is_empty() || name.contains(char::is_whitespace))
     {

@@ -5,8 +5,8 @@ use roxmltree::{Document, Error, ParsingOptions, TextPos};
 use solaris_model::TextError;
 use std::ops::Range;
 
-/// The most nodes of a document: some 400 MB of them.
-const NODES: u32 = 5_000_000;
+/// The most nodes of a document: some 200 MB of them.
+const NODES: u32 = 2_500_000;
 /// The most attributes of one element: the parser compares each with all before it.
 const ATTRIBUTES: usize = 4096;
 /// The most declarations of namespaces: the parser copies them down the tree.

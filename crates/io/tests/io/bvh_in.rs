@@ -163,6 +163,16 @@ fn a_person_has_a_persons_masses() {
     );
 }
 
+/// Rigs of which the hand is where the elbow is.
+#[test]
+fn a_bone_of_no_length_has_a_mass() {
+    let (whole, wrist) = (person(100.0), "OFFSET 0 -27 0");
+    assert!(whole.contains(wrist));
+    let figure = clip(&whole.replacen(wrist, "OFFSET 0 0 0", 1)).figure;
+    let forearm = figure.link("mixamorig:LeftForeArm").expect("a forearm");
+    assert!(forearm.mass() > 0.0 && forearm.inertia().iter().all(|x| x.is_finite()));
+}
+
 #[test]
 fn the_unit_is_the_one_in_which_a_person_is_a_person() {
     for (per_metre, unit) in
@@ -314,7 +324,13 @@ fn hostile_texts_end() {
     let deep = format!("HIERARCHY ROOT r\n{{ OFFSET 0 0 0\n{deep}{}}}", "}\n".repeat(3_000));
     assert_eq!(clip(&deep).figure.links().len(), 3_001);
     let same: String = (0..3_000).map(|_| "JOINT j\n{ OFFSET 0 1 0 }\n").collect();
-    assert_eq!(clip(&format!("HIERARCHY ROOT r\n{{ OFFSET 0 0 0\n{same}}}")).figure.links().len(), 3_001);
+    let same = clip(&format!("HIERARCHY ROOT r\n{{ OFFSET 0 0 0\n{same}}}"));
+    assert_eq!(same.figure.links().len(), 3_001);
+    assert!(same.findings.len() < 110, "{} findings", same.findings.len());
+    assert!(said(&same).contains("2899 more are called otherwise here"));
+    let many = "JOINT j\n{ OFFSET 0 1 0 }\n".repeat(1 + (1 << 17));
+    let error = read(&format!("HIERARCHY ROOT r\n{{ OFFSET 0 0 0\n{many}}}"), &ReadOptions::default());
+    assert!(error.expect_err("too many").to_string().contains("more than 131072 joints"));
     let many = ODD.replace("Frames:\t9", "Frames:\t99999999999999999");
     assert_eq!(clip(&many).motion.len(), 5);
     let none = "HIERARCHY ROOT r\n{ OFFSET 0 0 0 }\nMOTION\nFrames: 99999999999999\nFrame Time: 1\n";

@@ -1,6 +1,6 @@
 //! Tables of any numbers: what is read, and what the messages say.
 
-use solaris_io::{Table, csv};
+use solaris_io::{Table, csv, sto};
 
 fn read(text: &str) -> Table {
     csv::read_table(text).expect("a table")
@@ -88,6 +88,25 @@ fn what_csv_cannot_say_is_not_written() {
     assert_eq!(error(table(f64::NAN, None)), "'knee' at 0.25 s is NaN; a file holds finite numbers only");
     assert!(error(table(1.0, Some(true))).contains("inDegrees=yes"));
     assert!(csv::write_table(&table(1.0, Some(false)), &mut Vec::new()).is_ok());
+    // A table of OpenSim may have it, nothing that is written to be read.
+    let twice = vec!["time".to_owned(), "time".to_owned()];
+    assert!(
+        error(Table { columns: twice, ..table(1.0, None) })
+            .contains("'time' is also the heading of column 1")
+    );
+}
+
+/// Rows of more fields than are kept are refused by their number, in all readers of tables.
+#[test]
+fn too_many_columns_are_refused() {
+    let many = "a,".repeat(1_000_001);
+    let told = "has 1000002 fields; at most 1000000 are read";
+    assert!(csv::read_table(&many).expect_err("many").to_string().contains(told));
+    assert!(csv::read_rows(&format!("a\n{many}")).expect_err("many").to_string().contains(told));
+    let many = format!("endheader\ntime {}", "a ".repeat(1_000_001));
+    assert!(sto::read(&many).expect_err("many").to_string().contains(told));
+    let many = format!("DataType=Vec3\nendheader\ntime a\n0 {}1\n", "1,".repeat(1_000_000));
+    assert!(sto::read(&many).expect_err("many").to_string().contains(told));
 }
 
 /// A million numbers in a second or so, and no more memory than a few times the numbers.

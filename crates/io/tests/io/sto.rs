@@ -195,7 +195,19 @@ fn what_a_table_cannot_hold_is_not_written() {
     spaced.columns[1] = "left knee".to_owned();
     let mut twice = table();
     twice.columns[2] = "time".to_owned();
-    insta::assert_snapshot!([not_finite, spaced, twice].map(refused).join("\n"));
+    let mut timeless = table();
+    timeless.columns[0] = "frame".to_owned();
+    insta::assert_snapshot!([not_finite, spaced, twice, timeless].map(refused).join("\n"));
+}
+
+/// Cells of several numbers are columns, but the time's.
+#[test]
+fn a_time_of_several_numbers_is_none() {
+    let text = "DataType=Vec3\nendheader\ntime\tball\n0,0,0\t1,2,3\n0.1,0,0\t1,2,3\n";
+    let error = sto::read(text).expect_err("no time").to_string();
+    assert_eq!(error, "line 4, column 1 ('time'): '0,0,0' is no finite number");
+    let text = "endheader\ntime\ta\tb\n0\t1\t1\t~[0\t0\n";
+    assert_eq!(sto::read(text).expect_err("too long").to_string(), "line 3 has 4 fields, the header has 3");
 }
 
 /// A hundred thousand rows in well under a second.

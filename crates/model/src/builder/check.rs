@@ -8,9 +8,20 @@ use crate::layout::velocity_names;
 
 /// Everything that is wrong with a link, but its place in the tree.
 pub(super) fn link(link: &LinkSpec, faults: &mut Vec<Fault>) {
+    let before = faults.len();
     check_numbers(link, faults);
     check_joint(&link.joint, faults);
     check_inertia(link, faults);
+    if faults.len() == before {
+        check_range(link, faults);
+    }
+}
+
+/// Numbers that are finite, and beyond all range together: a solid's mass times its lengths, an inertia with its mirror image.
+fn check_range(link: &LinkSpec, faults: &mut Vec<Fault>) {
+    if let Some(value) = link.symmetric_tensor().iter().find(|value| !value.is_finite()) {
+        faults.push(Fault::NotFinite { link: link.name.clone(), what: "inertia".into(), value: *value });
+    }
 }
 
 fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {

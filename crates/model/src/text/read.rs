@@ -17,6 +17,8 @@ use std::ops::{Deref, DerefMut};
 
 /// The version of the grammar.
 pub(super) const VERSION: u32 = 1;
+/// The most links of a figure: all that is kept of as many takes less than a gigabyte.
+const MOST_LINKS: usize = 1 << 17;
 
 /// What is gathered while the tree of a figure is read.
 struct FigureReader<'r> {
@@ -145,6 +147,12 @@ impl FigureReader<'_> {
             self.lost.links = true;
             return builder;
         };
+        if let Some(item) = items.get(MOST_LINKS) {
+            self.lost.links = true;
+            let message = format!("there are more than {MOST_LINKS} links, the most that are read");
+            self.fault(item.span.clone(), message);
+            return builder;
+        }
         for (index, item) in items.iter().enumerate() {
             match self.link(item, index) {
                 Some(link) => builder = builder.link(link),

@@ -60,6 +60,11 @@ fn broken() -> Vec<(&'static str, FigureBuilder)> {
         ("mass", with([root("a").mass(NAN)])),
         ("centre of mass", with([root("a").com(Vector3::new(0.0, f64::INFINITY, 0.0))])),
         ("inertia", with([root("a").inertia(diagonal(NAN, 1.0, 1.0))])),
+        ("inertia beyond the range", with([root("a").inertia(diagonal(-1e308, 1.0, 1.0))])),
+        (
+            "solid beyond the range",
+            with([root("a").mass(1e200).inertia(Inertia::Uniform(capsule(1e60, 1e60)))]),
+        ),
         ("origin", hinge(Joint::new("j").at(Vector3::new(NAN, 0.0, 0.0)).rx())),
         ("tip", with([root("a").tip(Vector3::new(0.0, -f64::INFINITY, 0.0))])),
         ("sole", with([root("a").sole(SolePart::Heel, heel)])),

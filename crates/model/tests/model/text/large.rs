@@ -76,6 +76,14 @@ fn a_hundred_thousand_faults_are_counted() {
 }
 
 #[test]
+fn more_than_can_be_held_is_refused() {
+    let text = |inside: &str, count| format!("Figure(version: 1, links: [{}])", inside.repeat(count));
+    let refused = |text: &str| read(text).expect_err("too many").to_string();
+    assert!(refused(&text("Link(),", 1 + (1 << 17))).contains("more than 131072 links"));
+    assert!(refused(&text("0,", 4_000_000)).contains("more than 4000000 values"));
+}
+
+#[test]
 fn brackets_within_brackets_are_refused_and_not_followed() {
     for open in ["(", "[", "{", "Some(", "a(b: "] {
         let error =

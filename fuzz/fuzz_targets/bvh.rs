@@ -1,0 +1,41 @@
+//! Motion capture as BVH: read, as a table, and written again; and tables of masses.
+#![no_main]
+
+use solaris_fuzz::{figure, refused, said, target, text};
+use solaris_io::bvh::{self, Clip, ReadOptions, Up};
+use solaris_model::Vector3;
+
+target!(|bytes: &[u8]| {
+    let Some(source) = text(bytes) else { return };
+    let _ = bvh::masses(&source);
+    let options = match source.len() % 3 {
+        0 => ReadOptions { up: Some(Up::Z), mass: Some(70.0), skip: 1, ..ReadOptions::default() },
+        _ => ReadOptions::default(),
+    };
+    match bvh::read(&source, &options) {
+        Ok(clip) => {
+            clip.findings.iter().for_each(|finding| said(&source, &finding.message));
+            figure(&source, &clip.figure);
+            let table = clip.table_of(&clip.figure).expect("the clip's own figure");
+            solaris_fuzz::table(&source, &table);
+            again(&clip);
+        }
+        Err(error) => refused(&error),
+    }
+});
+
+/// Panics where the written clip of a body of any sensible size is not read.
+fn again(clip: &Clip) {
+    if clip.figure.extent(&Vector3::y()).height > 1e6 {
+        return;
+    }
+    let mut written = Vec::new();
+    if bvh::write(&clip.figure, &clip.motion, clip.unit, &mut written).is_ok() {
+        let written = String::from_utf8(written).expect("text");
+        let options = ReadOptions { unit: Some(clip.unit), ..ReadOptions::default() };
+        match bvh::read(&written, &options) {
+            Ok(again) => assert_eq!(again.motion.len(), clip.motion.len(), "{written}"),
+            Err(error) => panic!("what was written is not read: {error}\n{written}"),
+        }
+    }
+}
