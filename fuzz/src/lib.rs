@@ -6,12 +6,14 @@
 mod figure;
 mod files;
 mod mutate;
+mod recording;
 mod table;
 
 pub use figure::{figure, import};
 pub use files::Files;
 pub use libfuzzer_sys;
 pub use mutate::mutate;
+pub use recording::recording;
 pub use table::table;
 
 /// A target, of what it does with the bytes.

@@ -12,8 +12,9 @@ const LONGEST: usize = 65_536;
 const MOST_LINES: usize = 30;
 
 /// Of each target, the files and folders of `crates` whose words it knows.
-const WORDS: [(&str, &[&str]); 12] = [
+const WORDS: [(&str, &[&str]); 14] = [
     ("bvh", &["io/src/bvh", "model/src/rig.rs"]),
+    ("c3d", &["io/src/c3d", "io/src/markers"]),
     ("csv", &["io/src/csv", "io/src/record", "io/src/table.rs", "io/src/headings.rs"]),
     ("encoding", &["io/src/encoding.rs"]),
     ("external_loads", &["io/src/opensim/loads.rs", "io/tests/io/opensim_loads.rs"]),
@@ -24,6 +25,7 @@ const WORDS: [(&str, &[&str]); 12] = [
     ("scene", &["scene/src", "model/src/text", "profiles/src/text"]),
     ("sdf", &["io/src/sdf.rs", "io/src/sdf", "io/tests/io/sdf"]),
     ("sto", &["io/src/sto.rs", "io/src/sto", "io/src/record", "io/src/table.rs"]),
+    ("trc", &["io/src/trc", "io/src/markers"]),
     ("urdf", &["io/src/urdf.rs", "io/src/urdf", "io/tests/io/urdf"]),
 ];
 
@@ -39,6 +41,10 @@ pub(super) fn write(folder: &Path) -> Result<(), String> {
     };
     for path in files(&[crates.clone(), root().join("fixtures"), folder.join("seeds")]) {
         let bytes = fs::read(&path).map_err(failed)?;
+        if path.extension().is_some_and(|extension| extension == "c3d") {
+            add("c3d", bytes);
+            continue;
+        }
         let Ok(text) = String::from_utf8(bytes) else { continue };
         if path.extension().is_some_and(|extension| extension == "rs") {
             for text in literals(&text) {
@@ -75,6 +81,7 @@ fn target_of(path: &Path, text: &str) -> Option<&'static str> {
     Some(match path.extension()?.to_str()? {
         "mot" | "sto" => "sto",
         "csv" => "csv",
+        "trc" => "trc",
         "rs" | "ron" | "urdf" | "osim" | "xml" | "sdf" | "bvh" | "mjcf" | "snap" => match text {
             _ if text.len() < 12 => return None,
             _ if text.contains("HIERARCHY") => "bvh",
