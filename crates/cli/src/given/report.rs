@@ -106,6 +106,7 @@ impl GivenReport {
             from_s: time.first().copied().unwrap_or_default(),
             to_s: time.last().copied().unwrap_or_default(),
             units: match table.in_degrees {
+                _ if given.markers.is_some() => "angles in rad, found from markers",
                 _ if extension(&given.from) == "bvh" => "angles in degrees, as BVH has them",
                 _ if table.notes.contains(&TableNote::OldDegrees) => "angles in degrees, as in SIMM",
                 Some(true) => "angles in degrees, as its header says",
