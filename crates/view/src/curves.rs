@@ -63,7 +63,9 @@ fn coordinates(figure: &Figure) -> Vec<Coordinate> {
     for (link, joint) in figure.links().iter().zip(layout.joints()) {
         // The forces at a root that nothing holds are no joint's: they are what is left over.
         let floating = link.parent().is_none() && figure.root_is_free();
-        for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|_| joint.nq == joint.nv) {
+        // What follows another has nothing of its own to show.
+        let own = |k: &usize| joint.nq == joint.nv && !figure.follows(joint.v + k);
+        for (k, dof) in link.joint().kind().axes().iter().enumerate().filter(|(k, _)| own(k)) {
             let turns = dof.axis.kind == AxisKind::Rotation;
             all.push((joint.v + k, joint.q + k, (!floating).then_some(joint.v + k), turns));
         }
