@@ -151,6 +151,11 @@ impl Group {
             let message = "its origin points to above the surface, the other way than the format's guide says; turned round";
             said.say(FindingKind::Note, subject, message.to_owned());
         }
+        let none = channels.iter().flatten().filter(|value| !value.is_finite()).count();
+        if none > 0 {
+            let message = format!("{none} samples of its channels are no numbers; nothing acts where one is");
+            said.say(FindingKind::Suspect, subject, message);
+        }
         let plate = Plate {
             number: at + 1,
             kind,

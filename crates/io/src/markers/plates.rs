@@ -83,6 +83,11 @@ pub struct Load {
 }
 
 impl Load {
+    fn is_finite(&self) -> bool {
+        let parts = [self.force, self.centre.unwrap_or_default(), self.free_moment];
+        parts.iter().all(|part| part.iter().all(|x| x.is_finite()))
+    }
+
     /// Nothing.
     pub const NONE: Self =
         Self { force: Vector3::new(0.0, 0.0, 0.0), centre: None, free_moment: Vector3::new(0.0, 0.0, 0.0) };
@@ -125,7 +130,7 @@ impl Plate {
     ///
     /// The C3D file format user guide (Motion Lab Systems), "Force platform"; Kistler's formulas for the eight channels and
     /// the polynomials. As ezc3d, `CAL_MATRIX` counts for type 4 alone. Differs from it: the free moment is about the normal
-    /// alone, and an unloaded plate has no load.
+    /// alone, and an unloaded plate has no load. So has a sample with a channel that is no number, or forces beyond all numbers.
     pub fn loads(&self, options: &LoadOptions) -> Vec<Load> {
         let Some(axes) = self.axes() else { return vec![Load::NONE; self.len()] };
         let middle = self.middle();
@@ -138,11 +143,12 @@ impl Plate {
                     *value = channel[at] - offset;
                 }
                 let Some(local) = self.local(&sample, options.least_force) else { return Load::NONE };
-                Load {
+                let load = Load {
                     force: axes * local.force * sign,
                     centre: local.centre.map(|centre| axes * centre + middle),
                     free_moment: axes * local.free_moment * sign,
-                }
+                };
+                if load.is_finite() { load } else { Load::NONE }
             })
             .collect()
     }
@@ -223,4 +229,31 @@ fn polynomial(p: &[f64; 6], a: f64, b: f64) -> f64 {
     let cubic = (p[0] * square + p[1]) * square + p[2];
     let linear = (p[3] * square + p[4]) * square + p[5];
     (cubic * a * a + linear) * a
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_that_is_no_number_is_no_load() {
+        let corner = |x: f64, y: f64| Vector3::new(x, y, 0.0);
+        let plate = Plate {
+            number: 1,
+            kind: PlateKind::Wrench,
+            corners: [corner(0.5, 0.5), corner(-0.5, 0.5), corner(-0.5, -0.5), corner(0.5, -0.5)],
+            origin: Vector3::zeros(),
+            rate: 1000.0,
+            channels: [[0.0; 3], [0.0; 3], [500.0, f64::NAN, f64::INFINITY], [0.0; 3], [0.0; 3], [0.0; 3]]
+                .map(|channel| channel.to_vec())
+                .to_vec(),
+            matrix: None,
+            polynomials: None,
+            baseline: None,
+            is_opposite: false,
+        };
+        let loads = plate.loads(&LoadOptions::default());
+        assert!((loads[0].force.norm() - 500.0).abs() < 1e-12);
+        assert_eq!(loads[1..], [Load::NONE; 2]);
+    }
 }
