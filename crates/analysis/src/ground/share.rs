@@ -1,5 +1,6 @@
 //! Splits of the ground's wrench between the feet that stand.
 
+mod brace;
 mod effort;
 mod load;
 mod pivot;
@@ -113,7 +114,7 @@ pub fn share(
     let sharing = Sharing::new(feet, stances, total);
     let frames = match split {
         Split::Transition => transition::share(&sharing)?,
-        Split::Pivot => (0..rows).map(|row| pivot::share(&sharing, row)).collect(),
+        Split::Pivot => brace::share(&sharing)?,
         Split::Effort => effort::share(&sharing)?,
     };
     let track = |foot: usize| frames.iter().map(|parts| sharing.contact(&parts[foot])).collect();

@@ -1,13 +1,20 @@
 //! Stances: when which foot stands.
 
 mod edges;
+mod steps;
+mod support;
 mod track;
 
-use crate::ground::{GroundError, GroundOption, PlacedFeet, Sole};
+use crate::ground::{BalanceFrame, GroundError, GroundOption, PlacedFeet, Sole};
 use edges::standing;
 use nalgebra::Vector3;
 use solaris_model::{ContactTrack, Interval};
-use track::Tracks;
+use steps::{Limits, steps};
+use support::Support;
+use track::{FootTrack, Tracks};
+
+/// From when to when (s).
+type Span = (f64, f64);
 
 /// A time during which a foot is on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,15 +43,21 @@ pub enum Belt {
 impl Belt {
     /// The slowest belt (m/s) that [`Belt::Auto`] tells from a ground that stands still.
     pub const LEAST: f64 = 0.1;
+
+    /// What [`Belt::Auto`] finds is a belt only if it is at least this share of the speed at which the centre of mass travels over it: a
+    /// treadmill is all of that speed, a foot that rolls over the ground is little.
+    pub const LEAST_OF_TRAVEL: f64 = 0.25;
 }
 
 /// What counts as standing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StanceOptions {
-    /// How far (m) above its own lowest height a point of the sole may be and still be down.
-    pub height: f64,
-    /// How fast (m/s) it may be against the ground and still be down.
-    pub speed: f64,
+    /// How far (m) above its own lowest height a point of the sole may be and still be down; `None` for
+    /// [`StanceOptions::HEIGHT`], or a twentieth of the height that the foot is lifted to where that is more.
+    pub height: Option<f64>,
+    /// How fast (m/s) it may be against the ground and still be down, whether it comes or leaves; `None` for shares of its speed in
+    /// the swing before and after, as [`find_stances`] says.
+    pub speed: Option<f64>,
     /// Stances, and gaps between two of one foot, that are shorter than this (s) are none.
     pub shortest: f64,
     /// The ground's own motion.
@@ -52,21 +65,32 @@ pub struct StanceOptions {
 }
 
 impl Default for StanceOptions {
-    /// 2 cm, 0.5 m/s, 0.1 s; the ground's motion as the feet tell it.
+    /// Limits that scale with the motion, 0.1 s; the ground's motion as the feet tell it.
     fn default() -> Self {
-        Self { height: 0.02, speed: 0.5, shortest: 0.1, belt: Belt::Auto }
+        Self { height: None, speed: None, shortest: 0.1, belt: Belt::Auto }
     }
 }
 
 impl StanceOptions {
+    /// The least height (m) that a point of the sole may be lifted by and still be down.
+    pub const HEIGHT: f64 = 0.02;
+
+    /// The least speed (m/s) below which a foot may stand at all, however slow the motion is.
+    pub const SPEED: f64 = 0.5;
+
     fn check(&self) -> Result<(), GroundError> {
         let positive = |value: f64| value.is_finite() && value > 0.0;
         let (some, more) = ("finite and more than zero", "finite and not less than zero");
-        let mut numbers = vec![
-            (GroundOption::Height, self.height, positive(self.height), some),
-            (GroundOption::Speed, self.speed, positive(self.speed), some),
-            (GroundOption::Shortest, self.shortest, self.shortest.is_finite() && self.shortest >= 0.0, more),
-        ];
+        let asked = [(GroundOption::Height, self.height), (GroundOption::Speed, self.speed)];
+        let asked = asked.into_iter().filter_map(|(option, value)| Some((option, value?)));
+        let mut numbers: Vec<_> =
+            asked.map(|(option, value)| (option, value, positive(value), some)).collect();
+        numbers.extend([(
+            GroundOption::Shortest,
+            self.shortest,
+            self.shortest.is_finite() && self.shortest >= 0.0,
+            more,
+        )]);
         if let Belt::Speed(velocity) = self.belt {
             let speed = velocity.norm();
             numbers.push((GroundOption::Belt, speed, speed.is_finite(), "finite"));
@@ -132,19 +156,41 @@ impl Stances {
 #[doc(alias = "foot contact")]
 pub fn find_stances(feet: &PlacedFeet<'_>, options: &StanceOptions) -> Result<Stances, GroundError> {
     options.check()?;
+    let prepared = feet.prepared();
+    let total = feet.whole()?;
     let tracks = Tracks::of(feet);
+    let normal = total.iter().map(|frame| frame.force.dot(&prepared.up) / prepared.weight).collect();
+    let support = Support::new(prepared.time(), normal);
     let belt = match options.belt {
         Belt::Still => Vector3::zeros(),
         Belt::Speed(velocity) => velocity,
-        Belt::Auto => tracks.belt(options.height),
+        Belt::Auto => {
+            let height = options.height.unwrap_or(StanceOptions::HEIGHT);
+            tracks.belt(height, |row| support.borne(row), &travel(total))
+        }
     };
-    let mut list = Vec::new();
-    for foot in 0..feet.soles().len() {
-        let height = tracks.decisive(foot, &belt, options);
-        let spans = standing(feet.prepared().time(), &height, options.shortest);
-        list.extend(spans.into_iter().map(|(start, end)| Stance { foot, start, end }));
+    let of_feet: Vec<FootTrack> = (0..feet.soles().len()).map(|foot| tracks.foot(foot, &belt)).collect();
+    let limits: Vec<Limits> = of_feet.iter().map(|track| Limits::of(track, options)).collect();
+    let each = of_feet.iter().zip(&limits);
+    let mut spans: Vec<Vec<Span>> =
+        each.map(|(track, limits)| steps(prepared.time(), track, limits, options.shortest)).collect();
+    support.settle(&mut spans, &of_feet, &limits, options.shortest);
+    let list = spans
+        .iter()
+        .enumerate()
+        .flat_map(|(foot, spans)| spans.iter().map(move |&(start, end)| Stance { foot, start, end }));
+    let method = "heights and speeds of heel, ball and tip, and the whole force";
+    Ok(Stances { list: list.collect(), belt, level: tracks.level(), method })
+}
+
+/// How the centre of mass travels from the first frame to the last (m/s).
+fn travel(total: &[BalanceFrame]) -> Vector3<f64> {
+    match (total.first(), total.last()) {
+        (Some(first), Some(last)) if last.time > first.time => {
+            (last.com - first.com) / (last.time - first.time)
+        }
+        _ => Vector3::zeros(),
     }
-    Ok(Stances { list, belt, level: tracks.level(), method: "heights and speeds of heel, ball and tip" })
 }
 
 /// Stances of a motion whose planted points are known: a foot stands while a point of one of its links is planted.
