@@ -207,10 +207,10 @@ impl Moved {
         match (&self.beyond_limit, self.outcome) {
             (Some(Peak { mm, at_s }), _) => {
                 let (by, at) = (short(*mm), short(*at_s));
-                let (left, worst) = (counted(self.after.frames, "frame", "frames"), impossible(self.after));
+                let left = impossible(self.after);
                 vec![format!(
-                    "--consistent stopped at its limit and {left} stay impossible ({worst}): the root would have to go {by} mm \
-                     further at {at} s; look at stances and soles, or ask for more with --consistent-limit"
+                    "--consistent stopped at its limit and leaves {left}: the root would have to go {by} mm further at {at} s; \
+                     look at stances and soles, or ask for more with --consistent-limit"
                 )]
             }
             (None, "unsettled") => {

@@ -23,6 +23,9 @@ use solaris_dynamics::{DynamicsError, Workspace, forward_kinematics};
 /// Nearer feet (m) have no line between them.
 const APART: f64 = 0.05;
 
+/// The greatest tangential over normal force along the line between the feet; people who squat have up to 0.25.
+const LEAN: f64 = 0.3;
+
 /// The pivot split, and what two feet push against each other.
 pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
     let mut found = sharing.prepared.frames(|workspace, row| {
@@ -55,6 +58,8 @@ struct Push {
     /// From the first to the second, of length 1.
     along: Vector3<f64>,
     weight: f64,
+    /// What they bear (N).
+    normal: [f64; 2],
     /// Force on the first foot along the line (N).
     by_hips: f64,
     by_joints: f64,
@@ -90,15 +95,25 @@ impl Push {
         let effort = Effort { sharing, row, feet };
         let by_joints = least(&effort, [(a, 1.0), (b, -1.0)], &along, parts, workspace)?;
         let weight = 4.0 * feet[a].share * feet[b].share;
-        Ok(Some(Self { feet: [a, b], at: [at, to], along, weight, by_hips, by_joints }))
+        let normal = [a, b].map(|foot| parts[foot].force.dot(up));
+        Ok(Some(Self { normal, feet: [a, b], at: [at, to], along, weight, by_hips, by_joints }))
     }
 
     fn pair(&self) -> [usize; 2] {
         self.feet
     }
 
+    /// A push (N) that lets neither foot lean by more than [`LEAN`], if it does not do so without it.
+    fn within(&self, parts: &Parts, push: f64) -> f64 {
+        let [a, b] = self.feet.map(|foot| parts[foot].force);
+        let [most_a, most_b] = self.normal.map(|normal| LEAN * normal.max(0.0));
+        let low = (-most_a - a.dot(&self.along)).max(b.dot(&self.along) - most_b);
+        let high = (most_a - a.dot(&self.along)).min(b.dot(&self.along) + most_b);
+        push.clamp(low.min(0.0), high.max(0.0))
+    }
+
     fn add(&self, parts: &mut Parts, level: f64) {
-        let force = self.along * (self.weight * (self.by_joints + level));
+        let force = self.along * self.within(parts, self.weight * (self.by_joints + level));
         for ((foot, at), sign) in self.feet.into_iter().zip(self.at).zip([1.0, -1.0]) {
             parts[foot].force += force * sign;
             parts[foot].moment += at.cross(&force) * sign;

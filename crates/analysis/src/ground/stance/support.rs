@@ -13,6 +13,8 @@ const BORNE: f64 = 0.5;
 const FLIGHT: f64 = 0.05;
 /// Feet that come or leave within this time (s) do so together.
 const TOGETHER: f64 = 0.15;
+/// A low foot that is slower than this (m/s) is planted.
+const PLANTED: f64 = 0.2;
 /// At the edge of a flight a foot may be lifted by this much more than where it stands: it comes from above.
 const LOW: f64 = 2.0;
 /// How much more than the limits the foot may be off that is nearest to standing, as a share of them.
@@ -48,7 +50,7 @@ impl<'a> Support<'a> {
 
     /// The stances of all feet, by foot, as the force allows and needs them.
     ///
-    /// - No foot stands in flight.
+    /// - No foot stands in flight, but one that is planted and does not move: then the motion's force is at fault.
     /// - Those that come first after a flight do when it ends, or when they are low, whichever is later; the same of those that
     ///   leave before a flight.
     /// - Where none stands between two stances for a moment, each lasts until its middle.
@@ -64,8 +66,8 @@ impl<'a> Support<'a> {
         if self.is_silent() {
             return;
         }
-        for spans in feet.iter_mut() {
-            *spans = self.within(spans);
+        for ((spans, track), limits) in feet.iter_mut().zip(tracks).zip(limits) {
+            *spans = self.within(spans, track, limits.height);
         }
         for &span in &self.spans {
             self.touch(span, feet, tracks, limits);
@@ -90,13 +92,21 @@ impl<'a> Support<'a> {
         self.spans.windows(2).any(|pair| pair[0].1 >= from - 1e-9 && pair[1].0 <= to + 1e-9)
     }
 
-    /// What is left of spans outside of flights.
-    fn within(&self, spans: &[Span]) -> Vec<Span> {
+    /// What is left of a foot's spans outside of flights in which it is not planted.
+    fn within(&self, spans: &[Span], track: &FootTrack, height: f64) -> Vec<Span> {
+        let planted = |row: usize| track.decides(row, height, PLANTED) < 0.0;
+        // Times of support, those that only a planted foot parts taken together.
+        let mut borne: Vec<Span> = Vec::new();
+        for &(start, end) in &self.spans {
+            match borne.last_mut() {
+                Some(last) if (self.row(last.1)..self.row(start)).all(planted) => last.1 = end,
+                _ => borne.push((start, end)),
+            }
+        }
         let cut = |&(from, to): &Span| {
-            self.spans.iter().filter_map(move |&(start, end)| {
-                let (start, end) = (from.max(start), to.min(end));
-                (end > start || from >= to).then_some((start, end)).filter(|_| end >= start)
-            })
+            let left = borne.iter().map(|&(start, end)| (from.max(start), to.min(end)));
+            // A motion of one frame has a stance of no length.
+            left.filter(|(start, end)| end > start || (end >= start && from >= to)).collect::<Vec<_>>()
         };
         spans.iter().flat_map(cut).collect()
     }
