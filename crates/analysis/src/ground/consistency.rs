@@ -186,7 +186,9 @@ pub fn consistent(
     if by > YIELD + options.tolerance {
         let part = options.limit / greatest;
         for way in [&mut shift, &mut velocity, &mut acceleration] {
-            way.iter_mut().for_each(|way| *way *= part);
+            for frame in way.iter_mut() {
+                *frame *= part;
+            }
         }
         greatest = options.limit;
     }

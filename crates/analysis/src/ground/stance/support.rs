@@ -71,7 +71,7 @@ impl<'a> Support<'a> {
         }
         for &span in &self.spans {
             self.touch(span, feet, tracks, limits);
-            self.close(span, feet);
+            close(span, feet);
             self.still(span, feet, tracks, limits, shortest);
             self.nearest(span, feet, tracks, limits);
         }
@@ -138,43 +138,6 @@ impl<'a> Support<'a> {
         self.time.partition_point(|time| *time < t).min(self.time.len() - 1)
     }
 
-    /// Times in a span in which no foot stands.
-    fn bare(&self, (start, end): Span, feet: &[Vec<Span>]) -> Vec<Span> {
-        let mut taken: Vec<Span> =
-            feet.iter().flatten().copied().filter(|span| span.1 > start && span.0 < end).collect();
-        taken.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut out = Vec::new();
-        let mut from = start;
-        for span in taken {
-            if span.0 > from {
-                out.push((from, span.0));
-            }
-            from = from.max(span.1);
-        }
-        if from < end {
-            out.push((from, end));
-        }
-        out
-    }
-
-    /// Closes short times without a foot.
-    fn close(&self, span: Span, feet: &mut [Vec<Span>]) {
-        for (from, to) in self.bare(span, feet) {
-            if from <= span.0 || to >= span.1 || to - from > GAP {
-                continue;
-            }
-            let middle = from.midpoint(to);
-            for own in feet.iter_mut().flatten() {
-                if own.1.to_bits() == from.to_bits() {
-                    own.1 = middle;
-                }
-                if own.0.to_bits() == to.to_bits() {
-                    own.0 = middle;
-                }
-            }
-        }
-    }
-
     /// Lets slow feet stand where something is borne and no foot is down.
     fn still(
         &self,
@@ -184,7 +147,7 @@ impl<'a> Support<'a> {
         limits: &[Limits],
         shortest: f64,
     ) {
-        for (from, to) in self.bare(span, feet) {
+        for (from, to) in bare(span, feet) {
             for (foot, own) in feet.iter_mut().enumerate() {
                 let decides = |row: usize| {
                     let t = self.time[row];
@@ -220,4 +183,41 @@ impl<'a> Support<'a> {
             feet[foot].push(span);
         }
     }
+}
+
+/// Closes short times without a foot.
+fn close(span: Span, feet: &mut [Vec<Span>]) {
+    for (from, to) in bare(span, feet) {
+        if from <= span.0 || to >= span.1 || to - from > GAP {
+            continue;
+        }
+        let middle = from.midpoint(to);
+        for own in feet.iter_mut().flatten() {
+            if own.1.to_bits() == from.to_bits() {
+                own.1 = middle;
+            }
+            if own.0.to_bits() == to.to_bits() {
+                own.0 = middle;
+            }
+        }
+    }
+}
+
+/// Times in a span in which no foot stands.
+fn bare((start, end): Span, feet: &[Vec<Span>]) -> Vec<Span> {
+    let mut taken: Vec<Span> =
+        feet.iter().flatten().copied().filter(|span| span.1 > start && span.0 < end).collect();
+    taken.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut out = Vec::new();
+    let mut from = start;
+    for span in taken {
+        if span.0 > from {
+            out.push((from, span.0));
+        }
+        from = from.max(span.1);
+    }
+    if from < end {
+        out.push((from, end));
+    }
+    out
 }
