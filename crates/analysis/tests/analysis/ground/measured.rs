@@ -123,7 +123,7 @@ fn stances_are_those_of_the_plates() {
             if ours > first && ours < last {
                 edges += 1;
                 say(&format!("foot {}: {:.0} ms late", stance.foot, 1e3 * (ours - theirs)));
-                assert!((ours - theirs).abs() < 0.025, "{ours} {theirs}");
+                assert!((ours - theirs).abs() < 0.015, "{ours} {theirs}");
             }
         }
     }
