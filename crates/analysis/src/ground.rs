@@ -4,18 +4,20 @@
 //! soles move ([`find_stances`]), or known to whoever planned the motion ([`stances_of_planted`])
 //! or measured its forces ([`stances_of_contacts`]). How two feet share
 //! the wrench is an assumption with a name ([`Split`], [`share`]). What is wrong with the result is told, not hidden
-//! ([`judge`]). [`ground_forces`] does all of it. [`consistent_shift`] finds the smallest change of the root's path after which
+//! ([`judge`]), and so is what carries besides feet on the ground ([`find_elsewhere`]). [`ground_forces`] does all of it. [`consistent_shift`] finds the smallest change of the root's path after which
 //! the ground can do what is asked of it, and [`shift_root`] makes it.
 //!
 //! All of them ask [`PlacedFeet`]: soles whose points are found once in all frames.
 
 mod carry;
 mod consistency;
+mod elsewhere;
 mod error;
 mod feet;
 mod fit;
 mod guess;
 mod judge;
+mod legs;
 mod outline;
 mod planted;
 mod plates;
@@ -30,6 +32,7 @@ pub use consistency::{
     Consistency, ConsistencyError, ConsistencyOptions, ConsistencyOutcome, ShiftError, Violation, consistent,
     shift_root,
 };
+pub use elsewhere::{Elsewhere, ElsewhereKind, find_elsewhere};
 pub use error::{GroundError, GroundOption};
 pub use feet::{PlacedFeet, PlacedSole};
 pub use guess::guessed_soles;

@@ -7,6 +7,7 @@ mod predicted;
 mod report;
 mod soles;
 mod summary;
+mod told;
 
 pub(crate) use files::{Content, CyclesFormat, outputs, write_motion};
 pub(crate) use predicted::{Ground, Standing, needs_times, say_medium};
@@ -45,7 +46,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     let outputs = outputs(&args.outputs, &args.consistent.motions, &args.cycles.outputs)?;
     let (of, from) = (args.figure.as_path(), args.motion.as_path());
     in_order("ground", of, from)?;
-    let others = [&args.ground.soles, &args.against, &args.loads];
+    let others = [&args.ground.soles, &args.stances, &args.against, &args.loads];
     outputs.keep_off([of, from].into_iter().chain(others.into_iter().flatten().map(PathBuf::as_path)))?;
 
     let progress = Progress::new(4);
@@ -54,7 +55,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
     let mut given = Given::of(body, [of, from], &args.record, &args.frame, &progress)?;
     progress.stage("finding the ground's forces");
     say_medium(&mut given);
-    let ground = Ground::new(&args.ground, &args.frame, &given)?;
+    let ground = Ground::new(&args.ground, &args.frame, args.stances.as_deref(), &given)?;
     let moved = ground.make_consistent(&args.consistent, &mut given)?;
     let prepared = given.prepared()?;
     let ground = ground.predict(&given, &prepared, moved)?;

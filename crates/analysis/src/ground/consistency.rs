@@ -98,12 +98,13 @@ fn millimetres<S: serde::Serializer>(length: &f64, serializer: S) -> Result<S::O
 pub enum ConsistencyOutcome {
     /// Every frame is possible, within the limit.
     Reached,
-    /// The limit does not suffice. The shift makes every frame possible and goes beyond the limit by as little as it can: by sum
-    /// of squares over the frames, of which a metre beyond weighs 10³ times one within.
+    /// The limit does not suffice: the shift stops at it, and leaves frames impossible. It is the one that makes every frame possible and
+    /// goes beyond the limit by as little as it can (by sum of squares over the frames, of which a metre beyond weighs 10³ times
+    /// one within), made smaller as a whole until it keeps the limit.
     Short {
         /// The frame that goes furthest, from 0.
         frame: usize,
-        /// How far (m) beyond the limit.
+        /// How far (m) beyond the limit it would have to go.
         by: f64,
     },
     /// The iterations ran out, or the numbers did; the shift is the best so far and may leave frames impossible.
@@ -140,12 +141,12 @@ pub struct Consistency {
 /// above; an empty one where nothing stands: of flight nothing is asked, so its force is not made zero. Only the outline's
 /// horizontal place counts.
 ///
-/// A motion that needs no change gets exactly zero. Without a limit there is always an answer.
+/// A motion that needs no change gets exactly zero. Without a limit there is always an answer; with one, no frame is moved further.
 ///
 /// # Errors
 ///
-/// Numbers that are not finite or out of range, fewer than three frames, outlines that are none or too narrow for the
-/// margin, and a centre of mass that is not above the ground it stands on.
+/// Numbers that are not finite or out of range, fewer than three frames, nothing that stands in any of them, outlines that are none or too
+/// narrow for the margin, and a centre of mass that is not above the ground it stands on.
 pub fn consistent(
     rate: f64,
     mass: f64,
@@ -168,21 +169,31 @@ pub fn consistent(
     let compose = |across: &[Vector2<f64>], up: &[Vector1<f64>], scale: f64| -> Vec<Vector3<f64>> {
         across.iter().zip(up).map(|(across, up)| scene.ground.raise(across, up.x) * scale).collect()
     };
-    let (shift, acceleration) = (
+    let (mut shift, mut acceleration) = (
         compose(&across.path.place, &up.path.place, 1.0),
         compose(&across.path.second, &up.path.second, rate * rate),
     );
     let differences = compose(&across.path.first, &up.path.first, rate);
-    let velocity: Vec<_> = differences.iter().zip(&acceleration).map(|(e, a)| e + a * (0.5 / rate)).collect();
-    let after = scene.violation(Some([&shift, &acceleration]))?;
+    let mut velocity: Vec<_> =
+        differences.iter().zip(&acceleration).map(|(e, a)| e + a * (0.5 / rate)).collect();
     let (mut furthest, mut greatest) = (0, 0.0);
     for (frame, shift) in shift.iter().enumerate() {
         if shift.norm() > greatest {
             (furthest, greatest) = (frame, shift.norm());
         }
     }
-    let rms = (shift.iter().map(Vector3::norm_squared).sum::<f64>() / shift.len() as f64).sqrt();
     let by = greatest - options.limit;
+    if by > YIELD + options.tolerance {
+        let part = options.limit / greatest;
+        for way in [&mut shift, &mut velocity, &mut acceleration] {
+            for frame in way.iter_mut() {
+                *frame *= part;
+            }
+        }
+        greatest = options.limit;
+    }
+    let after = scene.violation(Some([&shift, &acceleration]))?;
+    let rms = (shift.iter().map(Vector3::norm_squared).sum::<f64>() / shift.len() as f64).sqrt();
     let outcome = match (up.converged && across.converged, by > YIELD + options.tolerance) {
         (false, _) => ConsistencyOutcome::Unsettled,
         (true, true) => ConsistencyOutcome::Short { frame: furthest, by },
@@ -221,6 +232,9 @@ fn check_frames(frames: &[BalanceFrame], outlines: &[Vec<Vector3<f64>>]) -> Resu
     }
     if outlines.len() != frames.len() {
         return Err(ConsistencyError::Length { frames: frames.len(), outlines: outlines.len() });
+    }
+    if outlines.iter().all(Vec::is_empty) {
+        return Err(ConsistencyError::NothingStands);
     }
     for (frame, (balance, outline)) in frames.iter().zip(outlines).enumerate() {
         let whole = |v: &Vector3<f64>| v.iter().all(|x| x.is_finite());

@@ -1,6 +1,6 @@
 //! Soles of figures that have none, by the names of their bodies.
 
-use super::Sole;
+use super::{SOLE_BREADTH, Sole};
 use nalgebra::Vector3;
 use solaris_model::{Figure, Placement};
 
@@ -19,7 +19,7 @@ const TOES: f64 = 0.36;
 /// In these models the calcaneus' frame is at the back of the heel bone, the toes' is between the metatarsal heads, and y is up in both.
 /// The true sole lies some centimetres lower, by as much in all three points. That shifts the ground, and the centre of pressure by the
 /// same times the ratio of tangential to normal force; not the whole wrench, so not the joints above a foot that stands alone.
-/// No breadth is guessed, and the centre of pressure is not judged. A sole is called as its foot, `calcn_r` or `calcn_l`.
+/// Its breadth is [`SOLE_BREADTH`](super::SOLE_BREADTH) times its length. A sole is called as its foot, `calcn_r` or `calcn_l`.
 pub fn guessed_soles(figure: &Figure) -> Vec<Sole> {
     ["r", "l"].into_iter().filter_map(|side| guess(figure, side)).collect()
 }
@@ -40,7 +40,9 @@ fn guess(figure: &Figure, side: &str) -> Option<Sole> {
     let beyond = Vector3::new(along.x, 0.0, along.z);
     let (toes, from) = if link == foot { (None, in_foot) } else { (Some(link), at_toes) };
     let tip = origin(&from) + from.rotation * beyond;
-    Some(Sole { name, foot, toes, heel, ball, tip, width: None })
+    let length = (ball - heel).norm() + beyond.norm();
+    let width = (length > 0.0).then_some(SOLE_BREADTH * length);
+    Some(Sole { name, foot, toes, heel, ball, tip, width })
 }
 
 fn origin(placement: &Placement) -> Vector3<f64> {
@@ -81,7 +83,9 @@ mod tests {
         assert_relative_eq!(fixed.tip, heel + BALL + Vector3::new(0.0648, 0.0, 0.0036), epsilon = 1e-15);
         // In the toes' own frame, which is turned by a quarter about y: forwards is z there.
         assert_relative_eq!(hinged.tip, Vector3::new(-0.0036, 0.0, 0.0648), epsilon = 1e-15);
-        assert_eq!((fixed.name.as_str(), fixed.width), ("calcn_r", None));
+        assert_eq!((fixed.name.as_str(), fixed.width), ("calcn_r", hinged.width));
+        // The toes' joint is 0.1803 m before the heel, the tip 0.0649 m before that.
+        assert_relative_eq!(fixed.width.expect("a breadth"), 55.0 / 152.0 * 0.245_17, epsilon = 1e-4);
     }
 
     #[test]

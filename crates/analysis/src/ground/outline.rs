@@ -1,6 +1,6 @@
 //! Outlines on the ground: of a sole, their edges, and how far a point is outside of one.
 
-use super::PlacedFeet;
+use super::{PlacedFeet, SOLE_BREADTH};
 use nalgebra::{Vector2, Vector3};
 use solaris_model::{GroundAxes, convex_hull};
 
@@ -11,7 +11,17 @@ impl PlacedFeet<'_> {
     /// The outline of a foot in a frame, seen from above: the convex hull of heel, ball and tip, each half a breadth to either
     /// side, on the ground at `level` (m, along up), counter-clockwise seen from above. Empty where the sole has no breadth.
     pub fn outline(&self, row: usize, foot: usize, level: f64) -> Vec<Vector3<f64>> {
-        let Some(width) = self.soles()[foot].width else { return Vec::new() };
+        self.soles()[foot].width.map_or_else(Vec::new, |width| self.outline_of(row, foot, level, width))
+    }
+
+    /// The same; a sole that has no breadth has the usual one.
+    pub(super) fn usual_outline(&self, row: usize, foot: usize, level: f64) -> Vec<Vector3<f64>> {
+        let [heel, ball, tip] = self.frame(row)[foot].points;
+        let usual = || SOLE_BREADTH * ((ball - heel).norm() + (tip - ball).norm());
+        self.outline_of(row, foot, level, self.soles()[foot].width.unwrap_or_else(usual))
+    }
+
+    fn outline_of(&self, row: usize, foot: usize, level: f64, width: f64) -> Vec<Vector3<f64>> {
         let points = self.frame(row)[foot].points;
         let ground = GroundAxes::new(&self.prepared().up);
         let along = ground.flat(&(points[2] - points[0]));
@@ -78,15 +88,29 @@ pub(super) fn has_room(outline: &[Vector2<f64>], edges: &[Edge], margin: f64) ->
 
 /// How far (m) a point is outside of a convex outline with these corners, counter-clockwise; zero inside.
 pub(super) fn outside(corners: &(impl Iterator<Item = Vector2<f64>> + Clone), point: &Vector2<f64>) -> f64 {
-    let (mut nearest, mut inside) = (f64::INFINITY, true);
-    for (a, b) in corners.clone().zip(corners.clone().cycle().skip(1)) {
+    let inside = |(a, b): (Vector2<f64>, Vector2<f64>)| (b - a).perp(&(point - a)) >= 0.0;
+    if sides(corners).all(inside) { 0.0 } else { (nearest(corners, point) - point).norm() }
+}
+
+/// The point of the edge of an outline with these corners that is nearest to a point; infinitely far without corners.
+pub(super) fn nearest(
+    corners: &(impl Iterator<Item = Vector2<f64>> + Clone),
+    point: &Vector2<f64>,
+) -> Vector2<f64> {
+    let on = |(a, b): (Vector2<f64>, Vector2<f64>)| {
         let (edge, to) = (b - a, point - a);
-        inside &= edge.perp(&to) >= 0.0;
         let length = edge.norm_squared();
-        let part = if length > 0.0 { (to.dot(&edge) / length).clamp(0.0, 1.0) } else { 0.0 };
-        nearest = nearest.min((to - edge * part).norm());
-    }
-    if inside { 0.0 } else { nearest }
+        a + edge * if length > 0.0 { (to.dot(&edge) / length).clamp(0.0, 1.0) } else { 0.0 }
+    };
+    let far = Vector2::repeat(f64::INFINITY);
+    sides(corners).map(on).fold(far, |a, b| if (b - point).norm() < (a - point).norm() { b } else { a })
+}
+
+/// From each corner to the next.
+fn sides(
+    corners: &(impl Iterator<Item = Vector2<f64>> + Clone),
+) -> impl Iterator<Item = (Vector2<f64>, Vector2<f64>)> {
+    corners.clone().zip(corners.clone().cycle().skip(1))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::ground::outline::around;
 use crate::ground::{
-    Consistency, ConsistencyError, ConsistencyOptions, GroundError, PlacedFeet, Stances, balance, consistent,
+    Consistency, ConsistencyError, ConsistencyOptions, GroundError, PlacedFeet, Stances, consistent,
 };
 use solaris_model::GroundAxes;
 
@@ -26,7 +26,7 @@ pub fn consistent_shift(
     options: &ConsistencyOptions,
 ) -> Result<Consistency, GroundError> {
     let (prepared, soles, level) = (feet.prepared(), feet.soles(), stances.level);
-    let total = balance(prepared, level)?;
+    let total = feet.whole_at(level)?;
     stances.check(soles.len())?;
     if let Some(sole) = soles.iter().find(|sole| sole.width.is_none()) {
         return Err(GroundError::NoBreadth { sole: sole.name.clone() });

@@ -3,8 +3,8 @@
 use crate::carrier::Carrier;
 use crate::ground::carry::carriers;
 use crate::ground::{
-    BalanceFrame, FootReport, GroundError, PlacedFeet, Split, StanceOptions, Stances, Unsupported, balance,
-    find_stances, judge, share,
+    BalanceFrame, Elsewhere, FootReport, GroundError, PlacedFeet, Split, StanceOptions, Stances, Unsupported,
+    find_elsewhere, find_stances, judge, share,
 };
 use crate::loads::Loads;
 use solaris_model::ContactTrack;
@@ -37,7 +37,7 @@ pub struct GroundForces {
 
 /// What is to be said of forces that were found.
 ///
-/// With the feature `serde` its keys are `split`, `weight_n`, `feet`, `irregular_frames` and `unsupported`.
+/// With the feature `serde` its keys are `split`, `weight_n`, `feet`, `irregular_frames`, `unsupported` and `elsewhere`.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GroundReport {
@@ -53,6 +53,8 @@ pub struct GroundReport {
     pub irregular: usize,
     /// Frames in which no foot stands.
     pub unsupported: Unsupported,
+    /// When something else than feet on the ground carries.
+    pub elsewhere: Vec<Elsewhere>,
 }
 
 impl GroundForces {
@@ -104,7 +106,7 @@ pub fn ground_forces(feet: &PlacedFeet<'_>, options: &GroundOptions) -> Result<G
         Some(stances) => stances.clone(),
         None => find_stances(feet, &options.stance)?,
     };
-    let total = balance(feet.prepared(), stances.level)?;
+    let total = feet.whole_at(stances.level)?;
     let shared = share(options.split, feet, &stances, &total)?;
     let (of_feet, unsupported) = judge(feet, &stances, &total, &shared.contacts)?;
     let report = GroundReport {
@@ -113,6 +115,7 @@ pub fn ground_forces(feet: &PlacedFeet<'_>, options: &GroundOptions) -> Result<G
         irregular: shared.irregular,
         feet: of_feet,
         unsupported,
+        elsewhere: find_elsewhere(feet, &stances, &total)?,
     };
     let contacts = feet.soles().iter().zip(shared.contacts);
     let contacts =

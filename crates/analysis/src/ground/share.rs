@@ -1,5 +1,6 @@
 //! Splits of the ground's wrench between the feet that stand.
 
+mod brace;
 mod effort;
 mod load;
 mod pivot;
@@ -15,7 +16,8 @@ use solaris_model::Contact;
 ///
 /// All of them know a *nominal centre of pressure* and a *share* of each foot that stands. The nominal centre goes from
 /// the heel to where the foot presses when it first stands alone, and from where it last does to the tip, as `3x² −
-/// 2x³` of the time; half-way from the heel to the ball stands in for what a motion does not show. The shares of two
+/// 2x³` of the time; half-way from the heel to the ball stands in for what a motion does not show. Where a foot that stands alone presses beside
+/// its sole it goes on to do so for 0.15 s, ever less. The shares of two
 /// feet are those with which their nominal centres make the whole centre of pressure, as near as may be: where that
 /// lies between the feet says who bears how much, and it leads from 0 to 1 by itself. The shares of more than two, or
 /// where nothing presses on the ground, rise and fall as `3x² − 2x³` of the time until the first of those that stand
@@ -40,6 +42,17 @@ pub enum Split {
     Transition,
     /// Forces that point at one pivot above the centre of mass, as people's do ([`crate::split_at_pivot`]), with these
     /// shares and nominal centres of pressure; the pivot is 1.43 times as high as the centre of mass.
+    ///
+    /// Two feet that stand, not in a double support of walking, push against each other besides, along the line between them: on the average so that
+    /// the forces point at the hips, and from frame to frame by what the joints have it easiest with. With `e` along the line,
+    ///
+    /// ```text
+    /// ±f e      f = 4 s_a s_b (fₑ + c)      c = Σ 4 s_a s_b (f_h − fₑ)/Σ 4 s_a s_b over that time
+    /// f_h = s_b (L_a − F_a·e) − s_a (L_b − F_b·e)      L_i = Fₙᵢ (H_i − P_i)·e/((H_i − P_i)·n)
+    /// ```
+    ///
+    /// where `fₑ` makes `Σ τ²` least over the joints of [`Split::Effort`], and `H_i` is where the leg hangs. No foot is made to lean by more than 0.3 of
+    /// what it bears.
     #[default]
     Pivot,
     /// The least moments at the joints: in each frame, of all wrenches that add up to the whole, those for which
@@ -113,7 +126,7 @@ pub fn share(
     let sharing = Sharing::new(feet, stances, total);
     let frames = match split {
         Split::Transition => transition::share(&sharing)?,
-        Split::Pivot => (0..rows).map(|row| pivot::share(&sharing, row)).collect(),
+        Split::Pivot => brace::share(&sharing)?,
         Split::Effort => effort::share(&sharing)?,
     };
     let track = |foot: usize| frames.iter().map(|parts| sharing.contact(&parts[foot])).collect();

@@ -24,6 +24,10 @@ const EXAMPLES: &str = "Examples:
   solaris inverse subject.osim walk.mot --ground --soles soles.ron --filter 6Hz -o moments.sto
       joint moments with these forces, in one command";
 
+/// What `--stances` is.
+pub(super) const STANCES: &str = "When which foot stands, where that is known: a table with the columns foot (the name of a sole), from and to \
+     (s), a line for each stance [default: found from the motion]";
+
 /// A figure in a motion, of which the ground's forces are found.
 #[derive(Debug, Args)]
 #[command(about = "What the ground does to the feet in a given motion, without force plates", after_help = EXAMPLES)]
@@ -55,6 +59,8 @@ pub(crate) struct GroundCommandArgs {
     pub(crate) json: bool,
     #[command(flatten, next_help_heading = "The ground")]
     pub(crate) ground: GroundArgs,
+    #[arg(long, value_name = "FILE", help = wrap(STANCES))]
+    pub(crate) stances: Option<PathBuf>,
     #[command(flatten, next_help_heading = "Strides")]
     pub(crate) cycles: CyclesArgs,
     #[command(flatten, next_help_heading = "A motion that the ground can bear")]
@@ -126,14 +132,15 @@ pub(crate) struct GroundArgs {
     ))]
     pub(crate) belt: Option<AskedBelt>,
     #[arg(long, value_name = "M", allow_hyphen_values = true, help = wrap(&format!(
-        "How far above its lowest place a point of the sole may be and still stand, in m [default: {}]",
-        StanceOptions::default().height
+        "How far above its lowest place a point of the sole may be and still stand, in m [default: {}, or more where feet \
+         are lifted high]",
+        StanceOptions::HEIGHT
     )))]
     pub(crate) stance_height: Option<Number>,
-    #[arg(long, value_name = "M/S", allow_hyphen_values = true, help = wrap(&format!(
-        "How fast it may be against the ground and still stand, in m/s [default: {}]",
-        StanceOptions::default().speed
-    )))]
+    #[arg(long, value_name = "M/S", allow_hyphen_values = true, help = wrap(
+        "How fast it may be against the ground and still stand, in m/s [default: shares of its speed in the swing before \
+         and after]"
+    ))]
     pub(crate) stance_speed: Option<Number>,
     #[arg(long, value_name = "S", allow_hyphen_values = true, help = wrap(&format!(
         "Stances and gaps between them that are shorter than this are none, in s [default: {}]",
@@ -145,7 +152,8 @@ pub(crate) struct GroundArgs {
 /// Options of [`GroundArgs`] that say when feet stand, by their ids.
 pub(super) const STANCE_OPTIONS: [&str; 4] = ["belt", "stance_height", "stance_speed", "stance_shortest"];
 /// The other ones, and those of [`ConsistentArgs`].
-pub(super) const GROUND_OPTIONS: [&str; 4] = ["split", "consistent", "consistent_limit", "motions"];
+pub(super) const GROUND_OPTIONS: [&str; 5] =
+    ["split", "stances", "consistent", "consistent_limit", "motions"];
 
 /// How the motion is changed before forces are found.
 #[derive(Debug, Args)]
@@ -157,8 +165,8 @@ pub(crate) struct ConsistentArgs {
     )))]
     pub(crate) consistent: bool,
     #[arg(long, value_name = "M", allow_hyphen_values = true, requires = "consistent", help = wrap(&format!(
-        "How far it may be moved, in m, or inf; where that does not suffice it goes beyond, and the summary says so \
-         [default: {}]",
+        "How far it may be moved, in m, or inf; where that does not suffice it stops there, and the summary says what stays \
+         impossible [default: {}]",
         ConsistencyOptions::default().limit
     )))]
     pub(crate) consistent_limit: Option<Number>,

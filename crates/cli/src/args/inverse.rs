@@ -1,7 +1,7 @@
 //! The request of `solaris inverse`.
 
 use super::given::{self, CyclesArgs, FrameArgs, RecordArgs};
-use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs, STANCE_OPTIONS};
+use super::ground::{ConsistentArgs, GROUND_OPTIONS, GroundArgs, STANCE_OPTIONS, STANCES};
 use super::subject::SubjectArgs;
 use super::wrap;
 use clap::{Arg, ArgGroup, Args, ValueEnum};
@@ -132,6 +132,8 @@ pub(crate) struct PredictedArgs {
     pub(crate) ground: bool,
     #[command(flatten)]
     pub(crate) how: GroundArgs,
+    #[arg(long, value_name = "FILE", help = wrap(STANCES))]
+    pub(crate) stances: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) consistent: ConsistentArgs,
 }

@@ -90,7 +90,7 @@ pub(crate) struct Moved {
     /// Absent where there is none.
     limit_mm: Option<f64>,
     outcome: &'static str,
-    /// How far beyond the limit it goes, and when; absent where it keeps it.
+    /// How far beyond the limit it would have to go, and when; absent where the limit suffices.
     beyond_limit: Option<Peak>,
     rms_mm: f64,
     greatest: Peak,
@@ -195,7 +195,7 @@ impl Moved {
             (_, Some(Peak { mm, at_s }), Some(within)) => {
                 let (by, at) = (short(*mm), short(*at_s));
                 format!(
-                    "every frame in which a foot stands is possible, but not within {within} mm: {by} mm more at {at} s"
+                    "stopped at {within} mm, which does not make every frame possible: that would take {by} mm more at {at} s"
                 )
             }
             _ => format!("not settled after {iterations} iterations; frames may be impossible still"),
@@ -207,8 +207,10 @@ impl Moved {
         match (&self.beyond_limit, self.outcome) {
             (Some(Peak { mm, at_s }), _) => {
                 let (by, at) = (short(*mm), short(*at_s));
+                let left = impossible(self.after);
                 vec![format!(
-                    "the root goes {by} mm beyond --consistent-limit at {at} s: the motion is far from possible there"
+                    "--consistent stopped at its limit and leaves {left}: the root would have to go {by} mm further at {at} s; \
+                     look at stances and soles, or ask for more with --consistent-limit"
                 )]
             }
             (None, "unsettled") => {

@@ -2,6 +2,7 @@
 
 use super::moved::Moved;
 use super::soles::{self, From};
+use super::told;
 use crate::args::{AskedBelt, FrameArgs, GroundArgs, Number};
 use crate::error::CliError;
 use crate::findings::of_medium;
@@ -12,11 +13,14 @@ use solaris::analysis::ground::{
     find_stances, ground_forces,
 };
 use solaris::model::{Finding, FindingKind};
+use std::path::Path;
 
 /// What is asked of the ground, and of the figure's frame, for these soles.
 pub(crate) struct Ground<'a> {
     pub(crate) how: &'a GroundArgs,
     pub(crate) frame: &'a FrameArgs,
+    /// A file that says when they stand.
+    pub(crate) told: Option<&'a Path>,
     pub(crate) soles: Vec<Sole>,
     pub(crate) from: From,
 }
@@ -60,10 +64,15 @@ pub(crate) fn needs_times(given: &Given) -> Result<(), CliError> {
 
 impl<'a> Ground<'a> {
     /// For the soles of a figure that has to have some, in a motion that has to have times.
-    pub(crate) fn new(how: &'a GroundArgs, frame: &'a FrameArgs, given: &Given) -> Result<Self, CliError> {
+    pub(crate) fn new(
+        how: &'a GroundArgs,
+        frame: &'a FrameArgs,
+        told: Option<&'a Path>,
+        given: &Given,
+    ) -> Result<Self, CliError> {
         needs_times(given)?;
         let (soles, from) = soles::find(how.soles.as_deref(), given)?;
-        Ok(Self { how, frame, soles, from })
+        Ok(Self { how, frame, told, soles, from })
     }
 
     /// The feet in a motion of the figure.
@@ -110,12 +119,11 @@ impl<'a> Ground<'a> {
         feet: &PlacedFeet<'_>,
         least: f64,
     ) -> Result<Standing, CliError> {
-        let default = StanceOptions::default();
-        let or = |number: &Option<Number>, default| number.as_ref().map_or(default, |number| number.value);
+        let asked = |number: &Option<Number>| number.as_ref().map(|number| number.value);
         let mut options = StanceOptions {
-            height: or(&self.how.stance_height, default.height),
-            speed: or(&self.how.stance_speed, default.speed),
-            shortest: or(&self.how.stance_shortest, default.shortest),
+            height: asked(&self.how.stance_height),
+            speed: asked(&self.how.stance_speed),
+            shortest: asked(&self.how.stance_shortest).unwrap_or(StanceOptions::default().shortest),
             belt: Belt::Auto,
         };
         let find = |options: &StanceOptions| {
@@ -142,7 +150,12 @@ impl<'a> Ground<'a> {
                 "as fast as asked, along the feet on it"
             }
         };
-        Ok(Standing { stances: find(&options)?, belt_from })
+        let mut stances = find(&options)?;
+        if let Some(path) = self.told {
+            stances.list = told::read(path, &self.soles)?;
+            stances.method = "the file of --stances";
+        }
+        Ok(Standing { stances, belt_from })
     }
 
     /// The option or the file that is at fault.

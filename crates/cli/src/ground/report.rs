@@ -8,7 +8,7 @@ use crate::given::Given;
 use crate::plausible::Plausibility;
 use crate::words::short;
 use serde::Serialize;
-use solaris::analysis::ground::{FootReport, Split, Unsupported};
+use solaris::analysis::ground::{Elsewhere, ElsewhereKind, FootReport, Split, Unsupported};
 
 /// The ground and what it does to the feet.
 #[derive(Serialize)]
@@ -27,6 +27,8 @@ pub(crate) struct GroundReport {
     /// Frames in which several feet stand, but not between two single supports.
     pub(super) irregular_frames: usize,
     pub(super) unsupported: Unsupported,
+    /// When something else than feet on the ground carries.
+    pub(super) elsewhere: Vec<Elsewhere>,
     /// The forces of the feet that have a plate, together, beside these.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) beside_plates: Option<Beside>,
@@ -63,6 +65,7 @@ impl GroundReport {
             feet: found.feet.into_iter().map(|found| Foot { found, beside_plate: None }).collect(),
             irregular_frames: found.irregular,
             unsupported: found.unsupported,
+            elsewhere: found.elsewhere,
             beside_plates: None,
             plausibility: None,
             warnings: Vec::new(),
@@ -133,6 +136,7 @@ impl GroundReport {
                  see --stance-height, --stance-speed"
             ));
         }
+        doubts.extend(self.elsewhere.iter().map(|elsewhere| self.carried(elsewhere)));
         if self.irregular_frames > 0 {
             let frames = self.irregular_frames;
             doubts.push(format!(
@@ -140,6 +144,38 @@ impl GroundReport {
             ));
         }
         doubts
+    }
+}
+
+impl GroundReport {
+    /// What carries besides feet on the ground, in words.
+    fn carried(&self, elsewhere: &Elsewhere) -> String {
+        let Elsewhere { kind, foot, start, end, time, distance, place, share } = *elsewhere;
+        let [x, y, z] = <[f64; 3]>::from(place).map(|x| short((x * 1e3).round() / 1e3));
+        let (when, at) = (format!("from {} to {} s", short(start), short(end)), short(time));
+        let percent = |share: f64| format!("{:.0} %", share * 100.0);
+        match kind {
+            ElsewhereKind::Beside => {
+                let out = short((distance * 1e3).round());
+                let share = share.map_or_else(String::new, |share| {
+                    format!(", {} of what is borne if it presses below the hips", percent(share))
+                });
+                format!(
+                    "{when} something else carries (a seat, a handrail?): at {at} s the pressure lies {out} mm outside of the \
+                     soles, at ({x}, {y}, {z}) m{share}; the forces under the feet are too great by that"
+                )
+            }
+            ElsewhereKind::Raised => {
+                let (high, name) =
+                    (short((distance * 1e3).round() / 1e3), foot.map(|foot| &self.feet[foot].found.name));
+                let name = name.map_or("a foot", String::as_str);
+                format!("{when} {name} stands {high} m above the ground: on a box, a step?")
+            }
+            _ => format!(
+                "{when} no foot stands and something else carries: all that is borne, at {at} s at ({x}, {y}, {z}) m; or a foot \
+                 stands that is not seen: see --stances"
+            ),
+        }
     }
 }
 

@@ -58,7 +58,7 @@ impl Trial {
         if predicted.ground {
             say_medium(&mut given);
         }
-        let asked = || Ground::new(&predicted.how, &args.frame, &given);
+        let asked = || Ground::new(&predicted.how, &args.frame, predicted.stances.as_deref(), &given);
         let ground = predicted.ground.then(asked).transpose()?;
         let moved = match &ground {
             Some(ground) => ground.make_consistent(&predicted.consistent, &mut given)?,
@@ -192,7 +192,7 @@ impl Feet {
     fn of(args: &InverseArgs, given: &Given, prepared: &PreparedMotion<'_>) -> Result<Self, CliError> {
         let how = &args.predicted.how;
         if args.cycles.foot.is_some() {
-            let ground = Ground::new(how, &args.frame, given)?;
+            let ground = Ground::new(how, &args.frame, args.predicted.stances.as_deref(), given)?;
             let stances = ground.standing(given, &ground.feet(given, prepared)?, 0.0)?.stances;
             return Ok(Self { soles: ground.soles, stances: Some(stances) });
         }

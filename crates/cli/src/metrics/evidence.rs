@@ -35,9 +35,8 @@ impl<'a> Evidence<'a> {
         let file = how.soles.as_deref();
         let found = if needs_feet { Some(find_soles(file, given)?) } else { known_soles(file, given)? };
         let Some((soles, from)) = found else { return Ok(Self::of_no_feet(prepared)) };
-        let default = StanceOptions::default().speed;
-        let speed = how.stance_speed.as_ref().map_or(default, |speed| speed.value);
-        let ground = Ground { how, frame: &args.frame, soles, from };
+        let speed = how.stance_speed.as_ref().map_or(StanceOptions::SPEED, |speed| speed.value);
+        let ground = Ground { how, frame: &args.frame, told: None, soles, from };
         let placed = ground.feet(given, prepared)?;
         let Standing { mut stances, belt_from } = ground.standing(given, &placed, speed)?;
         let soles = placed.soles();

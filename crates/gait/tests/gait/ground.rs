@@ -130,7 +130,7 @@ fn lateness(walked: &Walked, stance: StanceOptions) -> [(f64, f64); 2] {
 #[test]
 fn stances_are_found_within_30_ms_of_the_planned_ones() {
     for frequency in [80.0, 95.0, 110.0, 118.0] {
-        let still = StanceOptions { height: 0.002, speed: 0.05, ..StanceOptions::default() };
+        let still = StanceOptions { height: Some(0.002), speed: Some(0.05), ..StanceOptions::default() };
         let [start, end] = lateness(&walked(frequency, 6), still);
         say(&format!("{frequency}: feet come {start:.0?} ms late, leave {end:.0?} ms late"));
         for (early, late) in [start, end] {
@@ -139,14 +139,14 @@ fn stances_are_found_within_30_ms_of_the_planned_ones() {
     }
 }
 
-/// As shipped, 0.5 m/s counts as standing, for motions of markers and of animators have noise and slide. A planned heel comes down
-/// softly: it is slower than that up to 103 ms before it lands; a tip is for as much as 47 ms after it has left.
+/// As shipped, shares of the swing's speed count as standing, which fit motions of markers that were filtered. A planned heel comes down
+/// softly: it is slower than that up to 107 ms before it lands; a tip is for as much as 60 ms after it has left.
 #[test]
 fn as_shipped_stances_begin_early_by_the_time_that_a_foot_comes_down_slowly() {
     for frequency in [80.0, 95.0, 110.0, 118.0] {
         let [start, end] = lateness(&walked(frequency, 6), StanceOptions::default());
         say(&format!("{frequency}: feet come {start:.0?} ms late, leave {end:.0?} ms late"));
         assert!(start.0 > -110.0 && start.1 < 1.0, "{frequency}: {start:?}");
-        assert!(end.0 > -1.0 && end.1 < 50.0, "{frequency}: {end:?}");
+        assert!(end.0 > -1.0 && end.1 < 65.0, "{frequency}: {end:?}");
     }
 }

@@ -32,6 +32,11 @@ pub enum ConsistencyError {
         /// Outlines given.
         outlines: usize,
     },
+    /// Nothing stands, so nothing is asked of any frame.
+    #[error(
+        "no foot stands in any frame, so there is nothing that the ground could bear; check the soles, or say when feet stand"
+    )]
+    NothingStands,
     /// A frame whose numbers are none, or too great to compute with.
     #[error("frame {frame}: {what} is not finite, or too great to compute with")]
     NotFinite {

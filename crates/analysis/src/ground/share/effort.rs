@@ -27,10 +27,10 @@ pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
 }
 
 /// One frame with several feet.
-struct Effort<'a> {
-    sharing: &'a Sharing<'a>,
-    row: usize,
-    feet: &'a [FootSupport],
+pub(super) struct Effort<'a> {
+    pub(super) sharing: &'a Sharing<'a>,
+    pub(super) row: usize,
+    pub(super) feet: &'a [FootSupport],
 }
 
 impl Effort<'_> {
@@ -103,7 +103,7 @@ impl Effort<'_> {
     }
 
     /// The scaled forces of the degrees of freedom that count, without the ground.
-    fn moments(
+    pub(super) fn moments(
         &self,
         workspace: &mut Workspace<f64>,
         weight: f64,
@@ -128,7 +128,7 @@ impl Effort<'_> {
 
     /// `Jᵀ` of a foot (`nv` × 6): the scaled forces of the degrees of freedom that a scaled wrench about its nominal
     /// centre of pressure takes the place of.
-    fn levers(
+    pub(super) fn levers(
         &self,
         workspace: &mut Workspace<f64>,
         foot: usize,
@@ -177,7 +177,7 @@ impl Effort<'_> {
 }
 
 /// `nv` × 6.
-type Levers = nalgebra::OMatrix<f64, nalgebra::Dyn, nalgebra::U6>;
+pub(super) type Levers = nalgebra::OMatrix<f64, nalgebra::Dyn, nalgebra::U6>;
 
 /// What a wrench about one point is about another, `arm` behind it.
 fn carried(arm: &Vector3<f64>) -> Matrix6<f64> {
@@ -187,7 +187,7 @@ fn carried(arm: &Vector3<f64>) -> Matrix6<f64> {
     out
 }
 
-fn stack(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
+pub(super) fn stack(first: &Vector3<f64>, second: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
 }
 

@@ -1,7 +1,8 @@
 //! The data that every split uses: the frames, the soles in the world, the smooth shares and nominal centres of pressure.
 
 use super::load::Load;
-use crate::ground::{BalanceFrame, PlacedFeet, Sole, Stance, Stances};
+use crate::ground::legs::hips;
+use crate::ground::{BalanceFrame, PlacedFeet, SOLE_BREADTH, Sole, Stance, Stances};
 use crate::prepared::PreparedMotion;
 use crate::split::FootSupport;
 use nalgebra::Vector3;
@@ -11,6 +12,12 @@ use solaris_profiles::step::cubic;
 
 /// What each foot gets in a frame.
 pub(super) type Parts = Vec<Wrench<f64>>;
+
+/// Two feet that both stand for longer than this (s) do not walk. People do so for 0.4 s at 60 steps/min.
+const LONGEST_DOUBLE: f64 = 0.5;
+
+/// How long (s) a foot that stood alone and pressed beside its sole goes on to do so.
+const FADES: f64 = 0.15;
 
 /// Less than this share is none.
 const LEAST: f64 = 1e-9;
@@ -23,6 +30,8 @@ pub(super) struct Sharing<'a> {
     pub(super) stances: &'a Stances,
     pub(super) total: &'a [BalanceFrame],
     loads: Vec<Load>,
+    /// By foot, the topmost link of its leg: the first that no other foot hangs on.
+    pub(super) hips: Vec<usize>,
     doubles: Vec<Double>,
     /// By foot and frame, the last frame up to this one and the first one from this one on in which the foot stands
     /// alone and presses.
@@ -43,7 +52,8 @@ impl<'a> Sharing<'a> {
         let (prepared, soles) = (feet.prepared(), feet.soles());
         let loads = Load::all(&stances.list);
         let doubles = doubles(&stances.list, prepared.time());
-        let mut out = Self { feet, prepared, soles, stances, total, loads, doubles, alone: Vec::new() };
+        let hips = hips(prepared.figure, soles);
+        let mut out = Self { feet, prepared, soles, stances, total, loads, hips, doubles, alone: Vec::new() };
         out.alone = (0..soles.len()).map(|foot| out.stands_alone(foot)).collect();
         out
     }
@@ -100,21 +110,42 @@ impl<'a> Sharing<'a> {
         let (Stance { foot, start, end }, t) = (load.stance, time[row]);
         let [heel, ball, tip] = self.feet.frame(row)[foot].points.map(|point| self.on_ground(point));
         let middle = heel.lerp(&ball, 0.5);
+        // When it stands alone next to this frame, the point of its sole that is pressed then, and how far beside it the pressure is.
         let pressed = self.alone[foot][row].map(|row| {
             let time = time[row?];
             let cop = self.total[row?].cop.filter(|_| (start..=end).contains(&time))?;
-            Some((time, cop + self.stances.belt * (t - time)))
+            let below = self.below(foot, row?, &cop);
+            Some((time, below + self.stances.belt * (t - time), cop - below))
         });
+        let plain =
+            |pressed: Option<(f64, Vector3<f64>, Vector3<f64>)>| pressed.map(|(time, at, _)| (time, at));
         let first = if load.comes() { heel } else { middle };
         let last = if load.leaves() { tip } else { middle };
-        let [(from, a), (to, b)] = match pressed {
+        let [(from, a), (to, b)] = match pressed.map(plain) {
             [Some(before), Some(after)] => [before, after],
             [Some(before), None] => [before, (end, last)],
             [None, Some(after)] => [(start, first), after],
             [None, None] if t < start.midpoint(end) => [(start, first), (start.midpoint(end), middle)],
             [None, None] => [(start.midpoint(end), middle), (end, last)],
         };
-        a.lerp(&b, if to > from { cubic((t - from) / (to - from)).position } else { 0.0 })
+        // Beside the sole it presses for a moment only, so that nothing jumps.
+        let beside = pressed
+            .into_iter()
+            .flatten()
+            .map(|(time, _, beside)| beside * (1.0 - cubic(((t - time).abs() / FADES).min(1.0)).position));
+        let on_sole = a.lerp(&b, if to > from { cubic((t - from) / (to - from)).position } else { 0.0 });
+        on_sole + beside.sum::<Vector3<f64>>()
+    }
+
+    /// The point below a foot that is nearest to a point of the ground: within half a breadth of the line from heel to tip.
+    fn below(&self, foot: usize, row: usize, point: &Vector3<f64>) -> Vector3<f64> {
+        let [heel, _, tip] = self.feet.frame(row)[foot].points.map(|point| self.on_ground(point));
+        let line = tip - heel;
+        let along = (point - heel).dot(&line) / line.norm_squared();
+        let middle = heel + line * if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
+        let half = 0.5 * self.soles[foot].width.unwrap_or(SOLE_BREADTH * line.norm());
+        let aside = point - middle;
+        middle + aside * (half / aside.norm()).min(1.0)
     }
 
     /// The point of the ground below a point.
@@ -165,7 +196,7 @@ impl<'a> Sharing<'a> {
         &self.doubles
     }
 
-    fn is_regular(&self, t: f64) -> bool {
+    pub(super) fn is_regular(&self, t: f64) -> bool {
         self.doubles.iter().any(|double| (double.start..=double.end).contains(&t))
     }
 
@@ -199,7 +230,7 @@ fn lean(feet: &mut [FootSupport], [a, b]: [usize; 2], cop: &Vector3<f64>) {
     }
 }
 
-/// Double supports between two single ones, neither cut off by an end of the motion.
+/// Double supports of walking: between two single ones, none cut off by an end of the motion or too long.
 fn doubles(list: &[Stance], time: &[f64]) -> Vec<Double> {
     let (Some(&first), Some(&last)) = (time.first(), time.last()) else { return Vec::new() };
     let mut out = Vec::new();
@@ -208,7 +239,8 @@ fn doubles(list: &[Stance], time: &[f64]) -> Vec<Double> {
             let (start, end) = (b.start, a.end);
             let overlap = a.foot != b.foot && a.start < start && start < end && end < b.end;
             let among = |(n, c): (usize, &Stance)| n != i && n != k && c.start <= end && c.end >= start;
-            if overlap && start > first && end < last && !list.iter().enumerate().any(among) {
+            let walks = end - start < LONGEST_DOUBLE;
+            if overlap && walks && start > first && end < last && !list.iter().enumerate().any(among) {
                 out.push(Double { trailing: a.foot, leading: b.foot, start, end });
             }
         }

@@ -17,7 +17,9 @@ pub(super) fn share(sharing: &Sharing<'_>) -> Result<Vec<Parts>, GroundError> {
         }
         let release =
             releases.iter().find(|release| (release.double.start..=release.double.end).contains(&t));
-        let Some(release) = release else { return Ok(pivot::share(sharing, row)) };
+        let Some(release) = release else {
+            return Ok(pivot::share(sharing, row, sharing.supports(row).as_deref()));
+        };
         let (trailing, mut parts) =
             (release.at(t, &sharing.prepared.up), sharing.whole(row, release.double.leading));
         let leading = &mut parts[release.double.leading];

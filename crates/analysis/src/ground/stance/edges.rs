@@ -30,6 +30,33 @@ pub(super) fn standing(time: &[f64], decides: &[f64], shortest: f64) -> Vec<(f64
     spans
 }
 
+/// Where a signal crosses zero next to an edge that is about known: from the frame `near` on, outwards (`ahead`: to later
+/// frames) while it is less than zero, or else inwards until it is, but not beyond the frame `middle`.
+pub(super) fn crossing(
+    time: &[f64],
+    middle: usize,
+    near: usize,
+    ahead: bool,
+    decides: impl Fn(usize) -> f64,
+) -> f64 {
+    let out = |row: usize| if ahead { (row + 1 < time.len()).then_some(row + 1) } else { row.checked_sub(1) };
+    let mut row = near;
+    // Inwards, until it is down.
+    while decides(row) >= 0.0 && row != middle {
+        row = if ahead { row - 1 } else { row + 1 };
+    }
+    // Outwards, as long as it is.
+    loop {
+        let Some(next) = out(row) else { return time[row] };
+        let (a, b) = (decides(row), decides(next));
+        if b >= 0.0 || a >= 0.0 {
+            let s = if (b - a).is_finite() && a < 0.0 { a / (a - b) } else { 0.5 };
+            return time[row] + s * (time[next] - time[row]);
+        }
+        row = next;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::standing;

@@ -39,8 +39,8 @@ fn what_cannot_be_is_refused_by_name() {
     assert_eq!(refused(&States::default(), &options, GRAVITY), GroundError::Empty);
     let (still, belt) = (StanceOptions::default(), Belt::Speed(Vector3::repeat(f64::NAN)));
     for (stance, number) in [
-        (StanceOptions { height: f64::NAN, ..still }, GroundOption::Height),
-        (StanceOptions { speed: 0.0, ..still }, GroundOption::Speed),
+        (StanceOptions { height: Some(f64::NAN), ..still }, GroundOption::Height),
+        (StanceOptions { speed: Some(0.0), ..still }, GroundOption::Speed),
         (StanceOptions { shortest: -0.1, ..still }, GroundOption::Shortest),
         (StanceOptions { belt, ..still }, GroundOption::Belt),
     ] {

@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 use solaris_analysis::ground::{Split, Stances, soles};
 use solaris_analysis::{FootSupport, split_at_pivot};
 use solaris_dynamics::Wrench;
-use solaris_model::Vector3;
+use solaris_model::{Contact, Vector3};
 
 #[test]
 fn contacts_add_up_to_the_whole_and_leave_nothing_at_the_root() {
@@ -62,9 +62,28 @@ fn forces_are_continuous() {
     }
 }
 
-/// Standing still, shares and centres of pressure can be read off the contacts.
+/// In a double support of walking, shares and centres of pressure can be read off the contacts.
 #[test]
 fn the_pivot_split_is_that_of_its_formula() {
+    let figure = person();
+    let states = swaying(&figure, 101, 0.0);
+    let ground = ground(&figure, &states, Split::Pivot, steps());
+    for row in [24, 27, 70] {
+        let total = &ground.total[row];
+        let contacts = [0, 1].map(|foot| ground.contacts[foot].samples[row]);
+        let feet = contacts.map(|own| FootSupport { share: own.force.y / total.force.y, cop: own.cop });
+        let wrench = Wrench { force: total.force, moment: total.moment };
+        let parts = split_at_pivot(&wrench, &total.com, &Vector3::y(), 1.4297, &feet).expect("pressed");
+        for (contact, part) in contacts.iter().zip(&parts) {
+            assert_relative_eq!(contact.force, part.force, epsilon = 1e-9);
+            assert_relative_eq!(contact.moment, part.moment, epsilon = 1e-9);
+        }
+    }
+}
+
+/// Who stands still has the hips above the feet here, so that nothing pushes the feet apart; the pivot alone would by 24 N.
+#[test]
+fn forces_of_feet_that_stand_still_point_at_the_hips() {
     let figure = person();
     let states = swaying(&figure, 101, 0.0);
     let standing = Stances {
@@ -72,14 +91,37 @@ fn the_pivot_split_is_that_of_its_formula() {
         ..steps()
     };
     let ground = ground(&figure, &states, Split::Pivot, standing);
-    let total = &ground.total[50];
-    let feet = [0, 1].map(|foot| FootSupport { share: 0.5, cop: ground.contacts[foot].samples[50].cop });
-    let wrench = Wrench { force: total.force, moment: total.moment };
-    let parts = split_at_pivot(&wrench, &total.com, &Vector3::y(), 1.4297, &feet).expect("pressed");
-    for (foot, part) in parts.iter().enumerate() {
-        assert_relative_eq!(ground.contacts[foot].samples[50].force, part.force, epsilon = 1e-9);
-        assert_relative_eq!(ground.contacts[foot].samples[50].moment, part.moment, epsilon = 1e-9);
+    for track in &ground.contacts {
+        let Contact { force, .. } = track.samples[50];
+        assert_relative_eq!(force.y, ground.report.weight / 2.0, epsilon = 1e-9);
+        assert!(force.x.abs() < 1e-9, "{force}");
     }
+}
+
+/// Abducted legs: the hips lean inwards over the feet by as much as the legs do, and so do the forces.
+#[test]
+fn forces_of_feet_apart_lean_as_the_legs_do() {
+    let figure = person();
+    let mut states = swaying(&figure, 101, 0.0);
+    let spread: f64 = 0.2;
+    let dofs = ["left_hip.rz", "right_hip.rz", "left_ankle.rz", "right_ankle.rz"]
+        .map(|name| figure.layout().v_names().iter().position(|dof| dof == name).expect("a dof of the legs"));
+    let nv = figure.layout().nv();
+    for row in 0..states.time.len() {
+        for (dof, angle) in dofs.into_iter().zip([spread, -spread, -spread, spread]) {
+            states.q[row * nv + dof] = angle;
+        }
+    }
+    let standing = Stances {
+        list: [0, 1].map(|foot| solaris_analysis::ground::Stance { foot, start: -1.0, end: 2.0 }).to_vec(),
+        ..steps()
+    };
+    let ground = ground(&figure, &states, Split::Pivot, standing);
+    let leans = ground.contacts.iter().map(|track| track.samples[50].force).map(|force| force.x / force.y);
+    let leans: Vec<f64> = leans.collect();
+    // The soles are a little below the ankles, which the ankles' turn takes out of the line.
+    assert!((leans[0].abs() - spread.tan()).abs() < 0.03, "{leans:?}");
+    assert_relative_eq!(leans[0], -leans[1], epsilon = 1e-9);
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn many_questions_have_the_answers_of_one() {
     let prepared = PreparedMotion::new(&figure, &motion).expect("ready");
     let feet = PlacedFeet::new(&prepared, &*soles).expect("placed");
 
-    let still = StanceOptions { speed: 0.1, ..StanceOptions::default() };
+    let still = StanceOptions { speed: Some(0.1), ..StanceOptions::default() };
     let stances = [StanceOptions::default(), still].map(|options| {
         let together = ground::find_stances(&feet, &options).expect("stances");
         assert_eq!(together, find_stances(&figure, GRAVITY, &states, &soles, &options).expect("stances"));
