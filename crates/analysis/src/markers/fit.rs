@@ -4,8 +4,10 @@
 //! link (before it was put there), the smallest
 //!
 //! ```text
-//! Σ_f Σ_i |x_i(q_f, s, d_i) − m_fi|² / (2σ²)  +  Σ_i |d_i|² / (2σ_d²)  +  ½·(ln s)ᵀ·C⁻¹·ln s
+//! Σ_f Σ_i |x_i(q_f, s, d_i) − m_fi|² / (2σ²)  +  Σ_i (ν+3)/2·ln(1 + |d_i|²/(ν·σ_d²))  +  ½·(ln s)ᵀ·C⁻¹·ln s
 //! ```
+//!
+//! with ν = 2: most markers sit near their place, and some anywhere.
 //!
 //! Each frame's pose is solved for given lengths; the lengths then take a Gauss-Newton step with the poses eliminated (their
 //! Schur complement), which is the projection of G. H. Golub and V. Pereyra (1973) without its second term. `C` says that people
@@ -127,59 +129,71 @@ pub fn fit_subject(
     options: &FitOptions,
 ) -> Result<SubjectFit, FitError> {
     check(options)?;
-    let trials = &relabelled(figure, markers, trials, ik)?[..];
     if trials.is_empty() {
         return Err(FitError::NoTrials);
     }
-    let chosen = chosen(trials, options.frames);
-    let unknowns = Unknowns::of(figure, markers, options);
-    let mut state = unknowns.start();
-    let mut poses: Vec<Vec<f64>> = Vec::new();
-    let mut before = None;
-    let mut best: Option<(f64, DVector<f64>, Vec<Vec<f64>>)> = None;
-    let mut step_length = 1.0;
-    let mut last = DVector::zeros(state.len());
-    for steps in 0..=MOST_STEPS {
-        let (stretched, placed) = unknowns.apply(figure, markers, &state)?;
-        let normal =
-            Normal::of(&stretched, &placed, trials, &chosen, ik, &unknowns, &state, &mut poses, options)?;
-        before.get_or_insert(normal.rms);
-        let is_lower = best.as_ref().is_none_or(|(cost, _, _)| normal.cost < *cost);
-        if is_lower {
-            best = Some((normal.cost, state.clone(), poses.clone()));
-            step_length = 1.0;
-            last = normal.step();
-        } else if let Some((_, state, kept)) = &best {
-            // Too far: half the way from the best one.
-            step_length *= 0.5;
-            poses.clone_from(kept);
-            let _ = state;
-        }
-        let size = last.amax() * step_length;
-        if size < DONE || steps == MOST_STEPS || step_length < 1e-3 {
-            if let Some((_, found, kept)) = best {
-                (state, poses) = (found, kept);
-            }
-            let (stretched, placed) = unknowns.apply(figure, markers, &state)?;
-            let normal =
-                Normal::of(&stretched, &placed, trials, &chosen, ik, &unknowns, &state, &mut poses, options)?;
-            return Ok(SubjectFit {
-                factors: unknowns.factors(&state),
-                lengths: unknowns.lengths(figure, &state, &normal.covariance()),
-                moved: unknowns.moved(markers, &state),
-                markers: placed,
-                rms_before: before.unwrap_or(f64::NAN),
-                rms: normal.rms,
-                frames: chosen.len(),
-                steps,
-            });
-        }
-        if let Some((_, from, _)) = &best {
-            state = from + &last * step_length;
+    let task = Task {
+        figure,
+        markers,
+        trials: relabelled(figure, markers, trials, ik)?,
+        chosen: chosen(trials, options.frames),
+        ik,
+        unknowns: Unknowns::of(figure, markers, options),
+        noise: options.noise,
+    };
+    let mut state = task.unknowns.start();
+    let mut here = Normal::of(&task, &state, &[])?;
+    let (rms_before, mut steps) = (here.rms, 0);
+    while let Some((next, there)) = lower(&task, &state, &here)? {
+        (state, here) = (next, there);
+        steps += 1;
+        if steps == MOST_STEPS {
+            break;
         }
     }
-    // The loop returns on its last round.
-    Err(FitError::Option { name: "number of steps", value: 0.0 })
+    let unknowns = &task.unknowns;
+    Ok(SubjectFit {
+        factors: unknowns.factors(&state),
+        lengths: unknowns.lengths(figure, &state, &here.covariance()),
+        moved: unknowns.moved(markers, &state),
+        markers: unknowns.apply(figure, markers, &state)?.1,
+        rms_before,
+        rms: here.rms,
+        frames: task.chosen.len(),
+        steps,
+    })
+}
+
+/// What is fitted to what.
+struct Task<'a> {
+    figure: &'a Figure,
+    markers: &'a [Marker],
+    trials: Vec<MarkerTrial>,
+    /// Trial and frame of those that are looked at.
+    chosen: Vec<(usize, usize)>,
+    ik: &'a IkOptions,
+    unknowns: Unknowns,
+    noise: f64,
+}
+
+/// The state that the Gauss-Newton step leads to, or the first of its halves that lowers the objective; `None` where what is left
+/// of it is nothing.
+fn lower(
+    task: &Task,
+    state: &DVector<f64>,
+    here: &Normal,
+) -> Result<Option<(DVector<f64>, Normal)>, FitError> {
+    let mut step = here.step();
+    while step.amax() > DONE {
+        let next = state + &step;
+        match Normal::of(task, &next, &here.poses) {
+            Ok(there) if there.cost < here.cost => return Ok(Some((next, there))),
+            // Lengths beyond all reason are too far, as well.
+            Ok(_) | Err(FitError::Scale(_)) => step *= 0.5,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(None)
 }
 
 fn check(options: &FitOptions) -> Result<(), FitError> {

@@ -70,7 +70,7 @@ fn the_ground_under_each_foot_is_written_with_its_sole() {
     let feet = PlacedFeet::new(&prepared, soles(&ann)).expect("placed");
     let found = ground_forces(&feet, &GroundOptions::default()).expect("forces");
     let written = serde_json::to_value(&found.report).expect("written");
-    assert_eq!(keys(&written), ["feet", "irregular_frames", "split", "unsupported", "weight_n"]);
+    assert_eq!(keys(&written), ["elsewhere", "feet", "irregular_frames", "split", "unsupported", "weight_n"]);
     assert_eq!((&written["split"], &written["weight_n"]), (&json!("pivot"), &json!(found.report.weight)));
     assert_eq!(
         written["unsupported"],

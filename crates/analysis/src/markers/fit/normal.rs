@@ -1,12 +1,11 @@
 //! The normal equations of a fit, with the poses eliminated.
 
 use super::unknowns::Unknowns;
-use super::{FitError, FitOptions, INDEPENDENT, pose};
-use crate::markers::problem::{IkError, IkOptions, Problem};
+use super::{FitError, INDEPENDENT, Task, pose};
+use crate::markers::problem::{IkError, Problem};
 use crate::markers::solve::Solver;
 use crate::prepared::each;
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix3};
-use solaris_model::{Figure, Marker, MarkerTrial};
 
 /// What decides where a pose is told nothing of (1/rad²).
 const HOLD: f64 = 1e-6;
@@ -19,6 +18,8 @@ pub(super) struct Normal {
     pub(super) cost: f64,
     /// Root mean square distance of all markers (m).
     pub(super) rms: f64,
+    /// The poses of the frames that are looked at.
+    pub(super) poses: Vec<Vec<f64>>,
 }
 
 /// What one frame adds.
@@ -32,31 +33,20 @@ struct Part {
 }
 
 impl Normal {
-    /// Of a figure and markers as the unknowns have them; `poses` are those of the round before, and become those of this one.
-    #[expect(clippy::too_many_arguments, reason = "all that the objective is made of")]
-    pub(super) fn of(
-        figure: &Figure,
-        markers: &[Marker],
-        trials: &[MarkerTrial],
-        chosen: &[(usize, usize)],
-        ik: &IkOptions,
-        unknowns: &Unknowns,
-        state: &DVector<f64>,
-        poses: &mut Vec<Vec<f64>>,
-        options: &FitOptions,
-    ) -> Result<Self, FitError> {
-        let problems = trials
-            .iter()
-            .map(|trial| Problem::new(figure, markers, trial, ik))
-            .collect::<Result<Vec<_>, _>>()?;
+    /// Of a task at a state; `known` are poses that are near, of no frame or of all that are looked at.
+    pub(super) fn of(task: &Task, state: &DVector<f64>, known: &[Vec<f64>]) -> Result<Self, FitError> {
+        let Task { trials, chosen, ik, unknowns, .. } = task;
+        let (figure, markers) = unknowns.apply(task.figure, task.markers, state)?;
+        let problem = |trial| Problem::new(&figure, &markers, trial, ik);
+        let problems = trials.iter().map(problem).collect::<Result<Vec<_>, _>>()?;
         let parts = each(
             0..chosen.len(),
             || (),
             |(), i| {
                 let (trial, frame) = chosen[i];
                 let problem = &problems[trial];
-                let q = pose(problem, frame, poses.get(i))?;
-                Part::of(problem, frame, q, (unknowns, state), options.noise)
+                let q = pose(problem, frame, known.get(i))?;
+                Part::of(problem, frame, q, (unknowns, state), task.noise)
             },
         )
         .map_err(FitError::Pose)?;
@@ -72,8 +62,8 @@ impl Normal {
             count += part.count;
         }
         cost += unknowns.add_prior(state, &mut matrix, &mut gradient);
-        *poses = parts.into_iter().map(|part| part.pose).collect();
-        Ok(Self { matrix, gradient, cost, rms: (squares / count.max(1) as f64).sqrt() })
+        let poses = parts.into_iter().map(|part| part.pose).collect();
+        Ok(Self { matrix, gradient, cost, rms: (squares / count.max(1) as f64).sqrt(), poses })
     }
 
     /// The Gauss-Newton step.

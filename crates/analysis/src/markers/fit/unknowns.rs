@@ -4,6 +4,9 @@ use super::{FitError, FitOptions, SegmentFit};
 use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
 use solaris_model::{Figure, Marker, MassShares, Stretching};
 
+/// Degrees of freedom of how markers' places are spread: few, since some are put on soft parts wherever there is room.
+const FREEDOM: f64 = 2.0;
+
 /// The unknowns of a fit: three logarithms a group of links, then three lengths a marker (m, in its stretched link's frame).
 pub(super) struct Unknowns {
     /// The group of each link.
@@ -87,10 +90,13 @@ impl Unknowns {
         let mut block = matrix.view_mut((0, 0), (n, n));
         block += &self.scale_prior;
         for (i, prior) in self.marker_prior.iter().enumerate() {
+            // Student's t: one that is worn elsewhere does not pull the others along.
+            let far = prior * self.offset(state, i).norm_squared();
+            let weight = prior * (FREEDOM + 3.0) / (FREEDOM + far);
+            cost += 0.5 * (FREEDOM + 3.0) * (far / FREEDOM).ln_1p();
             for at in self.marker(i)..self.marker(i) + 3 {
-                matrix[(at, at)] += prior;
-                gradient[at] += prior * state[at];
-                cost += 0.5 * prior * state[at] * state[at];
+                matrix[(at, at)] += weight;
+                gradient[at] += weight * state[at];
             }
         }
         cost
