@@ -15,6 +15,7 @@ mod chain;
 mod fit;
 mod matched;
 mod measure;
+mod options;
 mod place;
 mod problem;
 mod report;
@@ -25,8 +26,8 @@ mod swaps;
 pub use fit::{FitError, FitOptions, SegmentFit, SubjectFit, fit_subject};
 pub use matched::Matched;
 pub use measure::{MeasureError, MeasuredFactor, PairRatio, measured_factor};
+pub use options::{CoordinateTask, IkError, IkOptions};
 pub use place::{place_markers, places};
-pub use problem::{CoordinateTask, IkError, IkOptions};
 pub use report::{DofSight, FrameFit, MarkerFit, MarkerMotion};
 pub use swaps::Swap;
 

@@ -1,6 +1,7 @@
 //! All frames: each from the one before it, in chains of a fixed length that are solved side by side.
 
-use super::problem::{IkError, Problem};
+use super::options::IkError;
+use super::problem::Problem;
 use super::solve::{Solved, Solver};
 use super::start;
 use crate::prepared::each;

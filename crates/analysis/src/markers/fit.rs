@@ -17,7 +17,8 @@
 mod normal;
 mod unknowns;
 
-use super::problem::{IkError, IkOptions, Problem};
+use super::options::{IkError, IkOptions};
+use super::problem::Problem;
 use super::solve::Solver;
 use super::start;
 use nalgebra::{DVector, Vector3};

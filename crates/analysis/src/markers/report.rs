@@ -3,7 +3,8 @@
 use super::blind::{is_blind, lever};
 use super::chain::Frame;
 use super::matched::Matched;
-use super::problem::{IkError, Problem};
+use super::options::IkError;
+use super::problem::{Problem, Sight, Unknown};
 use super::solve::Solver;
 use super::swaps::Swap;
 use crate::prepared::each;
@@ -99,9 +100,7 @@ pub(super) fn of(
         |solver, row| {
             let (q, points) = (&solved[row].q, problem.row(points, row));
             let places = solver.places(q)?;
-            let distance = |(sight, place): (&super::problem::Sight, &Vector3<f64>)| {
-                (place - points[sight.column]).norm()
-            };
+            let distance = |(sight, place): (&Sight, &Vector3<f64>)| (place - points[sight.column]).norm();
             let distances: Vec<f64> = problem.sights.iter().zip(&places).map(distance).collect();
             Ok::<_, DynamicsError>((distances, lever(solver, q, points)?))
         },
@@ -134,7 +133,7 @@ fn frame_fit(time: f64, distances: &[f64], frame: &Frame) -> FrameFit {
 }
 
 fn marker_fits(problem: &Problem, distances: &[Vec<f64>]) -> Vec<MarkerFit> {
-    let fit = |(i, sight): (usize, &super::problem::Sight)| {
+    let fit = |(i, sight): (usize, &Sight)| {
         let column = || distances.iter().map(|row| row[i]);
         let seen = || column().enumerate().filter(|(_, distance)| !distance.is_nan());
         MarkerFit {
@@ -151,7 +150,7 @@ fn marker_fits(problem: &Problem, distances: &[Vec<f64>]) -> Vec<MarkerFit> {
 fn dof_sights(problem: &Problem, distances: &[Vec<f64>], levers: &[Vec<f64>]) -> Vec<DofSight> {
     let unknowns = problem.unknowns.len();
     let errors: Vec<f64> = distances.iter().map(|row| error(row, unknowns)).collect();
-    let sight = |(u, unknown): (usize, &super::problem::Unknown)| {
+    let sight = |(u, unknown): (usize, &Unknown)| {
         let mut spreads: Vec<f64> =
             levers.iter().zip(&errors).map(|(levers, error)| spread(levers[u], *error)).collect();
         spreads.sort_by(f64::total_cmp);

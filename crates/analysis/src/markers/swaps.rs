@@ -1,7 +1,8 @@
 //! Labels that two markers exchanged, for some frames or for all.
 
 use super::chain::{self, Frame};
-use super::problem::{IkError, Problem};
+use super::options::IkError;
+use super::problem::Problem;
 use super::solve::Solver;
 use nalgebra::Vector3;
 

@@ -2,7 +2,8 @@
 
 use super::unknowns::Unknowns;
 use super::{FitError, INDEPENDENT, Task, pose};
-use crate::markers::problem::{IkError, Problem};
+use crate::markers::options::IkError;
+use crate::markers::problem::Problem;
 use crate::markers::solve::Solver;
 use crate::prepared::each;
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix3};

@@ -241,6 +241,15 @@ fn every_example_of_the_help_runs() {
         ("subject/walk.mot", "walk.mot"),
         ("subject/grf.mot", "plates.mot"),
         ("figures/arm.urdf", "robot.urdf"),
+        ("clips/walk.c3d", "walk.c3d"),
+        ("clips/walk.c3d", "static.c3d"),
+        ("markers/leg.osim", "generic.osim"),
+        ("markers/static.trc", "static.trc"),
+        ("markers/swing.trc", "walk.trc"),
+        ("markers/swing.trc", "walk1.trc"),
+        ("markers/swing.trc", "walk2.trc"),
+        ("markers/ik.xml", "setup.xml"),
+        ("markers/scale.xml", "Setup_Scale.xml"),
     ] {
         std::fs::copy(Path::new(crate::inverse::FIXTURES).join(from), folder.path().join(to))
             .expect("copied");
@@ -263,8 +272,8 @@ fn every_example_of_the_help_runs() {
         std::fs::copy(folder.path().join(from), folder.path().join(to)).expect("copied");
     }
     let mut run = 0;
-    // The conversions last: one writes over the motion.
-    for help in ["", "figure human", "check", "inverse", "ground", "convert"] {
+    // The conversions late: one writes over the motion; and scaling last, which writes over the subject, to whom angles belong.
+    for help in ["", "figure human", "check", "inverse", "ground", "convert", "scale", "ik"] {
         let help = succeeded(&solaris(folder.path(), &format!("{help} --help"))).replace("\\\n", " ");
         let examples = help.lines().filter_map(|line| line.strip_prefix("  solaris "));
         for example in examples.filter(|example| !example.starts_with("walk ")) {
