@@ -63,7 +63,7 @@ fn model(path: &Path, body: &Body, report: &SubjectReport) -> Result<(String, Ve
     let mut factors: Vec<(String, Vector3<f64>)> = Vec::new();
     for (name, by) in report.factors() {
         // What is welded to a body is scaled with it, unless it has factors of its own.
-        let welded = body.figure.link(name).into_iter().flat_map(|link| link.frames());
+        let welded = body.figure.link(name).into_iter().flat_map(solaris::model::Link::frames);
         for name in std::iter::once(name).chain(welded.map(|frame| frame.name.as_str())) {
             if is_body(name) && factors.iter().all(|(known, _)| known != name) {
                 factors.push((name.to_owned(), by));

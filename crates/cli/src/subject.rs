@@ -71,7 +71,8 @@ fn fit(
     body.markers.markers.clone_from(&found.markers);
     report.fitted = Some(Fitted::new(&found, trials.len()));
     let names = body.figure.links().iter().map(|link| link.name().to_owned());
-    report.finish(body, names.zip(found.factors).collect());
+    let factors: Vec<_> = names.zip(found.factors).collect();
+    report.finish(body, &factors);
     Ok(report)
 }
 
@@ -83,9 +84,9 @@ struct Setup<'a> {
 
 impl Setup<'_> {
     /// A file that it names, as a path from here.
-    fn file(&self, name: &Option<String>) -> Option<PathBuf> {
+    fn file(&self, name: Option<&str>) -> Option<PathBuf> {
         let folder = self.path.parent().unwrap_or(Path::new(""));
-        name.as_ref().map(|name| folder.join(name.replace('\\', "/")))
+        name.map(|name| folder.join(name.replace('\\', "/")))
     }
 }
 
@@ -97,7 +98,7 @@ fn scale(
     markers: &MarkerArgs,
 ) -> Result<SubjectReport, CliError> {
     let setup = subject.scale_setup.as_deref().map(read_setup).transpose()?;
-    let set_file = setup.as_ref().and_then(|setup| setup.file(&setup.setup.marker_set_file));
+    let set_file = setup.as_ref().and_then(|setup| setup.file(setup.setup.marker_set_file.as_deref()));
     body.markers = MarkerSet {
         markers: markers::markers(body, markers.marker_set.as_deref().or(set_file.as_deref()))?,
         findings: std::mem::take(&mut body.markers.findings),
@@ -127,7 +128,7 @@ fn scale(
     {
         report.placed = Some(place(body, setup, placer, (subject, markers))?);
     }
-    report.finish(body, factors);
+    report.finish(body, &factors);
     Ok(report)
 }
 
@@ -156,7 +157,7 @@ fn read_setup(path: &Path) -> Result<Setup<'_>, CliError> {
 /// The trial that a part of the setup names, or the one that was asked for, in the world of the figure.
 fn trial(
     setup: &Setup,
-    (name, range): (&Option<String>, Option<(f64, f64)>),
+    (name, range): (Option<&str>, Option<(f64, f64)>),
     gravity: Vector3<f64>,
     (subject, args): (&SubjectArgs, &MarkerArgs),
     report: Option<&mut SubjectReport>,
@@ -201,8 +202,13 @@ fn measured(
                 }
             }
             ScalingStep::Measurements => {
-                let (path, trial) =
-                    trial(setup, (marker_file, *time_range), body.gravity, asked, Some(&mut *report))?;
+                let (path, trial) = trial(
+                    setup,
+                    (marker_file.as_deref(), *time_range),
+                    body.gravity,
+                    asked,
+                    Some(&mut *report),
+                )?;
                 let rest = markers::rest(body)?;
                 for Measurement { name, pairs, bodies } in &setup.setup.measurements {
                     let found = measured_factor(&body.figure, &body.markers.markers, &rest, &trial, pairs);
@@ -243,7 +249,8 @@ fn place(
     placer: &PlacerSetup,
     asked: (&SubjectArgs, &MarkerArgs),
 ) -> Result<Placed, CliError> {
-    let (path, trial) = trial(setup, (&placer.marker_file, placer.time_range), body.gravity, asked, None)?;
+    let (path, trial) =
+        trial(setup, (placer.marker_file.as_deref(), placer.time_range), body.gravity, asked, None)?;
     let standing = trial.mean();
     let options = markers::options(body, Some((&placer.markers, &placer.coordinates, setup.path)), asked.1)?;
     let refuse = |error: &dyn ToString| CliError::input(&path, error);

@@ -64,14 +64,14 @@ pub(super) struct Fitted {
     frames: usize,
     rms_before_mm: f64,
     rms_mm: f64,
-    lengths: Vec<Length>,
+    lengths: Vec<Fit>,
     /// How far each marker moved on its link (mm), the farthest first.
     moved: Vec<Moved>,
 }
 
 /// A segment's length.
 #[derive(Clone, Debug, Serialize)]
-struct Length {
+struct Fit {
     segment: String,
     before_m: f64,
     length_m: f64,
@@ -80,7 +80,7 @@ struct Length {
 
 impl Fitted {
     pub(super) fn new(found: &SubjectFit, trials: usize) -> Self {
-        let lengths = found.lengths.iter().map(|segment| Length {
+        let lengths = found.lengths.iter().map(|segment| Fit {
             segment: segment.link.clone(),
             before_m: segment.before,
             length_m: segment.length,
@@ -195,7 +195,7 @@ impl SubjectReport {
         self.by_volume
     }
 
-    pub(super) fn finish(&mut self, body: &Body, factors: Vec<(String, Vector3<f64>)>) {
+    pub(super) fn finish(&mut self, body: &Body, factors: &[(String, Vector3<f64>)]) {
         self.mass_kg = body.figure.mass();
         self.factors = factors.iter().map(factors_of).collect();
     }

@@ -29,7 +29,7 @@ fn time_range(reader: &mut Reader, node: Node) -> Option<(f64, f64)> {
     match times.as_deref() {
         Some(&[from, to]) if from <= to => Some((from, to)),
         _ => {
-            let message = format!("<time_range> is '{}'; it must be two times, the earlier one first", told);
+            let message = format!("<time_range> is '{told}'; it must be two times, the earlier one first");
             reader.fault(words_at(child), message);
             None
         }
