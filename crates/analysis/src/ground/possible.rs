@@ -15,7 +15,7 @@ const EVEN: f64 = 1e-2;
 ///
 /// # Errors
 ///
-/// What [`balance`] and [`consistent`] refuse, stances that are none, soles without breadth, and frames that are not equally
+/// What [`balance`](super::balance) and [`consistent`] refuse, stances that are none, soles without breadth, and frames that are not equally
 /// far apart.
 #[doc(alias = "residual reduction")]
 #[doc(alias = "rra")]
