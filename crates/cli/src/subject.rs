@@ -27,14 +27,13 @@ pub(crate) fn body(
     trials: &[&Path],
 ) -> Result<Body, CliError> {
     let mut body = input::body_in(path, frame.files.as_deref())?;
-    if let Some(base) = frame.base.map(Base::from).filter(|base| *base != Base::Fixed) {
-        body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
-    }
+    let base = frame.base.map_or(Base::Fixed, Base::from);
+    body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
     if subject.is_asked() {
         let report = if subject.scale_setup.is_none() && (subject.fit || subject.standing.is_some()) {
             fit(&mut body, path, (subject, markers), trials)?
         } else {
-            scale(&mut body, path, subject, markers)?
+            scale(&mut body, path, subject, markers, base)?
         };
         body.subject = Some(report);
     }
@@ -96,6 +95,7 @@ fn scale(
     path: &Path,
     subject: &SubjectArgs,
     markers: &MarkerArgs,
+    base: Base,
 ) -> Result<SubjectReport, CliError> {
     let setup = subject.scale_setup.as_deref().map(read_setup).transpose()?;
     let set_file = setup.as_ref().and_then(|setup| setup.file(setup.setup.marker_set_file.as_deref()));
@@ -119,7 +119,8 @@ fn scale(
     };
     body.markers.markers = stretching.markers(&body.markers.markers).map_err(|error| refuse(&error))?;
     body.figure = if body.language == Language::OpenSim {
-        rescaled(body, path, &factors, &stretching)?
+        let figure = rescaled(body, path, &factors, &stretching)?;
+        figure.on_base(base).map_err(|error| refuse(&error))?
     } else {
         figure.stretched(&stretching).map_err(|error| refuse(&error))?
     };

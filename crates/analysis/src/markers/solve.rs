@@ -106,10 +106,14 @@ impl<'p> Solver<'p> {
         for steps in 0..MOST_STEPS {
             self.differentiate(q, points, &hold)?;
             let free: Vec<bool> = (0..fixed.len()).map(|i| !fixed[i] && !self.is_pushed(i, q)).collect();
+            // What a damped step promises says only how short it is.
+            let (mut step, promise) = self.newton(&free, 0.0);
+            if promise <= PROMISE.0 + PROMISE.1 * cost {
+                return Ok((steps, true));
+            }
             loop {
-                let (step, promise) = self.newton(&free, damping);
-                if promise <= PROMISE.0 + PROMISE.1 * cost {
-                    return Ok((steps, true));
+                if damping > 0.0 {
+                    step = self.newton(&free, damping).0;
                 }
                 self.advance(q, &step);
                 let mut next = std::mem::take(&mut self.next);
