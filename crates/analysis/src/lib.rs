@@ -14,11 +14,11 @@ mod nearness;
 mod peak;
 pub mod plausibility;
 mod prepared;
-#[cfg(test)]
 mod random;
 mod reaction;
 mod rooted;
 mod split;
+mod uncertainty;
 
 pub use balance::balance_momentum;
 pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiate};
@@ -32,3 +32,7 @@ pub use prepared::{PrepareError, PreparedMotion};
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use rooted::{RootReport, reactions_from_feet};
 pub use split::{FootSupport, split_at_pivot};
+pub use uncertainty::{
+    Answer, CUTOFF_FACTOR, ErrorSource, Spread, SpreadError, Uncertainty, filter_spread, position_spread,
+    residual_spread,
+};

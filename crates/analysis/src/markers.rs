@@ -12,6 +12,7 @@
 
 mod blind;
 mod chain;
+mod errors;
 mod fit;
 mod matched;
 mod measure;
@@ -23,6 +24,7 @@ mod solve;
 mod start;
 mod swaps;
 
+pub use errors::position_errors;
 pub use fit::{FitError, FitOptions, SegmentFit, SubjectFit, fit_subject};
 pub use matched::Matched;
 pub use measure::{MeasureError, MeasuredFactor, PairRatio, measured_factor};

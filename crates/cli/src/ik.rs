@@ -69,8 +69,8 @@ fn write_errors(fitted: &Fitted, out: &mut impl Write) -> Result<(), IoError> {
     csv::write_row(["time", "rms"].into_iter().chain(names), out)?;
     let width = found.markers.len();
     for (i, frame) in found.frames.iter().enumerate() {
-        let distances = &found.distances[i * width..][..width];
-        let cells = [frame.time, frame.rms].into_iter().chain(distances.iter().copied());
+        let distances = found.offsets[i * width..][..width].iter().map(|offset| offset.norm());
+        let cells = [frame.time, frame.rms].into_iter().chain(distances);
         csv::write_row(cells.map(|x| if x.is_nan() { String::new() } else { csv::number_text(x) }), out)?;
     }
     Ok(())

@@ -20,8 +20,9 @@ pub struct MarkerMotion {
     pub frames: Vec<FrameFit>,
     /// Each used marker's fit, in the order of the figure's.
     pub markers: Vec<MarkerFit>,
-    /// How far each used marker is from where it was seen (m), marker by marker in every frame; NaN where it was hidden.
-    pub distances: Vec<f64>,
+    /// From each used marker of the figure to where it was seen (m, world axes), marker by marker in every frame; NaN where it was
+    /// hidden.
+    pub offsets: Vec<Vector3<f64>>,
     /// What the markers tell of each degree of freedom that is neither held nor follows another.
     pub dofs: Vec<DofSight>,
     /// Which markers the figure and the trial have in common, and which only one of them has.
@@ -79,7 +80,7 @@ pub struct DofSight {
 impl MarkerMotion {
     /// Root of the mean square of all distances (m).
     pub fn rms(&self) -> f64 {
-        rms(self.distances.iter().copied())
+        rms(self.offsets.iter().map(Vector3::norm))
     }
 
     /// The mean of the frames' objectives (m²).
@@ -100,19 +101,21 @@ pub(super) fn of(
         |solver, row| {
             let (q, points) = (&solved[row].q, problem.row(points, row));
             let places = solver.places(q)?;
-            let distance = |(sight, place): (&Sight, &Vector3<f64>)| (place - points[sight.column]).norm();
-            let distances: Vec<f64> = problem.sights.iter().zip(&places).map(distance).collect();
-            Ok::<_, DynamicsError>((distances, lever(solver, q, points)?))
+            let offset = |(sight, place): (&Sight, &Vector3<f64>)| points[sight.column] - place;
+            let offsets: Vec<Vector3<f64>> = problem.sights.iter().zip(&places).map(offset).collect();
+            Ok::<_, DynamicsError>((offsets, lever(solver, q, points)?))
         },
     )?;
-    let frames = looked.iter().zip(&solved).zip(problem.trial.time());
-    let frames = frames.map(|(((distances, _), frame), time)| frame_fit(*time, distances, frame)).collect();
-    let (distances, levers): (Vec<_>, Vec<_>) = looked.into_iter().unzip();
+    let (offsets, levers): (Vec<_>, Vec<_>) = looked.into_iter().unzip();
+    let norms = |row: &Vec<Vector3<f64>>| row.iter().map(Vector3::norm).collect();
+    let distances: Vec<Vec<f64>> = offsets.iter().map(norms).collect();
+    let frames = distances.iter().zip(&solved).zip(problem.trial.time());
+    let frames = frames.map(|((distances, frame), time)| frame_fit(*time, distances, frame)).collect();
     Ok(MarkerMotion {
         frames,
         markers: marker_fits(problem, &distances),
         dofs: dof_sights(problem, &distances, &levers),
-        distances: distances.concat(),
+        offsets: offsets.concat(),
         q: solved.into_iter().flat_map(|frame| frame.q).collect(),
         matched: problem.matched.clone(),
         swaps,

@@ -12,3 +12,4 @@ mod plausibility;
 #[cfg(feature = "serde")]
 mod reports;
 mod states;
+mod uncertainty;
