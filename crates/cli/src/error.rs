@@ -52,7 +52,7 @@ pub(crate) enum CliError {
     #[error("standard output: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]
-    Other(Box<dyn Error>),
+    Other(Box<dyn Error + Send + Sync>),
 }
 
 /// Options that a library's error may be about, by the names that the libraries use.
@@ -66,7 +66,7 @@ pub(crate) trait Typed {
 
 impl CliError {
     /// Anything that is nobody's option.
-    pub(crate) fn other(error: impl Error + 'static) -> Self {
+    pub(crate) fn other(error: impl Error + Send + Sync + 'static) -> Self {
         Self::Other(Box::new(error))
     }
 

@@ -87,6 +87,7 @@ pub(crate) fn run(args: &GroundCommandArgs) -> Result<(), CliError> {
         soles: &soles,
         level: Some(stances.level),
         forces: None,
+        bands: None,
     };
 
     progress.stage("writing");

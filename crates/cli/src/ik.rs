@@ -9,6 +9,7 @@ use crate::progress::Progress;
 use crate::run::{as_csv, in_degrees};
 use crate::subject;
 use solaris::io::{IoError, bvh, csv, sto};
+use solaris::model::Vector3;
 use std::io::Write;
 
 /// What is written.
@@ -69,7 +70,7 @@ fn write_errors(fitted: &Fitted, out: &mut impl Write) -> Result<(), IoError> {
     csv::write_row(["time", "rms"].into_iter().chain(names), out)?;
     let width = found.markers.len();
     for (i, frame) in found.frames.iter().enumerate() {
-        let distances = found.offsets[i * width..][..width].iter().map(|offset| offset.norm());
+        let distances = found.offsets[i * width..][..width].iter().map(Vector3::norm);
         let cells = [frame.time, frame.rms].into_iter().chain(distances);
         csv::write_row(cells.map(|x| if x.is_nan() { String::new() } else { csv::number_text(x) }), out)?;
     }

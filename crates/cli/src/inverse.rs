@@ -1,5 +1,6 @@
 //! `solaris inverse`: joint torques of a given motion, or of many.
 
+mod bands;
 mod batch;
 mod forces;
 mod plan;
@@ -24,7 +25,7 @@ pub(crate) fn run(args: &InverseArgs) -> Result<(), CliError> {
         Plan::One(trial) => trial,
         Plan::Many(many) => return batch::run(args, &many),
     };
-    let progress = Progress::new(5);
+    let progress = Progress::new(if trial.wants_bands(args)? { 6 } else { 5 });
     progress.stage("reading");
     let report = trial.analyse(
         args,

@@ -8,7 +8,9 @@ use crate::args::MarkerArgs;
 use crate::error::CliError;
 use crate::input::{self, Body};
 use crate::recording;
-use solaris::analysis::markers::{CoordinateTask, IkOptions, MarkerMotion, inverse_kinematics};
+use solaris::analysis::markers::{
+    CoordinateTask, IkError, IkOptions, MarkerMotion, inverse_kinematics, position_errors,
+};
 use solaris::io::CoordinateDefault;
 use solaris::io::markers::Recording;
 use solaris::io::opensim::{self, IkSetup, MarkerTask, TaskValue};
@@ -21,6 +23,9 @@ pub(crate) struct Fitted {
     /// Positions alone; nothing else is known yet.
     pub(crate) motion: Motion,
     pub(crate) found: MarkerMotion,
+    /// The figure's markers, and how they were asked to be fitted.
+    markers: Vec<Marker>,
+    options: IkOptions,
     /// What the setup file says and has no effect.
     pub(crate) findings: Vec<Finding>,
 }
@@ -47,7 +52,15 @@ pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted,
     let motion =
         Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
     let findings = setup.map_or_else(Vec::new, |(setup, _)| setup.findings);
-    Ok(Fitted { recording, motion, found, findings })
+    Ok(Fitted { recording, motion, found, markers, options, findings })
+}
+
+impl Fitted {
+    /// Errors of the positions, drawn so many times.
+    pub(crate) fn errors(&self, figure: &Figure, samples: usize) -> Result<Vec<Vec<f64>>, IkError> {
+        let Self { recording, found, markers, options, .. } = self;
+        position_errors(figure, markers, &recording.markers, options, found, samples)
+    }
 }
 
 /// Reads a setup of OpenSim's tool.

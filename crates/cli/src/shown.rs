@@ -32,6 +32,8 @@ pub(crate) struct Shown<'a> {
     pub(crate) level: Option<f64>,
     /// The joints' forces.
     pub(crate) forces: Option<&'a InverseReport>,
+    /// Half widths of the bands around positions and forces, where they are known.
+    pub(crate) bands: Option<[Vec<f64>; 2]>,
 }
 
 impl Shown<'_> {

@@ -74,6 +74,11 @@ pub(crate) struct InverseArgs {
         help = wrap("Whether armature, damping, springs and friction of the joints, and a fluid around, count [default: on]")
     )]
     pub(crate) passive: Switch,
+    #[arg(long, value_name = "ON|OFF", value_enum, hide_possible_values = true, help = wrap(
+        "Whether to find how far angles and moments may be off, by what markers leave over, by the choice of the filter's cut-off and \
+         by the residual [default: on for markers]"
+    ))]
+    pub(crate) bands: Option<Switch>,
 }
 
 impl InverseArgs {

@@ -9,7 +9,6 @@ use crate::recording;
 use crate::run::as_csv;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
-use solaris::io::markers::Plate;
 use solaris::io::record::{self, ReadMotion};
 use solaris::model::{Base, Finding, FindingKind, Motion};
 use std::path::{Path, PathBuf};
@@ -28,8 +27,8 @@ pub(crate) struct Given {
     pub(crate) doubtful: Vec<Finding>,
     /// How well the markers fit, where the motion is markers.
     pub(crate) markers: Option<MarkersReport>,
-    /// Force plates that stand in the motion's own file.
-    pub(crate) plates: Vec<Plate>,
+    /// The markers, with force plates that stand in the same file.
+    pub(crate) fitted: Option<Fitted>,
     pub(crate) recorded: ReadMotion,
     pub(crate) filter: Option<Filter>,
     pub(crate) found: Differentiated,
@@ -72,7 +71,6 @@ impl Given {
                 .extend(body.findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).cloned());
         }
         let markers = fitted.as_ref().map(|fitted| MarkersReport::of(fitted, &body.figure));
-        let plates = fitted.map_or_else(Vec::new, |fitted| fitted.recording.plates);
         progress.stage("finding velocities and accelerations");
         let filter = record.filter.map(|cutoff| Filter { cutoff, order: record.filter_order.into() });
         let found = differentiate(&body.figure, &recorded.motion, filter)
@@ -87,7 +85,7 @@ impl Given {
             table,
             doubtful,
             markers,
-            plates,
+            fitted,
             recorded,
             filter,
             found,

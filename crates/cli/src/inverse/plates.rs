@@ -23,7 +23,8 @@ impl OwnPlates {
         prepared: &PreparedMotion<'_>,
         soles: Option<Vec<Sole>>,
     ) -> Result<Self, CliError> {
-        if given.plates.is_empty() {
+        let plates = given.fitted.as_ref().map_or(&[][..], |fitted| &fitted.recording.plates);
+        if plates.is_empty() {
             return Ok(Self::default());
         }
         let Some(soles) = soles else {
@@ -33,7 +34,7 @@ impl OwnPlates {
         };
         let feet = PlacedFeet::new(prepared, soles).map_err(|error| CliError::input(&given.from, &error))?;
         let start = given.motion().time().first().copied().unwrap_or_default().min(0.0);
-        let records: Vec<PlateRecord> = given.plates.iter().map(|plate| record(plate, start)).collect();
+        let records: Vec<PlateRecord> = plates.iter().map(|plate| record(plate, start)).collect();
         let (forces, loads) = feet_on_plates(&feet, &records);
         let words = loads.iter().map(|load| {
             let (from, to) = (short(load.span.0), short(load.span.1));

@@ -1,5 +1,6 @@
 //! The report of inverse dynamics, as text and as JSON.
 
+use super::bands::BandsReport;
 use crate::cycles::Cycles;
 use crate::given::{Given, GivenReport};
 use crate::ground::GroundReport;
@@ -26,6 +27,8 @@ pub(super) struct Asked {
     pub(super) plausible: Option<Plausibility>,
     /// The strides, where means over them were asked for.
     pub(super) cycles: Option<Cycles>,
+    /// How far angles and moments may be off, where that is known.
+    pub(super) bands: Option<BandsReport>,
 }
 
 /// The summary.
@@ -53,6 +56,9 @@ pub(super) struct Report {
     /// Absent where means over strides were not asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) cycles: Option<Cycles>,
+    /// Absent where nobody asked how far angles and moments may be off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) bands: Option<BandsReport>,
 }
 
 impl Report {
@@ -71,6 +77,7 @@ impl Report {
             joints: free.map(|(_, load)| load.clone()).collect(),
             residual: root_is_free.then_some(forces.residual),
             cycles: asked.cycles,
+            bands: asked.bands,
         }
     }
 

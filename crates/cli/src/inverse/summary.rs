@@ -22,9 +22,10 @@ impl Report {
             plausible.write(out)?;
         }
         let width = self.joints.iter().map(|joint| joint.dof.chars().count()).max().unwrap_or(0).max(18);
-        writeln!(out, "\n  {:<width$}{:>12}{:>12}", "joint forces", "rms", "greatest")?;
+        let bands = if self.bands.is_some() { format!("{:>12}", "band") } else { String::new() };
+        writeln!(out, "\n  {:<width$}{:>12}{:>12}{bands}", "joint forces", "rms", "greatest")?;
         for joint in self.joints.iter().filter(|joint| !joint.is_residual) {
-            write_load(joint, out, width)?;
+            write_load(joint, self.band(joint), out, width)?;
         }
         if self.given.root_is_free {
             self.write_residual(out, width)?;
@@ -38,6 +39,7 @@ impl Report {
         rows.extend(self.ground.iter().flat_map(|ground| warning_rows(&ground.warnings)));
         rows.extend(self.plausibility.iter().flat_map(Plausibility::page_rows));
         rows.push(TableRow::new("Forces from outside", "", "", self.external_forces.as_str()));
+        rows.extend(self.bands.iter().map(|bands| TableRow::new("Bands", "", "", bands.words())));
         rows.extend(self.unused_words().map(|unused| TableRow::new("", "", "", unused)));
         rows.extend(self.cycles.iter().map(|cycles| TableRow::new("Strides", "", "", cycles.words())));
         rows.extend(self.ground.iter().flat_map(GroundReport::page_rows));
@@ -50,10 +52,16 @@ impl Report {
             rows.push(left("Residual moment", "N m", r.moment, r.moment_rms, r.moment_time));
         }
         rows.extend(self.joints.iter().filter(|joint| !joint.is_residual).map(|joint| {
-            let note = format!("at {} s; rms {}", short(joint.time), short(joint.rms));
+            let band = self.band(joint).map_or_else(String::new, |band| format!("; band ±{}", short(band)));
+            let note = format!("at {} s; rms {}{band}", short(joint.time), short(joint.rms));
             TableRow::new(joint.dof.as_str(), short(joint.greatest), whole(joint.unit), note)
         }));
         rows
+    }
+
+    /// Half the width of the band of a degree of freedom's force, where it is known.
+    fn band(&self, joint: &DofLoad) -> Option<f64> {
+        self.bands.as_ref()?.half_width(&joint.dof)
     }
 
     /// What pushes from outside.
@@ -66,6 +74,9 @@ impl Report {
         if let (Some(medium), true) = (&self.medium, self.passive) {
             row(out, "medium", medium)?;
         }
+        if let Some(bands) = &self.bands {
+            bands.write(out)?;
+        }
         if !self.passive {
             row(out, "passive", "armature, damping, springs, friction and fluids left out")?;
         }
@@ -75,7 +86,7 @@ impl Report {
     fn write_residual(&self, out: &mut dyn Write, width: usize) -> Result<()> {
         writeln!(out, "\n  {:<width$}{:>12}{:>12}", "residual at the root", "rms", "greatest")?;
         for joint in self.joints.iter().filter(|joint| joint.is_residual) {
-            write_load(joint, out, width)?;
+            write_load(joint, None, out, width)?;
         }
         // A joint of fewer degrees of freedom holds the rest.
         if let (6, Some(r)) = (self.joints.iter().filter(|joint| joint.is_residual).count(), &self.residual) {
@@ -87,8 +98,13 @@ impl Report {
                 time,
                 is_residual: true,
             };
-            write_load(&size("whole force", r.force_rms, r.force, r.force_time, "N"), out, width)?;
-            write_load(&size("whole moment", r.moment_rms, r.moment, r.moment_time, "N m"), out, width)?;
+            write_load(&size("whole force", r.force_rms, r.force, r.force_time, "N"), None, out, width)?;
+            write_load(
+                &size("whole moment", r.moment_rms, r.moment, r.moment_time, "N m"),
+                None,
+                out,
+                width,
+            )?;
         }
         let what = match self.ground {
             None => {
@@ -111,8 +127,10 @@ fn whole(unit: &str) -> String {
     unit.replace(' ', "\u{a0}")
 }
 
-fn write_load(load: &DofLoad, out: &mut dyn Write, width: usize) -> Result<()> {
+/// A row of the table; with the half width of its band where that is known.
+fn write_load(load: &DofLoad, band: Option<f64>, out: &mut dyn Write, width: usize) -> Result<()> {
     let [rms, greatest] = [load.rms, load.greatest].map(short);
+    let band = band.map_or_else(String::new, |band| format!("{:>12}", format!("±{}", short(band))));
     let DofLoad { dof, unit, time, .. } = load;
-    writeln!(out, "  {dof:<width$}{rms:>12}{greatest:>12} {unit:<4} at {} s", short(*time))
+    writeln!(out, "  {dof:<width$}{rms:>12}{greatest:>12}{band} {unit:<4} at {} s", short(*time))
 }

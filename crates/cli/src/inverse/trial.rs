@@ -1,5 +1,6 @@
 //! One motion and its files.
 
+use super::bands::{Bands, Outside};
 use super::forces::External;
 use super::plates::OwnPlates;
 use super::report::{Asked, Report};
@@ -14,6 +15,7 @@ use crate::input::Body;
 use crate::output::Outputs;
 use crate::plausible::Plausibility;
 use crate::progress::Progress;
+use crate::recording::is_one as is_markers;
 use crate::shown::{Shown, stem};
 use crate::words::counted;
 use solaris::analysis::ground::{Sole, Stances};
@@ -74,8 +76,9 @@ impl Trial {
         };
         measured.extend(own.forces);
         let figure = &given.body.figure;
-        let mut loads = Loads::at_times(figure, &measured, given.motion().time())
+        let plates = Loads::at_times(figure, &measured, given.motion().time())
             .map_err(|error| CliError::input(from, &error))?;
+        let mut loads = plates.clone();
         if let Some(ground) = &ground {
             loads = loads.and(ground.forces.loads());
         }
@@ -105,6 +108,17 @@ impl Trial {
             }
             _ => None,
         };
+        let split = predicted.how.split.unwrap_or_default();
+        let outside = Outside {
+            measured: (!measured.is_empty()).then_some(&plates),
+            ground: ground.as_ref().map(|ground| (&*ground.soles, &ground.forces.stances, split)),
+            passive,
+        };
+        let bands = self.wants_bands(args)?.then(|| {
+            progress.stage("finding how far they may be off");
+            Bands::of(&given, &outside, &forces)
+        });
+        let bands = bands.transpose()?;
         let is_measured = ground.is_none();
         let asked = Asked {
             passive,
@@ -119,6 +133,7 @@ impl Trial {
             ground: ground.map(|ground| GroundReport::new(ground, &given)),
             plausible,
             cycles,
+            bands: bands.as_ref().map(|bands| bands.report.clone()),
         };
         let report = Report::new(&given, asked, &forces);
 
@@ -131,18 +146,40 @@ impl Trial {
             soles: &feet.soles,
             level: feet.stances.as_ref().map(|stances| stances.level),
             forces: Some(&forces),
+            bands: bands.as_ref().map(Bands::half_widths),
         };
-        self.write(&shown, &report, &forces)?;
+        self.write(&shown, &report, &forces, bands.as_ref())?;
         Ok(report)
     }
 
-    fn write(&self, shown: &Shown<'_>, report: &Report, forces: &InverseReport) -> Result<(), CliError> {
+    /// Whether it is to be found how far angles and moments may be off.
+    pub(super) fn wants_bands(&self, args: &InverseArgs) -> Result<bool, CliError> {
+        let is_moved = args.predicted.consistent.consistent;
+        match args.bands {
+            Some(Switch::On) if is_moved => {
+                let why = "--consistent moves the root to where it balances, and how uncertain that is is not known; leave out one \
+                           of them";
+                Err(CliError::option("bands", "on", why))
+            }
+            Some(asked) => Ok(asked == Switch::On),
+            None => Ok(is_markers(&self.motion) && !is_moved),
+        }
+    }
+
+    fn write(
+        &self,
+        shown: &Shown<'_>,
+        report: &Report,
+        forces: &InverseReport,
+        bands: Option<&Bands>,
+    ) -> Result<(), CliError> {
+        let errors = bands.map(|bands| &*bands.found.total.forces);
         let (figure, motion) = (&shown.given.body.figure, shown.given.motion());
         let what = "joint moments";
         self.outputs.write(|content, mut writer| {
             let text = match content {
                 Content::Forces(TableFormat::Csv) => {
-                    let table = tables::torques(figure, motion, forces);
+                    let table = tables::torques(figure, motion, forces, errors);
                     return csv::write_table(&table, &mut writer).map_err(CliError::other);
                 }
                 Content::Forces(TableFormat::Sto) => {
@@ -151,7 +188,7 @@ impl Trial {
                 }
                 #[cfg(feature = "parquet")]
                 Content::Forces(TableFormat::Parquet) => {
-                    let table = tables::torques(figure, motion, forces);
+                    let table = tables::torques(figure, motion, forces, errors);
                     return solaris::io::parquet::write_table(&table, &mut writer).map_err(CliError::other);
                 }
                 Content::Motion(format) => return write_motion(format, writer, shown.given),
