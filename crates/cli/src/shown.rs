@@ -46,6 +46,7 @@ impl Shown<'_> {
             lines: lines(self.soles).into_iter().chain(self.markers()).collect(),
             curves: self.residuals(),
             forward: forward(&self.given.body),
+            ..PageOptions::default()
         };
         page_of(figure, &self.motion()?, &options).map_err(CliError::other)
     }
@@ -62,7 +63,7 @@ impl Shown<'_> {
                 let values = forces.tau.iter().skip(dof).step_by(nv.max(1)).copied().collect();
                 let name =
                     if load.is_residual { format!("{}, residual", load.dof) } else { load.dof.clone() };
-                Effort { name, unit: load.unit.to_owned(), values }
+                Effort { name, unit: load.unit.to_owned(), values, spread: None }
             })
         });
         let own: Vec<Effort> = own.collect();

@@ -1,7 +1,7 @@
 //! Writes a page to look at: `cargo run --example preview -- page.html`.
 //!
 //! The walk is a sketch, not a simulation: angles of a stride by a few bumps, a pelvis that is as high as the lower foot
-//! asks, forces of the textbook's shape, moments of springs.
+//! asks, forces of the textbook's shape, moments of springs, bands that are made up: none around the arms.
 
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{
@@ -101,6 +101,27 @@ fn force(phase: f64, weight: f64) -> Option<Vector3<f64>> {
     (s < 1.0).then(|| weight * Vector3::new(0.04 * arch, up, along))
 }
 
+/// Half widths of bands around angles and moments of the legs: widest at the hips, wider where a joint turns fast, and none at
+/// the left knee early in its stance.
+fn bands(figure: &Figure, motion: &Motion) -> (Vec<f64>, Vec<f64>) {
+    let mut angles = Vec::new();
+    for (sample, &time) in motion.time().iter().enumerate() {
+        let unseen = (0.2..0.4).contains(&(time / STRIDE_TIME).fract());
+        for (name, speed) in figure.layout().v_names().iter().zip(motion.v(sample)) {
+            let (_, joint) = name.split_once('_').unwrap_or_default();
+            let least: f64 = match joint.split('.').next() {
+                Some("hip") => 6.0,
+                Some("knee") if name.starts_with("left") && unseen => 0.0,
+                Some("knee" | "ankle") => 3.0,
+                _ => 0.0,
+            };
+            angles.push(least.to_radians() * (1.0 + 0.2 * speed.abs()));
+        }
+    }
+    let moments = angles.iter().map(|angle| 110.0 * angle).collect();
+    (angles, moments)
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let sketch = Sketch::new()?;
     let gravity = Vector3::new(0.0, -9.80665, 0.0);
@@ -125,6 +146,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tau =
         (0..motion.len()).flat_map(|sample| motion.q(sample).iter().map(|q| -80.0 * q).collect::<Vec<_>>());
     motion.set_tau(tau.collect())?;
+    let (angle_bands, moment_bands) = bands(&sketch.figure, &motion);
 
     let options = PageOptions {
         title: "A sketch of a walk, 10 steps".to_owned(),
@@ -134,6 +156,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             TableRow::new("Speed", format!("{SPEED:.2}"), "m/s", ""),
             TableRow::new("Body mass", format!("{:.1}", sketch.figure.mass()), "kg", "1.75 m tall"),
         ],
+        angle_bands: Some(angle_bands),
+        moment_bands: Some(moment_bands),
+        bands: "two standard errors".to_owned(),
         ..PageOptions::default()
     };
     let path =

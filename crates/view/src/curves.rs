@@ -1,10 +1,11 @@
 //! The curves beside the picture: angles and moments of the joints, forces of the ground.
 
-use crate::PageCurve;
+use crate::bands::Bands;
 use crate::draw::Side;
 use crate::error::{ViewError, finite};
 use crate::pack::{Packed, ranged};
 use crate::world::World;
+use crate::{PageCurve, PageOptions};
 use serde::Serialize;
 use solaris_model::{AxisKind, ContactTrack, Figure, Motion};
 
@@ -13,6 +14,15 @@ use solaris_model::{AxisKind, ContactTrack, Figure, Motion};
 pub(crate) struct Line {
     side: Side,
     values: Packed,
+    /// Half widths of the band around it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spread: Option<Packed>,
+}
+
+impl Line {
+    fn new(side: Side, values: &[f64]) -> Self {
+        Self { side, values: ranged(values), spread: None }
+    }
 }
 
 /// Curves that share an axis.
@@ -49,8 +59,9 @@ const FIRST: [&str; 6] =
 struct Coordinate {
     side: Side,
     name: String,
-    /// Index in `q`, and in `tau` where a moment is shown.
+    /// Index in `q`, in `v`, and in `tau` where a moment is shown.
     q: usize,
+    v: usize,
     tau: Option<usize>,
     sign: f64,
     turns: bool,
@@ -73,28 +84,32 @@ fn coordinates(figure: &Figure) -> Vec<Coordinate> {
     if figure.anatomical_angles().is_empty() {
         let named = all.into_iter().map(|(v, q, tau, turns)| {
             let (side, name) = Side::split(&layout.v_names()[v]);
-            Coordinate { side, name, q, tau, sign: 1.0, turns }
+            Coordinate { side, name, q, v, tau, sign: 1.0, turns }
         });
         return named.collect();
     }
     let find = |angle: &solaris_model::AnatomicalAngle| {
-        let &(_, q, tau, turns) = all.iter().find(|(v, ..)| *v == angle.dof)?;
+        let &(v, q, tau, turns) = all.iter().find(|(v, ..)| *v == angle.dof)?;
         let (side, name) = Side::split(&angle.name);
-        Some(Coordinate { side, name, q, tau, sign: angle.sign, turns })
+        Some(Coordinate { side, name, q, v, tau, sign: angle.sign, turns })
     };
     figure.anatomical_angles().iter().filter_map(find).collect()
 }
 
-/// Angles in degrees (slides in m) and moments in N m/kg (forces in N/kg), left and right of a name together.
+/// Angles in degrees (slides in m) and moments in N m/kg (forces in N/kg), left and right of a name together, with the bands
+/// of the options.
 ///
 /// # Errors
 ///
-/// A moment that is not finite.
+/// A moment that is not finite, bands that do not fit to the motion.
 pub(crate) fn joints(
     figure: &Figure,
     motion: &Motion,
     chosen: &[usize],
+    options: &PageOptions,
 ) -> Result<Vec<JointCurves>, ViewError> {
+    let angle_bands = Bands::checked(options.angle_bands.as_deref(), "angle", figure, motion)?;
+    let moment_bands = Bands::checked(options.moment_bands.as_deref(), "moment", figure, motion)?;
     let coordinates = coordinates(figure);
     let mut names: Vec<&str> = Vec::new();
     for coordinate in &coordinates {
@@ -117,10 +132,10 @@ pub(crate) fn joints(
         let lines = members.iter().map(|c| {
             let factor = c.sign * if c.turns { 1_f64.to_degrees() } else { 1.0 };
             let values: Vec<f64> = chosen.iter().map(|&sample| factor * motion.q(sample)[c.q]).collect();
-            Line { side: c.side, values: ranged(&values) }
+            Line { spread: angle_bands.around(c.v, chosen, factor), ..Line::new(c.side, &values) }
         });
         let position = Plot { unit: unit.to_owned(), lines: lines.collect() };
-        let effort = effort(&members, figure, motion, chosen)?;
+        let effort = effort(&members, figure, motion, chosen, &moment_bands)?;
         let [effort, power] = match effort {
             Some([effort, power]) => {
                 let unit = if turns { "N m/kg" } else { "N/kg" };
@@ -140,6 +155,7 @@ fn effort(
     figure: &Figure,
     motion: &Motion,
     chosen: &[usize],
+    bands: &Bands<'_>,
 ) -> Result<Option<[Vec<Line>; 2]>, ViewError> {
     let mass = figure.mass();
     let (mut lines, mut powers) = (Vec::new(), Vec::new());
@@ -154,8 +170,9 @@ fn effort(
             values.push(coordinate.sign * tau[index] / mass);
             power.push(tau[index] * motion.v(sample)[index] / mass);
         }
-        lines.push(Line { side: coordinate.side, values: ranged(&values) });
-        powers.push(Line { side: coordinate.side, values: ranged(&power) });
+        let spread = bands.around(index, chosen, 1.0 / mass);
+        lines.push(Line { spread, ..Line::new(coordinate.side, &values) });
+        powers.push(Line::new(coordinate.side, &power));
     }
     Ok(Some([lines, powers]))
 }
@@ -189,7 +206,7 @@ pub(crate) fn forces(
                 let force = |track: &ContactTrack| world.vector(&track.samples[sample].force)[component];
                 factor * of(side).map(force).sum::<f64>()
             };
-            Line { side, values: ranged(&chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>()) }
+            Line::new(side, &chosen.iter().map(|&sample| at(sample)).collect::<Vec<_>>())
         };
         Plot { unit: unit.to_owned(), lines: sides.iter().map(line).collect() }
     };
@@ -217,7 +234,7 @@ pub(crate) fn others(
             finite(|| label.clone(), motion.time()[sample], &values[sample..=sample])?;
             shown.push(values[sample]);
         }
-        let lines = vec![Line { side: Side::Middle, values: ranged(&shown) }];
+        let lines = vec![Line::new(Side::Middle, &shown)];
         Ok(ForceCurves { label: label.clone(), plot: Plot { unit: unit.clone(), lines } })
     };
     curves.iter().map(one).collect()
@@ -249,7 +266,7 @@ mod tests {
     #[test]
     fn hip_knee_and_ankle_come_first() {
         let (figure, motion) = bent_knee();
-        let curves = joints(&figure, &motion, &[0]).expect("finite");
+        let curves = joints(&figure, &motion, &[0], &PageOptions::default()).expect("finite");
         let labels: Vec<&str> = curves.iter().take(4).map(|curve| curve.label.as_str()).collect();
         assert_eq!(labels, ["Hip flexion", "Knee flexion", "Ankle dorsiflexion", "Pelvis tilt"]);
     }
@@ -257,7 +274,7 @@ mod tests {
     #[test]
     fn angles_are_in_degrees_and_moments_per_mass_with_the_anatomical_sign() {
         let (figure, motion) = bent_knee();
-        let curves = joints(&figure, &motion, &[0]).expect("finite");
+        let curves = joints(&figure, &motion, &[0], &PageOptions::default()).expect("finite");
         let knee = &curves[1];
         assert_eq!((knee.position.unit.as_str(), knee.position.lines[0].side), ("°", Side::Left));
         assert!((knee.position.lines[0].values.unpack()[0] - 28.647_889_756_5).abs() < 1e-9);
@@ -270,8 +287,59 @@ mod tests {
     #[test]
     fn a_floating_root_shows_no_moment() {
         let (figure, motion) = bent_knee();
-        let curves = joints(&figure, &motion, &[0]).expect("finite");
+        let curves = joints(&figure, &motion, &[0], &PageOptions::default()).expect("finite");
         let tilt = curves.iter().find(|curve| curve.label == "Pelvis tilt").expect("a pelvis");
         assert_eq!((tilt.position.lines.len(), tilt.effort.as_ref()), (1, None));
+    }
+
+    #[test]
+    fn a_band_is_in_degrees_and_per_mass_whatever_the_sign() {
+        let (figure, motion) = bent_knee();
+        let layout = figure.layout();
+        let [hip, knee] =
+            ["left_hip.rx", "left_knee.rx"].map(|name| layout.dof_index(name).expect("a degree of freedom"));
+        let mut bands = vec![0.0; layout.nv()];
+        (bands[hip], bands[knee]) = (0.1, 0.02);
+        let moments = bands.iter().map(|band| 73.0 * band).collect();
+        let options =
+            PageOptions { angle_bands: Some(bands), moment_bands: Some(moments), ..PageOptions::default() };
+        let curves = joints(&figure, &motion, &[0], &options).expect("bands that fit");
+        let around =
+            |plot: &Plot, line: usize| plot.lines[line].spread.as_ref().map(|spread| spread.unpack()[0]);
+        // Flexion of the hip is negative about x.
+        for (curve, expected) in curves.iter().zip([0.1, 0.02]) {
+            let (angle, moment) = (&curve.position, curve.effort.as_ref().expect("moments"));
+            assert!((around(angle, 0).expect("a band") - expected * 57.295_779_513_1).abs() < 1e-9);
+            assert!((around(moment, 0).expect("a band") - expected).abs() < 1e-9);
+            assert_eq!(
+                (around(angle, 1), around(moment, 1)),
+                (None, None),
+                "nothing is known of the right leg"
+            );
+            assert_eq!(around(curve.power.as_ref().expect("powers"), 0), None);
+        }
+    }
+
+    #[test]
+    fn bands_that_do_not_fit_are_refused() {
+        let (figure, motion) = bent_knee();
+        let nv = figure.layout().nv();
+        let refused =
+            |options: &PageOptions| joints(&figure, &motion, &[0], options).expect_err("refused").to_string();
+        let angles = |bands| PageOptions { angle_bands: Some(bands), ..PageOptions::default() };
+        let short = refused(&angles(vec![0.0; nv - 2]));
+        let expected =
+            format!("the angle bands are {} numbers, the motion asks for {nv}; give {nv} for each", nv - 2);
+        assert!(short.starts_with(&expected), "{short}");
+        let moments = PageOptions { moment_bands: Some(Vec::new()), ..PageOptions::default() };
+        assert!(refused(&moments).starts_with("the moment bands are 0 numbers, the motion asks for"));
+        for value in [-0.1, f64::NAN, f64::INFINITY] {
+            let mut bands = vec![0.0; nv];
+            bands[figure.layout().dof_index("left_knee.rx").expect("a knee")] = value;
+            let expected =
+                format!("the angle band of 'left_knee.rx' at 0 s is {value} to each side; it must be");
+            let wild = refused(&angles(bands));
+            assert!(wild.starts_with(&expected), "{wild}");
+        }
     }
 }

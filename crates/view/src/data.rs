@@ -63,6 +63,9 @@ pub(crate) struct Data {
     com: Option<Packed>,
     feet: Vec<Foot>,
     joints: Vec<JointCurves>,
+    /// What the bands around the joints' curves are.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    bands: String,
     forces: Vec<ForceCurves>,
     /// Whether anything has a side.
     #[serde(skip)]
@@ -113,7 +116,8 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
         turns: stepped(&turns, TURN_STEP, 0.0),
         com: frames.com.as_ref().map(|com| ranged(&components(com))),
         feet: motion.contacts.iter().map(|track| foot(track, &samples, &world, origin)).collect(),
-        joints: curves::joints(figure, motion, &samples)?,
+        joints: curves::joints(figure, motion, &samples, options)?,
+        bands: options.bands.clone(),
         forces,
     })
 }

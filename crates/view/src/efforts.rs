@@ -14,6 +14,8 @@ pub struct Effort {
     pub unit: String,
     /// One value a time.
     pub values: Vec<f64>,
+    /// Two standard errors of each value, where they are known: half the width of an area around the line.
+    pub spread: Option<Vec<f64>>,
 }
 
 /// Joint moments (and forces, of joints that slide) over `time` (s), a small panel each, then the forces of `feet` along `axes` as
@@ -29,11 +31,13 @@ pub fn efforts(
 ) -> String {
     let mut picture = Picture::new(title);
     let line = |effort: &Effort| {
-        let Effort { name, unit, values } = effort.clone();
-        Line { name, unit, values, spread: None }
+        let Effort { name, unit, values, spread } = effort.clone();
+        Line { name, unit, values, spread }
     };
     let lines: Vec<Line> = efforts.iter().map(line).collect();
-    multiples::draw(&mut picture, "across: time (s)", time, &lines);
+    let has_areas = lines.iter().any(|line| line.spread.is_some());
+    let caption = if has_areas { "across: time (s); areas: two standard errors" } else { "across: time (s)" };
+    multiples::draw(&mut picture, caption, time, &lines);
     if !feet.is_empty() {
         picture.take(8.0);
         forces::draw(&mut picture, feet, axes);

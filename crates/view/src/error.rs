@@ -63,6 +63,35 @@ pub enum ViewError {
         /// The motion's samples.
         expected: usize,
     },
+    /// A band is longer or shorter than the motion.
+    #[error(
+        "the {what} bands are {found} numbers, the motion asks for {expected}; give {dofs} for each of its samples, one a \
+         degree of freedom"
+    )]
+    BandLength {
+        /// What the bands are around: `angle`, `moment`.
+        what: &'static str,
+        /// The numbers.
+        found: usize,
+        /// As many as the motion's samples times the figure's degrees of freedom.
+        expected: usize,
+        /// The figure's degrees of freedom.
+        dofs: usize,
+    },
+    /// A band cannot be that wide.
+    #[error(
+        "the {what} band of '{dof}' at {time} s is {value} to each side; it must be a finite number that is not negative"
+    )]
+    BandWidth {
+        /// What the bands are around: `angle`, `moment`.
+        what: &'static str,
+        /// The degree of freedom's name.
+        dof: String,
+        /// When (s).
+        time: f64,
+        /// The half width.
+        value: f64,
+    },
     /// A number cannot be shown.
     #[error("{what} at {time} s is {value}; it must be a finite number")]
     NotFinite {

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod bands;
 mod camera;
 pub mod chart;
 mod coordinates;
@@ -46,6 +47,13 @@ pub struct PageOptions {
     pub curves: Vec<PageCurve>,
     /// Which way is forward (world axes), where it is not z, or x where z is up.
     pub forward: Option<Vector3<f64>>,
+    /// Half widths of bands around the coordinates `q` (rad, m): `nv` a sample of the motion, in the order of the figure's
+    /// layout of `v`, 0 where nothing is known.
+    pub angle_bands: Option<Vec<f64>>,
+    /// Half widths of bands around `tau` (N m, N), in the same order.
+    pub moment_bands: Option<Vec<f64>>,
+    /// What the bands are, plain text: "two standard errors". Nothing is said of them where it is empty.
+    pub bands: String,
 }
 
 /// A line that goes with a link.
@@ -111,7 +119,8 @@ pub fn picture_page(title: &str, svg: &str) -> String {
 /// # Errors
 ///
 /// [`ViewError`]: a motion of another figure, one without samples, contacts that do not fit to the motion or to the
-/// figure, a line of a link that is none, a curve of another length, numbers that are not finite.
+/// figure, a line of a link that is none, a curve or a band of another length, a negative half width, numbers that are not
+/// finite.
 pub fn page(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<String, ViewError> {
     let data = data::collect(figure, motion, options)?;
     Ok(html::render(&data, options))

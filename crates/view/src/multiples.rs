@@ -75,7 +75,8 @@ pub(crate) fn draw(picture: &mut Picture, caption: &str, places: &[f64], lines: 
 /// The axis that holds the curves and what is around them.
 fn up(lines: &[(Side, &Line)]) -> Axis {
     let ends = lines.iter().flat_map(|(_, line)| {
-        let spread = |i: usize| line.spread.as_ref().map_or(0.0, |spread| spread[i]);
+        let spread =
+            |i: usize| line.spread.as_ref().and_then(|spread| spread.get(i)).copied().unwrap_or_default();
         line.values.iter().enumerate().flat_map(move |(i, value)| [value - spread(i), value + spread(i)])
     });
     Axis::around(ends, 4.0).padded(0.06)

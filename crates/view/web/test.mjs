@@ -8,6 +8,7 @@
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 import assert from 'node:assert/strict';
+import { bands } from './test/bands.mjs';
 import { launch, open, stop } from './test/browser.mjs';
 import { inside, moves, painted } from './test/framing.mjs';
 import { fits, folds, named } from './test/layout.mjs';
@@ -47,6 +48,7 @@ async function shows(browser, judge, path) {
   const { page, faults } = await open(browser, path, { viewport: WIDE, colorScheme: 'dark', reducedMotion: 'reduce' });
   await look(page, name, WIDE);
   const cover = await painted(page, judge, 0.55, name);
+  await bands(page, name);
   await look(page, name, PHONE);
   await folds(page, name);
   const narrowCover = await painted(page, judge, 0, `${name}, narrow`);

@@ -3,7 +3,8 @@
 use solaris_model::{Contact, FigureBuilder, Joint, LinkSpec, Motion, MotionInfo, Trajectory, Vector3};
 use solaris_view::chart::{WIDTH, width};
 use solaris_view::{
-    FootForces, Regions, Room, Stick, StickLine, StickPart, coordinates, forces, postures, regions,
+    Effort, FootForces, Regions, Room, Stick, StickLine, StickPart, coordinates, efforts, forces, postures,
+    regions,
 };
 use std::path::{Path, PathBuf};
 
@@ -165,6 +166,33 @@ fn a_plate_is_dashed_in_the_colour_of_its_foot() {
     let plate = points(&svg, "thin s1");
     assert_eq!(plate.len(), 3);
     assert!(plate[2].len() == 6 && plate[2][3] < plate[2][1] - 100.0, "{plate:?}");
+}
+
+#[test]
+fn a_moment_lies_in_the_area_of_its_errors() {
+    let time = [0.0, 0.1, 0.2];
+    let effort = |name: &str, spread| Effort {
+        name: name.to_owned(),
+        unit: "N m".to_owned(),
+        values: vec![0.0, 60.0, 10.0],
+        spread,
+    };
+    let said = "across: time (s); areas: two standard errors";
+    let moments = [effort("left_knee", Some(vec![5.0, 20.0, 5.0])), effort("right_knee", None)];
+    let svg = efforts(&time, &moments, &[], &[], "moments");
+    assert!(faults(&svg).is_empty(), "{:?}", faults(&svg));
+    assert!(svg.contains(&format!(">{said}</text>")), "{svg}");
+    assert!(points(&svg, "area f1").is_empty(), "none around the right knee");
+    let (area, line) = (&points(&svg, "area f0")[0], points(&svg, "line s0"));
+    // There along the upper edge, back along the lower one; the line is midway.
+    let line = line.last().expect("a curve");
+    let lower: Vec<f64> = area.chunks(2).rev().take(3).map(|point| point[1]).collect();
+    for i in 0..3 {
+        let (above, on, below) = (area[2 * i + 1], line[2 * i + 1], lower[i]);
+        assert!(above < on && (0.5 * (above + below) - on).abs() < 0.02, "{above} {on} {below}");
+    }
+    let plain = efforts(&time, &[effort("left_knee", None)], &[], &[], "moments");
+    assert!(plain.contains(">across: time (s)</text>"), "{plain}");
 }
 
 #[test]

@@ -238,6 +238,37 @@ fn a_motion_without_contacts_and_moments_has_a_page_without_them() {
 }
 
 #[test]
+fn bands_stand_beside_their_curves_and_are_told_in_the_caller_s_words() {
+    let (figure, motion) = walk();
+    let nv = figure.layout().nv();
+    let bands = |width: f64| Some(vec![width; nv * motion.len()]);
+    let told = "</script> two standard errors";
+    let options = PageOptions {
+        angle_bands: bands(0.05),
+        moment_bands: bands(7.3),
+        bands: told.to_owned(),
+        ..PageOptions::default()
+    };
+    let data = data(&page(&figure, &motion, &options).expect("a page"));
+    assert_eq!(data["bands"], told);
+    for joint in data["joints"].as_array().expect("joints") {
+        for (plot, expected) in [("position", 0.05_f64.to_degrees()), ("effort", 0.1)] {
+            for line in joint.get(plot).and_then(|plot| plot["lines"].as_array()).into_iter().flatten() {
+                let (spread, values) = (numbers(&line["spread"]), numbers(&line["values"]));
+                assert_eq!(spread.len(), values.len());
+                assert!(spread.iter().all(|half| (half - expected).abs() < 1e-9), "{joint}");
+            }
+        }
+        for line in joint.get("power").and_then(|plot| plot["lines"].as_array()).into_iter().flatten() {
+            assert!(line.get("spread").is_none());
+        }
+    }
+    let wrong = PageOptions { angle_bands: Some(vec![0.0; 3]), ..PageOptions::default() };
+    let error = page(&figure, &motion, &wrong).expect_err("refused");
+    assert!(matches!(error, ViewError::BandLength { what: "angle", found: 3, .. }), "{error}");
+}
+
+#[test]
 fn what_does_not_fit_is_refused_by_name() {
     let (figure, motion) = walk();
     let refused = |figure: &Figure, motion: &Motion| page(figure, motion, &options()).expect_err("refused");

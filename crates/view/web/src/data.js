@@ -17,7 +17,8 @@ export function numbers(array) {
   return out;
 }
 
-const line = ({ side, values }) => ({ side, values: numbers(values) });
+// A curve, and half the width of the band around it where there is one.
+const line = ({ side, values, spread }) => ({ side, values: numbers(values), spread: spread && numbers(spread) });
 
 // What the rest of the page works with. World: x left, y up, z forward (m), from the data's own origin.
 export function readData(element) {

@@ -11,13 +11,26 @@ function yRange(_, low, high) {
   return uPlot.rangeNum(low - around, high + around, 0.1, true);
 }
 
-// One plot in `section`. `quantity`: { unit, lines: [{ side, values }] }.
+// Digits behind the point.
+const DIGITS = { m: 3, 'N m/kg': 2, 'N/kg': 2, 'W/kg': 2 };
+
+// What fills the band around the line of a side; on a dark page as little would not be seen.
+const pale = (theme, side) => `color-mix(in srgb, ${theme.line[side]} ${theme.dark ? 26 : 18}%, transparent)`;
+
+// The lower and the upper edge of the band around a line.
+const edges = ({ values, spread }) => [-1, 1].map((sign) => values.map((value, i) => value + sign * spread[i]));
+
+// One plot in `section`. `quantity`: { unit, lines: [{ side, values, spread }] }.
 function makePlot(section, data, clock, quantity, theme) {
   const holder = section.querySelector('.curve');
   const readout = section.querySelector('.readout');
   const font = `11px ${theme.font}`;
   const axis = { stroke: theme.soft, font, grid: { stroke: theme.grid, width: 1 }, ticks: { show: false } };
   const size = () => ({ width: Math.max(160, holder.clientWidth), height: Math.max(80, holder.clientHeight) });
+  // Edges come before lines: bands lie behind all of these, and the axis holds them.
+  const banded = quantity.lines.filter(({ spread }) => spread);
+  section.classList.toggle('banded', banded.length > 0);
+  const edge = { width: 0, points: { show: false }, pxAlign: 0 };
   const plot = new uPlot(
     {
       ...size(),
@@ -31,10 +44,12 @@ function makePlot(section, data, clock, quantity, theme) {
       ],
       series: [
         {},
+        ...banded.flatMap(() => [edge, edge]),
         ...quantity.lines.map(({ side }) => ({ stroke: theme.line[side], width: 1.75, pxAlign: 0 })),
       ],
+      bands: banded.map(({ side }, i) => ({ series: [2 * i + 2, 2 * i + 1], fill: pale(theme, side) })),
     },
-    [data.time, ...quantity.lines.map(({ values }) => values)],
+    [data.time, ...banded.flatMap(edges), ...quantity.lines.map(({ values }) => values)],
     holder,
   );
   const marker = document.createElement('div');
@@ -50,22 +65,27 @@ function makePlot(section, data, clock, quantity, theme) {
   plot.over.addEventListener('pointermove', (event) => {
     if (plot.over.hasPointerCapture(event.pointerId) && event.buttons === 1) seek(event);
   });
-  const values = quantity.lines.map(({ side }) => {
-    const value = document.createElement('span');
-    value.className = side;
-    return value;
-  });
-  const unit = document.createElement('span');
-  unit.textContent = quantity.unit;
-  readout.replaceChildren(...values, unit);
+  const span = (className, ...children) => {
+    const element = document.createElement('span');
+    element.className = className;
+    element.append(...children);
+    return element;
+  };
+  const values = quantity.lines.map(() => span('value'));
+  const arounds = quantity.lines.map(({ spread }) => spread && span('around'));
+  const sides = quantity.lines.map(({ side }, i) => span(side, values[i], arounds[i] ?? ''));
+  readout.replaceChildren(...sides, span('', quantity.unit));
 
-  const digits = quantity.unit.includes('/kg') ? 2 : 1;
+  const digits = DIGITS[quantity.unit] ?? 1;
   const update = () => {
     marker.style.transform = `translateX(${plot.valToPos(clock.time(), 'x')}px)`;
     const { index, next, fraction } = clock.frame();
     quantity.lines.forEach((line, i) => {
-      const [a, b] = [line.values[index], line.values[next]];
-      values[i].textContent = minus((a + (b - a) * fraction).toFixed(digits));
+      const at = (numbers) => numbers[index] + (numbers[next] - numbers[index]) * fraction;
+      values[i].textContent = minus(at(line.values).toFixed(digits));
+      if (!line.spread) return;
+      const spread = at(line.spread);
+      arounds[i].textContent = spread > 0 ? ` ± ${spread.toFixed(digits)}` : '';
     });
   };
   const observer = new ResizeObserver(() => {
@@ -140,6 +160,10 @@ export function makePlots(joints, forces, data, clock, theme) {
     const angle = makeSection(joints, '');
     const moment = makeSection(joints, '');
     const power = makeSection(joints, '');
+    const caption = document.createElement('p');
+    caption.className = 'caption';
+    caption.textContent = `areas: ${data.bands}`;
+    power.before(caption);
     const showJoint = () => {
       const joint = data.joints[chosen];
       mark(chosen);
@@ -149,6 +173,8 @@ export function makePlots(joints, forces, data, clock, theme) {
       put(angle, joint.position);
       put(moment, joint.effort);
       put(power, joint.power);
+      const shown = [joint.position, joint.effort].flatMap((plot) => plot?.lines ?? []);
+      caption.hidden = !data.bands || !shown.some(({ spread }) => spread);
     };
     drawn.push(showJoint);
   }
