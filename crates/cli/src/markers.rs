@@ -34,7 +34,7 @@ pub(crate) struct Fitted {
 pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted, CliError> {
     let mut recording = recording::in_world(path, body.gravity, args)?;
     let setup = args.ik_setup.as_deref().map(|path| setup(path).map(|setup| (setup, path))).transpose()?;
-    let markers = markers(body, args.marker_set.as_deref())?;
+    let markers = body.markers.markers.clone();
     let tasks = setup.as_ref().map(|(setup, path)| (&*setup.markers, &*setup.coordinates, *path));
     let options = options(body, tasks, args)?;
     if let Some((from, to)) = setup.as_ref().and_then(|(setup, _)| setup.time_range) {

@@ -8,6 +8,7 @@ use crate::error::CliError;
 use crate::given::{Given, GivenReport, in_order};
 use crate::ground::needs_times;
 use crate::input::{self, Body};
+use crate::markers;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
@@ -36,10 +37,11 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
 
     let progress = Progress::new(4);
     progress.stage("reading");
-    let (body, of) = match figure {
+    let (mut body, of) = match figure {
         Some(path) => (input::body_in(path, args.frame.files.as_deref())?, path),
         None => (Body::own(person(&args.person)?), Path::new("the human")),
     };
+    body.markers.markers = markers::markers(&body, args.record.markers.marker_set.as_deref())?;
     let is_guess = figure.is_none();
     let given =
         Given::of(body, [of, from], &args.record, &args.frame, &progress).map_err(|error| match error {

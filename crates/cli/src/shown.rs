@@ -46,7 +46,9 @@ impl Shown<'_> {
             lines: lines(self.soles).into_iter().chain(self.markers()).collect(),
             curves: self.residuals(),
             forward: forward(&self.given.body),
-            ..PageOptions::default()
+            angle_bands: self.bands.as_ref().map(|[angles, _]| angles.clone()),
+            moment_bands: self.bands.as_ref().map(|[_, moments]| moments.clone()),
+            bands: self.bands.iter().map(|_| "two standard errors").collect(),
         };
         page_of(figure, &self.motion()?, &options).map_err(CliError::other)
     }
@@ -60,10 +62,12 @@ impl Shown<'_> {
             // What is left over at the root comes last.
             let (residuals, joints): (Vec<_>, Vec<_>) = shown.partition(|(_, load)| load.is_residual);
             joints.into_iter().chain(residuals).map(move |(dof, load)| {
-                let values = forces.tau.iter().skip(dof).step_by(nv.max(1)).copied().collect();
+                let column = |of: &[f64]| of.iter().skip(dof).step_by(nv.max(1)).copied().collect();
                 let name =
                     if load.is_residual { format!("{}, residual", load.dof) } else { load.dof.clone() };
-                Effort { name, unit: load.unit.to_owned(), values, spread: None }
+                let spread =
+                    self.bands.as_ref().filter(|_| !load.is_residual).map(|[_, moments]| column(moments));
+                Effort { name, unit: load.unit.to_owned(), values: column(&forces.tau), spread }
             })
         });
         let own: Vec<Effort> = own.collect();

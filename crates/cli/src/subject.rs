@@ -18,7 +18,7 @@ use solaris::io::opensim::{self, MarkerSet, Measurement, PlacerSetup, Rescaling,
 use solaris::model::{Base, Figure, MarkerTrial, MassShares, Stretching, Vector3};
 use std::path::{Path, PathBuf};
 
-/// Reads a figure and brings it to a person's size, where that is asked for.
+/// Reads a figure with its markers, and brings both to a person's size, where that is asked for.
 pub(crate) fn body(
     path: &Path,
     subject: &SubjectArgs,
@@ -36,6 +36,8 @@ pub(crate) fn body(
             scale(&mut body, path, subject, markers, base)?
         };
         body.subject = Some(report);
+    } else {
+        body.markers.markers = markers::markers(&body, markers.marker_set.as_deref())?;
     }
     Ok(body)
 }

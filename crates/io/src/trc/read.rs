@@ -203,7 +203,10 @@ fn origins(rows: &mut Rows, names: &[String], metre: f64, said: &mut Said) {
     }
 }
 
-/// The times (s): the table's, or where one is missing those of the rate.
+/// Times nearer to each other than this (s) are the same.
+const EVEN: f64 = 1e-9;
+
+/// The times (s): the table's, unrounded where they are those of the rate, or where one is missing those of the rate.
 fn times(text: &str, header: &Header<'_>, rows: &Rows, said: &mut Said) -> Result<Vec<f64>, TextError> {
     let rate = header.number("DataRate").filter(|rate| *rate > 0.0);
     let Some(time) = rows.time.iter().map(|(time, _)| *time).collect::<Option<Vec<f64>>>() else {
@@ -229,6 +232,11 @@ fn times(text: &str, header: &Header<'_>, rows: &Rows, said: &mut Said) -> Resul
         return Err(TextError::one(text, rows.time[at + 1].1.clone(), message));
     }
     if let (Some(rate), [first, .., last]) = (rate, &time[..]) {
+        if let Some((even, unit)) = unrounded(&time, rate) {
+            let message = format!("rounded to {unit} s; the frames are taken at the header's {rate} Hz");
+            said.say(FindingKind::Note, "times", message);
+            return Ok(even);
+        }
         let own = (time.len() - 1) as f64 / (last - first);
         if differ(own, rate) {
             let message = format!("the header says {rate} Hz, the times {own:.4} Hz; the times count");
@@ -236,4 +244,20 @@ fn times(text: &str, header: &Header<'_>, rows: &Rows, said: &mut Said) -> Resul
         }
     }
     Ok(time)
+}
+
+/// The times of frames at this rate (Hz) of which `time` are the rounded ones, and to what (s) they are rounded; `None` where they are
+/// not rounded, or not those.
+fn unrounded(time: &[f64], rate: f64) -> Option<(Vec<f64>, f64)> {
+    let is_multiple = |t: &f64, unit: f64| ((t / unit).round() * unit - t).abs() < EVEN;
+    let unit =
+        [1e-2, 1e-3, 1e-4, 1e-5].into_iter().find(|&unit| time.iter().all(|t| is_multiple(t, unit)))?;
+    let at = |first: f64| (0..time.len()).map(|frame| (first + frame as f64) / rate).collect::<Vec<f64>>();
+    let off = |even: &[f64]| even.iter().zip(time).map(|(even, t)| (even - t).abs()).fold(0.0, f64::max);
+    // Frames are counted from time zero, or from some other time that is rounded as well.
+    let counted = (time[0] * rate).round();
+    let starts = [(counted, 0.5), (time[0] * rate, 1.0)];
+    let found = starts.into_iter().map(|(first, most)| (at(first), most));
+    let (even, _) = found.into_iter().find(|(even, most)| off(even) <= most * unit + EVEN)?;
+    (off(&even) > EVEN).then_some((even, unit))
 }

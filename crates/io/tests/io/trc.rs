@@ -146,3 +146,23 @@ fn faults_are_answered_with_their_places() {
     .map(|text| read(&text, &ReadOptions::default()).expect_err("a fault").to_string());
     insta::assert_snapshot!(faults.join("\n"));
 }
+
+/// 60 frames a second, written to the millisecond, are not 16.7 ms apart by themselves.
+#[test]
+fn rounded_times_are_counted_by_the_rate() {
+    let rows = |times: &[f64]| {
+        let row = |(i, t): (usize, &f64)| format!("{}\t{t:.3}\t100\t1700\t-50\t300\t20\t60\n", i + 1);
+        file(&times.iter().enumerate().map(row).collect::<String>()).replace("100\t100\t3", "60\t60\t5")
+    };
+    for first in [25.0, 25.4] {
+        let exact: Vec<f64> = (0..5).map(|frame| (first + f64::from(frame)) / 60.0).collect();
+        let read = of(&rows(&exact));
+        let steps = read.markers.time().windows(2).map(|pair| pair[1] - pair[0]);
+        assert!(steps.clone().all(|step| (step - 1.0 / 60.0).abs() < 1e-12), "{:?}", read.markers.time());
+        assert!((read.markers.time()[0] - exact[0]).abs() < 5.1e-4);
+        assert!(said(&read).iter().any(|what| what.contains("rounded to 0.001 s")), "{:?}", said(&read));
+    }
+    // A frame that came late did come late.
+    let late = of(&rows(&[0.0, 0.017, 0.036, 0.05, 0.067]));
+    assert!((late.markers.time()[2] - 0.036).abs() < 1e-12);
+}
