@@ -79,11 +79,11 @@ fn recorded(figure: &Figure, q: Vec<f64>) -> Motion {
     Motion::recorded(figure, info, time, [q, still.clone(), still], Known::none(nv)).expect("valid")
 }
 
-fn ask(figure: &Figure, recorded: &Motion, filter: Filter) -> Result<Answer, SpreadError> {
+fn ask(figure: &Figure, recorded: &Motion, filter: Filter) -> Answer {
     let motion = differentiate(figure, recorded, Some(filter)).expect("smooth").motion;
     let prepared = PreparedMotion::new(figure, &motion).expect("known");
     let forces = inverse_motion(&prepared, &Loads::none(), InverseOptions::default()).expect("finite").tau;
-    Ok(Answer { motion, forces })
+    Answer { motion, forces }
 }
 
 /// Root of the mean square over all frames, of each degree of freedom.
@@ -99,21 +99,21 @@ fn ratios(error: impl Fn(&mut Random, usize) -> Vec<Vector3<f64>>) -> Vec<f64> {
     let (figure, markers, q) = person();
     let nv = figure.layout().nv();
     let options = IkOptions::default();
-    let truth = ask(&figure, &recorded(&figure, q.clone()), CUTOFF).expect("smooth");
+    let truth = ask(&figure, &recorded(&figure, q.clone()), CUTOFF);
     let (mut actual, mut predicted) = (vec![0.0; nv], vec![0.0; nv]);
     for trial in 0..TRIALS {
         let errors = error(&mut Random(u64::from(trial) + 100), markers.len());
         let seen = seen(&figure, &markers, &q, |frame, marker| errors[frame * markers.len() + marker]);
         let found = inverse_kinematics(&figure, &markers, &seen, &options).expect("markers");
         let record = recorded(&figure, found.q.clone());
-        let answer = ask(&figure, &record, CUTOFF).expect("smooth");
+        let answer = ask(&figure, &record, CUTOFF);
         let off: Vec<f64> = answer.forces.iter().zip(&truth.forces).map(|(a, b)| a - b).collect();
         for (sum, off) in actual.iter_mut().zip(by_dof(&off, nv)) {
             *sum += off * off / f64::from(TRIALS);
         }
         if trial < PREDICTED {
             let samples = position_errors(&figure, &markers, &seen, &options, &found, 48).expect("markers");
-            let ask = |moved: &Motion| ask(&figure, moved, CUTOFF);
+            let ask = |moved: &Motion| Ok::<_, SpreadError>(ask(&figure, moved, CUTOFF));
             let spread = position_spread(&figure, &record, &answer, &samples, ask).expect("smooth");
             for (sum, spread) in predicted.iter_mut().zip(by_dof(&spread.forces, nv)) {
                 *sum += spread * spread / f64::from(PREDICTED);
@@ -191,7 +191,7 @@ fn what_no_marker_tells_of_stays_bounded() {
 #[test]
 fn the_residual_is_explained_by_the_root() {
     let (figure, _, q) = person();
-    let answer = ask(&figure, &recorded(&figure, q), CUTOFF).expect("smooth");
+    let answer = ask(&figure, &recorded(&figure, q), CUTOFF);
     let (motion, nv) = (&answer.motion, figure.layout().nv());
     let prepared = PreparedMotion::new(&figure, motion).expect("known");
     let spread = residual_spread(&prepared, &answer.forces).expect("finite").forces;
@@ -229,15 +229,16 @@ fn a_cut_off_changes_a_swing_by_the_filter_s_gain() {
     let motion =
         Motion::recorded(&figure, info, time, [q, still.clone(), still], Known::none(1)).expect("valid");
     let filter = Filter { cutoff: 4.0, order: 2 };
-    let answer = ask(&figure, &motion, filter).expect("smooth");
+    let answer = ask(&figure, &motion, filter);
     let spread =
-        filter_spread(&figure, filter, &answer, |filter| ask(&figure, &motion, filter)).expect("smooth");
+        filter_spread(&figure, filter, &answer, |filter| Ok::<_, SpreadError>(ask(&figure, &motion, filter)))
+            .expect("smooth");
     let gain = |cutoff: f64| {
         let ratio = (PI * swing / rate).tan() / (PI * cutoff / rate).tan();
         1.0 / (1.0 + ratio.powi(4))
     };
     let [less, as_asked, more] = [4.0 / CUTOFF_FACTOR, 4.0, 4.0 * CUTOFF_FACTOR].map(gain);
-    let expected = (((less - as_asked).powi(2) + (more - as_asked).powi(2)) / 2.0).sqrt() / as_asked;
+    let expected = f64::midpoint((less - as_asked).powi(2), (more - as_asked).powi(2)).sqrt() / as_asked;
     for row in 150..250 {
         let (part, force) = (spread.forces[row], answer.forces[row].abs());
         assert!((part - expected * force).abs() < 1e-3 * 2.0, "{part} of {force}");
@@ -248,9 +249,10 @@ fn a_cut_off_changes_a_swing_by_the_filter_s_gain() {
 fn errors_of_another_length_are_refused() {
     let (figure, _, q) = person();
     let record = recorded(&figure, q);
-    let answer = ask(&figure, &record, CUTOFF).expect("smooth");
-    let refused =
-        position_spread(&figure, &record, &answer, &[vec![0.0; 7]], |moved| ask(&figure, moved, CUTOFF));
+    let answer = ask(&figure, &record, CUTOFF);
+    let refused = position_spread(&figure, &record, &answer, &[vec![0.0; 7]], |moved| {
+        Ok::<_, SpreadError>(ask(&figure, moved, CUTOFF))
+    });
     let expected = FRAMES * figure.layout().nv();
     assert_eq!(refused.expect_err("7 numbers"), SpreadError::Length { sample: 0, found: 7, expected });
 }

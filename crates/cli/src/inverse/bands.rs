@@ -168,20 +168,20 @@ impl BandsReport {
                     format!("what the markers leave over ({} samples)", self.samples)
                 }
                 ErrorSource::Filter => format!(
-                    "a cut-off {}% lower or {}% higher",
+                    "a cut-off {} % lower or {} % higher",
                     short((1.0 - 1.0 / CUTOFF_FACTOR) * 100.0),
                     short((CUTOFF_FACTOR - 1.0) * 100.0)
                 ),
                 ErrorSource::Residual => "the residual".to_owned(),
             };
-            format!("{what} {} N m", short(TWO * moment_se_rms_nm))
+            format!("±{} N m by {what}", short(TWO * moment_se_rms_nm))
         };
         if self.sources.is_empty() {
             return "nothing is known of errors: there are no markers, no filter and no measured forces"
                 .to_owned();
         }
         let parts: Vec<String> = self.sources.iter().map(part).collect();
-        format!("two standard errors; rms over all moments: {}", parts.join(", "))
+        format!("two standard errors; of all moments, rms: {}", parts.join(", "))
     }
 
     pub(super) fn write(&self, out: &mut dyn Write) -> Written<()> {

@@ -3,6 +3,7 @@
 
 mod against;
 mod bad_files;
+mod bands;
 mod check;
 mod consistent;
 mod convert;
