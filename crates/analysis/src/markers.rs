@@ -23,6 +23,7 @@ mod report;
 mod solve;
 mod start;
 mod swaps;
+mod unseen;
 
 pub use errors::position_errors;
 pub use fit::{FitError, FitOptions, SegmentFit, SubjectFit, fit_subject};
@@ -39,8 +40,8 @@ use solaris_model::{Figure, Marker, MarkerTrial};
 /// Finds the positions in which a figure's `markers` come nearest to where a `trial` saw them, in every frame.
 ///
 /// Frames are solved in chains of a fixed length, each frame from the one before it, so the result does not depend on how many
-/// cores there are. What a frame lacks is left out of its sum; a frame without any marker stays where the last one was and is
-/// marked. Degrees of freedom that no marker tells of stay at rest (see [`MarkerMotion::dofs`]). The trial's points are in the
+/// cores there are. What a frame lacks is left out of its sum. Degrees of freedom that no marker tells of stay at rest; those that
+/// some frames do not tell of are led from where they were seen last to where they are seen next (see [`MarkerMotion::dofs`]). The trial's points are in the
 /// axes of the figure's world (m).
 ///
 /// # Errors
@@ -78,5 +79,6 @@ pub fn inverse_kinematics(
     let mut solved = chain::solve(&problem, &points)?;
     let swaps =
         if options.keep_labels { Vec::new() } else { swaps::mend(&problem, &mut points, &mut solved)? };
-    report::of(&problem, &points, solved, swaps)
+    let told = unseen::fill(&problem, &points, &mut solved)?;
+    report::of(&problem, &points, solved, &told, swaps)
 }

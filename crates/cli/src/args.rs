@@ -21,7 +21,7 @@ pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArg
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
 };
-pub(crate) use given::{FrameArgs, RecordArgs};
+pub(crate) use given::{FrameArgs, RecordArgs, Span};
 pub(crate) use ground::{AskedBelt, AskedPlate, ConsistentArgs, GroundArgs, GroundCommandArgs};
 pub(crate) use ik::IkArgs;
 pub(crate) use inverse::{InverseArgs, Switch};

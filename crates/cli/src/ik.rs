@@ -38,7 +38,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
         body.gravity = gravity.vector;
     }
     progress.stage("finding the angles");
-    let fitted = markers::fit(&body, &args.trial, &args.markers)?;
+    let fitted = markers::fit(&body, &args.trial, &args.markers, None)?;
     let report = MarkersReport::of(&fitted, &body.figure);
     progress.stage("writing");
     let (figure, motion) = (&body.figure, &fitted.motion);

@@ -4,17 +4,20 @@ mod report;
 
 pub(crate) use report::MarkersReport;
 
-use crate::args::MarkerArgs;
+use crate::args::{MarkerArgs, Span};
 use crate::error::CliError;
 use crate::input::{self, Body};
 use crate::recording;
+use crate::words::counted;
 use solaris::analysis::markers::{
-    CoordinateTask, IkError, IkOptions, MarkerMotion, inverse_kinematics, position_errors,
+    CoordinateTask, FrameFit, IkError, IkOptions, MarkerMotion, inverse_kinematics, position_errors,
 };
 use solaris::io::CoordinateDefault;
 use solaris::io::markers::Recording;
 use solaris::io::opensim::{self, IkSetup, MarkerTask, TaskValue};
-use solaris::model::{Figure, Finding, JointKind, Known, Marker, Motion, MotionInfo};
+use solaris::model::{
+    Figure, Finding, FindingKind, JointKind, Known, Marker, MarkerTrial, Motion, MotionInfo,
+};
 use std::path::Path;
 
 /// A trial of markers, and the positions that fit it.
@@ -31,7 +34,12 @@ pub(crate) struct Fitted {
 }
 
 /// Finds the positions of a figure that fit the markers in a file.
-pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted, CliError> {
+pub(crate) fn fit(
+    body: &Body,
+    path: &Path,
+    args: &MarkerArgs,
+    part: Option<&Span>,
+) -> Result<Fitted, CliError> {
     let mut recording = recording::in_world(path, body.gravity, args)?;
     let setup = args.ik_setup.as_deref().map(|path| setup(path).map(|setup| (setup, path))).transpose()?;
     let markers = body.markers.markers.clone();
@@ -40,9 +48,21 @@ pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted,
     if let Some((from, to)) = setup.as_ref().and_then(|(setup, _)| setup.time_range) {
         recording.markers = recording.markers.within(from, to);
     }
+    if let Some(span) = part {
+        span.check(recording.markers.time())?;
+        recording.markers = recording.markers.within(span.from, span.to);
+    }
     let figure = &body.figure;
-    let found = inverse_kinematics(figure, &markers, &recording.markers, &options)
-        .map_err(|error| CliError::input(path, &error))?;
+    let find = |trial: &MarkerTrial| {
+        inverse_kinematics(figure, &markers, trial, &options).map_err(|error| CliError::input(path, &error))
+    };
+    let mut found = find(&recording.markers)?;
+    let mut findings = setup.map_or_else(Vec::new, |(setup, _)| setup.findings);
+    if let Some((placed, finding)) = placed(&recording.markers, &found) {
+        found = find(&placed)?;
+        recording.markers = placed;
+        findings.push(finding);
+    }
     let time = recording.markers.time().to_vec();
     let info = MotionInfo::recorded(figure, body.gravity, &time);
     let nv = figure.layout().nv();
@@ -51,8 +71,26 @@ pub(crate) fn fit(body: &Body, path: &Path, args: &MarkerArgs) -> Result<Fitted,
     let known = Known { v: vec![false; nv], a: vec![false; nv] };
     let motion =
         Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
-    let findings = setup.map_or_else(Vec::new, |(setup, _)| setup.findings);
     Ok(Fitted { recording, motion, found, markers, options, findings })
+}
+
+/// The trial from the first to the last frame that tells where the figure is, if that is not all of it.
+fn placed(trial: &MarkerTrial, found: &MarkerMotion) -> Option<(MarkerTrial, Finding)> {
+    let is_placed = |frame: &FrameFit| frame.is_placed;
+    let (first, last) = (found.frames.iter().position(is_placed)?, found.frames.iter().rposition(is_placed)?);
+    let after = found.frames.len() - 1 - last;
+    let cut = [(first, "at the beginning"), (after, "at the end")];
+    let cut = cut.iter().filter(|(frames, _)| *frames > 0);
+    let words: Vec<String> =
+        cut.map(|(frames, which)| format!("{} {which}", counted(*frames, "frame", "frames"))).collect();
+    let finding = Finding {
+        kind: FindingKind::Note,
+        subject: "frames".to_owned(),
+        message: format!("{} left out: no markers tell where the figure is", words.join(" and ")),
+        place: None,
+    };
+    let trial = trial.within(found.frames[first].time, found.frames[last].time);
+    (!words.is_empty()).then_some((trial, finding))
 }
 
 impl Fitted {

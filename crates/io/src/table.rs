@@ -152,15 +152,30 @@ impl Table {
         let Some(first) = (0..self.len()).find(|row| repeats(*row)) else { return Cow::Borrowed(self) };
         let kept: Vec<usize> = (0..self.len()).filter(|row| !repeats(*row)).collect();
         let note = TableNote::RepeatedTimes { rows: self.len() - kept.len(), line: self.lines[first] };
-        Cow::Owned(Self {
+        let mut rest = self.only(&kept);
+        rest.notes.push(note);
+        Cow::Owned(rest)
+    }
+
+    /// The rows whose time is between two (s); all rows of a table without times.
+    #[must_use]
+    pub fn within(&self, from: f64, to: f64) -> Self {
+        let time = self.column(TIME);
+        let is_within = |row: usize| time.is_none_or(|column| (from..=to).contains(&self.row(row)[column]));
+        self.only(&(0..self.len()).filter(|row| is_within(*row)).collect::<Vec<_>>())
+    }
+
+    /// These rows alone.
+    fn only(&self, rows: &[usize]) -> Self {
+        Self {
             title: self.title.clone(),
             in_degrees: self.in_degrees,
             columns: self.columns.clone(),
-            values: kept.iter().flat_map(|row| self.row(*row)).copied().collect(),
-            lines: kept.iter().map(|row| self.lines[*row]).collect(),
+            values: rows.iter().flat_map(|row| self.row(*row)).copied().collect(),
+            lines: rows.iter().map(|row| self.lines[*row]).collect(),
             header_line: self.header_line,
-            notes: self.notes.iter().cloned().chain([note]).collect(),
-        })
+            notes: self.notes.clone(),
+        }
     }
 
     /// Refuses headings that stand twice.

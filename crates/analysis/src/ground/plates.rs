@@ -45,10 +45,11 @@ pub struct PlateLoad {
 #[doc(alias = "ExternalLoads")]
 pub fn feet_on_plates(feet: &PlacedFeet, plates: &[PlateRecord]) -> (Vec<MeasuredForce>, Vec<PlateLoad>) {
     let (mut forces, mut loads) = (Vec::new(), Vec::new());
-    let links = feet.prepared().figure().links();
+    let prepared = feet.prepared();
+    let links = prepared.figure().links();
     for (plate, record) in plates.iter().enumerate() {
         let mut by_foot: Vec<Option<MeasuredForce>> = vec![None; feet.soles().len()];
-        for span in spans(record) {
+        for span in spans(record, prepared.up()) {
             let found = nearest(feet, record, &span);
             let foot = found.filter(|(_, distance)| *distance <= NEAR).map(|(foot, _)| foot);
             let samples = &record.samples[span.clone()];
@@ -73,10 +74,14 @@ pub fn feet_on_plates(feet: &PlacedFeet, plates: &[PlateRecord]) -> (Vec<Measure
     (forces, loads)
 }
 
-/// The samples of each time that a plate is loaded.
-fn spans(record: &PlateRecord) -> Vec<std::ops::Range<usize>> {
+/// The samples of each time that a plate is loaded; one that pulls down is not, but has not been set to zero.
+fn spans(record: &PlateRecord, up: Option<Vector3<f64>>) -> Vec<std::ops::Range<usize>> {
     let mut spans: Vec<std::ops::Range<usize>> = Vec::new();
-    let loaded = (0..record.time.len()).filter(|i| record.samples[*i].force.norm_squared() > 0.0);
+    let is_load = |force: &Vector3<f64>| match up {
+        Some(up) => force.dot(&up) > 0.0,
+        None => *force != Vector3::zeros(),
+    };
+    let loaded = (0..record.time.len()).filter(|i| is_load(&record.samples[*i].force));
     for i in loaded {
         match spans.last_mut() {
             Some(last) if record.time[i] - record.time[last.end - 1] <= BREAK => last.end = i + 1,

@@ -48,6 +48,10 @@ pub struct FrameFit {
     pub steps: usize,
     /// Whether the solver came to a minimum.
     pub converged: bool,
+    /// How many degrees of freedom no marker tells of.
+    pub blind: usize,
+    /// Whether the markers tell where the root is.
+    pub is_placed: bool,
 }
 
 /// How well one marker fits over all frames.
@@ -93,6 +97,7 @@ pub(super) fn of(
     problem: &Problem,
     points: &[Vector3<f64>],
     solved: Vec<Frame>,
+    told: &[Vec<bool>],
     swaps: Vec<Swap>,
 ) -> Result<MarkerMotion, IkError> {
     let looked = each(
@@ -110,11 +115,15 @@ pub(super) fn of(
     let norms = |row: &Vec<Vector3<f64>>| row.iter().map(Vector3::norm).collect();
     let distances: Vec<Vec<f64>> = offsets.iter().map(norms).collect();
     let frames = distances.iter().zip(&solved).zip(problem.trial.time());
-    let frames = frames.map(|((distances, frame), time)| frame_fit(*time, distances, frame)).collect();
+    let frames = frames.zip(told).map(|(((distances, frame), time), told)| {
+        let is_root = |u: usize| problem.unknowns[u].is_root;
+        frame_fit(*time, distances, frame, told, is_root)
+    });
+    let frames = frames.collect();
     Ok(MarkerMotion {
         frames,
         markers: marker_fits(problem, &distances),
-        dofs: dof_sights(problem, &distances, &levers),
+        dofs: dof_sights(problem, &distances, &levers, told),
         offsets: offsets.concat(),
         q: solved.into_iter().flat_map(|frame| frame.q).collect(),
         matched: problem.matched.clone(),
@@ -122,7 +131,13 @@ pub(super) fn of(
     })
 }
 
-fn frame_fit(time: f64, distances: &[f64], frame: &Frame) -> FrameFit {
+fn frame_fit(
+    time: f64,
+    distances: &[f64],
+    frame: &Frame,
+    told: &[bool],
+    is_root: impl Fn(usize) -> bool,
+) -> FrameFit {
     let seen = || distances.iter().copied().enumerate().filter(|(_, distance)| !distance.is_nan());
     FrameFit {
         time,
@@ -132,6 +147,8 @@ fn frame_fit(time: f64, distances: &[f64], frame: &Frame) -> FrameFit {
         seen: seen().count(),
         steps: frame.solved.steps,
         converged: frame.solved.converged,
+        blind: told.iter().filter(|told| !**told).count(),
+        is_placed: told.iter().enumerate().all(|(u, told)| *told || !is_root(u)),
     }
 }
 
@@ -150,7 +167,12 @@ fn marker_fits(problem: &Problem, distances: &[Vec<f64>]) -> Vec<MarkerFit> {
     problem.sights.iter().enumerate().map(fit).collect()
 }
 
-fn dof_sights(problem: &Problem, distances: &[Vec<f64>], levers: &[Vec<f64>]) -> Vec<DofSight> {
+fn dof_sights(
+    problem: &Problem,
+    distances: &[Vec<f64>],
+    levers: &[Vec<f64>],
+    told: &[Vec<bool>],
+) -> Vec<DofSight> {
     let unknowns = problem.unknowns.len();
     let errors: Vec<f64> = distances.iter().map(|row| error(row, unknowns)).collect();
     let sight = |(u, unknown): (usize, &Unknown)| {
@@ -160,7 +182,7 @@ fn dof_sights(problem: &Problem, distances: &[Vec<f64>], levers: &[Vec<f64>]) ->
         DofSight {
             dof: unknown.dof,
             spread: spreads[spreads.len() / 2],
-            blind: levers.iter().filter(|levers| is_blind(levers[u])).count(),
+            blind: told.iter().filter(|told| !told[u]).count(),
         }
     };
     problem.unknowns.iter().enumerate().map(sight).collect()

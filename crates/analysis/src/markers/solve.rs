@@ -19,6 +19,9 @@ const HOLD: f64 = 1e-12;
 const PROMISE: (f64, f64) = (1e-20, 1e-14);
 /// The farthest that one step goes in any coordinate (rad or m).
 const STRIDE: f64 = 1.0;
+/// Steps after which a frame is told too little to come to a point: it is at its minimum once as many again lower the objective by
+/// less than this (m²), 10 µm squared.
+const PATIENCE: (usize, f64) = (12, 1e-10);
 const MOST_STEPS: usize = 200;
 
 /// What became of a frame.
@@ -41,6 +44,8 @@ pub(super) struct Solver<'p> {
     few: Derivatives,
     step: Vec<f64>,
     next: Vec<f64>,
+    /// How strongly each unknown is drawn to where it began.
+    holds: Vec<f64>,
 }
 
 struct Derivatives {
@@ -75,6 +80,14 @@ impl<'p> Solver<'p> {
             few: Derivatives::zero(n),
             step: vec![0.0; nv],
             next: vec![0.0; nq],
+            holds: vec![HOLD; n],
+        }
+    }
+
+    /// Draws the unknowns of which `is_told` is false to where they begin as strongly as `pull` (m²/rad²), from now on.
+    pub(super) fn hold(&mut self, is_told: &[bool], pull: f64) {
+        for (hold, is_told) in self.holds.iter_mut().zip(is_told) {
+            *hold = if *is_told { HOLD } else { pull };
         }
     }
 
@@ -102,8 +115,14 @@ impl<'p> Solver<'p> {
         let hold = q.to_vec();
         let fixed: Vec<bool> = problem.unknowns.iter().map(|unknown| !moves(unknown)).collect();
         let mut cost = self.cost(q, points, &hold)?;
-        let mut damping = 0.0;
+        let (mut damping, mut mark) = (0.0, cost);
         for steps in 0..MOST_STEPS {
+            if steps > 0 && steps % PATIENCE.0 == 0 {
+                if mark - cost < PATIENCE.1 {
+                    return Ok((steps, true));
+                }
+                mark = cost;
+            }
             self.differentiate(q, points, &hold)?;
             let free: Vec<bool> = (0..fixed.len()).map(|i| !fixed[i] && !self.is_pushed(i, q)).collect();
             // What a damped step promises says only how short it is.
@@ -156,10 +175,10 @@ impl<'p> Solver<'p> {
             }
         }
         let mut cost = if weights > 0.0 { 0.5 * sum / weights } else { 0.0 };
-        for unknown in &problem.unknowns {
+        for (unknown, pull) in problem.unknowns.iter().zip(&self.holds) {
             let Some(at) = unknown.coordinate else { continue };
             let (value, weight) = unknown.task.unwrap_or_default();
-            cost += 0.5 * weight * (q[at] - value).powi(2) + 0.5 * HOLD * (q[at] - hold[at]).powi(2);
+            cost += 0.5 * weight * (q[at] - value).powi(2) + 0.5 * pull * (q[at] - hold[at]).powi(2);
         }
         Ok(cost)
     }
@@ -221,9 +240,9 @@ impl<'p> Solver<'p> {
         for (i, unknown) in problem.unknowns.iter().enumerate() {
             let (value, weight) = unknown.task.unwrap_or_default();
             if let Some(at) = unknown.coordinate {
-                self.few.gradient[i] += weight * (q[at] - value) + HOLD * (q[at] - hold[at]);
+                self.few.gradient[i] += weight * (q[at] - value) + self.holds[i] * (q[at] - hold[at]);
             }
-            self.few.squared[(i, i)] += weight + HOLD;
+            self.few.squared[(i, i)] += weight + self.holds[i];
         }
         Ok(())
     }

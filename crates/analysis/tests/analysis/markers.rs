@@ -1,6 +1,7 @@
 //! Inverse kinematics of markers, against poses that are known, and against the objective itself.
 
 mod fit;
+mod unseen;
 
 use proptest::prelude::*;
 use solaris_analysis::markers::{

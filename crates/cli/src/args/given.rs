@@ -28,8 +28,20 @@ pub(crate) struct RecordArgs {
         help = "Order of the filter, there and back; OpenSim's is 3 [default: 2]"
     )]
     pub(crate) filter_order: u8,
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = parse_time, help = wrap(
+        "Take the motion between these times (s) alone, such as 1.2:3.4 [default: all of it]"
+    ))]
+    pub(crate) time: Option<Span>,
     #[command(flatten, next_help_heading = "A motion that is markers")]
     pub(crate) markers: MarkerArgs,
+}
+
+/// A part of a motion (s), and how it was typed.
+#[derive(Clone, Debug)]
+pub(crate) struct Span {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) typed: String,
 }
 
 /// Means over strides.
@@ -93,6 +105,16 @@ fn parse_gravity(text: &str) -> Result<Gravity, String> {
     match numbers.as_deref() {
         Some(&[x, y, z]) => Ok(Gravity { vector: Vector3::new(x, y, z), typed: text.to_owned() }),
         _ => Err("it must be three numbers with commas between them, such as 0,0,-9.81".to_owned()),
+    }
+}
+
+/// Two times that rise.
+fn parse_time(text: &str) -> Result<Span, String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let times = text.split_once(':').and_then(|(from, to)| number(from).zip(number(to)));
+    match times {
+        Some((from, to)) if from < to => Ok(Span { from, to, typed: text.to_owned() }),
+        _ => Err("it must be two times in s, the earlier one first, such as 1.2:3.4".to_owned()),
     }
 }
 

@@ -1,12 +1,13 @@
 //! A figure and its motion from the files and options of the command line.
 
-use crate::args::{FrameArgs, RecordArgs};
+use crate::args::{FrameArgs, RecordArgs, Span};
 use crate::error::{CliError, UsageError};
 use crate::input::{self, Body, Language};
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
 use crate::recording;
 use crate::run::as_csv;
+use crate::words::short;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
 use solaris::io::record::{self, ReadMotion};
@@ -100,15 +101,36 @@ fn motion(
     record: &RecordArgs,
 ) -> Result<(Table, ReadMotion, Vec<Finding>, Option<Fitted>), CliError> {
     if recording::is_one(from) {
-        let fitted = markers::fit(body, from, &record.markers)?;
+        let fitted = markers::fit(body, from, &record.markers, record.time.as_ref())?;
         let table = as_csv(&body.figure, &fitted.motion);
         let recorded = ReadMotion { motion: fitted.motion.clone(), ignored: Vec::new(), notes: Vec::new() };
         return Ok((table, recorded, Vec::new(), Some(fitted)));
     }
-    let (table, doubtful) = input::motion(from, &body.figure)?;
+    let (mut table, doubtful) = input::motion(from, &body.figure)?;
+    if let Some(span) = &record.time {
+        let time: Vec<f64> =
+            table.column("time").into_iter().flat_map(|column| table.values_of(column)).collect();
+        span.check(&time)?;
+        table = table.within(span.from, span.to);
+    }
     let recorded = record::read_with_defaults(&body.figure, body.gravity, &table, &body.defaults)
         .map_err(|error| CliError::input(from, &error))?;
     Ok((table, recorded, doubtful, None))
+}
+
+impl Span {
+    /// Refuses a part in which a motion of these times (s) has less than two samples.
+    pub(crate) fn check(&self, time: &[f64]) -> Result<(), CliError> {
+        let within = time.iter().filter(|time| (self.from..=self.to).contains(*time)).count();
+        let why = match time {
+            [] => "the motion has no times".to_owned(),
+            [first, .., last] if within < 2 => {
+                format!("the motion lasts from {} to {} s", short(*first), short(*last))
+            }
+            _ => return Ok(()),
+        };
+        Err(CliError::option("time", &self.typed, why))
+    }
 }
 
 /// Refuses a motion where the figure goes, and the figure where the motion goes.

@@ -172,16 +172,20 @@ impl MarkersReport {
         if self.unsolved > 0 {
             say("unsolved", format!("{} frames came to no minimum", self.unsolved));
         }
-        let blind: Vec<String> = self
-            .blind
-            .iter()
-            .map(|blind| match blind.frames {
-                all if all == self.frames => blind.dof.clone(),
-                some => format!("{} (in {some} frames)", blind.dof),
-            })
-            .collect();
-        if !blind.is_empty() {
-            say("not seen", format!("no marker tells of {}: held where it was", some(&blind)));
+        let never = self.blind.iter().filter(|blind| blind.frames == self.frames);
+        let never: Vec<String> = never.map(|blind| blind.dof.clone()).collect();
+        if !never.is_empty() {
+            say("not seen", format!("no marker tells of {}: at rest", some(&never)));
+        }
+        let at_times = self.blind.iter().filter(|blind| blind.frames < self.frames);
+        let at_times: Vec<String> =
+            at_times.map(|blind| format!("{} ({} frames)", blind.dof, blind.frames)).collect();
+        if !at_times.is_empty() {
+            let words = format!(
+                "at times no marker tells of {}: led from where it was seen to where it is seen again",
+                some(&at_times)
+            );
+            say(if never.is_empty() { "not seen" } else { "" }, words);
         }
         let unsure: Vec<String> = self
             .unsure

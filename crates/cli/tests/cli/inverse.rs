@@ -13,6 +13,7 @@ mod manners;
 mod many;
 mod masses;
 mod metrics;
+mod part;
 mod plausible;
 mod refusals;
 mod robots;
