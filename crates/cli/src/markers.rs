@@ -41,11 +41,9 @@ pub(crate) fn fit(
     part: Option<&Span>,
 ) -> Result<Fitted, CliError> {
     let mut recording = recording::in_world(path, body.gravity, args)?;
-    let setup = args.ik_setup.as_deref().map(|path| setup(path).map(|setup| (setup, path))).transpose()?;
+    let (options, setup) = asked(body, args)?;
     let markers = body.markers.markers.clone();
-    let tasks = setup.as_ref().map(|(setup, path)| (&*setup.markers, &*setup.coordinates, *path));
-    let options = options(body, tasks, args)?;
-    if let Some((from, to)) = setup.as_ref().and_then(|(setup, _)| setup.time_range) {
+    if let Some((from, to)) = setup.as_ref().and_then(|setup| setup.time_range) {
         recording.markers = recording.markers.within(from, to);
     }
     if let Some(span) = part {
@@ -57,7 +55,7 @@ pub(crate) fn fit(
         inverse_kinematics(figure, &markers, trial, &options).map_err(|error| CliError::input(path, &error))
     };
     let mut found = find(&recording.markers)?;
-    let mut findings = setup.map_or_else(Vec::new, |(setup, _)| setup.findings);
+    let mut findings = setup.map_or_else(Vec::new, |setup| setup.findings);
     if let Some((placed, finding)) = placed(&recording.markers, &found) {
         found = find(&placed)?;
         recording.markers = placed;
@@ -101,10 +99,36 @@ impl Fitted {
     }
 }
 
+/// What the options and the setup file that they name ask of the markers; the setup, where there is one.
+pub(crate) fn asked(body: &Body, args: &MarkerArgs) -> Result<(IkOptions, Option<IkSetup>), CliError> {
+    let Some(path) = args.ik_setup.as_deref() else { return Ok((options(body, None, args)?, None)) };
+    let setup = setup(path)?;
+    let tasks = Some((&*setup.markers, &*setup.coordinates, path));
+    Ok((options(body, tasks, args)?, Some(setup)))
+}
+
 /// Reads a setup of OpenSim's tool.
 fn setup(path: &Path) -> Result<IkSetup, CliError> {
     let text = input::decoded(path)?;
-    opensim::ik_setup(&text).map_err(|faults| input::faulty(path, &text, faults))
+    let mut setup = opensim::ik_setup(&text).map_err(|faults| input::faulty(path, &text, faults))?;
+    leave_out_files(&mut setup.coordinates, &mut setup.findings);
+    Ok(setup)
+}
+
+/// Leaves out tasks whose values are in a file, and says so.
+pub(crate) fn leave_out_files(tasks: &mut Vec<opensim::CoordinateTask>, findings: &mut Vec<Finding>) {
+    tasks.retain(|task| {
+        let is_in_file = task.value == TaskValue::FromFile;
+        if is_in_file {
+            findings.push(Finding {
+                kind: FindingKind::Missing,
+                subject: task.name.clone(),
+                message: "values from a file are not read: nothing draws this coordinate".to_owned(),
+                place: None,
+            });
+        }
+        !is_in_file
+    });
 }
 
 /// The markers of a figure: the model's, with those of a file; where there are none, its named frames.
@@ -171,9 +195,8 @@ pub(crate) fn options(
             let value = match task.value {
                 TaskValue::Default => rest[at],
                 TaskValue::Manual(value) => value,
-                TaskValue::FromFile => {
-                    return Err(refuse("values from a file are not read; give manual_value"));
-                }
+                // Left out before.
+                TaskValue::FromFile => continue,
             };
             options.tasks.push(CoordinateTask { dof, value, weight: task.weight });
         }

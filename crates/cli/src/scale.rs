@@ -5,7 +5,7 @@ use crate::error::{CliError, UsageError};
 use crate::input::{self, Body, Language};
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
-use crate::subject::{self, SubjectReport};
+use crate::subject::{self, SubjectReport, bodies_in};
 use solaris::io::opensim::{MarkerPlace, Rescaling, rescale};
 use solaris::model::{Finding, MassShares, Vector3, text};
 use std::path::{Path, PathBuf};
@@ -59,17 +59,8 @@ fn model(path: &Path, body: &Body, report: &SubjectReport) -> Result<(String, Ve
         return Err(CliError::input(path, &why));
     }
     let text = input::decoded(path)?;
-    let is_body = |name: &str| text.contains(&format!("<Body name=\"{name}\""));
-    let mut factors: Vec<(String, Vector3<f64>)> = Vec::new();
-    for (name, by) in report.factors() {
-        // What is welded to a body is scaled with it, unless it has factors of its own.
-        let welded = body.figure.link(name).into_iter().flat_map(solaris::model::Link::frames);
-        for name in std::iter::once(name).chain(welded.map(|frame| frame.name.as_str())) {
-            if is_body(name) && factors.iter().all(|(known, _)| known != name) {
-                factors.push((name.to_owned(), by));
-            }
-        }
-    }
+    let factors: Vec<(String, Vector3<f64>)> =
+        report.factors().map(|(name, by)| (name.to_owned(), by)).collect();
     let markers = body.markers.markers.iter().map(|marker| {
         let own = body.figure.links()[marker.link].name();
         // A link between two joints of one child is no body, and wears nothing.
@@ -79,7 +70,7 @@ fn model(path: &Path, body: &Body, report: &SubjectReport) -> Result<(String, Ve
     });
     let removed = report.lost_markers().filter(|name| text.contains(&format!("<Marker name=\"{name}\"")));
     let rescaling = Rescaling {
-        factors,
+        factors: bodies_in(&text, &factors),
         mass: Some(body.figure.mass()),
         shares: if report.grows_by_volume() { MassShares::Volumes } else { MassShares::Kept },
         markers: markers.collect(),

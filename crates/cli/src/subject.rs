@@ -31,7 +31,7 @@ pub(crate) fn body(
     body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
     if subject.is_asked() {
         let report = if subject.scale_setup.is_none() && (subject.fit || subject.standing.is_some()) {
-            fit(&mut body, path, (subject, markers), trials)?
+            fit(&mut body, path, (subject, markers), trials, base)?
         } else {
             scale(&mut body, path, subject, markers, base)?
         };
@@ -48,6 +48,7 @@ fn fit(
     path: &Path,
     (subject, args): (&SubjectArgs, &MarkerArgs),
     others: &[&Path],
+    base: Base,
 ) -> Result<SubjectReport, CliError> {
     let others = others.iter().copied().filter(|path| subject.fit && recording::is_one(path));
     let files: Vec<&Path> = subject.standing.as_deref().into_iter().chain(others).collect();
@@ -63,18 +64,50 @@ fn fit(
         trials.push(markers);
     }
     let refuse = |error: &dyn ToString| CliError::input(path, error);
-    let options = markers::options(body, None, args)?;
+    let (options, _) = markers::asked(body, args)?;
     let found = fit_subject(&body.figure, &body.markers.markers, &trials, &options, &FitOptions::default())
         .map_err(|error| refuse(&error))?;
     let mass = subject.mass.as_ref().map(|mass| mass.value);
     let stretching = Stretching { factors: found.factors.clone(), mass, shares: MassShares::Kept };
-    body.figure = body.figure.stretched(&stretching).map_err(|error| refuse(&error))?;
+    let factors = of_bodies(&body.figure, &found.factors);
+    resize(body, path, &factors, &stretching, base)?;
     body.markers.markers.clone_from(&found.markers);
     report.fitted = Some(Fitted::new(&found, trials.len()));
-    let names = body.figure.links().iter().map(|link| link.name().to_owned());
-    let factors: Vec<_> = names.zip(found.factors).collect();
     report.finish(body, &factors);
     Ok(report)
+}
+
+/// The factors of links, and with each those of what is welded to it.
+fn of_bodies(figure: &Figure, factors: &[Vector3<f64>]) -> Vec<(String, Vector3<f64>)> {
+    let all = figure.links().iter().zip(factors);
+    let with_welded = all.flat_map(|(link, by)| {
+        let frames = link.frames().iter().map(|frame| frame.name.as_str());
+        std::iter::once(link.name()).chain(frames).map(|name| (name.to_owned(), *by))
+    });
+    let mut bodies: Vec<(String, Vector3<f64>)> = Vec::new();
+    for (name, by) in with_welded {
+        if bodies.iter().all(|(known, _)| *known != name) {
+            bodies.push((name, by));
+        }
+    }
+    bodies
+}
+
+/// Gives the figure its size: through the model's text where it is `OpenSim`'s, since there a link may be several bodies.
+fn resize(
+    body: &mut Body,
+    path: &Path,
+    factors: &[(String, Vector3<f64>)],
+    stretching: &Stretching,
+    base: Base,
+) -> Result<(), CliError> {
+    let refuse = |error: &dyn ToString| CliError::input(path, error);
+    body.figure = if body.language == Language::OpenSim {
+        rescaled(body, path, factors, stretching)?.on_base(base).map_err(|error| refuse(&error))?
+    } else {
+        body.figure.stretched(stretching).map_err(|error| refuse(&error))?
+    };
+    Ok(())
 }
 
 /// A setup and where it stands, which its files' names count from.
@@ -120,12 +153,7 @@ fn scale(
         shares,
     };
     body.markers.markers = stretching.markers(&body.markers.markers).map_err(|error| refuse(&error))?;
-    body.figure = if body.language == Language::OpenSim {
-        let figure = rescaled(body, path, &factors, &stretching)?;
-        figure.on_base(base).map_err(|error| refuse(&error))?
-    } else {
-        figure.stretched(&stretching).map_err(|error| refuse(&error))?
-    };
+    resize(body, path, &factors, &stretching, base)?;
     if let Some(setup) = &setup
         && let Some(placer) = &setup.setup.placer
     {
@@ -144,16 +172,26 @@ fn rescaled(
 ) -> Result<Figure, CliError> {
     let text = input::decoded(path)?;
     let Stretching { mass, shares, .. } = *stretching;
-    let rescaling = Rescaling { factors: factors.to_vec(), mass, shares, ..Rescaling::default() };
+    let factors = bodies_in(&text, factors);
+    let rescaling = Rescaling { factors, mass, shares, ..Rescaling::default() };
     let faulty = |faults| input::faulty(path, &text, faults);
     let (scaled, _) = opensim::rescale(&text, &rescaling).map_err(faulty)?;
     let figure = opensim::read(&scaled).map_err(faulty)?.figure;
     figure.with_gravity(body.gravity).map_err(|error| CliError::input(path, &error))
 }
 
+/// Those factors that are of a body in a model's text.
+pub(crate) fn bodies_in(text: &str, factors: &[(String, Vector3<f64>)]) -> Vec<(String, Vector3<f64>)> {
+    let is_body = |name: &str| text.contains(&format!("<Body name=\"{name}\""));
+    factors.iter().filter(|(name, _)| is_body(name)).cloned().collect()
+}
+
 fn read_setup(path: &Path) -> Result<Setup<'_>, CliError> {
     let text = input::decoded(path)?;
-    let setup = opensim::scale_setup(&text).map_err(|faults| input::faulty(path, &text, faults))?;
+    let mut setup = opensim::scale_setup(&text).map_err(|faults| input::faulty(path, &text, faults))?;
+    if let Some(placer) = &mut setup.placer {
+        markers::leave_out_files(&mut placer.coordinates, &mut setup.findings);
+    }
     Ok(Setup { setup, path })
 }
 

@@ -1,4 +1,4 @@
-//! A part of a motion: the times that are asked for, or those in which it is known where the figure is.
+//! A part of a motion: the times that are asked for, those in which it is known where the figure is, and what of a setup counts.
 
 use crate::inverse::{column, read, solaris, subject, succeeded, table, write};
 use std::path::Path;
@@ -54,4 +54,19 @@ fn frames_without_anybody_are_left_out() {
     let printed = succeeded(&solaris(folder, "ik leg.osim swing.trc -o swing.csv"));
     assert!(printed.contains("7 frames at the beginning and 4 frames at the end left out"), "{printed}");
     assert_eq!(times(folder, "swing.csv").len(), rows - 11);
+}
+
+/// A task whose values are in a file is left out, and said; the others count.
+#[test]
+fn tasks_with_values_in_files_are_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let fixtures = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/markers"));
+    for name in ["leg.osim", "swing.trc"] {
+        std::fs::copy(fixtures.join(name), folder.path().join(name)).expect("a fixture");
+    }
+    let task = "<IKCoordinateTask name=\"knee_angle\"><weight>1</weight><value_type>from_file</value_type></IKCoordinateTask>";
+    let setup = read(&fixtures.join("ik.xml")).replace("</objects>", &format!("{task}</objects>"));
+    write(folder.path(), "ik.xml", &setup);
+    let printed = succeeded(&solaris(folder.path(), "ik leg.osim swing.trc --ik-setup ik.xml"));
+    assert!(printed.contains("values from a file are not read"), "{printed}");
 }
