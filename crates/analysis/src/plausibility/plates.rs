@@ -28,9 +28,13 @@ pub const FAR: f64 = 0.1;
 /// Share of a foot's loaded frames that may be farther than [`FAR`]: touch-down and lift-off, when little force acts.
 pub const FAR_SHARE: f64 = 0.1;
 
-/// Share of its loaded frames in which a foot may swing: stances that are found from the motion are some 20 ms off at either end,
-/// of some 700 ms.
-pub const AIRBORNE: f64 = 0.2;
+/// How far (m) beside or above its force a foot must be to swing: one that strikes or leaves fast, or turns on its toes, is found
+/// standing too late or lost too soon, but is at its force all the time.
+pub const AWAY: f64 = 0.05;
+
+/// Share of its impulse that a force may bear while its foot swings so: of runs and walks it is 0.01 at most, of jumps and of
+/// standing up from chairs 0.12, of the same runs and walks with their plates exchanged 0.3 at least.
+pub const AIRBORNE: f64 = 0.15;
 
 /// Mean share of the weight that may be missing while a foot stands without a plate: a foot that only scuffs bears less.
 pub const MISSING: f64 = 0.2;
