@@ -237,6 +237,20 @@ fn a_foot_without_a_plate_is_named_with_its_time() {
     }
 }
 
+/// A foot that comes down in the last frames, where a filter spoils the accelerations, was said to stand on no plate.
+#[test]
+fn scraps_of_stances_at_the_ends_need_no_plate() {
+    let mut trial = trials().swap_remove(0);
+    trial.plates.pop().expect("two");
+    let time = trial.motion.column("time").expect("times");
+    let last = trial.motion.values_of(time).last().expect("rows");
+    let bare = |lasts: f64| {
+        let found = trial.check_with(|stance| (stance.start, stance.end) = (last - lasts, last)).0.findings;
+        found.iter().any(|found| matches!(found, MotionFinding::NoPlate { foot, .. } if foot == "calcn_l"))
+    };
+    assert!(bare(0.15) && !bare(0.05));
+}
+
 /// The numbers stay, the header says the other unit.
 #[test]
 fn degrees_and_radians_that_are_swapped_are_caught() {
