@@ -14,7 +14,7 @@ mod residual;
 pub use angles::{GREATEST_DEGREES_OF_RADIANS, GREATEST_RADIANS, LEAST_RANGE, check_angles};
 pub use finding::{FarCause, MotionFinding};
 pub use plates::{
-    AIRBORNE, BORNE, FAR, FAR_SHARE, MISSING, OBLIQUE, PlateFit, PlateReport, SWAPPED, check_plates,
+    AIRBORNE, AWAY, BORNE, FAR, FAR_SHARE, MISSING, OBLIQUE, PlateFit, PlateReport, SWAPPED, check_plates,
     soles_of_plates,
 };
 pub use residual::{RESIDUAL_FORCE, RESIDUAL_MOMENT, ResidualCheck, check_residual};

@@ -1,6 +1,6 @@
 //! What does not fit, with its value, its threshold and the likely cause.
 
-use super::{AIRBORNE, BORNE, FAR, GREATEST_DEGREES_OF_RADIANS, GREATEST_RADIANS, MISSING, OBLIQUE};
+use super::{AIRBORNE, AWAY, BORNE, FAR, GREATEST_DEGREES_OF_RADIANS, GREATEST_RADIANS, MISSING, OBLIQUE};
 use std::fmt;
 
 /// Something that cannot be so, or hardly, where figure, motion and measured forces belong together.
@@ -36,13 +36,13 @@ pub enum MotionFinding {
         /// Why, as far as the forces tell.
         cause: FarCause,
     },
-    /// A force that bears while the foot that it is given to swings.
+    /// A force that bears while the foot that it is given to swings, farther than [`AWAY`] beside or above it.
     Airborne {
         /// The sole's name.
         foot: String,
-        /// Share of the frames in which it bears.
+        /// Share of its impulse that it bears then.
         share: f64,
-        /// The first of them (s).
+        /// When first (s).
         time: f64,
         /// Why, as far as the forces tell.
         cause: FarCause,
@@ -186,8 +186,8 @@ impl fmt::Display for MotionFinding {
             ),
             Self::Airborne { foot, share, time, cause } => write!(
                 f,
-                "the force on '{foot}' bears while the foot swings, in {:.0} % of its frames (threshold {:.0} %), first at \
-                 {time:.3} s: {cause}",
+                "the force on '{foot}' bears while the foot swings more than {AWAY} m away from it, {:.0} % of its impulse \
+                 (threshold {:.0} %), first at {time:.3} s: {cause}",
                 percent(share),
                 percent(&AIRBORNE)
             ),

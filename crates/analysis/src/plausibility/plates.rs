@@ -6,7 +6,7 @@ mod guess;
 pub use guess::soles_of_plates;
 
 use super::MotionFinding;
-use crate::ground::{FootReport, GroundError, PlacedFeet, Stances, balance};
+use crate::ground::{FootReport, GroundError, PlacedFeet, Stance, Stances, balance};
 use crate::loads::known_at;
 use crate::prepared::PreparedMotion;
 use fit::Placed;
@@ -28,12 +28,20 @@ pub const FAR: f64 = 0.1;
 /// Share of a foot's loaded frames that may be farther than [`FAR`]: touch-down and lift-off, when little force acts.
 pub const FAR_SHARE: f64 = 0.1;
 
-/// Share of its loaded frames in which a foot may swing: stances that are found from the motion are some 20 ms off at either end,
-/// of some 700 ms.
-pub const AIRBORNE: f64 = 0.2;
+/// How far (m) beside or above its force a foot must be to swing: one that strikes or leaves fast, or turns on its toes, is found
+/// standing too late or lost too soon, but is at its force all the time.
+pub const AWAY: f64 = 0.05;
+
+/// Share of its impulse that a force may bear while its foot swings so: of runs and walks it is 0.01 at most, of jumps and of
+/// standing up from chairs 0.12, of the same runs and walks with their plates exchanged 0.3 at least.
+pub const AIRBORNE: f64 = 0.15;
 
 /// Mean share of the weight that may be missing while a foot stands without a plate: a foot that only scuffs bears less.
 pub const MISSING: f64 = 0.2;
+
+/// A stance that an end of the motion cuts off and that is seen for less than this (s) says nothing of plates: accelerations are least
+/// known there.
+const CUT: f64 = 0.1;
 
 /// Forces fit under each other's feet if that brings them at least so much nearer, as a share of their distance.
 pub const SWAPPED: f64 = 0.5;
@@ -238,9 +246,14 @@ impl<'a> Scene<'a> {
                 mean(&|row| self.needed[row] - self.sum(row).unwrap_or_default()) / self.prepared.weight;
             (own < self.loaded() && rest > MISSING).then_some(rest)
         };
+        let ends = time.first().zip(time.last());
+        let is_scrap = |stance: &Stance| {
+            let is_cut = ends.is_some_and(|(first, last)| stance.start <= *first || stance.end >= *last);
+            is_cut && stance.end - stance.start < CUT
+        };
         let mut found = Vec::new();
         for (sole, of) in feet.soles().iter().enumerate() {
-            let own = stances.list.iter().filter(|stance| stance.foot == sole);
+            let own = stances.list.iter().filter(|stance| stance.foot == sole && !is_scrap(stance));
             let spans: Vec<((f64, f64), f64)> = own
                 .map(|stance| (stance.start, stance.end))
                 .filter_map(|span| Some((span, missing(sole, span)?)))

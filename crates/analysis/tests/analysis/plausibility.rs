@@ -1,7 +1,7 @@
 //! Plates, angles and residuals that do not fit, on the project's subject and on a measured one.
 
 use crate::pinned::{file, say};
-use solaris_analysis::ground::{PlacedFeet, Sole, StanceOptions, find_stances, guessed_soles};
+use solaris_analysis::ground::{PlacedFeet, Sole, Stance, StanceOptions, find_stances, guessed_soles};
 use solaris_analysis::plausibility::{
     FarCause, MotionFinding, PlateReport, ResidualCheck, check_angles, check_plates, check_residual,
     soles_of_plates,
@@ -17,6 +17,8 @@ struct Trial {
     motion: Table,
     plates: Vec<MeasuredForce>,
     soles: Vec<Sole>,
+    /// What its motion is filtered with (Hz).
+    cutoff: f64,
 }
 
 /// The project's subject, and the measured ones where they are at hand.
@@ -25,7 +27,7 @@ fn trials() -> Vec<Trial> {
         let path = format!("{}/../../fixtures/subject/{name}", env!("CARGO_MANIFEST_DIR"));
         std::fs::read_to_string(path).expect("a fixture")
     };
-    let trial = |name, model: &str, motion: &str, plates: &str| {
+    let trial = |name, model: &str, motion: &str, (plates, sides): (&str, [&str; 2]), cutoff| {
         let plates = sto::read(plates).expect("a table");
         let import = opensim::read(model).expect("a model");
         let plate = |body: &str, prefix| {
@@ -33,33 +35,47 @@ fn trials() -> Vec<Trial> {
             let link = import.figure.links()[link].name().to_owned();
             record::forces(&plates, &[link], prefix).expect("its columns")
         };
-        let plates = vec![plate("calcn_r", ""), plate("calcn_l", "1_")];
+        let plates = vec![plate("calcn_r", sides[0]), plate("calcn_l", sides[1])];
         let soles = match guessed_soles(&import.figure) {
             none if none.is_empty() => soles_of_plates(&import.figure, &plates),
             soles => soles,
         };
-        Trial { name, motion: sto::read(motion).expect("a table"), plates, soles, import }
+        Trial { name, motion: sto::read(motion).expect("a table"), plates, soles, import, cutoff }
     };
-    let mut trials = vec![trial("project", &own("subject.osim"), &own("walk.mot"), &own("grf.mot"))];
-    let [model, motion, plates] =
-        ["gait10dof18musc_subject01.osim", "subject01_walk_ik_planar10.mot", "subject01_walk_grf.mot"]
-            .map(file);
-    if let (Some(model), Some(motion), Some(plates)) = (model, motion, plates) {
-        trials.push(trial("measured", &model, &motion, &plates));
-    }
+    let grf = own("grf.mot");
+    let mut trials = vec![trial("project", &own("subject.osim"), &own("walk.mot"), (&grf, ["", "1_"]), 6.0)];
+    let mut measured = |name, files: [&str; 3], sides, cutoff| {
+        if let [Some(model), Some(motion), Some(plates)] = files.map(file) {
+            trials.push(trial(name, &model, &motion, (&plates, sides), cutoff));
+        }
+    };
+    let walk = ["gait10dof18musc_subject01.osim", "subject01_walk_ik_planar10.mot", "subject01_walk_grf.mot"];
+    measured("walks", walk, ["", "1_"], 6.0);
+    let run = ["opensim46/subject_scaled_run.osim", "opensim46/ik_output_run.mot", "inputs/grf_run.mot"];
+    let run = run.map(|name| format!("../markers/rajagopal_run/{name}"));
+    measured("runs", run.each_ref().map(String::as_str), ["R", "L"], 15.0);
     trials
 }
 
 impl Trial {
     fn check(&self) -> (PlateReport, ResidualCheck, Option<MotionFinding>) {
+        self.check_with(|_| ())
+    }
+
+    /// With stances that are changed after they were found.
+    fn check_with(
+        &self,
+        change: impl Fn(&mut Stance),
+    ) -> (PlateReport, ResidualCheck, Option<MotionFinding>) {
         let Import { figure, gravity, .. } = &self.import;
         let recorded = record::read(figure, *gravity, &self.motion).expect("a motion").motion;
-        let filter = Some(Filter { cutoff: 6.0, order: 3 });
+        let filter = Some(Filter { cutoff: self.cutoff, order: 3 });
         let found = differentiate(figure, &recorded, filter).expect("differentiated");
         let (motion, unsettled) = (found.motion, found.unsettled);
         let prepared = PreparedMotion::new(figure, &motion).expect("ready");
         let feet = PlacedFeet::new(&prepared, &*self.soles).expect("placed");
-        let stances = find_stances(&feet, &StanceOptions::default()).expect("stances");
+        let mut stances = find_stances(&feet, &StanceOptions::default()).expect("stances");
+        stances.list.iter_mut().for_each(change);
         let report = check_plates(&prepared, Some((&feet, &stances)), &self.plates).expect("checked");
         let loads = Loads::at_times(figure, &self.plates, motion.time()).expect("loads");
         let forces = inverse_motion(&prepared, &loads, InverseOptions::default()).expect("forces");
@@ -78,6 +94,12 @@ impl Trial {
     fn findings(&self) -> Vec<MotionFinding> {
         self.check().0.findings
     }
+
+    /// Gives each plate to the other foot.
+    fn swap(&mut self) {
+        let links: Vec<_> = self.plates.iter().rev().map(|plate| plate.links.clone()).collect();
+        self.plates.iter_mut().zip(links).for_each(|(plate, links)| plate.links = links);
+    }
 }
 
 #[test]
@@ -91,21 +113,40 @@ fn right_plates_raise_nothing() {
     }
 }
 
+/// As of who lands and leaves fast: feet that are found late and lost early over their own force were said to swing.
+#[test]
+fn stances_that_are_found_short_are_no_swings() {
+    for mut trial in trials() {
+        let found = trial.check_with(shorten).0.findings;
+        assert_eq!(found, [], "{}", trial.name);
+        trial.swap();
+        let found = trial.check_with(shorten).0.findings;
+        assert!(found.iter().filter(is_swap).count() == 2, "{}: {found:?}", trial.name);
+    }
+}
+
+/// By a sixth of it at either end, which is more than a foot may swing of the frames in which it bears.
+fn shorten(stance: &mut Stance) {
+    let by = (stance.end - stance.start) / 6.0;
+    *stance = Stance { start: stance.start + by, end: stance.end - by, ..*stance };
+}
+
 #[test]
 fn swapped_feet_are_named_as_such() {
     for mut trial in trials() {
-        let links: Vec<_> = trial.plates.iter().rev().map(|plate| plate.links.clone()).collect();
-        trial.plates.iter_mut().zip(links).for_each(|(plate, links)| plate.links = links);
+        trial.swap();
         let found = trial.findings();
-        let is_swap = |finding: &&MotionFinding| {
-            matches!(
-                finding,
-                MotionFinding::Far { cause: FarCause::Swapped { .. }, .. }
-                    | MotionFinding::Airborne { cause: FarCause::Swapped { .. }, .. }
-            )
-        };
         assert!(found.iter().filter(is_swap).count() == 2, "{}: {found:?}", trial.name);
     }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "a filter's argument")]
+fn is_swap(finding: &&MotionFinding) -> bool {
+    matches!(
+        finding,
+        MotionFinding::Far { cause: FarCause::Swapped { .. }, .. }
+            | MotionFinding::Airborne { cause: FarCause::Swapped { .. }, .. }
+    )
 }
 
 /// The same plates a third of a stride later: feet stand where nothing bears.
@@ -194,6 +235,20 @@ fn a_foot_without_a_plate_is_named_with_its_time() {
         let bare = |finding: &&MotionFinding| matches!(finding, MotionFinding::NoPlate { foot, has_plate: true, .. } if foot == "calcn_l");
         assert_eq!(found.iter().filter(bare).count(), 1, "{}: {found:?}", trial.name);
     }
+}
+
+/// A foot that comes down in the last frames, where a filter spoils the accelerations, was said to stand on no plate.
+#[test]
+fn scraps_of_stances_at_the_ends_need_no_plate() {
+    let mut trial = trials().swap_remove(0);
+    trial.plates.pop().expect("two");
+    let time = trial.motion.column("time").expect("times");
+    let last = trial.motion.values_of(time).last().expect("rows");
+    let bare = |lasts: f64| {
+        let found = trial.check_with(|stance| (stance.start, stance.end) = (last - lasts, last)).0.findings;
+        found.iter().any(|found| matches!(found, MotionFinding::NoPlate { foot, .. } if foot == "calcn_l"))
+    };
+    assert!(bare(0.15) && !bare(0.05));
 }
 
 /// The numbers stay, the header says the other unit.

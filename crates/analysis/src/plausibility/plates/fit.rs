@@ -1,6 +1,6 @@
 //! One force and the foot that it is given to.
 
-use super::{AIRBORNE, FAR, FAR_SHARE, PlateFit, SWAPPED, Scene};
+use super::{AIRBORNE, AWAY, FAR, FAR_SHARE, PlateFit, SWAPPED, Scene};
 use crate::ground::{PlacedFeet, SOLE_BREADTH, Stances};
 use crate::plausibility::{FarCause, MotionFinding};
 use nalgebra::{Vector2, Vector3};
@@ -8,6 +8,9 @@ use solaris_model::GroundAxes;
 
 /// How near (m) to its foot a force that is shifted as a whole comes, on average, when it is shifted back.
 const STEADY: f64 = 0.03;
+
+/// One frame of so many may show a foot lower than it stands.
+const STRAY: usize = 20;
 
 /// A force, held against all feet.
 pub(super) struct Placed {
@@ -19,7 +22,7 @@ pub(super) struct Placed {
     points: Vec<Vector2<f64>>,
     /// By sole, by such a frame: the way on the ground from the nearest point of the sole to the centre of pressure (m), zero inside.
     ways: Vec<Vec<Vector2<f64>>>,
-    /// The first time (s) at which its foot swings, and the share of its frames.
+    /// The first time (s) at which its foot swings away from it, and the share that it bears then.
     airborne: Option<(f64, f64)>,
     ground: GroundAxes,
 }
@@ -38,15 +41,42 @@ impl Placed {
             rows.iter().zip(&points).map(way).collect()
         });
         let ways = ways.collect();
-        let airborne = sole.and_then(|sole| {
-            let time = scene.prepared.time();
-            // What never stands is a hand or a seat, or its sole is not where it should be.
-            stances.list.iter().find(|stance| stance.foot == sole)?;
-            let swings: Vec<f64> =
-                rows.iter().map(|row| time[*row]).filter(|time| !stances.stands(sole, *time)).collect();
-            Some((*swings.first()?, swings.len() as f64 / rows.len() as f64))
+        let mut placed = Self { force, sole, rows, points, ways, airborne: None, ground };
+        placed.airborne = sole.and_then(|sole| placed.swings(scene, feet, stances, sole));
+        placed
+    }
+
+    /// The first time (s) at which its foot swings away from it, and the share that it bears then.
+    ///
+    /// That no stance was found there is not enough: feet that strike and leave fast, or turn on their toes, are found late and lost
+    /// early, with the force still under them. Such a foot is low and at its force, one that swings is neither for long.
+    fn swings(
+        &self,
+        scene: &Scene<'_>,
+        feet: &PlacedFeet<'_>,
+        stances: &Stances,
+        sole: usize,
+    ) -> Option<(f64, f64)> {
+        // What never stands is a hand or a seat, or its sole is not where it should be.
+        stances.list.iter().find(|stance| stance.foot == sole)?;
+        let time = scene.prepared.time();
+        let height = |row: usize| {
+            let points = feet.frame(row)[sole].points.map(|point| point.dot(&scene.prepared.up));
+            points.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        let mut heights: Vec<f64> = scene.frames().map(height).collect();
+        heights.sort_by(f64::total_cmp);
+        let down = heights[heights.len() / STRAY];
+        let pairs = self.rows.iter().zip(&self.ways[sole]);
+        let away = pairs.filter(|(row, way)| {
+            let is_away = way.norm() > AWAY || height(**row) - down > AWAY;
+            is_away && !stances.stands(sole, time[**row])
         });
-        Self { force, sole, rows, points, ways, airborne, ground }
+        let away: Vec<usize> = away.map(|(row, _)| *row).collect();
+        // Weighed by the force: where it comes and goes, it is small and its place is little known.
+        let borne =
+            |rows: &[usize]| rows.iter().filter_map(|row| scene.normal(self.force, *row)).sum::<f64>();
+        Some((time[*away.first()?], borne(&away) / borne(&self.rows)))
     }
 
     /// Distances from a sole (m), by loaded frame.
