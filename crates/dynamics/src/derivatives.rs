@@ -2,8 +2,8 @@
 
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
-use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::inverse_dynamics;
+use crate::inverse::slopes::Slopes;
 use crate::scalar::Dual;
 use crate::spatial::Wrench;
 use crate::spatial::direction::quaternion_rotation;
@@ -74,22 +74,25 @@ pub struct Derivatives<const N: usize = 4> {
     output: Vec<Dual<N>>,
     external: Vec<(usize, Wrench<Dual<N>>)>,
     partials: Partials,
+    /// Of inverse dynamics in closed form, and what they are written to: what is zero in every state stays so.
+    slopes: Slopes<f64>,
+    inverse: Partials,
 }
 
 /// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
 #[doc(alias = "gradient")]
 #[doc(alias = "linearization")]
 #[derive(Clone, Debug, PartialEq)]
-pub struct Partials {
+pub struct Partials<T = f64> {
     /// The output itself: `tau` of inverse dynamics, `a` of forward dynamics.
-    pub value: Vec<f64>,
+    pub value: Vec<T>,
     /// By the configuration, along the tangent.
-    pub by_q: DMatrix<f64>,
+    pub by_q: DMatrix<T>,
     /// By the velocity.
-    pub by_v: DMatrix<f64>,
+    pub by_v: DMatrix<T>,
     /// By the input: the acceleration of inverse dynamics (this is the mass matrix), the force of forward dynamics (its
     /// inverse).
-    pub by_input: DMatrix<f64>,
+    pub by_input: DMatrix<T>,
 }
 
 /// A direction to differentiate along: how fast each argument changes. Each slice has length `nv`.
@@ -136,18 +139,20 @@ impl<const N: usize> Derivatives<N> {
         Ok(Self {
             workspace: Workspace::new(&tree),
             plain_workspace: Workspace::new(&plain),
-            plain,
             q: vec![zero; nq],
             v: vec![zero; nv],
             input: vec![zero; nv],
             output: vec![zero; nv],
             external: Vec::with_capacity(tree.link_count()),
             partials: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            slopes: Slopes::new(&plain),
+            inverse: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            plain,
             tree,
         })
     }
 
-    /// The forces of [`inverse_dynamics`] and their derivatives by `q`, `v` and `a`, the last by [`mass_matrix`].
+    /// The forces of [`inverse_dynamics`] and their derivatives by `q`, `v` and `a`, in closed form.
     ///
     /// # Errors
     ///
@@ -159,9 +164,10 @@ impl<const N: usize> Derivatives<N> {
         a: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
-        self.sweep(&[Argument::Q, Argument::V], inverse_dynamics, q, v, a, external)?;
-        mass_matrix(&self.plain, &mut self.plain_workspace, q, &mut self.partials.by_input)?;
-        Ok(&self.partials)
+        let Self { plain, plain_workspace: workspace, slopes, inverse, .. } = self;
+        inverse_dynamics(plain, workspace, q, v, a, external, &mut inverse.value)?;
+        slopes.find(plain, workspace, v, a, external, inverse)?;
+        Ok(inverse)
     }
 
     /// The accelerations of [`forward_dynamics`] and their derivatives by `q`, `v` and `tau`, the last by
@@ -335,8 +341,8 @@ impl<const N: usize> Derivatives<N> {
     }
 }
 
-impl Partials {
-    fn of(&mut self, argument: Argument) -> &mut DMatrix<f64> {
+impl<T> Partials<T> {
+    fn of(&mut self, argument: Argument) -> &mut DMatrix<T> {
         match argument {
             Argument::Q => &mut self.by_q,
             Argument::V => &mut self.by_v,

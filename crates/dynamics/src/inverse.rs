@@ -3,6 +3,7 @@
 pub(crate) mod ground;
 pub(crate) mod reactions;
 pub(crate) mod regressor;
+pub(crate) mod slopes;
 
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, place};
