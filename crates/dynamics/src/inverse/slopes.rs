@@ -35,9 +35,15 @@ use crate::tree::{Body, Tree};
 use crate::workspace::{Composite, Flow, Workspace, check_result};
 use nalgebra::{Matrix3, Vector3};
 
-/// What is kept of each degree of freedom on the path from the root, one array a number: `S` (6), the angular part of `Ψ̇` (3), `Ψ̈` (6) and
-/// `Ψ̇ + Ṡ` (6).
+/// What is kept of each degree of freedom on the path from the root: `S` (6 numbers), the angular part of `Ψ̇` (3), `Ψ̈` (6) and `Ψ̇ + Ṡ` (6).
 const FIELDS: usize = 21;
+/// How many degrees of freedom of the path stand side by side, so that what is done with one is done with all of them at once.
+const LANES: usize = 4;
+
+/// The fields of degrees of freedom side by side.
+type Block<T> = [[T; LANES]; FIELDS];
+/// What is found with them: the row and the column by `q`, those by `v`, and the entries of the mass matrix.
+type Found<T> = [[T; LANES]; 5];
 
 /// Scratch memory of the derivatives of one tree.
 #[derive(Clone, Debug)]
@@ -48,10 +54,12 @@ pub(crate) struct Slopes<T> {
     above: Vec<usize>,
     /// The degrees of freedom on the path to the link at hand.
     path: Vec<usize>,
-    /// [`FIELDS`] arrays along the path.
-    fields: Vec<T>,
-    /// Results along the path.
-    rows: [Vec<T>; 5],
+    /// Its fields.
+    blocks: Vec<Block<T>>,
+    /// What the degree of freedom at hand and those of the path do to each other.
+    found: Vec<Found<T>>,
+    /// The sum of all that was found: finite if all of it is.
+    sum: T,
     /// The links on the way to the one at hand.
     open: Vec<usize>,
     carried: Vec<Carried<T>>,
@@ -114,8 +122,9 @@ impl<T: Scalar> Slopes<T> {
             order,
             above,
             path: vec![0; nv],
-            fields: vec![T::zero(); FIELDS * nv],
-            rows: [(); 5].map(|()| vec![T::zero(); nv]),
+            blocks: vec![[[T::zero(); LANES]; FIELDS]; nv.div_ceil(LANES)],
+            found: vec![[[T::zero(); LANES]; 5]; nv.div_ceil(LANES)],
+            sum: T::zero(),
             open: Vec::with_capacity(links),
             carried: vec![Carried::nothing(); links],
         }
@@ -144,6 +153,7 @@ impl<T: Scalar> Slopes<T> {
         }
         let has_outside = !external.is_empty();
         self.open.clear();
+        self.sum = T::zero();
         for at in 0..self.order.len() {
             let link = self.order[at];
             while let Some(&last) = self.open.last().filter(|last| Some(**last) != tree.bodies[link].parent) {
@@ -158,10 +168,14 @@ impl<T: Scalar> Slopes<T> {
         for &(k, armature) in &tree.armature {
             partials.by_input[(k, k)] += armature;
         }
-        for matrix in [&partials.by_q, &partials.by_v, &partials.by_input] {
-            check_result("a derivative of inverse dynamics", matrix.as_slice())?;
+        if self.sum.is_finite() {
+            return Ok(());
         }
-        Ok(())
+        // One of them is not, or their sum alone.
+        let matrices = [&partials.by_q, &partials.by_v, &partials.by_input];
+        matrices
+            .iter()
+            .try_for_each(|matrix| check_result("a derivative of inverse dynamics", matrix.as_slice()))
     }
 
     /// Puts the degrees of freedom of a link on the path, and finds what moves its own mass.
@@ -259,11 +273,13 @@ impl<T: Scalar> Slopes<T> {
     ) {
         let at = self.above[link] + k - body.first;
         self.path[at] = k;
-        let nv = self.path.len();
+        let (block, lane) = (&mut self.blocks[at / LANES], at % LANES);
         let values =
-            [s.angular, s.linear, past.angular, bent.angular, bent.linear, rate.angular, rate.linear];
-        for (field, value) in values.iter().flat_map(|v| [v.x, v.y, v.z]).enumerate() {
-            self.fields[field * nv + at] = value;
+            [&s.angular, &s.linear, &past.angular, &bent.angular, &bent.linear, &rate.angular, &rate.linear];
+        for (i, value) in values.into_iter().enumerate() {
+            block[3 * i][lane] = value.x;
+            block[3 * i + 1][lane] = value.y;
+            block[3 * i + 2][lane] = value.z;
         }
     }
 
@@ -287,12 +303,9 @@ impl<T: Scalar> Slopes<T> {
 
     /// Finds what the degree of freedom at a place of the path does to those before it and they to it.
     fn along_path(&mut self, carried: &Carried<T>, at: usize, len: usize, has_outside: bool) {
-        let nv = self.path.len();
-        let field = |index: usize| &self.fields[index * nv..][..len];
-        let vector = |index: usize| {
-            let part = |i: usize| self.fields[(index + i) * nv + at];
-            Vector3::new(part(0), part(1), part(2))
-        };
+        let (block, lane) = (&self.blocks[at / LANES], at % LANES);
+        let vector =
+            |index: usize| Vector3::new(block[index][lane], block[index + 1][lane], block[index + 2][lane]);
         let twist = |index: usize| Twist { angular: vector(index), linear: vector(index + 3) };
         let (s, past, bent, rate) = (twist(0), vector(6), twist(9), twist(15));
         let (body, flow) = (&carried.body, &carried.flow);
@@ -303,65 +316,88 @@ impl<T: Scalar> Slopes<T> {
         let pull = pull + pull;
         let by_q = add(&add(&bends(flow, trace, &past), &carries(body, &bent)), &turned(&s, &carried.force));
         let by_v = add(&bends(flow, trace, &s.angular), &carries(body, &rate));
-        let [row_q, column_q, row_v, column_v, mass] = &mut self.rows;
-        let s: [&[T]; 6] = [0, 1, 2, 3, 4, 5].map(field);
-        let past: [&[T]; 3] = [6, 7, 8].map(field);
-        let bent: [&[T]; 6] = [9, 10, 11, 12, 13, 14].map(field);
-        let rate: [&[T]; 6] = [15, 16, 17, 18, 19, 20].map(field);
-        let (row_q, row_v) = (&mut row_q[..len], &mut row_v[..len]);
-        for (p, out) in row_q.iter_mut().enumerate() {
-            *out = three(&past, &pull, p) + six(&bent, &inert, p);
-        }
-        for (p, out) in row_v.iter_mut().enumerate() {
-            *out = three(&[s[0], s[1], s[2]], &pull, p) + six(&rate, &inert, p);
-        }
-        for (p, out) in column_q[..len].iter_mut().enumerate() {
-            *out = six(&s, &by_q, p);
-        }
-        for (p, out) in column_v[..len].iter_mut().enumerate() {
-            *out = six(&s, &by_v, p);
-        }
-        for (p, out) in mass[..len].iter_mut().enumerate() {
-            *out = six(&s, &inert, p);
-        }
-        if has_outside {
-            let own = Twist { angular: vector(0), linear: vector(3) };
-            let held = turned(&own, &carried.outside);
-            for (p, out) in row_q.iter_mut().enumerate() {
-                *out -= six(&s, &held, p);
+        let held = has_outside.then(|| turned(&s, &carried.outside));
+        let mut sum = [T::zero(); LANES];
+        for (block, found) in self.blocks.iter().zip(&mut self.found).take(len.div_ceil(LANES)) {
+            found[ROW_Q] = plus(&three(block, 6, &pull), &six(block, 9, &inert));
+            found[ROW_V] = plus(&three(block, 0, &pull), &six(block, 15, &inert));
+            found[COLUMN_Q] = six(block, 0, &by_q);
+            found[COLUMN_V] = six(block, 0, &by_v);
+            found[MASS] = six(block, 0, &inert);
+            if let Some(held) = &held {
+                found[ROW_Q] = minus(&found[ROW_Q], &six(block, 0, held));
+            }
+            for part in found {
+                sum = plus(&sum, part);
             }
         }
+        self.sum = sum.iter().fold(self.sum, |all, one| all + *one);
     }
 
     /// Writes what was found along the path.
     fn write(&self, at: usize, rows: usize, columns: usize, partials: &mut Partials<T>) {
         let (nv, i) = (self.path.len(), self.path[at]);
-        let [row_q, column_q, row_v, column_v, mass] = &self.rows;
         let by_q = partials.by_q.as_mut_slice();
         let by_v = partials.by_v.as_mut_slice();
         let by_input = partials.by_input.as_mut_slice();
-        for (p, &j) in self.path[..rows].iter().enumerate() {
-            by_q[j * nv + i] = row_q[p];
-            by_v[j * nv + i] = row_v[p];
-            by_input[j * nv + i] = mass[p];
+        for (path, found) in self.path[..rows].chunks(LANES).zip(&self.found) {
+            for (lane, &j) in path.iter().enumerate() {
+                by_q[j * nv + i] = found[ROW_Q][lane];
+                by_v[j * nv + i] = found[ROW_V][lane];
+                by_input[j * nv + i] = found[MASS][lane];
+            }
         }
-        for (p, &j) in self.path[..columns].iter().enumerate() {
-            by_q[i * nv + j] = column_q[p];
-            by_v[i * nv + j] = column_v[p];
-            by_input[i * nv + j] = mass[p];
+        let [by_q, by_v, by_input] = [by_q, by_v, by_input].map(|matrix| &mut matrix[i * nv..][..nv]);
+        for (path, found) in self.path[..columns].chunks(LANES).zip(&self.found) {
+            for (lane, &j) in path.iter().enumerate() {
+                by_q[j] = found[COLUMN_Q][lane];
+                by_v[j] = found[COLUMN_V][lane];
+                by_input[j] = found[MASS][lane];
+            }
         }
     }
 }
 
+/// Places in [`Found`].
+const ROW_Q: usize = 0;
+const COLUMN_Q: usize = 1;
+const ROW_V: usize = 2;
+const COLUMN_V: usize = 3;
+const MASS: usize = 4;
+
+/// The product of a load with the motions in six fields from `first` on.
 #[inline]
-fn six<T: Scalar>(of: &[&[T]; 6], load: &Load<T>, p: usize) -> T {
-    let (n, f) = (&load.moment, &load.force);
-    of[0][p] * n.x + of[1][p] * n.y + of[2][p] * n.z + (of[3][p] * f.x + of[4][p] * f.y + of[5][p] * f.z)
+fn six<T: Scalar>(block: &Block<T>, first: usize, load: &Load<T>) -> [T; LANES] {
+    plus(&three(block, first, &load.moment), &three(block, first + 3, &load.force))
+}
+
+/// The product of a vector with those in three fields from `first` on.
+#[inline]
+fn three<T: Scalar>(block: &Block<T>, first: usize, with: &Vector3<T>) -> [T; LANES] {
+    let mut product = [T::zero(); LANES];
+    for lane in 0..LANES {
+        product[lane] =
+            block[first][lane] * with.x + block[first + 1][lane] * with.y + block[first + 2][lane] * with.z;
+    }
+    product
 }
 
 #[inline]
-fn three<T: Scalar>(of: &[&[T]; 3], pull: &Vector3<T>, p: usize) -> T {
-    of[0][p] * pull.x + of[1][p] * pull.y + of[2][p] * pull.z
+fn plus<T: Scalar>(a: &[T; LANES], b: &[T; LANES]) -> [T; LANES] {
+    let mut sum = *a;
+    for lane in 0..LANES {
+        sum[lane] += b[lane];
+    }
+    sum
+}
+
+#[inline]
+fn minus<T: Scalar>(a: &[T; LANES], b: &[T; LANES]) -> [T; LANES] {
+    let mut left = *a;
+    for lane in 0..LANES {
+        left[lane] -= b[lane];
+    }
+    left
 }
 
 #[inline]
