@@ -1,12 +1,14 @@
 //! Motions that are markers: read, and brought to positions of a figure.
 
 mod report;
+mod turned;
 
 pub(crate) use report::MarkersReport;
 
 use crate::args::{MarkerArgs, Span};
 use crate::error::CliError;
 use crate::input::{self, Body};
+use crate::plausible;
 use crate::recording;
 use crate::words::counted;
 use solaris::analysis::markers::{
@@ -31,6 +33,8 @@ pub(crate) struct Fitted {
     options: IkOptions,
     /// What the setup file says and has no effect.
     pub(crate) findings: Vec<Finding>,
+    /// That the figure lies on its side or stands on its head.
+    turned: Option<plausible::Finding>,
 }
 
 /// Finds the positions of a figure that fit the markers in a file.
@@ -40,7 +44,8 @@ pub(crate) fn fit(
     args: &MarkerArgs,
     part: Option<&Span>,
 ) -> Result<Fitted, CliError> {
-    let mut recording = recording::in_world(path, body.gravity, args)?;
+    let mut read = recording::in_world(path, body.gravity, args)?;
+    let recording = &mut read.recording;
     let (options, setup) = asked(body, args)?;
     let markers = body.markers.markers.clone();
     if let Some((from, to)) = setup.as_ref().and_then(|setup| setup.time_range) {
@@ -69,7 +74,8 @@ pub(crate) fn fit(
     let known = Known { v: vec![false; nv], a: vec![false; nv] };
     let motion =
         Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
-    Ok(Fitted { recording, motion, found, markers, options, findings })
+    let turned = turned::turned(body, [&rest(body)?, &found.q], &read, args.axes.is_some())?;
+    Ok(Fitted { recording: read.recording, motion, found, markers, options, findings, turned })
 }
 
 /// The trial from the first to the last frame that tells where the figure is, if that is not all of it.

@@ -39,7 +39,7 @@ struct Plate {
 }
 
 /// Something that does not fit.
-#[derive(Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub(crate) struct Finding {
     kind: &'static str,
     subject: Option<String>,
@@ -76,6 +76,11 @@ impl From<&MotionFinding> for Finding {
 }
 
 impl Finding {
+    /// With what to do about it on the command line.
+    pub(crate) fn with_advice(self, advice: &str) -> Self {
+        Self { message: format!("{}; {advice}", self.message), ..self }
+    }
+
     /// In words.
     pub(crate) fn message(&self) -> &str {
         &self.message

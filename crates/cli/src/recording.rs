@@ -9,11 +9,24 @@ use solaris::io::{c3d, trc};
 use solaris::model::{Finding, FindingKind, Vector3};
 use std::path::Path;
 
-/// A recording along the axes of `OpenSim`, and which of its own those were.
+/// A recording along the axes of a world, and which of its own those were.
 pub(crate) struct Turned {
     pub(crate) recording: Recording,
     /// Which ways of the file were up and forward.
     pub(crate) axes: Axes,
+    /// Which ways of the world are.
+    world: Axes,
+}
+
+impl Turned {
+    /// The axes of the file, where up in it is what now points nearest to `along`; as they are where that is no direction.
+    pub(crate) fn with_up(&self, along: &Vector3<f64>) -> Axes {
+        let up = Way::nearest(&(self.axes.turn_to(&self.world).transpose() * along));
+        // Where up was what is forward, the old up is as good as any.
+        let sides = [self.axes.forward(), self.axes.up()];
+        let found = sides.into_iter().find_map(|forward| Axes::new(up, forward).ok());
+        found.filter(|_| along.norm_squared() > 0.0).unwrap_or(self.axes)
+    }
 }
 
 /// Whether a file is one of markers, by its extension.
@@ -38,37 +51,38 @@ pub(crate) fn turned(mut recording: Recording, named: Option<Axes>) -> Turned {
         recording.findings.extend(findings);
         axes
     });
-    Turned { recording: recording.turned(&axes, &Axes::OPENSIM), axes }
+    Turned { recording: recording.turned(&axes, &Axes::OPENSIM), axes, world: Axes::OPENSIM }
 }
 
 /// Reads a recording along the axes of a world with this gravity: turned where its axes are named, or where plates or names tell
 /// that another way is up in it. Without gravity it stays as it is.
-pub(crate) fn in_world(path: &Path, gravity: Vector3<f64>, args: &MarkerArgs) -> Result<Recording, CliError> {
+pub(crate) fn in_world(path: &Path, gravity: Vector3<f64>, args: &MarkerArgs) -> Result<Turned, CliError> {
     let mut recording = read(path, args.unit)?;
+    let as_it_is = |recording, world| Ok(Turned { recording, axes: world, world });
     if gravity.norm_squared() == 0.0 {
-        return Ok(recording);
+        return as_it_is(recording, Axes::OPENSIM);
     }
     let up = Way::nearest(&-gravity);
     // Any level way will do for forward, as nothing in a world looks anywhere; that of OpenSim where it is one.
     let forward = if up.axis() == 0 { Way::along(1) } else { Way::along(0) };
-    let Ok(world) = Axes::new(up, forward) else { return Ok(recording) };
+    let Ok(world) = Axes::new(up, forward) else { return as_it_is(recording, Axes::OPENSIM) };
     if let Some(axes) = args.axes {
-        return Ok(recording.turned(&axes, &world));
+        return Ok(Turned { recording: recording.turned(&axes, &world), axes, world });
     }
     let (axes, findings) = find_axes(&recording);
     // The first one is about up; forward is nobody's concern, as markers may be seen from any side.
     let Some(by) = findings.into_iter().next().filter(|_| axes.up() != up) else {
         // Plates that hold what the subject does to them are turned round all the same.
-        return Ok(recording.turned(&world, &world));
+        return as_it_is(recording.turned(&world, &world), world);
     };
     if by.kind == FindingKind::Suspect {
         let message =
             format!("neither names nor plates tell which way is up; {up} is taken to be, as of the figure");
         recording.findings.push(Finding { message, ..by });
-        return Ok(recording);
+        return as_it_is(recording, world);
     }
     recording.findings.push(by);
-    Ok(recording.turned(&axes, &world))
+    Ok(Turned { recording: recording.turned(&axes, &world), axes, world })
 }
 
 /// The unit of lengths that `--unit` names.

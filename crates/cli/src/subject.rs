@@ -59,7 +59,7 @@ fn fit(
     let mut report = SubjectReport::new(body, None);
     let mut trials = Vec::new();
     for file in files {
-        let Recording { markers, findings, .. } = recording::in_world(file, body.gravity, args)?;
+        let Recording { markers, findings, .. } = recording::in_world(file, body.gravity, args)?.recording;
         report.notes.extend(findings.iter().map(|finding| format!("{}: {finding}", file.display())));
         trials.push(markers);
     }
@@ -207,7 +207,7 @@ fn trial(
         let why = "it names no trial; name one by --static";
         return Err(CliError::input(setup.path, &why));
     };
-    let Recording { markers, findings, .. } = recording::in_world(&path, gravity, args)?;
+    let Recording { markers, findings, .. } = recording::in_world(&path, gravity, args)?.recording;
     if let Some(report) = report {
         report.notes.extend(findings.iter().map(ToString::to_string));
     }

@@ -1,7 +1,7 @@
 //! The transcripts of `tests/cmd`: what a user types, the exit code behind `?`, and what is printed.
 //!
 //! They run in a folder that holds the folder `clips`, the folder `walk.csv`, the file `notes`, and the fixtures: the
-//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clips (`dancer.ron`, `dance.csv`, `walk.c3d`), two recordings of markers with something odd (`metres.trc`, `torn.trc`), a leg with markers (`leg.osim`, `static.trc`, `swing.trc`, `scale.xml`, `ik.xml`), the robot `arm.urdf`, the same with faults
+//! subject (`subject.osim`, `walk.mot`, `grf.mot`, `loads.xml`, `soles.ron`), the clips (`dancer.ron`, `dance.csv`, `walk.c3d`), two recordings of markers with something odd (`metres.trc`, `torn.trc`), a leg with markers (`leg.osim`, `static.trc`, `swing.trc`, its first frames with another way up `swing_z_up.trc`, `scale.xml`, `ik.xml`), the robot `arm.urdf`, the same with faults
 //! (`faulty.urdf`) and with an elbow that cannot stretch (`stiff.urdf`), a motion of it (`swing.csv`), walks of a
 //! sweep (`people.csv`), and of curves the keys `keys.csv` and two texts with faults (`misspelt.ron`, `faulty.ron`), and scenes: three of the fixtures, `reach.ron` of
 //! the robot, the same with faults (`faulty_scene.ron`), `falls.ron` of the robot and nothing else, and a pendulum by too coarse a method (`coarse.ron`). They run at the same time: no two of them may
@@ -107,6 +107,7 @@ fn furnish(folder: &Path) {
         "markers/leg.osim",
         "markers/static.trc",
         "markers/swing.trc",
+        "markers/swing_z_up.trc",
         "markers/scale.xml",
         "markers/ik.xml",
         "scenes/pendulum.ron",

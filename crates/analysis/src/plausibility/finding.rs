@@ -1,6 +1,8 @@
 //! What does not fit, with its value, its threshold and the likely cause.
 
-use super::{AIRBORNE, AWAY, BORNE, FAR, GREATEST_DEGREES_OF_RADIANS, GREATEST_RADIANS, MISSING, OBLIQUE};
+use super::{
+    AIRBORNE, AWAY, BORNE, FAR, GREATEST_DEGREES_OF_RADIANS, GREATEST_RADIANS, MISSING, OBLIQUE, TURNED,
+};
 use std::fmt;
 
 /// Something that cannot be so, or hardly, where figure, motion and measured forces belong together.
@@ -60,6 +62,17 @@ pub enum MotionFinding {
         /// Whether any plate is given to it.
         has_plate: bool,
     },
+    /// A figure that lies on its side or stands on its head in nearly all frames.
+    Turned {
+        /// Mean angle between its own up and the world's (rad).
+        angle: f64,
+        /// Where its own up points on average, in world axes; zero where it points everywhere.
+        along: [f64; 3],
+        /// In how many frames it is turned by more than [`TURNED`].
+        frames: usize,
+        /// Of how many.
+        of: usize,
+    },
     /// Angles that are read as degrees and look like radians.
     RadiansAsDegrees {
         /// Greatest angle of all, in the unit that the table says (°).
@@ -117,6 +130,7 @@ impl MotionFinding {
             Self::Far { .. } => "far",
             Self::Airborne { .. } => "airborne",
             Self::NoPlate { .. } => "no_plate",
+            Self::Turned { .. } => "turned",
             Self::RadiansAsDegrees { .. } => "radians_as_degrees",
             Self::DegreesAsRadians { .. } => "degrees_as_radians",
         }
@@ -130,6 +144,7 @@ impl MotionFinding {
             Self::Far { distance, .. } => (*distance, FAR),
             Self::Airborne { share, .. } => (*share, AIRBORNE),
             Self::NoPlate { missing, .. } => (*missing, MISSING),
+            Self::Turned { angle, .. } => (angle.to_degrees(), TURNED.to_degrees()),
             Self::RadiansAsDegrees { greatest } => (*greatest, GREATEST_DEGREES_OF_RADIANS),
             Self::DegreesAsRadians { greatest, .. } => (*greatest, GREATEST_RADIANS),
         }
@@ -138,7 +153,7 @@ impl MotionFinding {
     /// The unit of value and threshold; empty for shares.
     pub fn unit(&self) -> &'static str {
         match self {
-            Self::Direction { .. } | Self::RadiansAsDegrees { .. } => "°",
+            Self::Direction { .. } | Self::Turned { .. } | Self::RadiansAsDegrees { .. } => "°",
             Self::Far { .. } => "m",
             Self::DegreesAsRadians { .. } => "rad",
             Self::Mass { .. } | Self::Airborne { .. } | Self::NoPlate { .. } => "",
@@ -150,7 +165,10 @@ impl MotionFinding {
         match self {
             Self::Far { foot, .. } | Self::Airborne { foot, .. } | Self::NoPlate { foot, .. } => Some(foot),
             Self::DegreesAsRadians { dof, .. } => Some(dof),
-            Self::Direction { .. } | Self::Mass { .. } | Self::RadiansAsDegrees { .. } => None,
+            Self::Direction { .. }
+            | Self::Mass { .. }
+            | Self::Turned { .. }
+            | Self::RadiansAsDegrees { .. } => None,
         }
     }
 }
@@ -212,6 +230,13 @@ impl fmt::Display for MotionFinding {
                     }
                 )
             }
+            Self::Turned { angle, frames, of, .. } => write!(
+                f,
+                "the figure is turned by {:.0}° from how it rests upright, and by more than {:.0}° in {frames} of {of} frames: \
+                 another way was up, or somebody lies or hangs",
+                angle.to_degrees(),
+                TURNED.to_degrees()
+            ),
             Self::RadiansAsDegrees { greatest } => write!(
                 f,
                 "no angle is greater than {greatest:.2}° (threshold {GREATEST_DEGREES_OF_RADIANS}°), yet they change as in a \

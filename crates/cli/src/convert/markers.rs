@@ -33,7 +33,7 @@ pub(super) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     }
     let outputs = Outputs::new([("OUT", to, PARTS)])?;
     outputs.keep_off([from.as_path()])?;
-    let Turned { recording, axes } =
+    let Turned { recording, axes, .. } =
         recording::turned(recording::read(from, recording::unit(bvh.unit)?)?, *axes);
     let is_forces = ["mot", "sto"].contains(&crate::input::extension(to).as_str());
     let forces = if is_forces { Some(forces(from, &recording)?) } else { None };

@@ -67,6 +67,11 @@ impl GivenReport {
         all
     }
 
+    /// That the figure lies on its side or stands on its head, as its markers say.
+    pub(crate) fn turned(&self) -> Option<&str> {
+        self.markers.as_ref()?.turned()
+    }
+
     fn write_filter(&self, out: &mut dyn Write) -> Result<()> {
         let Some(FilterReport { cutoff_hz, order, spoiled_s }) = &self.filter else { return Ok(()) };
         if self.from_positions + self.from_velocities == 0 {

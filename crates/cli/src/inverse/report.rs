@@ -84,10 +84,11 @@ impl Report {
     /// What a person should look at, a sentence each.
     pub(super) fn findings(&self) -> Vec<String> {
         let given = self.given.doubts().into_iter().map(|(what, value)| format!("{what}: {value}"));
+        let turned = self.given.turned().map(str::to_owned);
         let ground = self.ground.iter().flat_map(|ground| ground.warnings.iter().cloned());
         let plates = self.plausibility.iter().flat_map(|plausible| plausible.messages().map(str::to_owned));
         let strides = self.cycles.iter().filter_map(Cycles::doubt);
-        given.chain(self.unused_words()).chain(ground).chain(plates).chain(strides).collect()
+        given.chain(turned).chain(self.unused_words()).chain(ground).chain(plates).chain(strides).collect()
     }
 
     /// Measured forces that nothing makes use of.

@@ -1,6 +1,7 @@
 //! How well markers fit, as numbers and in words.
 
 use super::Fitted;
+use crate::plausible::Finding;
 use crate::words::{capital, counted, row, short, some};
 use serde::Serialize;
 use solaris::model::Figure;
@@ -38,6 +39,9 @@ pub(crate) struct MarkersReport {
     unseen: Vec<String>,
     /// Markers of the trial that the figure does not have.
     unknown: Vec<String>,
+    /// That the figure lies on its side or stands on its head; absent where it is upright.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    turned: Option<Finding>,
     notes: Vec<String>,
 }
 
@@ -73,7 +77,7 @@ struct Unsure {
 
 impl MarkersReport {
     pub(crate) fn of(fitted: &Fitted, figure: &Figure) -> Self {
-        let Fitted { recording, found, findings, .. } = fitted;
+        let Fitted { recording, found, findings, turned, .. } = fitted;
         let time = recording.markers.time();
         let frames = time.len();
         let count = |of: &dyn Fn(&solaris::analysis::markers::FrameFit) -> bool| {
@@ -120,6 +124,7 @@ impl MarkersReport {
                 .collect(),
             unseen: found.matched.unseen.clone(),
             unknown: found.matched.unknown.clone(),
+            turned: turned.clone(),
             notes: notes.collect(),
         }
     }
@@ -200,10 +205,18 @@ impl MarkersReport {
                 say(what, some(names));
             }
         }
+        if let Some(turned) = self.turned() {
+            say("look at", turned.to_owned());
+        }
         for note in &self.notes {
             say("of the markers", note.clone());
         }
         rows
+    }
+
+    /// That the figure lies on its side or stands on its head.
+    pub(crate) fn turned(&self) -> Option<&str> {
+        self.turned.as_ref().map(Finding::message)
     }
 
     pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {

@@ -19,6 +19,7 @@ mod refusals;
 mod robots;
 mod subject;
 mod toes;
+mod turned;
 mod walk;
 
 use serde_json::Value;
