@@ -20,8 +20,8 @@ const PROMISE: (f64, f64) = (1e-20, 1e-14);
 /// The farthest that one step goes in any coordinate (rad or m).
 const STRIDE: f64 = 1.0;
 /// Steps after which a frame is told too little to come to a point: it is at its minimum once as many again lower the objective by
-/// less than this (m²), 10 µm squared.
-const PATIENCE: (usize, f64) = (12, 1e-10);
+/// less than this (m²), 10 µm squared, and by less than this part of what is left.
+const PATIENCE: (usize, f64, f64) = (40, 1e-10, 0.5);
 const MOST_STEPS: usize = 200;
 
 /// What became of a frame.
@@ -118,7 +118,7 @@ impl<'p> Solver<'p> {
         let (mut damping, mut mark) = (0.0, cost);
         for steps in 0..MOST_STEPS {
             if steps > 0 && steps % PATIENCE.0 == 0 {
-                if mark - cost < PATIENCE.1 {
+                if mark - cost < PATIENCE.1 && mark - cost < PATIENCE.2 * mark {
                     return Ok((steps, true));
                 }
                 mark = cost;

@@ -8,8 +8,8 @@ use crate::prepared::each;
 use nalgebra::Vector3;
 use solaris_dynamics::DynamicsError;
 
-/// How strongly what no marker tells of is drawn to where it is led (m²/rad²): 10° weigh as much as 0.05 mm in all markers.
-const PULL: f64 = 1e-7;
+/// How strongly what no marker tells of is drawn to where it is led (m²/rad²): 10° weigh as much as 2 µm in all markers.
+const PULL: f64 = 1e-10;
 
 /// Moves each degree of freedom, where no marker tells of it, from where it was seen last to where it is seen next: along a cubic that
 /// does not overshoot, ball and free joints by the shortest turn; before the first and after the last it stays. What the markers do tell
