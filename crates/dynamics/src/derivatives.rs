@@ -2,13 +2,14 @@
 
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
+use crate::inertia::factored::Factored;
 use crate::inverse::inverse_dynamics;
 use crate::inverse::slopes::Slopes;
 use crate::scalar::Dual;
 use crate::spatial::Wrench;
 use crate::spatial::direction::quaternion_rotation;
 use crate::tree::Tree;
-use crate::workspace::{Workspace, check, check_length};
+use crate::workspace::{Workspace, check, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
 use solaris_model::Figure;
 
@@ -77,6 +78,9 @@ pub struct Derivatives<const N: usize = 4> {
     /// Of inverse dynamics in closed form, and what they are written to: what is zero in every state stays so.
     slopes: Slopes<f64>,
     inverse: Partials,
+    /// Forward dynamics by way of inverse dynamics: the mass matrix in factors, and right sides row by row.
+    factored: Factored<f64>,
+    right: Vec<f64>,
 }
 
 /// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
@@ -146,6 +150,8 @@ impl<const N: usize> Derivatives<N> {
             external: Vec::with_capacity(tree.link_count()),
             partials: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
             slopes: Slopes::new(&plain),
+            factored: Factored::new(&plain, 3 * nv),
+            right: vec![0.0; 3 * nv * nv],
             inverse: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
             plain,
             tree,
@@ -170,8 +176,9 @@ impl<const N: usize> Derivatives<N> {
         Ok(inverse)
     }
 
-    /// The accelerations of [`forward_dynamics`] and their derivatives by `q`, `v` and `tau`, the last by
-    /// [`inverse_mass_matrix`].
+    /// The accelerations of [`forward_dynamics`] and their derivatives by `q`, `v` and `tau`: those of inverse dynamics at these
+    /// accelerations, divided by the mass matrix, `∂a/∂q = −M⁻¹·∂τ/∂q`. Where the mass matrix is so near to singular that its factors lose
+    /// nine digits, by dual numbers.
     ///
     /// # Errors
     ///
@@ -183,9 +190,43 @@ impl<const N: usize> Derivatives<N> {
         tau: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
+        let Self { plain, plain_workspace: workspace, slopes, inverse, factored, partials, .. } = self;
+        forward_dynamics(plain, workspace, q, v, tau, external, &mut partials.value)?;
+        slopes.find(plain, workspace, v, &partials.value, external, inverse)?;
+        if factored.factor(&inverse.by_input) {
+            self.divide();
+            if !self.right.iter().sum::<f64>().is_finite() {
+                check_result("a derivative of forward dynamics", &self.right)?;
+            }
+            return Ok(&self.partials);
+        }
         self.sweep(&[Argument::Q, Argument::V], forward_dynamics, q, v, tau, external)?;
         inverse_mass_matrix(&self.plain, &mut self.plain_workspace, q, &mut self.partials.by_input)?;
         Ok(&self.partials)
+    }
+
+    /// `∂a/∂q = −M⁻¹·∂τ/∂q`, `∂a/∂v = −M⁻¹·∂τ/∂v` and `M⁻¹`.
+    fn divide(&mut self) {
+        let (n, right) = (self.plain.nv(), &mut self.right);
+        let width = 3 * n;
+        if n == 0 {
+            return;
+        }
+        for (i, row) in right.chunks_exact_mut(width).enumerate() {
+            for k in 0..n {
+                row[k] = -self.inverse.by_q[(i, k)];
+                row[n + k] = -self.inverse.by_v[(i, k)];
+                row[2 * n + k] = f64::from(u8::from(i == k));
+            }
+        }
+        self.factored.solve(right, width);
+        for (i, row) in right.chunks_exact(width).enumerate() {
+            for k in 0..n {
+                self.partials.by_q[(i, k)] = row[k];
+                self.partials.by_v[(i, k)] = row[n + k];
+                self.partials.by_input[(i, k)] = row[2 * n + k];
+            }
+        }
     }
 
     /// The output of any `operation` and its derivatives by `q`, `v` and its input, all through dual numbers.

@@ -60,7 +60,7 @@ fn states_that_are_not_finite_are_refused() {
     assert!(refused(derivatives.inverse_dynamics(q, v, &bad, &[]).map(|_| ())));
     assert_eq!(
         message(derivatives.inverse_dynamics(q, v, &a[1..], &[])),
-        format!("the input has {} entries, but the figure needs {n}", n - 1)
+        format!("a has {} entries, but the figure needs {n}", n - 1)
     );
     // A force without end leaves no acceleration.
     let person = human(1.7, 70.0).expect("within range");
