@@ -62,6 +62,8 @@ pub(crate) struct Slopes<T> {
     sum: T,
     /// The links on the way to the one at hand.
     open: Vec<usize>,
+    /// Where each link's origin is, from the root's, in world axes.
+    ways: Vec<Vector3<T>>,
     carried: Vec<Carried<T>>,
 }
 
@@ -126,6 +128,7 @@ impl<T: Scalar> Slopes<T> {
             found: vec![[[T::zero(); LANES]; 5]; nv.div_ceil(LANES)],
             sum: T::zero(),
             open: Vec::with_capacity(links),
+            ways: vec![Vector3::zeros(); links],
             carried: vec![Carried::nothing(); links],
         }
     }
@@ -159,7 +162,7 @@ impl<T: Scalar> Slopes<T> {
             while let Some(&last) = self.open.last().filter(|last| Some(**last) != tree.bodies[link].parent) {
                 self.leave(tree, last, has_outside, partials);
             }
-            self.enter(tree, workspace, link, &origin, v, a);
+            self.enter(tree, workspace, link, v, a);
             self.open.push(link);
         }
         while let Some(&last) = self.open.last() {
@@ -179,22 +182,15 @@ impl<T: Scalar> Slopes<T> {
     }
 
     /// Puts the degrees of freedom of a link on the path, and finds what moves its own mass.
-    fn enter(
-        &mut self,
-        tree: &Tree<T>,
-        ws: &Workspace<T>,
-        link: usize,
-        origin: &Vector3<T>,
-        v: &[T],
-        a: &[T],
-    ) {
+    fn enter(&mut self, tree: &Tree<T>, ws: &Workspace<T>, link: usize, v: &[T], a: &[T]) {
         let body = &tree.bodies[link];
         let rest = Twist { linear: -tree.gravity, angular: Vector3::zeros() };
         let (before, mut acceleration) = body.parent.map_or((Twist::zero(), rest), |parent| {
             (self.carried[parent].velocity, self.carried[parent].acceleration)
         });
-        let pose = &ws.poses[link];
-        let from = pose.translation - origin;
+        let rotation = &ws.poses[link].rotation;
+        let from = body.parent.map_or_else(Vector3::zeros, |parent| self.ways[parent] + ws.reaches[link]);
+        self.ways[link] = from;
         let direction = |k: usize| {
             let axis = ws.axes[k];
             if !tree.dofs[k].kind.turns() {
@@ -231,11 +227,11 @@ impl<T: Scalar> Slopes<T> {
         let outside = self.carried[link].outside;
         let mut carried = Carried { velocity, acceleration, outside, ..Carried::nothing() };
         if let Some(mass) = &body.mass_distribution {
-            let first = apply(&pose.rotation, &mass.first);
+            let first = apply(rotation, &mass.first);
             // About the root's origin: (2·h·r + m·r·r)·1 − (h·rᵀ + r·hᵀ + m·r·rᵀ) more.
             let u = first + from * (mass.mass * T::from_f64(0.5));
             let (x, y, z) = (u.x * from.x, u.y * from.y, u.z * from.z);
-            let mut inertia = mass.inertia_at_origin.rotated(&pose.rotation);
+            let mut inertia = mass.inertia_at_origin.rotated(rotation);
             inertia.add(&Symmetric {
                 xx: y + z + (y + z),
                 yy: x + z + (x + z),

@@ -3,6 +3,7 @@
 use crate::support::random::Random;
 use crate::support::{Kernel, largest, relative_error};
 use nalgebra::{DMatrix, DVector, Rotation2, Vector2, Vector3};
+use solaris_dynamics::{Derivatives, inverse_dynamics};
 use solaris_model::{Axis, Figure, FigureBuilder, Inertia, Joint, LinkSpec, human};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
@@ -46,6 +47,64 @@ fn planar_torques(q: &[f64], v: &[f64], a: &[f64]) -> Vec<f64> {
     (0..q.len())
         .map(|k| (k..q.len()).map(|i| cross(&(centers[i] - joints[k]), &forces[i]) + spins[i]).sum())
         .collect()
+}
+
+/// The greatest difference of two matrices over the greatest entry.
+fn apart(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
+    (a - b).amax() / b.amax().max(f64::MIN_POSITIVE)
+}
+
+/// In closed form and through dual numbers: a chain of 100 links, and one whose masses differ by a million from link to link.
+#[test]
+fn derivatives_of_long_and_uneven_chains_agree() {
+    let uneven = {
+        let mut builder = FigureBuilder::new("uneven");
+        for i in 0..12 {
+            let joint = Joint::new(format!("j{i}")).axis(Axis::rotation(Vector3::ith(i % 3, 1.0)));
+            let link = match i.checked_sub(1) {
+                None => LinkSpec::root("l0", joint),
+                Some(parent) => {
+                    let at = Vector3::new(0.0, -0.3, 0.1);
+                    LinkSpec::child(format!("l{i}"), format!("l{parent}"), joint.at(at))
+                }
+            };
+            let mass = if i % 2 == 0 { 1e3 } else { 1e-3 };
+            let com = Vector3::new(0.05, -0.1, 0.02);
+            builder = builder.link(link.mass(mass).com(com).inertia(Inertia::diagonal(0.01, 0.02, 0.02)));
+        }
+        builder.build().expect("a valid figure")
+    };
+    for (figure, limit) in [(planar_chain(100), 1e-12), (uneven, 1e-12)] {
+        let n = figure.layout().nv();
+        let mut random = Random::new(n as u64);
+        let (q, v, a) = (random.slice(n, 0.7), random.slice(n, 2.0), random.slice(n, 5.0));
+        let mut derivatives = Derivatives::new(&figure, GRAVITY).expect("finite constants");
+        let closed = derivatives.inverse_dynamics(&q, &v, &a, &[]).expect("valid").clone();
+        let dual = derivatives.of(inverse_dynamics, &q, &v, &a, &[]).expect("valid");
+        for (closed, dual) in
+            [(&closed.by_q, &dual.by_q), (&closed.by_v, &dual.by_v), (&closed.by_input, &dual.by_input)]
+        {
+            let error = apart(closed, dual);
+            assert!(error < limit, "{n} dofs: {error:e}");
+        }
+    }
+}
+
+/// A person a thousand kilometres away has the derivatives of one at hand.
+#[test]
+fn derivatives_do_not_know_where_the_figure_stands() {
+    let figure = human(1.75, 73.0).expect("within range");
+    let n = figure.layout().nv();
+    let mut random = Random::new(3);
+    let (mut q, v, a) = (random.slice(n, 0.4), random.slice(n, 2.0), random.slice(n, 5.0));
+    let mut derivatives = Derivatives::new(&figure, GRAVITY).expect("finite constants");
+    let near = derivatives.inverse_dynamics(&q, &v, &a, &[]).expect("valid").clone();
+    (0..3).for_each(|i| q[i] += 1e6);
+    let far = derivatives.inverse_dynamics(&q, &v, &a, &[]).expect("valid");
+    for (near, far) in [(&near.by_q, &far.by_q), (&near.by_v, &far.by_v), (&near.by_input, &far.by_input)] {
+        let error = apart(far, near);
+        assert!(error < 1e-13, "{error:e}");
+    }
 }
 
 #[test]
