@@ -20,10 +20,7 @@ pub(super) fn fill(
     solved: &mut [Frame],
 ) -> Result<Vec<Vec<bool>>, DynamicsError> {
     let scratch = || Solver::new(problem);
-    let told = each(0..solved.len(), scratch, |solver, row| {
-        let levers = lever(solver, &solved[row].q, problem.row(points, row))?;
-        Ok::<_, DynamicsError>(levers.into_iter().map(|lever| !is_blind(lever)).collect::<Vec<bool>>())
-    })?;
+    let told = told(problem, points, solved)?;
     let groups: Vec<Group> = groups(problem, &told);
     let is_unseen = |row: usize| groups.iter().any(|group| !group.told[row] && !group.rows.is_empty());
     let rows: Vec<usize> = (0..solved.len()).filter(|row| is_unseen(*row)).collect();
@@ -42,6 +39,39 @@ pub(super) fn fill(
         solved[row] = frame;
     }
     Ok(told)
+}
+
+/// Which unknowns the markers of each frame tell of.
+///
+/// Where two axes of a joint fall together nothing tells their angles apart, although everything is in view: what all markers
+/// together would not tell of there, and do tell of in other frames, is none that is unseen.
+fn told(
+    problem: &Problem,
+    points: &[Vector3<f64>],
+    solved: &[Frame],
+) -> Result<Vec<Vec<bool>>, DynamicsError> {
+    let in_view = vec![Vector3::zeros(); problem.trial.names().len()];
+    let found = each(
+        0..solved.len(),
+        || Solver::new(problem),
+        |solver, row| {
+            let mut sees = |points: &[Vector3<f64>]| {
+                let levers = lever(solver, &solved[row].q, points)?;
+                Ok::<_, DynamicsError>(
+                    levers.into_iter().map(|lever| !is_blind(lever)).collect::<Vec<bool>>(),
+                )
+            };
+            let told = sees(problem.row(points, row))?;
+            let tellable = if told.iter().all(|told| *told) { told.clone() } else { sees(&in_view)? };
+            Ok::<_, DynamicsError>((told, tellable))
+        },
+    )?;
+    let is_ever = |u: usize| found.iter().any(|(_, tellable)| tellable[u]);
+    let ever: Vec<bool> = (0..problem.unknowns.len()).map(is_ever).collect();
+    let frame = |(told, tellable): &(Vec<bool>, Vec<bool>)| {
+        (0..told.len()).map(|u| told[u] || (ever[u] && !tellable[u])).collect()
+    };
+    Ok(found.iter().map(frame).collect())
 }
 
 /// What is told of together: a coordinate, or a ball or free joint.

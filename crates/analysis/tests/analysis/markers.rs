@@ -313,3 +313,14 @@ fn markers_are_placed_where_they_were_seen() {
         assert!(if i == 5 { (off - 0.0014_f64.sqrt()).abs() < 1e-12 } else { off < 1e-12 }, "{i} {off:e}");
     }
 }
+
+/// Seen from the side two of the root's axes fall together: its angles are then not told apart, and it is in view all the same.
+#[test]
+fn a_person_whose_axes_fall_together_is_seen() {
+    let figure = human(1.75, 73.0).expect("a person");
+    let markers = markers(&figure, 4);
+    let trial = seen(&figure, &markers, &swaying(&figure, 40, 1.414_035_518_308_298_9));
+    let found = solve(&figure, &markers, &trial, &IkOptions::default());
+    assert!(found.rms() < 1e-9, "{:e}", found.rms());
+    assert!(found.frames.iter().all(|frame| frame.is_placed && frame.blind == 0));
+}
