@@ -6,9 +6,10 @@ use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, cross, dot};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
-use crate::tree::Tree;
+use crate::tree::{Body, Tree};
 use crate::workspace::{Composite, Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
+use std::ops::Range;
 
 /// The mass matrix `M` (`nv` × `nv`) at `q`, in kg, kg m, kg m²: kinetic energy is `½ vᵀ·M·v`.
 ///
@@ -47,9 +48,14 @@ pub fn mass_matrix<T: Scalar>(
     gather(tree, workspace);
     matrix.as_mut_slice().fill(T::zero());
     for (link, body) in tree.bodies.iter().enumerate() {
-        for j in body.first..body.end {
-            let load = accelerating(tree, workspace, link, j);
-            project(tree, workspace, link, j, load, matrix.as_mut_slice());
+        for first in (body.first..body.end).step_by(TOGETHER) {
+            let count = TOGETHER.min(body.end - first);
+            let mut loads = [Load::zero(); TOGETHER];
+            for (i, load) in loads[..count].iter_mut().enumerate() {
+                *load = accelerating(tree, workspace, link, first + i);
+                among_themselves(tree, workspace, body, first + i, load, matrix.as_mut_slice());
+            }
+            project(tree, workspace, link, first..first + count, loads, matrix.as_mut_slice());
         }
     }
     for &(k, armature) in &tree.armature {
@@ -134,45 +140,85 @@ pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: u
     load
 }
 
-/// Writes the forces that `load` on `link` asks of degree of freedom `j` and of all before it, as far as the root, into
-/// column and row `j`.
+/// How many degrees of freedom of a link go up to the root together: most joints of living things have three.
+const TOGETHER: usize = 3;
+
+/// The force or moment along degree of freedom `k` of a load about its link's origin.
+#[expect(
+    clippy::inline_always,
+    reason = "as a call of its own it makes the mass matrix of a human a third slower"
+)]
+#[inline(always)]
+fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>) -> T {
+    let dof = &tree.dofs[k];
+    match (dof.kind.turns(), dof.has_lever) {
+        (true, false) => dot(&ws.axes[k], &load.moment),
+        (true, true) => dot(&ws.axes[k], &load.moment) + dot(&ws.levers[k], &load.force),
+        (false, _) => dot(&ws.levers[k], &load.force),
+    }
+}
+
+/// Writes the forces that `load` on its own link asks of degree of freedom `j` and of those before it in its joint into column and
+/// row `j`.
+fn among_themselves<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &Workspace<T>,
+    body: &Body<T>,
+    j: usize,
+    load: &Load<T>,
+    matrix: &mut [T],
+) {
+    let n = tree.nv();
+    for k in body.first..=j {
+        let entry = along(tree, ws, k, load);
+        matrix[j * n + k] = entry;
+        matrix[k * n + j] = entry;
+    }
+}
+
+/// Writes the forces that `loads` on `link`, one for each of its degrees of freedom `js`, ask of all degrees of freedom between its joint
+/// and the world into columns and rows `js`.
 fn project<T: Scalar>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
-    j: usize,
-    load: Load<T>,
+    js: Range<usize>,
+    mut loads: [Load<T>; TOGETHER],
     matrix: &mut [T],
 ) {
-    let n = tree.nv();
-    let Load { force, mut moment } = load;
-    let (mut link, mut end) = (link, j + 1);
-    loop {
-        let body = &tree.bodies[link];
-        let dofs = body.first..end;
-        let column = &mut matrix[j * n..][dofs.clone()];
-        let axes = &ws.axes[dofs.clone()];
-        if body.only_turns {
-            for (entry, axis) in column.iter_mut().zip(axes) {
-                *entry = dot(axis, &moment);
+    let (n, from, count) = (tree.nv(), js.start, js.len());
+    let mut below = link;
+    while let Some(above) = tree.bodies[below].parent {
+        let reach = &ws.reaches[below];
+        for load in &mut loads {
+            load.moment += cross(reach, &load.force);
+        }
+        let body = &tree.bodies[above];
+        for k in body.first..body.end {
+            let mut entries = [T::zero(); TOGETHER];
+            if body.only_turns {
+                let axis = &ws.axes[k];
+                for (entry, load) in entries.iter_mut().zip(&loads) {
+                    *entry = dot(axis, &load.moment);
+                }
+            } else {
+                for (entry, load) in entries.iter_mut().zip(&loads) {
+                    *entry = along(tree, ws, k, load);
+                }
             }
-        } else {
-            let parts = axes.iter().zip(&ws.levers[dofs.clone()]).zip(&tree.dofs[dofs.clone()]);
-            for (entry, ((axis, lever), dof)) in column.iter_mut().zip(parts) {
-                *entry = match (dof.kind.turns(), dof.has_lever) {
-                    (true, false) => dot(axis, &moment),
-                    (true, true) => dot(axis, &moment) + dot(lever, &force),
-                    (false, _) => dot(lever, &force),
-                };
+            if let ([x, y, z], TOGETHER) = (&entries, count) {
+                let at = k * n + from;
+                (matrix[at], matrix[at + 1], matrix[at + 2]) = (*x, *y, *z);
+                let at = from * n + k;
+                (matrix[at], matrix[at + n], matrix[at + 2 * n]) = (*x, *y, *z);
+                continue;
+            }
+            for (i, entry) in entries[..count].iter().enumerate() {
+                matrix[k * n + from + i] = *entry;
+                matrix[(from + i) * n + k] = *entry;
             }
         }
-        for k in dofs {
-            matrix[k * n + j] = matrix[j * n + k];
-        }
-        let Some(parent) = body.parent else { return };
-        moment += cross(&ws.reaches[link], &force);
-        link = parent;
-        end = tree.bodies[link].end;
+        below = above;
     }
 }
 
