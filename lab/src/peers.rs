@@ -1,14 +1,18 @@
 //! Timing beside other engines: our part in the programs that a driver runs back to back on the same model and states.
 //!
 //! Prints `RESULT<TAB>tool<TAB>operation<TAB>model<TAB>median ns<TAB>least ns` for each operation. The operations have the
-//! names that robotics gives them: `rnea` is inverse dynamics, `aba` forward dynamics, `crba` the mass matrix.
+//! names that robotics gives them: `rnea` is inverse dynamics, `aba` forward dynamics, `crba` the mass matrix, `minverse` its inverse,
+//! `rnea_derivatives` and `aba_derivatives` the derivatives of the first two by state and input.
 
 mod model;
 mod states;
 
 use crate::timing;
 use model::Model;
-use solaris_dynamics::{DynamicsError, Tree, Workspace, forward_dynamics, inverse_dynamics, mass_matrix};
+use solaris_dynamics::{
+    Derivatives, DynamicsError, Tree, Workspace, forward_dynamics, inverse_dynamics, inverse_mass_matrix,
+    mass_matrix,
+};
 use states::States;
 use std::fs;
 use std::hint::black_box;
@@ -28,6 +32,8 @@ pub(crate) struct Options {
     rounds: usize,
     dump: Option<PathBuf>,
     dump_forward: Option<PathBuf>,
+    /// Where the derivatives of inverse dynamics by `q` and `v` go, row by row.
+    dump_derivatives: Option<PathBuf>,
 }
 
 impl Options {
@@ -43,10 +49,11 @@ impl Options {
                 "--rounds" => options.rounds = positive(arg, value()?)?,
                 "--dump" => options.dump = Some(value()?.into()),
                 "--dump-fd" => options.dump_forward = Some(value()?.into()),
+                "--dump-derivatives" => options.dump_derivatives = Some(value()?.into()),
                 other => {
                     return Err(format!(
                         "peers: unknown option '{other}'; there are --model FILE.txt, --states PREFIX, --ms MS, \
-                         --rounds N, --dump FILE.f64 and --dump-fd FILE.f64"
+                         --rounds N, --dump FILE.f64, --dump-fd FILE.f64 and --dump-derivatives FILE.f64"
                     ));
                 }
             }
@@ -74,13 +81,23 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     let states = States::read(&options.states, model.figure.layout())?;
     let mut case = Case::new(&model, states).map_err(|error| error.to_string())?;
     if let Some(path) = &options.dump {
-        dump(&mut case, path, Case::rnea, |case| &case.tau)?;
+        dump(&mut case, path, Case::rnea, |case| case.tau.clone())?;
     }
     if let Some(path) = &options.dump_forward {
-        dump(&mut case, path, Case::aba, |case| &case.a)?;
+        dump(&mut case, path, Case::aba, |case| case.a.clone())?;
     }
-    let operations: [(&str, timing::Operation<Case, DynamicsError>); 3] =
-        [("rnea", Case::rnea), ("aba", Case::aba), ("crba", Case::crba)];
+    if let Some(path) = &options.dump_derivatives {
+        dump(&mut case, path, Case::rnea_derivatives, |case| case.slopes.clone())?;
+    }
+    case.slopes.clear();
+    let operations: [(&str, timing::Operation<Case, DynamicsError>); 6] = [
+        ("rnea", Case::rnea),
+        ("aba", Case::aba),
+        ("crba", Case::crba),
+        ("minverse", Case::minverse),
+        ("rnea_derivatives", Case::rnea_derivatives),
+        ("aba_derivatives", Case::aba_derivatives),
+    ];
     let count = case.states.count.min(MOST_TIMED);
     let times = timing::run(&mut case, &operations, count, options.block, options.rounds)
         .map_err(|error| error.to_string())?;
@@ -95,12 +112,12 @@ fn dump(
     case: &mut Case,
     path: &Path,
     operation: timing::Operation<Case, DynamicsError>,
-    result: impl Fn(&Case) -> &[f64],
+    result: impl Fn(&Case) -> Vec<f64>,
 ) -> Result<(), String> {
     let mut rows = Vec::new();
     for state in 0..case.states.count {
         operation(case, state).map_err(|error| format!("state {state}: {error}"))?;
-        rows.extend_from_slice(result(case));
+        rows.extend(result(case));
     }
     states::write(path, &rows)
 }
@@ -113,6 +130,9 @@ struct Case {
     tau: Vec<f64>,
     a: Vec<f64>,
     matrix: nalgebra::DMatrix<f64>,
+    derivatives: Derivatives,
+    /// The derivatives by `q` and `v`, row by row; empty where nobody asks for them.
+    slopes: Vec<f64>,
 }
 
 impl Case {
@@ -120,7 +140,9 @@ impl Case {
         let tree = Tree::new(&model.figure, model.gravity)?;
         let (workspace, nv) = (Workspace::new(&tree), tree.nv());
         let (tau, a) = (vec![0.0; nv], vec![0.0; nv]);
-        Ok(Self { tree, workspace, states, tau, a, matrix: nalgebra::DMatrix::zeros(nv, nv) })
+        let derivatives = Derivatives::new(&model.figure, model.gravity)?;
+        let matrix = nalgebra::DMatrix::zeros(nv, nv);
+        Ok(Self { tree, workspace, states, tau, a, matrix, derivatives, slopes: vec![0.0] })
     }
 
     fn rnea(&mut self, state: usize) -> Result<(), DynamicsError> {
@@ -142,6 +164,30 @@ impl Case {
         black_box(&mut self.matrix);
         Ok(())
     }
+
+    fn minverse(&mut self, state: usize) -> Result<(), DynamicsError> {
+        let q = black_box(self.states.q(state));
+        inverse_mass_matrix(&self.tree, &mut self.workspace, q, &mut self.matrix)?;
+        black_box(&mut self.matrix);
+        Ok(())
+    }
+
+    fn rnea_derivatives(&mut self, state: usize) -> Result<(), DynamicsError> {
+        let (q, v, a) = (self.states.q(state), self.states.v(state), self.states.a(state));
+        let partials = black_box(self.derivatives.inverse_dynamics(black_box(q), v, a, &[])?);
+        if !self.slopes.is_empty() {
+            self.slopes.clear();
+            // The columns of the transpose are rows.
+            self.slopes.extend(partials.by_q.transpose().iter().chain(partials.by_v.transpose().iter()));
+        }
+        Ok(())
+    }
+
+    fn aba_derivatives(&mut self, state: usize) -> Result<(), DynamicsError> {
+        let (q, v, tau) = (self.states.q(state), self.states.v(state), self.states.tau(state));
+        black_box(self.derivatives.forward_dynamics(black_box(q), v, tau, &[])?);
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -160,6 +206,7 @@ mod tests {
             rounds: 3,
             dump: Some("tau.f64".into()),
             dump_forward: None,
+            dump_derivatives: None,
         };
         assert_eq!(options, expected);
     }
@@ -181,7 +228,7 @@ mod tests {
         peers: --model needs a value
         peers: --ms is '-1'; it must be a number above zero
         peers: --rounds is '0'; it must be a number above zero
-        peers: unknown option '--fast'; there are --model FILE.txt, --states PREFIX, --ms MS, --rounds N, --dump FILE.f64 and --dump-fd FILE.f64
+        peers: unknown option '--fast'; there are --model FILE.txt, --states PREFIX, --ms MS, --rounds N, --dump FILE.f64, --dump-fd FILE.f64 and --dump-derivatives FILE.f64
         ");
     }
 }

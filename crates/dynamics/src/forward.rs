@@ -6,6 +6,8 @@ pub(crate) mod propagation;
 
 use crate::error::DynamicsError;
 use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms, velocity_terms};
+use crate::inertia::factored::invert;
+use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::apply_external;
 use crate::scalar::Scalar;
 use crate::spatial::Wrench;
@@ -130,8 +132,8 @@ pub fn hybrid_dynamics<T: Scalar>(
 /// The inverse of the mass matrix, `M⁻¹` (`nv` × `nv`) at `q`: column `j` holds the accelerations that a force of 1 along
 /// degree of freedom `j` gives the figure at rest without gravity.
 ///
-/// The joints are gathered once, as in [`forward_dynamics`]; each column then takes one pass each way. `M` itself is
-/// never formed.
+/// The mass matrix is factored along the branches and inverted in its place. Where it is so near to singular that a pivot loses nine
+/// digits, the joints are gathered once, as in [`forward_dynamics`], and each column takes one pass each way. Also places the links.
 ///
 /// # Errors
 ///
@@ -148,10 +150,16 @@ pub fn inverse_mass_matrix<T: Scalar>(
     check_length("each column of the inverse mass matrix", matrix.nrows(), n)?;
     check_length("each row of the inverse mass matrix", matrix.ncols(), n)?;
     tree.check_free()?;
-    workspace.set_positions(tree, q)?;
-    no_velocity_terms(workspace);
+    mass_matrix(tree, workspace, q, matrix)?;
     // Taken out so that the workspace can be borrowed; an empty vector takes no memory.
     let mut force = std::mem::take(&mut workspace.zeros);
+    let is_inverted = invert(tree, workspace, matrix, &mut force);
+    force.fill(T::zero());
+    if is_inverted {
+        workspace.zeros = force;
+        return check_result("the inverse mass matrix", matrix.as_slice());
+    }
+    no_velocity_terms(workspace);
     gather(tree, workspace, |_| false, &[], &force);
     for j in 0..n {
         workspace.loads.fill(Load::zero());

@@ -21,6 +21,8 @@ use solaris_model::{Axis, EulerOrder, Figure, JointKind, Link};
 pub struct Tree<T> {
     pub(crate) bodies: Vec<Body<T>>,
     pub(crate) dofs: Vec<Dof<T>>,
+    /// Of each degree of freedom the one before it on its path to the root.
+    pub(crate) before: Vec<Option<usize>>,
     /// The degrees of freedom that slide.
     pub(crate) slides: Vec<usize>,
     /// The degrees of freedom whose axis is none of the coordinate axes, by slot.
@@ -90,6 +92,7 @@ impl<T: Scalar> Tree<T> {
         let mut tree = Self {
             bodies: Vec::with_capacity(figure.links().len()),
             dofs: Vec::with_capacity(layout.nv()),
+            before: Vec::with_capacity(layout.nv()),
             slides: Vec::new(),
             skews: Vec::new(),
             spheres: Vec::new(),
@@ -116,6 +119,11 @@ impl<T: Scalar> Tree<T> {
                 (None, Some(_)) => end - 3,
                 (None, None) => end,
             };
+            let mut before = link.parent().and_then(|parent| tree.last_before(parent));
+            for k in first..end {
+                tree.before.push(before);
+                before = Some(k);
+            }
             tree.bodies.push(Body {
                 parent: link.parent(),
                 first,
@@ -180,6 +188,18 @@ impl<T: Scalar> Tree<T> {
         self.skews.extend(dof.kind.is_skew().then_some(k));
         self.slides.extend((!dof.kind.turns() && q < self.nq).then_some(k));
         self.dofs.push(dof);
+    }
+
+    /// The last degree of freedom between the world and a link.
+    fn last_before(&self, link: usize) -> Option<usize> {
+        let mut next = Some(link);
+        while let Some(body) = next.map(|link| &self.bodies[link]) {
+            if body.end > body.first {
+                return Some(body.end - 1);
+            }
+            next = body.parent;
+        }
+        None
     }
 
     /// The ball or free joint that degree of freedom `k` belongs to, and which of that joint's it is.

@@ -1,7 +1,9 @@
 //! The mass matrix in factors that are zero wherever it is: between different branches.
 
 use crate::scalar::Scalar;
+use crate::spatial::symmetric::Symmetric;
 use crate::tree::Tree;
+use crate::workspace::Workspace;
 use nalgebra::DMatrix;
 
 /// A pivot that keeps less than this part of its entry has lost too many digits.
@@ -29,17 +31,13 @@ impl<T: Scalar> Factored<T> {
     /// For right sides of at most `width` columns.
     pub(crate) fn new(tree: &Tree<T>, width: usize) -> Self {
         let (mut paths, mut starts) = (Vec::new(), vec![0]);
-        for body in &tree.bodies {
-            for k in body.first..body.end {
-                paths.extend((body.first..k).rev());
-                let mut above = body.parent;
-                while let Some(link) = above {
-                    let body = &tree.bodies[link];
-                    paths.extend((body.first..body.end).rev());
-                    above = body.parent;
-                }
-                starts.push(paths.len());
+        for k in 0..tree.nv() {
+            let mut next = tree.before[k];
+            while let Some(i) = next {
+                paths.push(i);
+                next = tree.before[i];
             }
+            starts.push(paths.len());
         }
         Self {
             lower: vec![T::zero(); paths.len()],
@@ -107,4 +105,77 @@ impl<T: Scalar> Factored<T> {
             right[k * width..][..width].copy_from_slice(row);
         }
     }
+}
+
+/// Puts the inverse of the mass matrix that `workspace` was used for last in its place; `false` where too little of a pivot is left beside
+/// what it was made of, and then the matrix means nothing.
+///
+/// Above the diagonal stand first the factors of [`Factored`]; below it the inverse is found column by column. With `x` the column `j`,
+/// of which what stands before `j` is known as the row,
+///
+/// ```text
+/// x_j = 1/D_j − Σ L_ji·x_i          x_k = −Σ L_ki·x_i  for k > j
+/// ```
+///
+/// over `i` before `j` and `k` on their paths.
+pub(crate) fn invert<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &Workspace<T>,
+    matrix: &mut DMatrix<T>,
+    column: &mut [T],
+) -> bool {
+    let n = tree.nv();
+    let entries = matrix.as_mut_slice();
+    let mut is_sound = true;
+    // The diagonal, with the inertia that it is a part of.
+    for (body, composite) in tree.bodies.iter().zip(&workspace.composites) {
+        let Symmetric { xx, yy, zz, .. } = composite.inertia;
+        for k in body.first..body.end {
+            let whole = if tree.dofs[k].kind.turns() { xx + yy + zz } else { composite.mass };
+            column[k] = entries[k * n + k] + whole;
+        }
+    }
+    for k in (0..n).rev() {
+        let pivot = entries[k * n + k];
+        is_sound &= (pivot / column[k]).all_within(LEAST, 2.0);
+        let inverse = T::one() / pivot;
+        let mut next = tree.before[k];
+        while let Some(i) = next {
+            let part = entries[k * n + i] * inverse;
+            let mut last = Some(i);
+            while let Some(l) = last {
+                let taken = part * entries[k * n + l];
+                entries[i * n + l] -= taken;
+                last = tree.before[l];
+            }
+            entries[k * n + i] = part;
+            next = tree.before[i];
+        }
+        entries[k * n + k] = inverse;
+    }
+    if !is_sound {
+        return false;
+    }
+    for j in 0..n {
+        for (i, x) in column[..j].iter_mut().enumerate() {
+            *x = entries[i * n + j];
+        }
+        for k in j..n {
+            let mut sum = if k == j { entries[j * n + j] } else { T::zero() };
+            let own = &entries[k * n..][..=k];
+            let mut next = tree.before[k];
+            while let Some(i) = next {
+                sum -= own[i] * column[i];
+                next = tree.before[i];
+            }
+            column[k] = sum;
+        }
+        entries[j * n + j..][..n - j].copy_from_slice(&column[j..]);
+    }
+    for j in 0..n {
+        for i in 0..j {
+            entries[j * n + i] = entries[i * n + j];
+        }
+    }
+    true
 }
