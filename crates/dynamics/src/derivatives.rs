@@ -2,7 +2,8 @@
 
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
-use crate::inertia::factored::Factored;
+use crate::inertia::inverse::invert;
+use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::inverse_dynamics;
 use crate::inverse::slopes::Slopes;
 use crate::scalar::Dual;
@@ -78,9 +79,11 @@ pub struct Derivatives<const N: usize = 4> {
     /// Of inverse dynamics in closed form, and what they are written to: what is zero in every state stays so.
     slopes: Slopes<f64>,
     inverse: Partials,
-    /// Forward dynamics by way of inverse dynamics: the mass matrix in factors, and right sides row by row.
-    factored: Factored<f64>,
-    right: Vec<f64>,
+    /// For each degree of freedom those that are before or behind it, and itself: the rest of its column is zero. All of them one
+    /// after the other, and where each one's begin.
+    related: Vec<usize>,
+    starts: Vec<usize>,
+    column: Vec<f64>,
 }
 
 /// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
@@ -140,6 +143,7 @@ impl<const N: usize> Derivatives<N> {
         let (tree, plain) = (Tree::new(figure, gravity)?, Tree::new(figure, gravity)?);
         let (nq, nv, zero) = (tree.nq(), tree.nv(), Dual::constant(0.0));
         let square = || DMatrix::zeros(nv, nv);
+        let (related, starts) = related(&plain);
         Ok(Self {
             workspace: Workspace::new(&tree),
             plain_workspace: Workspace::new(&plain),
@@ -150,8 +154,9 @@ impl<const N: usize> Derivatives<N> {
             external: Vec::with_capacity(tree.link_count()),
             partials: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
             slopes: Slopes::new(&plain),
-            factored: Factored::new(&plain, 3 * nv),
-            right: vec![0.0; 3 * nv * nv],
+            related,
+            starts,
+            column: vec![0.0; nv],
             inverse: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
             plain,
             tree,
@@ -190,43 +195,42 @@ impl<const N: usize> Derivatives<N> {
         tau: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
-        let Self { plain, plain_workspace: workspace, slopes, inverse, factored, partials, .. } = self;
+        let Self { plain, plain_workspace: workspace, slopes, inverse, partials, column, .. } = self;
         forward_dynamics(plain, workspace, q, v, tau, external, &mut partials.value)?;
         slopes.find(plain, workspace, v, &partials.value, external, inverse)?;
-        if factored.factor(&inverse.by_input) {
-            self.divide();
-            if !self.right.iter().sum::<f64>().is_finite() {
-                check_result("a derivative of forward dynamics", &self.right)?;
-            }
-            return Ok(&self.partials);
+        mass_matrix(plain, workspace, q, &mut partials.by_input)?;
+        if invert(plain, workspace, &mut partials.by_input, column) {
+            return self.divide();
         }
         self.sweep(&[Argument::Q, Argument::V], forward_dynamics, q, v, tau, external)?;
         inverse_mass_matrix(&self.plain, &mut self.plain_workspace, q, &mut self.partials.by_input)?;
         Ok(&self.partials)
     }
 
-    /// `∂a/∂q = −M⁻¹·∂τ/∂q`, `∂a/∂v = −M⁻¹·∂τ/∂v` and `M⁻¹`.
-    fn divide(&mut self) {
-        let (n, right) = (self.plain.nv(), &mut self.right);
-        let width = 3 * n;
-        if n == 0 {
-            return;
-        }
-        for (i, row) in right.chunks_exact_mut(width).enumerate() {
-            for k in 0..n {
-                row[k] = -self.inverse.by_q[(i, k)];
-                row[n + k] = -self.inverse.by_v[(i, k)];
-                row[2 * n + k] = f64::from(u8::from(i == k));
+    /// `∂a/∂q = −M⁻¹·∂τ/∂q` and `∂a/∂v = −M⁻¹·∂τ/∂v`.
+    fn divide(&mut self) -> Result<&Partials, DynamicsError> {
+        let n = self.plain.nv();
+        let Partials { by_q, by_v, by_input, .. } = &mut self.partials;
+        let by_input = by_input.as_slice();
+        for (to, from) in [(by_q, &self.inverse.by_q), (by_v, &self.inverse.by_v)] {
+            let columns = to.as_mut_slice().chunks_exact_mut(n.max(1));
+            for (k, (to, from)) in columns.zip(from.as_slice().chunks_exact(n.max(1))).enumerate() {
+                to.fill(0.0);
+                for rows in self.related[self.starts[k]..self.starts[k + 1]].chunks(4) {
+                    // What is missing to four adds nothing.
+                    let part = |i: usize| rows.get(i).map_or((0.0, 0), |row| (from[*row], *row * n));
+                    let [(a, x), (b, y), (c, z), (d, w)] = [part(0), part(1), part(2), part(3)];
+                    let column = |at: usize| &by_input[at..][..n];
+                    let all = column(x).iter().zip(column(y)).zip(column(z)).zip(column(w));
+                    for (to, (((x, y), z), w)) in to.iter_mut().zip(all) {
+                        *to -= (a * x + b * y) + (c * z + d * w);
+                    }
+                }
             }
+            check_result("a derivative of forward dynamics", to.as_slice())?;
         }
-        self.factored.solve(right, width);
-        for (i, row) in right.chunks_exact(width).enumerate() {
-            for k in 0..n {
-                self.partials.by_q[(i, k)] = row[k];
-                self.partials.by_v[(i, k)] = row[n + k];
-                self.partials.by_input[(i, k)] = row[2 * n + k];
-            }
-        }
+        check_result("the inverse mass matrix", by_input)?;
+        Ok(&self.partials)
     }
 
     /// The output of any `operation` and its derivatives by `q`, `v` and its input, all through dual numbers.
@@ -390,6 +394,28 @@ impl<T> Partials<T> {
             Argument::Input => &mut self.by_input,
         }
     }
+}
+
+/// For each degree of freedom those that are before or behind it on a path, and itself, one after the other; and where each one's
+/// begin.
+fn related(tree: &Tree<f64>) -> (Vec<usize>, Vec<usize>) {
+    let n = tree.nv();
+    let mut lists = vec![Vec::new(); n];
+    for k in 0..n {
+        lists[k].push(k);
+        let mut next = tree.before[k];
+        while let Some(i) = next {
+            lists[k].push(i);
+            lists[i].push(k);
+            next = tree.before[i];
+        }
+    }
+    let mut starts = vec![0];
+    for list in &mut lists {
+        list.sort_unstable();
+        starts.push(starts[starts.len() - 1] + list.len());
+    }
+    (lists.concat(), starts)
 }
 
 fn add_partial<const N: usize>(number: &mut Dual<N>, lane: usize, rate: f64) {

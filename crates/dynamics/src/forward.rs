@@ -6,7 +6,7 @@ pub(crate) mod propagation;
 
 use crate::error::DynamicsError;
 use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms, velocity_terms};
-use crate::inertia::factored::invert;
+use crate::inertia::inverse::invert;
 use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::apply_external;
 use crate::scalar::Scalar;

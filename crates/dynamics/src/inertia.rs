@@ -3,6 +3,6 @@
 pub(crate) mod centroidal;
 pub(crate) mod coriolis;
 pub(crate) mod energy;
-pub(crate) mod factored;
+pub(crate) mod inverse;
 pub(crate) mod mass_matrix;
 pub(crate) mod momentum;
