@@ -280,10 +280,18 @@ pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) ->
 
 /// Refuses a result that is not finite.
 pub(crate) fn check_result<T: Scalar>(what: &str, values: &[T]) -> Result<(), DynamicsError> {
-    if values.iter().fold(true, |finite, value| finite & value.is_finite()) {
+    // A sum is finite only if all its parts are; eight at once run in vector registers.
+    let (mut sums, chunks) = ([T::zero(); 8], values.chunks_exact(8));
+    let rest = chunks.remainder();
+    for chunk in chunks {
+        for (sum, value) in sums.iter_mut().zip(chunk) {
+            *sum += *value;
+        }
+    }
+    if sums.iter().chain(rest).fold(T::zero(), |all, value| all + *value).is_finite() {
         return Ok(());
     }
-    let bad =
-        values.iter().find(|value| !value.is_finite()).map_or_else(String::new, |value| format!("{value:?}"));
-    Err(DynamicsError::Overflow { what: what.to_owned(), value: bad })
+    values.iter().find(|value| !value.is_finite()).map_or(Ok(()), |value| {
+        Err(DynamicsError::Overflow { what: what.to_owned(), value: format!("{value:?}") })
+    })
 }

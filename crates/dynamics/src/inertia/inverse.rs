@@ -69,10 +69,18 @@ pub(crate) fn invert<T: Scalar>(
         column[..k].copy_from_slice(&own[..k]);
         own[..k].fill(T::zero());
         let mut next = tree.before[k];
+        // Two at a time, so that what they are taken from is read and written half as often.
         while let Some(i) = next {
-            let factor = column[i];
-            own[..k].iter_mut().zip(&before[i * n..]).for_each(|(x, from)| *x -= factor * *from);
+            let (a, one) = (column[i], &before[i * n..][..k]);
             next = tree.before[i];
+            if let Some(l) = next {
+                let (b, two) = (column[l], &before[l * n..][..k]);
+                let both = one.iter().zip(two);
+                own[..k].iter_mut().zip(both).for_each(|(x, (one, two))| *x -= a * *one + b * *two);
+                next = tree.before[l];
+            } else {
+                own[..k].iter_mut().zip(one).for_each(|(x, one)| *x -= a * *one);
+            }
         }
         let mut next = tree.before[k];
         while let Some(i) = next {
