@@ -12,8 +12,8 @@ const LEAST: f64 = 1e-9;
 /// Puts the inverse of the mass matrix that `workspace` was used for last in its place; `false` where too little of a pivot is left beside
 /// what it was made of, and then the matrix means nothing. `column` is scratch of length `nv`.
 ///
-/// `M = Lᵀ·D·L`, with `L` one on its diagonal and zero but on the paths to the root. First its entries stand above the diagonal and `1/D` on it;
-/// then the inverse grows row by row, its symmetric half with it:
+/// `M = Lᵀ·D·L`, with `L` one on its diagonal and zero but on the paths to the root. First its entries stand above the diagonal, at the head
+/// of their columns, and `1/D` on it; then the inverse grows row by row, its symmetric half with it:
 ///
 /// ```text
 /// X_kj = −Σ L_ki·X_ij  for j < k          X_kk = 1/D_k − Σ L_ki·X_ki
@@ -34,6 +34,12 @@ pub(crate) fn invert<T: Scalar>(
     let n = tree.nv();
     let entries = matrix.as_mut_slice();
     let mut is_sound = true;
+    // What stands on the path comes to the head of each column: of degrees of freedom before k it is the head of that of k.
+    for k in 0..n {
+        let own = &mut entries[k * n..][..k];
+        column[..k].copy_from_slice(own);
+        climb(tree, k, |p, i| own[p] = column[i]);
+    }
     // The diagonal, with the inertia that it is a part of.
     for (body, composite) in tree.bodies.iter().zip(&workspace.composites) {
         let Symmetric { xx, yy, zz, .. } = composite.inertia;
@@ -43,22 +49,16 @@ pub(crate) fn invert<T: Scalar>(
         }
     }
     for k in (0..n).rev() {
-        let pivot = entries[k * n + k];
-        is_sound &= (pivot / column[k]).all_within(LEAST, 2.0);
-        let inverse = T::one() / pivot;
-        let mut next = tree.before[k];
-        while let Some(i) = next {
-            let part = entries[k * n + i] * inverse;
-            let mut last = Some(i);
-            while let Some(l) = last {
-                let taken = part * entries[k * n + l];
-                entries[i * n + l] -= taken;
-                last = tree.before[l];
-            }
-            entries[k * n + i] = part;
-            next = tree.before[i];
-        }
-        entries[k * n + k] = inverse;
+        let (before, own) = entries.split_at_mut(k * n);
+        is_sound &= (own[k] / column[k]).all_within(LEAST, 2.0);
+        own[k] = T::one() / own[k];
+        climb(tree, k, |p, i| {
+            let part = own[p] * own[k];
+            let to = &mut before[i * n..][..=i];
+            to[..p].iter_mut().zip(&*own).for_each(|(to, from)| *to -= part * *from);
+            to[i] -= part * own[p];
+            own[p] = part;
+        });
     }
     if !is_sound {
         return false;
@@ -68,29 +68,28 @@ pub(crate) fn invert<T: Scalar>(
         let own = &mut rest[..=k];
         column[..k].copy_from_slice(&own[..k]);
         own[..k].fill(T::zero());
-        let mut next = tree.before[k];
-        // Two at a time, so that what they are taken from is read and written half as often.
-        while let Some(i) = next {
-            let (a, one) = (column[i], &before[i * n..][..k]);
-            next = tree.before[i];
-            if let Some(l) = next {
-                let (b, two) = (column[l], &before[l * n..][..k]);
-                let both = one.iter().zip(two);
-                own[..k].iter_mut().zip(both).for_each(|(x, (one, two))| *x -= a * *one + b * *two);
-                next = tree.before[l];
-            } else {
-                own[..k].iter_mut().zip(one).for_each(|(x, one)| *x -= a * *one);
-            }
-        }
-        let mut next = tree.before[k];
-        while let Some(i) = next {
-            let taken = column[i] * own[i];
+        climb(tree, k, |p, i| {
+            let factor = column[p];
+            own[..k].iter_mut().zip(&before[i * n..]).for_each(|(x, from)| *x -= factor * *from);
+        });
+        climb(tree, k, |p, i| {
+            let taken = column[p] * own[i];
             own[k] -= taken;
-            next = tree.before[i];
-        }
+        });
         for (j, x) in own[..k].iter().enumerate() {
             before[j * n + k] = *x;
         }
     }
     true
+}
+
+/// Visits the degrees of freedom before `k` on its path, the nearest one first, each with how many are before it.
+#[inline]
+fn climb<T: Scalar>(tree: &Tree<T>, k: usize, mut visit: impl FnMut(usize, usize)) {
+    let (mut place, mut next) = (tree.depth[k], tree.before[k]);
+    while let Some(i) = next {
+        place -= 1;
+        visit(place, i);
+        next = tree.before[i];
+    }
 }
