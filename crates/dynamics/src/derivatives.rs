@@ -1,4 +1,4 @@
-//! Derivatives of inverse and forward dynamics: the same recursions over dual numbers.
+//! Derivatives: of inverse and forward dynamics in closed form, of any other operation by the same recursion over dual numbers.
 
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
@@ -27,7 +27,8 @@ pub type Operation<T> = fn(
     &mut [T],
 ) -> Result<(), DynamicsError>;
 
-/// Finds derivatives of one figure's dynamics, exact to rounding, `N` directions in a pass.
+/// Finds derivatives of one figure's dynamics, exact to rounding: [`Derivatives::inverse_dynamics`] and
+/// [`Derivatives::forward_dynamics`] in closed form, [`Derivatives::of`] and [`Derivatives::along`] over dual numbers, `N` directions in a pass.
 ///
 /// It owns a [`Tree`] and a [`Workspace`] over [`Dual<N>`] and the results; after [`Derivatives::new`] nothing allocates
 /// (but a list of more external wrenches than there are links, the first time). The default `N` suits whole matrices; for
