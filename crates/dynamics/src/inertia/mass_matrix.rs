@@ -6,10 +6,9 @@ use crate::scalar::Scalar;
 use crate::spatial::direction::{apply, cross, dot};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
-use crate::tree::{Body, Tree};
+use crate::tree::Tree;
 use crate::workspace::{Composite, Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
-use std::ops::Range;
 
 /// The mass matrix `M` (`nv` × `nv`) at `q`, in kg, kg m, kg m²: kinetic energy is `½ vᵀ·M·v`.
 ///
@@ -48,14 +47,15 @@ pub fn mass_matrix<T: Scalar>(
     gather(tree, workspace);
     matrix.as_mut_slice().fill(T::zero());
     for (link, body) in tree.bodies.iter().enumerate() {
-        for first in (body.first..body.end).step_by(TOGETHER) {
-            let count = TOGETHER.min(body.end - first);
-            let mut loads = [Load::zero(); TOGETHER];
-            for (i, load) in loads[..count].iter_mut().enumerate() {
-                *load = accelerating(tree, workspace, link, first + i);
-                among_themselves(tree, workspace, body, first + i, load, matrix.as_mut_slice());
-            }
-            project(tree, workspace, link, first..first + count, loads, matrix.as_mut_slice());
+        // Most joints of living things have three degrees of freedom, most of machines one.
+        let mut j = body.first;
+        while j < body.end {
+            let matrix = matrix.as_mut_slice();
+            j = match body.end - j {
+                1 => write_columns::<T, 1>(tree, workspace, link, j, matrix),
+                2 => write_columns::<T, 2>(tree, workspace, link, j, matrix),
+                _ => write_columns::<T, 3>(tree, workspace, link, j, matrix),
+            };
         }
     }
     for &(k, armature) in &tree.armature {
@@ -140,9 +140,6 @@ pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: u
     load
 }
 
-/// How many degrees of freedom of a link go up to the root together: most joints of living things have three.
-const TOGETHER: usize = 3;
-
 /// The force or moment along degree of freedom `k` of a load about its link's origin.
 #[expect(
     clippy::inline_always,
@@ -158,35 +155,25 @@ fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>)
     }
 }
 
-/// Writes the forces that `load` on its own link asks of degree of freedom `j` and of those before it in its joint into column and
-/// row `j`.
-fn among_themselves<T: Scalar>(
-    tree: &Tree<T>,
-    ws: &Workspace<T>,
-    body: &Body<T>,
-    j: usize,
-    load: &Load<T>,
-    matrix: &mut [T],
-) {
-    let n = tree.nv();
-    for k in body.first..=j {
-        let entry = along(tree, ws, k, load);
-        matrix[j * n + k] = entry;
-        matrix[k * n + j] = entry;
-    }
-}
-
-/// Writes the forces that `loads` on `link`, one for each of its degrees of freedom `js`, ask of all degrees of freedom between its joint
-/// and the world into columns and rows `js`.
-fn project<T: Scalar>(
+/// Writes columns and rows of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
+fn write_columns<T: Scalar, const N: usize>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
-    js: Range<usize>,
-    mut loads: [Load<T>; TOGETHER],
+    first: usize,
     matrix: &mut [T],
-) {
-    let (n, from, count) = (tree.nv(), js.start, js.len());
+) -> usize {
+    let n = tree.nv();
+    let mut loads = [Load::zero(); N];
+    for (i, load) in loads.iter_mut().enumerate() {
+        let j = first + i;
+        *load = accelerating(tree, ws, link, j);
+        for k in tree.bodies[link].first..=j {
+            let entry = along(tree, ws, k, load);
+            matrix[j * n + k] = entry;
+            matrix[k * n + j] = entry;
+        }
+    }
     let mut below = link;
     while let Some(above) = tree.bodies[below].parent {
         let reach = &ws.reaches[below];
@@ -195,7 +182,7 @@ fn project<T: Scalar>(
         }
         let body = &tree.bodies[above];
         for k in body.first..body.end {
-            let mut entries = [T::zero(); TOGETHER];
+            let mut entries = [T::zero(); N];
             if body.only_turns {
                 let axis = &ws.axes[k];
                 for (entry, load) in entries.iter_mut().zip(&loads) {
@@ -206,20 +193,15 @@ fn project<T: Scalar>(
                     *entry = along(tree, ws, k, load);
                 }
             }
-            if let ([x, y, z], TOGETHER) = (&entries, count) {
-                let at = k * n + from;
-                (matrix[at], matrix[at + 1], matrix[at + 2]) = (*x, *y, *z);
-                let at = from * n + k;
-                (matrix[at], matrix[at + n], matrix[at + 2 * n]) = (*x, *y, *z);
-                continue;
-            }
-            for (i, entry) in entries[..count].iter().enumerate() {
-                matrix[k * n + from + i] = *entry;
-                matrix[(from + i) * n + k] = *entry;
+            let (column, row) = (k * n + first, first * n + k);
+            for (i, entry) in entries.iter().enumerate() {
+                matrix[column + i] = *entry;
+                matrix[row + i * n] = *entry;
             }
         }
         below = above;
     }
+    first + N
 }
 
 impl<T: Scalar> Composite<T> {
