@@ -10,6 +10,7 @@ use crate::prepared::{PreparedMotion, each};
 use nalgebra::{DMatrix, DVector};
 use solaris_dynamics::{DynamicsError, mass_matrix};
 use solaris_model::{ConfigurationError, Figure, Motion, MotionError};
+use solaris_profiles::Butterworth;
 
 /// By which factor a cut-off may as well be greater or smaller: 6 Hz may be 4.8 or 7.5 Hz.
 pub const CUTOFF_FACTOR: f64 = 1.25;
@@ -87,12 +88,11 @@ pub struct Uncertainty {
 impl Uncertainty {
     /// Of these sources, which are independent of each other: their squares add up.
     pub fn of(parts: Vec<(ErrorSource, Spread)>) -> Self {
-        let (mut positions, mut forces) = (Squares::default(), Squares::default());
+        let mut squares = Squares::default();
         for (_, part) in &parts {
-            positions.add(part.positions.iter().copied());
-            forces.add(part.forces.iter().copied());
+            squares.add(part);
         }
-        Self { total: Spread { positions: positions.roots(1), forces: forces.roots(1) }, parts }
+        Self { total: squares.mean(1), parts }
     }
 }
 
@@ -111,26 +111,19 @@ pub fn position_spread<E: Send + From<SpreadError>>(
     errors: &[Vec<f64>],
     ask: impl Fn(&Motion) -> Result<Answer, E> + Sync + Send,
 ) -> Result<Spread, E> {
-    let (mut positions, mut forces) = (Squares::default(), Squares::default());
+    let ask = |(): &mut (), sample: usize| {
+        Ok::<_, E>(change(figure, found, &ask(&displaced(figure, recorded, errors, sample)?)?))
+    };
+    let mut squares = Squares::default();
     for start in (0..errors.len()).step_by(GROUP) {
         let group = start..errors.len().min(start + GROUP);
-        let changes = each(
-            group,
-            || (),
-            |(), sample| {
-                Ok::<_, E>(change(figure, found, &ask(&displaced(figure, recorded, errors, sample)?)?))
-            },
-        )?;
-        for change in changes {
-            positions.add(change.positions.into_iter());
-            forces.add(change.forces.into_iter());
-        }
+        each(group, || (), ask)?.iter().for_each(|change| squares.add(change));
     }
-    Ok(Spread { positions: positions.roots(errors.len()), forces: forces.roots(errors.len()) })
+    Ok(squares.mean(errors.len()))
 }
 
 /// What the choice of the filter's cut-off does: the root of the mean square of what changes with a cut-off that is by
-/// [`CUTOFF_FACTOR`] smaller and greater.
+/// [`CUTOFF_FACTOR`] smaller and greater; of the greater one nothing is asked where that is no cut-off at the motion's rate.
 ///
 /// # Errors
 ///
@@ -141,17 +134,15 @@ pub fn filter_spread<E: Send>(
     found: &Answer,
     ask: impl Fn(Filter) -> Result<Answer, E> + Sync + Send,
 ) -> Result<Spread, E> {
+    let most = Butterworth::rate_of(found.motion.time()).map_or(f64::INFINITY, |rate| rate / 2.0);
     let cutoffs = [filter.cutoff / CUTOFF_FACTOR, filter.cutoff * CUTOFF_FACTOR];
-    let (mut positions, mut forces) = (Squares::default(), Squares::default());
-    for change in each(
-        0..cutoffs.len(),
-        || (),
-        |(), i| Ok(change(figure, found, &ask(Filter { cutoff: cutoffs[i], ..filter })?)),
-    )? {
-        positions.add(change.positions.into_iter());
-        forces.add(change.forces.into_iter());
-    }
-    Ok(Spread { positions: positions.roots(cutoffs.len()), forces: forces.roots(cutoffs.len()) })
+    let cutoffs: Vec<f64> = cutoffs.into_iter().filter(|cutoff| *cutoff < most).collect();
+    let ask = |(): &mut (), i: usize| {
+        Ok::<_, E>(change(figure, found, &ask(Filter { cutoff: cutoffs[i], ..filter })?))
+    };
+    let mut squares = Squares::default();
+    each(0..cutoffs.len(), || (), ask)?.iter().for_each(|change| squares.add(change));
+    Ok(squares.mean(cutoffs.len()))
 }
 
 /// By how much the forces change if the motion of the whole is what the residual comes from: if the root is accelerated by the
@@ -227,18 +218,20 @@ fn change(figure: &Figure, found: &Answer, other: &Answer) -> Spread {
 
 /// Sums of squares, entry by entry.
 #[derive(Default)]
-struct Squares(Vec<f64>);
+struct Squares(Spread);
 
 impl Squares {
-    fn add(&mut self, values: impl ExactSizeIterator<Item = f64>) {
-        self.0.resize(values.len(), 0.0);
-        for (sum, value) in self.0.iter_mut().zip(values) {
-            *sum += value * value;
+    fn add(&mut self, change: &Spread) {
+        let Spread { positions, forces } = &mut self.0;
+        for (sums, values) in [(positions, &change.positions), (forces, &change.forces)] {
+            sums.resize(values.len(), 0.0);
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value * value);
         }
     }
 
-    /// Roots of the means of so many.
-    fn roots(self, count: usize) -> Vec<f64> {
-        self.0.into_iter().map(|sum| (sum / count.max(1) as f64).sqrt()).collect()
+    /// The roots of the means of so many.
+    fn mean(self, count: usize) -> Spread {
+        let roots = |sums: Vec<f64>| sums.into_iter().map(|sum| (sum / count.max(1) as f64).sqrt()).collect();
+        Spread { positions: roots(self.0.positions), forces: roots(self.0.forces) }
     }
 }

@@ -245,6 +245,24 @@ fn a_cut_off_changes_a_swing_by_the_filter_s_gain() {
     }
 }
 
+/// A cut-off that is near half the rate has no greater one; the smaller one tells what there is.
+#[test]
+fn a_cut_off_near_half_the_rate_is_held_against_a_smaller_one() {
+    let (figure, _, q) = person();
+    let record = recorded(&figure, q);
+    let filter = Filter { cutoff: 0.45 * RATE, order: 2 };
+    let answer = ask(&figure, &record, filter);
+    let spread = filter_spread(&figure, filter, &answer, |filter| {
+        assert!(filter.cutoff < RATE / 2.0, "{} Hz is no cut-off", filter.cutoff);
+        Ok::<_, SpreadError>(ask(&figure, &record, filter))
+    });
+    let less = ask(&figure, &record, Filter { cutoff: filter.cutoff / CUTOFF_FACTOR, ..filter }).forces;
+    let found = spread.expect("smooth").forces;
+    for ((found, less), asked) in found.iter().zip(less).zip(answer.forces) {
+        assert!((found - (less - asked).abs()).abs() < 1e-9);
+    }
+}
+
 #[test]
 fn errors_of_another_length_are_refused() {
     let (figure, _, q) = person();

@@ -16,7 +16,7 @@ use std::io::{Result as Written, Write};
 /// How often errors of the markers are drawn: a standard error is known to one part in eight.
 const SAMPLES: usize = 32;
 /// So many standard errors hold 95 of 100 errors.
-pub(super) const TWO: f64 = 2.0;
+const TWO: f64 = 2.0;
 
 /// What the forces of a motion are found from, besides the motion.
 pub(super) struct Outside<'a> {
