@@ -107,17 +107,7 @@ pub(crate) fn gather<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate().rev() {
         let Some(parent) = body.parent else { continue };
         let (Composite { mass, first: h, inertia }, r) = (ws.composites[i], ws.reaches[i]);
-        // With u = h + m·r/2, the shift is 2·u·r·1 − (u·rᵀ + r·uᵀ).
-        let u = h + r * (mass * T::from_f64(0.5));
-        let (x, y, z) = (u.x * r.x, u.y * r.y, u.z * r.z);
-        let shift = Symmetric {
-            xx: y + z + (y + z),
-            yy: x + z + (x + z),
-            zz: x + y + (x + y),
-            xy: -(u.x * r.y + r.x * u.y),
-            xz: -(u.x * r.z + r.x * u.z),
-            yz: -(u.y * r.z + r.y * u.z),
-        };
+        let shift = ws.composites[i].shift(&r);
         let carried = &mut ws.composites[parent];
         carried.mass += mass;
         carried.first += h + r * mass;
@@ -205,6 +195,22 @@ fn write_columns<T: Scalar, const N: usize>(
 }
 
 impl<T: Scalar> Composite<T> {
+    /// How much more inertia it has about a point from which its own origin is `r` away: with `u = h + m·r/2`,
+    /// `2·u·r·1 − (u·rᵀ + r·uᵀ)`.
+    #[inline]
+    pub(crate) fn shift(&self, r: &Vector3<T>) -> Symmetric<T> {
+        let u = self.first + r * (self.mass * T::from_f64(0.5));
+        let (x, y, z) = (u.x * r.x, u.y * r.y, u.z * r.z);
+        Symmetric {
+            xx: y + z + (y + z),
+            yy: x + z + (x + z),
+            zz: x + y + (x + y),
+            xy: -(u.x * r.y + r.x * u.y),
+            xz: -(u.x * r.z + r.x * u.z),
+            yz: -(u.y * r.z + r.y * u.z),
+        }
+    }
+
     pub(crate) fn zero() -> Self {
         Self { mass: T::zero(), first: Vector3::zeros(), inertia: Symmetric::zero() }
     }

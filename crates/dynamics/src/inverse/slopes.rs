@@ -227,20 +227,14 @@ impl<T: Scalar> Slopes<T> {
         let outside = self.carried[link].outside;
         let mut carried = Carried { velocity, acceleration, outside, ..Carried::nothing() };
         if let Some(mass) = &body.mass_distribution {
-            let first = apply(rotation, &mass.first);
-            // About the root's origin: (2·h·r + m·r·r)·1 − (h·rᵀ + r·hᵀ + m·r·rᵀ) more.
-            let u = first + from * (mass.mass * T::from_f64(0.5));
-            let (x, y, z) = (u.x * from.x, u.y * from.y, u.z * from.z);
-            let mut inertia = mass.inertia_at_origin.rotated(rotation);
-            inertia.add(&Symmetric {
-                xx: y + z + (y + z),
-                yy: x + z + (x + z),
-                zz: x + y + (x + y),
-                xy: -(u.x * from.y + from.x * u.y),
-                xz: -(u.x * from.z + from.x * u.z),
-                yz: -(u.y * from.z + from.y * u.z),
-            });
-            carried.body = Composite { mass: mass.mass, first: first + from * mass.mass, inertia };
+            carried.body = Composite {
+                mass: mass.mass,
+                first: apply(rotation, &mass.first),
+                inertia: mass.inertia_at_origin.rotated(rotation),
+            };
+            let shift = carried.body.shift(&from);
+            carried.body.first += from * mass.mass;
+            carried.body.inertia.add(&shift);
             let momentum = carries(&carried.body, &velocity);
             let moving = carries(&carried.body, &acceleration);
             carried.force = Load {
