@@ -79,6 +79,6 @@ pub fn inverse_kinematics(
     let mut solved = chain::solve(&problem, &points)?;
     let swaps =
         if options.keep_labels { Vec::new() } else { swaps::mend(&problem, &mut points, &mut solved)? };
-    let told = unseen::fill(&problem, &points, &mut solved)?;
-    report::of(&problem, &points, solved, &told, swaps)
+    let telling = unseen::fill(&problem, &points, &mut solved)?;
+    report::of(&problem, &points, solved, &telling, swaps)
 }

@@ -1,12 +1,13 @@
 //! What inverse kinematics found, and how well the markers fit.
 
-use super::blind::{is_blind, lever};
+use super::blind::is_blind;
 use super::chain::Frame;
 use super::matched::Matched;
 use super::options::IkError;
 use super::problem::{Problem, Sight, Unknown};
 use super::solve::Solver;
 use super::swaps::Swap;
+use super::unseen::Telling;
 use crate::prepared::each;
 use nalgebra::Vector3;
 use solaris_dynamics::DynamicsError;
@@ -97,21 +98,20 @@ pub(super) fn of(
     problem: &Problem,
     points: &[Vector3<f64>],
     solved: Vec<Frame>,
-    told: &[Vec<bool>],
+    telling: &Telling,
     swaps: Vec<Swap>,
 ) -> Result<MarkerMotion, IkError> {
-    let looked = each(
+    let Telling { levers, told } = telling;
+    let offsets = each(
         0..solved.len(),
         || Solver::new(problem),
         |solver, row| {
             let (q, points) = (&solved[row].q, problem.row(points, row));
             let places = solver.places(q)?;
             let offset = |(sight, place): (&Sight, &Vector3<f64>)| points[sight.column] - place;
-            let offsets: Vec<Vector3<f64>> = problem.sights.iter().zip(&places).map(offset).collect();
-            Ok::<_, DynamicsError>((offsets, lever(solver, q, points)?))
+            Ok::<_, DynamicsError>(problem.sights.iter().zip(&places).map(offset).collect::<Vec<_>>())
         },
     )?;
-    let (offsets, levers): (Vec<_>, Vec<_>) = looked.into_iter().unzip();
     let norms = |row: &Vec<Vector3<f64>>| row.iter().map(Vector3::norm).collect();
     let distances: Vec<Vec<f64>> = offsets.iter().map(norms).collect();
     let frames = distances.iter().zip(&solved).zip(problem.trial.time());
@@ -123,7 +123,7 @@ pub(super) fn of(
     Ok(MarkerMotion {
         frames,
         markers: marker_fits(problem, &distances),
-        dofs: dof_sights(problem, &distances, &levers, told),
+        dofs: dof_sights(problem, &distances, levers, told),
         offsets: offsets.concat(),
         q: solved.into_iter().flat_map(|frame| frame.q).collect(),
         matched: problem.matched.clone(),

@@ -13,15 +13,16 @@ const PULL: f64 = 1e-10;
 
 /// Moves each degree of freedom, where no marker tells of it, from where it was seen last to where it is seen next: along a cubic that
 /// does not overshoot, ball and free joints by the shortest turn; before the first and after the last it stays. What the markers do tell
-/// of is then found again, from there. Gives which unknowns each frame tells of, frame by frame.
+/// of is then found again, from there. Gives what each frame tells of, as it was found before that.
 pub(super) fn fill(
     problem: &Problem,
     points: &[Vector3<f64>],
     solved: &mut [Frame],
-) -> Result<Vec<Vec<bool>>, DynamicsError> {
+) -> Result<Telling, DynamicsError> {
     let scratch = || Solver::new(problem);
-    let told = told(problem, points, solved)?;
-    let groups: Vec<Group> = groups(problem, &told);
+    let telling = telling(problem, points, solved)?;
+    let told = &telling.told;
+    let groups: Vec<Group> = groups(problem, told);
     let is_unseen = |row: usize| groups.iter().any(|group| !group.told[row] && !group.rows.is_empty());
     let rows: Vec<usize> = (0..solved.len()).filter(|row| is_unseen(*row)).collect();
     let before: &[Frame] = solved;
@@ -38,40 +39,41 @@ pub(super) fn fill(
     for (row, frame) in rows.into_iter().zip(found) {
         solved[row] = frame;
     }
-    Ok(told)
+    Ok(telling)
 }
 
-/// Which unknowns the markers of each frame tell of.
+/// What the markers of each frame tell of the unknowns.
+pub(super) struct Telling {
+    /// How far each one is off if every coordinate of every marker is off by 1 m: see [`lever`].
+    pub(super) levers: Vec<Vec<f64>>,
+    /// Whether they tell of it.
+    pub(super) told: Vec<Vec<bool>>,
+}
+
+/// What the markers of each frame tell of.
 ///
 /// Where two axes of a joint fall together nothing tells their angles apart, although everything is in view: what all markers
 /// together would not tell of there, and do tell of in other frames, is none that is unseen.
-fn told(
-    problem: &Problem,
-    points: &[Vector3<f64>],
-    solved: &[Frame],
-) -> Result<Vec<Vec<bool>>, DynamicsError> {
+fn telling(problem: &Problem, points: &[Vector3<f64>], solved: &[Frame]) -> Result<Telling, DynamicsError> {
     let in_view = vec![Vector3::zeros(); problem.trial.names().len()];
     let found = each(
         0..solved.len(),
         || Solver::new(problem),
         |solver, row| {
-            let mut sees = |points: &[Vector3<f64>]| {
-                let levers = lever(solver, &solved[row].q, points)?;
-                Ok::<_, DynamicsError>(
-                    levers.into_iter().map(|lever| !is_blind(lever)).collect::<Vec<bool>>(),
-                )
-            };
-            let told = sees(problem.row(points, row))?;
-            let tellable = if told.iter().all(|told| *told) { told.clone() } else { sees(&in_view)? };
-            Ok::<_, DynamicsError>((told, tellable))
+            let q = &solved[row].q;
+            let levers = lever(solver, q, problem.row(points, row))?;
+            let is_whole = !levers.iter().any(|lever| is_blind(*lever));
+            let whole = if is_whole { levers.clone() } else { lever(solver, q, &in_view)? };
+            Ok::<_, DynamicsError>((levers, whole))
         },
     )?;
-    let is_ever = |u: usize| found.iter().any(|(_, tellable)| tellable[u]);
+    let is_ever = |u: usize| found.iter().any(|(_, whole)| !is_blind(whole[u]));
     let ever: Vec<bool> = (0..problem.unknowns.len()).map(is_ever).collect();
-    let frame = |(told, tellable): &(Vec<bool>, Vec<bool>)| {
-        (0..told.len()).map(|u| told[u] || (ever[u] && !tellable[u])).collect()
+    let frame = |(levers, whole): &(Vec<f64>, Vec<f64>)| {
+        (0..levers.len()).map(|u| !is_blind(levers[u]) || (ever[u] && is_blind(whole[u]))).collect()
     };
-    Ok(found.iter().map(frame).collect())
+    let told = found.iter().map(frame).collect();
+    Ok(Telling { told, levers: found.into_iter().map(|(levers, _)| levers).collect() })
 }
 
 /// What is told of together: a coordinate, or a ball or free joint.
