@@ -8,7 +8,7 @@ pub(crate) mod slopes;
 use crate::error::DynamicsError;
 use crate::kinematics::{is_finite, place};
 use crate::scalar::Scalar;
-use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross, sum_of_products};
 use crate::spatial::load::Load;
 use crate::spatial::{Pose, Wrench};
 use crate::tree::dof::{along, along_three};
@@ -118,6 +118,7 @@ pub fn bias_forces<T: Scalar>(
 }
 
 /// Motion of every link and what it takes, from the root outwards.
+#[inline(always)]
 fn outward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let parent = body.parent.map(|parent| &ws.motions[parent]);
@@ -164,7 +165,7 @@ struct FrameMotion<T> {
 }
 
 /// Motion of the joint's frame before its first degree of freedom.
-#[inline]
+#[inline(always)]
 fn at_joint<T: Scalar>(
     body: &Body<T>,
     parent: Option<&LinkMotion<T>>,
@@ -190,7 +191,7 @@ impl<T: Scalar> FrameMotion<T> {
     /// ```text
     /// α ← Rᵀα + Rᵀω × e·q̇ + e·q̈      ω ← Rᵀω + e·q̇      a ← Rᵀa
     /// ```
-    #[inline]
+    #[inline(always)]
     fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, rate: T, acceleration: T) {
         let angular = e.enter(self.angular, turn);
         let rotated = e.enter(self.angular_acceleration, turn) + e.crossed(&angular, rate);
@@ -205,7 +206,7 @@ impl<T: Scalar> FrameMotion<T> {
     /// ```text
     /// a ← Rᵀ(a + α × d + ω × (ω × d)) + 2·Rᵀω × u + w × u + u̇      α ← Rᵀα + Rᵀω × w + ẇ      ω ← Rᵀω + w
     /// ```
-    #[inline]
+    #[inline(always)]
     fn fly(&mut self, sphere: &Pose<T>, v: &[T], a: &[T]) {
         let enter = |v: &Vector3<T>| apply_transposed(&sphere.rotation, v);
         let angular = enter(&self.angular);
@@ -228,7 +229,7 @@ impl<T: Scalar> FrameMotion<T> {
     /// ```text
     /// a ← a + α × e·q + ω × (ω × e·q + 2·e·q̇) + e·q̈
     /// ```
-    #[inline]
+    #[inline(always)]
     fn slide<E: Direction<T>>(&mut self, e: E, slide: Moved<T>, rate: T, acceleration: T) {
         let carried = e.add(e.crossed(&self.angular, slide.s), rate + rate);
         let turned = e.crossed(&self.angular_acceleration, slide.s) + cross(&self.angular, &carried);
@@ -237,7 +238,7 @@ impl<T: Scalar> FrameMotion<T> {
 }
 
 /// `K = [α]× + [ω]×²`
-#[inline]
+#[inline(always)]
 pub(crate) fn field<T: Scalar>(angular: &Vector3<T>, acceleration: &Vector3<T>) -> Matrix3<T> {
     let (w, d) = (angular, acceleration);
     let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
@@ -252,21 +253,26 @@ pub(crate) fn field<T: Scalar>(angular: &Vector3<T>, acceleration: &Vector3<T>) 
 }
 
 /// What moves the mass of one link: `f = m·a + K·h` and `n = h × a + ∫ r × K·r dm`.
-#[inline]
+#[inline(always)]
 fn inertial_load<T: Scalar>(distribution: &MassDistribution<T>, a: &Vector3<T>, k: &Matrix3<T>) -> Load<T> {
     let Load { force, moment } = centrifugal_load(distribution, k);
-    Load { force: a * distribution.mass + force, moment: cross(&distribution.first, a) + moment }
+    let m = distribution.mass;
+    let force =
+        Vector3::new(a.x.times_plus(m, force.x), a.y.times_plus(m, force.y), a.z.times_plus(m, force.z));
+    Load { force, moment: cross(&distribution.first, a) + moment }
 }
 
 /// What keeps the mass of one link on its way about its origin: `f = K·h` and `n = ∫ r × K·r dm`, the antisymmetric part
 /// of `K·∫ r·rᵀ dm`.
-#[inline]
+#[inline(always)]
 pub(crate) fn centrifugal_load<T: Scalar>(distribution: &MassDistribution<T>, k: &Matrix3<T>) -> Load<T> {
     let s = &distribution.second;
+    let (x, y, z) = ([k.m11, k.m12, k.m13], [k.m21, k.m22, k.m23], [k.m31, k.m32, k.m33]);
+    let (s_x, s_y, s_z) = ([s.xx, s.xy, s.xz], [s.xy, s.yy, s.yz], [s.xz, s.yz, s.zz]);
     let moment = Vector3::new(
-        k.m31 * s.xy + k.m32 * s.yy + k.m33 * s.yz - (k.m21 * s.xz + k.m22 * s.yz + k.m23 * s.zz),
-        k.m11 * s.xz + k.m12 * s.yz + k.m13 * s.zz - (k.m31 * s.xx + k.m32 * s.xy + k.m33 * s.xz),
-        k.m21 * s.xx + k.m22 * s.xy + k.m23 * s.xz - (k.m11 * s.xy + k.m12 * s.yy + k.m13 * s.yz),
+        sum_of_products(z, s_y) - sum_of_products(y, s_z),
+        sum_of_products(x, s_z) - sum_of_products(z, s_x),
+        sum_of_products(y, s_x) - sum_of_products(x, s_y),
     );
     Load { force: apply(k, &distribution.first), moment }
 }
@@ -299,6 +305,7 @@ pub(crate) fn apply_external<T: Scalar>(
 }
 
 /// Collects the loads towards the root and reads the joints' forces on the way.
+#[inline(always)]
 fn inward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
     ws.base = Load::zero();
     for (i, body) in tree.bodies.iter().enumerate().rev() {
@@ -334,10 +341,12 @@ fn inward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
     }
 }
 
+#[inline(always)]
 pub(crate) fn first_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     Vector3::new(values[0], values[1], values[2])
 }
 
+#[inline(always)]
 pub(crate) fn last_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     first_three(&values[values.len() - 3..])
 }

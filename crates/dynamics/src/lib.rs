@@ -1,4 +1,8 @@
 #![doc = include_str!("../README.md")]
+#![allow(
+    clippy::inline_always,
+    reason = "what runs in vector registers is compiled whole, for the instructions at hand"
+)]
 
 mod coupling;
 pub mod denavit_hartenberg;

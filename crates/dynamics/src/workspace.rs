@@ -202,7 +202,7 @@ impl<T: Scalar> Workspace<T> {
     }
 
     /// What the last three turns of a joint with a triple have done.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn last_three(&self, body: &Body<T>) -> [Moved<T>; 3] {
         let from = body.q + (body.single_end - body.first);
         let pairs = &self.moved[from..][..3];

@@ -14,6 +14,12 @@ macro_rules! call {
     }};
 }
 
+#[inline]
+fn sin_cos_single(angle: f32) -> (f32, f32) {
+    let (sine, cosine) = sine::sin_cos_single(f64::from(angle));
+    (sine as f32, cosine as f32)
+}
+
 /// One width: its functions in `libm`, and its sine and cosine of a moderate angle.
 macro_rules! float {
     ($float:ident, $sin_cos_moderate:path,
@@ -140,7 +146,7 @@ macro_rules! float {
 float!(f64, sine::sin_cos, sqrt, exp, expm1, log, log1p, sincos, sinh, cosh, tanh, asin, atan, pow);
 float!(
     f32,
-    sine::sin_cos_single,
+    sin_cos_single,
     sqrtf,
     expf,
     expm1f,

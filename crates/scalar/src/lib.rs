@@ -1,5 +1,9 @@
 #![doc = include_str!("../README.md")]
 #![cfg_attr(not(feature = "std"), no_std)]
+#![allow(
+    clippy::inline_always,
+    reason = "what runs in vector registers is compiled whole, for the instructions at hand"
+)]
 
 #[cfg(feature = "counted")]
 mod counted;
@@ -9,7 +13,7 @@ mod dual;
 mod elementary;
 mod float;
 mod scalar;
-mod sine;
+pub mod sine;
 
 #[cfg(feature = "counted")]
 pub use counted::{Counted, Operations};

@@ -37,6 +37,18 @@ pub trait Scalar:
     /// The nearest number to `x`; in every lane, and without derivatives, where there are such.
     fn from_f64(x: f64) -> Self;
 
+    /// `self·a + b`: rounded once where an instruction does both, twice elsewhere.
+    #[inline]
+    fn times_plus(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    /// `b − self·a`, rounded as [`times_plus`](Self::times_plus) is.
+    #[inline]
+    fn times_from(self, a: Self, b: Self) -> Self {
+        b - self * a
+    }
+
     /// Sine and cosine of an angle (rad).
     fn sin_cos(self) -> (Self, Self);
 

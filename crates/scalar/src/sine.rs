@@ -1,38 +1,57 @@
-//! Sine and cosine without a call or a branch, so that a loop over many angles runs in vector registers.
+//! Sine and cosine without a call or a branch, of one angle or of several side by side: whatever can be written over them
+//! stays in vector registers.
+
+use crate::Scalar;
 
 /// Angles up to this (rad) are reduced here; the rest, and what is not finite, are left to the standard library.
-const LARGEST: f64 = 1e6;
+pub const MODERATE: f64 = 1e6;
+
+/// A number in double precision, or several, whose bits can be seen.
+pub trait Bits: Scalar {
+    /// Exchanges and signs the sine and cosine of a rest by the quarter turns that were taken off; `self` is their number, a
+    /// whole one, plus 1.5 · 2⁵², so that its lowest bits are those of the number.
+    fn turn_back(self, sine: Self, cosine: Self) -> (Self, Self);
+}
+
+impl Bits for f64 {
+    #[inline]
+    fn turn_back(self, sine: Self, cosine: Self) -> (Self, Self) {
+        let (turns, s, c) = (self.to_bits(), sine.to_bits(), cosine.to_bits());
+        let exchange = 0_u64.wrapping_sub(turns & 1);
+        let difference = (s ^ c) & exchange;
+        let negative_sine = (turns & 2) << 62;
+        let negative_cosine = (turns.wrapping_add(1) & 2) << 62;
+        (Self::from_bits(s ^ difference ^ negative_sine), Self::from_bits(c ^ difference ^ negative_cosine))
+    }
+}
 
 /// Whether [`sin_cos`] may be asked.
 #[inline]
 pub(crate) fn is_moderate(angle: f64) -> bool {
-    angle.abs() <= LARGEST
+    angle.abs() <= MODERATE
 }
 
-/// `(r, n)`: the angle less `n` quarter turns, and the low bits of `n`, for an angle of at most [`LARGEST`].
+/// `(r, n)`: the angle less `n` quarter turns, and `n` as [`Bits::turn_back`] takes it, for an angle of at most [`MODERATE`].
 ///
 /// The quarter turn is subtracted in two parts (Cody and Waite). The first has 33 bits, so that its product with `n` and
 /// the difference are exact; together they have 86.
-#[inline]
-fn reduce(angle: f64) -> (f64, u64) {
+#[inline(always)]
+fn reduce<T: Bits>(angle: T) -> (T, T) {
     /// Added and taken away again, it leaves the nearest whole number, and that number's bits at the low end.
     const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2⁵²
     const QUARTER_TURN_HIGH: f64 = f64::from_bits(0x3ff9_21fb_5440_0000);
     const QUARTER_TURN_LOW: f64 = f64::from_bits(0x3dd0_b461_1a62_6331);
-    let shifted = angle * core::f64::consts::FRAC_2_PI + ROUND;
-    let turns = shifted - ROUND;
-    ((angle - turns * QUARTER_TURN_HIGH) - turns * QUARTER_TURN_LOW, shifted.to_bits())
+    let (round, number) = (T::from_f64(ROUND), T::from_f64);
+    let shifted = angle.times_plus(number(core::f64::consts::FRAC_2_PI), round);
+    let turns = shifted - round;
+    let rest = turns.times_from(number(QUARTER_TURN_HIGH), angle);
+    (turns.times_from(number(QUARTER_TURN_LOW), rest), shifted)
 }
 
-/// Exchanges and signs sine and cosine of the rest by the number of quarter turns.
-#[inline]
-fn turn_back(sine: f64, cosine: f64, turns: u64) -> (f64, f64) {
-    let exchange = 0_u64.wrapping_sub(turns & 1);
-    let (s, c) = (sine.to_bits(), cosine.to_bits());
-    let difference = (s ^ c) & exchange;
-    let negative_sine = (turns & 2) << 62;
-    let negative_cosine = (turns.wrapping_add(1) & 2) << 62;
-    (f64::from_bits(s ^ difference ^ negative_sine), f64::from_bits(c ^ difference ^ negative_cosine))
+/// `a + x·b`
+#[inline(always)]
+fn line<T: Scalar>(x: T, a: f64, b: f64) -> T {
+    x.times_plus(T::from_f64(b), T::from_f64(a))
 }
 
 /// Sine and cosine of a moderate angle (rad), within 1.5 units in the 16th digit.
@@ -40,8 +59,8 @@ fn turn_back(sine: f64, cosine: f64, turns: u64) -> (f64, f64) {
 /// # Source
 ///
 /// The polynomials for |r| ≤ π/4 are those of Sun's fdlibm (`k_sin.c`, `k_cos.c`), with errors below 2⁻⁵⁷.
-#[inline]
-pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
+#[inline(always)]
+pub fn sin_cos<T: Bits>(angle: T) -> (T, T) {
     const S: [f64; 6] = [
         -1.666_666_666_666_663_2e-1,
         8.333_333_333_322_49e-3,
@@ -61,23 +80,27 @@ pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
     let (r, turns) = reduce(angle);
     let z = r * r;
     let w = z * z;
-    let sine = r + r * z * ((S[0] + z * S[1]) + w * ((S[2] + z * S[3]) + w * (S[4] + z * S[5])));
+    // a₀ + z·a₁ + w·(a₂ + z·a₃ + w·(a₄ + z·a₅))
+    let powers = |a: &[f64; 6]| {
+        let last = w.times_plus(line(z, a[4], a[5]), line(z, a[2], a[3]));
+        w.times_plus(last, line(z, a[0], a[1]))
+    };
+    let sine = (r * z).times_plus(powers(&S), r);
     // 1 − z/2 loses its last bits; `(1 − u) − z/2` gives them back.
-    let half = z * 0.5;
-    let u = 1.0 - half;
-    let cosine =
-        u + (((1.0 - u) - half) + w * ((C[0] + z * C[1]) + w * ((C[2] + z * C[3]) + w * (C[4] + z * C[5]))));
-    turn_back(sine, cosine, turns)
+    let half = z * T::from_f64(0.5);
+    let u = T::one() - half;
+    let cosine = u + w.times_plus(powers(&C), (T::one() - u) - half);
+    turns.turn_back(sine, cosine)
 }
 
 /// Sine and cosine of a moderate angle (rad) to single precision: reduced and evaluated in double precision with fewer
-/// terms, rounded once.
+/// terms, to be rounded once.
 ///
 /// # Source
 ///
 /// The polynomials are those of FreeBSD's `k_sinf.c`, `k_cosf.c`: errors below 2⁻³⁴.
-#[inline]
-pub(crate) fn sin_cos_single(angle: f32) -> (f32, f32) {
+#[inline(always)]
+pub fn sin_cos_single<T: Bits>(angle: T) -> (T, T) {
     const S: [f64; 4] = [
         -0.166_666_666_416_265_24,
         0.008_333_329_385_889_463,
@@ -90,13 +113,13 @@ pub(crate) fn sin_cos_single(angle: f32) -> (f32, f32) {
         -0.001_388_676_377_460_993,
         2.439_044_879_627_741e-5,
     ];
-    let (r, turns) = reduce(f64::from(angle));
+    let (r, turns) = reduce(angle);
     let z = r * r;
     let w = z * z;
-    let sine = r + r * z * ((S[0] + z * S[1]) + w * (S[2] + z * S[3]));
-    let cosine = 1.0 + z * ((C[0] + z * C[1]) + w * (C[2] + z * C[3]));
-    let (s, c) = turn_back(sine, cosine, turns);
-    (s as f32, c as f32)
+    let powers = |a: &[f64; 4]| w.times_plus(line(z, a[2], a[3]), line(z, a[0], a[1]));
+    let sine = (r * z).times_plus(powers(&S), r);
+    let cosine = z.times_plus(powers(&C), T::one());
+    turns.turn_back(sine, cosine)
 }
 
 #[cfg(test)]
@@ -119,7 +142,7 @@ mod tests {
     #[test]
     fn double_precision_agrees_with_the_standard_library() {
         let worst = angles().fold(0.0_f64, |worst, x| {
-            let ((s, c), (t, d)) = (sin_cos(x), x.sin_cos());
+            let ((s, c), (t, d)) = (sin_cos(x), f64::sin_cos(x));
             worst.max((s - t).abs()).max((c - d).abs())
         });
         assert!(worst < 2.3e-16, "{worst:e}");
@@ -129,15 +152,16 @@ mod tests {
     fn single_precision_agrees_with_the_standard_library() {
         let worst = angles().fold(0.0_f64, |worst, x| {
             let x = x as f32;
-            let ((s, c), (t, d)) = (sin_cos_single(x), f64::from(x).sin_cos());
-            worst.max((f64::from(s) - t).abs()).max((f64::from(c) - d).abs())
+            let ((s, c), (t, d)) = (sin_cos_single(f64::from(x)), f64::sin_cos(f64::from(x)));
+            let (s, c) = (f64::from(s as f32), f64::from(c as f32));
+            worst.max((s - t).abs()).max((c - d).abs())
         });
         assert!(worst < 3.1e-8, "{worst:e}");
     }
 
     #[test]
     fn small_angles_keep_their_digits() {
-        let (s, c) = sin_cos(1e-9);
+        let (s, c) = sin_cos(1e-9_f64);
         assert_eq!((s.to_bits(), c.to_bits()), (1e-9_f64.to_bits(), 1.0_f64.to_bits()));
     }
 }

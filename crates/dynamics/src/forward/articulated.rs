@@ -2,7 +2,7 @@
 //! giving way.
 
 use crate::scalar::Scalar;
-use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross};
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, conjugated, cross};
 use crate::spatial::symmetric::Symmetric;
 use crate::tree::mass_distribution::MassDistribution;
 use nalgebra::{Matrix3, Vector3};
@@ -24,12 +24,13 @@ pub(crate) struct Articulated<T> {
 }
 
 impl<T: Scalar> Articulated<T> {
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self { angular: Symmetric::zero(), coupling: Matrix3::zeros(), linear: Symmetric::zero() }
     }
 
     /// Adds a link's own mass: to `A` its inertia about its origin, to `B` `[h]×`, to `C` `m·1`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn add_mass(&mut self, distribution: &MassDistribution<T>) {
         let (h, b, c) = (&distribution.first, &mut self.coupling, &mut self.linear);
         self.angular.add(&distribution.inertia_at_origin);
@@ -44,7 +45,7 @@ impl<T: Scalar> Articulated<T> {
         c.zz += distribution.mass;
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn add(&mut self, other: &Self) {
         self.angular.add(&other.angular);
         self.coupling += other.coupling;
@@ -52,51 +53,52 @@ impl<T: Scalar> Articulated<T> {
     }
 
     /// Nothing is left against turning.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn clear_turning(&mut self) {
         (self.angular, self.coupling) = (Symmetric::zero(), Matrix3::zeros());
     }
 
     /// Moment and force for an angular acceleration about `e` by 1.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of_turn<E: Direction<T>>(&self, e: E) -> (Vector3<T>, Vector3<T>) {
         (e.of_symmetric(&self.angular), e.of_transposed(&self.coupling))
     }
 
     /// Moment and force for an acceleration along `e` by 1.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of_slide<E: Direction<T>>(&self, e: E) -> (Vector3<T>, Vector3<T>) {
         (e.of(&self.coupling), e.of_symmetric(&self.linear))
     }
 
     /// Moment and force for an angular acceleration.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of_angular(&self, angular: &Vector3<T>) -> (Vector3<T>, Vector3<T>) {
         (self.angular.times(angular), apply_transposed(&self.coupling, angular))
     }
 
     /// Moment and force for an acceleration of the origin.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of_linear(&self, linear: &Vector3<T>) -> (Vector3<T>, Vector3<T>) {
         (apply(&self.coupling, linear), self.linear.times(linear))
     }
 
     /// Lets a degree of freedom give way: `I ← I − U·Uᵀ/D`, where `U` are the moment and the force that go with its
     /// acceleration.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn give_way(&mut self, moment: &Vector3<T>, force: &Vector3<T>, inverse: T) {
         let (scaled_moment, scaled_force) = (moment * inverse, force * inverse);
         self.angular.subtract_outer(&scaled_moment, moment);
         self.linear.subtract_outer(&scaled_force, force);
         for column in 0..3 {
             for row in 0..3 {
-                self.coupling[(row, column)] -= scaled_moment[row] * force[column];
+                let entry = &mut self.coupling[(row, column)];
+                *entry = scaled_moment[row].times_from(force[column], *entry);
             }
         }
     }
 
     /// From the frame after a turn about `e` to the one before it: `R·X·Rᵀ` for every block.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn leave_turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>) {
         self.angular = e.leave_symmetric(&self.angular, turn);
         self.coupling = e.leave_matrix(&self.coupling, turn);
@@ -104,10 +106,10 @@ impl<T: Scalar> Articulated<T> {
     }
 
     /// From a turned frame to the one that it was turned from: `R·X·Rᵀ` for every block.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn leave_frame(&mut self, rotation: &Matrix3<T>) {
         self.angular = self.angular.rotated(rotation);
-        self.coupling = rotation * self.coupling * rotation.transpose();
+        self.coupling = conjugated(&self.coupling, rotation);
         self.linear = self.linear.rotated(rotation);
     }
 
@@ -116,14 +118,16 @@ impl<T: Scalar> Articulated<T> {
     /// ```text
     /// B' = B + [d]×·C          A' = A − B·[d]× + [d]×·B'ᵀ
     /// ```
-    #[inline]
+    #[inline(always)]
     pub(crate) fn shift(&mut self, d: &Vector3<T>) {
         let (b, c) = (self.coupling, &self.linear);
         let columns =
             [Vector3::new(c.xx, c.xy, c.xz), Vector3::new(c.xy, c.yy, c.yz), Vector3::new(c.xz, c.yz, c.zz)];
         for (column, of_c) in columns.iter().enumerate() {
-            let shifted = b.column(column) + cross(d, of_c);
-            self.coupling.set_column(column, &shifted);
+            let turned = cross(d, of_c);
+            for row in 0..3 {
+                self.coupling[(row, column)] += turned[row];
+            }
         }
         // Rows of −B·[d]× are d × (rows of B), written out; columns of [d]×·B'ᵀ are d × (rows of B').
         let row = |m: &Matrix3<T>, i: usize| Vector3::new(m[(i, 0)], m[(i, 1)], m[(i, 2)]);

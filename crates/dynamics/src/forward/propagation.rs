@@ -50,7 +50,7 @@ impl<T: Scalar> Hinge<T> {
 }
 
 /// Whether the joint of a body gives way to every turn of its link.
-#[inline]
+#[inline(always)]
 fn turns_freely<T: Scalar>(body: &Body<T>, prescribed: impl Fn(usize) -> bool) -> bool {
     body.turns_freely && !(body.end - 3..body.end).any(prescribed)
 }

@@ -63,18 +63,18 @@ impl<const A: usize> Along<A> {
 }
 
 impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
-    #[inline]
+    #[inline(always)]
     fn dot(self, v: &Vector3<T>) -> T {
         v[A]
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(self, mut v: Vector3<T>, k: T) -> Vector3<T> {
         v[A] += k;
         v
     }
 
-    #[inline]
+    #[inline(always)]
     fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T> {
         let mut out = Vector3::zeros();
         out[Self::B] = v[Self::C] * k;
@@ -82,85 +82,85 @@ impl<T: Scalar, const A: usize> Direction<T> for Along<A> {
         out
     }
 
-    #[inline]
+    #[inline(always)]
     fn enter(self, mut v: Vector3<T>, turn: Moved<T>) -> Vector3<T> {
         let (b, c) = (v[Self::B], v[Self::C]);
-        v[Self::B] = turn.c * b + turn.s * c;
-        v[Self::C] = turn.c * c - turn.s * b;
+        v[Self::B] = turn.s.times_plus(c, turn.c * b);
+        v[Self::C] = turn.s.times_from(b, turn.c * c);
         v
     }
 
-    #[inline]
+    #[inline(always)]
     fn leave(self, mut v: Vector3<T>, turn: Moved<T>) -> Vector3<T> {
         let (b, c) = (v[Self::B], v[Self::C]);
-        v[Self::B] = turn.c * b - turn.s * c;
-        v[Self::C] = turn.c * c + turn.s * b;
+        v[Self::B] = turn.s.times_from(c, turn.c * b);
+        v[Self::C] = turn.s.times_plus(b, turn.c * c);
         v
     }
 
-    #[inline]
+    #[inline(always)]
     fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
         Vector3::new(frame[(0, A)], frame[(1, A)], frame[(2, A)])
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T> {
         Vector3::new(matrix[(A, 0)], matrix[(A, 1)], matrix[(A, 2)])
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
         Vector3::new(matrix.at(0, A), matrix.at(1, A), matrix.at(2, A))
     }
 
     /// None: it is an entry of the matrix.
-    #[inline]
+    #[inline(always)]
     fn rounding(self, _: &Symmetric<T>) -> T {
         T::zero()
     }
 
-    #[inline]
+    #[inline(always)]
     fn leave_symmetric(self, matrix: &Symmetric<T>, turn: Moved<T>) -> Symmetric<T> {
         let (s, c) = (turn.s, turn.c);
         let (ab, ac) = (matrix.at(A, Self::B), matrix.at(A, Self::C));
         let (bb, cc, bc) =
             (matrix.at(Self::B, Self::B), matrix.at(Self::C, Self::C), matrix.at(Self::B, Self::C));
         // Rows first, then columns.
-        let (b_of_b, b_of_c) = (c * bb - s * bc, c * bc - s * cc);
-        let (c_of_b, c_of_c) = (c * bc + s * bb, c * cc + s * bc);
+        let (b_of_b, b_of_c) = (s.times_from(bc, c * bb), s.times_from(cc, c * bc));
+        let (c_of_b, c_of_c) = (s.times_plus(bb, c * bc), s.times_plus(bc, c * cc));
         let mut out = *matrix;
-        out.set(A, Self::B, c * ab - s * ac);
-        out.set(A, Self::C, c * ac + s * ab);
-        out.set(Self::B, Self::B, c * b_of_b - s * b_of_c);
-        out.set(Self::B, Self::C, c * b_of_c + s * b_of_b);
-        out.set(Self::C, Self::C, c * c_of_c + s * c_of_b);
+        out.set(A, Self::B, s.times_from(ac, c * ab));
+        out.set(A, Self::C, s.times_plus(ab, c * ac));
+        out.set(Self::B, Self::B, s.times_from(b_of_c, c * b_of_b));
+        out.set(Self::B, Self::C, s.times_plus(b_of_b, c * b_of_c));
+        out.set(Self::C, Self::C, s.times_plus(c_of_b, c * c_of_c));
         out
     }
 
-    #[inline]
+    #[inline(always)]
     fn leave_matrix(self, matrix: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
         let (s, c) = (turn.s, turn.c);
         let mut out = *matrix;
         for column in 0..3 {
             let (b, d) = (matrix[(Self::B, column)], matrix[(Self::C, column)]);
-            out[(Self::B, column)] = c * b - s * d;
-            out[(Self::C, column)] = c * d + s * b;
+            out[(Self::B, column)] = s.times_from(d, c * b);
+            out[(Self::C, column)] = s.times_plus(b, c * d);
         }
         for row in 0..3 {
             let (b, d) = (out[(row, Self::B)], out[(row, Self::C)]);
-            out[(row, Self::B)] = c * b - s * d;
-            out[(row, Self::C)] = c * d + s * b;
+            out[(row, Self::B)] = s.times_from(d, c * b);
+            out[(row, Self::C)] = s.times_plus(b, c * d);
         }
         out
     }
 
-    #[inline]
+    #[inline(always)]
     fn turned(self, frame: &Matrix3<T>, turn: Moved<T>) -> Matrix3<T> {
         let mut out = *frame;
         for row in 0..3 {
             let (b, c) = (frame[(row, Self::B)], frame[(row, Self::C)]);
-            out[(row, Self::B)] = turn.c * b + turn.s * c;
-            out[(row, Self::C)] = turn.c * c - turn.s * b;
+            out[(row, Self::B)] = turn.s.times_plus(c, turn.c * b);
+            out[(row, Self::C)] = turn.s.times_from(b, turn.c * c);
         }
         out
     }
@@ -176,62 +176,62 @@ pub(crate) struct GeneralAxis<'a, T> {
 }
 
 impl<T: Scalar> Direction<T> for GeneralAxis<'_, T> {
-    #[inline]
+    #[inline(always)]
     fn dot(self, v: &Vector3<T>) -> T {
         dot(self.axis, v)
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(self, v: Vector3<T>, k: T) -> Vector3<T> {
         v + self.axis * k
     }
 
-    #[inline]
+    #[inline(always)]
     fn crossed(self, v: &Vector3<T>, k: T) -> Vector3<T> {
         cross(v, &(self.axis * k))
     }
 
-    #[inline]
+    #[inline(always)]
     fn enter(self, v: Vector3<T>, _: Moved<T>) -> Vector3<T> {
         apply_transposed(self.rotation, &v)
     }
 
-    #[inline]
+    #[inline(always)]
     fn leave(self, v: Vector3<T>, _: Moved<T>) -> Vector3<T> {
         apply(self.rotation, &v)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of(self, frame: &Matrix3<T>) -> Vector3<T> {
         apply(frame, self.axis)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_transposed(self, matrix: &Matrix3<T>) -> Vector3<T> {
         apply_transposed(matrix, self.axis)
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_symmetric(self, matrix: &Symmetric<T>) -> Vector3<T> {
         matrix.times(self.axis)
     }
 
-    #[inline]
+    #[inline(always)]
     fn rounding(self, matrix: &Symmetric<T>) -> T {
         (matrix.xx + matrix.yy + matrix.zz) * T::from_f64(4.0 * T::EPSILON)
     }
 
-    #[inline]
+    #[inline(always)]
     fn leave_symmetric(self, matrix: &Symmetric<T>, _: Moved<T>) -> Symmetric<T> {
         matrix.rotated(self.rotation)
     }
 
-    #[inline]
+    #[inline(always)]
     fn leave_matrix(self, matrix: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
-        self.rotation * matrix * self.rotation.transpose()
+        conjugated(matrix, self.rotation)
     }
 
-    #[inline]
+    #[inline(always)]
     fn turned(self, frame: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
         frame * self.rotation
     }
@@ -275,34 +275,56 @@ pub(crate) fn rodrigues<T: Scalar>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
     rotation
 }
 
+/// `R·M·Rᵀ`
+#[inline(always)]
+pub(crate) fn conjugated<T: Scalar>(m: &Matrix3<T>, r: &Matrix3<T>) -> Matrix3<T> {
+    // Columns of M·Rᵀ, then R before each.
+    let column = |row: [T; 3]| apply(r, &apply(m, &Vector3::from(row)));
+    let (x, y, z) =
+        (column([r.m11, r.m12, r.m13]), column([r.m21, r.m22, r.m23]), column([r.m31, r.m32, r.m33]));
+    Matrix3::new(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
+}
+
+/// `a₀·b₀ + a₁·b₁ + a₂·b₂`
+#[inline(always)]
+pub(crate) fn sum_of_products<T: Scalar>(a: [T; 3], b: [T; 3]) -> T {
+    a[2].times_plus(b[2], a[1].times_plus(b[1], a[0] * b[0]))
+}
+
 /// `a·b`
-#[inline]
+#[inline(always)]
 pub(crate) fn dot<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> T {
-    a.x * b.x + a.y * b.y + a.z * b.z
+    sum_of_products([a.x, a.y, a.z], [b.x, b.y, b.z])
 }
 
 /// `a × b`
-#[inline]
+#[inline(always)]
 pub(crate) fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
-    Vector3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+    Vector3::new(
+        a.z.times_from(b.y, a.y * b.z),
+        a.x.times_from(b.z, a.z * b.x),
+        a.y.times_from(b.x, a.x * b.y),
+    )
 }
 
 /// `m·v`
-#[inline]
+#[inline(always)]
 pub(crate) fn apply<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+    let v = [v.x, v.y, v.z];
     Vector3::new(
-        m.m11 * v.x + m.m12 * v.y + m.m13 * v.z,
-        m.m21 * v.x + m.m22 * v.y + m.m23 * v.z,
-        m.m31 * v.x + m.m32 * v.y + m.m33 * v.z,
+        sum_of_products([m.m11, m.m12, m.m13], v),
+        sum_of_products([m.m21, m.m22, m.m23], v),
+        sum_of_products([m.m31, m.m32, m.m33], v),
     )
 }
 
 /// `mᵀ·v`
-#[inline]
+#[inline(always)]
 pub(crate) fn apply_transposed<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
+    let v = [v.x, v.y, v.z];
     Vector3::new(
-        m.m11 * v.x + m.m21 * v.y + m.m31 * v.z,
-        m.m12 * v.x + m.m22 * v.y + m.m32 * v.z,
-        m.m13 * v.x + m.m23 * v.y + m.m33 * v.z,
+        sum_of_products([m.m11, m.m21, m.m31], v),
+        sum_of_products([m.m12, m.m22, m.m32], v),
+        sum_of_products([m.m13, m.m23, m.m33], v),
     )
 }

@@ -1,6 +1,7 @@
 //! Symmetric 3 × 3 matrices.
 
 use crate::scalar::Scalar;
+use crate::spatial::direction::{dot, sum_of_products};
 use nalgebra::{Matrix3, Vector3};
 
 /// The six different entries of a symmetric matrix.
@@ -15,18 +16,19 @@ pub(crate) struct Symmetric<T> {
 }
 
 impl<T: Scalar> Symmetric<T> {
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         let o = T::zero();
         Self { xx: o, yy: o, zz: o, xy: o, xz: o, yz: o }
     }
 
     /// The upper triangle of `m`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of(m: &Matrix3<T>) -> Self {
         Self { xx: m.m11, yy: m.m22, zz: m.m33, xy: m.m12, xz: m.m13, yz: m.m23 }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(&self, row: usize, column: usize) -> T {
         match (row, column) {
             (0, 0) => self.xx,
@@ -38,7 +40,7 @@ impl<T: Scalar> Symmetric<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn set(&mut self, row: usize, column: usize, value: T) {
         let entry = match (row, column) {
             (0, 0) => &mut self.xx,
@@ -51,7 +53,7 @@ impl<T: Scalar> Symmetric<T> {
         *entry = value;
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn add(&mut self, other: &Self) {
         self.xx += other.xx;
         self.yy += other.yy;
@@ -62,28 +64,29 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// `S ← S − u·wᵀ`, where the product is symmetric.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn subtract_outer(&mut self, u: &Vector3<T>, w: &Vector3<T>) {
-        self.xx -= u.x * w.x;
-        self.yy -= u.y * w.y;
-        self.zz -= u.z * w.z;
-        self.xy -= u.x * w.y;
-        self.xz -= u.x * w.z;
-        self.yz -= u.y * w.z;
+        self.xx = u.x.times_from(w.x, self.xx);
+        self.yy = u.y.times_from(w.y, self.yy);
+        self.zz = u.z.times_from(w.z, self.zz);
+        self.xy = u.x.times_from(w.y, self.xy);
+        self.xz = u.x.times_from(w.z, self.xz);
+        self.yz = u.y.times_from(w.z, self.yz);
     }
 
     /// `S·v`
-    #[inline]
+    #[inline(always)]
     pub(crate) fn times(&self, v: &Vector3<T>) -> Vector3<T> {
+        let v = [v.x, v.y, v.z];
         Vector3::new(
-            self.xx * v.x + self.xy * v.y + self.xz * v.z,
-            self.xy * v.x + self.yy * v.y + self.yz * v.z,
-            self.xz * v.x + self.yz * v.y + self.zz * v.z,
+            sum_of_products([self.xx, self.xy, self.xz], v),
+            sum_of_products([self.xy, self.yy, self.yz], v),
+            sum_of_products([self.xz, self.yz, self.zz], v),
         )
     }
 
     /// All nine entries.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn full(&self) -> Matrix3<T> {
         #[rustfmt::skip]
         let full = Matrix3::new(
@@ -95,17 +98,17 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// `R·S·Rᵀ`
-    #[inline]
+    #[inline(always)]
     pub(crate) fn rotated(&self, rotation: &Matrix3<T>) -> Self {
         let row = |i: usize| Vector3::new(rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)]);
         let (rows, [x, y, z]) = ([row(0), row(1), row(2)], [0, 1, 2].map(|i| self.times(&row(i))));
         Self {
-            xx: rows[0].dot(&x),
-            yy: rows[1].dot(&y),
-            zz: rows[2].dot(&z),
-            xy: rows[0].dot(&y),
-            xz: rows[0].dot(&z),
-            yz: rows[1].dot(&z),
+            xx: dot(&rows[0], &x),
+            yy: dot(&rows[1], &y),
+            zz: dot(&rows[2], &z),
+            xy: dot(&rows[0], &y),
+            xz: dot(&rows[0], &z),
+            yz: dot(&rows[1], &z),
         }
     }
 }
@@ -121,19 +124,20 @@ pub(crate) struct Factor<T> {
 }
 
 impl<T: Scalar> Factor<T> {
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         let o = T::zero();
         Self { pivots: [o; 3], yx: o, zx: o, zy: o }
     }
 
     /// The vector that the matrix takes to `v`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn solve(&self, v: &Vector3<T>) -> Vector3<T> {
-        let y = v.y - self.yx * v.x;
-        let z = v.z - self.zx * v.x - self.zy * y;
+        let y = self.yx.times_from(v.x, v.y);
+        let z = self.zy.times_from(y, self.zx.times_from(v.x, v.z));
         let z = z * self.pivots[2];
-        let y = y * self.pivots[1] - self.zy * z;
-        Vector3::new(v.x * self.pivots[0] - self.yx * y - self.zx * z, y, z)
+        let y = self.zy.times_from(z, y * self.pivots[1]);
+        Vector3::new(self.zx.times_from(z, self.yx.times_from(y, v.x * self.pivots[0])), y, z)
     }
 }
 
@@ -150,7 +154,7 @@ impl<T: Scalar> Symmetric<T> {
     }
 
     /// The factors of a positive definite matrix. A pivot of which nothing but rounding is left makes them NaN.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn factor(&self) -> Factor<T> {
         let rounding = T::from_f64(4.0 * T::EPSILON);
         let x = self.xx.recip_or_nan((self.yy + self.zz) * rounding);

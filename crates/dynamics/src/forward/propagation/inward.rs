@@ -160,7 +160,7 @@ pub(crate) fn gather_loads<T: Scalar>(
 
 impl<T: Scalar> Known<T> {
     /// The same along the positive axis.
-    #[inline]
+    #[inline(always)]
     fn along(self, sign: T) -> Self {
         match self {
             Self::Force(force) => Self::Force(force * sign),
@@ -171,7 +171,7 @@ impl<T: Scalar> Known<T> {
 
 impl<T: Scalar> Carried<T> {
     /// Before a turn about `e`.
-    #[inline]
+    #[inline(always)]
     fn turn<E: Direction<T>>(
         &mut self,
         e: E,
@@ -188,7 +188,7 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// Before a slide along `e`.
-    #[inline]
+    #[inline(always)]
     fn slide<E: Direction<T>>(
         &mut self,
         e: E,
@@ -221,7 +221,7 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn let_turn<E: Direction<T>>(&mut self, e: E, armature: T, known: Known<T>) -> Hinge<T> {
         let (moment, force) = self.inertia.of_turn(e);
         let (diagonal, bias) = (e.dot(&moment) + armature, e.dot(&self.load.moment));
@@ -229,7 +229,7 @@ impl<T: Scalar> Carried<T> {
         self.give_way(moment, force, [diagonal, rounding], bias, known)
     }
 
-    #[inline]
+    #[inline(always)]
     fn let_slide<E: Direction<T>>(&mut self, e: E, armature: T, known: Known<T>) -> Hinge<T> {
         let (moment, force) = self.inertia.of_slide(e);
         let (diagonal, bias) = (e.dot(&force) + armature, e.dot(&self.load.force));
@@ -243,7 +243,7 @@ impl<T: Scalar> Carried<T> {
     /// ```
     ///
     /// A `D` that is not above its own rounding opposes nothing; the result then is NaN.
-    #[inline]
+    #[inline(always)]
     fn give_way(
         &mut self,
         moment: Vector3<T>,
@@ -264,7 +264,7 @@ impl<T: Scalar> Carried<T> {
         Hinge { moment, force, inverse, force_left }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, (moment, force): (Vector3<T>, Vector3<T>)) {
         self.load.moment += moment;
         self.load.force += force;

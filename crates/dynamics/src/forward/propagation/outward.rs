@@ -98,7 +98,7 @@ struct Answer<'a, T, P> {
 
 impl<T: Scalar> Accelerating<T> {
     /// Of the joint's frame before its first degree of freedom.
-    #[inline]
+    #[inline(always)]
     fn at_joint(
         body: &Body<T>,
         parent: Option<&LinkMotion<T>>,
@@ -116,7 +116,7 @@ impl<T: Scalar> Accelerating<T> {
     }
 
     /// Past a turn about `e`, without its own acceleration.
-    #[inline]
+    #[inline(always)]
     fn turn<E: Direction<T>>(&mut self, e: E, turn: Moved<T>, velocity_product: &Vector3<T>) {
         self.angular = e.enter(self.angular, turn) + velocity_product;
         self.linear = e.enter(self.linear, turn);
@@ -132,7 +132,7 @@ impl<T: Scalar> Accelerating<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn let_turn<E: Direction<T>, P: Fn(usize) -> bool>(
         &mut self,
         e: E,
@@ -144,7 +144,7 @@ impl<T: Scalar> Accelerating<T> {
         answer.force(k, self, acceleration);
     }
 
-    #[inline]
+    #[inline(always)]
     fn let_slide<E: Direction<T>, P: Fn(usize) -> bool>(
         &mut self,
         e: E,
@@ -159,7 +159,7 @@ impl<T: Scalar> Accelerating<T> {
 
 impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
     /// `q̈ = (u − U·a)/D` of a free degree of freedom, whose link would have the acceleration `a` without it.
-    #[inline]
+    #[inline(always)]
     fn acceleration(&mut self, k: usize, without: &Accelerating<T>) -> T {
         let (hinge, sign) = (&self.hinges[k], self.dofs[k].sign);
         if (self.prescribed)(k) {
@@ -171,7 +171,7 @@ impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
     }
 
     /// `τ = U·a + b` of a prescribed degree of freedom, whose link has the acceleration `a`.
-    #[inline]
+    #[inline(always)]
     fn force(&mut self, k: usize, with: &Accelerating<T>, acceleration: T) {
         if (self.prescribed)(k) {
             let (hinge, dof) = (&self.hinges[k], &self.dofs[k]);
@@ -183,7 +183,7 @@ impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
 
 impl<T: Scalar> Hinge<T> {
     /// The force along the degree of freedom that an acceleration of its link asks for.
-    #[inline]
+    #[inline(always)]
     fn opposes(&self, moving: &Accelerating<T>) -> T {
         let (m, f, angular, linear) = (&self.moment, &self.force, &moving.angular, &moving.linear);
         (m.x * angular.x + m.y * angular.y + m.z * angular.z)

@@ -62,7 +62,7 @@ pub(crate) fn velocity_terms<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v
 }
 
 /// `ω ← Rᵀω + e·q̇`; what it returns is `Rᵀω × e·q̇`.
-#[inline]
+#[inline(always)]
 fn turning<T: Scalar, E: Direction<T>>(
     e: E,
     angular: &mut Vector3<T>,

@@ -2,7 +2,7 @@
 
 use crate::forward::articulated::Articulated;
 use crate::scalar::Scalar;
-use crate::spatial::direction::{Direction, Moved, apply, apply_transposed};
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, dot};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Factor;
 use nalgebra::{Matrix3, Vector3};
@@ -25,23 +25,24 @@ pub(crate) struct Yielding<T> {
 }
 
 impl<T: Scalar> Yielding<T> {
+    #[inline(always)]
     pub(crate) fn idle() -> Self {
         Self { factor: Factor::zero(), coupling: Matrix3::zeros(), turning: Vector3::zeros() }
     }
 
     /// Lets the link of `inertia` turn under the joint's `moment`; `inertia` and `load` become those of what is left.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn give_way(inertia: &mut Articulated<T>, load: &mut Load<T>, moment: Vector3<T>) -> Self {
         let (factor, b) = (inertia.angular.factor(), inertia.coupling);
         let columns = [0, 1, 2].map(|i| Vector3::new(b[(0, i)], b[(1, i)], b[(2, i)]));
         let [x, y, z] = columns.map(|column| factor.solve(&column));
         let c = &mut inertia.linear;
-        c.xx -= columns[0].dot(&x);
-        c.yy -= columns[1].dot(&y);
-        c.zz -= columns[2].dot(&z);
-        c.xy -= columns[0].dot(&y);
-        c.xz -= columns[0].dot(&z);
-        c.yz -= columns[1].dot(&z);
+        c.xx -= dot(&columns[0], &x);
+        c.yy -= dot(&columns[1], &y);
+        c.zz -= dot(&columns[2], &z);
+        c.xy -= dot(&columns[0], &y);
+        c.xz -= dot(&columns[0], &z);
+        c.yz -= dot(&columns[1], &z);
         inertia.clear_turning();
         let mut yielding =
             Self { factor, coupling: Matrix3::from_columns(&[x, y, z]), turning: Vector3::zeros() };
@@ -50,7 +51,7 @@ impl<T: Scalar> Yielding<T> {
     }
 
     /// A new load under a new moment.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn pass(&mut self, load: &mut Load<T>, moment: Vector3<T>) {
         let left = moment - load.moment;
         self.turning = self.factor.solve(&left);
@@ -59,7 +60,7 @@ impl<T: Scalar> Yielding<T> {
     }
 
     /// Angular acceleration of the link whose origin has the acceleration `linear`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn angular(&self, linear: &Vector3<T>) -> Vector3<T> {
         self.turning - apply(&self.coupling, linear)
     }
@@ -85,26 +86,26 @@ pub(crate) struct ThreeTurns<T, X, Y, Z> {
 }
 
 impl<T: Scalar, X: Direction<T>, Y: Direction<T>, Z: Direction<T>> ThreeTurns<T, X, Y, Z> {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(order: EulerOrder, axes: (X, Y, Z), turns: &[Moved<T>; 3]) -> Self {
         let lean = if order.is_cyclic() { turns[1].s } else { -turns[1].s };
         Self { axes, last: turns[2], upright: T::one() / turns[1].c, lean }
     }
 
     /// The moment on the link, along its own axes, whose parts along the three axes are `tau`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn moment(&self, tau: &[T]) -> Vector3<T> {
         let (x, y, z) = self.axes;
-        let along = x.add(Vector3::zeros(), (tau[0] - self.lean * tau[2]) * self.upright);
+        let along = x.add(Vector3::zeros(), self.lean.times_from(tau[2], tau[0]) * self.upright);
         z.enter(z.add(y.add(along, tau[1]), tau[2]), self.last)
     }
 
     /// The accelerations of the three turns that add up to the angular acceleration `relative`, along the link's axes.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn accelerations(&self, relative: Vector3<T>) -> [T; 3] {
         let (x, y, z) = self.axes;
         let before = z.leave(relative, self.last);
         let first = x.dot(&before) * self.upright;
-        [first, y.dot(&before), z.dot(&before) - self.lean * first]
+        [first, y.dot(&before), self.lean.times_from(first, z.dot(&before))]
     }
 }
