@@ -14,7 +14,7 @@ use crate::spatial::Wrench;
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
 use crate::tree::{Body, Tree};
-use crate::workspace::{Workspace, check, check_length, check_result};
+use crate::workspace::{Workspace, are_finite, check, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
 use solaris_model::EulerOrder;
 
@@ -65,6 +65,20 @@ use solaris_model::EulerOrder;
 #[doc(alias = "articulated-body algorithm")]
 #[doc(alias = "fd")]
 pub fn forward_dynamics<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    v: &[T],
+    tau: &[T],
+    external: &[(usize, Wrench<T>)],
+    a: &mut [T],
+) -> Result<(), DynamicsError> {
+    forward(tree, workspace, q, v, tau, external, a)
+}
+
+/// [`forward_dynamics`], compiled into whatever asks it.
+#[inline(always)]
+pub(crate) fn forward<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -174,6 +188,7 @@ pub fn inverse_mass_matrix<T: Scalar>(
 }
 
 /// Takes in the state and all that acts besides forces along degrees of freedom.
+#[inline(always)]
 pub(crate) fn set_state<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -203,14 +218,21 @@ pub(crate) fn check_given<T: Scalar>(
 }
 
 /// Accelerations that are not finite, and where they come from.
+#[inline(always)]
 pub(crate) fn check_accelerations<T: Scalar>(
     tree: &Tree<T>,
     workspace: &Workspace<T>,
     a: &[T],
 ) -> Result<(), DynamicsError> {
-    if a.iter().fold(true, |finite, value| finite & value.is_finite()) {
+    if are_finite(a) {
         return Ok(());
     }
+    why_not_finite(tree, workspace, a)
+}
+
+/// What keeps accelerations from being finite.
+#[cold]
+fn why_not_finite<T: Scalar>(tree: &Tree<T>, workspace: &Workspace<T>, a: &[T]) -> Result<(), DynamicsError> {
     let infinite = |inverse: &T| !inverse.is_finite();
     // The joints nearest to the tips are gathered first: what they lack spoils all before them.
     let bad = tree.bodies.iter().enumerate().rev().find_map(|(i, body)| {

@@ -14,7 +14,7 @@ use crate::spatial::{Pose, Wrench};
 use crate::tree::dof::{along, along_three};
 use crate::tree::mass_distribution::MassDistribution;
 use crate::tree::{Body, Tree};
-use crate::workspace::{LinkMotion, Workspace, check, check_length};
+use crate::workspace::{LinkMotion, Workspace, are_finite, check, check_length};
 use nalgebra::{Matrix3, Vector3};
 
 /// The generalized forces `tau` (N m or N) that move the figure with accelerations `a` through the state `q`, `v`.
@@ -67,6 +67,20 @@ use nalgebra::{Matrix3, Vector3};
 #[doc(alias = "computed torque")]
 #[doc(alias = "mj_inverse")]
 pub fn inverse_dynamics<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    v: &[T],
+    a: &[T],
+    external: &[(usize, Wrench<T>)],
+    tau: &mut [T],
+) -> Result<(), DynamicsError> {
+    inverse(tree, workspace, q, v, a, external, tau)
+}
+
+/// [`inverse_dynamics`], compiled into whatever asks it.
+#[inline(always)]
+pub(crate) fn inverse<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
@@ -145,9 +159,10 @@ fn outward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T], a: &[T]) {
             });
         }
         let field = field(&motion.angular, &motion.angular_acceleration);
-        ws.loads[i] = body.mass_distribution.as_ref().map_or_else(Load::zero, |distribution| {
-            inertial_load(distribution, &motion.acceleration, &field)
-        });
+        ws.loads[i] = match &body.mass_distribution {
+            Some(distribution) => inertial_load(distribution, &motion.acceleration, &field),
+            None => Load::zero(),
+        };
         ws.motions[i] = LinkMotion {
             angular: motion.angular,
             angular_acceleration: motion.angular_acceleration,
@@ -171,18 +186,26 @@ fn at_joint<T: Scalar>(
     parent: Option<&LinkMotion<T>>,
     gravity: &Vector3<T>,
 ) -> FrameMotion<T> {
-    let (angular, angular_acceleration, acceleration) =
-        parent.map_or((Vector3::zeros(), Vector3::zeros(), -gravity), |parent| {
-            let acceleration = parent.acceleration + apply(&parent.field, &body.offset);
-            (parent.angular, parent.angular_acceleration, acceleration)
-        });
-    body.turned.as_ref().map_or(FrameMotion { angular, angular_acceleration, acceleration }, |turned| {
-        FrameMotion {
-            angular: apply_transposed(turned, &angular),
-            angular_acceleration: apply_transposed(turned, &angular_acceleration),
-            acceleration: apply_transposed(turned, &acceleration),
-        }
-    })
+    let motion = match parent {
+        Some(parent) => FrameMotion {
+            angular: parent.angular,
+            angular_acceleration: parent.angular_acceleration,
+            acceleration: parent.acceleration + apply(&parent.field, &body.offset),
+        },
+        None => FrameMotion {
+            angular: Vector3::zeros(),
+            angular_acceleration: Vector3::zeros(),
+            acceleration: -gravity,
+        },
+    };
+    match &body.turned {
+        Some(turned) => FrameMotion {
+            angular: apply_transposed(turned, &motion.angular),
+            angular_acceleration: apply_transposed(turned, &motion.angular_acceleration),
+            acceleration: apply_transposed(turned, &motion.acceleration),
+        },
+        None => motion,
+    }
 }
 
 impl<T: Scalar> FrameMotion<T> {
@@ -278,6 +301,7 @@ pub(crate) fn centrifugal_load<T: Scalar>(distribution: &MassDistribution<T>, k:
 }
 
 /// Takes what acts from outside off what the joints have to carry.
+#[inline(always)]
 pub(crate) fn apply_external<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -337,7 +361,10 @@ fn inward<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, tau: &mut [T]) {
         }
         load.shift(&body.offset);
         // The root is carried by the world.
-        body.parent.map_or(&mut ws.base, |parent| &mut ws.loads[parent]).add(&load);
+        match body.parent {
+            Some(parent) => ws.loads[parent].add(&load),
+            None => ws.base.add(&load),
+        }
     }
 }
 
@@ -351,8 +378,9 @@ pub(crate) fn last_three<T: Scalar>(values: &[T]) -> Vector3<T> {
     first_three(&values[values.len() - 3..])
 }
 
+#[inline(always)]
 pub(crate) fn check_forces<T: Scalar>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
-    if tau.iter().fold(true, |finite, value| finite & value.is_finite()) {
+    if are_finite(tau) {
         return Ok(());
     }
     let bad = tau.iter().position(|value| !value.is_finite()).unwrap_or_default();

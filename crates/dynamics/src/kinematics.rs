@@ -8,7 +8,7 @@ pub(crate) mod points;
 
 use crate::error::DynamicsError;
 use crate::scalar::Scalar;
-use crate::spatial::direction::{Direction, apply, cross};
+use crate::spatial::direction::{Direction, apply, cross, product};
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
 use crate::tree::dof::{along, along_three};
@@ -86,20 +86,23 @@ pub fn velocities<T: Scalar>(
 }
 
 /// Places the links from the positions kept; also keeps axes and arms in world axes.
+#[inline(always)]
 pub(crate) fn place<T: Scalar>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Result<(), DynamicsError> {
     let ws = workspace;
     let mut finite = true;
     for (i, body) in tree.bodies.iter().enumerate() {
-        let Pose { mut rotation, mut translation } =
-            body.parent.map_or_else(Pose::identity, |parent| ws.poses[parent]);
+        let Pose { mut rotation, mut translation } = match body.parent {
+            Some(parent) => ws.poses[parent],
+            None => Pose::identity(),
+        };
         let mut arm = apply(&rotation, &body.offset);
         if let Some(turned) = &body.turned {
-            rotation *= turned;
+            rotation = product(&rotation, turned);
         }
         if let Some(slot) = body.sphere {
             let sphere = &ws.spheres[slot];
             arm += apply(&rotation, &sphere.translation);
-            rotation *= &sphere.rotation;
+            rotation = product(&rotation, &sphere.rotation);
             for k in body.first..body.end {
                 ws.axes[k] = apply(&rotation, &tree.dofs[k].axis);
             }

@@ -4,6 +4,8 @@
     reason = "what runs in vector registers is compiled whole, for the instructions at hand"
 )]
 
+#[cfg(feature = "batch")]
+pub mod batch;
 mod coupling;
 pub mod denavit_hartenberg;
 mod derivatives;

@@ -206,10 +206,12 @@ impl<T: Scalar> Workspace<T> {
     pub(crate) fn last_three(&self, body: &Body<T>) -> [Moved<T>; 3] {
         let from = body.q + (body.single_end - body.first);
         let pairs = &self.moved[from..][..3];
-        [0, 1, 2].map(|i| Moved { s: pairs[i].0, c: pairs[i].1 })
+        let moved = |pair: (T, T)| Moved { s: pair.0, c: pair.1 };
+        [moved(pairs[0]), moved(pairs[1]), moved(pairs[2])]
     }
 
     /// Checks `q`, and keeps what each degree of freedom does at it.
+    #[inline(always)]
     pub(crate) fn set_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
         let fits = self.poses.len() == tree.link_count()
             && self.axes.len() == tree.nv()
@@ -234,7 +236,8 @@ impl<T: Scalar> Workspace<T> {
         }
         for (sphere, pose) in tree.spheres.iter().zip(&mut self.spheres) {
             let entry = |index: usize| q[index];
-            let quaternion = [0, 1, 2, 3].map(|i| entry(sphere.quaternion + i));
+            let first = sphere.quaternion;
+            let quaternion = [q[first], q[first + 1], q[first + 2], q[first + 3]];
             let squared = check_quaternion(&quaternion, || tree.q_name(sphere.quaternion))?;
             pose.rotation = quaternion_rotation(quaternion, squared);
             if let Some(from) = sphere.position {
@@ -246,6 +249,7 @@ impl<T: Scalar> Workspace<T> {
 }
 
 /// Refuses a slice of the wrong length and one that is not finite.
+#[inline(always)]
 pub(crate) fn check<T: Scalar>(
     what: &'static str,
     values: &[T],
@@ -253,15 +257,25 @@ pub(crate) fn check<T: Scalar>(
     name: impl Fn(usize) -> String,
 ) -> Result<(), DynamicsError> {
     check_length(what, values.len(), expected)?;
-    // Without an early exit the loop runs in vector registers.
-    if values.iter().fold(true, |finite, value| finite & value.is_finite()) {
+    if are_finite(values) {
         return Ok(());
     }
     let bad = values.iter().position(|value| !value.is_finite()).unwrap_or_default();
     Err(DynamicsError::NotFinite { what, dof: name(bad), value: format!("{:?}", values[bad]) })
 }
 
+/// Whether all are finite. Without an early exit the loop runs in vector registers.
+#[inline(always)]
+pub(crate) fn are_finite<T: Scalar>(values: &[T]) -> bool {
+    let mut finite = true;
+    for value in values {
+        finite &= value.is_finite();
+    }
+    finite
+}
+
 /// Refuses a quaternion that is no rotation; tells its squared length.
+#[inline(always)]
 pub(crate) fn check_quaternion<T: Scalar>(
     quaternion: &[T; 4],
     name: impl Fn() -> String,
@@ -274,6 +288,7 @@ pub(crate) fn check_quaternion<T: Scalar>(
 }
 
 /// Refuses the wrong length.
+#[inline(always)]
 pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) -> Result<(), DynamicsError> {
     if found == expected { Ok(()) } else { Err(DynamicsError::Length { what, expected, found }) }
 }
@@ -283,7 +298,7 @@ pub(crate) fn check_length(what: &'static str, found: usize, expected: usize) ->
 fn is_all_finite<T: Scalar>(values: &[T]) -> bool {
     const FEW: usize = 512;
     if values.len() < FEW {
-        return values.iter().fold(true, |finite, value| finite & value.is_finite());
+        return are_finite(values);
     }
     let (mut sums, chunks) = ([T::zero(); 8], values.chunks_exact(8));
     let rest = chunks.remainder();

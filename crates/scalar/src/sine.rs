@@ -41,17 +41,30 @@ fn reduce<T: Bits>(angle: T) -> (T, T) {
     const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 · 2⁵²
     const QUARTER_TURN_HIGH: f64 = f64::from_bits(0x3ff9_21fb_5440_0000);
     const QUARTER_TURN_LOW: f64 = f64::from_bits(0x3dd0_b461_1a62_6331);
-    let (round, number) = (T::from_f64(ROUND), T::from_f64);
-    let shifted = angle.times_plus(number(core::f64::consts::FRAC_2_PI), round);
+    let round = T::from_f64(ROUND);
+    let shifted = angle.times_plus(T::from_f64(core::f64::consts::FRAC_2_PI), round);
     let turns = shifted - round;
-    let rest = turns.times_from(number(QUARTER_TURN_HIGH), angle);
-    (turns.times_from(number(QUARTER_TURN_LOW), rest), shifted)
+    let rest = turns.times_from(T::from_f64(QUARTER_TURN_HIGH), angle);
+    (turns.times_from(T::from_f64(QUARTER_TURN_LOW), rest), shifted)
 }
 
 /// `a + x·b`
 #[inline(always)]
 fn line<T: Scalar>(x: T, a: f64, b: f64) -> T {
     x.times_plus(T::from_f64(b), T::from_f64(a))
+}
+
+/// `a₀ + z·a₁ + w·(a₂ + z·a₃ + w·(a₄ + z·a₅))`
+#[inline(always)]
+fn powers<T: Scalar>(z: T, w: T, a: &[f64; 6]) -> T {
+    let last = w.times_plus(line(z, a[4], a[5]), line(z, a[2], a[3]));
+    w.times_plus(last, line(z, a[0], a[1]))
+}
+
+/// `a₀ + z·a₁ + w·(a₂ + z·a₃)`
+#[inline(always)]
+fn few_powers<T: Scalar>(z: T, w: T, a: &[f64; 4]) -> T {
+    w.times_plus(line(z, a[2], a[3]), line(z, a[0], a[1]))
 }
 
 /// Sine and cosine of a moderate angle (rad), within 1.5 units in the 16th digit.
@@ -80,16 +93,11 @@ pub fn sin_cos<T: Bits>(angle: T) -> (T, T) {
     let (r, turns) = reduce(angle);
     let z = r * r;
     let w = z * z;
-    // a₀ + z·a₁ + w·(a₂ + z·a₃ + w·(a₄ + z·a₅))
-    let powers = |a: &[f64; 6]| {
-        let last = w.times_plus(line(z, a[4], a[5]), line(z, a[2], a[3]));
-        w.times_plus(last, line(z, a[0], a[1]))
-    };
-    let sine = (r * z).times_plus(powers(&S), r);
+    let sine = (r * z).times_plus(powers(z, w, &S), r);
     // 1 − z/2 loses its last bits; `(1 − u) − z/2` gives them back.
     let half = z * T::from_f64(0.5);
     let u = T::one() - half;
-    let cosine = u + w.times_plus(powers(&C), (T::one() - u) - half);
+    let cosine = u + w.times_plus(powers(z, w, &C), (T::one() - u) - half);
     turns.turn_back(sine, cosine)
 }
 
@@ -116,9 +124,8 @@ pub fn sin_cos_single<T: Bits>(angle: T) -> (T, T) {
     let (r, turns) = reduce(angle);
     let z = r * r;
     let w = z * z;
-    let powers = |a: &[f64; 4]| w.times_plus(line(z, a[2], a[3]), line(z, a[0], a[1]));
-    let sine = (r * z).times_plus(powers(&S), r);
-    let cosine = z.times_plus(powers(&C), T::one());
+    let sine = (r * z).times_plus(few_powers(z, w, &S), r);
+    let cosine = z.times_plus(few_powers(z, w, &C), T::one());
     turns.turn_back(sine, cosine)
 }
 

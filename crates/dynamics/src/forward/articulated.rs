@@ -2,7 +2,7 @@
 //! giving way.
 
 use crate::scalar::Scalar;
-use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, conjugated, cross};
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, conjugated, cross, rows};
 use crate::spatial::symmetric::Symmetric;
 use crate::tree::mass_distribution::MassDistribution;
 use nalgebra::{Matrix3, Vector3};
@@ -130,9 +130,9 @@ impl<T: Scalar> Articulated<T> {
             }
         }
         // Rows of −B·[d]× are d × (rows of B), written out; columns of [d]×·B'ᵀ are d × (rows of B').
-        let row = |m: &Matrix3<T>, i: usize| Vector3::new(m[(i, 0)], m[(i, 1)], m[(i, 2)]);
-        let before = [0, 1, 2].map(|i| cross(d, &row(&b, i)));
-        let after = [0, 1, 2].map(|i| cross(d, &row(&self.coupling, i)));
+        let (b, c) = (rows(&b), rows(&self.coupling));
+        let before = [cross(d, &b[0]), cross(d, &b[1]), cross(d, &b[2])];
+        let after = [cross(d, &c[0]), cross(d, &c[1]), cross(d, &c[2])];
         let a = &mut self.angular;
         a.xx += before[0].x + after[0].x;
         a.yy += before[1].y + after[1].y;

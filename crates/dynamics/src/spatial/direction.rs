@@ -233,7 +233,7 @@ impl<T: Scalar> Direction<T> for GeneralAxis<'_, T> {
 
     #[inline(always)]
     fn turned(self, frame: &Matrix3<T>, _: Moved<T>) -> Matrix3<T> {
-        frame * self.rotation
+        product(frame, self.rotation)
     }
 }
 
@@ -242,6 +242,7 @@ impl<T: Scalar> Direction<T> for GeneralAxis<'_, T> {
 /// ```text
 /// R = 1 + s·(w·[u]× + [u]×²)          s = 2/|q|²
 /// ```
+#[inline(always)]
 pub(crate) fn quaternion_rotation<T: Scalar>([x, y, z, w]: [T; 4], squared_length: T) -> Matrix3<T> {
     let s = (T::one() + T::one()) / squared_length;
     let (sx, sy, sz) = (s * x, s * y, s * z);
@@ -262,6 +263,7 @@ pub(crate) fn quaternion_rotation<T: Scalar>([x, y, z, w]: [T; 4], squared_lengt
 /// ```text
 /// R = c·1 + s·[e]× + (1 − c)·e·eᵀ
 /// ```
+#[inline(always)]
 pub(crate) fn rodrigues<T: Scalar>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
     let k = T::one() - c;
     let (x, y, z) = (e.x, e.y, e.z);
@@ -275,14 +277,41 @@ pub(crate) fn rodrigues<T: Scalar>(e: &Vector3<T>, s: T, c: T) -> Matrix3<T> {
     rotation
 }
 
+/// `A·B`
+#[inline(always)]
+pub(crate) fn product<T: Scalar>(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
+    let b = columns(b);
+    let (x, y, z) = (apply(a, &b[0]), apply(a, &b[1]), apply(a, &b[2]));
+    of_columns(&x, &y, &z)
+}
+
+/// The rows of a matrix.
+#[inline(always)]
+pub(crate) fn rows<T: Scalar>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
+    [Vector3::new(m.m11, m.m12, m.m13), Vector3::new(m.m21, m.m22, m.m23), Vector3::new(m.m31, m.m32, m.m33)]
+}
+
+/// Its columns.
+#[inline(always)]
+pub(crate) fn columns<T: Scalar>(m: &Matrix3<T>) -> [Vector3<T>; 3] {
+    [Vector3::new(m.m11, m.m21, m.m31), Vector3::new(m.m12, m.m22, m.m32), Vector3::new(m.m13, m.m23, m.m33)]
+}
+
+/// The matrix of these columns.
+#[inline(always)]
+pub(crate) fn of_columns<T: Scalar>(x: &Vector3<T>, y: &Vector3<T>, z: &Vector3<T>) -> Matrix3<T> {
+    Matrix3::new(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
+}
+
+#[inline(always)]
+fn transposed<T: Scalar>(m: &Matrix3<T>) -> Matrix3<T> {
+    Matrix3::new(m.m11, m.m21, m.m31, m.m12, m.m22, m.m32, m.m13, m.m23, m.m33)
+}
+
 /// `R·M·Rᵀ`
 #[inline(always)]
 pub(crate) fn conjugated<T: Scalar>(m: &Matrix3<T>, r: &Matrix3<T>) -> Matrix3<T> {
-    // Columns of M·Rᵀ, then R before each.
-    let column = |row: [T; 3]| apply(r, &apply(m, &Vector3::from(row)));
-    let (x, y, z) =
-        (column([r.m11, r.m12, r.m13]), column([r.m21, r.m22, r.m23]), column([r.m31, r.m32, r.m33]));
-    Matrix3::new(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
+    product(r, &product(m, &transposed(r)))
 }
 
 /// `a₀·b₀ + a₁·b₁ + a₂·b₂`

@@ -31,8 +31,12 @@ impl<T: Scalar> Load<T> {
     #[inline(always)]
     pub(crate) fn land(&mut self, sphere: &Pose<T>, tau: &mut [T]) {
         let (linear, angular) = tau.split_at_mut(tau.len() - 3);
-        linear.iter_mut().zip(self.force.iter()).for_each(|(tau, force)| *tau = *force);
-        angular.iter_mut().zip(self.moment.iter()).for_each(|(tau, moment)| *tau = *moment);
+        for (i, tau) in linear.iter_mut().enumerate() {
+            *tau = self.force[i];
+        }
+        for (i, tau) in angular.iter_mut().enumerate() {
+            *tau = self.moment[i];
+        }
         self.leave_frame(&sphere.rotation);
         self.shift(&sphere.translation);
     }
@@ -44,8 +48,9 @@ impl<T: Scalar> Load<T> {
         (x, y, z): (X, Y, Z),
         turns: &[Moved<T>; 3],
     ) {
-        let leave = |v| x.leave(y.leave(z.leave(v, turns[2]), turns[1]), turns[0]);
-        *self = Self { force: leave(self.force), moment: leave(self.moment) };
+        let force = y.leave(z.leave(self.force, turns[2]), turns[1]);
+        let moment = y.leave(z.leave(self.moment, turns[2]), turns[1]);
+        *self = Self { force: x.leave(force, turns[0]), moment: x.leave(moment, turns[0]) };
     }
 
     /// The force along `e`; afterwards the moment is about the origin before the slide.

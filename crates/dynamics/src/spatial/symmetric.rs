@@ -1,7 +1,7 @@
 //! Symmetric 3 × 3 matrices.
 
 use crate::scalar::Scalar;
-use crate::spatial::direction::{dot, sum_of_products};
+use crate::spatial::direction::{dot, rows, sum_of_products};
 use nalgebra::{Matrix3, Vector3};
 
 /// The six different entries of a symmetric matrix.
@@ -100,8 +100,8 @@ impl<T: Scalar> Symmetric<T> {
     /// `R·S·Rᵀ`
     #[inline(always)]
     pub(crate) fn rotated(&self, rotation: &Matrix3<T>) -> Self {
-        let row = |i: usize| Vector3::new(rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)]);
-        let (rows, [x, y, z]) = ([row(0), row(1), row(2)], [0, 1, 2].map(|i| self.times(&row(i))));
+        let rows = rows(rotation);
+        let (x, y, z) = (self.times(&rows[0]), self.times(&rows[1]), self.times(&rows[2]));
         Self {
             xx: dot(&rows[0], &x),
             yy: dot(&rows[1], &y),

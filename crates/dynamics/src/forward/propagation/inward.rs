@@ -27,6 +27,7 @@ struct Carried<T> {
 }
 
 /// Gathers the links inwards. Where `prescribed`, `a` holds the acceleration, elsewhere `tau` the force.
+#[inline(always)]
 pub(crate) fn gather<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -34,7 +35,9 @@ pub(crate) fn gather<T: Scalar>(
     a: &[T],
     tau: &[T],
 ) {
-    ws.articulated.fill(Articulated::zero());
+    for articulated in &mut ws.articulated {
+        *articulated = Articulated::zero();
+    }
     for (i, body) in tree.bodies.iter().enumerate().rev() {
         let mut carried = Carried { inertia: ws.articulated[i], load: ws.loads[i] };
         if let Some(distribution) = &body.mass_distribution {
@@ -206,6 +209,7 @@ impl<T: Scalar> Carried<T> {
     }
 
     /// Before a ball or free joint, whose degrees of freedom have been passed.
+    #[inline(always)]
     fn land(&mut self, sphere: &Pose<T>, body: &Body<T>, velocity_products: &[Vector3<T>]) {
         // Where nothing is left against turning, this is nothing.
         self.add(self.inertia.of_angular(&velocity_products[body.end - 1]));

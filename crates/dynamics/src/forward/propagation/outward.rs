@@ -12,6 +12,7 @@ use nalgebra::Vector3;
 
 /// Accelerations, from the root outwards, over a world that itself has the acceleration `base`: writes `a` where it is not
 /// `prescribed`, `tau` where it is.
+#[inline(always)]
 pub(crate) fn accelerate<T: Scalar>(
     tree: &Tree<T>,
     ws: &mut Workspace<T>,
@@ -36,7 +37,8 @@ pub(crate) fn accelerate<T: Scalar>(
             }
             if yields {
                 let angular = ws.yieldings[i].angular(&moving.linear);
-                answer.a[body.end - 3..body.end].copy_from_slice((angular - moving.angular).as_slice());
+                let relative = angular - moving.angular;
+                answer.write_three(body.end - 3, [relative.x, relative.y, relative.z]);
                 moving.angular = angular;
             }
         }
@@ -61,7 +63,7 @@ pub(crate) fn accelerate<T: Scalar>(
                 let angular = ws.yieldings[i].angular(&moving.linear);
                 let relative = angular - moving.angular;
                 let turning = ThreeTurns::new(triple, (x, y, z), &turns);
-                answer.a[k..][..3].copy_from_slice(&turning.accelerations(relative));
+                answer.write_three(k, turning.accelerations(relative));
                 moving.angular = angular;
             });
         } else if let Some(triple) = body.triple {
@@ -105,14 +107,23 @@ impl<T: Scalar> Accelerating<T> {
         base: &Vector3<T>,
         velocity_product: &Vector3<T>,
     ) -> Self {
-        let (angular, linear) = parent.map_or((Vector3::zeros(), *base), |parent| {
-            let angular = parent.angular_acceleration;
-            (angular, parent.acceleration + cross(&angular, &body.offset) + velocity_product)
-        });
-        body.turned.as_ref().map_or(Self { angular, linear }, |turned| Self {
-            angular: apply_transposed(turned, &angular),
-            linear: apply_transposed(turned, &linear),
-        })
+        let moving = match parent {
+            Some(parent) => {
+                let angular = parent.angular_acceleration;
+                Self {
+                    angular,
+                    linear: parent.acceleration + cross(&angular, &body.offset) + velocity_product,
+                }
+            }
+            None => Self { angular: Vector3::zeros(), linear: *base },
+        };
+        match &body.turned {
+            Some(turned) => Self {
+                angular: apply_transposed(turned, &moving.angular),
+                linear: apply_transposed(turned, &moving.linear),
+            },
+            None => moving,
+        }
     }
 
     /// Past a turn about `e`, without its own acceleration.
@@ -123,6 +134,7 @@ impl<T: Scalar> Accelerating<T> {
     }
 
     /// Past the place of a ball or free joint, without the accelerations of its degrees of freedom.
+    #[inline(always)]
     fn fly(&mut self, sphere: &Pose<T>, body: &Body<T>, velocity_products: &[Vector3<T>]) {
         self.linear =
             apply_transposed(&sphere.rotation, &(self.linear + cross(&self.angular, &sphere.translation)));
@@ -168,6 +180,15 @@ impl<T: Scalar, P: Fn(usize) -> bool> Answer<'_, T, P> {
         let acceleration = (hinge.force_left - hinge.opposes(without)) * hinge.inverse;
         self.a[k] = acceleration * sign;
         acceleration
+    }
+
+    /// Accelerations of three turns at once.
+    #[inline(always)]
+    fn write_three(&mut self, first: usize, accelerations: [T; 3]) {
+        let a = &mut self.a[first..][..3];
+        a[0] = accelerations[0];
+        a[1] = accelerations[1];
+        a[2] = accelerations[2];
     }
 
     /// `τ = U·a + b` of a prescribed degree of freedom, whose link has the acceleration `a`.

@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 
 /// Velocities, from the root outwards: every link's angular velocity, the accelerations that velocities bring without
 /// any acceleration of a degree of freedom, and the loads that keep the links' mass on its way.
+#[inline(always)]
 pub(crate) fn velocity_terms<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v: &[T]) {
     for (i, body) in tree.bodies.iter().enumerate() {
         let (mut angular, mut velocity_product) = (Vector3::zeros(), Vector3::zeros());
@@ -53,10 +54,10 @@ pub(crate) fn velocity_terms<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>, v
             });
         }
         let field = field(&angular, &Vector3::zeros());
-        ws.loads[i] = body
-            .mass_distribution
-            .as_ref()
-            .map_or_else(Load::zero, |distribution| centrifugal_load(distribution, &field));
+        ws.loads[i] = match &body.mass_distribution {
+            Some(distribution) => centrifugal_load(distribution, &field),
+            None => Load::zero(),
+        };
         (ws.motions[i].angular, ws.motions[i].field) = (angular, field);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::forward::articulated::Articulated;
 use crate::scalar::Scalar;
-use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, dot};
+use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, columns, dot, of_columns};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Factor;
 use nalgebra::{Matrix3, Vector3};
@@ -34,8 +34,8 @@ impl<T: Scalar> Yielding<T> {
     #[inline(always)]
     pub(crate) fn give_way(inertia: &mut Articulated<T>, load: &mut Load<T>, moment: Vector3<T>) -> Self {
         let (factor, b) = (inertia.angular.factor(), inertia.coupling);
-        let columns = [0, 1, 2].map(|i| Vector3::new(b[(0, i)], b[(1, i)], b[(2, i)]));
-        let [x, y, z] = columns.map(|column| factor.solve(&column));
+        let columns = columns(&b);
+        let (x, y, z) = (factor.solve(&columns[0]), factor.solve(&columns[1]), factor.solve(&columns[2]));
         let c = &mut inertia.linear;
         c.xx -= dot(&columns[0], &x);
         c.yy -= dot(&columns[1], &y);
@@ -44,8 +44,7 @@ impl<T: Scalar> Yielding<T> {
         c.xz -= dot(&columns[0], &z);
         c.yz -= dot(&columns[1], &z);
         inertia.clear_turning();
-        let mut yielding =
-            Self { factor, coupling: Matrix3::from_columns(&[x, y, z]), turning: Vector3::zeros() };
+        let mut yielding = Self { factor, coupling: of_columns(&x, &y, &z), turning: Vector3::zeros() };
         yielding.pass(load, moment);
         yielding
     }

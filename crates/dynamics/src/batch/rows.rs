@@ -1,0 +1,165 @@
+//! How states are taken out of slices and put into them.
+
+use super::Layout;
+use super::vector::Register;
+use std::ops::Range;
+
+/// The most lanes that a register has.
+const MOST: usize = 64;
+
+/// Numbers of many states, to be read.
+#[derive(Clone, Copy)]
+pub(super) struct Columns<'a, F> {
+    pub(super) data: &'a [F],
+    /// Entries of one state.
+    pub(super) width: usize,
+    pub(super) states: usize,
+    pub(super) layout: Layout,
+}
+
+impl<F: Copy> Columns<'_, F> {
+    /// Packs the states from `first` on, one a lane; the last stands in for those that are not there.
+    #[inline(always)]
+    pub(super) fn pack<R: Register<Lane = F>>(&self, first: usize, packed: &mut [R]) {
+        let last = self.states - 1;
+        match self.layout {
+            Layout::Rows => {
+                let mut rows = [&self.data[..0]; MOST];
+                for (lane, row) in rows[..R::LANES].iter_mut().enumerate() {
+                    *row = &self.data[(first + lane).min(last) * self.width..][..self.width];
+                }
+                for (k, entry) in packed[..self.width].iter_mut().enumerate() {
+                    for (lane, row) in entry.lanes_mut().iter_mut().zip(&rows) {
+                        *lane = row[k];
+                    }
+                }
+            }
+            Layout::Columns => {
+                for (column, entry) in self.data.chunks_exact(self.states).zip(packed) {
+                    if let Some(lanes) = column.get(first..first + R::LANES) {
+                        entry.lanes_mut().copy_from_slice(lanes);
+                    } else {
+                        for (lane, value) in entry.lanes_mut().iter_mut().enumerate() {
+                            *value = column[(first + lane).min(last)];
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// One state by itself.
+    pub(super) fn copy(&self, row: usize, state: &mut [F]) {
+        for (k, entry) in state.iter_mut().enumerate() {
+            *entry = match self.layout {
+                Layout::Rows => self.data[row * self.width + k],
+                Layout::Columns => self.data[k * self.states + row],
+            };
+        }
+    }
+}
+
+/// Where results go: those of a range of all states.
+pub(super) struct Output<'a, F> {
+    pub(super) range: Range<usize>,
+    width: usize,
+    slots: Slots<'a, F>,
+}
+
+enum Slots<'a, F> {
+    Rows(&'a mut [F]),
+    /// All columns in one slice, each of as many entries as there are states.
+    Columns(&'a mut [F]),
+    /// A part of every column.
+    #[cfg(feature = "parallel")]
+    Parts(Vec<&'a mut [F]>),
+}
+
+impl<'a, F: Copy> Output<'a, F> {
+    /// All states.
+    pub(super) fn whole(data: &'a mut [F], width: usize, states: usize, layout: Layout) -> Self {
+        let slots = match layout {
+            Layout::Rows => Slots::Rows(data),
+            Layout::Columns => Slots::Columns(data),
+        };
+        Self { range: 0..states, width, slots }
+    }
+
+    /// All states, `share` after `share`.
+    #[cfg(feature = "parallel")]
+    pub(super) fn split(
+        data: &'a mut [F],
+        width: usize,
+        states: usize,
+        share: usize,
+        layout: Layout,
+    ) -> Vec<Self> {
+        let ranges = (0..states).step_by(share).map(|first| first..states.min(first + share));
+        let slots: Vec<Slots<'a, F>> = match layout {
+            Layout::Rows => data.chunks_mut((share * width).max(1)).map(Slots::Rows).collect(),
+            Layout::Columns => {
+                let mut parts: Vec<Vec<&mut [F]>> =
+                    ranges.clone().map(|_| Vec::with_capacity(width)).collect();
+                for column in data.chunks_mut(states.max(1)) {
+                    for (part, piece) in parts.iter_mut().zip(column.chunks_mut(share)) {
+                        part.push(piece);
+                    }
+                }
+                parts.into_iter().map(Slots::Parts).collect()
+            }
+        };
+        ranges.zip(slots).map(|(range, slots)| Self { range, width, slots }).collect()
+    }
+
+    /// Writes the lanes of the states from `first` on; those beyond the range are left out.
+    #[inline(always)]
+    pub(super) fn unpack<R: Register<Lane = F>>(&mut self, first: usize, packed: &[R]) {
+        let (width, from) = (self.width, first - self.range.start);
+        let count = R::LANES.min(self.range.end - first);
+        match &mut self.slots {
+            Slots::Rows(data) => {
+                let rows = &mut data[from * width..][..count * width];
+                if count == R::LANES {
+                    for (k, entry) in packed[..width].iter().enumerate() {
+                        for (lane, value) in entry.lanes().iter().enumerate() {
+                            rows[lane * width + k] = *value;
+                        }
+                    }
+                } else {
+                    for (lane, row) in rows.chunks_exact_mut(width).enumerate() {
+                        for (value, entry) in row.iter_mut().zip(packed) {
+                            *value = entry.lanes()[lane];
+                        }
+                    }
+                }
+            }
+            Slots::Columns(data) => {
+                let states = self.range.end;
+                for (column, entry) in data.chunks_exact_mut(states).zip(packed) {
+                    column[from..][..count].copy_from_slice(&entry.lanes()[..count]);
+                }
+            }
+            #[cfg(feature = "parallel")]
+            Slots::Parts(columns) => {
+                for (column, entry) in columns.iter_mut().zip(packed) {
+                    column[from..][..count].copy_from_slice(&entry.lanes()[..count]);
+                }
+            }
+        }
+    }
+
+    /// Writes one state.
+    pub(super) fn write(&mut self, row: usize, state: impl Fn(usize) -> F) {
+        let (width, from) = (self.width, row - self.range.start);
+        let states = self.range.end;
+        for k in 0..width {
+            let slot = match &mut self.slots {
+                Slots::Rows(data) => &mut data[from * width + k],
+                Slots::Columns(data) => &mut data[k * states + from],
+                #[cfg(feature = "parallel")]
+                Slots::Parts(columns) => &mut columns[k][from],
+            };
+            *slot = state(k);
+        }
+    }
+}
