@@ -83,7 +83,9 @@ mod sealed {
     macro_rules! precision {
         ($lane:ident, $baseline:ident, $avx2:ident, $avx512:ident) => {
             impl Precision for $lane {
+                // Compiled where it is asked for: who has no batches does not wait for them.
                 #[cfg(target_arch = "x86_64")]
+                #[inline]
                 #[expect(private_interfaces, reason = "no one else makes one")]
                 fn solver(
                     instructions: Instructions,
@@ -101,6 +103,7 @@ mod sealed {
                 }
 
                 #[cfg(not(target_arch = "x86_64"))]
+                #[inline]
                 #[expect(private_interfaces, reason = "no one else makes one")]
                 fn solver(
                     _: Instructions,

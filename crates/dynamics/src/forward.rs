@@ -5,7 +5,8 @@ pub(crate) mod contact;
 pub(crate) mod propagation;
 
 use crate::error::DynamicsError;
-use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms, velocity_terms};
+use crate::forward::propagation::velocity::velocity_terms;
+use crate::forward::propagation::{accelerate, gather, gather_loads, inward, no_velocity_terms, outward};
 use crate::inertia::inverse::invert;
 use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::apply_external;
@@ -89,9 +90,9 @@ pub(crate) fn forward<T: Scalar>(
 ) -> Result<(), DynamicsError> {
     check("tau", tau, tree.nv(), |index| tree.v_name(index))?;
     check_length("a", a.len(), tree.nv())?;
-    set_state(tree, workspace, q, v, external)?;
-    gather(tree, workspace, |_| false, &[], tau);
-    accelerate(tree, workspace, &-tree.gravity, |_| false, a, &mut []);
+    take_state(tree, workspace, q, v, external)?;
+    inward::gather(tree, workspace, nothing, &[], tau);
+    outward::accelerate(tree, workspace, &-tree.gravity, nothing, a, &mut []);
     check_accelerations(tree, workspace, a)
 }
 
@@ -137,8 +138,8 @@ pub fn hybrid_dynamics<T: Scalar>(
     check_given("a", a, tree, |k| prescribed[k])?;
     check_given("tau", tau, tree, |k| !prescribed[k])?;
     set_state(tree, workspace, q, v, external)?;
-    gather(tree, workspace, |k| prescribed[k], a, tau);
-    accelerate(tree, workspace, &-tree.gravity, |k| prescribed[k], a, tau);
+    gather(tree, workspace, those(prescribed), a, tau);
+    accelerate(tree, workspace, &-tree.gravity, those(prescribed), a, tau);
     check_accelerations(tree, workspace, a)?;
     check_result("a force of hybrid dynamics", tau)
 }
@@ -174,21 +175,31 @@ pub fn inverse_mass_matrix<T: Scalar>(
         return check_result("the inverse mass matrix", matrix.as_slice());
     }
     no_velocity_terms(workspace);
-    gather(tree, workspace, |_| false, &[], &force);
+    gather(tree, workspace, nothing, &[], &force);
     for j in 0..n {
         workspace.loads.fill(Load::zero());
         force[j] = T::one();
-        gather_loads(tree, workspace, |_| false, &force);
+        gather_loads(tree, workspace, nothing, &force);
         force[j] = T::zero();
         let column = &mut matrix.as_mut_slice()[j * n..][..n];
-        accelerate(tree, workspace, &Vector3::zeros(), |_| false, column, &mut []);
+        accelerate(tree, workspace, &Vector3::zeros(), nothing, column, &mut []);
     }
     workspace.zeros = force;
     check_accelerations(tree, workspace, matrix.as_slice())
 }
 
-/// Takes in the state and all that acts besides forces along degrees of freedom.
+/// Of no degree of freedom is the acceleration prescribed.
 #[inline(always)]
+fn nothing(_: usize) -> bool {
+    false
+}
+
+/// Of which degrees of freedom the acceleration is prescribed; one type for all operations, so that they share the passes.
+pub(crate) fn those(prescribed: &[bool]) -> impl Fn(usize) -> bool + Copy {
+    |k| prescribed[k]
+}
+
+/// [`take_state`], compiled once for all operations that share it.
 pub(crate) fn set_state<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
@@ -196,8 +207,20 @@ pub(crate) fn set_state<T: Scalar>(
     v: &[T],
     external: &[(usize, Wrench<T>)],
 ) -> Result<(), DynamicsError> {
+    take_state(tree, workspace, q, v, external)
+}
+
+/// Takes in the state and all that acts besides forces along degrees of freedom.
+#[inline(always)]
+fn take_state<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    v: &[T],
+    external: &[(usize, Wrench<T>)],
+) -> Result<(), DynamicsError> {
     tree.check_free()?;
-    workspace.set_positions(tree, q)?;
+    workspace.take_positions(tree, q)?;
     check("v", v, tree.nv(), |index| tree.v_name(index))?;
     velocity_terms(tree, workspace, v);
     apply_external(tree, workspace, external)
@@ -232,6 +255,7 @@ pub(crate) fn check_accelerations<T: Scalar>(
 
 /// What keeps accelerations from being finite.
 #[cold]
+#[inline(never)]
 fn why_not_finite<T: Scalar>(tree: &Tree<T>, workspace: &Workspace<T>, a: &[T]) -> Result<(), DynamicsError> {
     let infinite = |inverse: &T| !inverse.is_finite();
     // The joints nearest to the tips are gathered first: what they lack spoils all before them.

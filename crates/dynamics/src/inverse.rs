@@ -6,7 +6,7 @@ pub(crate) mod regressor;
 pub(crate) mod slopes;
 
 use crate::error::DynamicsError;
-use crate::kinematics::{is_finite, place};
+use crate::kinematics::{is_finite, place_links};
 use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, cross, sum_of_products};
 use crate::spatial::load::Load;
@@ -89,7 +89,7 @@ pub(crate) fn inverse<T: Scalar>(
     external: &[(usize, Wrench<T>)],
     tau: &mut [T],
 ) -> Result<(), DynamicsError> {
-    workspace.set_positions(tree, q)?;
+    workspace.take_positions(tree, q)?;
     check("v", v, tree.nv(), |index| tree.v_name(index))?;
     check("a", a, tree.nv(), |index| tree.v_name(index))?;
     check_length("tau", tau.len(), tree.nv())?;
@@ -310,15 +310,10 @@ pub(crate) fn apply_external<T: Scalar>(
     if external.is_empty() {
         return Ok(());
     }
-    place(tree, ws)?;
+    place_links(tree, ws)?;
     for (index, &(link, wrench)) in external.iter().enumerate() {
-        if link >= tree.link_count() {
-            return Err(DynamicsError::NoSuchLink { index, link, last: tree.link_count() - 1 });
-        }
-        if !(is_finite(&wrench.force) && is_finite(&wrench.moment)) {
-            let (Wrench { force: f, moment: m }, link) = (wrench, tree.link_name(link));
-            let wrench = format!("force {:?}, moment {:?}", [f.x, f.y, f.z], [m.x, m.y, m.z]);
-            return Err(DynamicsError::WrenchNotFinite { index, link, wrench });
+        if link >= tree.link_count() || !(is_finite(&wrench.force) && is_finite(&wrench.moment)) {
+            return refuse(tree, index, link, &wrench);
         }
         let (pose, load) = (&ws.poses[link], &mut ws.loads[link]);
         let at_origin = wrench.moment - cross(&pose.translation, &wrench.force);
@@ -326,6 +321,23 @@ pub(crate) fn apply_external<T: Scalar>(
         load.moment -= apply_transposed(&pose.rotation, &at_origin);
     }
     Ok(())
+}
+
+/// What is wrong with a wrench from outside.
+#[cold]
+#[inline(never)]
+fn refuse<T: Scalar>(
+    tree: &Tree<T>,
+    index: usize,
+    link: usize,
+    Wrench { force: f, moment: m }: &Wrench<T>,
+) -> Result<(), DynamicsError> {
+    if link >= tree.link_count() {
+        return Err(DynamicsError::NoSuchLink { index, link, last: tree.link_count() - 1 });
+    }
+    let link = tree.link_name(link);
+    let wrench = format!("force {:?}, moment {:?}", [f.x, f.y, f.z], [m.x, m.y, m.z]);
+    Err(DynamicsError::WrenchNotFinite { index, link, wrench })
 }
 
 /// Collects the loads towards the root and reads the joints' forces on the way.
@@ -383,6 +395,12 @@ pub(crate) fn check_forces<T: Scalar>(tree: &Tree<T>, tau: &[T]) -> Result<(), D
     if are_finite(tau) {
         return Ok(());
     }
+    too_great(tree, tau)
+}
+
+#[cold]
+#[inline(never)]
+fn too_great<T: Scalar>(tree: &Tree<T>, tau: &[T]) -> Result<(), DynamicsError> {
     let bad = tau.iter().position(|value| !value.is_finite()).unwrap_or_default();
     let (what, value) = (format!("the force of dof '{}'", tree.v_name(bad)), format!("{:?}", tau[bad]));
     Err(DynamicsError::Overflow { what, value })

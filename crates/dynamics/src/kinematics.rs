@@ -86,8 +86,16 @@ pub fn velocities<T: Scalar>(
 }
 
 /// Places the links from the positions kept; also keeps axes and arms in world axes.
-#[inline(always)]
 pub(crate) fn place<T: Scalar>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Result<(), DynamicsError> {
+    place_links(tree, workspace)
+}
+
+/// [`place`], compiled into whatever asks it.
+#[inline(always)]
+pub(crate) fn place_links<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+) -> Result<(), DynamicsError> {
     let ws = workspace;
     let mut finite = true;
     for (i, body) in tree.bodies.iter().enumerate() {

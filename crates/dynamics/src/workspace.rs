@@ -211,8 +211,13 @@ impl<T: Scalar> Workspace<T> {
     }
 
     /// Checks `q`, and keeps what each degree of freedom does at it.
-    #[inline(always)]
     pub(crate) fn set_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
+        self.take_positions(tree, q)
+    }
+
+    /// [`set_positions`](Self::set_positions), compiled into whatever asks it.
+    #[inline(always)]
+    pub(crate) fn take_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
         let fits = self.poses.len() == tree.link_count()
             && self.axes.len() == tree.nv()
             && self.moved.len() == tree.nq() + 1
@@ -260,6 +265,17 @@ pub(crate) fn check<T: Scalar>(
     if are_finite(values) {
         return Ok(());
     }
+    not_finite(what, values, name)
+}
+
+/// The first of the values that is not finite.
+#[cold]
+#[inline(never)]
+fn not_finite<T: Scalar>(
+    what: &'static str,
+    values: &[T],
+    name: impl Fn(usize) -> String,
+) -> Result<(), DynamicsError> {
     let bad = values.iter().position(|value| !value.is_finite()).unwrap_or_default();
     Err(DynamicsError::NotFinite { what, dof: name(bad), value: format!("{:?}", values[bad]) })
 }
@@ -284,6 +300,12 @@ pub(crate) fn check_quaternion<T: Scalar>(
     if squared.all_within(1.0 - UNIT, 1.0 + UNIT) {
         return Ok(squared);
     }
+    no_rotation(squared, name)
+}
+
+#[cold]
+#[inline(never)]
+fn no_rotation<T: Scalar>(squared: T, name: impl Fn() -> String) -> Result<T, DynamicsError> {
     Err(DynamicsError::Quaternion { name: name(), squared: format!("{squared:?}") })
 }
 

@@ -1,46 +1,15 @@
-//! No operation allocates once its workspace is there. A binary of its own: the allocator that counts is that of a whole program.
+//! No operation allocates once its workspace is there.
 
-#![allow(unsafe_code, reason = "counting allocations takes an allocator, and that is an unsafe trait")]
-
+#[path = "support/allocations.rs"]
+mod allocations;
 mod support;
 
+use allocations::allocations;
 use nalgebra::{DMatrix, Vector3};
 use solaris_dynamics as dynamics;
 use solaris_dynamics::{Derivatives, Formulation, Frame, InverseDynamics, JacobianAxes, Wrench};
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use support::Kernel;
 use support::random::{Joints, Random, random_configuration, tree, tree_of};
-
-thread_local! {
-    static COUNT: Cell<usize> = const { Cell::new(0) };
-}
-
-/// The system's allocator, counting the calls of each thread.
-struct Counting;
-
-// SAFETY: every call is passed on to the system's allocator unchanged; the counter needs no allocation and no drop.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller's promise is the one that the system's allocator asks for.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as above.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
-
-fn allocations(work: impl FnOnce()) -> usize {
-    let before = COUNT.get();
-    work();
-    COUNT.get() - before
-}
 
 #[test]
 fn the_counter_counts() {

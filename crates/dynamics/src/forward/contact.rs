@@ -4,7 +4,7 @@ mod least_norm;
 
 use crate::error::DynamicsError;
 use crate::forward::propagation::{accelerate, gather, gather_loads, no_velocity_terms};
-use crate::forward::{check_accelerations, check_given, set_state};
+use crate::forward::{check_accelerations, check_given, set_state, those};
 use crate::inverse::apply_external;
 use crate::kinematics::{is_finite, place};
 use crate::scalar::Scalar;
@@ -202,7 +202,7 @@ pub fn contact_dynamics<T: Scalar>(
     check_given("a", a, tree, |k| prescribed[k])?;
     check_given("tau", tau, tree, |k| !prescribed[k])?;
     check_contacts(tree, contacts)?;
-    let held = |k: usize| prescribed[k];
+    let held = those(prescribed);
     set_state(tree, workspace, q, v, external)?;
     place(tree, workspace)?;
     gather(tree, workspace, held, a, tau);

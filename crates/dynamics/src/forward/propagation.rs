@@ -1,25 +1,48 @@
 //! The three passes of forward and hybrid dynamics, everything in the links' own frames.
 //!
-//! Velocities run outwards and leave the accelerations that they bring by themselves ([`velocity_terms`]). Then the links
+//! Velocities run outwards and leave the accelerations that they bring by themselves ([`velocity::velocity_terms`]). Then the links
 //! are gathered inwards ([`gather`]): each joint passes on what hangs from it as one body, whose free degrees of freedom
 //! give way and whose prescribed ones do not. Accelerations run outwards at last ([`accelerate`]).
 
-mod inward;
-mod outward;
-mod velocity;
+pub(crate) mod inward;
+pub(crate) mod outward;
+pub(crate) mod velocity;
 mod yielding;
 
-pub(crate) use inward::{gather, gather_loads};
-pub(crate) use outward::accelerate;
-pub(crate) use velocity::{no_velocity_terms, velocity_terms};
+pub(crate) use inward::gather_loads;
+pub(crate) use velocity::no_velocity_terms;
 pub(crate) use yielding::Yielding;
 
 use crate::scalar::Scalar;
 use crate::spatial::direction::Direction;
-use crate::tree::Body;
 use crate::tree::dof::{Dof, along};
+use crate::tree::{Body, Tree};
 use crate::workspace::Workspace;
 use nalgebra::Vector3;
+use std::ops::Range;
+
+/// [`inward::gather`], compiled once for all operations that share it.
+pub(crate) fn gather<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &mut Workspace<T>,
+    prescribed: impl Fn(usize) -> bool + Copy,
+    a: &[T],
+    tau: &[T],
+) {
+    inward::gather(tree, ws, prescribed, a, tau);
+}
+
+/// [`outward::accelerate`], compiled once for all operations that share it.
+pub(crate) fn accelerate<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &mut Workspace<T>,
+    base: &Vector3<T>,
+    prescribed: impl Fn(usize) -> bool + Copy,
+    a: &mut [T],
+    tau: &mut [T],
+) {
+    outward::accelerate(tree, ws, base, prescribed, a, tau);
+}
 
 /// What one degree of freedom has to do with the acceleration of its link: kept from the way in for the way out.
 #[derive(Clone, Copy, Debug)]
@@ -53,4 +76,11 @@ impl<T: Scalar> Hinge<T> {
 #[inline(always)]
 fn turns_freely<T: Scalar>(body: &Body<T>, prescribed: impl Fn(usize) -> bool) -> bool {
     body.turns_freely && !(body.end - 3..body.end).any(prescribed)
+}
+
+/// The degrees of freedom that a pass takes one by one: neither those of a ball or free joint nor three turns that give way at once.
+#[inline(always)]
+fn one_by_one<T: Scalar>(body: &Body<T>, yields: bool) -> Range<usize> {
+    let end = if yields || body.sphere.is_some() { body.single_end } else { body.end };
+    body.first..end
 }

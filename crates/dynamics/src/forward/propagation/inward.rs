@@ -1,7 +1,7 @@
 //! The inward pass: the articulated-body inertia and bias force of what hangs from every joint.
 
 use super::yielding::ThreeTurns;
-use super::{Hinge, Yielding, turns_freely};
+use super::{Hinge, Yielding, one_by_one, turns_freely};
 use crate::forward::articulated::Articulated;
 use crate::inverse::last_three;
 use crate::scalar::Scalar;
@@ -61,17 +61,8 @@ pub(crate) fn gather<T: Scalar>(
                 inertia.linear = x.leave_symmetric(&inertia.linear, turns[0]);
                 load.leave_three((x, y, z), &turns);
             });
-        } else if let Some(triple) = body.triple {
-            let (turns, k) = (ws.last_three(body), body.single_end);
-            let (hinges, velocity_products) = (&mut ws.hinges[k..][..3], &ws.velocity_products[k..][..3]);
-            let armature = |i: usize| tree.dofs[k + i].armature;
-            along_three!(triple, |x, y, z| {
-                hinges[2] = carried.turn(z, turns[2], &velocity_products[2], armature(2), known(k + 2));
-                hinges[1] = carried.turn(y, turns[1], &velocity_products[1], armature(1), known(k + 1));
-                hinges[0] = carried.turn(x, turns[0], &velocity_products[0], armature(0), known(k));
-            });
         }
-        for k in (body.first..body.single_end).rev() {
+        for k in one_by_one(body, yields).rev() {
             let dof = &tree.dofs[k];
             let (moved, known) = (dof.moved(ws.moved[dof.q]), known(k).along(dof.sign));
             ws.hinges[k] = along!(dof, ws.rotations, |e| turn {

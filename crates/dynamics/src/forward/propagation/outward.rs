@@ -1,7 +1,7 @@
 //! The last outward pass: accelerations of links and degrees of freedom.
 
 use super::yielding::ThreeTurns;
-use super::{Hinge, turns_freely};
+use super::{Hinge, one_by_one, turns_freely};
 use crate::scalar::Scalar;
 use crate::spatial::Pose;
 use crate::spatial::direction::{Direction, Moved, apply_transposed, cross};
@@ -42,7 +42,7 @@ pub(crate) fn accelerate<T: Scalar>(
                 moving.angular = angular;
             }
         }
-        for k in body.first..body.single_end {
+        for k in one_by_one(body, yields) {
             let dof = &tree.dofs[k];
             let moved = dof.moved(ws.moved[dof.q]);
             along!(dof, ws.rotations, |e| turn {
@@ -65,17 +65,6 @@ pub(crate) fn accelerate<T: Scalar>(
                 let turning = ThreeTurns::new(triple, (x, y, z), &turns);
                 answer.write_three(k, turning.accelerations(relative));
                 moving.angular = angular;
-            });
-        } else if let Some(triple) = body.triple {
-            let (turns, k) = (ws.last_three(body), body.single_end);
-            let velocity_products = &ws.velocity_products[k..][..3];
-            along_three!(triple, |x, y, z| {
-                moving.turn(x, turns[0], &velocity_products[0]);
-                moving.let_turn(x, k, &mut answer);
-                moving.turn(y, turns[1], &velocity_products[1]);
-                moving.let_turn(y, k + 1, &mut answer);
-                moving.turn(z, turns[2], &velocity_products[2]);
-                moving.let_turn(z, k + 2, &mut answer);
             });
         }
         ws.motions[i].angular_acceleration = moving.angular;
