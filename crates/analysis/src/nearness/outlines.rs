@@ -1,0 +1,211 @@
+//! What fills the links of a figure, where they stand, and which of them are the nearest.
+
+use super::fill::{Capsule, fill};
+use super::{Near, segment};
+use nalgebra::Vector3;
+use solaris_dynamics::{Pose, Workspace};
+use solaris_model::Figure;
+
+/// What rounding may take off a bound (m).
+const SLACK: f64 = 1e-9;
+
+/// Two links, the smaller index first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    pub(super) links: [usize; 2],
+    /// A part of each: those that were the nearest when they were measured last. They only save work.
+    parts: [usize; 2],
+}
+
+impl Pair {
+    /// The first part of a link is in its middle, or at its side.
+    pub(super) fn new(links: [usize; 2]) -> Self {
+        Self { links, parts: [0; 2] }
+    }
+}
+
+/// A sphere.
+#[derive(Clone, Copy)]
+struct Ball {
+    center: Vector3<f64>,
+    radius: f64,
+}
+
+impl Ball {
+    /// What lies in the two is not nearer than this (m), and no deeper in each other.
+    fn apart(&self, other: &Self) -> f64 {
+        (self.center - other.center).norm() - self.radius - other.radius
+    }
+}
+
+/// What fills a link, in its own frame.
+struct Outline {
+    parts: Vec<Capsule>,
+    /// About all of them; without a meaning where there are none.
+    around: Ball,
+}
+
+/// What fills the links, and where they stand.
+pub(super) struct Outlines {
+    own: Vec<Outline>,
+    poses: Vec<Pose<f64>>,
+    around: Vec<Ball>,
+    /// How far each part of two links reaches towards the other one.
+    reaches: [Vec<f64>; 2],
+}
+
+impl Outlines {
+    pub(super) fn new(figure: &Figure) -> Self {
+        let outline = |link: &solaris_model::Link| {
+            let center = link.shape().map(|shape| shape.placement.translation.vector).unwrap_or_default();
+            let parts = link.shape().map(fill).unwrap_or_default();
+            let reach = |capsule: &Capsule| {
+                let far = capsule.ends.map(|end| (end - center).norm());
+                far[0].max(far[1]) + capsule.radius
+            };
+            let radius = parts.iter().map(reach).fold(0.0, f64::max);
+            Outline { parts, around: Ball { center, radius } }
+        };
+        let own: Vec<Outline> = figure.links().iter().map(outline).collect();
+        let most = own.iter().map(|outline| outline.parts.len()).max().unwrap_or(0);
+        Self {
+            poses: vec![Pose::identity(); own.len()],
+            around: own.iter().map(|outline| outline.around).collect(),
+            reaches: [Vec::with_capacity(most), Vec::with_capacity(most)],
+            own,
+        }
+    }
+
+    /// Puts all where the workspace says that the links are.
+    pub(super) fn place(&mut self, workspace: &Workspace<f64>) {
+        for (link, own) in self.own.iter().enumerate().filter(|(_, own)| !own.parts.is_empty()) {
+            let pose = workspace.pose(link);
+            self.poses[link] = *pose;
+            self.around[link].center = pose.transform(&own.around.center);
+        }
+    }
+
+    /// The nearest of these pairs. The one that is measured `first` only saves work: the result is the same.
+    pub(super) fn nearest(&mut self, pairs: &mut [Pair], first: usize) -> Near {
+        let distance = self.between(&mut pairs[first], f64::INFINITY).unwrap_or(f64::INFINITY);
+        let mut near = Near { distance, pair: first };
+        for (pair, links) in pairs.iter_mut().enumerate().filter(|(pair, _)| *pair != first) {
+            if let Some(distance) = self.between(links, near.distance)
+                && (distance < near.distance || pair < near.pair)
+            {
+                near = Near { distance, pair };
+            }
+        }
+        near
+    }
+
+    /// How far two links are apart (m); `None` where it is more than `limit`.
+    ///
+    /// The parts that were the nearest before tell a distance that occurs, and with the shortest way between them, of direction
+    /// `e`, which others cannot be nearer:
+    ///
+    /// ```text
+    /// distance ≥ e·(x₂ − x₁) − h₁ − h₂      h = how far a part reaches from its link's origin x: the first along e, the second along −e
+    /// ```
+    pub(super) fn between(&mut self, pair: &mut Pair, limit: f64) -> Option<f64> {
+        let [first, second] = pair.links;
+        if self.around[first].apart(&self.around[second]) > limit + SLACK {
+            return None;
+        }
+        let (one, other) = (self.part(first, pair.parts[0]), self.part(second, pair.parts[1]));
+        let way = segment::shortest(&one.ends, &other.ends);
+        let mut nearest = way.norm() - one.radius - other.radius;
+        let toward = way.try_normalize(0.0).unwrap_or_default();
+        let between = toward.dot(&(self.poses[second].translation - self.poses[first].translation));
+        let mut reaches = std::mem::take(&mut self.reaches);
+        let [most, others_most] = [
+            self.reaches_of(first, &toward, &mut reaches[0]),
+            self.reaches_of(second, &-toward, &mut reaches[1]),
+        ];
+        let is_far = |reach: f64, others_reach: f64, nearest: f64| {
+            between - reach - others_reach > nearest.min(limit) + SLACK
+        };
+        if !is_far(most, others_most, nearest) {
+            for (i, &reach) in reaches[0].iter().enumerate() {
+                if is_far(reach, others_most, nearest) {
+                    continue;
+                }
+                let one = self.part(first, i);
+                for (j, &others_reach) in reaches[1].iter().enumerate() {
+                    if is_far(reach, others_reach, nearest) {
+                        continue;
+                    }
+                    let other = self.part(second, j);
+                    let distance =
+                        segment::shortest(&one.ends, &other.ends).norm() - one.radius - other.radius;
+                    if distance < nearest {
+                        (nearest, pair.parts) = (distance, [i, j]);
+                    }
+                }
+            }
+        }
+        self.reaches = reaches;
+        (nearest <= limit).then_some(nearest)
+    }
+
+    /// A part of a link, in the world.
+    fn part(&self, link: usize, part: usize) -> Capsule {
+        let (own, pose) = (&self.own[link].parts[part], &self.poses[link]);
+        Capsule { ends: own.ends.map(|end| pose.transform(&end)), radius: own.radius }
+    }
+
+    /// How far each part of a link reaches from the link's origin in a direction of the world, and the farthest of them.
+    fn reaches_of(&self, link: usize, direction: &Vector3<f64>, reaches: &mut Vec<f64>) -> f64 {
+        let direction = self.poses[link].rotation.tr_mul(direction);
+        reaches.clear();
+        let mut most = f64::NEG_INFINITY;
+        for Capsule { ends: [a, b], radius } in &self.own[link].parts {
+            let reach = direction.dot(a).max(direction.dot(b)) + radius;
+            most = most.max(reach);
+            reaches.push(reach);
+        }
+        most
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pairs::pairs;
+    use super::*;
+    use crate::random::Random;
+    use solaris_dynamics::{Tree, forward_kinematics};
+    use solaris_model::human;
+
+    /// What is passed over is not nearer: every part against every part gives the same, to the bit, whatever pair is
+    /// measured first.
+    #[test]
+    fn pruning_changes_nothing() {
+        let figure = human(1.75, 73.0).expect("within range");
+        let random = &mut Random(11);
+        let tree = Tree::<f64>::new(&figure, Vector3::zeros()).expect("a tree");
+        let (mut workspace, mut outlines) = (Workspace::new(&tree), Outlines::new(&figure));
+        let mut pairs: Vec<Pair> = pairs(figure.links()).into_iter().map(Pair::new).collect();
+        let mut q = vec![0.0; tree.nq()];
+        for _ in 0..20 {
+            figure.random(&mut q, || random.next()).expect("a valid source");
+            forward_kinematics(&tree, &mut workspace, &q).expect("within reach");
+            outlines.place(&workspace);
+            let whole = |[first, second]: [usize; 2]| {
+                let parts =
+                    |link: usize| (0..outlines.own[link].parts.len()).map(move |part| (link, part));
+                let placed = |(link, part): (usize, usize)| outlines.part(link, part);
+                let others: Vec<Capsule> = parts(second).map(placed).collect();
+                let all = parts(first).map(placed).flat_map(|one| others.iter().map(move |other| (one, *other)));
+                let apart = |(one, other): (Capsule, Capsule)| {
+                    segment::shortest(&one.ends, &other.ends).norm() - one.radius - other.radius
+                };
+                all.map(apart).fold(f64::INFINITY, f64::min)
+            };
+            let all = pairs.iter().map(|pair| whole(pair.links)).enumerate();
+            let (pair, distance) = all.min_by(|a, b| a.1.total_cmp(&b.1)).expect("some pairs");
+            for first in [0, random.below(pairs.len()), pairs.len() - 1] {
+                assert_eq!(outlines.nearest(&mut pairs, first), Near { distance, pair });
+            }
+        }
+    }
+}
