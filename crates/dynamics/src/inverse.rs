@@ -1,6 +1,7 @@
 //! Inverse dynamics: the generalized forces of a given motion.
 
 pub(crate) mod ground;
+pub(crate) mod reacting;
 pub(crate) mod reactions;
 pub(crate) mod regressor;
 pub(crate) mod slopes;
@@ -281,6 +282,15 @@ pub(crate) fn apply_external<T: Scalar>(
         return Ok(());
     }
     place(tree, ws)?;
+    apply_placed(tree, ws, external)
+}
+
+/// The same for links that are placed.
+fn apply_placed<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &mut Workspace<T>,
+    external: &[(usize, Wrench<T>)],
+) -> Result<(), DynamicsError> {
     for (index, &(link, wrench)) in external.iter().enumerate() {
         if link >= tree.link_count() {
             return Err(DynamicsError::NoSuchLink { index, link, last: tree.link_count() - 1 });
