@@ -4,7 +4,7 @@ use super::fill::{Capsule, fill};
 use super::{Near, segment};
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Workspace};
-use solaris_model::Figure;
+use solaris_model::{Figure, Link};
 
 /// What rounding may take off a bound (m).
 const SLACK: f64 = 1e-9;
@@ -13,14 +13,16 @@ const SLACK: f64 = 1e-9;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
     pub(super) links: [usize; 2],
-    /// A part of each: those that were the nearest when they were measured last. They only save work.
+    /// A part of each, and a direction from one to the other: of those that were the nearest when they were measured last. They
+    /// only save work.
     parts: [usize; 2],
+    toward: Vector3<f64>,
 }
 
 impl Pair {
     /// The first part of a link is in its middle, or at its side.
     pub(super) fn new(links: [usize; 2]) -> Self {
-        Self { links, parts: [0; 2] }
+        Self { links, parts: [0; 2], toward: Vector3::x() }
     }
 }
 
@@ -41,8 +43,49 @@ impl Ball {
 /// What fills a link, in its own frame.
 struct Outline {
     parts: Vec<Capsule>,
-    /// About all of them; without a meaning where there are none.
+    /// About all of them, as the box by its middle and half its edges; both without a meaning where there are none.
     around: Ball,
+    middle: Vector3<f64>,
+    half: Vector3<f64>,
+}
+
+impl Outline {
+    fn of(link: &Link) -> Self {
+        let center = link.shape().map(|shape| shape.placement.translation.vector).unwrap_or_default();
+        let parts = link.shape().map(fill).unwrap_or_default();
+        let (mut radius, mut lower, mut upper) =
+            (0.0_f64, Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+        for capsule in &parts {
+            for end in &capsule.ends {
+                radius = radius.max((end - center).norm() + capsule.radius);
+                lower = lower.inf(&end.add_scalar(-capsule.radius));
+                upper = upper.sup(&end.add_scalar(capsule.radius));
+            }
+        }
+        Self {
+            parts,
+            around: Ball { center, radius },
+            middle: (lower + upper) / 2.0,
+            half: (upper - lower) / 2.0,
+        }
+    }
+
+    /// How far each part reaches from the link's origin in a direction of the link, and the farthest of them.
+    fn reaches(&self, direction: &Vector3<f64>, reaches: &mut Vec<f64>) -> f64 {
+        reaches.clear();
+        let mut most = f64::NEG_INFINITY;
+        for Capsule { ends: [a, b], radius } in &self.parts {
+            let reach = direction.dot(a).max(direction.dot(b)) + radius;
+            most = most.max(reach);
+            reaches.push(reach);
+        }
+        most
+    }
+
+    /// What no part reaches beyond.
+    fn reach(&self, direction: &Vector3<f64>) -> f64 {
+        direction.dot(&self.middle) + direction.abs().dot(&self.half)
+    }
 }
 
 /// What fills the links, and where they stand.
@@ -56,17 +99,7 @@ pub(super) struct Outlines {
 
 impl Outlines {
     pub(super) fn new(figure: &Figure) -> Self {
-        let outline = |link: &solaris_model::Link| {
-            let center = link.shape().map(|shape| shape.placement.translation.vector).unwrap_or_default();
-            let parts = link.shape().map(fill).unwrap_or_default();
-            let reach = |capsule: &Capsule| {
-                let far = capsule.ends.map(|end| (end - center).norm());
-                far[0].max(far[1]) + capsule.radius
-            };
-            let radius = parts.iter().map(reach).fold(0.0, f64::max);
-            Outline { parts, around: Ball { center, radius } }
-        };
-        let own: Vec<Outline> = figure.links().iter().map(outline).collect();
+        let own: Vec<Outline> = figure.links().iter().map(Outline::of).collect();
         let most = own.iter().map(|outline| outline.parts.len()).max().unwrap_or(0);
         Self {
             poses: vec![Pose::identity(); own.len()],
@@ -89,17 +122,35 @@ impl Outlines {
     pub(super) fn nearest(&mut self, pairs: &mut [Pair], first: usize) -> Near {
         let distance = self.between(&mut pairs[first], f64::INFINITY).unwrap_or(f64::INFINITY);
         let mut near = Near { distance, pair: first };
-        for (pair, links) in pairs.iter_mut().enumerate().filter(|(pair, _)| *pair != first) {
-            if let Some(distance) = self.between(links, near.distance)
-                && (distance < near.distance || pair < near.pair)
+        for (index, pair) in pairs.iter_mut().enumerate().filter(|(index, _)| *index != first) {
+            if let Some(distance) = self.between(pair, near.distance)
+                && (distance < near.distance || index < near.pair)
             {
-                near = Near { distance, pair };
+                near = Near { distance, pair: index };
             }
         }
         near
     }
 
     /// How far two links are apart (m); `None` where it is more than `limit`.
+    pub(super) fn between(&mut self, pair: &mut Pair, limit: f64) -> Option<f64> {
+        let [first, second] = pair.links;
+        if self.around[first].apart(&self.around[second]) > limit + SLACK || self.is_kept_apart(pair, limit) {
+            return None;
+        }
+        let distance = self.measure(pair, limit);
+        (distance <= limit).then_some(distance)
+    }
+
+    /// Whether a plane across the pair's direction keeps its links farther apart than `limit` (m).
+    fn is_kept_apart(&self, pair: &Pair, limit: f64) -> bool {
+        let [first, second] = pair.links;
+        let reaches = self.own[first].reach(&self.of_link(first, &pair.toward))
+            + self.own[second].reach(&self.of_link(second, &-pair.toward));
+        self.along(pair) - reaches > limit + SLACK
+    }
+
+    /// The distance of two links (m), or one that is more than `limit` where theirs is.
     ///
     /// The parts that were the nearest before tell a distance that occurs, and with the shortest way between them, of direction
     /// `e`, which others cannot be nearer:
@@ -107,64 +158,52 @@ impl Outlines {
     /// ```text
     /// distance ≥ e·(x₂ − x₁) − h₁ − h₂      h = how far a part reaches from its link's origin x: the first along e, the second along −e
     /// ```
-    pub(super) fn between(&mut self, pair: &mut Pair, limit: f64) -> Option<f64> {
+    fn measure(&mut self, pair: &mut Pair, limit: f64) -> f64 {
         let [first, second] = pair.links;
-        if self.around[first].apart(&self.around[second]) > limit + SLACK {
-            return None;
-        }
         let (one, other) = (self.part(first, pair.parts[0]), self.part(second, pair.parts[1]));
         let way = segment::shortest(&one.ends, &other.ends);
         let mut nearest = way.norm() - one.radius - other.radius;
-        let toward = way.try_normalize(0.0).unwrap_or_default();
-        let between = toward.dot(&(self.poses[second].translation - self.poses[first].translation));
-        let mut reaches = std::mem::take(&mut self.reaches);
-        let [most, others_most] = [
-            self.reaches_of(first, &toward, &mut reaches[0]),
-            self.reaches_of(second, &-toward, &mut reaches[1]),
-        ];
-        let is_far = |reach: f64, others_reach: f64, nearest: f64| {
-            between - reach - others_reach > nearest.min(limit) + SLACK
-        };
-        if !is_far(most, others_most, nearest) {
-            for (i, &reach) in reaches[0].iter().enumerate() {
-                if is_far(reach, others_most, nearest) {
+        pair.toward = way.try_normalize(0.0).unwrap_or(pair.toward);
+        let along = self.along(pair);
+        let directions = [self.of_link(first, &pair.toward), self.of_link(second, &-pair.toward)];
+        let [reaches, others] = &mut self.reaches;
+        self.own[first].reaches(&directions[0], reaches);
+        let others_most = self.own[second].reaches(&directions[1], others);
+        let [reaches, others] = &self.reaches;
+        for (i, reach) in reaches.iter().enumerate() {
+            if along - reach - others_most > nearest.min(limit) + SLACK {
+                continue;
+            }
+            let one = self.part(first, i);
+            for (j, others_reach) in others.iter().enumerate() {
+                if along - reach - others_reach > nearest.min(limit) + SLACK {
                     continue;
                 }
-                let one = self.part(first, i);
-                for (j, &others_reach) in reaches[1].iter().enumerate() {
-                    if is_far(reach, others_reach, nearest) {
-                        continue;
-                    }
-                    let other = self.part(second, j);
-                    let distance =
-                        segment::shortest(&one.ends, &other.ends).norm() - one.radius - other.radius;
-                    if distance < nearest {
-                        (nearest, pair.parts) = (distance, [i, j]);
-                    }
+                let other = self.part(second, j);
+                let distance = segment::shortest(&one.ends, &other.ends).norm() - one.radius - other.radius;
+                if distance < nearest {
+                    (nearest, pair.parts) = (distance, [i, j]);
                 }
             }
         }
-        self.reaches = reaches;
-        (nearest <= limit).then_some(nearest)
+        nearest
+    }
+
+    /// How far the second link's origin is from the first one's along the pair's direction (m).
+    fn along(&self, pair: &Pair) -> f64 {
+        let [first, second] = pair.links;
+        pair.toward.dot(&(self.poses[second].translation - self.poses[first].translation))
+    }
+
+    /// A direction of the world as a link has it.
+    fn of_link(&self, link: usize, direction: &Vector3<f64>) -> Vector3<f64> {
+        self.poses[link].rotation.tr_mul(direction)
     }
 
     /// A part of a link, in the world.
     fn part(&self, link: usize, part: usize) -> Capsule {
         let (own, pose) = (&self.own[link].parts[part], &self.poses[link]);
         Capsule { ends: own.ends.map(|end| pose.transform(&end)), radius: own.radius }
-    }
-
-    /// How far each part of a link reaches from the link's origin in a direction of the world, and the farthest of them.
-    fn reaches_of(&self, link: usize, direction: &Vector3<f64>, reaches: &mut Vec<f64>) -> f64 {
-        let direction = self.poses[link].rotation.tr_mul(direction);
-        reaches.clear();
-        let mut most = f64::NEG_INFINITY;
-        for Capsule { ends: [a, b], radius } in &self.own[link].parts {
-            let reach = direction.dot(a).max(direction.dot(b)) + radius;
-            most = most.max(reach);
-            reaches.push(reach);
-        }
-        most
     }
 }
 
@@ -191,11 +230,11 @@ mod tests {
             forward_kinematics(&tree, &mut workspace, &q).expect("within reach");
             outlines.place(&workspace);
             let whole = |[first, second]: [usize; 2]| {
-                let parts =
-                    |link: usize| (0..outlines.own[link].parts.len()).map(move |part| (link, part));
+                let parts = |link: usize| (0..outlines.own[link].parts.len()).map(move |part| (link, part));
                 let placed = |(link, part): (usize, usize)| outlines.part(link, part);
                 let others: Vec<Capsule> = parts(second).map(placed).collect();
-                let all = parts(first).map(placed).flat_map(|one| others.iter().map(move |other| (one, *other)));
+                let all =
+                    parts(first).map(placed).flat_map(|one| others.iter().map(move |other| (one, *other)));
                 let apart = |(one, other): (Capsule, Capsule)| {
                     segment::shortest(&one.ends, &other.ends).norm() - one.radius - other.radius
                 };
