@@ -188,8 +188,10 @@ impl Swing {
             })
             .filter(|at| at.x > ENDS_KEPT && (at.x < 1.0 - ENDS_KEPT || at.wanted > 0.0))
             .collect();
+        let toe = leg.toe_polar();
         for _ in 0..MOST_BUMPS {
-            let missing = |at: &At| at.wanted - leg.lowest(at.hip - at.drop * at.cos_side, at.pitch, at.toes);
+            let missing =
+                |at: &At| at.wanted - leg.lowest(toe, at.hip - at.drop * at.cos_side, at.pitch, at.toes);
             let Some((worst, at)) = points
                 .iter()
                 .map(|at| (missing(at), at))
