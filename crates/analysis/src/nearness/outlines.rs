@@ -2,9 +2,9 @@
 
 use super::fill::{Capsule, fill};
 use super::{Near, segment};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use solaris_dynamics::{Pose, Workspace};
-use solaris_model::{Figure, Link};
+use solaris_model::{Figure, Link, Placement, ShapeKind};
 
 /// What rounding may take off a bound (m).
 const SLACK: f64 = 1e-9;
@@ -43,18 +43,20 @@ impl Ball {
 /// What fills a link, in its own frame.
 struct Outline {
     parts: Vec<Capsule>,
-    /// About all of them, as the box by its middle and half its edges; both without a meaning where there are none.
+    /// About all of them; without a meaning where there are none.
     around: Ball,
+    /// The ellipsoid or box that they lie in: its middle, its semi-axes as rows, whether it is round.
     middle: Vector3<f64>,
-    half: Vector3<f64>,
+    semi_axes: Matrix3<f64>,
+    is_round: bool,
 }
 
 impl Outline {
     fn of(link: &Link) -> Self {
-        let center = link.shape().map(|shape| shape.placement.translation.vector).unwrap_or_default();
         let parts = link.shape().map(fill).unwrap_or_default();
-        let (mut radius, mut lower, mut upper) =
-            (0.0_f64, Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+        let placement = link.shape().map_or_else(Placement::identity, |shape| shape.placement);
+        let (center, mut radius) = (placement.translation.vector, 0.0_f64);
+        let [mut lower, mut upper] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector3::repeat);
         for capsule in &parts {
             for end in &capsule.ends {
                 radius = radius.max((end - center).norm() + capsule.radius);
@@ -62,12 +64,18 @@ impl Outline {
                 upper = upper.sup(&end.add_scalar(capsule.radius));
             }
         }
-        Self {
-            parts,
-            around: Ball { center, radius },
-            middle: (lower + upper) / 2.0,
-            half: (upper - lower) / 2.0,
-        }
+        let round = link.shape().and_then(|shape| match shape.kind {
+            ShapeKind::Ellipsoid { radii } => Some(radii),
+            _ => None,
+        });
+        let (middle, semi_axes) = match &round {
+            Some(radii) => {
+                let turned = placement.rotation.to_rotation_matrix();
+                (center, Matrix3::from_diagonal(radii) * turned.matrix().transpose())
+            }
+            None => ((lower + upper) / 2.0, Matrix3::from_diagonal(&((upper - lower) / 2.0))),
+        };
+        Self { parts, around: Ball { center, radius }, middle, semi_axes, is_round: round.is_some() }
     }
 
     /// How far each part reaches from the link's origin in a direction of the link, and the farthest of them.
@@ -84,7 +92,8 @@ impl Outline {
 
     /// What no part reaches beyond.
     fn reach(&self, direction: &Vector3<f64>) -> f64 {
-        direction.dot(&self.middle) + direction.abs().dot(&self.half)
+        let along = self.semi_axes * direction;
+        direction.dot(&self.middle) + if self.is_round { along.norm() } else { along.abs().sum() }
     }
 }
 
