@@ -126,7 +126,7 @@ impl Stance {
             let (mut worst, mut at) = (f64::NEG_INFINITY, from);
             for i in 0..PUSH_INSTANTS {
                 let u = from + (to - from) * f64::from(i) / f64::from(PUSH_INSTANTS - 1);
-                let straighter = self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT - spline.at(u).position;
+                let straighter = self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT - spline.position(u);
                 if straighter > worst {
                     (worst, at) = (straighter, u);
                 }
@@ -281,7 +281,7 @@ impl Stance {
 
     #[inline]
     fn push_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
-        let knee = self.push_knee.as_ref().map_or(0.0, |law| law.at(u).position);
+        let knee = self.push_knee.as_ref().map_or(0.0, |law| law.position(u));
         let ball = self.ball(u);
         let hip = self.plane.split(&(hip - ball));
         let pitch = self.leg.pitch_over(self.ball_polar, hip, knee).max(0.0);
