@@ -38,12 +38,11 @@ pub fn balance_momentum(
     let mut com = vec![Vector3::zeros(); step.rows(motion.len())];
     for (row, com) in com.iter_mut().enumerate().filter(|(row, _)| step.asks_for(*row)) {
         // What lies at a sample is known.
-        let at = match step.sample(row).filter(|sample| *sample < motion.len()) {
-            Some(sample) => motion.q(sample),
-            None => {
-                trajectory.configuration(step.time(row), &mut q);
-                &q
-            }
+        let at = if let Some(sample) = step.sample(row).filter(|sample| *sample < motion.len()) {
+            motion.q(sample)
+        } else {
+            trajectory.configuration(step.time(row), &mut q);
+            &q
         };
         *com = center_of_mass(&tree, &mut workspace, at)?;
     }

@@ -110,8 +110,10 @@ impl DifferenceStep {
             }
         }
         let square = self.length * self.length;
-        first.iter_mut().for_each(|rate| *rate /= self.length);
-        second.iter_mut().for_each(|rate| *rate /= square);
+        for (rate, second) in first.iter_mut().zip(second) {
+            *rate /= self.length;
+            *second /= square;
+        }
     }
 
     /// Adds the velocities and accelerations of one joint in the middle of seven values of its `q`, to be settled before, whose
