@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use solaris_dynamics::{Tree, Workspace, center_of_mass, inverse_dynamics};
 use solaris_model::{AxisKind, DifferenceStep, Figure, Motion, Trajectory};
 
-/// Corrects the root's linear accelerations so that the centre of mass accelerates by the differences of its own positions.
+/// Corrects the root's linear accelerations in samples of a trajectory so that the centre of mass accelerates by the differences of its own positions.
 ///
 /// Positions are differenced coordinate by coordinate, and the centre of mass is not linear in them: what its acceleration
 /// misses is of the order of the difference formula's own error (in walks below 0.04 m/s²), but it adds up to a force that
@@ -35,14 +35,20 @@ pub fn balance_momentum(
     let mut workspace = Workspace::new(&tree);
     let step = DifferenceStep::new(trajectory.resolution(), motion.info.rate);
     let (mut q, mut tau) = (vec![0.0; tree.nq()], vec![0.0; tree.nv()]);
+    let mut com = vec![Vector3::zeros(); step.rows(motion.len())];
+    for (row, com) in com.iter_mut().enumerate().filter(|(row, _)| step.asks_for(*row)) {
+        // What lies at a sample is known.
+        let at = if let Some(sample) = step.sample(row).filter(|sample| *sample < motion.len()) {
+            motion.q(sample)
+        } else {
+            trajectory.configuration(step.time(row), &mut q);
+            &q
+        };
+        *com = center_of_mass(&tree, &mut workspace, at)?;
+    }
     let (mut a, mut greatest) = (Vec::with_capacity(motion.len() * tree.nv()), 0.0_f64);
-    for (sample, &time) in motion.time().iter().enumerate() {
-        let mut com = [Vector3::zeros(); 7];
-        for (k, com) in com.iter_mut().enumerate() {
-            trajectory.configuration(time + (k as f64 - 3.0) * step.length, &mut q);
-            *com = center_of_mass(&tree, &mut workspace, &q)?;
-        }
-        let wanted = Vector3::from([0, 1, 2].map(|axis| step.second(|k| com[k][axis])));
+    for sample in 0..motion.len() {
+        let wanted = Vector3::from([0, 1, 2].map(|axis| step.second(|k| com[step.row(sample, k)][axis])));
         inverse_dynamics(
             &tree,
             &mut workspace,

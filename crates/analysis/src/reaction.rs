@@ -10,7 +10,7 @@ use crate::peak::Peak;
 use crate::prepared::{PreparedMotion, each};
 use crate::split::{FootSupport, split_at_pivot};
 use nalgebra::Vector3;
-use solaris_dynamics::{Workspace, Wrench, center_of_mass, inverse_dynamics};
+use solaris_dynamics::{Workspace, Wrench, inverse_dynamics_with};
 use solaris_model::{AxisKind, Contact, ContactTrack, Figure, JointKind, Motion};
 
 /// What a planner knows of the feet at one time.
@@ -163,27 +163,25 @@ impl<L: SupportLaw> Scene<'_, L> {
         let (q, v, a) = (self.prepared.q(row), self.prepared.v(row), self.prepared.a(row));
         let time = self.prepared.time()[row];
         let mut tau = vec![0.0; tree.nv()];
-        inverse_dynamics(tree, workspace, q, v, a, &[], &mut tau)?;
-        let total = workspace.base_wrench();
-        let com = center_of_mass(tree, workspace, q)?;
         let support = self.law.support(time);
-        let contacts = split_at_pivot(&total, &com, up, support.pivot, &support.feet)
-            .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(up) })?;
         let nominal: Vector3<f64> = support.feet.iter().map(|foot| foot.cop * foot.share).sum();
-        let centre = total.center_of_pressure(up, nominal.dot(up)).unwrap_or(nominal);
-        let wrench = |side: usize| {
-            let contact = contacts[side];
-            let link = self.feet[side].carrier.link(workspace, &contact.cop);
-            (link, Wrench { force: contact.force, moment: contact.moment })
+        let (mut contacts, mut from_prescribed, mut cop_from_nominal) = ([Contact::default(); 2], None, 0.0);
+        let react = |workspace: &Workspace<f64>, com: &Vector3<f64>| {
+            let total = workspace.base_wrench();
+            contacts = split_at_pivot(&total, com, up, support.pivot, &support.feet)
+                .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(up) })?;
+            let centre = total.center_of_pressure(up, nominal.dot(up)).unwrap_or(nominal);
+            from_prescribed = support.force.map(|force| (total.force - force).norm());
+            cop_from_nominal = (centre - nominal).norm();
+            let wrench = |side: usize| {
+                let contact: Contact = contacts[side];
+                let link = self.feet[side].carrier.link(workspace, &contact.cop);
+                (link, Wrench { force: contact.force, moment: contact.moment })
+            };
+            Ok::<_, ReactionError>([wrench(0), wrench(1)])
         };
-        let external = [wrench(0), wrench(1)];
-        inverse_dynamics(tree, workspace, q, v, a, &external, &mut tau)?;
-        Ok(Frame {
-            tau,
-            contacts,
-            from_prescribed: support.force.map(|force| (total.force - force).norm()),
-            cop_from_nominal: (centre - nominal).norm(),
-        })
+        inverse_dynamics_with(tree, workspace, q, v, a, react, &mut tau)?;
+        Ok(Frame { tau, contacts, from_prescribed, cop_from_nominal })
     }
 }
 

@@ -49,18 +49,18 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let figure = figure(&args.who)?;
 
     let progress = Progress::new(4);
-    let planned = Planned::of(&figure, &asked, args, &progress)?;
+    let (planned, motion) = Planned::of(&figure, &asked, args, &progress)?;
     progress.stage("measuring");
-    let measures = measure(&figure, &planned.motion).map_err(CliError::other)?;
-    let lone = isolated_peaks(&planned.motion).map_err(CliError::other)?;
-    let limbs = limbs::nearest(&figure, &planned.motion)?;
-    let motion = planned.motion.clone();
+    let measures = measure(&figure, &motion).map_err(CliError::other)?;
+    let lone = isolated_peaks(&motion).map_err(CliError::other)?;
+    let limbs = limbs::nearest(&figure, &motion)?;
     // A page goes by its time; who plays frame after frame shall not see one twice.
-    let frames = if planned.repeats { looped::without_last(&figure, &motion)? } else { motion.clone() };
-    let report = Report::new(figure.mass(), planned, measures, &lone, limbs);
+    let shorter = if planned.repeats { Some(looped::without_last(&figure, &motion)?) } else { None };
+    let frames = shorter.as_ref().unwrap_or(&motion);
+    let report = Report::new(figure.mass(), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
-        let motion = if matches!(format, Format::Html) { &motion } else { &frames };
+        let motion = if matches!(format, Format::Html) { &motion } else { frames };
         write(format, writer, &figure, motion, &report)
     })?;
     drop(progress);

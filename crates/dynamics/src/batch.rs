@@ -67,6 +67,7 @@ impl Precision for f64 {}
 impl Precision for f32 {}
 
 mod sealed {
+    #[allow(clippy::wildcard_imports, reason = "which registers there are depends on the machine")]
     use super::*;
 
     pub trait Precision: Scalar {

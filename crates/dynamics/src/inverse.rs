@@ -1,6 +1,7 @@
 //! Inverse dynamics: the generalized forces of a given motion.
 
 pub(crate) mod ground;
+pub(crate) mod reacting;
 pub(crate) mod reactions;
 pub(crate) mod regressor;
 pub(crate) mod slopes;
@@ -311,6 +312,16 @@ pub(crate) fn apply_external<T: Scalar>(
         return Ok(());
     }
     place_links(tree, ws)?;
+    apply_placed(tree, ws, external)
+}
+
+/// The same for links that are placed.
+#[inline(always)]
+fn apply_placed<T: Scalar>(
+    tree: &Tree<T>,
+    ws: &mut Workspace<T>,
+    external: &[(usize, Wrench<T>)],
+) -> Result<(), DynamicsError> {
     for (index, &(link, wrench)) in external.iter().enumerate() {
         if link >= tree.link_count() || !(is_finite(&wrench.force) && is_finite(&wrench.moment)) {
             return refuse(tree, index, link, &wrench);

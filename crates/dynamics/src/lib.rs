@@ -40,6 +40,7 @@ pub use inertia::energy::{kinetic_energy, potential_energy};
 pub use inertia::mass_matrix::mass_matrix;
 pub use inertia::momentum::{center_of_mass, momentum};
 pub use inverse::ground::ground_acceleration;
+pub use inverse::reacting::inverse_dynamics_with;
 pub use inverse::reactions::joint_reactions;
 pub use inverse::regressor::{INERTIAL_PARAMETERS, inertial_parameters, torque_regressor};
 pub use inverse::{bias_forces, inverse_dynamics};

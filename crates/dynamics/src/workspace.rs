@@ -55,6 +55,8 @@ pub struct Workspace<T> {
     pub(crate) motions: Vec<LinkMotion<T>>,
     /// Load on each link in its own frame, about its own origin.
     pub(crate) loads: Vec<Load<T>>,
+    /// Those loads before what hangs from the links is added.
+    pub(crate) own_loads: Vec<Load<T>>,
     /// What the world carries: the root's load, in world axes about the world's origin.
     pub(crate) base: Load<T>,
     /// Each link with all that it carries, in world axes about its own origin.
@@ -138,6 +140,7 @@ impl<T: Scalar> Workspace<T> {
             reactions: vec![Wrench { force: zero, moment: zero }; links],
             motions: vec![rest; links],
             loads: vec![Load::zero(); links],
+            own_loads: vec![Load::zero(); links],
             base: Load::zero(),
             composites: vec![Composite::zero(); links],
             articulated: vec![Articulated::zero(); links],

@@ -63,6 +63,12 @@ fn the_ground_allocates_nothing() {
         let ws = &mut workspace;
         let done = dynamics::ground_acceleration(&tree, ws, &rest, &rest, &mut a, &[], &force, &mut tau);
         assert_eq!(done, Ok(()));
+        let react = |ws: &dynamics::Workspace<f64>, com: &Vector3<f64>| {
+            let force = ws.base_wrench().force;
+            Ok::<_, dynamics::DynamicsError>([(0, Wrench { force, moment: com.cross(&force) })])
+        };
+        let done = dynamics::inverse_dynamics_with(&tree, ws, &rest, &rest, &rest, react, &mut tau);
+        assert_eq!(done, Ok(()));
     });
     assert_eq!(count, 0);
 }

@@ -1,5 +1,6 @@
 //! The smooth walker: forces first, as people walk, and legs that follow.
 
+mod band;
 mod grid;
 mod laws;
 mod limbs;

@@ -14,13 +14,20 @@ use crate::sample::{Boundary, Sample};
 pub struct Polynomial<F = f64>(pub [F; 6]);
 
 impl<F: Elementary> Polynomial<F> {
+    /// The value at any `t`, by Horner's rule.
+    #[inline]
+    pub fn position(&self, t: F) -> F {
+        let c = &self.0;
+        c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))))
+    }
+
     /// The value and its first three derivatives at any `t`, by Horner's rule.
     #[inline]
     pub fn at(&self, t: F) -> Sample<F> {
         let c = &self.0;
         let n = F::from_f64;
         Sample {
-            position: c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5])))),
+            position: self.position(t),
             velocity: c[1]
                 + t * (n(2.0) * c[2] + t * (n(3.0) * c[3] + t * (n(4.0) * c[4] + t * (n(5.0) * c[5])))),
             acceleration: n(2.0) * c[2] + t * (n(6.0) * c[3] + t * (n(12.0) * c[4] + t * (n(20.0) * c[5]))),

@@ -135,7 +135,8 @@ mod tests {
 
     /// From a point to what fills (m), negative inside.
     fn outside(capsules: &[Capsule], point: Vector3<f64>) -> f64 {
-        let to = |capsule: &Capsule| segment::distance(&capsule.ends, &[point, point]) - capsule.radius;
+        let to =
+            |capsule: &Capsule| segment::shortest(&capsule.ends, &[point, point]).norm() - capsule.radius;
         capsules.iter().map(to).fold(f64::INFINITY, f64::min)
     }
 

@@ -1,43 +1,52 @@
-//! The distance of two segments.
+//! The shortest way between two segments.
 
 use nalgebra::Vector3;
 
-/// The least distance (m) between two segments, each given by its ends; a segment whose ends are one is a point.
+/// The shortest way (m) from one segment to another, each given by its ends; a segment whose ends are one is a point.
 ///
 /// ```text
 /// lines a + s·u, b + t·v      n = u × v      s = (w × v)·n / n²      t = (w × u)·n / n²      w = b − a
 /// ```
 ///
 /// Where both feet of the common perpendicular lie on their segments it is theirs; otherwise one of the four ends is the
-/// nearest to the other segment. The least of these five is taken, whatever the angle: each is a distance that occurs, so
+/// nearest to the other segment. The least of these five is taken, whatever the angle: each is a way that occurs, so
 /// parallel segments, where the feet are lost in rounding, need no case of their own. With `n` in place of the usual
 /// `u²v² − (u·v)²`, which cancels, feet of nearly parallel lines are as good as their angle allows.
 ///
-/// The same to the bit with the segments exchanged.
-pub(super) fn distance(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> f64 {
+/// As long to the bit with the segments exchanged.
+pub(super) fn shortest(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> Vector3<f64> {
     let ([a, a_end], [b, b_end]) = (first, second);
     let (u, v) = (a_end - a, b_end - b);
-    let mut least =
-        to_point(second, a).min(to_point(second, a_end)).min(to_point(first, b).min(to_point(first, b_end)));
+    let (mut least, mut shortest) = (f64::INFINITY, Vector3::zeros());
+    let mut take = |way: Vector3<f64>| {
+        let square = way.norm_squared();
+        if square < least {
+            (least, shortest) = (square, way);
+        }
+    };
+    take(-to_point(second, a));
+    take(-to_point(second, a_end));
+    take(to_point(first, b));
+    take(to_point(first, b_end));
     let n = u.cross(&v);
     let square = n.norm_squared();
     if square > 0.0 {
         let w = b - a;
         let (s, t) = (w.cross(&v).dot(&n) / square, w.cross(&u).dot(&n) / square);
         if (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
-            least = least.min(((a + u * s) - (b + v * t)).norm());
+            take((b + v * t) - (a + u * s));
         }
     }
-    least
+    shortest
 }
 
-/// From a point to a segment (m).
-fn to_point([a, b]: &[Vector3<f64>; 2], point: &Vector3<f64>) -> f64 {
+/// From a segment to a point (m).
+fn to_point([a, b]: &[Vector3<f64>; 2], point: &Vector3<f64>) -> Vector3<f64> {
     let (along, to) = (b - a, point - a);
     let square = along.norm_squared();
     let share = if square > 0.0 { (to.dot(&along) / square).clamp(0.0, 1.0) } else { 0.0 };
     // From the nearer end, so that an end is met exactly.
-    if share > 0.5 { (point - b + along * (1.0 - share)).norm() } else { (to - along * share).norm() }
+    if share > 0.5 { point - b + along * (1.0 - share) } else { to - along * share }
 }
 
 #[cfg(test)]
@@ -45,6 +54,10 @@ mod tests {
     use super::*;
     use crate::random::Random;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
+
+    fn distance(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> f64 {
+        shortest(first, second).norm()
+    }
 
     fn segment(ends: [[f64; 3]; 2]) -> [Vector3<f64>; 2] {
         ends.map(Vector3::from)

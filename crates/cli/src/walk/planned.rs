@@ -12,10 +12,9 @@ use solaris::gait::{FEET, StyledPlan, StyledRequest, on_the_spot};
 use solaris::model::{Figure, Motion};
 use std::time::{Duration, Instant};
 
-/// A walk with its forces.
+/// What is known of a walk with its forces, besides the motion.
 pub(super) struct Planned {
     pub(super) plan: StyledPlan,
-    pub(super) motion: Motion,
     pub(super) forces: Forces,
     /// Whether it is one stride that repeats itself.
     pub(super) repeats: bool,
@@ -53,13 +52,13 @@ pub(super) fn postures(plan: &StyledPlan) -> Option<KeyPostures> {
 }
 
 impl Planned {
-    /// Plans, samples, and finds the forces.
+    /// Plans, samples, and finds the forces, which are in the motion.
     pub(super) fn of(
         figure: &Figure,
         asked: &Asked,
         args: &WalkArgs,
         progress: &Progress,
-    ) -> Result<Self, CliError> {
+    ) -> Result<(Self, Motion), CliError> {
         let (looped, rate) = (args.manner.repeats, args.extent.rate.unwrap_or(RATE.0));
         let start = Instant::now();
         progress.stage("planning the walk");
@@ -94,9 +93,8 @@ impl Planned {
         }
         // One stride has its own clock.
         let beside = if looped.is_none() { beside(&plan, args.manner.determinants.into()) } else { None };
-        Ok(Self {
+        let planned = Self {
             plan,
-            motion,
             forces,
             repeats: looped.is_some(),
             asked_frequency,
@@ -108,7 +106,8 @@ impl Planned {
             beside,
             planning,
             solving: start.elapsed(),
-        })
+        };
+        Ok((planned, motion))
     }
 }
 

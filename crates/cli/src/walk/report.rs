@@ -11,6 +11,7 @@ use solaris::gait::{
     BandReport, IsolatedPeak, JointPeaks, SteadyStride, StyledPlan, WALK_RATIO, WalkExtremes, WalkMeasures,
     WalkPlan, band_reports,
 };
+use solaris::model::Motion;
 use std::io::Write;
 
 /// Everything that a walk came to.
@@ -81,12 +82,12 @@ impl Report {
     pub(crate) fn new(
         mass: f64,
         planned: Planned,
+        motion: &Motion,
         measures: WalkMeasures,
         lone: &[IsolatedPeak],
         nearest_limbs: Option<NearestLimbs>,
     ) -> Self {
-        let Planned { plan, motion, forces, repeats, asked_frequency, changes, beside, planning, solving } =
-            planned;
+        let Planned { plan, forces, repeats, asked_frequency, changes, beside, planning, solving } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));

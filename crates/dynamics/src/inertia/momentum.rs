@@ -61,6 +61,14 @@ pub fn center_of_mass<T: Scalar>(
     q: &[T],
 ) -> Result<Vector3<T>, DynamicsError> {
     forward_kinematics(tree, workspace, q)?;
+    placed_center_of_mass(tree, workspace)
+}
+
+/// The same for links that are placed.
+pub(crate) fn placed_center_of_mass<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &Workspace<T>,
+) -> Result<Vector3<T>, DynamicsError> {
     let mut sum = Vector3::zeros();
     for (body, pose) in tree.bodies.iter().zip(&workspace.poses) {
         let Some(distribution) = &body.mass_distribution else { continue };

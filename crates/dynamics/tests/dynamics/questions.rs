@@ -7,6 +7,7 @@ mod derivatives;
 mod ground;
 mod jacobian;
 mod joints;
+mod reacting;
 mod reactions;
 mod refusals;
 mod regressor;

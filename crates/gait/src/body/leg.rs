@@ -36,6 +36,9 @@ pub struct LegGeometry {
     pub hip: Vector3<f64>,
 }
 
+/// A point of the foot against a joint of it, or the joint against the point: an angle (rad) and a distance (m).
+pub(crate) type Polar = (f64, f64);
+
 /// A leg's posture: five angles (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct LegPose {
@@ -153,11 +156,16 @@ impl LegGeometry {
     /// `hip` is the hip against the heel: to the side, up, forward in the foot's vertical plane.
     #[inline]
     pub fn pitch_about_heel(&self, hip: [f64; 3], knee: f64) -> f64 {
-        let [hs, hy, hf] = hip;
-        let (rb, h) = (self.heel_behind.hypot(self.ankle_height), hy.hypot(hf));
+        self.pitch_about(self.heel_polar(), hip, knee)
+    }
+
+    /// The same for the heel's polar form.
+    #[inline]
+    pub(crate) fn pitch_about(&self, (angle, rb): Polar, [hs, hy, hf]: [f64; 3], knee: f64) -> f64 {
+        let h = hy.hypot(hf);
         let q = self.reach_squared(knee) - hs * hs;
         let cosine = (h * h + rb * rb - q) / (2.0 * rb * h);
-        self.ankle_height.atan2(self.heel_behind) - hy.atan2(hf) + cosine.clamp(-1.0, 1.0).acos()
+        angle - hy.atan2(hf) + cosine.clamp(-1.0, 1.0).acos()
     }
 
     /// Foot pitch that lets a foot turning about its **ball** joint meet the knee flexion `knee`.
@@ -169,15 +177,30 @@ impl LegGeometry {
     /// `hip` is the hip against the ball joint: to the side, up, forward in the foot's vertical plane.
     #[inline]
     pub fn pitch_about_ball(&self, hip: [f64; 3], knee: f64) -> f64 {
-        let [hs, hy, hf] = hip;
-        let (ra, h) = (self.ball_ahead.hypot(self.ball_below), hy.hypot(hf));
+        self.pitch_over(self.ball_polar(), hip, knee)
+    }
+
+    /// The same for the ball's polar form.
+    #[inline]
+    pub(crate) fn pitch_over(&self, (angle, ra): Polar, [hs, hy, hf]: [f64; 3], knee: f64) -> f64 {
+        let h = hy.hypot(hf);
         let q = self.reach_squared(knee) - hs * hs;
         let sine = (h * h + ra * ra - q) / (2.0 * ra * h);
-        hf.atan2(hy) + sine.clamp(-1.0, 1.0).asin() - self.ball_below.atan2(self.ball_ahead)
+        hf.atan2(hy) + sine.clamp(-1.0, 1.0).asin() - angle
+    }
+
+    /// Polar form of the ankle about the heel: angle above the sole and radius.
+    pub(crate) fn heel_polar(&self) -> Polar {
+        (self.ankle_height.atan2(self.heel_behind), self.heel_behind.hypot(self.ankle_height))
+    }
+
+    /// Polar form of the ball joint about the ankle: angle below the sole's direction and radius.
+    pub(crate) fn ball_polar(&self) -> Polar {
+        (self.ball_below.atan2(self.ball_ahead), self.ball_ahead.hypot(self.ball_below))
     }
 
     /// Polar form of the toe's tip about the ball joint: angle below the toes' axis and radius.
-    pub(crate) fn toe_polar(&self) -> (f64, f64) {
+    pub(crate) fn toe_polar(&self) -> Polar {
         (self.ball_height.atan2(self.toe), self.ball_height.hypot(self.toe))
     }
 
@@ -195,11 +218,11 @@ impl LegGeometry {
             + self.shank * (pose.thigh - pose.knee - self.shank_lean).sin()
     }
 
-    /// Height of the lowest point of the foot above the ground, for the ankle's height and the pitches of foot and toes.
+    /// Height of the lowest point of the foot above the ground, for the toe's polar form, the ankle's height and the pitches of
+    /// foot and toes.
     #[inline]
-    pub(crate) fn lowest(&self, ankle: f64, pitch: f64, toes: f64) -> f64 {
+    pub(crate) fn lowest(&self, (b, r): Polar, ankle: f64, pitch: f64, toes: f64) -> f64 {
         let (sin, cos) = pitch.sin_cos();
-        let (b, r) = self.toe_polar();
         let ball = ankle - self.ball_ahead * sin - self.ball_below * cos;
         let heel = ankle - self.ankle_height * cos + self.heel_behind * sin;
         let foot_ball = ankle - self.ankle_height * cos - self.ball_ahead * sin;

@@ -72,7 +72,9 @@ impl MomentumKernel {
     /// Of the whole body, for the legs' poses at every node (left, right).
     pub(crate) fn momentum(&mut self, upper: &UpperBody, poses: impl Fn(usize) -> [LegPose; 2]) -> Momentum {
         for (i, shapes) in self.shapes.iter_mut().enumerate() {
-            *shapes = poses(i).map(|pose| LegMotion::shape(&pose));
+            for (shape, pose) in shapes.iter_mut().zip(&poses(i)) {
+                *shape = LegMotion::shape(pose);
+            }
         }
         let (mut coms, mut angular) =
             (Vec::with_capacity(self.grid.count), Vec::with_capacity(self.grid.count));
@@ -82,7 +84,8 @@ impl MomentumKernel {
                 let rate = self.grid.first_of(i, |j| &self.shapes[j][side]);
                 let (hip, hip_rate) = &self.hips[i].0[side];
                 let leg = self.legs[side].parts(&self.shapes[i][side], &rate, hip, hip_rate);
-                parts.join(&self.to_world(&leg, side, i));
+                let turning = || self.legs[side].turning(&self.shapes[i][side], hip);
+                parts.join(&self.to_world(&leg, turning, side, i));
             }
             let com = parts.first / self.mass;
             angular.push(parts.angular - com.cross(&parts.rate));
@@ -92,29 +95,24 @@ impl MomentumKernel {
     }
 
     /// From a foot's plane to the world; the mirror turns an axial vector the other way. A plane that turns at the rate ψ̇ adds
-    /// `ψ̇ e × Σ m r` and `ψ̇ Σ (I e + m r × (e × r))` with the vertical e.
-    fn to_world(&self, parts: &Parts, side: usize, node: usize) -> Parts {
+    /// `ψ̇ e × Σ m r` and `ψ̇ Σ (I e + m r × (e × r))`, which is `turning` for 1 rad/s, with the vertical e.
+    fn to_world(&self, parts: &Parts, turning: impl Fn() -> Vector3<f64>, side: usize, node: usize) -> Parts {
         let world = |v: &Vector3<f64>| self.plane.left * v.x + Vector3::y() * v.y + self.plane.forward * v.z;
-        let mut seen = Parts {
-            first: world(&parts.first),
-            rate: world(&parts.rate),
-            angular: world(&parts.angular),
-            turning: world(&parts.turning),
-        };
+        let mut seen =
+            Parts { first: world(&parts.first), rate: world(&parts.rate), angular: world(&parts.angular) };
         if side == 1 {
-            let Parts { first, rate, angular, turning } = seen;
-            // In the mirror a turn goes the other way, and so does its momentum: it is the same for the same turn.
-            let turning = mirror(&turning);
-            seen = Parts { first: mirror(&first), rate: mirror(&rate), angular: -mirror(&angular), turning };
+            let Parts { first, rate, angular } = seen;
+            seen = Parts { first: mirror(&first), rate: mirror(&rate), angular: -mirror(&angular) };
         }
         let Some(&(heading, rate)) = self.headings.get(node).map(|sides| &sides[side]) else { return seen };
         seen.rate += Vector3::y().cross(&seen.first) * rate;
-        seen.angular += seen.turning * rate;
+        // In the mirror a turn goes the other way, and so does its momentum: it is the same for the same turn.
+        let turning = world(&turning());
+        seen.angular += if side == 0 { turning } else { mirror(&turning) } * rate;
         Parts {
             first: turned(heading, &seen.first),
             rate: turned(heading, &seen.rate),
             angular: turned(heading, &seen.angular),
-            turning: turned(heading, &seen.turning),
         }
     }
 }

@@ -1,6 +1,5 @@
 //! A whole walk: its course and tempo, its laws, the passes that solve it, and the plan that comes of them.
 
-mod band;
 mod check;
 mod course;
 mod feet;

@@ -39,6 +39,8 @@ pub struct DifferenceStep {
     per_frame: usize,
     /// Length of a step (s).
     pub length: f64,
+    /// From one row of positions to the next (s), see [`Self::rows`].
+    spacing: f64,
 }
 
 impl DifferenceStep {
@@ -47,7 +49,40 @@ impl DifferenceStep {
         let ratio = resolution * rate;
         let frames = (ratio - 1e-6).ceil().clamp(1.0, 1e6) as usize;
         let per_frame = (1.0 / ratio + 1e-6).floor().clamp(1.0, 1e6) as usize;
-        Self { frames, per_frame, length: frames as f64 / (rate * per_frame as f64) }
+        let spacing = 1.0 / (rate * per_frame as f64);
+        Self { frames, per_frame, length: frames as f64 / (rate * per_frame as f64), spacing }
+    }
+
+    /// How many rows of positions, equally spaced in time, so many samples are differenced from. The first one lies before the first
+    /// sample, the last one after the last.
+    pub fn rows(&self, samples: usize) -> usize {
+        samples.saturating_sub(1) * self.per_frame + 2 * self.margin() + 1
+    }
+
+    /// Rows before the first sample.
+    fn margin(&self) -> usize {
+        3 * self.frames
+    }
+
+    /// The row that is value `k` of the seven of a sample.
+    pub fn row(&self, sample: usize, k: usize) -> usize {
+        sample * self.per_frame + k * self.frames
+    }
+
+    /// Whether a row is one of any sample's seven.
+    pub fn asks_for(&self, row: usize) -> bool {
+        row % self.per_frame < 7
+    }
+
+    /// The sample that a row lies at, or would beyond the last one; none before the first one or between two.
+    pub fn sample(&self, row: usize) -> Option<usize> {
+        let since = row.checked_sub(self.margin())?;
+        since.is_multiple_of(self.per_frame).then_some(since / self.per_frame)
+    }
+
+    /// When a row is (s).
+    pub fn time(&self, row: usize) -> f64 {
+        (row as f64 - self.margin() as f64) * self.spacing
     }
 
     /// The second derivative of a quantity from its values at −3, −2, … 3 steps; differences from the middle value keep
@@ -60,20 +95,41 @@ impl DifferenceStep {
         weighted(&FIRST, value) / self.length
     }
 
-    /// Adds the velocities and accelerations of one joint in the middle of seven values of its `q`, to be settled before.
+    /// First and second derivatives of all coordinates in the middle of seven rows.
+    fn of_rows<'a>(&self, row: impl Fn(usize) -> &'a [f64], first: &mut [f64], second: &mut [f64]) {
+        first.fill(0.0);
+        second.fill(0.0);
+        let middle = row(3);
+        for (k, (weight, second_weight)) in FIRST.iter().zip(SECOND).enumerate() {
+            let value = &row(k)[..middle.len()];
+            let (first, second) = (&mut first[..middle.len()], &mut second[..middle.len()]);
+            for i in 0..middle.len() {
+                let difference = value[i] - middle[i];
+                first[i] += weight * difference;
+                second[i] += second_weight * difference;
+            }
+        }
+        let square = self.length * self.length;
+        for (rate, second) in first.iter_mut().zip(second) {
+            *rate /= self.length;
+            *second /= square;
+        }
+    }
+
+    /// Adds the velocities and accelerations of one joint in the middle of seven values of its `q`, to be settled before, whose
+    /// derivatives are `first` and `second`.
     fn of_joint<'a>(
         &self,
         kind: &JointKind,
         q: impl Fn(usize) -> &'a [f64],
+        [first, second]: [&[f64]; 2],
         v: &mut Vec<f64>,
         a: &mut Vec<f64>,
     ) {
         match kind {
-            JointKind::Axes(dofs) => {
-                for i in 0..dofs.len() {
-                    v.push(self.first(|k| q(k)[i]));
-                    a.push(self.second(|k| q(k)[i]));
-                }
+            JointKind::Axes(_) => {
+                v.extend_from_slice(first);
+                a.extend_from_slice(second);
             }
             JointKind::Ball { .. } => {
                 let [velocity, acceleration] = self.of_turn(&q);
@@ -83,8 +139,8 @@ impl DifferenceStep {
             JointKind::Free { .. } => {
                 let [velocity, acceleration] = self.of_turn(|k| &q(k)[3..]);
                 let inwards = read(&q(3)[3..]).conjugate();
-                let linear = apply(&inwards, &Vector3::from_fn(|i, _| self.first(|k| q(k)[i])));
-                let second = apply(&inwards, &Vector3::from_fn(|i, _| self.second(|k| q(k)[i])));
+                let linear = apply(&inwards, &Vector3::from_column_slice(&first[..3]));
+                let second = apply(&inwards, &Vector3::from_column_slice(&second[..3]));
                 v.extend(linear.iter().chain(velocity.iter()));
                 // The axes of v turn with the link: v = Rᵀẋ, v̇ = Rᵀẍ − ω×v.
                 a.extend((second - velocity.cross(&linear)).iter().chain(acceleration.iter()));
@@ -172,28 +228,28 @@ impl Motion {
         }
         let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
         let step = DifferenceStep::new(trajectory.resolution(), rate);
-        let (stride, substeps) = (step.frames, step.per_frame);
-        let fine_step = 1.0 / (rate * substeps as f64);
         let duration = trajectory.duration();
-        let frames = duration * rate;
-        if (frames * substeps as f64).is_nan() || frames * substeps as f64 > Self::MOST_SAMPLES as f64 {
+        let (frames, substeps) = (duration * rate, step.per_frame as f64);
+        if (frames * substeps).is_nan() || frames * substeps > Self::MOST_SAMPLES as f64 {
             return Err(MotionError::Duration { duration, rate });
         }
         let samples = (frames - 1e-9).ceil().max(0.0) as usize + 1;
-        // Fine sample k stands at (k − margin)·fine_step.
-        let margin = 3 * stride;
-        let mut fine = vec![0.0; ((samples - 1) * substeps + 2 * margin + 1) * nq];
-        for (k, row) in fine.chunks_exact_mut(nq.max(1)).enumerate() {
-            trajectory.configuration((k as f64 - margin as f64) * fine_step, row);
+        let mut rows = vec![0.0; step.rows(samples) * nq];
+        for (row, q) in rows.chunks_exact_mut(nq.max(1)).enumerate() {
+            trajectory.configuration(step.time(row), q);
         }
-        settle(figure, &mut fine, |k| (k as f64 - margin as f64) * fine_step)?;
+        settle(figure, &mut rows, |row| step.time(row))?;
         let mut columns = [nq, nv, nv].map(|width| Vec::with_capacity(samples * width));
+        let [mut first, mut second] = [0; 2].map(|_| vec![0.0; nq]);
         for sample in 0..samples {
-            let row = |k: usize| &fine[(sample * substeps + k * stride) * nq..][..nq];
-            columns[0].extend_from_slice(row(3));
+            let row = |k: usize| &rows[step.row(sample, k) * nq..][..nq];
+            step.of_rows(row, &mut first, &mut second);
+            let [q, v, a] = &mut columns;
+            q.extend_from_slice(row(3));
             for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
-                let [_, v, a] = &mut columns;
-                step.of_joint(link.joint().kind(), |k| &row(k)[at.q..][..at.nq], v, a);
+                let of = at.q..at.q + at.nq;
+                let rates = [&first[of.clone()], &second[of.clone()]];
+                step.of_joint(link.joint().kind(), |k| &row(k)[of.clone()], rates, v, a);
             }
         }
         let time = (0..samples).map(|sample| sample as f64 / rate).collect();

@@ -82,8 +82,9 @@ impl Piecewise {
         (self.knots[0], self.knots[self.knots.len() - 1])
     }
 
-    /// The curve at `t`. At a knot the piece that begins there answers.
-    pub fn at(&self, t: f64) -> Sample {
+    /// The piece that answers at `t`, and where in it.
+    #[inline]
+    fn locate(&self, t: f64) -> (&Polynomial, f64) {
         let (first, last) = self.span();
         let inside = match self.outside {
             Outside::Repeat => first + rem_euclid(t - first, last - first),
@@ -95,7 +96,19 @@ impl Piecewise {
             }
         };
         let piece = self.knots[1..self.pieces.len()].partition_point(|&knot| knot <= inside);
-        let sample = self.pieces[piece].at(inside - self.knots[piece]);
+        (&self.pieces[piece], inside - self.knots[piece])
+    }
+
+    /// The position at `t`. At a knot the piece that begins there answers.
+    pub fn position(&self, t: f64) -> f64 {
+        let (piece, inside) = self.locate(t);
+        piece.position(inside)
+    }
+
+    /// The curve at `t`. At a knot the piece that begins there answers.
+    pub fn at(&self, t: f64) -> Sample {
+        let (piece, inside) = self.locate(t);
+        let (sample, (first, last)) = (piece.at(inside), self.span());
         if self.outside == Outside::Hold && (t < first || t > last) {
             return Sample { position: sample.position, ..Sample::default() };
         }

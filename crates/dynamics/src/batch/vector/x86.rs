@@ -1,5 +1,7 @@
 //! The operations of registers in the vector instructions of x86-64, by the same names for each set of instructions and each width.
 
+#![allow(clippy::wildcard_imports, reason = "the names of instructions begin alike, and are many")]
+
 /// Multiplication with addition where no instruction does both.
 macro_rules! twice_rounded {
     ($enable:literal) => {

@@ -11,7 +11,7 @@ use super::numbers::{
 };
 use super::push::Push;
 use crate::body::foot::FootPlane;
-use crate::body::leg::{LegGeometry, LegPose};
+use crate::body::leg::{LegGeometry, LegPose, Polar};
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic};
@@ -37,6 +37,9 @@ pub(crate) struct Stance {
     pub(crate) heel: Vector3<f64>,
     flat_ankle: Vector3<f64>,
     tip: Vector3<f64>,
+    heel_polar: Polar,
+    ball_polar: Polar,
+    toe_polar: Polar,
     contact_knee: Option<Quintic>,
     push_knee: Option<Piecewise>,
 }
@@ -55,6 +58,9 @@ impl Stance {
             heel,
             flat_ankle: heel + plane.forward * leg.heel_behind + Vector3::y() * leg.ankle_height,
             tip: heel + plane.forward * leg.foot_length(),
+            heel_polar: leg.heel_polar(),
+            ball_polar: leg.ball_polar(),
+            toe_polar: leg.toe_polar(),
             contact_knee: None,
             push_knee: None,
         }
@@ -102,7 +108,8 @@ impl Stance {
     pub(crate) fn set_push(&mut self, hip: impl Fn(f64) -> Vector3<f64>) -> Result<(), ProfileError> {
         let (heel_off, toe_off) = (self.push.heel_off, self.toe_off);
         let start = self.flat_knee_jet(heel_off, &hip);
-        let steepest = (hip(toe_off) - self.ankle_on_ball(toe_off, STEEPEST_PITCH)).norm_squared();
+        let steepest =
+            (hip(toe_off) - self.ankle_on_ball(&self.ball(toe_off), STEEPEST_PITCH)).norm_squared();
         let mut end = self.push.knee_toe_off;
         end.position = end.position.min(self.leg.knee_for(steepest.min(self.leg.almost_straight_squared())));
         let mut waypoint = self.push.waypoint.map(|(at, knee)| {
@@ -119,7 +126,7 @@ impl Stance {
             let (mut worst, mut at) = (f64::NEG_INFINITY, from);
             for i in 0..PUSH_INSTANTS {
                 let u = from + (to - from) * f64::from(i) / f64::from(PUSH_INSTANTS - 1);
-                let straighter = self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT - spline.at(u).position;
+                let straighter = self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT - spline.position(u);
                 if straighter > worst {
                     (worst, at) = (straighter, u);
                 }
@@ -245,7 +252,8 @@ impl Stance {
     #[inline]
     fn heel_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
         let knee = self.contact_knee.as_ref().map_or(0.0, |law| law.extrapolated(u).position);
-        let pitch = self.leg.pitch_about_heel(self.plane.split(&(hip - self.heel)), knee).min(0.0);
+        let hip = self.plane.split(&(hip - self.heel));
+        let pitch = self.leg.pitch_about(self.heel_polar, hip, knee).min(0.0);
         (self.ankle_on_heel(pitch), pitch)
     }
 
@@ -259,23 +267,24 @@ impl Stance {
     /// The ball joint, carried by the toes that roll about the tip.
     #[inline]
     fn ball(&self, u: f64) -> Vector3<f64> {
-        let (b, r) = self.leg.toe_polar();
+        let (b, r) = self.toe_polar;
         let (sin, cos) = (b + self.toes(u)).sin_cos();
         self.tip - self.plane.forward * (r * cos) + Vector3::y() * (r * sin)
     }
 
-    /// The ankle of a foot that turns about the ball joint.
-    fn ankle_on_ball(&self, u: f64, pitch: f64) -> Vector3<f64> {
-        let (tz, ty) = (self.leg.ball_ahead, self.leg.ball_below);
-        let (sin, cos) = (pitch + ty.atan2(tz)).sin_cos();
-        let r = tz.hypot(ty);
-        self.ball(u) - self.plane.forward * (r * cos) + Vector3::y() * (r * sin)
+    /// The ankle of a foot that turns about the ball joint, which is at `ball`.
+    fn ankle_on_ball(&self, ball: &Vector3<f64>, pitch: f64) -> Vector3<f64> {
+        let (angle, r) = self.ball_polar;
+        let (sin, cos) = (pitch + angle).sin_cos();
+        ball - self.plane.forward * (r * cos) + Vector3::y() * (r * sin)
     }
 
     #[inline]
     fn push_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
-        let knee = self.push_knee.as_ref().map_or(0.0, |law| law.at(u).position);
-        let pitch = self.leg.pitch_about_ball(self.plane.split(&(hip - self.ball(u))), knee).max(0.0);
-        (self.ankle_on_ball(u, pitch), pitch)
+        let knee = self.push_knee.as_ref().map_or(0.0, |law| law.position(u));
+        let ball = self.ball(u);
+        let hip = self.plane.split(&(hip - ball));
+        let pitch = self.leg.pitch_over(self.ball_polar, hip, knee).max(0.0);
+        (self.ankle_on_ball(&ball, pitch), pitch)
     }
 }

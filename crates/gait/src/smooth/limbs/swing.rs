@@ -133,22 +133,22 @@ impl Swing {
     }
 
     fn unlifted(&self, v: f64) -> LegPose {
-        let (thigh, knee) = (self.thigh.at(v).position, self.knee.at(v).position);
+        let (thigh, knee) = (self.thigh.position(v), self.knee.position(v));
         let landed_from = 1.0 - LANDING;
         let pitch = if v < landed_from {
-            knee - thigh - self.dorsiflexion.at(v).position
+            knee - thigh - self.dorsiflexion.position(v)
         } else {
             let (contact, rate) = self.landing;
             let t = ((v - landed_from) / LANDING).clamp(0.0, 1.0);
             contact + rate * LANDING / 3.0 * (t * t * t - 1.0)
         };
-        let extension = if v < TOES_STRAIGHT_AT { self.toes.at(v).position } else { 0.0 };
+        let extension = if v < TOES_STRAIGHT_AT { self.toes.position(v) } else { 0.0 };
         // In mid-swing the leg leans as if the body faced where the foot does.
         let x = self.phase(v).clamp(0.0, 1.0);
         let [before, after] = self.sideways;
         let part = step::quintic(x.min(1.0 - x) / STRAIGHTENED).position;
         let straightened = OUTWARD * (before + (after - before) * x) * part;
-        let side = self.side.at(v).position - straightened;
+        let side = self.side.position(v) - straightened;
         LegPose { side, thigh, knee, pitch, toes: pitch - extension }
     }
 
@@ -188,8 +188,10 @@ impl Swing {
             })
             .filter(|at| at.x > ENDS_KEPT && (at.x < 1.0 - ENDS_KEPT || at.wanted > 0.0))
             .collect();
+        let toe = leg.toe_polar();
         for _ in 0..MOST_BUMPS {
-            let missing = |at: &At| at.wanted - leg.lowest(at.hip - at.drop * at.cos_side, at.pitch, at.toes);
+            let missing =
+                |at: &At| at.wanted - leg.lowest(toe, at.hip - at.drop * at.cos_side, at.pitch, at.toes);
             let Some((worst, at)) = points
                 .iter()
                 .map(|at| (missing(at), at))

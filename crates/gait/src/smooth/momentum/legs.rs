@@ -3,7 +3,7 @@
 //! The axes of thigh, shank, foot and toes are linear in these products, and so are positions: the rates of everything
 //! follow from the products' rates, which are all that has to be differenced.
 
-use super::parts::Parts;
+use super::parts::{Parts, turning};
 use crate::body::Segment;
 use crate::body::leg::LegPose;
 use nalgebra::{Matrix3, Vector3};
@@ -73,5 +73,18 @@ impl LegMotion {
             parts.add(segment, &axes[i], &rates[i], &com, &com_rate);
         }
         parts
+    }
+
+    /// The angular momentum of the leg in a turn of its plane at 1 rad/s, for the products and the hip.
+    pub(crate) fn turning(&self, shape: &[f64; LEG_SHAPE], hip: &Vector3<f64>) -> Vector3<f64> {
+        let axes = Self::axes(shape, 1.0);
+        let (mut origin, mut sum) = (*hip, Vector3::zeros());
+        for (i, segment) in self.0.iter().enumerate() {
+            if i > 0 {
+                origin += axes[i - 1] * segment.offset;
+            }
+            sum += turning(segment, &axes[i], &(origin + axes[i] * segment.com));
+        }
+        sum
     }
 }

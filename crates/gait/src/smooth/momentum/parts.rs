@@ -12,8 +12,6 @@ pub(crate) struct Parts {
     pub(crate) rate: Vector3<f64>,
     /// `Σ (I ω + m r × ṙ)`
     pub(crate) angular: Vector3<f64>,
-    /// The same for a turn at 1 rad/s about the second axis: `Σ (I e + m r × (e × r))`
-    pub(crate) turning: Vector3<f64>,
 }
 
 impl Parts {
@@ -28,9 +26,6 @@ impl Parts {
     ) {
         let spin: Vector3<f64> =
             (0..3).map(|i| rotation.column(i).cross(&rotation_rate.column(i))).sum::<Vector3<f64>>() * 0.5;
-        let about = segment.inertia * rotation.row(1).transpose();
-        self.turning += rotation * about
-            + Vector3::new(-com.x * com.y, com.x * com.x + com.z * com.z, -com.z * com.y) * segment.mass;
         self.first += com * segment.mass;
         self.rate += com_rate * segment.mass;
         self.angular +=
@@ -41,6 +36,12 @@ impl Parts {
         self.first += other.first;
         self.rate += other.rate;
         self.angular += other.angular;
-        self.turning += other.turning;
     }
+}
+
+/// The angular momentum `I e + m r × (e × r)` of a segment, against the pelvis' origin, in a turn at 1 rad/s about the second axis.
+pub(crate) fn turning(segment: &Segment, rotation: &Matrix3<f64>, com: &Vector3<f64>) -> Vector3<f64> {
+    let about = segment.inertia * rotation.row(1).transpose();
+    rotation * about
+        + Vector3::new(-com.x * com.y, com.x * com.x + com.z * com.z, -com.z * com.y) * segment.mass
 }

@@ -3,11 +3,12 @@
 use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
 use crate::error::{GaitError, PlanError};
+use crate::smooth::band::Band;
 use crate::smooth::grid::{Grid, SECOND};
 use crate::smooth::laws;
 use crate::smooth::style::Style;
 use crate::walking::G;
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::{Matrix3, Matrix3x2, Vector3};
 use solaris_analysis::FootSupport;
 
 /// The laws at the nodes of a stride.
@@ -65,33 +66,91 @@ impl Laws {
     /// z̈ = k(z − P_z) − Ḣ_x/(m y)      ẍ = k(x − P_x) + Ḣ_z/(m y)      k = F_y/(m y)
     /// ```
     ///
-    /// It is unique, and nothing in it grows: the matrix D² − diag(k) is negative definite.
+    /// It is unique, and nothing in it grows: the matrix diag(k) − D² is positive definite.
     pub(super) fn centre_of_mass(
         &self,
         grid: &Grid,
         momentum_rate: &[Vector3<f64>],
         com: &mut [Vector3<f64>],
     ) -> Result<(), GaitError> {
-        let n = com.len();
-        let unit = 1.0 / (180.0 * grid.step * grid.step);
-        let mut matrix = DMatrix::zeros(n, n);
-        let mut rhs = DMatrix::zeros(n, 2);
-        for i in 0..n {
-            for (k, weight) in SECOND.iter().enumerate() {
-                matrix[(i, (i + n + k - 3) % n)] += weight * unit;
-            }
-            let my = self.mass * com[i].y;
+        let (n, unit) = (com.len(), 1.0 / (180.0 * grid.step * grid.step));
+        let (mut stiffness, mut forcing) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        for (i, com) in com.iter().enumerate() {
+            let my = self.mass * com.y;
             let k = self.vertical[i] / my;
-            matrix[(i, i)] -= k;
-            rhs[(i, 0)] = -k * self.centre[i].x + momentum_rate[i].z / my;
-            rhs[(i, 1)] = -k * self.centre[i].z - momentum_rate[i].x / my;
+            stiffness.push(k);
+            forcing.push([
+                k * self.centre[i].x - momentum_rate[i].z / my,
+                k * self.centre[i].z + momentum_rate[i].x / my,
+            ]);
         }
-        if !matrix.lu().solve_mut(&mut rhs) {
-            return Err(PlanError::NoPath.into());
-        }
-        for (i, c) in com.iter_mut().enumerate() {
-            (c.x, c.z) = (rhs[(i, 0)], rhs[(i, 1)]);
+        let way = periodic(&stiffness, &forcing, unit).ok_or(PlanError::NoPath)?;
+        for (com, [x, z]) in com.iter_mut().zip(way) {
+            (com.x, com.z) = (x, z);
         }
         Ok(())
+    }
+}
+
+/// Solves `(diag(k) − D²) x = f` on nodes that repeat; `None` where the matrix is not positive definite.
+///
+/// All but the last three nodes are a band, whose factor serves both right sides and the three columns that join it with the
+/// last nodes: what it leaves of those is a system of three.
+fn periodic(stiffness: &[f64], forcing: &[[f64; 2]], unit: f64) -> Option<Vec<[f64; 2]>> {
+    let (n, inner) = (stiffness.len(), stiffness.len() - 3);
+    let entry = |i: usize, j: usize| {
+        let apart = i.abs_diff(j).min(n - i.abs_diff(j));
+        let curved = if apart > 3 { 0.0 } else { -SECOND[3 - apart] * unit };
+        if apart == 0 { curved + stiffness[i] } else { curved }
+    };
+    let row = |i: usize| [3, 2, 1, 0].map(|back| if back > i { 0.0 } else { entry(i, i - back) });
+    let band = Band::factor((0..inner).map(row).collect());
+    let last = [inner, inner + 1, inner + 2];
+    let mut columns: Vec<[f64; 5]> = (0..inner)
+        .map(|i| {
+            let ([x, z], [a, b, c]) = (forcing[i], last.map(|j| entry(i, j)));
+            [x, z, a, b, c]
+        })
+        .collect();
+    band.solve(&mut columns);
+    // Only the three nodes on either side are joined with the last ones.
+    let joined = |j: usize, column: usize| -> f64 {
+        (0..3).chain(inner - 3..inner).map(|i| entry(last[j], i) * columns[i][column]).sum()
+    };
+    let matrix = Matrix3::from_fn(|i, j| entry(last[i], last[j]) - joined(i, 2 + j));
+    let rest = Matrix3x2::from_fn(|i, column| forcing[last[i]][column] - joined(i, column));
+    let ends = matrix.cholesky()?.solve(&rest);
+    let mut way: Vec<[f64; 2]> = columns
+        .iter()
+        .map(|x| [0, 1].map(|column| x[column] - (0..3).map(|j| x[2 + j] * ends[(j, column)]).sum::<f64>()))
+        .collect();
+    way.extend((0..3).map(|j| [ends[(j, 0)], ends[(j, 1)]]));
+    way.iter().flatten().all(|x| x.is_finite()).then_some(way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector};
+
+    #[test]
+    fn a_way_that_repeats_solves_the_dense_equations() {
+        let (n, unit) = (24, 3.7);
+        let stiffness: Vec<f64> = (0..n).map(|i| 9.0 + 4.0 * (i as f64).sin()).collect();
+        let forcing: Vec<[f64; 2]> = (0..n).map(|i| [(2.0 * i as f64).cos(), i as f64]).collect();
+        let mut matrix = DMatrix::zeros(n, n);
+        for i in 0..n {
+            matrix[(i, i)] = stiffness[i];
+            for (k, weight) in SECOND.iter().enumerate() {
+                matrix[(i, (i + n + k - 3) % n)] -= weight * unit;
+            }
+        }
+        let way = periodic(&stiffness, &forcing, unit).expect("positive definite");
+        for column in [0, 1] {
+            let found = DVector::from_fn(n, |i, _| way[i][column]);
+            let wanted = DVector::from_fn(n, |i, _| forcing[i][column]);
+            assert!((&matrix * found - wanted).amax() < 1e-10);
+        }
+        assert!(periodic(&vec![-1.0; n], &forcing, unit).is_none());
     }
 }

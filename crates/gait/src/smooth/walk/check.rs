@@ -15,6 +15,7 @@ pub(crate) struct LegsCheck {
 impl WalkPlan {
     pub(crate) fn legs(&self) -> LegsCheck {
         let leg = &self.body.leg;
+        let toe = leg.toe_polar();
         let none = (f64::INFINITY, 0.0);
         let mut check = LegsCheck { least_knee: none, lowest: none, short: (0.0, 0.0) };
         let (_, (first, last)) = self.nodes();
@@ -24,7 +25,7 @@ impl WalkPlan {
                 let (hip, pose) = (hips[side], legs[side]);
                 check.least_knee = least(check.least_knee, (pose.knee, u));
                 let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
-                check.lowest = least(check.lowest, (leg.lowest(ankle, pose.pitch, pose.toes), u));
+                check.lowest = least(check.lowest, (leg.lowest(toe, ankle, pose.pitch, pose.toes), u));
                 let short = self.feet[side].short(&self.laws, u, &hip);
                 let (longest, at) = least((-check.short.0, check.short.1), (-short, u));
                 check.short = (-longest, at);

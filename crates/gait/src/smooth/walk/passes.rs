@@ -53,8 +53,8 @@ impl Passes {
         });
         let hips =
             [0, 1].map(|side| (0..count).map(|i| upper.pelvis(i) * body.legs[side][0].offset).collect());
-        let height =
-            (0..count).map(|i| (laws.height(clocks[i]), timeline.second(i, |u| laws.height(u)))).collect();
+        let heights = timeline.with_neighbours(|u| laws.height(u));
+        let height = (0..count).map(|i| (heights[i + 3], timeline.second(|k| heights[i + k]))).collect();
         let reach = 3.0 / timeline.rate as f64;
         let weights = (0..count)
             .map(|i| {
@@ -62,12 +62,13 @@ impl Passes {
                     .map(|contact| CorrectionWeight {
                         contact,
                         weight: laws.correction(clocks[i], contact),
-                        acceleration: timeline.second(i, |u| laws.correction(u, contact)),
+                        acceleration: timeline.second(|k| laws.correction(timeline.neighbour(i, k), contact)),
                     })
                     .collect()
             })
             .collect();
-        let shift = |shape: usize| clocks.iter().map(|&u| laws.shifts(u)[shape]).collect();
+        let shifts: Vec<[f64; 4]> = clocks.iter().map(|&u| laws.shifts(u)).collect();
+        let shift = |shape: usize| shifts.iter().map(|shapes| shapes[shape]).collect();
         let centre = clocks
             .iter()
             .map(|&u| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum())
@@ -140,12 +141,10 @@ impl Passes {
             Ok(Foot::new(&self.laws, &leg, side, &hip, &mut need)?)
         };
         let feet = [foot(0)?, foot(1)?];
-        let poses: Vec<[LegPose; 2]> = (0..count)
-            .map(|i| {
-                let u = self.timeline.clock(i);
-                [0, 1].map(|side| feet[side].pose(&self.laws, &leg, u, &nodes[side][i].into()))
-            })
-            .collect();
+        let pose = |side: usize, i: usize| {
+            feet[side].pose(&self.laws, &leg, self.timeline.clock(i), &nodes[side][i].into())
+        };
+        let poses: Vec<[LegPose; 2]> = (0..count).map(|i| [pose(0, i), pose(1, i)]).collect();
         let momentum = self.kernel.momentum(&self.upper, |i| poses[i]);
         let (first, last) = self.timeline.moving;
         let rate: Vec<Vector3<f64>> = (0..count)

@@ -13,7 +13,7 @@ use crate::body::Body;
 use crate::body::foot::{mirror, turned};
 use crate::body::leg::LegPose;
 use crate::body::posture::Posture;
-use crate::body::rotations;
+use crate::body::rotations::{self, Euler};
 use crate::error::GaitError;
 use crate::request::Resolution;
 use crate::smooth::prescribed::PrescribedNode;
@@ -290,8 +290,9 @@ impl WalkPlan {
         let (u, advance) = self.repeat.fold(self.moving_clock(clock));
         let (trunk, arms) = self.laws.angles(u);
         let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
-        let legs = self.hips_and_legs(u).1;
         let heading = self.laws.course.heading(u);
+        let hips = self.hips(&pelvis, trunk[0], heading);
+        let legs = self.legs_below(u, &hips);
         let feet = [0, 1].map(|side| self.laws.foot_heading(side, u) - heading);
         let pelvis = pelvis + Vector3::z() * advance;
         let ahead = Posture { pelvis, trunk, arms, legs, heading, feet };
@@ -302,10 +303,22 @@ impl WalkPlan {
 
     /// Hips and poses of both legs at a clock of the walk that was planned.
     pub(crate) fn hips_and_legs(&self, u: f64) -> ([Vector3<f64>; 2], [LegPose; 2]) {
-        let (rotation, heading) = (rotations::matrix(self.laws.angles(u).0[0]), self.laws.course.heading(u));
         let pelvis = Vector3::from(self.pelvis.position(self.planned_time(u)));
-        let hips = [0, 1].map(|side| pelvis + turned(heading, &(rotation * self.body.legs[side][0].offset)));
-        (hips, [0, 1].map(|side| self.feet[side].pose(&self.laws, &self.body.leg, u, &hips[side])))
+        let hips = self.hips(&pelvis, self.laws.angles(u).0[0], self.laws.course.heading(u));
+        (hips, self.legs_below(u, &hips))
+    }
+
+    /// Hips of a pelvis with these angles against the way the body faces.
+    fn hips(&self, pelvis: &Vector3<f64>, angles: Euler, heading: f64) -> [Vector3<f64>; 2] {
+        let rotation = rotations::matrix(angles);
+        let hip = |side: usize| pelvis + turned(heading, &(rotation * self.body.legs[side][0].offset));
+        [hip(0), hip(1)]
+    }
+
+    /// Poses of both legs at a clock of the walk that was planned.
+    fn legs_below(&self, u: f64, hips: &[Vector3<f64>; 2]) -> [LegPose; 2] {
+        let pose = |side: usize| self.feet[side].pose(&self.laws, &self.body.leg, u, &hips[side]);
+        [pose(0), pose(1)]
     }
 
     /// Time of a clock in strides of the fastest pace.

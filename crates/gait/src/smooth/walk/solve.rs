@@ -1,6 +1,6 @@
 //! The way of the centre of mass from rest to rest.
 
-use super::band::Band;
+use crate::smooth::band::Band;
 use crate::smooth::grid::SECOND;
 use nalgebra::{Matrix4, Vector3, Vector4};
 

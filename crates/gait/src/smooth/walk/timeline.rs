@@ -50,9 +50,19 @@ impl Timeline {
         (first..end).map(|node| (node, self.clock(node)))
     }
 
-    /// Second derivative in time of a function of the clock at a node.
-    pub(super) fn second(&self, node: usize, f: impl Fn(f64) -> f64) -> f64 {
+    /// The clock of value `k` of the seven about a node.
+    pub(super) fn neighbour(&self, node: usize, k: usize) -> f64 {
+        self.clocks[node + k]
+    }
+
+    /// A function of the clock at all nodes, and at three more on either side.
+    pub(super) fn with_neighbours(&self, f: impl Fn(f64) -> f64) -> Vec<f64> {
+        self.clocks.iter().map(|&u| f(u)).collect()
+    }
+
+    /// Second derivative in time from the seven values about a node.
+    pub(super) fn second(&self, value: impl Fn(usize) -> f64) -> f64 {
         let unit = 1.0 / (180.0 * self.grid.step.powi(2));
-        (0..7).map(|k| SECOND[k] * unit * f(self.clocks[node + k])).sum()
+        (0..7).map(|k| SECOND[k] * unit * value(k)).sum()
     }
 }

@@ -112,7 +112,7 @@ impl SideLeg {
             Some((Free::Pinned { point, at }, _)) => return self.pinned(leg, p, plane, hip, (*point, *at)),
             Some((Free::Swings(height), clock)) => {
                 let (wanted, passage) = height.wanted(clock);
-                let lifted = lift(wanted - leg.lowest(ankle[1], foot, toes), passage);
+                let lifted = lift(wanted - leg.lowest(leg.toe_polar(), ankle[1], foot, toes), passage);
                 ankle[1] += lifted;
                 is_planned = is_planned && lifted <= 0.0;
             }

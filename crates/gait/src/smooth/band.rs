@@ -1,11 +1,11 @@
 //! Symmetric positive definite systems with three diagonals on either side.
 
 /// The Cholesky factor `L` of `A = L Lᵀ`; row i keeps L[i][i−3 … i].
-pub(super) struct Band(Vec<[f64; 4]>);
+pub(crate) struct Band(Vec<[f64; 4]>);
 
 impl Band {
     /// Factors the matrix whose row i holds `rows[i] = A[i][i−3 … i]`.
-    pub(super) fn factor(mut rows: Vec<[f64; 4]>) -> Self {
+    pub(crate) fn factor(mut rows: Vec<[f64; 4]>) -> Self {
         for i in 0..rows.len() {
             for j in i.saturating_sub(3)..=i {
                 let column = j + 3 - i;
@@ -22,7 +22,7 @@ impl Band {
     }
 
     /// Solves for several right sides at once, in place.
-    pub(super) fn solve<const D: usize>(&self, rhs: &mut [[f64; D]]) {
+    pub(crate) fn solve<const D: usize>(&self, rhs: &mut [[f64; D]]) {
         let n = self.0.len();
         for i in 0..n {
             for k in i.saturating_sub(3)..i {
