@@ -76,8 +76,8 @@ pub(crate) fn look_before(
     let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
     phase.unpack(time, y, &mut q, &mut v);
     look(simulation, guard, phase, stepping, (time, &q), 0.0)?;
-    let (condition, dof) = phase.condition(time, y).map_err(|error| of_dynamics(time, error))?;
-    if condition.partial_cmp(&guard.condition).is_none_or(std::cmp::Ordering::is_gt) {
+    let beyond = phase.condition_beyond(time, y, guard.condition);
+    if let Some((condition, dof)) = beyond.map_err(|error| of_dynamics(time, error))? {
         let dof = simulation.name(dof).to_owned();
         let cause = FailureKind::IllConditioned { condition, dof: dof.clone() };
         let remedies = vec![Remedy::MoreInertia];
