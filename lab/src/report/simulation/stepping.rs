@@ -47,14 +47,13 @@ pub(super) fn run() -> Result<(), String> {
 fn measure(scene: Scene, peer: &MuJoCo) -> Result<Measured, String> {
     eprintln!("report: beside MuJoCo, {}", scene.name);
     let model = peer.model(&scene)?;
-    let (end, agreement) = match &scene.answer {
-        Some(end) => (end.clone(), None),
-        None => {
-            let [finest, finer] = ours::finest(&scene)?;
-            let apart = peer.reference(&scene, &model)?;
-            let agreement = [distance(&finest, &finer), distance(&finest, &apart)].map(|[q, v]| q.max(v));
-            (finest, Some(agreement))
-        }
+    let (end, agreement) = if let Some(end) = &scene.answer {
+        (end.clone(), None)
+    } else {
+        let [finest, finer] = ours::finest(&scene)?;
+        let apart = peer.reference(&scene, &model)?;
+        let agreement = [distance(&finest, &finer), distance(&finest, &apart)].map(|[q, v]| q.max(v));
+        (finest, Some(agreement))
     };
     let round = || {
         let mut series = ours::series(&scene, &end);

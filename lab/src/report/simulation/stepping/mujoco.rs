@@ -64,11 +64,10 @@ impl MuJoCo {
             Ok(status) if status.success() => {}
             _ => return skipped("its driver does not compile (CC names another compiler)"),
         }
-        let mut found = Self { python, driver, folder, version: String::new(), scipy: scipy.to_owned() };
-        let lines = talk(Command::new(&found.driver), "")?;
-        found.version =
+        let lines = talk(Command::new(&driver), "")?;
+        let version =
             lines.first().and_then(|line| line.strip_prefix("version ")).unwrap_or_default().to_owned();
-        Ok(Some(found))
+        Ok(Some(Self { python, driver, folder, version, scipy: scipy.to_owned() }))
     }
 
     /// The scene's model, in a file.
