@@ -32,6 +32,8 @@ cargo lab CHORE
                                     moments beside OpenSim's into docs/bodies.md, curves as printed beside the library's into
                                     docs/profiles-accuracy.md and its picture, and simulations of which the answer is known into
                                     docs/trust.md and its pictures, walks beside people into docs/people.md; or one of these four alone
+  report stepping                   times simulations beside MuJoCo's into docs/trust.md and docs/trust/stepping.svg, where PYTHON (python3) has the
+                                    packages mujoco, numpy and scipy, and CC (cc) compiles C
   subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
   help                              this list
 ";
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         ["report", "profiles"] => report::profiles(),
         ["report", "simulation"] => report::simulation(),
         ["report", "simulation", "adaptive"] => report::adaptive(),
+        ["report", "stepping"] => report::stepping(),
         ["subject"] => subject::run(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");

@@ -86,6 +86,11 @@ pub(crate) fn adaptive() -> Result<(), String> {
     simulation::adaptive()
 }
 
+/// Simulations beside MuJoCo's, where it is at hand.
+pub(crate) fn stepping() -> Result<(), String> {
+    simulation::stepping()
+}
+
 /// The accuracy of every case, with the speeds that `speed` finds.
 fn measure(speed: impl Fn(&Case) -> Result<Speed, String>) -> Result<Measured, String> {
     let accuracies = |cases: &[Case]| -> Result<Vec<Accuracy>, String> {

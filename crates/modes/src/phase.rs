@@ -192,15 +192,20 @@ impl Phase {
         self.small.as_mut().map_or(Ok(Energy::default()), |small| small.energy(&self.prescribed, t, y))
     }
 
-    /// The condition of the mass matrix of what dynamics move, each degree of freedom in units in which its own inertia is 1, and
-    /// the degree of freedom of the full figure where it shows most: that with the greatest part in the direction of the least
-    /// inertia. Without anything to be moved, 1 and 0.
-    pub(crate) fn condition(&mut self, t: f64, y: &[f64]) -> Result<(f64, usize), DynamicsError> {
+    /// The condition of the mass matrix of what dynamics move, each degree of freedom in units in which its own inertia is 1, where
+    /// it is beyond `most`, and the degree of freedom of the full figure where it shows most: that with the greatest part in the
+    /// direction of the least inertia.
+    pub(crate) fn condition_beyond(
+        &mut self,
+        t: f64,
+        y: &[f64],
+        most: f64,
+    ) -> Result<Option<(f64, usize)>, DynamicsError> {
         match &mut self.small {
             Some(small) if self.state.dofs() > 0 => {
-                condition::condition(small, &self.state, &self.prescribed, t, y)
+                condition::beyond(small, &self.state, &self.prescribed, (t, y), most)
             }
-            _ => Ok((1.0, 0)),
+            _ => Ok(None),
         }
     }
 

@@ -11,6 +11,8 @@ mod ground;
 mod pictures;
 mod solutions;
 #[cfg(feature = "stiff")]
+mod stepping;
+#[cfg(feature = "stiff")]
 mod systems;
 mod tables;
 mod widths;
@@ -43,6 +45,19 @@ pub(super) fn adaptive() -> Result<(), String> {
 #[cfg(not(feature = "stiff"))]
 pub(super) fn adaptive() -> Result<(), String> {
     Err("this needs the feature 'stiff'; `cargo lab report simulation` builds it".to_owned())
+}
+
+/// Measures beside MuJoCo, and writes that part of the page.
+#[cfg(feature = "stiff")]
+pub(super) fn stepping() -> Result<(), String> {
+    stepping::run()
+}
+
+/// The same by a build with the methods that choose their steps.
+#[cfg(not(feature = "stiff"))]
+pub(super) fn stepping() -> Result<(), String> {
+    let build = ["run", "--quiet", "--release", "--package", "solaris-lab", "--features", "stiff", "--"];
+    cargo(&[&build[..], &["report", "stepping"]].concat())
 }
 
 /// Tables that need no more than the fixed rules.

@@ -15,6 +15,12 @@ const MOST_STATES: usize = 160;
 /// Sweeps for each eigenvalue, of which two or three are usual.
 const MOST_SWEEPS: usize = 30;
 
+/// Multiplications for a bound of the eigenvalues.
+const MOST_TURNS: usize = 24;
+
+/// The least entry of a vector of positive ones, beside 1.
+const LEAST_PART: f64 = 1e-12;
+
 /// The least part of a step that advice after failure may come down to.
 const BELIEVED: f64 = 1e-2;
 
@@ -70,8 +76,8 @@ pub(crate) fn look_before(
     let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
     phase.unpack(time, y, &mut q, &mut v);
     look(simulation, guard, phase, stepping, (time, &q), 0.0)?;
-    let (condition, dof) = phase.condition(time, y).map_err(|error| of_dynamics(time, error))?;
-    if condition.partial_cmp(&guard.condition).is_none_or(std::cmp::Ordering::is_gt) {
+    let beyond = phase.condition_beyond(time, y, guard.condition);
+    if let Some((condition, dof)) = beyond.map_err(|error| of_dynamics(time, error))? {
         let dof = simulation.name(dof).to_owned();
         let cause = FailureKind::IllConditioned { condition, dof: dof.clone() };
         let remedies = vec![Remedy::MoreInertia];
@@ -89,7 +95,13 @@ fn too_long(
     y: &[f64],
 ) -> Option<Box<RunFailure>> {
     let Stepping::Fixed { rule, step } = stepping else { return None };
-    let (eigenvalue, dof) = stiffest(phase, time, y)?;
+    let motion = motion(phase, time, y)?;
+    // Eigenvalues take the cube of the state, a bound of them its square.
+    let most = rule.stability() / step;
+    if magnitude_bound(&motion, most) <= most {
+        return None;
+    }
+    let (eigenvalue, dof) = stiffest(phase, &motion)?;
     let longest = rule.stability() / eigenvalue.abs();
     if step <= longest {
         return None;
@@ -101,16 +113,10 @@ fn too_long(
     Some(Box::new(RunFailure { time, dof: Some(dof), cause, remedies }))
 }
 
-/// The eigenvalue (1/s) of greatest magnitude of the equations of a phase, its magnitude with the sign of its real part, and
-/// the degree of freedom that moves most in its direction; `None` for a state too large, or one without motion.
-pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, Option<usize>)> {
-    let n = Some(phase.accounts()).filter(|n| (1..=MOST_STATES).contains(n))?;
-    let mut jacobian = DMatrix::zeros(y.len(), y.len());
-    phase.jacobian(time, y, &mut jacobian).ok()?;
-    let motion = jacobian.view((0, 0), (n, n)).into_owned();
-    if motion.iter().any(|x| !x.is_finite()) {
-        return None;
-    }
+/// The eigenvalue (1/s) of greatest magnitude of how rates change with positions and velocities, its magnitude with the sign of its
+/// real part, and the degree of freedom that moves most in its direction; `None` without motion.
+fn stiffest(phase: &Phase, motion: &DMatrix<f64>) -> Option<(f64, Option<usize>)> {
+    let n = motion.nrows();
     // Without a bound the search for them may not end. The coarser one is told from the finer by no more than its own 1e-9.
     let schur = |least| Schur::try_new(motion.clone(), least, MOST_SWEEPS * n);
     let eigenvalues = schur(f64::EPSILON).or_else(|| schur(1e-9))?.complex_eigenvalues();
@@ -122,7 +128,7 @@ pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, 
     // A few multiplications turn any direction into that of the greatest eigenvalues.
     let mut direction = DVector::from_fn(n, |i, _| 1.0 + (i % 7) as f64 * 0.1);
     for _ in 0..40 {
-        direction = &motion * direction / magnitude;
+        direction = motion * direction / magnitude;
         let length = direction.norm();
         if !(length.is_finite() && length > 0.0) {
             break;
@@ -132,6 +138,45 @@ pub(crate) fn stiffest(phase: &mut Phase, time: f64, y: &[f64]) -> Option<(f64, 
     let entry =
         direction.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(i, _)| i)?;
     Some((magnitude.copysign(stiffest.re), phase.dof_of(entry)))
+}
+
+/// How the rates of positions and velocities change with them; `None` for a state too large, or one without motion.
+fn motion(phase: &mut Phase, time: f64, y: &[f64]) -> Option<DMatrix<f64>> {
+    let n = Some(phase.accounts()).filter(|n| (1..=MOST_STATES).contains(n))?;
+    let mut jacobian = DMatrix::zeros(y.len(), y.len());
+    phase.jacobian(time, y, &mut jacobian).ok()?;
+    let motion = jacobian.view((0, 0), (n, n)).into_owned();
+    motion.iter().all(|x| x.is_finite()).then_some(motion)
+}
+
+/// What no eigenvalue of a square matrix exceeds in magnitude, for the square of its size in work:
+///
+/// ```text
+/// |λ| ≤ max_i (|A|·x)_i / x_i    for any x > 0
+/// ```
+///
+/// with an `x` near the one for which the quotients are equal, or the first for which the bound is `enough`.
+///
+/// # Source
+///
+/// L. Collatz: Einschließungssatz für die charakteristischen Zahlen von Matrizen. Mathematische Zeitschrift 48 (1942), 221–226.
+fn magnitude_bound(matrix: &DMatrix<f64>, enough: f64) -> f64 {
+    let matrix = matrix.abs();
+    let mut x = DVector::repeat(matrix.nrows(), 1.0);
+    let mut least = f64::INFINITY;
+    for _ in 0..MOST_TURNS {
+        let y = &matrix * &x;
+        let bound = y.component_div(&x).max();
+        least = least.min(bound);
+        if least <= enough {
+            break;
+        }
+        // Without a part of itself it would go to and fro between positions and velocities.
+        x = y + x * (0.5 * least);
+        x /= x.max();
+        x.iter_mut().for_each(|entry| *entry = entry.max(LEAST_PART));
+    }
+    least
 }
 
 /// Says more of failure that a step too long may have caused.
@@ -228,4 +273,33 @@ fn middle(order: EulerOrder, turned: &nalgebra::Rotation3<f64>) -> f64 {
     let [first, _, last] = order.axes();
     let sine: f64 = turned.matrix()[(first, last)];
     std::f64::consts::FRAC_PI_2 - sine.abs().min(1.0).asin()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::magnitude_bound;
+    use nalgebra::DMatrix;
+
+    /// A swing of 3 rad/s, two masses on springs, and a matrix without a pattern.
+    #[test]
+    fn no_eigenvalue_is_beyond_its_bound() {
+        let swing = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -9.0, 0.0]);
+        assert!((magnitude_bound(&swing, 0.0) - 3.0).abs() < 1e-3, "{}", magnitude_bound(&swing, 0.0));
+        assert!((magnitude_bound(&swing, 10.0) - 9.0).abs() < 1e-12);
+        #[rustfmt::skip]
+        let masses = DMatrix::from_row_slice(4, 4, &[
+            0.0, 0.0, 1.0, 0.0,
+            0.0, 0.0, 0.0, 1.0,
+            -2e6, 1e6, -10.0, 0.0,
+            5.0, -5.0, 0.0, 0.0,
+        ]);
+        let any =
+            DMatrix::from_fn(7, 7, |i, j| ((3 * i + 5 * j) as f64).sin() * 10_f64.powi(i as i32 - j as i32));
+        for matrix in [swing, masses, any, DMatrix::zeros(3, 3)] {
+            let greatest = matrix.complex_eigenvalues().iter().fold(0.0_f64, |most, x| most.max(x.norm()));
+            let bound = magnitude_bound(&matrix, 0.0);
+            assert!(greatest <= bound * (1.0 + 1e-12), "{greatest} {bound}");
+            assert!(bound <= 20.0 * greatest, "{greatest} {bound}");
+        }
+    }
 }

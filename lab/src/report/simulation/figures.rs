@@ -2,8 +2,8 @@
 
 use super::solutions::{self, Solution};
 use solaris_model::{
-    Axis, Figure, FigureBuilder, FigureError, Inertia, Joint, LinkSpec, Passive, Placement, Shape, ShapeKind,
-    Vector3,
+    Axis, Figure, FigureBuilder, FigureError, HumanError, Inertia, Joint, LinkSpec, Passive, Placement,
+    Shape, ShapeKind, Vector3,
 };
 use solaris_modes::study::{Study, StudyOptions, study};
 use solaris_modes::{
@@ -46,6 +46,12 @@ pub(super) struct Faulty(String);
 
 impl From<FigureError> for Faulty {
     fn from(error: FigureError) -> Self {
+        Self(error.to_string())
+    }
+}
+
+impl From<HumanError> for Faulty {
+    fn from(error: HumanError) -> Self {
         Self(error.to_string())
     }
 }

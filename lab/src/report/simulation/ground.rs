@@ -5,7 +5,7 @@ mod fine;
 #[cfg(feature = "stiff")]
 pub(super) mod picture;
 mod resting;
-mod scenes;
+pub(super) mod scenes;
 pub(super) mod tables;
 
 use super::figures::{DOWN, Faulty};
@@ -67,7 +67,7 @@ const fn springs(stiffness: f64, damping: f64) -> ContactLaw {
 }
 
 /// Points, or spheres of a radius (m), of one link.
-fn touches(link: usize, points: &[[f64; 2]], radius: f64) -> Vec<ContactPoint> {
+pub(super) fn touches(link: usize, points: &[[f64; 2]], radius: f64) -> Vec<ContactPoint> {
     let touch = |&[x, y]: &[f64; 2]| ContactPoint { link, center: Vector3::new(x, y, 0.0), radius };
     points.iter().map(touch).collect()
 }

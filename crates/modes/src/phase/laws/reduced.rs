@@ -110,7 +110,7 @@ fn without_anything_to_move_nothing_is_computed() {
     assert_eq!(phase.report.dropped.len(), figure.links().len());
     assert_eq!(phase.report.operations, solaris_dynamics::scalar::Operations::default());
     assert!(rate(&mut phase, 0.0, &[1.0, 2.0]).iter().all(|rate| *rate == 0.0));
-    assert_eq!(phase.condition(0.0, &[1.0, 2.0]).expect("nothing to fail"), (1.0, 0));
+    assert_eq!(phase.condition_beyond(0.0, &[1.0, 2.0], 0.0).expect("nothing to fail"), None);
     assert!(phase.energy(0.0, &[1.0, 2.0]).expect("nothing to fail").total() == 0.0);
 }
 

@@ -15,7 +15,7 @@ fn flat(mass: f64, inertia: f64) -> Result<Figure, FigureError> {
 }
 
 /// All of them, those on springs first.
-pub(super) fn all() -> Result<Vec<Scene>, Faulty> {
+pub(in crate::report::simulation) fn all() -> Result<Vec<Scene>, Faulty> {
     let scene = |name: &str, duration, simulation, solution| Scene {
         name: name.to_owned(),
         simulation,
