@@ -1,10 +1,12 @@
 //! Measurements, run as `cargo lab CHORE`: what takes minutes, needs all crates, or writes the numbers of a page.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
+mod bench;
 mod docs;
 mod falls;
 mod fit;
 mod gaits;
+mod mjcf;
 mod models;
 mod peers;
 mod report;
@@ -18,6 +20,8 @@ use std::process::ExitCode;
 const HELP: &str = "\
 cargo lab CHORE
 
+  bench [--peers] [FIGURE…]         times the kernel, a minute; --peers: beside Pinocchio, MuJoCo and dynibo, which are installed and compiled in
+                                    target/peers (python3 with venv, some minutes), and into docs/performance.md
   docs [--check]                    writes the tables of walks in docs/walking.md and docs/people.md, or says which are out of date
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
@@ -45,6 +49,9 @@ fn main() -> ExitCode {
         eprintln!("lab: a debug build is slow, and its times mean nothing; `cargo lab` builds for release");
     }
     let done = match args[..] {
+        ["bench", ref options @ ..] => {
+            bench::Options::parse(options).and_then(|options| bench::run(&options))
+        }
         ["docs", ref options @ ..] => docs::Options::parse(options).and_then(docs::run),
         ["falls"] => falls::run(),
         ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),

@@ -2,24 +2,16 @@
 //!
 //! Prints `RESULT<TAB>tool<TAB>operation<TAB>model<TAB>median ns<TAB>least ns` for each operation. The operations have the
 //! names that robotics gives them: `rnea` is inverse dynamics, `aba` forward dynamics, `crba` the mass matrix, `minverse` its inverse,
-//! `rnea_derivatives` and `aba_derivatives` the derivatives of the first two by state and input.
+//! `rnea_derivatives` and `aba_derivatives` the derivatives of the first two by state and input. `cargo lab bench --peers` is a driver.
 
-mod model;
-mod states;
+pub(crate) mod model;
+pub(crate) mod states;
 
+use crate::bench::Case;
 use crate::timing;
-use model::Model;
-use solaris_dynamics::{
-    Derivatives, DynamicsError, Tree, Workspace, forward_dynamics, inverse_dynamics, inverse_mass_matrix,
-    mass_matrix,
-};
 use states::States;
 use std::fs;
-use std::hint::black_box;
 use std::path::{Path, PathBuf};
-
-/// The states that are timed come from the first rows: the driver's other programs stop here too.
-const MOST_TIMED: usize = 1024;
 
 /// What `cargo lab peers` was asked.
 #[derive(Debug, Default, PartialEq)]
@@ -32,8 +24,6 @@ pub(crate) struct Options {
     rounds: usize,
     dump: Option<PathBuf>,
     dump_forward: Option<PathBuf>,
-    /// Where the derivatives of inverse dynamics by `q` and `v` go, row by row.
-    dump_derivatives: Option<PathBuf>,
 }
 
 impl Options {
@@ -49,11 +39,10 @@ impl Options {
                 "--rounds" => options.rounds = positive(arg, value()?)?,
                 "--dump" => options.dump = Some(value()?.into()),
                 "--dump-fd" => options.dump_forward = Some(value()?.into()),
-                "--dump-derivatives" => options.dump_derivatives = Some(value()?.into()),
                 other => {
                     return Err(format!(
                         "peers: unknown option '{other}'; there are --model FILE.txt, --states PREFIX, --ms MS, \
-                         --rounds N, --dump FILE.f64, --dump-fd FILE.f64 and --dump-derivatives FILE.f64"
+                         --rounds N, --dump FILE.f64 and --dump-fd FILE.f64"
                     ));
                 }
             }
@@ -79,29 +68,14 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let model = model::parse(&text).map_err(|error| format!("{}: {error}", path.display()))?;
     let states = States::read(&options.states, model.figure.layout())?;
-    let mut case = Case::new(&model, states).map_err(|error| error.to_string())?;
+    let mut case = Case::new(&model.figure, model.gravity, states).map_err(|error| error.to_string())?;
     if let Some(path) = &options.dump {
-        dump(&mut case, path, Case::rnea, |case| case.tau.clone())?;
+        dump(&mut case, path, Case::rnea, |case| &case.tau)?;
     }
     if let Some(path) = &options.dump_forward {
-        dump(&mut case, path, Case::aba, |case| case.a.clone())?;
+        dump(&mut case, path, Case::aba, |case| &case.a)?;
     }
-    if let Some(path) = &options.dump_derivatives {
-        dump(&mut case, path, Case::rnea_derivatives, |case| case.slopes.clone())?;
-    }
-    case.slopes.clear();
-    let operations: [(&str, timing::Operation<Case, DynamicsError>); 6] = [
-        ("rnea", Case::rnea),
-        ("aba", Case::aba),
-        ("crba", Case::crba),
-        ("minverse", Case::minverse),
-        ("rnea_derivatives", Case::rnea_derivatives),
-        ("aba_derivatives", Case::aba_derivatives),
-    ];
-    let count = case.states.count.min(MOST_TIMED);
-    let times = timing::run(&mut case, &operations, count, options.block, options.rounds)
-        .map_err(|error| error.to_string())?;
-    for ((operation, _), time) in operations.iter().zip(times) {
+    for (operation, time) in case.time(options.block, options.rounds)? {
         println!("RESULT\tsolaris\t{operation}\t{}\t{:.2}\t{:.2}", model.name, time.median, time.least);
     }
     Ok(())
@@ -111,83 +85,15 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
 fn dump(
     case: &mut Case,
     path: &Path,
-    operation: timing::Operation<Case, DynamicsError>,
-    result: impl Fn(&Case) -> Vec<f64>,
+    operation: timing::Operation<Case, String>,
+    result: impl Fn(&Case) -> &[f64],
 ) -> Result<(), String> {
     let mut rows = Vec::new();
     for state in 0..case.states.count {
         operation(case, state).map_err(|error| format!("state {state}: {error}"))?;
-        rows.extend(result(case));
+        rows.extend_from_slice(result(case));
     }
     states::write(path, &rows)
-}
-
-/// A model with its states, and room for results.
-struct Case {
-    tree: Tree<f64>,
-    workspace: Workspace<f64>,
-    states: States,
-    tau: Vec<f64>,
-    a: Vec<f64>,
-    matrix: nalgebra::DMatrix<f64>,
-    derivatives: Derivatives,
-    /// The derivatives by `q` and `v`, row by row; empty where nobody asks for them.
-    slopes: Vec<f64>,
-}
-
-impl Case {
-    fn new(model: &Model, states: States) -> Result<Self, DynamicsError> {
-        let tree = Tree::new(&model.figure, model.gravity)?;
-        let (workspace, nv) = (Workspace::new(&tree), tree.nv());
-        let (tau, a) = (vec![0.0; nv], vec![0.0; nv]);
-        let derivatives = Derivatives::new(&model.figure, model.gravity)?;
-        let matrix = nalgebra::DMatrix::zeros(nv, nv);
-        Ok(Self { tree, workspace, states, tau, a, matrix, derivatives, slopes: vec![0.0] })
-    }
-
-    fn rnea(&mut self, state: usize) -> Result<(), DynamicsError> {
-        let (q, v, a) = (self.states.q(state), self.states.v(state), self.states.a(state));
-        inverse_dynamics(&self.tree, &mut self.workspace, black_box(q), v, a, &[], &mut self.tau)?;
-        black_box(&mut self.tau);
-        Ok(())
-    }
-
-    fn aba(&mut self, state: usize) -> Result<(), DynamicsError> {
-        let (q, v, tau) = (self.states.q(state), self.states.v(state), self.states.tau(state));
-        forward_dynamics(&self.tree, &mut self.workspace, black_box(q), v, tau, &[], &mut self.a)?;
-        black_box(&mut self.a);
-        Ok(())
-    }
-
-    fn crba(&mut self, state: usize) -> Result<(), DynamicsError> {
-        mass_matrix(&self.tree, &mut self.workspace, black_box(self.states.q(state)), &mut self.matrix)?;
-        black_box(&mut self.matrix);
-        Ok(())
-    }
-
-    fn minverse(&mut self, state: usize) -> Result<(), DynamicsError> {
-        let q = black_box(self.states.q(state));
-        inverse_mass_matrix(&self.tree, &mut self.workspace, q, &mut self.matrix)?;
-        black_box(&mut self.matrix);
-        Ok(())
-    }
-
-    fn rnea_derivatives(&mut self, state: usize) -> Result<(), DynamicsError> {
-        let (q, v, a) = (self.states.q(state), self.states.v(state), self.states.a(state));
-        let partials = black_box(self.derivatives.inverse_dynamics(black_box(q), v, a, &[])?);
-        if !self.slopes.is_empty() {
-            self.slopes.clear();
-            // The columns of the transpose are rows.
-            self.slopes.extend(partials.by_q.transpose().iter().chain(partials.by_v.transpose().iter()));
-        }
-        Ok(())
-    }
-
-    fn aba_derivatives(&mut self, state: usize) -> Result<(), DynamicsError> {
-        let (q, v, tau) = (self.states.q(state), self.states.v(state), self.states.tau(state));
-        black_box(self.derivatives.forward_dynamics(black_box(q), v, tau, &[])?);
-        Ok(())
-    }
 }
 
 #[cfg(test)]
@@ -206,7 +112,6 @@ mod tests {
             rounds: 3,
             dump: Some("tau.f64".into()),
             dump_forward: None,
-            dump_derivatives: None,
         };
         assert_eq!(options, expected);
     }
@@ -228,7 +133,7 @@ mod tests {
         peers: --model needs a value
         peers: --ms is '-1'; it must be a number above zero
         peers: --rounds is '0'; it must be a number above zero
-        peers: unknown option '--fast'; there are --model FILE.txt, --states PREFIX, --ms MS, --rounds N, --dump FILE.f64, --dump-fd FILE.f64 and --dump-derivatives FILE.f64
+        peers: unknown option '--fast'; there are --model FILE.txt, --states PREFIX, --ms MS, --rounds N, --dump FILE.f64 and --dump-fd FILE.f64
         ");
     }
 }

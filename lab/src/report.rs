@@ -4,7 +4,7 @@
 //! names.
 
 mod moments;
-mod page;
+pub(crate) mod page;
 mod plot;
 mod profiles;
 mod simulation;

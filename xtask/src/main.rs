@@ -4,6 +4,7 @@
 mod ci;
 mod fuzz;
 mod golden;
+mod instructions;
 mod layers;
 mod nightly;
 mod workspace;
@@ -13,9 +14,12 @@ use std::process::ExitCode;
 const HELP: &str = "\
 cargo xtask CHORE
 
+  bench [--peers] [FIGURE…]         times the kernel, a minute; --peers: beside other engines (`cargo lab bench`)
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
   fuzz [--minutes N] [--target T]   fuzzes every reader, 12 minutes in all, or one; needs a nightly compiler and cargo-fuzz
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
+  instructions [--bless]            counts the instructions of the kernel's operations, and compares with fixtures/instructions.ron;
+                                    skipped where there is no valgrind
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff, and fuzz: about an hour
   help                              this list
@@ -34,6 +38,12 @@ fn main() -> ExitCode {
         ["fuzz", ref options @ ..] => fuzz::Options::parse(options).and_then(|options| fuzz::run(&options)),
         ["golden", ref options @ ..] => {
             golden::Options::parse(options).and_then(|options| golden::run(&options))
+        }
+        ["bench", ref options @ ..] => {
+            workspace::run(workspace::cargo().args(["lab", "bench"]).args(options))
+        }
+        ["instructions", ref options @ ..] => {
+            instructions::Options::parse(options).and_then(|options| instructions::run(&options))
         }
         ["layers"] => layers::run(),
         ["nightly"] => nightly::run(),

@@ -15,18 +15,18 @@ use solaris_model::{
 
 /// A figure and the gravity that it is under.
 #[derive(Debug)]
-pub(super) struct Model {
-    pub(super) name: String,
-    pub(super) figure: Figure,
+pub(crate) struct Model {
+    pub(crate) name: String,
+    pub(crate) figure: Figure,
     /// World axes (m/s²).
-    pub(super) gravity: Vector3<f64>,
+    pub(crate) gravity: Vector3<f64>,
 }
 
 /// Reads a model.
 ///
 /// Joints without a mass between them that stand at one place become one joint, as far as a joint may have as many
 /// degrees of freedom: the text needs massless bodies where a figure does not. The state vectors stay as they are.
-pub(super) fn parse(text: &str) -> Result<Model, String> {
+pub(crate) fn parse(text: &str) -> Result<Model, String> {
     let mut lines = text.lines();
     let head: Vec<&str> = lines.next().unwrap_or_default().split_whitespace().collect();
     let [name, count, nq, nv, gx, gy, gz] = head[..] else {

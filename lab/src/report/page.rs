@@ -162,7 +162,7 @@ fn published(errors: Option<Errors>) -> Cell {
 }
 
 /// A time (given in ns) with three digits.
-pub(super) fn duration(ns: f64) -> String {
+pub(crate) fn duration(ns: f64) -> String {
     let (value, unit) = match ns {
         ..1e3 => (ns, "ns"),
         ..1e6 => (ns / 1e3, "µs"),
@@ -177,7 +177,7 @@ fn thousands(n: u64) -> String {
 }
 
 /// Where and when: the kind of machine, and the day.
-pub(super) fn circumstances() -> String {
+pub(crate) fn circumstances() -> String {
     let (arch, os) = (std::env::consts::ARCH, std::env::consts::OS);
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or(Duration::ZERO);
     format!(

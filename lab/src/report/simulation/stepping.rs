@@ -4,7 +4,6 @@
 //! a method that is neither's. Where they are not at hand nothing is measured and nothing is written.
 
 mod bodies;
-mod mjcf;
 mod mujoco;
 mod ours;
 mod page;

@@ -1,8 +1,8 @@
 //! MuJoCo's side: the driver in C, and the method apart in Python.
 
 use super::bodies::Scene;
-use super::mjcf;
 use super::points::{End, Point, Series};
+use crate::mjcf;
 use crate::workspace::root;
 use std::fmt::Write as _;
 use std::fs;
@@ -72,8 +72,10 @@ impl MuJoCo {
 
     /// The scene's model, in a file.
     pub(super) fn model(&self, scene: &Scene) -> Result<PathBuf, String> {
-        let path = self.folder.join(format!("{}.xml", scene.simulation.figure().name().replace(' ', "_")));
-        fs::write(&path, mjcf::text(scene)).map_err(|error| format!("{}: {error}", path.display()))?;
+        let simulation = &scene.simulation;
+        let path = self.folder.join(format!("{}.xml", simulation.figure().name().replace(' ', "_")));
+        fs::write(&path, mjcf::text(simulation.figure(), simulation.gravity(), simulation.grounded()))
+            .map_err(|error| format!("{}: {error}", path.display()))?;
         Ok(path)
     }
 

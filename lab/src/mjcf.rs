@@ -1,24 +1,26 @@
-//! A scene as a model of MuJoCo's: the same links, joints, masses and inertias, and what can touch the ground.
+//! A figure as a model of MuJoCo's: the same links, joints, masses and inertias, and what can touch the ground.
 
-use super::bodies::Scene;
 use solaris_model::{AxisKind, Figure, Vector3};
+use solaris_modes::{ContactPoint, GroundPlane};
 use std::fmt::Write;
 
 /// Of the spheres that stand for points (m); MuJoCo knows none without a size.
 const POINT: f64 = 1e-6;
 
+/// What can touch the ground.
+pub(crate) type Ground<'a> = Option<(&'a GroundPlane, &'a [ContactPoint])>;
+
 /// The text of the model. All joints are slides and hinges, so that coordinates are ours, in MuJoCo's [order].
-pub(super) fn text(scene: &Scene) -> String {
-    let figure = scene.simulation.figure();
-    let contact = if scene.simulation.grounded().is_some() { "enable" } else { "disable" };
+pub(crate) fn text(figure: &Figure, gravity: &Vector3<f64>, ground: Ground) -> String {
+    let contact = if ground.is_some() { "enable" } else { "disable" };
     let mut out = format!(
         "<mujoco model=\"{}\">\n<compiler angle=\"radian\" autolimits=\"false\" inertiafromgeom=\"false\" boundmass=\"0\" \
          boundinertia=\"0\" balanceinertia=\"false\"/>\n<option gravity=\"{}\" cone=\"elliptic\"><flag contact=\"{contact}\" \
          constraint=\"{contact}\" limit=\"disable\" frictionloss=\"disable\"/></option>\n<worldbody>\n",
         figure.name(),
-        words(scene.simulation.gravity().as_slice()),
+        words(gravity.as_slice()),
     );
-    if let Some((plane, _)) = scene.simulation.grounded() {
+    if let Some((plane, _)) = ground {
         let friction = plane.friction;
         let _ = writeln!(
             out,
@@ -26,12 +28,12 @@ pub(super) fn text(scene: &Scene) -> String {
         );
     }
     let roots = (0..figure.links().len()).filter(|link| figure.links()[*link].parent().is_none());
-    roots.for_each(|root| body(&mut out, scene, figure, root));
+    roots.for_each(|root| body(&mut out, figure, ground, root));
     out + "</worldbody>\n</mujoco>\n"
 }
 
 /// For each of MuJoCo's coordinates, the index of ours: it goes into the depth of a tree first, and a figure need not.
-pub(super) fn order(figure: &Figure) -> Vec<usize> {
+pub(crate) fn order(figure: &Figure) -> Vec<usize> {
     let mut order = Vec::new();
     let roots = (0..figure.links().len()).filter(|link| figure.links()[*link].parent().is_none());
     roots.for_each(|root| descend(figure, root, &mut order));
@@ -49,7 +51,7 @@ fn children(figure: &Figure, index: usize) -> impl Iterator<Item = usize> {
 }
 
 /// A link and what it carries.
-fn body(out: &mut String, scene: &Scene, figure: &Figure, index: usize) {
+fn body(out: &mut String, figure: &Figure, ground: Ground, index: usize) {
     let link = &figure.links()[index];
     let placement = link.joint().placement();
     let turn = placement.rotation;
@@ -74,11 +76,7 @@ fn body(out: &mut String, scene: &Scene, figure: &Figure, index: usize) {
         words(link.com().as_slice()),
         words(&tensor)
     );
-    let touches = scene
-        .simulation
-        .grounded()
-        .into_iter()
-        .flat_map(|(plane, points)| points.iter().map(|at| (plane.friction, at)));
+    let touches = ground.into_iter().flat_map(|(plane, points)| points.iter().map(|at| (plane.friction, at)));
     for (friction, touch) in touches.filter(|(_, touch)| touch.link == index) {
         let centre = touch.center + POINT * Vector3::y();
         let _ = writeln!(
@@ -87,7 +85,7 @@ fn body(out: &mut String, scene: &Scene, figure: &Figure, index: usize) {
             words(centre.as_slice()),
         );
     }
-    children(figure, index).for_each(|child| body(out, scene, figure, child));
+    children(figure, index).for_each(|child| body(out, figure, ground, child));
     out.push_str("</body>\n");
 }
 
