@@ -85,16 +85,28 @@ pub fn torque_regressor<T: Scalar>(
     accelerations(tree, workspace, q, v, a)?;
     levers(tree, workspace);
     matrix.as_mut_slice().fill(T::zero());
-    let ws = &*workspace;
+    let (ws, n) = (&*workspace, tree.nv());
+    // Of all entries, most of them zero for good, the sum is finite if they are.
+    let mut sum = T::zero();
     for (link, body) in tree.bodies.iter().enumerate() {
-        let mut loads = loads_by_parameter(tree, ws, link);
+        let (mut loads, moments) = loads_by_parameter(tree, ws, link);
+        let columns = &mut matrix.as_mut_slice()[INERTIAL_PARAMETERS * link * n..][..INERTIAL_PARAMETERS * n];
         climb(tree, link, body.end, |step| match step {
             Step::Dof(k) => {
-                let turns = tree.dofs[k].kind.turns();
+                let (dof, axis, lever) = (&tree.dofs[k], &ws.axes[k], &ws.levers[k]);
+                let mut write = |parameter: usize, entry: T| {
+                    columns[parameter * n + k] = entry;
+                    sum += entry;
+                };
                 for (parameter, load) in loads.iter().enumerate() {
-                    let along = dot(&ws.levers[k], &load.force);
-                    let about = if turns { dot(&ws.axes[k], &load.moment) } else { T::zero() };
-                    matrix[(k, INERTIAL_PARAMETERS * link + parameter)] = along + about;
+                    let about = if dof.kind.turns() { dot(axis, &load.moment) } else { T::zero() };
+                    let along = if dof.has_lever { dot(lever, &load.force) } else { T::zero() };
+                    write(parameter, about + along);
+                }
+                if dof.kind.turns() {
+                    for (parameter, moment) in (loads.len()..).zip(&moments) {
+                        write(parameter, dot(axis, moment));
+                    }
                 }
             }
             Step::Parent(link) => {
@@ -104,32 +116,34 @@ pub fn torque_regressor<T: Scalar>(
             }
         });
     }
-    check_result("the regressor", matrix.as_slice())
+    if sum.is_finite() { Ok(()) } else { check_result("the regressor", matrix.as_slice()) }
 }
 
-/// What moves a link, by each of its parameters: world axes, about the link's origin.
+/// What moves a link, by its mass and first moments: world axes, about the link's origin; and by its second moments, which take
+/// moments alone, the same about any point.
 fn loads_by_parameter<T: Scalar>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
-) -> [Load<T>; INERTIAL_PARAMETERS] {
+) -> ([Load<T>; 4], [Vector3<T>; INERTIA.len()]) {
     let (rotation, spin) = (&ws.poses[link].rotation, &ws.twists[link].angular);
     let Twist { linear, angular } = &ws.accelerations[link];
-    let (acceleration, axis) =
-        (linear - tree.gravity, |i: usize| -> Vector3<T> { rotation.column(i).into() });
-    let mut loads = [Load::zero(); INERTIAL_PARAMETERS];
-    loads[0].force = acceleration;
-    for i in 0..3 {
-        let e = axis(i);
-        loads[1 + i] = Load { force: carried(spin, angular, &e), moment: cross(&e, &acceleration) };
+    let acceleration = linear - tree.gravity;
+    let axes: [Vector3<T>; 3] = [0, 1, 2].map(|i| rotation.column(i).into());
+    let mut loads = [Load { force: acceleration, moment: Vector3::zeros() }; 4];
+    for (load, e) in loads[1..].iter_mut().zip(&axes) {
+        *load = Load { force: carried(spin, angular, e), moment: cross(e, &acceleration) };
     }
-    for (load, (row, column)) in loads[4..].iter_mut().zip(INERTIA) {
-        let (x, y) = (axis(row), axis(column));
-        let times = |w: &Vector3<T>| {
-            let once = x * dot(&y, w);
-            if row == column { once } else { once + y * dot(&x, w) }
+    // Along the link's own axes.
+    let parts = |w: &Vector3<T>| -> [T; 3] { [0, 1, 2].map(|i| dot(&axes[i], w)) };
+    let (spins, turns) = (parts(spin), parts(angular));
+    let moments = INERTIA.map(|(row, column)| {
+        let (x, y) = (&axes[row], &axes[column]);
+        let times = |w: &[T; 3]| {
+            let once = x * w[column];
+            if row == column { once } else { once + y * w[row] }
         };
-        load.moment = times(angular) + cross(spin, &times(spin));
-    }
-    loads
+        times(&turns) + cross(spin, &times(&spins))
+    });
+    (loads, moments)
 }
