@@ -6,7 +6,7 @@ use crate::inertia::inverse::invert;
 use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::inverse_dynamics;
 use crate::inverse::slopes::Slopes;
-use crate::scalar::Dual;
+use crate::scalar::{Dual, Scalar};
 use crate::spatial::Wrench;
 use crate::spatial::direction::quaternion_rotation;
 use crate::tree::Tree;
@@ -143,7 +143,6 @@ impl<const N: usize> Derivatives<N> {
         const { assert!(N > 0, "a pass needs a direction") }
         let (tree, plain) = (Tree::new(figure, gravity)?, Tree::new(figure, gravity)?);
         let (nq, nv, zero) = (tree.nq(), tree.nv(), Dual::constant(0.0));
-        let square = || DMatrix::zeros(nv, nv);
         let (related, starts) = related(&plain);
         Ok(Self {
             workspace: Workspace::new(&tree),
@@ -153,12 +152,12 @@ impl<const N: usize> Derivatives<N> {
             input: vec![zero; nv],
             output: vec![zero; nv],
             external: Vec::with_capacity(tree.link_count()),
-            partials: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            partials: Partials::new(vec![0.0; nv], nv),
             slopes: Slopes::new(&plain),
             related,
             starts,
             column: vec![0.0; nv],
-            inverse: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            inverse: Partials::new(vec![0.0; nv], nv),
             plain,
             tree,
         })
@@ -387,7 +386,13 @@ impl<const N: usize> Derivatives<N> {
     }
 }
 
-impl<T> Partials<T> {
+impl<T: Scalar> Partials<T> {
+    /// Room for a value and for derivatives by `nv` degrees of freedom, all of them zero.
+    pub(crate) fn new(value: Vec<T>, nv: usize) -> Self {
+        let zeros = || DMatrix::zeros(nv, nv);
+        Self { value, by_q: zeros(), by_v: zeros(), by_input: zeros() }
+    }
+
     fn of(&mut self, argument: Argument) -> &mut DMatrix<T> {
         match argument {
             Argument::Q => &mut self.by_q,

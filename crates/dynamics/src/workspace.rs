@@ -106,6 +106,7 @@ pub(crate) struct Flow<T> {
 }
 
 impl<T: Scalar> Flow<T> {
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self { first: Vector3::zeros(), second: Matrix3::zeros() }
     }

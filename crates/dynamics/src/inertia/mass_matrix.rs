@@ -69,6 +69,12 @@ pub fn mass_matrix<T: Scalar>(
 /// For each degree of freedom the velocity that a unit rate gives its link's origin, and for each link the way from its
 /// parent's origin to its own; world axes.
 pub(crate) fn levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+    find_levers(tree, ws);
+}
+
+/// [`levers`], compiled into whatever asks it.
+#[inline(always)]
+pub(crate) fn find_levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
         if body.only_turns {
             // Its levers are zero, and stay so.
@@ -197,7 +203,7 @@ fn write_columns<T: Scalar, const N: usize>(
 impl<T: Scalar> Composite<T> {
     /// How much more inertia it has about a point from which its own origin is `r` away: with `u = h + m·r/2`,
     /// `2·u·r·1 − (u·rᵀ + r·uᵀ)`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn shift(&self, r: &Vector3<T>) -> Symmetric<T> {
         let u = self.first + r * (self.mass * T::from_f64(0.5));
         let (x, y, z) = (u.x * r.x, u.y * r.y, u.z * r.z);
@@ -211,6 +217,7 @@ impl<T: Scalar> Composite<T> {
         }
     }
 
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self { mass: T::zero(), first: Vector3::zeros(), inertia: Symmetric::zero() }
     }
