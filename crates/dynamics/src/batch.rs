@@ -375,7 +375,8 @@ impl<F: Precision> Batch<F> {
     /// The generalized forces of motions and their derivatives by `q`, `v` and `a`: [`crate::Derivatives::inverse_dynamics`] of every
     /// state.
     ///
-    /// Shapes and units as for [`inverse_dynamics`](Self::inverse_dynamics); every entry of `partials` is written.
+    /// Shapes and units as for [`inverse_dynamics`](Self::inverse_dynamics); every entry of `partials` is written. That alone is much of
+    /// the work: ask for as many states at a time as fit the last cache, with `3·nv²` entries each.
     ///
     /// # Errors
     ///

@@ -3,7 +3,6 @@
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
 use crate::inertia::inverse::invert;
-use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::inverse_dynamics;
 use crate::inverse::slopes::Slopes;
 use crate::scalar::{Dual, Scalar};
@@ -84,7 +83,6 @@ pub struct Derivatives<const N: usize = 4> {
     /// after the other, and where each one's begin.
     related: Vec<usize>,
     starts: Vec<usize>,
-    column: Vec<f64>,
 }
 
 /// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
@@ -156,7 +154,6 @@ impl<const N: usize> Derivatives<N> {
             slopes: Slopes::new(&plain),
             related,
             starts,
-            column: vec![0.0; nv],
             inverse: Partials::new(vec![0.0; nv], nv),
             plain,
             tree,
@@ -195,11 +192,10 @@ impl<const N: usize> Derivatives<N> {
         tau: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
-        let Self { plain, plain_workspace: workspace, slopes, inverse, partials, column, .. } = self;
+        let Self { plain, plain_workspace: workspace, slopes, inverse, partials, .. } = self;
         forward_dynamics(plain, workspace, q, v, tau, external, &mut partials.value)?;
         slopes.find(plain, workspace, v, &partials.value, external, inverse)?;
-        mass_matrix(plain, workspace, q, &mut partials.by_input)?;
-        if invert(plain, workspace, &mut partials.by_input, column) {
+        if invert(plain, workspace, q, &mut partials.by_input)? {
             return self.divide();
         }
         self.sweep(&[Argument::Q, Argument::V], forward_dynamics, q, v, tau, external)?;
@@ -229,7 +225,6 @@ impl<const N: usize> Derivatives<N> {
             }
             check_result("a derivative of forward dynamics", to.as_slice())?;
         }
-        check_result("the inverse mass matrix", by_input)?;
         Ok(&self.partials)
     }
 

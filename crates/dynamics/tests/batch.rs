@@ -267,6 +267,7 @@ fn single_precision_keeps_its_digits() {
     });
     let external = [(states.links[0], &wrenches[0][..]), (states.links[1], &wrenches[1][..])];
     let (q, v, a) = (single(&states.q), single(&states.v), single(&states.a));
+    let alone = Partials::one_by_one(&figure, &states);
     let mut scalar = Kernel::<f32>::new(&figure, GRAVITY);
     for instructions in Instructions::available() {
         let mut batch = Batch::<f32>::with_instructions(&figure, GRAVITY, instructions).expect("finite");
@@ -275,6 +276,15 @@ fn single_precision_keeps_its_digits() {
         let doubles: Vec<f64> = found.iter().map(|x| f64::from(*x)).collect();
         let error = worst(&doubles, &tau);
         assert!(error < 2e-6, "{instructions:?}: {error:e}");
+        let mut partials = alone.0.each_ref().map(|all| vec![f32::NAN; all.len()]);
+        let [value, by_q, by_v, by_input] = &mut partials;
+        let mut slices = BatchPartials { value, by_q, by_v, by_input };
+        batch.inverse_dynamics_derivatives(&q, &v, &a, &external, &mut slices).expect("valid states");
+        for (found, alone) in partials.iter().zip(&alone.0) {
+            let doubles: Vec<f64> = found.iter().map(|x| f64::from(*x)).collect();
+            let error = worst(&doubles, alone);
+            assert!(error < 4e-6, "{instructions:?}: {error:e}");
+        }
         if instructions == Instructions::Baseline {
             let nv = figure.layout().nv();
             let first = external.map(|(link, wrenches)| (link, wrenches[0]));

@@ -39,31 +39,52 @@ pub fn mass_matrix<T: Scalar>(
     q: &[T],
     matrix: &mut DMatrix<T>,
 ) -> Result<(), DynamicsError> {
-    workspace.set_positions(tree, q)?;
-    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
-    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
-    place(tree, workspace)?;
-    levers(tree, workspace);
-    gather(tree, workspace);
+    place_composites(tree, workspace, q, matrix)?;
     matrix.as_mut_slice().fill(T::zero());
-    for (link, body) in tree.bodies.iter().enumerate() {
-        // Most joints of living things have three degrees of freedom, most of machines one.
-        let mut j = body.first;
-        while j < body.end {
-            let matrix = matrix.as_mut_slice();
-            j = match body.end - j {
-                1 => write_columns::<T, 1>(tree, workspace, link, j, matrix),
-                2 => write_columns::<T, 2>(tree, workspace, link, j, matrix),
-                _ => write_columns::<T, 3>(tree, workspace, link, j, matrix),
-            };
-        }
-    }
+    write_entries::<T, false>(tree, workspace, matrix);
     for &(k, armature) in &tree.armature {
         matrix[(k, k)] += armature;
     }
     // No entry is greater than the roots of the two on the diagonal that it stands between.
     let finite = (0..tree.nv()).fold(true, |finite, k| finite & matrix[(k, k)].is_finite());
     if finite { Ok(()) } else { check_result("the mass matrix", matrix.as_slice()) }
+}
+
+/// Places the links at `q` and gathers what they carry, for a `matrix` of the right size.
+pub(crate) fn place_composites<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    matrix: &DMatrix<T>,
+) -> Result<(), DynamicsError> {
+    workspace.set_positions(tree, q)?;
+    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
+    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
+    place(tree, workspace)?;
+    levers(tree, workspace);
+    gather(tree, workspace);
+    Ok(())
+}
+
+/// Writes the entries of the mass matrix that are not zero, armature left out: all of them, or `PACKED` those up to the diagonal, which
+/// stand one behind the other at the heads of their columns then.
+pub(crate) fn write_entries<T: Scalar, const PACKED: bool>(
+    tree: &Tree<T>,
+    workspace: &Workspace<T>,
+    matrix: &mut DMatrix<T>,
+) {
+    let matrix = matrix.as_mut_slice();
+    for (link, body) in tree.bodies.iter().enumerate() {
+        // Most joints of living things have three degrees of freedom, most of machines one.
+        let mut j = body.first;
+        while j < body.end {
+            j = match body.end - j {
+                1 => write_columns::<T, 1, PACKED>(tree, workspace, link, j, matrix),
+                2 => write_columns::<T, 2, PACKED>(tree, workspace, link, j, matrix),
+                _ => write_columns::<T, 3, PACKED>(tree, workspace, link, j, matrix),
+            };
+        }
+    }
 }
 
 /// For each degree of freedom the velocity that a unit rate gives its link's origin, and for each link the way from its
@@ -151,8 +172,8 @@ fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>)
     }
 }
 
-/// Writes columns and rows of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
-fn write_columns<T: Scalar, const N: usize>(
+/// Writes columns (and rows) of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
+fn write_columns<T: Scalar, const N: usize, const PACKED: bool>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
@@ -166,8 +187,12 @@ fn write_columns<T: Scalar, const N: usize>(
         *load = accelerating(tree, ws, link, j);
         for k in tree.bodies[link].first..=j {
             let entry = along(tree, ws, k, load);
-            matrix[j * n + k] = entry;
-            matrix[k * n + j] = entry;
+            if PACKED {
+                matrix[j * n + tree.depth[k]] = entry;
+            } else {
+                matrix[j * n + k] = entry;
+                matrix[k * n + j] = entry;
+            }
         }
     }
     let mut below = link;
@@ -189,10 +214,12 @@ fn write_columns<T: Scalar, const N: usize>(
                     *entry = along(tree, ws, k, load);
                 }
             }
-            let (column, row) = (k * n + first, first * n + k);
+            let (column, row) = (k * n + first, first * n + if PACKED { tree.depth[k] } else { k });
             for (i, entry) in entries.iter().enumerate() {
-                matrix[column + i] = *entry;
                 matrix[row + i * n] = *entry;
+                if !PACKED {
+                    matrix[column + i] = *entry;
+                }
             }
         }
         below = above;
