@@ -103,7 +103,9 @@ impl<R: Register> Groups<R> {
         figure.neutral(&mut rest).expect("the layout's own length");
         let rest = rest.into_iter().map(R::Lane::from_f64).collect();
         let (together, alone) = (Kernel::<R, 1>::new(figure, gravity)?, Kernel::new(figure, gravity)?);
-        let dense = |width| squares(&vec![false; width], R::LANES);
+        // A few lanes are filled one by one as fast.
+        let few = R::LANES < 8;
+        let dense = |width| if few { Vec::new() } else { squares(&vec![false; width], R::LANES) };
         let squares = [dense(together.tree.nq()), dense(together.tree.nv()), Vec::new()];
         Ok(Box::new(Self { token, together, alone, rest, squares }))
     }

@@ -33,7 +33,8 @@ pub(super) struct Columns<'a, F> {
 }
 
 impl<F: Copy> Columns<'_, F> {
-    /// Packs the states from `first` on, one a lane, in [`squares`] without a gap; the last stands in for those that are not there.
+    /// Packs the states from `first` on, one a lane, in [`squares`] without a gap, if there are any; the last stands in for those that are
+    /// not there.
     #[inline(always)]
     pub(super) fn pack<R: Register<Lane = F>>(&self, first: usize, packed: &mut [R], squares: &[usize]) {
         let last = self.states - 1;
@@ -136,8 +137,8 @@ impl<'a, F: Copy + Zero> Output<'a, F> {
         ranges.zip(slots).map(|(range, slots)| Self { range, width, slots }).collect()
     }
 
-    /// Writes the lanes of the states from `first` on, in [`squares`], the last of which ends with the last entry; those beyond the range
-    /// are left out.
+    /// Writes the lanes of the states from `first` on, in [`squares`], if there are any, the last of which ends with the last entry; those
+    /// beyond the range are left out.
     #[inline(always)]
     pub(super) fn unpack<R: Register<Lane = F>>(&mut self, first: usize, packed: &[R], squares: &[usize]) {
         let (width, from) = (self.width, first - self.range.start);
@@ -145,10 +146,18 @@ impl<'a, F: Copy + Zero> Output<'a, F> {
         match &mut self.slots {
             Slots::Rows(data) => {
                 let rows = &mut data[from * width..][..count * width];
-                if count < R::LANES || squares.is_empty() {
+                if count < R::LANES {
                     for (lane, row) in rows.chunks_exact_mut(width).enumerate() {
                         for (value, entry) in row.iter_mut().zip(packed) {
                             *value = entry.lanes()[lane];
+                        }
+                    }
+                    return;
+                }
+                if squares.is_empty() {
+                    for (k, entry) in packed[..width].iter().enumerate() {
+                        for (lane, value) in entry.lanes().iter().enumerate() {
+                            rows[lane * width + k] = *value;
                         }
                     }
                     return;
