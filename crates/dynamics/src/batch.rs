@@ -169,6 +169,22 @@ pub enum BatchError {
     },
 }
 
+/// Where the forces of many states go, with their derivatives: [`crate::Partials`] of every state.
+///
+/// Of each state a matrix has `nv²` entries, column by column as nalgebra's: that in row `i` and column `j` is entry `j·nv + i`, the
+/// derivative of force `i` by the `j`th direction. How the entries of many states lie is said by [`Layout`].
+#[derive(Debug)]
+pub struct BatchPartials<'a, F> {
+    /// The forces `tau`.
+    pub value: &'a mut [F],
+    /// By the configuration, along the tangent.
+    pub by_q: &'a mut [F],
+    /// By the velocity.
+    pub by_v: &'a mut [F],
+    /// By the acceleration: the mass matrix.
+    pub by_input: &'a mut [F],
+}
+
 /// Inverse and forward dynamics of many states of one figure: several times as fast as one at a time.
 ///
 /// Numbers of many states are slices, a state a row unless [`Layout::Columns`] is asked for. States are independent: each has the same
@@ -176,7 +192,8 @@ pub enum BatchError {
 /// ([`Instructions::Baseline`] on x86-64), that result has the very bits of the operation for one state; elsewhere it is rounded
 /// less often, and the last digits are others.
 ///
-/// Memory is allocated when it is made, and for what is said of states that are refused; a call allocates nothing else on one thread.
+/// Memory is allocated when it is made, when derivatives are first asked of it, and for what is said of states that are refused; a call
+/// allocates nothing else on one thread.
 ///
 /// # Examples
 ///
@@ -217,6 +234,8 @@ pub(crate) enum Operation {
     Inverse,
     /// From forces to accelerations.
     Forward,
+    /// From accelerations to forces, with the derivatives of these.
+    InverseDerivatives,
 }
 
 /// The states that something is asked of, and what is given besides.
@@ -328,7 +347,7 @@ impl<F: Precision> Batch<F> {
         external: &[LinkWrenches<'_, F>],
         tau: &mut [F],
     ) -> Result<(), BatchError> {
-        self.solve(Operation::Inverse, q, v, ("a", a), external, ("tau", tau))
+        self.solve(Operation::Inverse, q, v, ("a", a), external, [("tau", tau, self.nv)])
     }
 
     /// The accelerations `a` that forces bring about: [`crate::forward_dynamics`] of every state.
@@ -350,22 +369,54 @@ impl<F: Precision> Batch<F> {
         if let Some(follower) = &self.follower {
             return Err(BatchError::Figure(follower.clone()));
         }
-        self.solve(Operation::Forward, q, v, ("tau", tau), external, ("a", a))
+        self.solve(Operation::Forward, q, v, ("tau", tau), external, [("a", a, self.nv)])
     }
 
-    fn solve(
+    /// The generalized forces of motions and their derivatives by `q`, `v` and `a`: [`crate::Derivatives::inverse_dynamics`] of every
+    /// state.
+    ///
+    /// Shapes and units as for [`inverse_dynamics`](Self::inverse_dynamics); every entry of `partials` is written. That alone is much of
+    /// the work: ask for as many states at a time as fit the last cache, with `3·nv²` entries each.
+    ///
+    /// # Errors
+    ///
+    /// As for [`inverse_dynamics`](Self::inverse_dynamics), states being refused as [`crate::Derivatives::inverse_dynamics`] refuses
+    /// them.
+    #[doc(alias = "computeRNEADerivatives")]
+    pub fn inverse_dynamics_derivatives(
+        &mut self,
+        q: &[F],
+        v: &[F],
+        a: &[F],
+        external: &[LinkWrenches<'_, F>],
+        partials: &mut BatchPartials<'_, F>,
+    ) -> Result<(), BatchError> {
+        let BatchPartials { value, by_q, by_v, by_input } = partials;
+        let (nv, entries) = (self.nv, self.nv * self.nv);
+        let sought: [(_, &mut [F], _); 4] = [
+            ("the forces", value, nv),
+            ("the derivatives by q", by_q, entries),
+            ("the derivatives by v", by_v, entries),
+            ("the derivatives by a", by_input, entries),
+        ];
+        self.solve(Operation::InverseDerivatives, q, v, ("a", a), external, sought)
+    }
+
+    /// What is `sought` comes with its name and with its entries a state.
+    fn solve<const N: usize>(
         &mut self,
         operation: Operation,
         q: &[F],
         v: &[F],
         (given, x): (&'static str, &[F]),
         external: &[LinkWrenches<'_, F>],
-        (sought, y): (&'static str, &mut [F]),
+        sought: [(&'static str, &mut [F], usize); N],
     ) -> Result<(), BatchError> {
         let (nq, nv, layout) = (self.nq, self.nv, self.layout);
         let states = v.len() / nv.max(1);
-        let widths = [("v", v.len(), nv), ("q", q.len(), nq), (given, x.len(), nv), (sought, y.len(), nv)];
-        let bad = widths.into_iter().find(|(_, found, width)| *found != states * width);
+        let widths = [("v", v.len(), nv), ("q", q.len(), nq), (given, x.len(), nv)];
+        let sought_widths = sought.iter().map(|(what, y, width)| (*what, y.len(), *width));
+        let bad = widths.into_iter().chain(sought_widths).find(|(_, found, width)| *found != states * width);
         if let Some((what, found, width)) = bad {
             return Err(BatchError::Length { what, found, states, width });
         }
@@ -382,7 +433,7 @@ impl<F: Precision> Batch<F> {
         let columns = |data, width| Columns { data, width, states, layout };
         let (q, v, given) = (columns(q, nq), columns(v, nv), columns(x, nv));
         let inputs = States { q, v, given, external };
-        let refused = self.share(operation, &inputs, y, states);
+        let refused = self.share(operation, &inputs, sought, states);
         let mut refused = refused.into_iter();
         let Some((row, first)) = refused.next() else { return Ok(()) };
         let rows = std::iter::once(row).chain(refused.map(|(row, _)| row)).collect();
@@ -390,27 +441,36 @@ impl<F: Precision> Batch<F> {
     }
 
     /// Gives every thread its share of the states, in whole groups.
-    fn share(
+    fn share<const N: usize>(
         &mut self,
         operation: Operation,
         inputs: &States<'_, F>,
-        y: &mut [F],
+        sought: [(&'static str, &mut [F], usize); N],
         states: usize,
     ) -> Vec<Refused> {
+        let layout = self.layout;
         #[cfg(feature = "parallel")]
         if self.solvers.len() > 1 {
             use rayon::prelude::*;
             let groups = states.div_ceil(self.lanes());
             let share = groups.div_ceil(self.solvers.len()).max(1) * self.lanes();
-            let outputs = Output::split(y, self.nv, states, share, self.layout);
-            let shares: Vec<_> = self.solvers.iter_mut().zip(outputs).collect();
+            let mut shares: Vec<(_, Vec<Output<'_, F>>)> = self
+                .solvers
+                .iter_mut()
+                .take(states.div_ceil(share))
+                .map(|solver| (solver, Vec::new()))
+                .collect();
+            for (_, y, width) in sought {
+                let outputs = Output::split(y, width, states, share, layout);
+                shares.iter_mut().zip(outputs).for_each(|((_, all), output)| all.push(output));
+            }
             let solved: Vec<Vec<Refused>> = shares
                 .into_par_iter()
-                .map(|(solver, mut output)| solver.solve(operation, inputs, &mut output))
+                .map(|(solver, mut outputs)| solver.solve(operation, inputs, &mut outputs))
                 .collect();
             return solved.into_iter().flatten().collect();
         }
-        let mut output = Output::whole(y, self.nv, states, self.layout);
-        self.solvers[0].solve(operation, inputs, &mut output)
+        let mut outputs = sought.map(|(_, y, width)| Output::whole(y, width, states, layout));
+        self.solvers[0].solve(operation, inputs, &mut outputs)
     }
 }

@@ -3,10 +3,9 @@
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
 use crate::inertia::inverse::invert;
-use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::inverse_dynamics;
 use crate::inverse::slopes::Slopes;
-use crate::scalar::Dual;
+use crate::scalar::{Dual, Scalar};
 use crate::spatial::Wrench;
 use crate::spatial::direction::quaternion_rotation;
 use crate::tree::Tree;
@@ -84,7 +83,6 @@ pub struct Derivatives<const N: usize = 4> {
     /// after the other, and where each one's begin.
     related: Vec<usize>,
     starts: Vec<usize>,
-    column: Vec<f64>,
 }
 
 /// An output of length `nv` with its derivatives, each `nv` × `nv`: row, entry of the output; column, direction.
@@ -143,7 +141,6 @@ impl<const N: usize> Derivatives<N> {
         const { assert!(N > 0, "a pass needs a direction") }
         let (tree, plain) = (Tree::new(figure, gravity)?, Tree::new(figure, gravity)?);
         let (nq, nv, zero) = (tree.nq(), tree.nv(), Dual::constant(0.0));
-        let square = || DMatrix::zeros(nv, nv);
         let (related, starts) = related(&plain);
         Ok(Self {
             workspace: Workspace::new(&tree),
@@ -153,12 +150,11 @@ impl<const N: usize> Derivatives<N> {
             input: vec![zero; nv],
             output: vec![zero; nv],
             external: Vec::with_capacity(tree.link_count()),
-            partials: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            partials: Partials::new(vec![0.0; nv], nv),
             slopes: Slopes::new(&plain),
             related,
             starts,
-            column: vec![0.0; nv],
-            inverse: Partials { value: vec![0.0; nv], by_q: square(), by_v: square(), by_input: square() },
+            inverse: Partials::new(vec![0.0; nv], nv),
             plain,
             tree,
         })
@@ -196,11 +192,10 @@ impl<const N: usize> Derivatives<N> {
         tau: &[f64],
         external: &[(usize, Wrench<f64>)],
     ) -> Result<&Partials, DynamicsError> {
-        let Self { plain, plain_workspace: workspace, slopes, inverse, partials, column, .. } = self;
+        let Self { plain, plain_workspace: workspace, slopes, inverse, partials, .. } = self;
         forward_dynamics(plain, workspace, q, v, tau, external, &mut partials.value)?;
         slopes.find(plain, workspace, v, &partials.value, external, inverse)?;
-        mass_matrix(plain, workspace, q, &mut partials.by_input)?;
-        if invert(plain, workspace, &mut partials.by_input, column) {
+        if invert(plain, workspace, q, &mut partials.by_input)? {
             return self.divide();
         }
         self.sweep(&[Argument::Q, Argument::V], forward_dynamics, q, v, tau, external)?;
@@ -230,7 +225,6 @@ impl<const N: usize> Derivatives<N> {
             }
             check_result("a derivative of forward dynamics", to.as_slice())?;
         }
-        check_result("the inverse mass matrix", by_input)?;
         Ok(&self.partials)
     }
 
@@ -387,7 +381,13 @@ impl<const N: usize> Derivatives<N> {
     }
 }
 
-impl<T> Partials<T> {
+impl<T: Scalar> Partials<T> {
+    /// Room for a value and for derivatives by `nv` degrees of freedom, all of them zero.
+    pub(crate) fn new(value: Vec<T>, nv: usize) -> Self {
+        let zeros = || DMatrix::zeros(nv, nv);
+        Self { value, by_q: zeros(), by_v: zeros(), by_input: zeros() }
+    }
+
     fn of(&mut self, argument: Argument) -> &mut DMatrix<T> {
         match argument {
             Argument::Q => &mut self.by_q,

@@ -8,7 +8,6 @@ use crate::error::DynamicsError;
 use crate::forward::propagation::velocity::velocity_terms;
 use crate::forward::propagation::{accelerate, gather, gather_loads, inward, no_velocity_terms, outward};
 use crate::inertia::inverse::invert;
-use crate::inertia::mass_matrix::mass_matrix;
 use crate::inverse::apply_external;
 use crate::scalar::Scalar;
 use crate::spatial::Wrench;
@@ -165,16 +164,12 @@ pub fn inverse_mass_matrix<T: Scalar>(
     check_length("each column of the inverse mass matrix", matrix.nrows(), n)?;
     check_length("each row of the inverse mass matrix", matrix.ncols(), n)?;
     tree.check_free()?;
-    mass_matrix(tree, workspace, q, matrix)?;
-    // Taken out so that the workspace can be borrowed; an empty vector takes no memory.
-    let mut force = std::mem::take(&mut workspace.zeros);
-    let is_inverted = invert(tree, workspace, matrix, &mut force);
-    force.fill(T::zero());
-    if is_inverted {
-        workspace.zeros = force;
-        return check_result("the inverse mass matrix", matrix.as_slice());
+    if invert(tree, workspace, q, matrix)? {
+        return Ok(());
     }
     no_velocity_terms(workspace);
+    // Taken out so that the workspace can be borrowed; an empty vector takes no memory.
+    let mut force = std::mem::take(&mut workspace.zeros);
     gather(tree, workspace, nothing, &[], &force);
     for j in 0..n {
         workspace.loads.fill(Load::zero());

@@ -148,6 +148,7 @@ pub(crate) fn place_links<T: Scalar>(
     })
 }
 
+#[inline(always)]
 pub(crate) fn is_finite<T: Scalar>(v: &Vector3<T>) -> bool {
     v.x.is_finite() & v.y.is_finite() & v.z.is_finite()
 }

@@ -3,6 +3,7 @@
 use crate::error::DynamicsError;
 use crate::forward::articulated::Articulated;
 use crate::forward::propagation::{Hinge, Yielding};
+use crate::inertia::inverse::BLOCK;
 use crate::scalar::Scalar;
 use crate::spatial::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::spatial::load::Load;
@@ -73,6 +74,9 @@ pub struct Workspace<T> {
     /// Acceleration of each joint's place that the parent's velocity alone brings, in the parent's frame.
     pub(crate) offset_velocity_products: Vec<Vector3<T>>,
     pub(crate) zeros: Vec<T>,
+    /// The degrees of freedom on a path, and what each does to those at hand.
+    pub(crate) path: Vec<usize>,
+    pub(crate) parts: Vec<[T; BLOCK]>,
 }
 
 /// How a link moves, in its own frame.
@@ -106,6 +110,7 @@ pub(crate) struct Flow<T> {
 }
 
 impl<T: Scalar> Flow<T> {
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self { first: Vector3::zeros(), second: Matrix3::zeros() }
     }
@@ -149,6 +154,8 @@ impl<T: Scalar> Workspace<T> {
             velocity_products: vec![zero; dofs],
             offset_velocity_products: vec![zero; links],
             zeros: vec![T::zero(); dofs],
+            path: vec![0; dofs],
+            parts: vec![[T::zero(); BLOCK]; dofs],
         }
     }
 

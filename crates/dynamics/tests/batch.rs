@@ -7,9 +7,9 @@ mod allocations;
 mod support;
 
 use allocations::allocations;
-use nalgebra::Vector3;
-use solaris_dynamics::batch::{Batch, BatchError, Instructions, Layout};
-use solaris_dynamics::{DynamicsError, Wrench};
+use nalgebra::{DMatrix, Vector3};
+use solaris_dynamics::batch::{Batch, BatchError, BatchPartials, Instructions, Layout};
+use solaris_dynamics::{Derivatives, DynamicsError, Wrench};
 use solaris_model::{Figure, FigureBuilder, Joint, LinkSpec, human};
 use support::random::{Joints, Random, random_configuration, tree_of};
 use support::{Kernel, largest};
@@ -73,6 +73,39 @@ impl States {
     }
 }
 
+/// Forces and their derivatives: of every state first the one, then the others.
+#[derive(Clone)]
+struct Partials([Vec<f64>; 4]);
+
+impl Partials {
+    /// Numbers that no result leaves as they are.
+    fn unwritten(figure: &Figure, count: usize) -> Self {
+        let nv = figure.layout().nv();
+        Self([nv, nv * nv, nv * nv, nv * nv].map(|width| vec![-7.0; width * count]))
+    }
+
+    fn one_by_one(figure: &Figure, states: &States) -> Self {
+        let mut derivatives = Derivatives::new(figure, GRAVITY).expect("finite constants");
+        let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+        let mut all = Self([const { Vec::new() }; 4]);
+        for i in 0..states.count {
+            let external = states.external().map(|(link, wrenches)| (link, wrenches[i]));
+            let (v, a) = (&states.v[i * nv..][..nv], &states.a[i * nv..][..nv]);
+            let partials = derivatives.inverse_dynamics(&states.q[i * nq..][..nq], v, a, &external);
+            let partials = partials.expect("a valid state");
+            let matrices = [&partials.by_q, &partials.by_v, &partials.by_input].map(DMatrix::as_slice);
+            let parts = [&partials.value[..], matrices[0], matrices[1], matrices[2]];
+            all.0.iter_mut().zip(parts).for_each(|(all, part)| all.extend(part));
+        }
+        all
+    }
+
+    fn slices(&mut self) -> BatchPartials<'_, f64> {
+        let [value, by_q, by_v, by_input] = &mut self.0;
+        BatchPartials { value, by_q, by_v, by_input }
+    }
+}
+
 fn figures(random: &mut Random) -> Vec<Figure> {
     let mut figures: Vec<Figure> =
         (0..8).map(|i| tree_of(Joints::EveryArmed, random, 2 + 2 * i, 0.5)).collect();
@@ -124,6 +157,33 @@ fn all_states_have_what_each_has_alone() {
     }
 }
 
+#[test]
+fn all_states_have_the_derivatives_that_each_has_alone() {
+    let mut random = Random::new(84);
+    for figure in figures(&mut random) {
+        for count in [0, 1, 3, 8, 17] {
+            let states = States::random(&figure, &mut random, count);
+            let alone = Partials::one_by_one(&figure, &states);
+            let State { q, v, given, external } = State::of(&states);
+            for instructions in Instructions::available() {
+                let mut batch =
+                    Batch::<f64>::with_instructions(&figure, GRAVITY, instructions).expect("finite");
+                let mut found = Partials::unwritten(&figure, count);
+                let result = batch.inverse_dynamics_derivatives(q, v, given, &external, &mut found.slices());
+                result.expect("valid states");
+                for (found, alone) in found.0.iter().zip(&alone.0) {
+                    if instructions == Instructions::Baseline && cfg!(target_arch = "x86_64") {
+                        assert_eq!(bits(found), bits(alone), "{}", figure.name());
+                    } else if count > 0 {
+                        let error = worst(found, alone);
+                        assert!(error < 1e-13, "{instructions:?}: {error:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// Slices of states, as a batch takes them.
 struct State<'a> {
     q: &'a [f64],
@@ -164,6 +224,37 @@ fn columns_and_threads_change_no_bit() {
 }
 
 #[test]
+fn columns_and_threads_change_no_bit_of_a_derivative() {
+    let mut random = Random::new(85);
+    for figure in figures(&mut random) {
+        let count = 29;
+        let states = States::random(&figure, &mut random, count);
+        let State { q, v, given, external } = State::of(&states);
+        let batch = || Batch::<f64>::new(&figure, GRAVITY).expect("finite constants");
+        let mut expected = Partials::unwritten(&figure, count);
+        let result = batch().inverse_dynamics_derivatives(q, v, given, &external, &mut expected.slices());
+        result.expect("valid states");
+        let [q_columns, v_columns, given_columns] = [q, v, given].map(|values| transposed(values, count));
+        for threads in [1, 3, 7] {
+            let mut found = Partials::unwritten(&figure, count);
+            let mut rows = batch().threads(threads);
+            let result = rows.inverse_dynamics_derivatives(q, v, given, &external, &mut found.slices());
+            result.expect("valid states");
+            let mut by_column = batch().layout(Layout::Columns).threads(threads);
+            let (q, v, given) = (&q_columns, &v_columns, &given_columns);
+            let mut columns = Partials::unwritten(&figure, count);
+            let result =
+                by_column.inverse_dynamics_derivatives(q, v, given, &external, &mut columns.slices());
+            result.expect("valid states");
+            for ((found, columns), expected) in found.0.iter().zip(&columns.0).zip(&expected.0) {
+                assert_eq!(bits(found), bits(expected), "{threads} threads");
+                assert_eq!(bits(columns), bits(&transposed(expected, count)), "columns, {threads} threads");
+            }
+        }
+    }
+}
+
+#[test]
 fn single_precision_keeps_its_digits() {
     let mut random = Random::new(79);
     let figure = human(1.75, 73.0).expect("an ordinary person");
@@ -176,6 +267,7 @@ fn single_precision_keeps_its_digits() {
     });
     let external = [(states.links[0], &wrenches[0][..]), (states.links[1], &wrenches[1][..])];
     let (q, v, a) = (single(&states.q), single(&states.v), single(&states.a));
+    let alone = Partials::one_by_one(&figure, &states);
     let mut scalar = Kernel::<f32>::new(&figure, GRAVITY);
     for instructions in Instructions::available() {
         let mut batch = Batch::<f32>::with_instructions(&figure, GRAVITY, instructions).expect("finite");
@@ -184,6 +276,15 @@ fn single_precision_keeps_its_digits() {
         let doubles: Vec<f64> = found.iter().map(|x| f64::from(*x)).collect();
         let error = worst(&doubles, &tau);
         assert!(error < 2e-6, "{instructions:?}: {error:e}");
+        let mut partials = alone.0.each_ref().map(|all| vec![f32::NAN; all.len()]);
+        let [value, by_q, by_v, by_input] = &mut partials;
+        let mut slices = BatchPartials { value, by_q, by_v, by_input };
+        batch.inverse_dynamics_derivatives(&q, &v, &a, &external, &mut slices).expect("valid states");
+        for (found, alone) in partials.iter().zip(&alone.0) {
+            let doubles: Vec<f64> = found.iter().map(|x| f64::from(*x)).collect();
+            let error = worst(&doubles, alone);
+            assert!(error < 4e-6, "{instructions:?}: {error:e}");
+        }
         if instructions == Instructions::Baseline {
             let nv = figure.layout().nv();
             let first = external.map(|(link, wrenches)| (link, wrenches[0]));
@@ -246,6 +347,42 @@ fn a_state_that_is_refused_spoils_no_other() {
 }
 
 #[test]
+fn derivatives_of_a_state_that_is_refused_spoil_no_other() {
+    let mut random = Random::new(86);
+    let (figure, count) = (human(1.75, 73.0).expect("an ordinary person"), 19);
+    let (nq, nv) = (figure.layout().nq(), figure.layout().nv());
+    let mut states = States::random(&figure, &mut random, count);
+    for threads in [1, 3] {
+        let mut batch = Batch::<f64>::new(&figure, GRAVITY).expect("finite constants").threads(threads);
+        let mut good = Partials::unwritten(&figure, count);
+        let State { q, v, given, external } = State::of(&states);
+        let result = batch.inverse_dynamics_derivatives(q, v, given, &external, &mut good.slices());
+        result.expect("valid states");
+        let kept = (states.q.clone(), states.v.clone());
+        states.q[4 * nq + 7] = f64::NAN;
+        states.v[9 * nv + 20] = 1e200;
+        let mut found = Partials::unwritten(&figure, count);
+        let State { q, v, given, external } = State::of(&states);
+        let error = batch.inverse_dynamics_derivatives(q, v, given, &external, &mut found.slices());
+        let BatchError::Rows { states: all, rows, first } = error.expect_err("bad rows") else { panic!() };
+        assert_eq!((all, &rows[..]), (count, &[4, 9][..]));
+        assert!(matches!(first, DynamicsError::NotFinite { what: "q", .. }), "{first}");
+        for (found, good) in found.0.iter().zip(&good.0) {
+            let width = found.len() / count;
+            for i in 0..count {
+                let (found, good) = (&found[i * width..][..width], &good[i * width..][..width]);
+                if rows.contains(&i) {
+                    assert!(found.iter().all(|x| x.is_nan()), "row {i}");
+                } else {
+                    assert_eq!(bits(found), bits(good), "row {i}");
+                }
+            }
+        }
+        (states.q, states.v) = kept;
+    }
+}
+
+#[test]
 fn what_cannot_be_asked_is_said() {
     let figure = human(1.75, 73.0).expect("an ordinary person");
     let mut batch = Batch::<f64>::new(&figure, GRAVITY).expect("finite constants");
@@ -261,6 +398,11 @@ fn what_cannot_be_asked_is_said() {
     let few = &[(0, &wrench[1..])];
     let error = batch.inverse_dynamics(&state, &state, &state, few, &mut tau).expect_err("too few");
     assert_eq!(error.to_string(), "the wrenches on a link has 1 entries; 2 states of 1 need 2");
+    let mut found = Partials::unwritten(&figure, 2);
+    let short = BatchPartials { by_v: &mut [], ..found.slices() };
+    let error = batch.inverse_dynamics_derivatives(&state, &state, &state, &[], &mut { short });
+    let error = error.expect_err("too short");
+    assert_eq!(error.to_string(), "the derivatives by v has 0 entries; 2 states of 4356 need 8712");
     let mut state = state;
     state[70] = f64::NAN;
     let error = batch.inverse_dynamics(&state, &[0.0; 132], &[0.0; 132], &[], &mut tau).expect_err("NaN");
@@ -278,6 +420,8 @@ fn a_figure_that_cannot_move_and_one_that_cannot_be_pushed() {
         .expect("a figure");
     let mut batch = Batch::<f64>::new(&statue, GRAVITY).expect("finite constants");
     assert_eq!(batch.inverse_dynamics(&[], &[], &[], &[], &mut []), Ok(()));
+    let mut nothing = BatchPartials { value: &mut [], by_q: &mut [], by_v: &mut [], by_input: &mut [] };
+    assert_eq!(batch.inverse_dynamics_derivatives(&[], &[], &[], &[], &mut nothing), Ok(()));
     // A slide without mass has nothing to be accelerated by.
     let ghost = FigureBuilder::new("ghost")
         .link(LinkSpec::root("cart", Joint::new("rail").tx()))
@@ -307,7 +451,15 @@ fn a_batch_allocates_when_it_is_made() {
         let (q, external) =
             (if layout == Layout::Rows { q.clone() } else { rest(&figure, states) }, [(3, &wrenches[..])]);
         batch.inverse_dynamics(&q, &v, &a, &external, &mut tau).expect("valid states");
+        let mut partials = Partials::unwritten(&figure, states);
+        let mut derive = |batch: &mut Batch<f64>| {
+            let result = batch.inverse_dynamics_derivatives(&q, &v, &a, &external, &mut partials.slices());
+            result.expect("valid states");
+        };
+        // What derivatives take is known from the first call on, too.
+        derive(&mut batch);
         let count = allocations(|| {
+            derive(&mut batch);
             batch.inverse_dynamics(&q, &v, &a, &external, &mut tau).expect("valid states");
             let mut accelerations = a.clone();
             batch.forward_dynamics(&q, &v, &tau, &external, &mut accelerations).expect("valid states");

@@ -2,10 +2,25 @@
 
 use super::Layout;
 use super::vector::Register;
+use num_traits::Zero;
 use std::ops::Range;
 
 /// The most lanes that a register has.
-const MOST: usize = 64;
+const MOST: usize = 16;
+
+/// Where squares of as many entries as a register has lanes begin, so that every entry of a state is in one but such as are always zero.
+/// The last one may go back over others, so that it is full; of fewer entries there is none.
+pub(super) fn squares(are_zero: &[bool], lanes: usize) -> Vec<usize> {
+    let (mut starts, mut end) = (Vec::new(), 0);
+    for (k, is_zero) in are_zero.iter().enumerate() {
+        if !is_zero && k >= end && are_zero.len() >= lanes {
+            let from = k.min(are_zero.len() - lanes);
+            starts.push(from);
+            end = from + lanes;
+        }
+    }
+    starts
+}
 
 /// Numbers of many states, to be read.
 #[derive(Clone, Copy)]
@@ -18,9 +33,10 @@ pub(super) struct Columns<'a, F> {
 }
 
 impl<F: Copy> Columns<'_, F> {
-    /// Packs the states from `first` on, one a lane; the last stands in for those that are not there.
+    /// Packs the states from `first` on, one a lane, in [`squares`] without a gap, if there are any; the last stands in for those that are
+    /// not there.
     #[inline(always)]
-    pub(super) fn pack<R: Register<Lane = F>>(&self, first: usize, packed: &mut [R]) {
+    pub(super) fn pack<R: Register<Lane = F>>(&self, first: usize, packed: &mut [R], squares: &[usize]) {
         let last = self.states - 1;
         match self.layout {
             Layout::Rows => {
@@ -28,9 +44,19 @@ impl<F: Copy> Columns<'_, F> {
                 for (lane, row) in rows[..R::LANES].iter_mut().enumerate() {
                     *row = &self.data[(first + lane).min(last) * self.width..][..self.width];
                 }
-                for (k, entry) in packed[..self.width].iter_mut().enumerate() {
-                    for (lane, row) in entry.lanes_mut().iter_mut().zip(&rows) {
-                        *lane = row[k];
+                for &from in squares {
+                    let square = &mut packed[from..][..R::LANES];
+                    for (entry, row) in square.iter_mut().zip(&rows) {
+                        entry.lanes_mut().copy_from_slice(&row[from..][..R::LANES]);
+                    }
+                    let transposed = R::transposed(square);
+                    square.copy_from_slice(transposed.as_ref());
+                }
+                if squares.is_empty() {
+                    for (k, entry) in packed[..self.width].iter_mut().enumerate() {
+                        for (lane, row) in entry.lanes_mut().iter_mut().zip(&rows) {
+                            *lane = row[k];
+                        }
                     }
                 }
             }
@@ -75,7 +101,7 @@ enum Slots<'a, F> {
     Parts(Vec<&'a mut [F]>),
 }
 
-impl<'a, F: Copy> Output<'a, F> {
+impl<'a, F: Copy + Zero> Output<'a, F> {
     /// All states.
     pub(super) fn whole(data: &'a mut [F], width: usize, states: usize, layout: Layout) -> Self {
         let slots = match layout {
@@ -111,26 +137,44 @@ impl<'a, F: Copy> Output<'a, F> {
         ranges.zip(slots).map(|(range, slots)| Self { range, width, slots }).collect()
     }
 
-    /// Writes the lanes of the states from `first` on; those beyond the range are left out.
+    /// Writes the lanes of the states from `first` on, in [`squares`], if there are any, the last of which ends with the last entry; those
+    /// beyond the range are left out.
     #[inline(always)]
-    pub(super) fn unpack<R: Register<Lane = F>>(&mut self, first: usize, packed: &[R]) {
+    pub(super) fn unpack<R: Register<Lane = F>>(&mut self, first: usize, packed: &[R], squares: &[usize]) {
         let (width, from) = (self.width, first - self.range.start);
         let count = R::LANES.min(self.range.end - first);
         match &mut self.slots {
             Slots::Rows(data) => {
                 let rows = &mut data[from * width..][..count * width];
-                if count == R::LANES {
-                    for (k, entry) in packed[..width].iter().enumerate() {
-                        for (lane, value) in entry.lanes().iter().enumerate() {
-                            rows[lane * width + k] = *value;
-                        }
-                    }
-                } else {
+                if count < R::LANES {
                     for (lane, row) in rows.chunks_exact_mut(width).enumerate() {
                         for (value, entry) in row.iter_mut().zip(packed) {
                             *value = entry.lanes()[lane];
                         }
                     }
+                    return;
+                }
+                if squares.is_empty() {
+                    for (k, entry) in packed[..width].iter().enumerate() {
+                        for (lane, value) in entry.lanes().iter().enumerate() {
+                            rows[lane * width + k] = *value;
+                        }
+                    }
+                    return;
+                }
+                let (zeros, mut done) = (R::zero(), 0);
+                for &from in squares {
+                    while done < from {
+                        for row in rows.chunks_exact_mut(width) {
+                            row[done..][..R::LANES].copy_from_slice(zeros.lanes());
+                        }
+                        done += R::LANES;
+                    }
+                    let transposed = R::transposed(&packed[from..][..R::LANES]);
+                    for (row, entries) in rows.chunks_exact_mut(width).zip(transposed.as_ref()) {
+                        row[from..][..R::LANES].copy_from_slice(entries.lanes());
+                    }
+                    done = from + R::LANES;
                 }
             }
             Slots::Columns(data) => {

@@ -31,6 +31,9 @@ pub(super) trait Register: Scalar + Send + Sync {
 
     /// The lanes, to be written.
     fn lanes_mut(&mut self) -> &mut [Self::Lane];
+
+    /// As many registers as each has lanes, with lane `j` of the `i`th in place of lane `i` of the `j`th.
+    fn transposed(square: &[Self]) -> impl AsRef<[Self]> + use<Self>;
 }
 
 /// The proof that the machine has some instructions.

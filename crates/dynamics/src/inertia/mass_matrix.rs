@@ -39,25 +39,9 @@ pub fn mass_matrix<T: Scalar>(
     q: &[T],
     matrix: &mut DMatrix<T>,
 ) -> Result<(), DynamicsError> {
-    workspace.set_positions(tree, q)?;
-    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
-    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
-    place(tree, workspace)?;
-    levers(tree, workspace);
-    gather(tree, workspace);
+    place_composites(tree, workspace, q, matrix)?;
     matrix.as_mut_slice().fill(T::zero());
-    for (link, body) in tree.bodies.iter().enumerate() {
-        // Most joints of living things have three degrees of freedom, most of machines one.
-        let mut j = body.first;
-        while j < body.end {
-            let matrix = matrix.as_mut_slice();
-            j = match body.end - j {
-                1 => write_columns::<T, 1>(tree, workspace, link, j, matrix),
-                2 => write_columns::<T, 2>(tree, workspace, link, j, matrix),
-                _ => write_columns::<T, 3>(tree, workspace, link, j, matrix),
-            };
-        }
-    }
+    write_entries::<T, false>(tree, workspace, matrix);
     for &(k, armature) in &tree.armature {
         matrix[(k, k)] += armature;
     }
@@ -66,9 +50,52 @@ pub fn mass_matrix<T: Scalar>(
     if finite { Ok(()) } else { check_result("the mass matrix", matrix.as_slice()) }
 }
 
+/// Places the links at `q` and gathers what they carry, for a `matrix` of the right size.
+pub(crate) fn place_composites<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    q: &[T],
+    matrix: &DMatrix<T>,
+) -> Result<(), DynamicsError> {
+    workspace.set_positions(tree, q)?;
+    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
+    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
+    place(tree, workspace)?;
+    levers(tree, workspace);
+    gather(tree, workspace);
+    Ok(())
+}
+
+/// Writes the entries of the mass matrix that are not zero, armature left out: all of them, or `PACKED` those up to the diagonal, which
+/// stand one behind the other at the heads of their columns then.
+pub(crate) fn write_entries<T: Scalar, const PACKED: bool>(
+    tree: &Tree<T>,
+    workspace: &Workspace<T>,
+    matrix: &mut DMatrix<T>,
+) {
+    let matrix = matrix.as_mut_slice();
+    for (link, body) in tree.bodies.iter().enumerate() {
+        // Most joints of living things have three degrees of freedom, most of machines one.
+        let mut j = body.first;
+        while j < body.end {
+            j = match body.end - j {
+                1 => write_columns::<T, 1, PACKED>(tree, workspace, link, j, matrix),
+                2 => write_columns::<T, 2, PACKED>(tree, workspace, link, j, matrix),
+                _ => write_columns::<T, 3, PACKED>(tree, workspace, link, j, matrix),
+            };
+        }
+    }
+}
+
 /// For each degree of freedom the velocity that a unit rate gives its link's origin, and for each link the way from its
 /// parent's origin to its own; world axes.
 pub(crate) fn levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+    find_levers(tree, ws);
+}
+
+/// [`levers`], compiled into whatever asks it.
+#[inline(always)]
+pub(crate) fn find_levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for (i, body) in tree.bodies.iter().enumerate() {
         if body.only_turns {
             // Its levers are zero, and stay so.
@@ -145,8 +172,8 @@ fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>)
     }
 }
 
-/// Writes columns and rows of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
-fn write_columns<T: Scalar, const N: usize>(
+/// Writes columns (and rows) of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
+fn write_columns<T: Scalar, const N: usize, const PACKED: bool>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
@@ -160,8 +187,12 @@ fn write_columns<T: Scalar, const N: usize>(
         *load = accelerating(tree, ws, link, j);
         for k in tree.bodies[link].first..=j {
             let entry = along(tree, ws, k, load);
-            matrix[j * n + k] = entry;
-            matrix[k * n + j] = entry;
+            if PACKED {
+                matrix[j * n + tree.depth[k]] = entry;
+            } else {
+                matrix[j * n + k] = entry;
+                matrix[k * n + j] = entry;
+            }
         }
     }
     let mut below = link;
@@ -183,10 +214,12 @@ fn write_columns<T: Scalar, const N: usize>(
                     *entry = along(tree, ws, k, load);
                 }
             }
-            let (column, row) = (k * n + first, first * n + k);
+            let (column, row) = (k * n + first, first * n + if PACKED { tree.depth[k] } else { k });
             for (i, entry) in entries.iter().enumerate() {
-                matrix[column + i] = *entry;
                 matrix[row + i * n] = *entry;
+                if !PACKED {
+                    matrix[column + i] = *entry;
+                }
             }
         }
         below = above;
@@ -197,7 +230,7 @@ fn write_columns<T: Scalar, const N: usize>(
 impl<T: Scalar> Composite<T> {
     /// How much more inertia it has about a point from which its own origin is `r` away: with `u = h + m·r/2`,
     /// `2·u·r·1 − (u·rᵀ + r·uᵀ)`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn shift(&self, r: &Vector3<T>) -> Symmetric<T> {
         let u = self.first + r * (self.mass * T::from_f64(0.5));
         let (x, y, z) = (u.x * r.x, u.y * r.y, u.z * r.z);
@@ -211,6 +244,7 @@ impl<T: Scalar> Composite<T> {
         }
     }
 
+    #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self { mass: T::zero(), first: Vector3::zeros(), inertia: Symmetric::zero() }
     }

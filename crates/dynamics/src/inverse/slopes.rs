@@ -24,10 +24,10 @@
 
 use crate::derivatives::Partials;
 use crate::error::DynamicsError;
-use crate::inertia::mass_matrix::levers;
-use crate::kinematics::place;
+use crate::inertia::mass_matrix::find_levers;
+use crate::kinematics::place_links;
 use crate::scalar::Scalar;
-use crate::spatial::direction::{apply, cross, dot};
+use crate::spatial::direction::{apply, apply_transposed, cross, of_columns};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
 use crate::spatial::{Twist, Wrench};
@@ -37,17 +37,16 @@ use nalgebra::{Matrix3, Vector3};
 
 /// What is kept of each degree of freedom on the path from the root: `S` (6 numbers), the angular part of `Ψ̇` (3), `Ψ̈` (6) and `Ψ̇ + Ṡ` (6).
 const FIELDS: usize = 21;
-/// How many degrees of freedom of the path stand side by side, so that what is done with one is done with all of them at once.
-const LANES: usize = 4;
 
 /// The fields of degrees of freedom side by side.
-type Block<T> = [[T; LANES]; FIELDS];
-/// What is found with them: the row and the column by `q`, those by `v`, and the entries of the mass matrix.
-type Found<T> = [[T; LANES]; 5];
+type Block<T, const LANES: usize> = [[T; LANES]; FIELDS];
 
 /// Scratch memory of the derivatives of one tree.
+///
+/// As many degrees of freedom of the path as there are `LANES` stand side by side, so that what is done with one is done with all of them
+/// at once: for numbers; a vector register has lanes of its own.
 #[derive(Clone, Debug)]
-pub(crate) struct Slopes<T> {
+pub(crate) struct Slopes<T, const LANES: usize = 4> {
     /// The links, each with all that it carries right behind it.
     order: Vec<usize>,
     /// How many degrees of freedom are before each link's own on its path.
@@ -55,9 +54,7 @@ pub(crate) struct Slopes<T> {
     /// The degrees of freedom on the path to the link at hand.
     path: Vec<usize>,
     /// Its fields.
-    blocks: Vec<Block<T>>,
-    /// What the degree of freedom at hand and those of the path do to each other.
-    found: Vec<Found<T>>,
+    blocks: Vec<Block<T, LANES>>,
     /// The sum of all that was found: finite if all of it is.
     sum: T,
     /// The links on the way to the one at hand.
@@ -82,6 +79,7 @@ struct Carried<T> {
 }
 
 impl<T: Scalar> Carried<T> {
+    #[inline(always)]
     fn nothing() -> Self {
         Self {
             velocity: Twist::zero(),
@@ -93,6 +91,7 @@ impl<T: Scalar> Carried<T> {
         }
     }
 
+    #[inline(always)]
     fn add(&mut self, other: &Self) {
         self.body.mass += other.body.mass;
         self.body.first += other.body.first;
@@ -104,7 +103,7 @@ impl<T: Scalar> Carried<T> {
     }
 }
 
-impl<T: Scalar> Slopes<T> {
+impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
     pub(crate) fn new(tree: &Tree<T>) -> Self {
         let (nv, links) = (tree.nv(), tree.link_count());
         let mut above = vec![0; links];
@@ -125,7 +124,6 @@ impl<T: Scalar> Slopes<T> {
             above,
             path: vec![0; nv],
             blocks: vec![[[T::zero(); LANES]; FIELDS]; nv.div_ceil(LANES)],
-            found: vec![[[T::zero(); LANES]; 5]; nv.div_ceil(LANES)],
             sum: T::zero(),
             open: Vec::with_capacity(links),
             ways: vec![Vector3::zeros(); links],
@@ -144,8 +142,22 @@ impl<T: Scalar> Slopes<T> {
         external: &[(usize, Wrench<T>)],
         partials: &mut Partials<T>,
     ) -> Result<(), DynamicsError> {
-        place(tree, workspace)?;
-        levers(tree, workspace);
+        self.differentiate(tree, workspace, v, a, external, partials)
+    }
+
+    /// [`find`](Self::find), compiled into whatever asks it.
+    #[inline(always)]
+    pub(crate) fn differentiate(
+        &mut self,
+        tree: &Tree<T>,
+        workspace: &mut Workspace<T>,
+        v: &[T],
+        a: &[T],
+        external: &[(usize, Wrench<T>)],
+        partials: &mut Partials<T>,
+    ) -> Result<(), DynamicsError> {
+        place_links(tree, workspace)?;
+        find_levers(tree, workspace);
         let origin = workspace.poses[0].translation;
         for carried in &mut self.carried {
             carried.outside = Load::zero();
@@ -157,58 +169,55 @@ impl<T: Scalar> Slopes<T> {
         let has_outside = !external.is_empty();
         self.open.clear();
         self.sum = T::zero();
-        for at in 0..self.order.len() {
-            let link = self.order[at];
-            while let Some(&last) = self.open.last().filter(|last| Some(**last) != tree.bodies[link].parent) {
+        for at in 0..=self.order.len() {
+            // After the last link all are left.
+            let next = self.order.get(at).copied();
+            let parent = match next {
+                Some(link) => tree.bodies[link].parent,
+                None => None,
+            };
+            while let Some(&last) = self.open.last() {
+                if parent == Some(last) {
+                    break;
+                }
                 self.leave(tree, last, has_outside, partials);
             }
-            self.enter(tree, workspace, link, v, a);
-            self.open.push(link);
-        }
-        while let Some(&last) = self.open.last() {
-            self.leave(tree, last, has_outside, partials);
+            if let Some(link) = next {
+                self.enter(tree, workspace, link, v, a);
+                self.open.push(link);
+            }
         }
         for &(k, armature) in &tree.armature {
-            partials.by_input[(k, k)] += armature;
+            partials.by_input.as_mut_slice()[k * tree.nv() + k] += armature;
         }
-        if self.sum.is_finite() {
-            return Ok(());
-        }
-        // One of them is not, or their sum alone.
-        let matrices = [&partials.by_q, &partials.by_v, &partials.by_input];
-        matrices
-            .iter()
-            .try_for_each(|matrix| check_result("a derivative of inverse dynamics", matrix.as_slice()))
+        if self.sum.is_finite() { Ok(()) } else { check_partials(partials) }
     }
 
     /// Puts the degrees of freedom of a link on the path, and finds what moves its own mass.
+    #[inline(always)]
     fn enter(&mut self, tree: &Tree<T>, ws: &Workspace<T>, link: usize, v: &[T], a: &[T]) {
         let body = &tree.bodies[link];
-        let rest = Twist { linear: -tree.gravity, angular: Vector3::zeros() };
-        let (before, mut acceleration) = body.parent.map_or((Twist::zero(), rest), |parent| {
-            (self.carried[parent].velocity, self.carried[parent].acceleration)
-        });
-        let rotation = &ws.poses[link].rotation;
-        let from = body.parent.map_or_else(Vector3::zeros, |parent| self.ways[parent] + ws.reaches[link]);
-        self.ways[link] = from;
-        let direction = |k: usize| {
-            let axis = ws.axes[k];
-            if !tree.dofs[k].kind.turns() {
-                return Twist { linear: axis, angular: Vector3::zeros() };
+        let (before, mut acceleration, from) = match body.parent {
+            Some(parent) => {
+                let Carried { velocity, acceleration, .. } = &self.carried[parent];
+                (*velocity, *acceleration, self.ways[parent] + ws.reaches[link])
             }
-            Twist { linear: ws.levers[k] + cross(&from, &axis), angular: axis }
+            None => {
+                (Twist::zero(), Twist { linear: -tree.gravity, angular: Vector3::zeros() }, Vector3::zeros())
+            }
         };
+        self.ways[link] = from;
         let mut velocity = before;
         if body.sphere.is_some() {
             let (mut along, mut pushed) = (Twist::zero(), Twist::zero());
             for k in body.first..body.end {
-                let s = direction(k);
+                let s = direction(tree, ws, &from, k);
                 along = sum(&along, &scaled(&s, v[k]));
                 pushed = sum(&pushed, &scaled(&s, a[k]));
             }
             velocity = sum(&before, &along);
             for k in body.first..body.end {
-                let s = direction(k);
+                let s = direction(tree, ws, &from, k);
                 let past = crossed(&before, &s);
                 let bent = sum(&crossed(&acceleration, &s), &crossed(&before, &past));
                 self.put(body, link, k, &s, &past, &bent, &sum(&past, &crossed(&velocity, &s)));
@@ -216,7 +225,7 @@ impl<T: Scalar> Slopes<T> {
             acceleration = sum(&acceleration, &sum(&pushed, &crossed(&velocity, &along)));
         } else {
             for k in body.first..body.end {
-                let s = direction(k);
+                let s = direction(tree, ws, &from, k);
                 let past = crossed(&velocity, &s);
                 let bent = sum(&crossed(&acceleration, &s), &crossed(&velocity, &past));
                 self.put(body, link, k, &s, &past, &bent, &sum(&past, &past));
@@ -227,6 +236,7 @@ impl<T: Scalar> Slopes<T> {
         let outside = self.carried[link].outside;
         let mut carried = Carried { velocity, acceleration, outside, ..Carried::nothing() };
         if let Some(mass) = &body.mass_distribution {
+            let rotation = &ws.poses[link].rotation;
             carried.body = Composite {
                 mass: mass.mass,
                 first: apply(rotation, &mass.first),
@@ -249,7 +259,7 @@ impl<T: Scalar> Slopes<T> {
     }
 
     /// Puts a degree of freedom on the path.
-    #[inline]
+    #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "a place and what is kept there")]
     fn put(
         &mut self,
@@ -266,7 +276,7 @@ impl<T: Scalar> Slopes<T> {
         let (block, lane) = (&mut self.blocks[at / LANES], at % LANES);
         let values =
             [&s.angular, &s.linear, &past.angular, &bent.angular, &bent.linear, &rate.angular, &rate.linear];
-        for (i, value) in values.into_iter().enumerate() {
+        for (i, value) in values.iter().enumerate() {
             block[3 * i][lane] = value.x;
             block[3 * i + 1][lane] = value.y;
             block[3 * i + 2][lane] = value.z;
@@ -274,6 +284,7 @@ impl<T: Scalar> Slopes<T> {
     }
 
     /// Writes the rows and columns of a link's degrees of freedom, and hands what it carries to its parent.
+    #[inline(always)]
     fn leave(&mut self, tree: &Tree<T>, link: usize, has_outside: bool, partials: &mut Partials<T>) {
         let body = &tree.bodies[link];
         let (first, count) = (self.above[link], body.end - body.first);
@@ -282,8 +293,7 @@ impl<T: Scalar> Slopes<T> {
             let at = first + i;
             // Which degrees of freedom are before it or itself, and which are before it alone.
             let (rows, columns) = if body.sphere.is_some() { (first + count, first) } else { (at + 1, at) };
-            self.along_path(&carried, at, rows, has_outside);
-            self.write(at, rows, columns, partials);
+            self.along_path(&carried, at, rows, columns, has_outside, partials);
         }
         self.open.pop();
         if let Some(parent) = body.parent {
@@ -291,122 +301,141 @@ impl<T: Scalar> Slopes<T> {
         }
     }
 
-    /// Finds what the degree of freedom at a place of the path does to those before it and they to it.
-    fn along_path(&mut self, carried: &Carried<T>, at: usize, len: usize, has_outside: bool) {
+    /// Writes what the degree of freedom at a place of the path does to those before it and they to it: rows of as many, columns of
+    /// as many.
+    #[inline(always)]
+    fn along_path(
+        &mut self,
+        carried: &Carried<T>,
+        at: usize,
+        rows: usize,
+        columns: usize,
+        has_outside: bool,
+        partials: &mut Partials<T>,
+    ) {
         let (block, lane) = (&self.blocks[at / LANES], at % LANES);
-        let vector =
-            |index: usize| Vector3::new(block[index][lane], block[index + 1][lane], block[index + 2][lane]);
-        let twist = |index: usize| Twist { angular: vector(index), linear: vector(index + 3) };
-        let (s, past, bent, rate) = (twist(0), vector(6), twist(9), twist(15));
+        let (s, bent, rate) = (motion(block, lane, 0), motion(block, lane, 9), motion(block, lane, 15));
+        let past = vector(block, lane, 6);
         let (body, flow) = (&carried.body, &carried.flow);
         // I·S, (2B)ᵀ·S, and the two columns.
         let inert = carries(body, &s);
         let trace = flow.second.m11 + flow.second.m22 + flow.second.m33;
-        let pull = s.angular * trace - transposed(&flow.second, &s.angular) + cross(&flow.first, &s.linear);
+        let pull =
+            s.angular * trace - apply_transposed(&flow.second, &s.angular) + cross(&flow.first, &s.linear);
         let pull = pull + pull;
         let by_q = add(&add(&bends(flow, trace, &past), &carries(body, &bent)), &turned(&s, &carried.force));
         let by_v = add(&bends(flow, trace, &s.angular), &carries(body, &rate));
-        let held = has_outside.then(|| turned(&s, &carried.outside));
-        let mut sum = [T::zero(); LANES];
-        for (block, found) in self.blocks.iter().zip(&mut self.found).take(len.div_ceil(LANES)) {
-            found[ROW_Q] = plus(&three(block, 6, &pull), &six(block, 9, &inert));
-            found[ROW_V] = plus(&three(block, 0, &pull), &six(block, 15, &inert));
-            found[COLUMN_Q] = six(block, 0, &by_q);
-            found[COLUMN_V] = six(block, 0, &by_v);
-            found[MASS] = six(block, 0, &inert);
-            if let Some(held) = &held {
-                found[ROW_Q] = minus(&found[ROW_Q], &six(block, 0, held));
+        let held = if has_outside { turned(&s, &carried.outside) } else { Load::zero() };
+        let (nv, i, mut place) = (self.path.len(), self.path[at], 0);
+        let Partials { by_q: to_q, by_v: to_v, by_input: to_mass, .. } = partials;
+        let (to_q, to_v, to_mass) = (to_q.as_mut_slice(), to_v.as_mut_slice(), to_mass.as_mut_slice());
+        let (zero, mut sum) = ([T::zero(); LANES], [T::zero(); LANES]);
+        for (block, path) in self.blocks.iter().zip(self.path[..rows].chunks(LANES)) {
+            let mut row_q = six(block, 9, &inert, three(block, 6, &pull, zero));
+            let row_v = six(block, 15, &inert, three(block, 0, &pull, zero));
+            let column_q = six(block, 0, &by_q, zero);
+            let column_v = six(block, 0, &by_v, zero);
+            let mass = six(block, 0, &inert, zero);
+            if has_outside {
+                let outside = six(block, 0, &held, zero);
+                for lane in 0..LANES {
+                    row_q[lane] -= outside[lane];
+                }
             }
-            for part in found {
-                sum = plus(&sum, part);
+            for lane in 0..LANES {
+                sum[lane] += (row_q[lane] + row_v[lane]) + (column_q[lane] + column_v[lane]) + mass[lane];
+            }
+            for (lane, &j) in path.iter().enumerate() {
+                let (row, column) = (j * nv + i, i * nv + j);
+                (to_q[row], to_v[row], to_mass[row]) = (row_q[lane], row_v[lane], mass[lane]);
+                if place < columns {
+                    (to_q[column], to_v[column], to_mass[column]) =
+                        (column_q[lane], column_v[lane], mass[lane]);
+                }
+                place += 1;
             }
         }
-        self.sum = sum.iter().fold(self.sum, |all, one| all + *one);
-    }
-
-    /// Writes what was found along the path.
-    fn write(&self, at: usize, rows: usize, columns: usize, partials: &mut Partials<T>) {
-        let (nv, i) = (self.path.len(), self.path[at]);
-        let by_q = partials.by_q.as_mut_slice();
-        let by_v = partials.by_v.as_mut_slice();
-        let by_input = partials.by_input.as_mut_slice();
-        for (path, found) in self.path[..rows].chunks(LANES).zip(&self.found) {
-            for (lane, &j) in path.iter().enumerate() {
-                by_q[j * nv + i] = found[ROW_Q][lane];
-                by_v[j * nv + i] = found[ROW_V][lane];
-                by_input[j * nv + i] = found[MASS][lane];
-            }
-        }
-        let [by_q, by_v, by_input] = [by_q, by_v, by_input].map(|matrix| &mut matrix[i * nv..][..nv]);
-        for (path, found) in self.path[..columns].chunks(LANES).zip(&self.found) {
-            for (lane, &j) in path.iter().enumerate() {
-                by_q[j] = found[COLUMN_Q][lane];
-                by_v[j] = found[COLUMN_V][lane];
-                by_input[j] = found[MASS][lane];
-            }
+        for part in sum {
+            self.sum += part;
         }
     }
 }
 
-/// Places in [`Found`].
-const ROW_Q: usize = 0;
-const COLUMN_Q: usize = 1;
-const ROW_V: usize = 2;
-const COLUMN_V: usize = 3;
-const MASS: usize = 4;
-
-/// The product of a load with the motions in six fields from `first` on.
-#[inline]
-fn six<T: Scalar>(block: &Block<T>, first: usize, load: &Load<T>) -> [T; LANES] {
-    plus(&three(block, first, &load.moment), &three(block, first + 3, &load.force))
+/// One of them is not finite, or their sum alone.
+#[cold]
+#[inline(never)]
+fn check_partials<T: Scalar>(partials: &Partials<T>) -> Result<(), DynamicsError> {
+    let matrices = [&partials.by_q, &partials.by_v, &partials.by_input];
+    matrices.iter().try_for_each(|matrix| check_result("a derivative of inverse dynamics", matrix.as_slice()))
 }
 
-/// The product of a vector with those in three fields from `first` on.
-#[inline]
-fn three<T: Scalar>(block: &Block<T>, first: usize, with: &Vector3<T>) -> [T; LANES] {
-    let mut product = [T::zero(); LANES];
+/// A vector of one degree of freedom, in three fields from `first` on.
+#[inline(always)]
+fn vector<T: Scalar, const LANES: usize>(block: &Block<T, LANES>, lane: usize, first: usize) -> Vector3<T> {
+    Vector3::new(block[first][lane], block[first + 1][lane], block[first + 2][lane])
+}
+
+/// A motion of one degree of freedom, in six fields from `first` on.
+#[inline(always)]
+fn motion<T: Scalar, const LANES: usize>(block: &Block<T, LANES>, lane: usize, first: usize) -> Twist<T> {
+    Twist { angular: vector(block, lane, first), linear: vector(block, lane, first + 3) }
+}
+
+/// The product of a load with the motions in six fields from `first` on, and `more`.
+#[inline(always)]
+fn six<T: Scalar, const LANES: usize>(
+    block: &Block<T, LANES>,
+    first: usize,
+    load: &Load<T>,
+    more: [T; LANES],
+) -> [T; LANES] {
+    three(block, first + 3, &load.force, three(block, first, &load.moment, more))
+}
+
+/// The product of a vector with those in three fields from `first` on, and `more`.
+#[inline(always)]
+fn three<T: Scalar, const LANES: usize>(
+    block: &Block<T, LANES>,
+    first: usize,
+    with: &Vector3<T>,
+    more: [T; LANES],
+) -> [T; LANES] {
+    let mut product = more;
     for lane in 0..LANES {
-        product[lane] =
-            block[first][lane] * with.x + block[first + 1][lane] * with.y + block[first + 2][lane] * with.z;
+        let x = block[first][lane].times_plus(with.x, more[lane]);
+        let y = block[first + 1][lane].times_plus(with.y, x);
+        product[lane] = block[first + 2][lane].times_plus(with.z, y);
     }
     product
 }
 
-#[inline]
-fn plus<T: Scalar>(a: &[T; LANES], b: &[T; LANES]) -> [T; LANES] {
-    let mut sum = *a;
-    for lane in 0..LANES {
-        sum[lane] += b[lane];
+/// The motion along degree of freedom `k` of a link whose origin is at `from`.
+#[inline(always)]
+fn direction<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, from: &Vector3<T>, k: usize) -> Twist<T> {
+    let axis = ws.axes[k];
+    if !tree.dofs[k].kind.turns() {
+        return Twist { linear: axis, angular: Vector3::zeros() };
     }
-    sum
+    Twist { linear: ws.levers[k] + cross(from, &axis), angular: axis }
 }
 
-#[inline]
-fn minus<T: Scalar>(a: &[T; LANES], b: &[T; LANES]) -> [T; LANES] {
-    let mut left = *a;
-    for lane in 0..LANES {
-        left[lane] -= b[lane];
-    }
-    left
-}
-
-#[inline]
+#[inline(always)]
 fn sum<T: Scalar>(a: &Twist<T>, b: &Twist<T>) -> Twist<T> {
     Twist { linear: a.linear + b.linear, angular: a.angular + b.angular }
 }
 
-#[inline]
+#[inline(always)]
 fn scaled<T: Scalar>(a: &Twist<T>, by: T) -> Twist<T> {
     Twist { linear: a.linear * by, angular: a.angular * by }
 }
 
-#[inline]
+#[inline(always)]
 fn add<T: Scalar>(a: &Load<T>, b: &Load<T>) -> Load<T> {
     Load { force: a.force + b.force, moment: a.moment + b.moment }
 }
 
 /// `a × b` of two motions.
-#[inline]
+#[inline(always)]
 fn crossed<T: Scalar>(a: &Twist<T>, b: &Twist<T>) -> Twist<T> {
     Twist {
         linear: cross(&a.angular, &b.linear) + cross(&a.linear, &b.angular),
@@ -415,7 +444,7 @@ fn crossed<T: Scalar>(a: &Twist<T>, b: &Twist<T>) -> Twist<T> {
 }
 
 /// `s ×* f`: how a force that goes along with a motion changes.
-#[inline]
+#[inline(always)]
 fn turned<T: Scalar>(s: &Twist<T>, load: &Load<T>) -> Load<T> {
     Load {
         force: cross(&s.angular, &load.force),
@@ -424,7 +453,7 @@ fn turned<T: Scalar>(s: &Twist<T>, load: &Load<T>) -> Load<T> {
 }
 
 /// `I·δ`
-#[inline]
+#[inline(always)]
 fn carries<T: Scalar>(body: &Composite<T>, motion: &Twist<T>) -> Load<T> {
     Load {
         force: motion.linear * body.mass + cross(&motion.angular, &body.first),
@@ -433,30 +462,22 @@ fn carries<T: Scalar>(body: &Composite<T>, motion: &Twist<T>) -> Load<T> {
 }
 
 /// `2B·δ`, which asks for the angular part of `δ` alone; `trace` is that of the flow.
-#[inline]
+#[inline(always)]
 fn bends<T: Scalar>(flow: &Flow<T>, trace: T, angular: &Vector3<T>) -> Load<T> {
     let (moment, force) = (angular * trace - apply(&flow.second, angular), cross(angular, &flow.first));
     Load { force: force + force, moment: moment + moment }
 }
 
 /// `∫ ṙ·rᵀ dm = u·hᵀ + [ω]×·∫ r·rᵀ dm` of a rigid body.
-#[inline]
+#[inline(always)]
 fn flow<T: Scalar>(body: &Composite<T>, velocity: &Twist<T>) -> Matrix3<T> {
     let Symmetric { xx, yy, zz, xy, xz, yz } = body.inertia;
     let half = (xx + yy + zz) * T::from_f64(0.5);
     // ∫ r·rᵀ dm = tr(I)/2·1 − I
-    let columns = [
-        Vector3::new(half - xx, -xy, -xz),
-        Vector3::new(-xy, half - yy, -yz),
-        Vector3::new(-xz, -yz, half - zz),
-    ];
-    let column = |i: usize| cross(&velocity.angular, &columns[i]) + velocity.linear * body.first[i];
-    Matrix3::from_columns(&[column(0), column(1), column(2)])
-}
-
-/// `mᵀ·v`
-#[inline]
-fn transposed<T: Scalar>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
-    let column = |i: usize| dot(&m.column(i).into_owned(), v);
-    Vector3::new(column(0), column(1), column(2))
+    let (u, h) = (&velocity.linear, &body.first);
+    of_columns(
+        &(cross(&velocity.angular, &Vector3::new(half - xx, -xy, -xz)) + u * h.x),
+        &(cross(&velocity.angular, &Vector3::new(-xy, half - yy, -yz)) + u * h.y),
+        &(cross(&velocity.angular, &Vector3::new(-xz, -yz, half - zz)) + u * h.z),
+    )
 }

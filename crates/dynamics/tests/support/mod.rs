@@ -75,7 +75,9 @@ impl<T: Scalar> Kernel<T> {
     }
 
     pub(crate) fn inverse_mass_matrix(&mut self, q: &[T]) -> Result<DMatrix<T>, DynamicsError> {
-        let mut matrix = DMatrix::zeros(self.tree.nv(), self.tree.nv());
+        // Whatever it held before means nothing.
+        let unknown = T::from_f64(f64::NAN);
+        let mut matrix = DMatrix::from_element(self.tree.nv(), self.tree.nv(), unknown);
         solaris_dynamics::inverse_mass_matrix(&self.tree, &mut self.workspace, q, &mut matrix)?;
         Ok(matrix)
     }

@@ -32,6 +32,10 @@ macro_rules! one_lane {
             fn lanes_mut(&mut self) -> &mut [Self] {
                 std::slice::from_mut(self)
             }
+
+            fn transposed(square: &[Self]) -> impl AsRef<[Self]> + use<> {
+                [square[0]]
+            }
         }
     };
 }

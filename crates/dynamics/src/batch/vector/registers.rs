@@ -177,6 +177,24 @@ macro_rules! instructions {
                 // SAFETY: as above.
                 unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(self).cast(), Self::LANES) }
             }
+
+            #[inline(always)]
+            fn transposed(square: &[Self]) -> impl AsRef<[Self]> + use<> {
+                const LANES: usize = $name::LANES;
+                let mut square: [Self; LANES] = square.try_into().expect("as many as lanes");
+                // A place is told by a number, its register's digits before its lane's. Each round puts the first binary digit last.
+                let mut rounds = LANES.trailing_zeros();
+                while rounds > 0 {
+                    let from = square;
+                    for i in 0..LANES / 2 {
+                        let (a, b) = (from[i].0, from[i + LANES / 2].0);
+                        let [low, high] = unsafe { $module::$width::interleave(a, b) };
+                        (square[2 * i], square[2 * i + 1]) = (Self(low), Self(high));
+                    }
+                    rounds -= 1;
+                }
+                square
+            }
         }
 
         #[allow(clippy::cast_lossless, reason = "one text for both widths")]

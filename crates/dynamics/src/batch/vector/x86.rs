@@ -63,6 +63,12 @@ pub(crate) mod sse2 {
 
         #[inline]
         #[target_feature(enable = "sse2")]
+        pub(crate) fn interleave(a: Register, b: Register) -> [Register; 2] {
+            [_mm_unpacklo_pd(a, b), _mm_unpackhi_pd(a, b)]
+        }
+
+        #[inline]
+        #[target_feature(enable = "sse2")]
         pub(crate) fn all_le(a: Register, b: Register) -> bool {
             _mm_movemask_pd(_mm_cmple_pd(a, b)) == 0b11
         }
@@ -84,6 +90,12 @@ pub(crate) mod sse2 {
         };
 
         twice_rounded!("sse2");
+
+        #[inline]
+        #[target_feature(enable = "sse2")]
+        pub(crate) fn interleave(a: Register, b: Register) -> [Register; 2] {
+            [_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)]
+        }
 
         #[inline]
         #[target_feature(enable = "sse2")]
@@ -135,6 +147,14 @@ pub(crate) mod avx2 {
 
         #[inline]
         #[target_feature(enable = "avx2,fma")]
+        pub(crate) fn interleave(a: Register, b: Register) -> [Register; 2] {
+            // Each half by itself, then the halves in order.
+            let (even, odd) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+            [_mm256_permute2f128_pd::<0x20>(even, odd), _mm256_permute2f128_pd::<0x31>(even, odd)]
+        }
+
+        #[inline]
+        #[target_feature(enable = "avx2,fma")]
         pub(crate) fn all_le(a: Register, b: Register) -> bool {
             _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b)) == 0b1111
         }
@@ -154,6 +174,14 @@ pub(crate) mod avx2 {
             _mm256_fmadd_ps as times_plus, _mm256_fnmadd_ps as times_from, _mm256_mul_ps as mul,
             _mm256_set1_ps as splat, _mm256_sub_ps as sub, _mm256_xor_ps as xor,
         };
+
+        #[inline]
+        #[target_feature(enable = "avx2,fma")]
+        pub(crate) fn interleave(a: Register, b: Register) -> [Register; 2] {
+            // Each half by itself, then the halves in order.
+            let (even, odd) = (_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
+            [_mm256_permute2f128_ps::<0x20>(even, odd), _mm256_permute2f128_ps::<0x31>(even, odd)]
+        }
 
         #[inline]
         #[target_feature(enable = "avx2,fma")]
@@ -204,6 +232,14 @@ pub(crate) mod avx512 {
 
         #[inline]
         #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+        pub(crate) fn interleave(a: Register, b: Register) -> [Register; 2] {
+            let low = _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11);
+            let high = _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15);
+            [_mm512_permutex2var_pd(a, low, b), _mm512_permutex2var_pd(a, high, b)]
+        }
+
+        #[inline]
+        #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
         pub(crate) fn all_le(a: Register, b: Register) -> bool {
             _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b) == u8::MAX
         }
@@ -223,6 +259,14 @@ pub(crate) mod avx512 {
             _mm512_fmadd_ps as times_plus, _mm512_fnmadd_ps as times_from, _mm512_mul_ps as mul,
             _mm512_set1_ps as splat, _mm512_sub_ps as sub, _mm512_xor_ps as xor,
         };
+
+        #[inline]
+        #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+        pub(crate) fn interleave(a: Register, b: Register) -> [Register; 2] {
+            let low = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+            let high = _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+            [_mm512_permutex2var_ps(a, low, b), _mm512_permutex2var_ps(a, high, b)]
+        }
 
         #[inline]
         #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
