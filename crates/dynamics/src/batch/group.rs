@@ -254,6 +254,11 @@ impl<R: Register> Solver<R::Lane> for Groups<R> {
                 #[inline(always)]
                 || together.pack(inputs, first, squares),
             );
+            // States that lie in memory take as long to come as others to be solved.
+            for columns in [&inputs.q, &inputs.v, &inputs.given] {
+                self.token.ahead(columns.stretch(first + R::LANES, R::LANES));
+            }
+            self.token.ahead(outputs[0].stretch(first, R::LANES));
             if !self.together(operation) {
                 self.mend(operation, inputs, first, outputs, &mut refused);
                 continue;

@@ -74,6 +74,17 @@ impl<F: Copy> Columns<'_, F> {
         }
     }
 
+    /// The numbers of `count` states from `first` on that are there, if they stand together.
+    pub(super) fn stretch(&self, first: usize, count: usize) -> &[F] {
+        match self.layout {
+            Layout::Rows => {
+                let end = self.states.min(first + count);
+                &self.data[first.min(end) * self.width..end * self.width]
+            }
+            Layout::Columns => &[],
+        }
+    }
+
     /// One state by itself.
     pub(super) fn copy(&self, row: usize, state: &mut [F]) {
         for (k, entry) in state.iter_mut().enumerate() {
@@ -135,6 +146,18 @@ impl<'a, F: Copy + Zero> Output<'a, F> {
             }
         };
         ranges.zip(slots).map(|(range, slots)| Self { range, width, slots }).collect()
+    }
+
+    /// As [`Columns::stretch`].
+    pub(super) fn stretch(&self, first: usize, count: usize) -> &[F] {
+        match &self.slots {
+            Slots::Rows(data) => {
+                let end = self.range.end.min(first + count);
+                let from = first.min(end);
+                &data[(from - self.range.start) * self.width..(end - self.range.start) * self.width]
+            }
+            _ => &[],
+        }
     }
 
     /// Writes the lanes of the states from `first` on, in [`squares`], if there are any, the last of which ends with the last entry; those

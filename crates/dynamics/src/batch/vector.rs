@@ -41,6 +41,9 @@ pub(super) trait Token: Copy + Send + Sync + 'static {
     /// The proof, if it has them.
     fn new() -> Option<Self>;
 
+    /// Asks for numbers ahead of their use, where the machine can.
+    fn ahead<F>(self, _: &[F]) {}
+
     /// Runs `f`, with all that is compiled into it written in these instructions.
     fn run<A>(self, f: impl FnOnce() -> A) -> A;
 }

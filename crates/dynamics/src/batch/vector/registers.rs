@@ -9,8 +9,12 @@ use super::{Register, Token};
 use crate::scalar::Scalar;
 use num_traits::{One, Zero};
 use solaris_scalar::sine::{self, MODERATE};
+use core::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
 use std::fmt;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// Bytes that the caches hold together.
+const LINE: usize = 64;
 
 /// Sines and cosines one by one.
 #[cold]
@@ -33,6 +37,15 @@ macro_rules! instructions {
         impl Token for $token {
             fn new() -> Option<Self> {
                 (true $(&& std::arch::is_x86_feature_detected!($feature))*).then_some(Self(()))
+            }
+
+            #[inline]
+            fn ahead<F>(self, numbers: &[F]) {
+                let start = numbers.as_ptr().cast::<i8>();
+                for at in (0..size_of_val(numbers)).step_by(LINE) {
+                    // SAFETY: the place is within the slice, and all that happens is that its line comes nearer.
+                    unsafe { _mm_prefetch::<_MM_HINT_T1>(start.add(at)) };
+                }
             }
 
             #[inline]
