@@ -3,7 +3,6 @@
 use crate::error::DynamicsError;
 use crate::inertia::mass_matrix::levers;
 use crate::kinematics::acceleration::{accelerations, carried};
-use crate::kinematics::climb::{Step, climb};
 use crate::scalar::Scalar;
 use crate::spatial::Twist;
 use crate::spatial::direction::{cross, dot};
@@ -88,33 +87,38 @@ pub fn torque_regressor<T: Scalar>(
     let (ws, n) = (&*workspace, tree.nv());
     // Of all entries, most of them zero for good, the sum is finite if they are.
     let mut sum = T::zero();
-    for (link, body) in tree.bodies.iter().enumerate() {
+    for link in 0..tree.link_count() {
         let (mut loads, moments) = loads_by_parameter(tree, ws, link);
         let columns = &mut matrix.as_mut_slice()[INERTIAL_PARAMETERS * link * n..][..INERTIAL_PARAMETERS * n];
-        climb(tree, link, body.end, |step| match step {
-            Step::Dof(k) => {
-                let (dof, axis, lever) = (&tree.dofs[k], &ws.axes[k], &ws.levers[k]);
-                let mut write = |parameter: usize, entry: T| {
-                    columns[parameter * n + k] = entry;
-                    sum += entry;
-                };
-                for (parameter, load) in loads.iter().enumerate() {
+        let mut at = link;
+        loop {
+            let body = &tree.bodies[at];
+            let dofs = &tree.dofs[body.first..body.end];
+            let (axes, levers) = (&ws.axes[body.first..body.end], &ws.levers[body.first..body.end]);
+            // A column's entries stand together.
+            let mut columns =
+                columns.chunks_exact_mut(n.max(1)).map(|column| &mut column[body.first..body.end]);
+            for (load, column) in loads.iter().zip(&mut columns) {
+                for (((entry, dof), axis), lever) in column.iter_mut().zip(dofs).zip(axes).zip(levers) {
                     let about = if dof.kind.turns() { dot(axis, &load.moment) } else { T::zero() };
-                    let along = if dof.has_lever { dot(lever, &load.force) } else { T::zero() };
-                    write(parameter, about + along);
+                    *entry = if dof.has_lever { about + dot(lever, &load.force) } else { about };
+                    sum += *entry;
                 }
-                if dof.kind.turns() {
-                    for (parameter, moment) in (loads.len()..).zip(&moments) {
-                        write(parameter, dot(axis, moment));
+            }
+            for (moment, column) in moments.iter().zip(columns) {
+                for ((entry, dof), axis) in column.iter_mut().zip(dofs).zip(axes) {
+                    if dof.kind.turns() {
+                        *entry = dot(axis, moment);
+                        sum += *entry;
                     }
                 }
             }
-            Step::Parent(link) => {
-                for load in &mut loads {
-                    load.moment += cross(&ws.reaches[link], &load.force);
-                }
+            let Some(parent) = body.parent else { break };
+            for load in &mut loads {
+                load.moment += cross(&ws.reaches[at], &load.force);
             }
-        });
+            at = parent;
+        }
     }
     if sum.is_finite() { Ok(()) } else { check_result("the regressor", matrix.as_slice()) }
 }

@@ -7,9 +7,9 @@
 use super::x86::{avx2, avx512, sse2};
 use super::{Register, Token};
 use crate::scalar::Scalar;
+use core::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
 use num_traits::{One, Zero};
 use solaris_scalar::sine::{self, MODERATE};
-use core::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
 use std::fmt;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
