@@ -208,22 +208,33 @@ impl<const N: usize> Derivatives<N> {
         let n = self.plain.nv();
         let Partials { by_q, by_v, by_input, .. } = &mut self.partials;
         let by_input = by_input.as_slice();
-        for (to, from) in [(by_q, &self.inverse.by_q), (by_v, &self.inverse.by_v)] {
-            let columns = to.as_mut_slice().chunks_exact_mut(n.max(1));
-            for (k, (to, from)) in columns.zip(from.as_slice().chunks_exact(n.max(1))).enumerate() {
-                to.fill(0.0);
-                for rows in self.related[self.starts[k]..self.starts[k + 1]].chunks(4) {
-                    // What is missing to four adds nothing.
-                    let part = |i: usize| rows.get(i).map_or((0.0, 0), |row| (from[*row], *row * n));
-                    let [(a, x), (b, y), (c, z), (d, w)] = [part(0), part(1), part(2), part(3)];
-                    let column = |at: usize| &by_input[at..][..n];
-                    let all = column(x).iter().zip(column(y)).zip(column(z)).zip(column(w));
-                    for (to, (((x, y), z), w)) in to.iter_mut().zip(all) {
-                        *to -= (a * x + b * y) + (c * z + d * w);
-                    }
-                }
+        let mut sum = 0.0;
+        for k in 0..n {
+            let column = k * n..(k + 1) * n;
+            let product = Product {
+                matrix: by_input,
+                rows: &self.related[self.starts[k]..self.starts[k + 1]],
+                factors: [&self.inverse.by_q, &self.inverse.by_v].map(|of| &of.as_slice()[column.clone()]),
+            };
+            let mut to = [by_q.as_mut_slice(), by_v.as_mut_slice()].map(|to| &mut to[column.clone()]);
+            let mut at = 0;
+            while at < n {
+                // The last entries come once more rather than alone.
+                let most = n.saturating_sub(TILE);
+                at = if n < TILE {
+                    sum += product.negated::<1>(at, &mut to);
+                    at + 1
+                } else {
+                    sum += product.negated::<TILE>(at.min(most), &mut to);
+                    at + TILE
+                };
             }
-            check_result("a derivative of forward dynamics", to.as_slice())?;
+        }
+        if !sum.is_finite() {
+            // An entry is not, or their sum alone.
+            for of in [by_q, by_v] {
+                check_result("a derivative of forward dynamics", of.as_slice())?;
+            }
         }
         Ok(&self.partials)
     }
@@ -423,4 +434,36 @@ fn add_partial<const N: usize>(number: &mut Dual<N>, lane: usize, rate: f64) {
     let mut partials = number.partials();
     partials[lane] += rate;
     *number = Dual::new(number.value(), partials);
+}
+
+/// How many entries of a product are summed in registers.
+const TILE: usize = 8;
+
+/// The product of a symmetric matrix with two columns that are zero but in some `rows`.
+struct Product<'a> {
+    matrix: &'a [f64],
+    rows: &'a [usize],
+    factors: [&'a [f64]; 2],
+}
+
+impl Product<'_> {
+    /// Puts `W` entries of each product, from `at` on and with the sign changed, into their places; the sum of all of them.
+    #[inline]
+    fn negated<const W: usize>(&self, at: usize, to: &mut [&mut [f64]; 2]) -> f64 {
+        let (n, [first, second]) = (to[0].len(), self.factors);
+        let mut products = [[0.0; W]; 2];
+        for &row in self.rows {
+            let (entries, a, b) = (&self.matrix[row * n + at..][..W], first[row], second[row]);
+            for i in 0..W {
+                products[0][i] -= a * entries[i];
+                products[1][i] -= b * entries[i];
+            }
+        }
+        let mut sum = 0.0;
+        for (to, product) in to.iter_mut().zip(&products) {
+            to[at..][..W].copy_from_slice(product);
+            sum += product.iter().sum::<f64>();
+        }
+        sum
+    }
 }
