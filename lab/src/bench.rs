@@ -65,7 +65,7 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     let mut all = Vec::new();
     for subject in subjects.into_iter().filter(|subject| is_asked(&subject.name)) {
         eprintln!("bench: {}, {}", subject.name, subject.what);
-        let measured = measure(subject, peers.as_ref())?;
+        let measured = measure(&subject, peers.as_ref())?;
         println!("{}\n", measured.text());
         all.push(measured);
     }
@@ -78,26 +78,26 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     write(PAGE, &text)
 }
 
-fn measure(subject: Subject, peers: Option<&Peers>) -> Result<Measured, String> {
+fn measure(subject: &Subject, peers: Option<&Peers>) -> Result<Measured, String> {
     if let Some(peers) = peers {
-        peers.write(&subject)?;
+        peers.write(subject)?;
     }
     let mut case =
         Case::new(&subject.figure, GRAVITY, subject.states.clone()).map_err(|error| error.to_string())?;
-    let mut measured = Measured::new(&subject);
+    let mut measured = Measured::new(subject);
     for _ in 0..TURNS {
         let turn = case.time(BLOCK, ROUNDS)?.into_iter().map(|(name, time)| (name, time.median));
         measured.take("ours", turn);
         for (peers, program) in
             peers.iter().flat_map(|peers| peers.programs.iter().map(move |one| (peers, one)))
         {
-            measured.take(program.name, peers.time(program, &subject, BLOCK, ROUNDS)?);
+            measured.take(program.name, peers.time(program, subject, BLOCK, ROUNDS)?);
         }
     }
     if let Some(peers) = peers {
         let ours = results(&mut case)?;
         for program in &peers.programs {
-            if let Some(apart) = peers.disagreement(program, &subject, &ours)? {
+            if let Some(apart) = peers.disagreement(program, subject, &ours)? {
                 measured.apart.push((program.name, apart));
             }
         }

@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 batch.inverse_dynamics(black_box(&qs), &vs, &inputs, &[], &mut results)?;
             }
             "64 forward dynamics, AVX2" => {
-                batch.forward_dynamics(black_box(&qs), &vs, &inputs, &[], &mut results)?
+                batch.forward_dynamics(black_box(&qs), &vs, &inputs, &[], &mut results)?;
             }
             unknown => return Err(format!("there is no kernel '{unknown}'").into()),
         }

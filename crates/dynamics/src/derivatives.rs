@@ -9,6 +9,7 @@ use crate::scalar::{Dual, Scalar};
 use crate::spatial::Wrench;
 use crate::spatial::direction::quaternion_rotation;
 use crate::tree::Tree;
+use crate::wide::wide;
 use crate::workspace::{Workspace, check, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
 use solaris_model::Figure;
@@ -196,7 +197,10 @@ impl<const N: usize> Derivatives<N> {
         forward_dynamics(plain, workspace, q, v, tau, external, &mut partials.value)?;
         slopes.find(plain, workspace, v, &partials.value, external, inverse)?;
         if invert(plain, workspace, q, &mut partials.by_input)? {
-            return self.divide();
+            return wide::<f64, _>(
+                #[inline(always)]
+                || self.divide(),
+            );
         }
         self.sweep(&[Argument::Q, Argument::V], forward_dynamics, q, v, tau, external)?;
         inverse_mass_matrix(&self.plain, &mut self.plain_workspace, q, &mut self.partials.by_input)?;
@@ -204,6 +208,7 @@ impl<const N: usize> Derivatives<N> {
     }
 
     /// `∂a/∂q = −M⁻¹·∂τ/∂q` and `∂a/∂v = −M⁻¹·∂τ/∂v`.
+    #[inline(always)]
     fn divide(&mut self) -> Result<&Partials, DynamicsError> {
         let n = self.plain.nv();
         let Partials { by_q, by_v, by_input, .. } = &mut self.partials;
@@ -448,7 +453,7 @@ struct Product<'a> {
 
 impl Product<'_> {
     /// Puts `W` entries of each product, from `at` on and with the sign changed, into their places; the sum of all of them.
-    #[inline]
+    #[inline(always)]
     fn negated<const W: usize>(&self, at: usize, to: &mut [&mut [f64]; 2]) -> f64 {
         let (n, [first, second]) = (to[0].len(), self.factors);
         let mut products = [[0.0; W]; 2];

@@ -14,6 +14,7 @@ use crate::spatial::Wrench;
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
 use crate::tree::{Body, Tree};
+use crate::wide::wide;
 use crate::workspace::{Workspace, are_finite, check, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
 use solaris_model::EulerOrder;
@@ -73,7 +74,10 @@ pub fn forward_dynamics<T: Scalar>(
     external: &[(usize, Wrench<T>)],
     a: &mut [T],
 ) -> Result<(), DynamicsError> {
-    forward(tree, workspace, q, v, tau, external, a)
+    wide::<T, _>(
+        #[inline(always)]
+        || forward(tree, workspace, q, v, tau, external, a),
+    )
 }
 
 /// [`forward_dynamics`], compiled into whatever asks it.
@@ -202,7 +206,10 @@ pub(crate) fn set_state<T: Scalar>(
     v: &[T],
     external: &[(usize, Wrench<T>)],
 ) -> Result<(), DynamicsError> {
-    take_state(tree, workspace, q, v, external)
+    wide::<T, _>(
+        #[inline(always)]
+        || take_state(tree, workspace, q, v, external),
+    )
 }
 
 /// Takes in the state and all that acts besides forces along degrees of freedom.

@@ -15,6 +15,7 @@ use crate::spatial::{Pose, Wrench};
 use crate::tree::dof::{along, along_three};
 use crate::tree::mass_distribution::MassDistribution;
 use crate::tree::{Body, Tree};
+use crate::wide::wide;
 use crate::workspace::{LinkMotion, Workspace, are_finite, check, check_length};
 use nalgebra::{Matrix3, Vector3};
 
@@ -76,7 +77,10 @@ pub fn inverse_dynamics<T: Scalar>(
     external: &[(usize, Wrench<T>)],
     tau: &mut [T],
 ) -> Result<(), DynamicsError> {
-    inverse(tree, workspace, q, v, a, external, tau)
+    wide::<T, _>(
+        #[inline(always)]
+        || inverse(tree, workspace, q, v, a, external, tau),
+    )
 }
 
 /// [`inverse_dynamics`], compiled into whatever asks it.

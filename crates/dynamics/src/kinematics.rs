@@ -12,6 +12,7 @@ use crate::spatial::direction::{Direction, apply, cross, product};
 use crate::spatial::{Pose, Twist};
 use crate::tree::Tree;
 use crate::tree::dof::{along, along_three};
+use crate::wide::wide;
 use crate::workspace::{Workspace, check};
 use nalgebra::Vector3;
 
@@ -87,7 +88,10 @@ pub fn velocities<T: Scalar>(
 
 /// Places the links from the positions kept; also keeps axes and arms in world axes.
 pub(crate) fn place<T: Scalar>(tree: &Tree<T>, workspace: &mut Workspace<T>) -> Result<(), DynamicsError> {
-    place_links(tree, workspace)
+    wide::<T, _>(
+        #[inline(always)]
+        || place_links(tree, workspace),
+    )
 }
 
 /// [`place`], compiled into whatever asks it.

@@ -22,6 +22,7 @@ mod root_view;
 pub mod scalar;
 mod spatial;
 mod tree;
+mod wide;
 mod workspace;
 
 pub use coupling::Coupling;

@@ -10,6 +10,7 @@ use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::tree::{Body, Tree};
+use crate::wide::wide;
 use nalgebra::{Matrix3, Vector3};
 
 /// How far the squared length of a quaternion may be from 1: what an integrator leaves is used as the direction that it
@@ -222,7 +223,10 @@ impl<T: Scalar> Workspace<T> {
 
     /// Checks `q`, and keeps what each degree of freedom does at it.
     pub(crate) fn set_positions(&mut self, tree: &Tree<T>, q: &[T]) -> Result<(), DynamicsError> {
-        self.take_positions(tree, q)
+        wide::<T, _>(
+            #[inline(always)]
+            || self.take_positions(tree, q),
+        )
     }
 
     /// [`set_positions`](Self::set_positions), compiled into whatever asks it.

@@ -14,7 +14,7 @@ macro_rules! call {
     }};
 }
 
-#[inline]
+#[inline(always)]
 fn sin_cos_single(angle: f32) -> (f32, f32) {
     let (sine, cosine) = sine::sin_cos_single(f64::from(angle));
     (sine as f32, cosine as f32)
@@ -28,6 +28,7 @@ macro_rules! float {
         #[allow(clippy::cast_lossless, reason = "one text for both widths")]
         impl Scalar for $float {
             const EPSILON: f64 = Self::EPSILON as f64;
+            const IS_FLOAT: bool = true;
 
             #[inline]
             fn from_f64(x: f64) -> Self {
@@ -43,12 +44,21 @@ macro_rules! float {
                 }
             }
 
-            #[inline]
+            // So that it is written in the instructions of whoever asks.
+            #[inline(always)]
             fn sin_cos_all(angles: &[Self], pairs: &mut [(Self, Self)]) {
-                if angles.iter().fold(true, |moderate, angle| moderate & sine::is_moderate(*angle as f64)) {
-                    angles.iter().zip(pairs).for_each(|(angle, pair)| *pair = $sin_cos_moderate(*angle));
+                let mut are_moderate = true;
+                for angle in angles {
+                    are_moderate &= sine::is_moderate(*angle as f64);
+                }
+                if are_moderate {
+                    for (angle, pair) in angles.iter().zip(pairs) {
+                        *pair = $sin_cos_moderate(*angle);
+                    }
                 } else {
-                    angles.iter().zip(pairs).for_each(|(angle, pair)| *pair = Scalar::sin_cos(*angle));
+                    for (angle, pair) in angles.iter().zip(pairs) {
+                        *pair = Scalar::sin_cos(*angle);
+                    }
                 }
             }
 

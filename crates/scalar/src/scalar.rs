@@ -34,6 +34,9 @@ pub trait Scalar:
     /// The distance from 1 to the next number.
     const EPSILON: f64;
 
+    /// Whether it is a number of the machine's own, which vector instructions know.
+    const IS_FLOAT: bool = false;
+
     /// The nearest number to `x`; in every lane, and without derivatives, where there are such.
     fn from_f64(x: f64) -> Self;
 

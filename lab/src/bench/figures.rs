@@ -20,10 +20,10 @@ pub(super) struct Subject {
 pub(super) fn own() -> Result<Vec<Subject>, String> {
     let person = turns_zyx(&human(1.75, 73.0).map_err(|error| error.to_string())?)?;
     let mut subjects =
-        vec![subject("human66", "the ready person of 66 dofs, its joints spelled z-y-x", person, 10_000)?];
+        vec![subject("human66", "the ready person of 66 dofs, its joints spelled z-y-x", person, 10_000)];
     for (count, states) in [(10, 1024), (100, 1024), (300, 128), (1000, 64)] {
         let what = format!("{count} hinges in a row, about z, y, x by turns");
-        subjects.push(subject(&format!("chain{count}"), &what, chain(count)?, states)?);
+        subjects.push(subject(&format!("chain{count}"), &what, chain(count)?, states));
     }
     Ok(subjects)
 }
@@ -37,7 +37,7 @@ pub(super) fn robots(packages: &str) -> Result<Vec<Subject>, String> {
         let dofs: Vec<_> = locked.iter().map(|dof| (*dof, 0.0)).collect();
         let fused = figure.fuse_named(&dofs).map_err(|error| format!("{path}: {error}"))?;
         let figure = fused.figure().on_base(base).map_err(|error| format!("{path}: {error}"))?;
-        subject(name, what, figure, 1024)
+        Ok::<_, String>(subject(name, what, figure, 1024))
     };
     let fingers = ["panda_finger_joint1", "panda_finger_joint2"];
     Ok(vec![
@@ -59,9 +59,9 @@ pub(super) fn robots(packages: &str) -> Result<Vec<Subject>, String> {
     ])
 }
 
-fn subject(name: &str, what: &str, figure: Figure, count: usize) -> Result<Subject, String> {
+fn subject(name: &str, what: &str, figure: Figure, count: usize) -> Subject {
     let states = States::random(&figure, count);
-    Ok(Subject { name: name.to_owned(), what: what.to_owned(), figure, states })
+    Subject { name: name.to_owned(), what: what.to_owned(), figure, states }
 }
 
 /// The figure with all its triples of turns about z, y, x: what Pinocchio has a joint for.
@@ -89,7 +89,7 @@ fn chain(count: usize) -> Result<Figure, String> {
     let name = |i: usize| format!("link{i}");
     let mut builder = FigureBuilder::new(format!("chain{count}"));
     for i in 0..count {
-        let joint = Joint::new(format!("joint{i}")).axis(axes[i % 3].clone());
+        let joint = Joint::new(format!("joint{i}")).axis(axes[i % 3]);
         let spec = match i {
             0 => LinkSpec::root(name(0), joint),
             _ => LinkSpec::child(name(i), name(i - 1), joint.at(Vector3::new(0.01, 0.02, 0.1))),

@@ -17,6 +17,7 @@ use crate::scalar::Scalar;
 use crate::spatial::direction::Direction;
 use crate::tree::dof::{Dof, along};
 use crate::tree::{Body, Tree};
+use crate::wide::wide;
 use crate::workspace::Workspace;
 use nalgebra::Vector3;
 use std::ops::Range;
@@ -29,7 +30,10 @@ pub(crate) fn gather<T: Scalar>(
     a: &[T],
     tau: &[T],
 ) {
-    inward::gather(tree, ws, prescribed, a, tau);
+    wide::<T, _>(
+        #[inline(always)]
+        || inward::gather(tree, ws, prescribed, a, tau),
+    );
 }
 
 /// [`outward::accelerate`], compiled once for all operations that share it.
@@ -41,7 +45,10 @@ pub(crate) fn accelerate<T: Scalar>(
     a: &mut [T],
     tau: &mut [T],
 ) {
-    outward::accelerate(tree, ws, base, prescribed, a, tau);
+    wide::<T, _>(
+        #[inline(always)]
+        || outward::accelerate(tree, ws, base, prescribed, a, tau),
+    );
 }
 
 /// What one degree of freedom has to do with the acceleration of its link: kept from the way in for the way out.

@@ -5,6 +5,7 @@ use crate::inertia::mass_matrix::{mass_matrix, place_composites, write_entries};
 use crate::scalar::Scalar;
 use crate::spatial::symmetric::Symmetric;
 use crate::tree::Tree;
+use crate::wide::wide;
 use crate::workspace::{Workspace, check_result};
 use nalgebra::DMatrix;
 
@@ -57,6 +58,20 @@ pub(crate) fn invert<T: Scalar>(
         mass_matrix(tree, workspace, q, matrix)?;
         return Ok(false);
     }
+    wide::<T, _>(
+        #[inline(always)]
+        || invert_entries(tree, workspace, entries),
+    )
+}
+
+/// Puts the inverse in the place of the entries up to the diagonal; as [`invert`].
+#[inline(always)]
+fn invert_entries<T: Scalar>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    entries: &mut [T],
+) -> Result<bool, DynamicsError> {
+    let n = tree.nv();
     let Workspace { path, parts, composites, .. } = workspace;
     let mut path = Path { dofs: path, len: 0 };
     // The inertia that each pivot is a part of.
@@ -64,7 +79,7 @@ pub(crate) fn invert<T: Scalar>(
         let Symmetric { xx, yy, zz, .. } = composite.inertia;
         for k in body.first..body.end {
             let whole = if tree.dofs[k].kind.turns() { xx + yy + zz } else { composite.mass };
-            parts[k][0] = entries[pivot(k)] + whole;
+            parts[k][0] = entries[k * n + tree.depth[k]] + whole;
         }
     }
     let (mut is_sound, mut end) = (true, n);
@@ -132,6 +147,7 @@ impl Path<'_> {
 
 /// Factors the columns of `N` degrees of freedom from `first` on, each right behind the one before it, all of them behind those `before`;
 /// whether enough is left of every pivot beside the whole that it was part of.
+#[inline(always)]
 fn factor<T: Scalar, const N: usize>(
     entries: &mut [T],
     n: usize,
@@ -200,6 +216,7 @@ fn take_off<T: Scalar, const N: usize>(to: &mut [T], len: usize, parts: [T; N], 
 
 /// Writes rows and columns of the inverse for `N` degrees of freedom, as [`factor`] left them, as far as those before them go; the sum of
 /// all that is found, finite only if all of it is.
+#[inline(always)]
 fn fill<T: Scalar, const N: usize>(
     entries: &mut [T],
     n: usize,

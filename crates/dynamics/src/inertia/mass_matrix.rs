@@ -7,6 +7,7 @@ use crate::spatial::direction::{apply, cross, dot};
 use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
 use crate::tree::Tree;
+use crate::wide::wide;
 use crate::workspace::{Composite, Workspace, check_length, check_result};
 use nalgebra::{DMatrix, Vector3};
 
@@ -73,7 +74,14 @@ pub(crate) fn write_entries<T: Scalar, const PACKED: bool>(
     workspace: &Workspace<T>,
     matrix: &mut DMatrix<T>,
 ) {
-    let matrix = matrix.as_mut_slice();
+    wide::<T, _>(
+        #[inline(always)]
+        || write_all::<T, PACKED>(tree, workspace, matrix.as_mut_slice()),
+    );
+}
+
+#[inline(always)]
+fn write_all<T: Scalar, const PACKED: bool>(tree: &Tree<T>, workspace: &Workspace<T>, matrix: &mut [T]) {
     for (link, body) in tree.bodies.iter().enumerate() {
         // Most joints of living things have three degrees of freedom, most of machines one.
         let mut j = body.first;
@@ -124,12 +132,23 @@ pub(crate) fn find_levers<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 /// h' = h + m·r          I' = I + (2·h·r + m·r·r)·1 − (h·rᵀ + r·hᵀ + m·r·rᵀ)
 /// ```
 pub(crate) fn gather<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
+    wide::<T, _>(
+        #[inline(always)]
+        || gather_links(tree, ws),
+    );
+}
+
+#[inline(always)]
+fn gather_links<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
     for ((body, composite), pose) in tree.bodies.iter().zip(&mut ws.composites).zip(&ws.poses) {
-        *composite = body.mass_distribution.as_ref().map_or_else(Composite::zero, |distribution| Composite {
-            mass: distribution.mass,
-            first: apply(&pose.rotation, &distribution.first),
-            inertia: distribution.inertia_at_origin.rotated(&pose.rotation),
-        });
+        *composite = match &body.mass_distribution {
+            Some(distribution) => Composite {
+                mass: distribution.mass,
+                first: apply(&pose.rotation, &distribution.first),
+                inertia: distribution.inertia_at_origin.rotated(&pose.rotation),
+            },
+            None => Composite::zero(),
+        };
     }
     for (i, body) in tree.bodies.iter().enumerate().rev() {
         let Some(parent) = body.parent else { continue };
@@ -144,6 +163,7 @@ pub(crate) fn gather<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) {
 }
 
 /// What accelerates all that link `link` carries by 1 along its degree of freedom `j`, about the link's origin.
+#[inline(always)]
 pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: usize, j: usize) -> Load<T> {
     let Composite { mass, first, inertia } = &ws.composites[link];
     let (dof, axis, lever) = (&tree.dofs[j], &ws.axes[j], &ws.levers[j]);
@@ -158,10 +178,6 @@ pub(crate) fn accelerating<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, link: u
 }
 
 /// The force or moment along degree of freedom `k` of a load about its link's origin.
-#[expect(
-    clippy::inline_always,
-    reason = "as a call of its own it makes the mass matrix of a human a third slower"
-)]
 #[inline(always)]
 fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>) -> T {
     let dof = &tree.dofs[k];
@@ -173,6 +189,7 @@ fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>)
 }
 
 /// Writes columns (and rows) of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
+#[inline(always)]
 fn write_columns<T: Scalar, const N: usize, const PACKED: bool>(
     tree: &Tree<T>,
     ws: &Workspace<T>,

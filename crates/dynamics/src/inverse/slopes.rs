@@ -32,6 +32,7 @@ use crate::spatial::load::Load;
 use crate::spatial::symmetric::Symmetric;
 use crate::spatial::{Twist, Wrench};
 use crate::tree::{Body, Tree};
+use crate::wide::wide;
 use crate::workspace::{Composite, Flow, Workspace, check_result};
 use nalgebra::{Matrix3, Vector3};
 
@@ -142,7 +143,10 @@ impl<T: Scalar, const LANES: usize> Slopes<T, LANES> {
         external: &[(usize, Wrench<T>)],
         partials: &mut Partials<T>,
     ) -> Result<(), DynamicsError> {
-        self.differentiate(tree, workspace, v, a, external, partials)
+        wide::<T, _>(
+            #[inline(always)]
+            || self.differentiate(tree, workspace, v, a, external, partials),
+        )
     }
 
     /// [`find`](Self::find), compiled into whatever asks it.
