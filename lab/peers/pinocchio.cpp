@@ -92,7 +92,12 @@ int main(int, char **arguments) {
         {"minverse", [&](size_t i) { computeMinverse(model, data, q(i)); }},
         {"rnea_derivatives", [&](size_t i) { computeRNEADerivatives(model, data, q(i), v(i), a(i)); }},
         {"aba_derivatives", [&](size_t i) { computeABADerivatives(model, data, q(i), v(i), tau(i)); }},
-        {"jacobian", [&](size_t i) { computeJointJacobian(model, data, q(i), tip, jacobian); }},
+        {"jacobian",
+         [&](size_t i) {
+             computeJointJacobians(model, data, q(i));
+             getJointJacobian(model, data, tip, LOCAL_WORLD_ALIGNED, jacobian);
+         }},
+        {"jacobian_alone", [&](size_t i) { computeJointJacobian(model, data, q(i), tip, jacobian); }},
         {"jacobian_rate",
          [&](size_t i) {
              computeJointJacobiansTimeVariation(model, data, q(i), v(i));

@@ -8,7 +8,7 @@
 use crate::scalar::Scalar;
 
 /// Runs `f` with all that is compiled into it written in the best instructions that the machine has, if `T` gains by them.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", feature = "dispatch"))]
 #[inline(always)]
 pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
     use std::arch::is_x86_feature_detected as has;
@@ -33,7 +33,7 @@ pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
 }
 
 /// Runs `f`.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", feature = "dispatch")))]
 #[inline(always)]
 pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
     f()

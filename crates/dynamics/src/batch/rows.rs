@@ -156,7 +156,9 @@ impl<'a, F: Copy + Zero> Output<'a, F> {
                 let from = first.min(end);
                 &data[(from - self.range.start) * self.width..(end - self.range.start) * self.width]
             }
-            _ => &[],
+            Slots::Columns(_) => &[],
+            #[cfg(feature = "parallel")]
+            Slots::Parts(_) => &[],
         }
     }
 
