@@ -137,13 +137,7 @@ fn beside(measured: &Measured) -> Table {
         ])
     };
     Table {
-        header: vec![
-            "one state, plain x86-64",
-            "quickest peer, for this processor",
-            "ours",
-            "times as fast",
-            "in 7 turns",
-        ],
+        header: vec!["one state", "quickest peer, for this processor", "ours", "times as fast", "in 7 turns"],
         rows: CALLED.iter().filter_map(row).collect(),
     }
 }
