@@ -1,6 +1,6 @@
 //! Many states of one figure at once.
 //!
-//! The recursions are those of one state, written over vector registers whose lanes are states ([`vector`]); instructions are chosen when
+//! The recursions are those of one state, written over vector registers whose lanes are states; instructions are chosen when
 //! the program runs. A group of as many states as a register has lanes is packed, solved and unpacked while it is in the first cache.
 
 mod group;
