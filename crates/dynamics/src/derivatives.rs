@@ -2,7 +2,8 @@
 
 use crate::error::DynamicsError;
 use crate::forward::{forward_dynamics, inverse_mass_matrix};
-use crate::inertia::inverse::invert;
+use crate::inertia::columns::LANES;
+use crate::inertia::inverse::{divide, invert};
 use crate::inverse::inverse_dynamics;
 use crate::inverse::slopes::Slopes;
 use crate::scalar::{Dual, Scalar};
@@ -210,6 +211,36 @@ impl<const N: usize> Derivatives<N> {
     /// `∂a/∂q = −M⁻¹·∂τ/∂q` and `∂a/∂v = −M⁻¹·∂τ/∂v`.
     #[inline(always)]
     fn divide(&mut self) -> Result<&Partials, DynamicsError> {
+        let sum = if self.related.len() > MANY * self.plain.nv() { self.solve() } else { self.multiply() };
+        if !sum.is_finite() {
+            // An entry is not, or their sum alone.
+            for of in [&self.partials.by_q, &self.partials.by_v] {
+                check_result("a derivative of forward dynamics", of.as_slice())?;
+            }
+        }
+        Ok(&self.partials)
+    }
+
+    /// The quotients by the recursion, each column for itself; the sum of all entries.
+    #[inline(always)]
+    fn solve(&mut self) -> f64 {
+        let Self {
+            plain: tree,
+            plain_workspace: workspace,
+            inverse,
+            partials: Partials { by_q, by_v, .. },
+            ..
+        } = self;
+        let mut sum = 0.0;
+        for (slopes, to) in [(&inverse.by_q, by_q), (&inverse.by_v, by_v)] {
+            sum += divide::<f64, LANES>(tree, workspace, slopes.as_slice(), to.as_mut_slice());
+        }
+        sum
+    }
+
+    /// The quotients as products with the inverse; the sum of all entries.
+    #[inline(always)]
+    fn multiply(&mut self) -> f64 {
         let n = self.plain.nv();
         let Partials { by_q, by_v, by_input, .. } = &mut self.partials;
         let by_input = by_input.as_slice();
@@ -235,13 +266,7 @@ impl<const N: usize> Derivatives<N> {
                 };
             }
         }
-        if !sum.is_finite() {
-            // An entry is not, or their sum alone.
-            for of in [by_q, by_v] {
-                check_result("a derivative of forward dynamics", of.as_slice())?;
-            }
-        }
-        Ok(&self.partials)
+        sum
     }
 
     /// The output of any `operation` and its derivatives by `q`, `v` and its input, all through dual numbers.
@@ -440,6 +465,9 @@ fn add_partial<const N: usize>(number: &mut Dual<N>, lane: usize, rate: f64) {
     partials[lane] += rate;
     *number = Dual::new(number.value(), partials);
 }
+
+/// Columns with more entries than this that are not zero are divided by the recursion rather than by a product: where both take as long.
+const MANY: usize = 70;
 
 /// How many entries of a product are summed in registers.
 const TILE: usize = 8;

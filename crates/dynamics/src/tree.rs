@@ -23,8 +23,6 @@ pub struct Tree<T> {
     pub(crate) dofs: Vec<Dof<T>>,
     /// Of each degree of freedom the one before it on its path to the root.
     pub(crate) before: Vec<Option<usize>>,
-    /// How many are before it.
-    pub(crate) depth: Vec<usize>,
     /// The degrees of freedom that slide.
     pub(crate) slides: Vec<usize>,
     /// The degrees of freedom whose axis is none of the coordinate axes, by slot.
@@ -95,7 +93,6 @@ impl<T: Scalar> Tree<T> {
             bodies: Vec::with_capacity(figure.links().len()),
             dofs: Vec::with_capacity(layout.nv()),
             before: Vec::with_capacity(layout.nv()),
-            depth: Vec::with_capacity(layout.nv()),
             slides: Vec::new(),
             skews: Vec::new(),
             spheres: Vec::new(),
@@ -124,7 +121,6 @@ impl<T: Scalar> Tree<T> {
             };
             let mut before = link.parent().and_then(|parent| tree.last_before(parent));
             for k in first..end {
-                tree.depth.push(before.map_or(0, |before| tree.depth[before] + 1));
                 tree.before.push(before);
                 before = Some(k);
             }

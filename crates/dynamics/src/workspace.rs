@@ -3,7 +3,8 @@
 use crate::error::DynamicsError;
 use crate::forward::articulated::Articulated;
 use crate::forward::propagation::{Hinge, Yielding};
-use crate::inertia::inverse::BLOCK;
+use crate::inertia::columns::Columns;
+use crate::inertia::inverse::Answer;
 use crate::scalar::Scalar;
 use crate::spatial::direction::{Moved, quaternion_rotation, rodrigues};
 use crate::spatial::load::Load;
@@ -75,9 +76,11 @@ pub struct Workspace<T> {
     /// Acceleration of each joint's place that the parent's velocity alone brings, in the parent's frame.
     pub(crate) offset_velocity_products: Vec<Vector3<T>>,
     pub(crate) zeros: Vec<T>,
-    /// The degrees of freedom on a path, and what each does to those at hand.
-    pub(crate) path: Vec<usize>,
-    pub(crate) parts: Vec<[T; BLOCK]>,
+    /// How each degree of freedom answers where many columns are solved.
+    pub(crate) answers: Vec<Answer<T>>,
+    /// By link, what inertia and mass were added and taken off to make what it opposes to turning and to sliding.
+    pub(crate) made_of: Vec<(T, T)>,
+    pub(crate) columns: Columns<T>,
 }
 
 /// How a link moves, in its own frame.
@@ -155,8 +158,9 @@ impl<T: Scalar> Workspace<T> {
             velocity_products: vec![zero; dofs],
             offset_velocity_products: vec![zero; links],
             zeros: vec![T::zero(); dofs],
-            path: vec![0; dofs],
-            parts: vec![[T::zero(); BLOCK]; dofs],
+            answers: vec![Answer::idle(); dofs],
+            made_of: vec![(T::zero(), T::zero()); links],
+            columns: Columns::new(tree),
         }
     }
 

@@ -4,7 +4,6 @@
 use crate::scalar::Scalar;
 use crate::spatial::direction::{Direction, Moved, apply, apply_transposed, conjugated, cross, rows};
 use crate::spatial::symmetric::Symmetric;
-use crate::tree::mass_distribution::MassDistribution;
 use nalgebra::{Matrix3, Vector3};
 
 /// Moment and force about the origin of a frame for an angular acceleration `α` and an acceleration `a` of that origin,
@@ -29,20 +28,20 @@ impl<T: Scalar> Articulated<T> {
         Self { angular: Symmetric::zero(), coupling: Matrix3::zeros(), linear: Symmetric::zero() }
     }
 
-    /// Adds a link's own mass: to `A` its inertia about its origin, to `B` `[h]×`, to `C` `m·1`.
+    /// Adds a link's own mass `m`: to `A` its inertia about its origin, to `B` `[h]×`, where `h = m·c`, to `C` `m·1`.
     #[inline(always)]
-    pub(crate) fn add_mass(&mut self, distribution: &MassDistribution<T>) {
-        let (h, b, c) = (&distribution.first, &mut self.coupling, &mut self.linear);
-        self.angular.add(&distribution.inertia_at_origin);
+    pub(crate) fn add_mass(&mut self, mass: T, h: &Vector3<T>, inertia_at_origin: &Symmetric<T>) {
+        let (b, c) = (&mut self.coupling, &mut self.linear);
+        self.angular.add(inertia_at_origin);
         b.m12 -= h.z;
         b.m13 += h.y;
         b.m21 += h.z;
         b.m23 -= h.x;
         b.m31 -= h.y;
         b.m32 += h.x;
-        c.xx += distribution.mass;
-        c.yy += distribution.mass;
-        c.zz += distribution.mass;
+        c.xx += mass;
+        c.yy += mass;
+        c.zz += mass;
     }
 
     #[inline(always)]

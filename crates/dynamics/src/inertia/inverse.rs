@@ -1,308 +1,277 @@
-//! The inverse of the mass matrix by factors that are zero wherever it is: between different branches.
+//! The inverse of the mass matrix, and what it makes of many columns: forward dynamics of a figure at rest, a column in each lane.
 
 use crate::error::DynamicsError;
-use crate::inertia::mass_matrix::{mass_matrix, place_composites, write_entries};
+use crate::forward::articulated::Articulated;
+use crate::inertia::columns::{
+    LANES, Lanes, add_cross, add_load, add_scaled, halves, plus_along, write_mirrored,
+};
+use crate::inertia::mass_matrix::find_levers;
+use crate::kinematics::place;
 use crate::scalar::Scalar;
-use crate::spatial::symmetric::Symmetric;
+use crate::spatial::direction::{apply, dot};
 use crate::tree::Tree;
 use crate::wide::wide;
 use crate::workspace::{Workspace, check_result};
-use nalgebra::DMatrix;
-
-/// The most degrees of freedom, each right behind the one before it, that are taken at once: those of most joints of living things.
-pub(crate) const BLOCK: usize = 3;
-/// How many entries of a column are taken at once by the factors, and by the inverse.
-const FEW: usize = 4;
-const MANY: usize = 6;
+use nalgebra::{DMatrix, Vector3};
 
 /// A pivot that keeps less than this part of what it was made of has lost too many digits.
 const LEAST: f64 = 1e-9;
 
+/// How one degree of freedom answers to forces and accelerations, world axes, about its link's origin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Answer<T> {
+    /// What it turns about, and how fast it carries the link's origin along, as in the workspace.
+    axis: Vector3<T>,
+    lever: Vector3<T>,
+    /// `−U/D`: what a force of 1 along the degree of freedom takes off the load that is handed on.
+    force: Vector3<T>,
+    moment: Vector3<T>,
+    /// `1/D`
+    inverse: T,
+}
+
+impl<T: Scalar> Answer<T> {
+    pub(crate) fn idle() -> Self {
+        let zero = Vector3::zeros();
+        Self { axis: zero, lever: zero, force: zero, moment: zero, inverse: T::zero() }
+    }
+}
+
 /// Writes the inverse of the mass matrix at `q`; `false` where too little of a pivot is left beside what it was made of, and then the
-/// matrix means nothing. Also places the links.
+/// matrix means nothing. Also places the links, and leaves what [`divide`] needs.
 ///
-/// `M = Lᵀ·D·L`, with `L` one on its diagonal and zero but on the paths to the root. First its entries stand at the heads of their columns,
-/// those of the path one behind the other, with `1/D` behind them; then the inverse grows row by row, its symmetric half with it:
-///
-/// ```text
-/// X_kj = −Σ L_ki·X_ij  for j < k          X_kk = 1/D_k − Σ L_ki·X_ki
-/// ```
-///
-/// over `i` before `k` on its path. Both go block by block, so that what is read of the matrix serves several rows: of a block `K` with `A`
-/// before it
+/// The links are gathered once, each with all that hangs from it as one body whose joints give way; then every column is forward dynamics
+/// without velocity or gravity,
 ///
 /// ```text
-/// X_Kj = −L_KK⁻¹·L_KA·X_Aj          X_KK = L_KK⁻¹·D_K⁻¹·L_KK⁻ᵀ − L_KK⁻¹·L_KA·X_AK
+/// U = I·s      D = s·U + armature      I ← I − U·Uᵀ/D
+/// u = τ − s·p      p ← p + U·u/D      q̈ = (u − U·a)/D      a ← a + s·q̈
 /// ```
+///
+/// inwards from where the column's force acts, and outwards as far as the diagonal. The work grows with `nv²`.
 ///
 /// # Source
 ///
-/// R. Featherstone, "Efficient factorization of the joint-space inertia matrix for branched kinematic trees", Int. J. Robotics Research 24
-/// (2005) 487–500, for the factors.
+/// R. Featherstone, "Rigid Body Dynamics Algorithms" (2008), chapter 7; here written in world axes about the links' own origins, so that no
+/// column is turned from frame to frame.
 pub(crate) fn invert<T: Scalar>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
     matrix: &mut DMatrix<T>,
 ) -> Result<bool, DynamicsError> {
-    let n = tree.nv();
-    place_composites(tree, workspace, q, matrix)?;
-    write_entries::<T, true>(tree, workspace, matrix);
+    workspace.set_positions(tree, q)?;
+    place(tree, workspace)?;
     let entries = matrix.as_mut_slice();
-    let pivot = |k: usize| k * n + tree.depth[k];
-    for &(k, armature) in &tree.armature {
-        entries[pivot(k)] += armature;
-    }
-    if !(0..n).fold(true, |finite, k| finite & entries[pivot(k)].is_finite()) {
-        // It says which entry is not.
-        mass_matrix(tree, workspace, q, matrix)?;
-        return Ok(false);
-    }
-    wide::<T, _>(
+    let sum = wide::<T, _>(
         #[inline(always)]
-        || invert_entries(tree, workspace, entries),
-    )
-}
-
-/// Puts the inverse in the place of the entries up to the diagonal; as [`invert`].
-#[inline(always)]
-fn invert_entries<T: Scalar>(
-    tree: &Tree<T>,
-    workspace: &mut Workspace<T>,
-    entries: &mut [T],
-) -> Result<bool, DynamicsError> {
-    let n = tree.nv();
-    let Workspace { path, parts, composites, .. } = workspace;
-    let mut path = Path { dofs: path, len: 0 };
-    // The inertia that each pivot is a part of.
-    for (body, composite) in tree.bodies.iter().zip(&*composites) {
-        let Symmetric { xx, yy, zz, .. } = composite.inertia;
-        for k in body.first..body.end {
-            let whole = if tree.dofs[k].kind.turns() { xx + yy + zz } else { composite.mass };
-            parts[k][0] = entries[k * n + tree.depth[k]] + whole;
-        }
-    }
-    let (mut is_sound, mut end) = (true, n);
-    while end > 0 {
-        let mut first = end - 1;
-        while end - first < BLOCK && tree.before[first].is_some_and(|before| before + 1 == first) {
-            first -= 1;
-        }
-        let before = path.before(tree, first);
-        is_sound &= match end - first {
-            1 => factor::<T, 1>(entries, n, first, before, parts),
-            2 => factor::<T, 2>(entries, n, first, before, parts),
-            _ => factor::<T, 3>(entries, n, first, before, parts),
-        };
-        end = first;
-    }
-    if !is_sound {
-        return Ok(false);
-    }
-    let (mut first, mut sum) = (0, T::zero());
-    while first < n {
-        let mut end = first + 1;
-        while end - first < BLOCK && end < n && tree.before[end] == Some(end - 1) {
-            end += 1;
-        }
-        let before = path.before(tree, first);
-        sum += match end - first {
-            1 => fill::<T, 1>(entries, n, first, before, parts),
-            2 => fill::<T, 2>(entries, n, first, before, parts),
-            _ => fill::<T, 3>(entries, n, first, before, parts),
-        };
-        first = end;
-    }
+        || {
+            find_levers(tree, workspace);
+            articulate(tree, workspace).then(|| {
+                if T::IS_FLOAT {
+                    write_inverse::<T, LANES>(tree, workspace, entries)
+                } else {
+                    write_inverse::<T, 1>(tree, workspace, entries)
+                }
+            })
+        },
+    );
+    let Some(sum) = sum else { return Ok(false) };
     if !sum.is_finite() {
         // An entry is not, or their sum alone.
-        check_result("the inverse mass matrix", entries)?;
+        check_result("the inverse mass matrix", matrix.as_slice())?;
     }
     Ok(true)
 }
 
-/// The degrees of freedom on the path to the one that was asked for last.
-struct Path<'a> {
-    dofs: &'a mut [usize],
-    /// How many of them are on it.
-    len: usize,
-}
-
-impl Path<'_> {
-    /// Those before `k`.
-    fn before<T: Scalar>(&mut self, tree: &Tree<T>, k: usize) -> &[usize] {
-        let mut next = Some(k);
-        while let Some(i) = next {
-            let place = tree.depth[i];
-            if place < self.len && self.dofs[place] == i {
-                // So are all before it.
-                break;
-            }
-            self.dofs[place] = i;
-            next = tree.before[i];
-        }
-        self.len = tree.depth[k] + 1;
-        &self.dofs[..tree.depth[k]]
-    }
-}
-
-/// Factors the columns of `N` degrees of freedom from `first` on, each right behind the one before it, all of them behind those `before`;
-/// whether enough is left of every pivot beside the whole that it was part of.
+/// Writes `−M⁻¹·columns` to `to`, where [`invert`] was called last and an entry of column `k` is zero unless one of its degree of freedom
+/// and `k` is carried by the other's link; the sum of all that is written, finite only if all of it is.
 #[inline(always)]
-fn factor<T: Scalar, const N: usize>(
-    entries: &mut [T],
-    n: usize,
-    first: usize,
-    before: &[usize],
-    wholes: &[[T; BLOCK]],
-) -> bool {
-    let (above, mut is_sound) = (before.len(), true);
-    for r in (0..N).rev() {
-        let (others, own) = entries.split_at_mut((first + r) * n);
-        let pivot = above + r;
-        is_sound &= (own[pivot] / wholes[first + r][0]).all_within(LEAST, 2.0);
-        own[pivot] = T::one() / own[pivot];
-        for t in (0..r).rev() {
-            let p = above + t;
-            let part = own[p] * own[pivot];
-            take_off(&mut others[(first + t) * n..][..n], p + 1, [part], [own]);
-            own[p] = part;
+pub(crate) fn divide<T: Scalar, const W: usize>(
+    tree: &Tree<T>,
+    workspace: &mut Workspace<T>,
+    columns: &[T],
+    to: &mut [T],
+) -> T {
+    let (n, links, mut sum) = (tree.nv(), tree.link_count(), T::zero());
+    let Workspace { columns: room, answers, reaches, .. } = workspace;
+    let mut lanes = room.lanes::<W>();
+    for first in (0..n).step_by(W) {
+        let end = n.min(first + W);
+        for (i, body) in tree.bodies.iter().enumerate() {
+            let own = body.first < end && first < body.end;
+            // Whether it carries a column's degree of freedom shows itself on the way in.
+            lanes.loaded[i] = own || body.parent.is_some_and(|parent| lanes.loaded[parent]);
+        }
+        for lane in 0..W {
+            // Lanes without a column repeat the last.
+            let column = &columns[(first + lane).min(end - 1) * n..][..n];
+            for (row, entry) in lanes.rows.iter_mut().zip(column) {
+                row[lane] = -*entry;
+            }
+        }
+        sum += solve(tree, &mut lanes, answers, reaches, links);
+        for lane in 0..end - first {
+            let column = &mut to[(first + lane) * n..][..n];
+            for (entry, row) in column.iter_mut().zip(&*lanes.rows) {
+                *entry = row[lane];
+            }
         }
     }
-    let (others, block) = entries.split_at_mut(first * n);
-    let (mut columns, mut inverses) = ([&block[..0]; N], [T::zero(); N]);
-    for r in 0..N {
-        columns[r] = &block[r * n..][..n];
-        inverses[r] = columns[r][above + r];
-    }
-    for (p, &i) in before.iter().enumerate() {
-        let mut parts = inverses;
-        for r in 0..N {
-            parts[r] *= columns[r][p];
+    sum
+}
+
+/// Gathers the links as they are placed; whether enough is left of every pivot beside all that was added and taken off to make it.
+#[inline(always)]
+fn articulate<T: Scalar>(tree: &Tree<T>, ws: &mut Workspace<T>) -> bool {
+    let Workspace { articulated, answers, axes, levers, reaches, poses, made_of, .. } = ws;
+    for (((body, to), pose), made_of) in
+        tree.bodies.iter().zip(&mut *articulated).zip(&*poses).zip(&mut *made_of)
+    {
+        *made_of = (T::zero(), T::zero());
+        *to = Articulated::zero();
+        if let Some(own) = &body.mass_distribution {
+            let (first, inertia) =
+                (apply(&pose.rotation, &own.first), own.inertia_at_origin.rotated(&pose.rotation));
+            to.add_mass(own.mass, &first, &inertia);
         }
-        take_off(&mut others[i * n..][..n], p + 1, parts, columns);
     }
-    for r in 0..N {
-        for entry in &mut block[r * n..][..above] {
-            *entry *= inverses[r];
+    let mut is_sound = true;
+    for (i, body) in tree.bodies.iter().enumerate().rev() {
+        let mut inertia = articulated[i];
+        // What the digits of all that hangs from the link are lost from.
+        let (turning, sliding) =
+            (made_of[i].0 + inertia.angular.trace(), made_of[i].1 + inertia.linear.trace());
+        for k in (body.first..body.end).rev() {
+            let (dof, axis, lever) = (&tree.dofs[k], &axes[k], &levers[k]);
+            let ((moment, force), parts) = if !dof.kind.turns() {
+                (inertia.of_linear(lever), sliding)
+            } else if dof.has_lever {
+                let (turn, slide) = (inertia.of_angular(axis), inertia.of_linear(lever));
+                ((turn.0 + slide.0, turn.1 + slide.1), turning + sliding * dot(lever, lever))
+            } else {
+                (inertia.of_angular(axis), turning)
+            };
+            let own = match (dof.kind.turns(), dof.has_lever) {
+                (true, false) => dot(axis, &moment),
+                (true, true) => dot(axis, &moment) + dot(lever, &force),
+                (false, _) => dot(lever, &force),
+            };
+            let pivot = own + dof.armature;
+            is_sound &= (pivot / (parts + dof.armature)).all_within(LEAST, 2.0);
+            let inverse = T::one() / pivot;
+            answers[k] = Answer {
+                axis: *axis,
+                lever: *lever,
+                force: force * -inverse,
+                moment: moment * -inverse,
+                inverse,
+            };
+            inertia.give_way(&moment, &force, inverse);
+        }
+        if let Some(parent) = body.parent {
+            let reach = &reaches[i];
+            inertia.shift(reach);
+            articulated[parent].add(&inertia);
+            made_of[parent].0 += turning + sliding * dot(reach, reach);
+            made_of[parent].1 += sliding;
         }
     }
     is_sound
 }
 
-/// Takes `Σ part·column` off the first `len` entries of a column. What stands behind them means nothing any more and may change.
+/// Writes the inverse, where [`articulate`] went before; the sum of its entries as far as the diagonal, finite only if all of them are.
 #[inline(always)]
-fn take_off<T: Scalar, const N: usize>(to: &mut [T], len: usize, parts: [T; N], columns: [&[T]; N]) {
-    let (tiles, rest) = to.as_chunks_mut::<FEW>();
-    let (whole, count) = (tiles.len() * FEW, len.div_ceil(FEW).min(tiles.len()));
-    let mut taken = [&columns[0].as_chunks().0[..0]; N];
-    for r in 0..N {
-        taken[r] = &columns[r].as_chunks::<FEW>().0[..count];
-    }
-    for (at, tile) in tiles[..count].iter_mut().enumerate() {
-        let mut left = *tile;
-        for r in 0..N {
-            for lane in 0..FEW {
-                left[lane] = parts[r].times_from(taken[r][at][lane], left[lane]);
+fn write_inverse<T: Scalar, const W: usize>(tree: &Tree<T>, ws: &mut Workspace<T>, matrix: &mut [T]) -> T {
+    let (n, mut last, mut sum) = (tree.nv(), 0, T::zero());
+    let Workspace { columns, answers, reaches, .. } = ws;
+    let mut lanes = columns.lanes::<W>();
+    for first in (0..n).step_by(W) {
+        let end = n.min(first + W);
+        loop {
+            lanes.loaded[last] = tree.bodies[last].end > first;
+            if tree.bodies[last].end >= end {
+                break;
             }
+            last += 1;
         }
-        *tile = left;
-    }
-    for (left, at) in rest.iter_mut().zip(whole..len) {
-        for r in 0..N {
-            *left = parts[r].times_from(columns[r][at], *left);
+        // A force of 1 along each degree of freedom.
+        lanes.rows[..tree.bodies[last].end].fill([T::zero(); W]);
+        for k in first..end {
+            lanes.rows[k][k - first] = T::one();
         }
+        sum += solve(tree, &mut lanes, answers, reaches, last + 1);
+        write_mirrored(lanes.rows, first, end, n, matrix);
     }
+    sum
 }
 
-/// Writes rows and columns of the inverse for `N` degrees of freedom, as [`factor`] left them, as far as those before them go; the sum of
-/// all that is found, finite only if all of it is.
+/// In each lane the accelerations that the forces in `rows` give the first `links` links, in their place. Those that the forces act on are
+/// `loaded`; on others there are none. The sum of all accelerations.
 #[inline(always)]
-fn fill<T: Scalar, const N: usize>(
-    entries: &mut [T],
-    n: usize,
-    first: usize,
-    before: &[usize],
-    parts: &mut [[T; BLOCK]],
+fn solve<T: Scalar, const W: usize>(
+    tree: &Tree<T>,
+    lanes: &mut Lanes<'_, T, W>,
+    answers: &[Answer<T>],
+    reaches: &[Vector3<T>],
+    links: usize,
 ) -> T {
-    let above = before.len();
-    let (others, block) = entries.split_at_mut(first * n);
-    // L_KK⁻¹·L_KA and L_KK⁻¹.
-    for (p, parts) in parts[..above].iter_mut().enumerate() {
-        for r in 0..N {
-            parts[r] = block[r * n + p];
-            for t in 0..r {
-                parts[r] = parts[t].times_from(block[r * n + above + t], parts[r]);
+    let Lanes { rows, loads, motions, loaded } = lanes;
+    for (i, body) in tree.bodies[..links].iter().enumerate().rev() {
+        if !loaded[i] {
+            continue;
+        }
+        // What the parent is relieved of.
+        let (mut force, mut moment) = halves(&loads[i]);
+        (loads[i], loaded[i]) = ([[T::zero(); W]; 6], false);
+        let own = body.first..body.end;
+        let joint = tree.dofs[own.clone()].iter().zip(&answers[own.clone()]);
+        for (row, (dof, answer)) in rows[own].iter_mut().zip(joint).rev() {
+            let mut left = *row;
+            if dof.kind.turns() {
+                left = plus_along(left, &answer.axis, &moment);
             }
-        }
-    }
-    let mut own = [[T::zero(); N]; N];
-    for r in 0..N {
-        own[r][r] = T::one();
-        for t in 0..r {
-            for s in 0..=t {
-                own[r][s] = own[t][s].times_from(block[r * n + above + t], own[r][s]);
+            if dof.has_lever {
+                left = plus_along(left, &answer.lever, &force);
             }
-        }
-    }
-    // L_KK⁻¹·D_K⁻¹·L_KK⁻ᵀ
-    let mut square = [[T::zero(); N]; N];
-    for r in 0..N {
-        for s in 0..N {
-            for t in 0..=r.min(s) {
-                square[r][s] += own[r][t] * own[s][t] * block[t * n + above + t];
+            let mut accelerations = left;
+            for acceleration in &mut accelerations {
+                *acceleration *= answer.inverse;
             }
+            *row = accelerations;
+            add_scaled(&mut force, &answer.force, &left);
+            add_scaled(&mut moment, &answer.moment, &left);
         }
-    }
-    let (mut j, mut sum) = (0, T::zero());
-    while j < first {
-        if first < MANY {
-            sum += row(block, [[T::zero(); 1]; N], others, n, j, before, parts);
-            j += 1;
-        } else {
-            // The last tile goes back over the one before it, so that it is full.
-            j = j.min(first - MANY);
-            sum += row(block, [[T::zero(); MANY]; N], others, n, j, before, parts);
-            j += MANY;
-        }
-    }
-    let mut rows = [&block[..0]; N];
-    for r in 0..N {
-        rows[r] = &block[r * n..][..first];
-    }
-    for (j, column) in others.chunks_exact_mut(n).enumerate() {
-        let entries = &mut column[first..][..N];
-        for r in 0..N {
-            entries[r] = rows[r][j];
-        }
-    }
-    sum + row(block, square, others, n, first, before, parts)
-}
-
-/// Writes `tile − Σ part·X_ij` over `i` in `before` to the block, at the entries from `j` on of its columns; their sum.
-#[inline(always)]
-fn row<T: Scalar, const N: usize, const W: usize>(
-    block: &mut [T],
-    mut tile: [[T; W]; N],
-    inverse: &[T],
-    n: usize,
-    j: usize,
-    before: &[usize],
-    parts: &[[T; BLOCK]],
-) -> T {
-    for (&i, part) in before.iter().zip(parts) {
-        let entries = &inverse[i * n + j..][..W];
-        for r in 0..N {
-            for lane in 0..W {
-                tile[r][lane] = part[r].times_from(entries[lane], tile[r][lane]);
-            }
+        if let Some(parent) = body.parent {
+            add_cross(&mut moment, &reaches[i], &force);
+            add_load(&mut loads[parent], &force, &moment);
+            loaded[parent] = true;
         }
     }
     let mut sums = [T::zero(); W];
-    for r in 0..N {
-        block[r * n + j..][..W].copy_from_slice(&tile[r]);
-        for lane in 0..W {
-            sums[lane] += tile[r][lane];
+    for (i, body) in tree.bodies[..links].iter().enumerate() {
+        let (mut linear, mut angular) = ([[T::zero(); W]; 3], [[T::zero(); W]; 3]);
+        if let Some(parent) = body.parent {
+            (linear, angular) = halves(&motions[parent]);
+            // α × r
+            add_cross(&mut linear, &-reaches[i], &angular);
         }
+        let own = body.first..body.end;
+        let joint = tree.dofs[own.clone()].iter().zip(&answers[own.clone()]);
+        for (row, (dof, answer)) in rows[own].iter_mut().zip(joint) {
+            let taken = plus_along(plus_along(*row, &answer.force, &linear), &answer.moment, &angular);
+            for lane in 0..W {
+                sums[lane] += taken[lane];
+            }
+            *row = taken;
+            if dof.kind.turns() {
+                add_scaled(&mut angular, &answer.axis, row);
+            }
+            if dof.has_lever {
+                add_scaled(&mut linear, &answer.lever, row);
+            }
+        }
+        motions[i] = [linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]];
     }
     sums.iter().fold(T::zero(), |all, sum| all + *sum)
 }

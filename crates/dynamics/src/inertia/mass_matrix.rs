@@ -40,9 +40,17 @@ pub fn mass_matrix<T: Scalar>(
     q: &[T],
     matrix: &mut DMatrix<T>,
 ) -> Result<(), DynamicsError> {
-    place_composites(tree, workspace, q, matrix)?;
+    workspace.set_positions(tree, q)?;
+    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
+    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
+    place(tree, workspace)?;
+    levers(tree, workspace);
+    gather(tree, workspace);
     matrix.as_mut_slice().fill(T::zero());
-    write_entries::<T, false>(tree, workspace, matrix);
+    wide::<T, _>(
+        #[inline(always)]
+        || write_entries(tree, workspace, matrix.as_mut_slice()),
+    );
     for &(k, armature) in &tree.armature {
         matrix[(k, k)] += armature;
     }
@@ -51,45 +59,17 @@ pub fn mass_matrix<T: Scalar>(
     if finite { Ok(()) } else { check_result("the mass matrix", matrix.as_slice()) }
 }
 
-/// Places the links at `q` and gathers what they carry, for a `matrix` of the right size.
-pub(crate) fn place_composites<T: Scalar>(
-    tree: &Tree<T>,
-    workspace: &mut Workspace<T>,
-    q: &[T],
-    matrix: &DMatrix<T>,
-) -> Result<(), DynamicsError> {
-    workspace.set_positions(tree, q)?;
-    check_length("each column of the mass matrix", matrix.nrows(), tree.nv())?;
-    check_length("each row of the mass matrix", matrix.ncols(), tree.nv())?;
-    place(tree, workspace)?;
-    levers(tree, workspace);
-    gather(tree, workspace);
-    Ok(())
-}
-
-/// Writes the entries of the mass matrix that are not zero, armature left out: all of them, or `PACKED` those up to the diagonal, which
-/// stand one behind the other at the heads of their columns then.
-pub(crate) fn write_entries<T: Scalar, const PACKED: bool>(
-    tree: &Tree<T>,
-    workspace: &Workspace<T>,
-    matrix: &mut DMatrix<T>,
-) {
-    wide::<T, _>(
-        #[inline(always)]
-        || write_all::<T, PACKED>(tree, workspace, matrix.as_mut_slice()),
-    );
-}
-
+/// Writes the entries that are not zero, armature left out.
 #[inline(always)]
-fn write_all<T: Scalar, const PACKED: bool>(tree: &Tree<T>, workspace: &Workspace<T>, matrix: &mut [T]) {
+fn write_entries<T: Scalar>(tree: &Tree<T>, workspace: &Workspace<T>, matrix: &mut [T]) {
     for (link, body) in tree.bodies.iter().enumerate() {
         // Most joints of living things have three degrees of freedom, most of machines one.
         let mut j = body.first;
         while j < body.end {
             j = match body.end - j {
-                1 => write_columns::<T, 1, PACKED>(tree, workspace, link, j, matrix),
-                2 => write_columns::<T, 2, PACKED>(tree, workspace, link, j, matrix),
-                _ => write_columns::<T, 3, PACKED>(tree, workspace, link, j, matrix),
+                1 => write_columns::<T, 1>(tree, workspace, link, j, matrix),
+                2 => write_columns::<T, 2>(tree, workspace, link, j, matrix),
+                _ => write_columns::<T, 3>(tree, workspace, link, j, matrix),
             };
         }
     }
@@ -190,7 +170,7 @@ fn along<T: Scalar>(tree: &Tree<T>, ws: &Workspace<T>, k: usize, load: &Load<T>)
 
 /// Writes columns (and rows) of `N` degrees of freedom of `link`, from `first` on, as far as those before them go; the one after them.
 #[inline(always)]
-fn write_columns<T: Scalar, const N: usize, const PACKED: bool>(
+fn write_columns<T: Scalar, const N: usize>(
     tree: &Tree<T>,
     ws: &Workspace<T>,
     link: usize,
@@ -204,12 +184,8 @@ fn write_columns<T: Scalar, const N: usize, const PACKED: bool>(
         *load = accelerating(tree, ws, link, j);
         for k in tree.bodies[link].first..=j {
             let entry = along(tree, ws, k, load);
-            if PACKED {
-                matrix[j * n + tree.depth[k]] = entry;
-            } else {
-                matrix[j * n + k] = entry;
-                matrix[k * n + j] = entry;
-            }
+            matrix[j * n + k] = entry;
+            matrix[k * n + j] = entry;
         }
     }
     let mut below = link;
@@ -231,12 +207,9 @@ fn write_columns<T: Scalar, const N: usize, const PACKED: bool>(
                     *entry = along(tree, ws, k, load);
                 }
             }
-            let (column, row) = (k * n + first, first * n + if PACKED { tree.depth[k] } else { k });
             for (i, entry) in entries.iter().enumerate() {
-                matrix[row + i * n] = *entry;
-                if !PACKED {
-                    matrix[column + i] = *entry;
-                }
+                matrix[(first + i) * n + k] = *entry;
+                matrix[k * n + first + i] = *entry;
             }
         }
         below = above;

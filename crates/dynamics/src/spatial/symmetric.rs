@@ -63,6 +63,11 @@ impl<T: Scalar> Symmetric<T> {
         self.yz += other.yz;
     }
 
+    #[inline(always)]
+    pub(crate) fn trace(&self) -> T {
+        self.xx + self.yy + self.zz
+    }
+
     /// `S ← S − u·wᵀ`, where the product is symmetric.
     #[inline(always)]
     pub(crate) fn subtract_outer(&mut self, u: &Vector3<T>, w: &Vector3<T>) {

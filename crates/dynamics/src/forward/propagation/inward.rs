@@ -40,8 +40,8 @@ pub(crate) fn gather<T: Scalar>(
     }
     for (i, body) in tree.bodies.iter().enumerate().rev() {
         let mut carried = Carried { inertia: ws.articulated[i], load: ws.loads[i] };
-        if let Some(distribution) = &body.mass_distribution {
-            carried.inertia.add_mass(distribution);
+        if let Some(own) = &body.mass_distribution {
+            carried.inertia.add_mass(own.mass, &own.first, &own.inertia_at_origin);
         }
         let known = |k: usize| {
             if prescribed(k) { Known::Acceleration(a[k]) } else { Known::Force(tau[k]) }

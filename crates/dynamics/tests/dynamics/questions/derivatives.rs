@@ -5,6 +5,7 @@ use crate::support::random::{Joints, Random};
 use nalgebra::{DMatrix, DVector, Vector3};
 use proptest::prelude::*;
 use solaris_dynamics::{Along, Derivatives, Partials, forward_dynamics, inverse_dynamics};
+use solaris_model::{Axis, FigureBuilder, Inertia, Joint, LinkSpec};
 
 /// Column by column, the slope of `f(q, v, x)` by its arguments.
 fn slopes(
@@ -134,6 +135,34 @@ proptest! {
 }
 
 /// A quaternion that is a little off unit length has the same derivatives: the kernel takes its direction.
+/// Where columns are full and long, another way is taken.
+#[test]
+fn derivatives_of_a_long_chain_are_those_of_dual_numbers() {
+    let mut random = Random::new(41);
+    for links in [70, 71, 85, 120] {
+        let mut builder = FigureBuilder::new("chain");
+        for i in 0..links {
+            let joint = Joint::new(format!("j{i}")).axis(Axis::rotation(random.vector(1.0).normalize()));
+            let joint = joint.at(Vector3::new(0.2, 0.0, 0.0));
+            let link = match i {
+                0 => LinkSpec::root("l0", joint),
+                _ => LinkSpec::child(format!("l{i}"), format!("l{}", i - 1), joint),
+            };
+            let link = link.mass(1.0 + 0.5 * (i as f64).sin()).com(random.vector(0.2));
+            builder = builder.link(link.inertia(Inertia::diagonal(0.02, 0.03, 0.025)));
+        }
+        let figure = builder.build().expect("valid");
+        let (q, v, tau) = (random.slice(links, 1.0), random.slice(links, 1.0), random.slice(links, 5.0));
+        let mut derivatives =
+            Derivatives::new(&figure, Vector3::new(0.0, -9.81, 0.0)).expect("finite constants");
+        let closed = derivatives.forward_dynamics(&q, &v, &tau, &[]).expect("valid").clone();
+        let partials = derivatives.of(forward_dynamics, &q, &v, &tau, &[]).expect("valid");
+        let worst =
+            errors(&closed, &[partials.by_q.clone(), partials.by_v.clone(), partials.by_input.clone()]);
+        assert!(worst.iter().all(|error| *error < 1e-10), "{links} links: {worst:?}");
+    }
+}
+
 #[test]
 fn the_length_of_a_quaternion_does_not_matter() {
     let mut case = Case::of(
