@@ -150,8 +150,8 @@ pub fn hybrid_dynamics<T: Scalar>(
 /// The inverse of the mass matrix, `M⁻¹` (`nv` × `nv`) at `q`: column `j` holds the accelerations that a force of 1 along
 /// degree of freedom `j` gives the figure at rest without gravity.
 ///
-/// The mass matrix is factored along the branches and inverted in its place. Where it is so near to singular that a pivot loses nine
-/// digits, the joints are gathered once, as in [`forward_dynamics`], and each column takes one pass each way. Also places the links.
+/// The joints are gathered once, as in [`forward_dynamics`], and several columns at a time take one pass each way as far as the diagonal:
+/// the work grows with `nv²`. Where a pivot loses nine digits, each column is forward dynamics by itself. Also places the links.
 ///
 /// # Errors
 ///
