@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < smooth < comparison < styled < people < sweep
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < comparison < styled < people < sweep
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -21,8 +21,11 @@ mod body;
 mod comparison;
 mod condition;
 mod error;
+mod grid;
+mod limbs;
 mod measure;
 pub mod metrics;
+mod momentum;
 pub mod people;
 mod request;
 mod smooth;

@@ -1,10 +1,8 @@
 //! The smooth walker: forces first, as people walk, and legs that follow.
 
 mod band;
-mod grid;
 mod laws;
-mod limbs;
-mod momentum;
+mod legs;
 mod parameter;
 mod plan_check;
 mod prescribed;

@@ -4,18 +4,51 @@ use super::foot::{FootPlane, mirror, mirror_rotation};
 use super::leg::LegPose;
 use super::rotations::{self, Euler};
 use super::segments::{Body, Segment};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-/// Outward angle of the upper arms against the thorax (rad): 6°.
-pub(crate) const ARM_ABDUCTION: f64 = 6.0 * std::f64::consts::PI / 180.0;
 /// Rotation of the hand about x (rad): the fingers a little forward.
 pub(crate) const HAND_FLEXION: f64 = -0.08;
+
+/// How upper arms hang (rad).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ArmCarriage {
+    /// Outward against the thorax.
+    pub(crate) abduction: f64,
+    /// Inward about the arm's own length, so that a bent forearm points across the body.
+    pub(crate) inward: f64,
+}
+
+impl ArmCarriage {
+    /// Of people who walk: 6° outward.
+    pub(crate) const WALKING: Self = Self { abduction: 6.0 * std::f64::consts::PI / 180.0, inward: 0.0 };
+
+    /// Rotation of an upper arm (left 0, right 1) against the thorax, for the shoulder's angle s: `Rz(±a) Rx(s) Ry(∓i)`.
+    pub(crate) fn rotation(&self, side: usize, shoulder: f64) -> Matrix3<f64> {
+        let [abduction, inward] = self.sided(side);
+        rotations::about_z(abduction) * rotations::about_x(shoulder) * rotations::about_y(-inward)
+    }
+
+    /// The same by its three angles.
+    fn angles(&self, side: usize, shoulder: f64) -> Euler {
+        let [abduction, inward] = self.sided(side);
+        if inward == 0.0 {
+            return [abduction, 0.0, shoulder];
+        }
+        rotations::euler(&self.rotation(side, shoulder))
+    }
+
+    fn sided(&self, side: usize) -> [f64; 2] {
+        let sign = if side == 0 { 1.0 } else { -1.0 };
+        [sign * self.abduction, sign * self.inward]
+    }
+}
 
 /// A whole posture: where the pelvis is, how trunk and arms are turned, and both legs' poses (left, right).
 pub(crate) struct Posture {
     pub(crate) pelvis: Vector3<f64>,
     pub(crate) trunk: [Euler; 5],
     pub(crate) arms: [[f64; 2]; 2],
+    pub(crate) carriage: ArmCarriage,
     pub(crate) legs: [LegPose; 2],
     /// Which way the body faces, and each foot against it (rad, to the left).
     pub(crate) heading: f64,
@@ -33,6 +66,7 @@ impl Posture {
             legs: [right_leg, left_leg],
             heading: -self.heading,
             feet: [-self.feet[1], -self.feet[0]],
+            ..self
         }
     }
 
@@ -52,9 +86,8 @@ impl Posture {
             set(&body.middle[i], rotations::euler(&(rotations[i - 1].transpose() * rotations[i])));
         }
         for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(self.arms).enumerate() {
-            let abduction = if side == 0 { ARM_ABDUCTION } else { -ARM_ABDUCTION };
             set(&arm[0], [0.0; 3]);
-            set(&arm[1], [abduction, 0.0, shoulder]);
+            set(&arm[1], self.carriage.angles(side, shoulder));
             set(&arm[2], [0.0, 0.0, elbow]);
             set(&arm[3], [0.0, 0.0, HAND_FLEXION]);
         }

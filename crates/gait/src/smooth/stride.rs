@@ -6,27 +6,27 @@ use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
 use crate::body::leg::LegPose;
 use crate::body::missing;
-use crate::body::posture::Posture;
+use crate::body::posture::{ArmCarriage, Posture};
 use crate::body::rotations;
 use crate::error::GaitError;
+use crate::grid::{Ends, Grid};
+use crate::limbs::jet::LegJet;
+use crate::limbs::midstance::above_flexion;
+use crate::limbs::numbers::LANDING_RANGE;
+use crate::limbs::stance::{Landing, Stance};
+use crate::limbs::swing::Swing;
+use crate::momentum::MomentumKernel;
+use crate::momentum::upper::UpperBody;
 use crate::request::Resolution;
-use crate::smooth::grid::{Ends, Grid};
 use crate::smooth::laws::{self, Swings};
-use crate::smooth::limbs::jet::LegJet;
-use crate::smooth::limbs::midstance::above_flexion;
-use crate::smooth::limbs::numbers::LANDING_RANGE;
-use crate::smooth::limbs::push::Push;
-use crate::smooth::limbs::stance::{Landing, Stance};
-use crate::smooth::limbs::swing::{Aim, Swing};
-use crate::smooth::momentum::MomentumKernel;
-use crate::smooth::momentum::upper::UpperBody;
+use crate::smooth::legs::Aim;
 use crate::smooth::prescribed::PrescribedNode;
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use nodes::Laws;
 use solaris_analysis::FootSupport;
 use solaris_model::{Contact, Figure};
-use solaris_profiles::{Boundary, UniformSpline};
+use solaris_profiles::UniformSpline;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Least flexion of a knee on a flat foot.
@@ -72,7 +72,7 @@ impl StridePlan {
         let s2 = 2.0 * style.step_length;
         let leg = body.leg;
         let laws = Laws::new(&body, style, n)?;
-        let upper = UpperBody::new(&body, &grid, |i| {
+        let upper = UpperBody::new(&body, &grid, ArmCarriage::WALKING, |i| {
             let (trunk, arms) = angles(style, clock(i));
             (trunk, arms, 0.0)
         });
@@ -94,16 +94,17 @@ impl StridePlan {
             let spline = UniformSpline::periodic(0.0, 1.0 / n as f64, &hip_nodes)?;
             let hip_at =
                 |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, s2 * u);
-            let mut stance = Stance::new(&leg, style, Landing::Heel, Push::of(style));
+            let mut stance = Stance::new(&leg, &style.footing(), Landing::Heel, style.push());
             let rise = spare_height(&stance, style, &leg, |u| hip_at(u, 0.0));
             for com in &mut com {
                 com.y += rise;
             }
             let hip = |u: f64| hip_at(u, rise);
             let knee = if style.flexion > 0.0 {
-                stance.landing_knee(style, -style.heel_strike_angle, LANDING_RANGE, &hip(0.0))
+                let pitch = -style.heel_strike_angle;
+                stance.landing_knee(style.contact_knee(), pitch, LANDING_RANGE, &hip(0.0))
             } else {
-                Boundary::new(style.knee_contact, style.knee_contact_rate, style.knee_contact_acc)
+                style.contact_knee()
             };
             stance.set_contact(knee, hip)?;
             stance.set_push(hip)?;
@@ -114,10 +115,10 @@ impl StridePlan {
                 beside: false,
                 sideways: [0.0; 2],
             };
-            let mut swing = Swing::new(style, &stance.toe_off_jet(hip), &contact, &aim)?;
+            let mut swing = style.swing(&stance.toe_off_jet(hip), &contact, &aim)?;
             let heights: Vec<(f64, f64)> =
                 swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
-            swing.clear_ground(&leg, style.clearance, 0.0, &heights);
+            swing.clear_ground(&leg, &style.ground_clearance(0.0), &heights);
             let poses: Vec<LegPose> = (0..n)
                 .map(|i| match clock(i) {
                     u if u <= toe_off => stance.pose(u, &hip(u)),
@@ -167,7 +168,8 @@ impl StridePlan {
     pub fn configuration(&self, u: f64, q: &mut [f64]) {
         let (pelvis, legs) = self.place(u);
         let (trunk, arms) = angles(&self.style, u);
-        Posture { pelvis, trunk, arms, legs, heading: 0.0, feet: [0.0; 2] }.write(
+        let carriage = ArmCarriage::WALKING;
+        Posture { pelvis, trunk, arms, carriage, legs, heading: 0.0, feet: [0.0; 2] }.write(
             &self.body,
             &self.stance.plane,
             q,

@@ -3,8 +3,8 @@
 use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
 use crate::error::{GaitError, PlanError};
+use crate::grid::{Grid, SECOND};
 use crate::smooth::band::Band;
-use crate::smooth::grid::{Grid, SECOND};
 use crate::smooth::laws;
 use crate::smooth::style::Style;
 use crate::walking::G;

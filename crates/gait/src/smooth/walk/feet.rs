@@ -9,11 +9,11 @@ use super::numbers::{
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
-use crate::smooth::limbs::jet::LegJet;
-use crate::smooth::limbs::midstance::above_flexion;
-use crate::smooth::limbs::push::Push;
-use crate::smooth::limbs::stance::{Landing, Stance};
-use crate::smooth::limbs::swing::{Aim, Swing, sideways};
+use crate::limbs::jet::LegJet;
+use crate::limbs::midstance::above_flexion;
+use crate::limbs::stance::{Landing, Stance};
+use crate::limbs::swing::{Swing, sideways};
+use crate::smooth::legs::Aim;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, ProfileError, UniformSpline};
 
@@ -83,11 +83,11 @@ impl Foot {
                 let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
                 Aim { thigh, late_knee, beside: false, sideways }
             };
-            let mut swing = Swing::new(&style, &start, end, &aim)?;
+            let mut swing = style.swing(&start, end, &aim)?;
             let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);
             let heights: Vec<(f64, f64)> =
                 heights.map(|(node, u)| (u - from.contact, hip.nodes[node][1])).collect();
-            swing.clear_ground(leg, style.clearance, laws.numbers.late_clearance, &heights);
+            swing.clear_ground(leg, &style.ground_clearance(laws.numbers.late_clearance), &heights);
             swings.push(swing);
         }
         Ok(Self { side, stances, swings })
@@ -129,7 +129,7 @@ fn stance(
     hip: impl Fn(f64) -> Vector3<f64>,
 ) -> Result<(Stance, LegJet), ProfileError> {
     let style = &laws.gaits.stance(episode).style;
-    let mut push = Push::of(style);
+    let mut push = style.push();
     let landing = match episode.kind {
         Kind::First | Kind::Close => Landing::Flat,
         Kind::Step | Kind::Last => Landing::Heel,
@@ -150,11 +150,11 @@ fn stance(
         }
         _ => {}
     }
-    let mut stance = Stance::new(leg, style, landing, push);
+    let mut stance = Stance::new(leg, &style.footing(), landing, push);
     let mut knee = None;
     if landing == Landing::Heel {
-        let jet =
-            stance.landing_knee(style, -contact_pitch(laws, episode), laws.numbers.landing_range, &hip(0.0));
+        let (pitch, range) = (-contact_pitch(laws, episode), laws.numbers.landing_range);
+        let jet = stance.landing_knee(style.contact_knee(), pitch, range, &hip(0.0));
         stance.set_contact(jet, &hip)?;
         knee = Some(jet);
     }

@@ -1,6 +1,6 @@
 //! The numbers of a whole walk, besides the style of its steady part. Clocks are in u, from the first lift's `u = d`.
 
-use crate::smooth::limbs::numbers::LANDING_RANGE;
+use crate::limbs::numbers::LANDING_RANGE;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 

@@ -8,9 +8,10 @@ use super::timeline::Timeline;
 use crate::body::Body;
 use crate::body::foot::turned;
 use crate::body::leg::LegPose;
+use crate::body::posture::ArmCarriage;
 use crate::error::GaitError;
-use crate::smooth::momentum::MomentumKernel;
-use crate::smooth::momentum::upper::UpperBody;
+use crate::momentum::MomentumKernel;
+use crate::momentum::upper::UpperBody;
 use crate::smooth::prescribed::PrescribedNode;
 use crate::walking::G;
 use nalgebra::Vector3;
@@ -47,7 +48,7 @@ impl Passes {
     pub(super) fn new(body: Body, laws: WalkLaws, timeline: Timeline) -> Self {
         let count = timeline.grid.count;
         let clocks = timeline.clocks();
-        let upper = UpperBody::new(&body, &timeline.grid, |i| {
+        let upper = UpperBody::new(&body, &timeline.grid, ArmCarriage::WALKING, |i| {
             let (trunk, arms) = laws.angles(clocks[i]);
             (trunk, arms, laws.course.heading(clocks[i]))
         });

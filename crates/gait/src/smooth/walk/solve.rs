@@ -1,7 +1,7 @@
 //! The way of the centre of mass from rest to rest.
 
+use crate::grid::SECOND;
 use crate::smooth::band::Band;
-use crate::smooth::grid::SECOND;
 use nalgebra::{Matrix4, Vector3, Vector4};
 
 /// The equation at the nodes, along the ground: `c̈ = k(c − P − Σ aⱼ Bⱼ eⱼ) + h`.

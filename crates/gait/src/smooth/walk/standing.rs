@@ -2,13 +2,13 @@
 
 use super::numbers::{KNEE_STANDING, STANDING_AHEAD};
 use crate::body::Body;
+use crate::body::posture::ArmCarriage;
 use crate::body::rotations;
-use crate::smooth::grid::{Ends, Grid};
+use crate::grid::{Ends, Grid};
+use crate::limbs::stance::{Landing, Stance};
+use crate::momentum::MomentumKernel;
+use crate::momentum::upper::UpperBody;
 use crate::smooth::laws::{self, Swings};
-use crate::smooth::limbs::push::Push;
-use crate::smooth::limbs::stance::{Landing, Stance};
-use crate::smooth::momentum::MomentumKernel;
-use crate::smooth::momentum::upper::UpperBody;
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 
@@ -27,9 +27,9 @@ impl Standing {
         let ahead = leg.heel_behind + STANDING_AHEAD * body.scale();
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
         let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));
-        let upper = UpperBody::new(body, &grid, |_| (trunk, arms, 0.0));
+        let upper = UpperBody::new(body, &grid, ArmCarriage::WALKING, |_| (trunk, arms, 0.0));
         let hip_offset = rotations::matrix(trunk[0]) * leg.hip;
-        let stance = Stance::new(leg, style, Landing::Flat, Push::of(style));
+        let stance = Stance::new(leg, &style.footing(), Landing::Flat, style.push());
         let ankle = stance.flat_ankle();
         let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane, |_, _| 0.0);
         let mut pelvis = Vector3::new(0.0, 0.95 * leg.length(), ahead);

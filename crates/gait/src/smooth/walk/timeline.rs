@@ -2,7 +2,7 @@
 
 use super::laws::WalkLaws;
 use super::numbers::REST;
-use crate::smooth::grid::{Ends, Grid, SECOND};
+use crate::grid::{Ends, Grid, SECOND};
 
 /// Nodes that are equally spaced in time.
 pub(super) struct Timeline {

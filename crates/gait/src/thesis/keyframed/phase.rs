@@ -5,7 +5,7 @@ use super::options::{InBetween, KeyframedOptions};
 use crate::body::Body;
 use crate::body::foot::FootPlane;
 use crate::body::leg::LegPose;
-use crate::body::posture::Posture;
+use crate::body::posture::{ArmCarriage, Posture};
 use crate::body::rotations;
 use crate::thesis::determinants::{
     ArmAngles, KeyPosture, LegAngles, PhaseRoot, Proportions, Root, TrunkAngles,
@@ -168,6 +168,7 @@ impl Phase {
             pelvis: middle - rotation * middle_of_hips,
             trunk: trunk(&rotation, &trunk_between(&self.from.trunk, &self.to.trunk, eased), left_stands),
             arms: self.arms(eased),
+            carriage: ArmCarriage::WALKING,
             legs,
             heading: 0.0,
             feet: [0.0; 2],

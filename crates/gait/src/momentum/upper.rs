@@ -1,9 +1,10 @@
 //! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
 
 use super::parts::Parts;
+use crate::body::posture::{ArmCarriage, HAND_FLEXION};
+use crate::body::rotations;
 use crate::body::{Body, Segment};
-use crate::body::{posture, rotations};
-use crate::smooth::grid::Grid;
+use crate::grid::Grid;
 use nalgebra::{Matrix3, Vector3};
 
 /// Trunk and arms over the nodes.
@@ -18,13 +19,14 @@ impl UpperBody {
     pub(crate) fn new(
         body: &Body,
         grid: &Grid,
+        carriage: ArmCarriage,
         angles: impl Fn(usize) -> ([rotations::Euler; 5], [[f64; 2]; 2], f64),
     ) -> Self {
         let segments: Vec<&Segment> = body.middle.iter().chain(body.arms.iter().flatten()).collect();
         let postures: Vec<_> = (0..grid.count)
             .map(|i| {
                 let (trunk, arms, heading) = angles(i);
-                let ahead = posture(body, &trunk, &arms);
+                let ahead = posture(body, &trunk, &arms, carriage);
                 if heading == 0.0 {
                     return ahead;
                 }
@@ -63,6 +65,7 @@ fn posture(
     body: &Body,
     trunk: &[rotations::Euler; 5],
     arms: &[[f64; 2]; 2],
+    carriage: ArmCarriage,
 ) -> [(Matrix3<f64>, Vector3<f64>); 13] {
     let mut parts = [(Matrix3::zeros(), Vector3::zeros()); 13];
     let rotations = trunk.map(rotations::matrix);
@@ -78,11 +81,10 @@ fn posture(
         parts[i] = (*rotation, origin + rotation * segment.com);
     }
     for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(arms).enumerate() {
-        let abduction = if side == 0 { posture::ARM_ABDUCTION } else { -posture::ARM_ABDUCTION };
         let clavicle = rotations[2];
-        let upper = clavicle * rotations::about_z(abduction) * rotations::about_x(*shoulder);
+        let upper = clavicle * carriage.rotation(side, *shoulder);
         let forearm = upper * rotations::about_x(*elbow);
-        let chain = [clavicle, upper, forearm, forearm * rotations::about_x(posture::HAND_FLEXION)];
+        let chain = [clavicle, upper, forearm, forearm * rotations::about_x(HAND_FLEXION)];
         let mut origin = thorax_origin + rotations[2] * arm[0].offset;
         for (i, (segment, rotation)) in arm.iter().zip(&chain).enumerate() {
             if i > 0 {

@@ -1,10 +1,8 @@
 //! The push-off of a foot: when its heel and its toes rise, and how its knee bends.
 
-use super::numbers::PUSH_WAYPOINT_AT;
-use crate::smooth::style::Style;
 use solaris_profiles::Boundary;
 
-/// When and how the push-off happens; the stride's own, but for the first step of a walk.
+/// When and how the push-off happens.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Push {
     /// When the heel rises, on the foot's own clock.
@@ -17,16 +15,4 @@ pub(crate) struct Push {
     pub(crate) toe_roll: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,
-}
-
-impl Push {
-    pub(crate) fn of(style: &Style) -> Self {
-        Self {
-            heel_off: style.heel_off,
-            waypoint: Some((PUSH_WAYPOINT_AT, style.knee_push)),
-            tip_roll_at: style.tip_roll_at(),
-            toe_roll: style.toe_roll,
-            knee_toe_off: Boundary::new(style.knee_toe_off, style.knee_toe_off_rate, style.knee_toe_off_acc),
-        }
-    }
 }

@@ -1,7 +1,7 @@
 //! The standing leg at midstance: as the hip passes over its ankle.
 
 use crate::body::LegGeometry;
-use crate::smooth::limbs::stance::Stance;
+use crate::limbs::stance::Stance;
 use nalgebra::Vector3;
 
 /// When the hip passes over the ankle of a flat foot, and how far it is then above the height at which the shank's pitch is χ (m):

@@ -12,8 +12,6 @@ pub(super) const LANDING_STRAIGHTER: f64 = 2.0 * DEGREE;
 
 // In the push.
 
-/// When the knee has its waypoint (u).
-pub(super) const PUSH_WAYPOINT_AT: f64 = 0.46;
 /// The greatest pitch of the foot at toe-off, also when the body is far ahead.
 pub(super) const STEEPEST_PITCH: f64 = 78.0 * DEGREE;
 /// By how much the knee's waypoint is more bent than the leg on a flat foot, and over which width it comes to be.
@@ -48,21 +46,6 @@ pub(super) const LEAST_KNEE_SINE: f64 = 0.05;
 
 // In the air.
 
-/// Duration of the piece that lands the foot (u).
-pub(super) const LANDING: f64 = 0.02;
-/// When the thigh has its waypoint (u), and the thigh of a foot that closes beside the other.
-pub(super) const THIGH_AT: f64 = 0.84;
-pub(super) const CLOSING_THIGH_AT: f64 = 0.82;
-/// When the ankle has its waypoint (u).
-pub(super) const ANKLE_AT: f64 = 0.83;
-/// When the knee has its late waypoint (u).
-pub(super) const LATE_KNEE_AT: f64 = 0.945;
-/// When the toes are straight again (u).
-pub(super) const TOES_STRAIGHT_AT: f64 = 0.80;
-/// How much later the knee of a closing foot is bent the most (u), and how much more its ankle is.
-pub(super) const CLOSING_KNEE_LATER: f64 = 0.02;
-pub(super) const CLOSING_ANKLE: f64 = 2.0 * DEGREE;
-
 /// The part of a swing, from either end, in which a leg of a turning body comes to lean as if it went straight on, and how
 /// much farther it leans then: the thighs pass each other before mid-swing. (More would need more friction than soles have.)
 pub(super) const STRAIGHTENED: f64 = 0.3;
@@ -70,21 +53,11 @@ pub(super) const OUTWARD: f64 = 1.3;
 
 // Over the ground; x counts from 0 at toe-off to 1 at contact.
 
-/// From when on (x) and over how long the clearance is asked for, and until when and over how long no more.
-pub(super) const CLEAR_FROM: (f64, f64) = (0.05, 0.14);
-pub(super) const CLEAR_UNTIL: (f64, f64) = (0.80, 0.2);
 /// From when on (x) the late part of the clearance is kept, and how long before contact it ends.
 pub(super) const LATE_FROM: f64 = 0.5;
 pub(super) const LATE_ENDS: f64 = 0.03;
-/// Samples nearer to an end than this (x) are left as they are.
-pub(super) const ENDS_KEPT: f64 = 0.03;
-/// How often the ankle is raised, and what it may lack after (m).
-pub(super) const MOST_BUMPS: usize = 4;
+/// What the ankle may lack after it was raised (m).
 pub(super) const LACK: f64 = 1e-5;
-/// Half the width of a rise (x), and the least part of its height that its worst sample may have of it.
-pub(super) const BUMP_REACH: f64 = 0.32;
-pub(super) const LEAST_PART: f64 = 0.3;
-/// A rise about a sample before this (x) ends here: later it would bend the nearly straight leg just before contact (2 to 4 % of
-/// body weight in the vertical force).
+/// From when on (x) a sample is in the middle of the swing, and from when on it is late: a rise about one before it ends early.
+pub(super) const MIDDLE_FROM: f64 = 0.2;
 pub(super) const EARLY: f64 = 0.75;
-pub(super) const EARLY_ENDS: f64 = 0.88;

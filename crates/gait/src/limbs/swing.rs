@@ -1,26 +1,49 @@
 //! One foot in the air: joint splines between the end of one stance and the begin of the next.
 
 use super::jet::LegJet;
-use super::numbers::{
-    ANKLE_AT, BUMP_REACH, CLEAR_FROM, CLEAR_UNTIL, CLOSING_ANKLE, CLOSING_KNEE_LATER, CLOSING_THIGH_AT,
-    EARLY, EARLY_ENDS, ENDS_KEPT, LACK, LANDING, LATE_ENDS, LATE_FROM, LATE_KNEE_AT, LEAST_PART, MOST_BUMPS,
-    OUTWARD, STRAIGHTENED, THIGH_AT, TOES_STRAIGHT_AT,
-};
+use super::numbers::{EARLY, LACK, LATE_ENDS, LATE_FROM, MIDDLE_FROM, OUTWARD, STRAIGHTENED};
 use crate::body::leg::{LegGeometry, LegPose};
-use crate::smooth::style::Style;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, step};
 
-/// What a swing aims at, besides its two ends.
+/// What a swing goes through between its two ends, on the foot's own clock.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Aim {
-    /// Thigh at its waypoint.
-    pub(crate) thigh: f64,
-    /// Knee at u = .945.
-    pub(crate) late_knee: f64,
-    /// Whether the foot closes beside the other one, where the walk ends.
-    pub(crate) beside: bool,
+pub(crate) struct Way<'a> {
+    pub(crate) toe_off: f64,
+    /// Waypoints: when and how much.
+    pub(crate) thigh: &'a [(f64, f64)],
+    pub(crate) knee: &'a [(f64, f64)],
+    /// Of the ankle's dorsiflexion.
+    pub(crate) ankle: &'a [(f64, f64)],
+    /// When the toes are straight again.
+    pub(crate) toes_straight_at: f64,
+    /// Duration of the piece that lands the foot.
+    pub(crate) landing: f64,
     /// By how much the leg leans sideways at its two ends only because the body faces elsewhere than the foot, see [`sideways`].
     pub(crate) sideways: [f64; 2],
+    /// By how much the leg leans outward in mid-swing, so that it passes the other one (rad).
+    pub(crate) outward: f64,
+}
+
+/// How a swinging foot is kept off the ground; x counts from 0 at toe-off to 1 at contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clearance {
+    /// What is asked for in mid-swing (m).
+    pub(crate) height: f64,
+    /// The part of it that is kept until shortly before contact, so that the foot does not sink between samples.
+    pub(crate) late: f64,
+    /// From when on (x) and over how long it is asked for, and until when and over how long no more.
+    pub(crate) from: (f64, f64),
+    pub(crate) until: (f64, f64),
+    /// Samples nearer to an end than this (x) are left as they are.
+    pub(crate) ends_kept: f64,
+    /// How often the ankle is raised.
+    pub(crate) most_bumps: usize,
+    /// Half the width of a rise (x) in the middle of the swing, and about its ends.
+    pub(crate) reach: [f64; 2],
+    /// The least part of a rise's height that its worst sample may have of it.
+    pub(crate) least_part: f64,
+    /// Where a rise ends (x) that is not about a late sample.
+    pub(crate) early_ends: f64,
 }
 
 /// By how much a leg leans more to the side in its foot's plane than in that of the body, which is turned by `turn` to the left of
@@ -45,9 +68,13 @@ struct Bump {
 
 impl Bump {
     fn at(&self, x: f64) -> f64 {
-        let t = ((x - self.from) / (self.to - self.from)).clamp(0.0, 1.0);
-        (4.0 * t * (1.0 - t)).powi(3) * self.height
+        hump(((x - self.from) / (self.to - self.from)).clamp(0.0, 1.0)) * self.height
     }
+}
+
+/// 0 at 0 and at 1, 1 between, C² at its ends: `(4t(1 − t))³`.
+fn hump(t: f64) -> f64 {
+    (4.0 * t * (1.0 - t)).powi(3)
 }
 
 /// A swing on the foot's own clock, from toe-off to 1.
@@ -59,37 +86,34 @@ pub(crate) struct Swing {
     knee: Piecewise,
     dorsiflexion: Piecewise,
     toes: Piecewise,
-    /// See [`Aim`].
+    toes_straight_at: f64,
+    /// See [`Way`].
     sideways: [f64; 2],
-    /// Pitch and its rate at contact.
+    outward: f64,
+    /// Pitch and its rate at contact, and when the foot begins to land.
     landing: (f64, f64),
+    landed_from: f64,
+    landing_time: f64,
     bumps: Vec<Bump>,
 }
 
 impl Swing {
-    pub(crate) fn new(style: &Style, start: &LegJet, end: &LegJet, aim: &Aim) -> Result<Self, ProfileError> {
-        let toe_off = style.toe_off();
-        let spline = |knots: &[f64], values: &[f64], start, end| {
-            Piecewise::quintic_spline(knots, values, start, end).map(|s| s.outside(Outside::Extrapolate))
+    pub(crate) fn new(way: &Way<'_>, start: &LegJet, end: &LegJet) -> Result<Self, ProfileError> {
+        let toe_off = way.toe_off;
+        let spline = |waypoints: &[(f64, f64)], until: f64, start, end| {
+            let mut knots = vec![toe_off];
+            knots.extend(waypoints.iter().map(|(at, _)| *at));
+            knots.push(until);
+            let values: Vec<f64> = waypoints.iter().map(|(_, value)| *value).collect();
+            Piecewise::quintic_spline(&knots, &values, start, end).map(|s| s.outside(Outside::Extrapolate))
         };
-        let thigh_at = if aim.beside { CLOSING_THIGH_AT } else { THIGH_AT };
-        let thigh = spline(&[toe_off, thigh_at, 1.0], &[aim.thigh], start.thigh, end.thigh)?;
-        let knee = if aim.beside {
-            spline(
-                &[toe_off, style.knee_peak_at + CLOSING_KNEE_LATER, 1.0],
-                &[style.knee_peak],
-                start.knee,
-                end.knee,
-            )?
-        } else {
-            let knots = [toe_off, style.knee_peak_at, LATE_KNEE_AT, 1.0];
-            spline(&knots, &[style.knee_peak, aim.late_knee], start.knee, end.knee)?
-        };
+        let thigh = spline(way.thigh, 1.0, start.thigh, end.thigh)?;
+        let knee = spline(way.knee, 1.0, start.knee, end.knee)?;
         // The foot's pitch is C¹ at contact: a near-straight leg forces its rate there, and a smoother landing would turn
         // the toes far up before it. A cubic of duration h takes the rate from nothing to γ̇.
         let landing = (end.pitch.position, end.pitch.velocity);
-        let landed_from = 1.0 - LANDING;
-        let rest = landing.0 - landing.1 * LANDING / 3.0;
+        let landed_from = 1.0 - way.landing;
+        let rest = landing.0 - landing.1 * way.landing / 3.0;
         let (k, a) = (knee.at(landed_from), thigh.at(landed_from));
         let before = Boundary::new(
             k.position - a.position - rest,
@@ -98,7 +122,6 @@ impl Swing {
         );
         let of = |jet: fn(&Boundary) -> f64| jet(&start.knee) - jet(&start.thigh) - jet(&start.pitch);
         let after = Boundary::new(of(|b| b.position), of(|b| b.velocity), of(|b| b.acceleration));
-        let ankle = style.ankle_swing + if aim.beside { CLOSING_ANKLE } else { 0.0 };
         let extension = Boundary::new(
             start.pitch.position - start.toes.position,
             start.pitch.velocity - start.toes.velocity,
@@ -106,13 +129,17 @@ impl Swing {
         );
         Ok(Self {
             toe_off,
-            side: spline(&[toe_off, 1.0], &[], start.side, end.side)?,
+            side: spline(&[], 1.0, start.side, end.side)?,
             thigh,
             knee,
-            dorsiflexion: spline(&[toe_off, ANKLE_AT, landed_from], &[ankle], after, before)?,
-            toes: spline(&[toe_off, TOES_STRAIGHT_AT], &[], extension, Boundary::rest(0.0))?,
-            sideways: aim.sideways,
+            dorsiflexion: spline(way.ankle, landed_from, after, before)?,
+            toes: spline(&[], way.toes_straight_at, extension, Boundary::rest(0.0))?,
+            toes_straight_at: way.toes_straight_at,
+            sideways: way.sideways,
+            outward: way.outward,
             landing,
+            landed_from,
+            landing_time: way.landing,
             bumps: Vec::new(),
         })
     }
@@ -134,37 +161,27 @@ impl Swing {
 
     fn unlifted(&self, v: f64) -> LegPose {
         let (thigh, knee) = (self.thigh.position(v), self.knee.position(v));
-        let landed_from = 1.0 - LANDING;
-        let pitch = if v < landed_from {
+        let pitch = if v < self.landed_from {
             knee - thigh - self.dorsiflexion.position(v)
         } else {
-            let (contact, rate) = self.landing;
-            let t = ((v - landed_from) / LANDING).clamp(0.0, 1.0);
-            contact + rate * LANDING / 3.0 * (t * t * t - 1.0)
+            let ((contact, rate), time) = (self.landing, self.landing_time);
+            let t = ((v - self.landed_from) / time).clamp(0.0, 1.0);
+            contact + rate * time / 3.0 * (t * t * t - 1.0)
         };
-        let extension = if v < TOES_STRAIGHT_AT { self.toes.position(v) } else { 0.0 };
+        let extension = if v < self.toes_straight_at { self.toes.position(v) } else { 0.0 };
         // In mid-swing the leg leans as if the body faced where the foot does.
         let x = self.phase(v).clamp(0.0, 1.0);
         let [before, after] = self.sideways;
         let part = step::quintic(x.min(1.0 - x) / STRAIGHTENED).position;
         let straightened = OUTWARD * (before + (after - before) * x) * part;
-        let side = self.side.position(v) - straightened;
+        let side = self.side.position(v) - straightened - self.outward * hump(x);
         LegPose { side, thigh, knee, pitch, toes: pitch - extension }
     }
 
-    /// Raises the ankle where the foot would come too near to the ground: at most [`MOST_BUMPS`] times, about the worst sample.
+    /// Raises the ankle where the foot would come too near to the ground: about the worst sample, a few times.
     ///
     /// `samples` are clocks and the hip's heights there.
-    ///
-    /// `late` is the part of the clearance that is kept until shortly before contact, so that the foot does not sink between
-    /// samples.
-    pub(crate) fn clear_ground(
-        &mut self,
-        leg: &LegGeometry,
-        clearance: f64,
-        late: f64,
-        samples: &[(f64, f64)],
-    ) {
+    pub(crate) fn clear_ground(&mut self, leg: &LegGeometry, clearance: &Clearance, samples: &[(f64, f64)]) {
         struct At {
             x: f64,
             wanted: f64,
@@ -179,17 +196,18 @@ impl Swing {
             .map(|&(v, hip)| {
                 let (x, pose) = (self.phase(v), self.unlifted(v));
                 let drop = leg.ankle_below_hip(&pose);
-                let mid_swing = ((x - CLEAR_FROM.0) / CLEAR_FROM.1)
-                    .min((CLEAR_UNTIL.0 - x) / CLEAR_UNTIL.1)
+                let mid_swing = ((x - clearance.from.0) / clearance.from.1)
+                    .min((clearance.until.0 - x) / clearance.until.1)
                     .clamp(0.0, 1.0);
-                let late = if x > LATE_FROM { late * ((1.0 - x) / LATE_ENDS).clamp(0.0, 1.0) } else { 0.0 };
-                let wanted = clearance * mid_swing.max(late);
+                let late = clearance.late * ((1.0 - x) / LATE_ENDS).clamp(0.0, 1.0);
+                let late = if x > LATE_FROM { late } else { 0.0 };
+                let wanted = clearance.height * mid_swing.max(late);
                 At { x, wanted, hip, drop, cos_side: pose.side.cos(), pitch: pose.pitch, toes: pose.toes }
             })
-            .filter(|at| at.x > ENDS_KEPT && (at.x < 1.0 - ENDS_KEPT || at.wanted > 0.0))
+            .filter(|at| at.x > clearance.ends_kept && (at.x < 1.0 - clearance.ends_kept || at.wanted > 0.0))
             .collect();
         let toe = leg.toe_polar();
-        for _ in 0..MOST_BUMPS {
+        for _ in 0..clearance.most_bumps {
             let missing =
                 |at: &At| at.wanted - leg.lowest(toe, at.hip - at.drop * at.cos_side, at.pitch, at.toes);
             let Some((worst, at)) = points
@@ -200,10 +218,11 @@ impl Swing {
             else {
                 break;
             };
-            let end = if at.x < EARLY { EARLY_ENDS } else { 1.0 };
-            let unit =
-                Bump { from: (at.x - BUMP_REACH).max(0.0), to: (at.x + BUMP_REACH).min(end), height: 1.0 };
-            let bump = Bump { height: worst / unit.at(at.x).max(LEAST_PART), ..unit };
+            let end = if at.x < EARLY { clearance.early_ends } else { 1.0 };
+            let [middle, ends] = clearance.reach;
+            let reach = if at.x > MIDDLE_FROM && at.x < EARLY { middle } else { ends };
+            let unit = Bump { from: (at.x - reach).max(0.0), to: (at.x + reach).min(end), height: 1.0 };
+            let bump = Bump { height: worst / unit.at(at.x).max(clearance.least_part), ..unit };
             self.bumps.push(bump);
             for at in &mut points {
                 at.drop -= bump.at(at.x) / at.cos_side;

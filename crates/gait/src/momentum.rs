@@ -10,7 +10,7 @@ pub(crate) mod upper;
 use crate::body::foot::{FootPlane, mirror, turned};
 use crate::body::leg::LegPose;
 use crate::body::{Body, Segment};
-use crate::smooth::grid::Grid;
+use crate::grid::Grid;
 use legs::{LEG_SHAPE, LegMotion};
 use nalgebra::Vector3;
 use parts::Parts;

@@ -1,7 +1,7 @@
 //! The angles of a leg with their derivatives, where one piece of its way ends and the next begins.
 
 use crate::body::leg::LegPose;
-use crate::smooth::grid::{FIRST, SECOND};
+use crate::grid::{FIRST, SECOND};
 use solaris_profiles::Boundary;
 
 /// A leg's five angles with their first two derivatives by the foot's clock.

@@ -12,7 +12,6 @@ use super::numbers::{
 use super::push::Push;
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose, Polar};
-use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic};
 
@@ -23,6 +22,19 @@ pub(crate) enum Landing {
     Heel,
     /// It stands flat already.
     Flat,
+}
+
+/// Where a foot stands, and when, on its own clock.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Footing {
+    /// Outward turn of the foot (rad).
+    pub(crate) yaw: f64,
+    /// Distance of the two feet's heel prints to the side (m).
+    pub(crate) width: f64,
+    /// When the foot is flat.
+    pub(crate) flat: f64,
+    /// When it lifts.
+    pub(crate) toe_off: f64,
 }
 
 /// The left foot on the ground; its print's heel stands at z = 0 (the right foot's world is mirrored).
@@ -45,15 +57,15 @@ pub(crate) struct Stance {
 }
 
 impl Stance {
-    pub(crate) fn new(leg: &LegGeometry, style: &Style, landing: Landing, push: Push) -> Self {
-        let plane = FootPlane::new(style.foot_yaw);
-        let heel = Vector3::new(style.step_width / 2.0, 0.0, 0.0);
+    pub(crate) fn new(leg: &LegGeometry, footing: &Footing, landing: Landing, push: Push) -> Self {
+        let plane = FootPlane::new(footing.yaw);
+        let heel = Vector3::new(footing.width / 2.0, 0.0, 0.0);
         Self {
             leg: *leg,
             plane,
             landing,
-            foot_flat: style.foot_flat,
-            toe_off: style.toe_off(),
+            foot_flat: footing.flat,
+            toe_off: footing.toe_off,
             push,
             heel,
             flat_ankle: heel + plane.forward * leg.heel_behind + Vector3::y() * leg.ankle_height,
@@ -85,12 +97,18 @@ impl Stance {
     }
 
     /// The knee at contact for a foot that lands on its heel with this pitch: what the leg needs, but hardly straighter than the
-    /// style's. The more it is bent, the less it goes on bending: not at all from `range` (rad) more than the style's on.
-    pub(crate) fn landing_knee(&self, style: &Style, pitch: f64, range: f64, hip: &Vector3<f64>) -> Boundary {
+    /// style's (`knee`). The more it is bent, the less it goes on bending: not at all from `range` (rad) more than the style's on.
+    pub(crate) fn landing_knee(
+        &self,
+        knee: Boundary,
+        pitch: f64,
+        range: f64,
+        hip: &Vector3<f64>,
+    ) -> Boundary {
         let distance = (hip - self.ankle_on_heel(pitch)).norm_squared();
-        let flexion = self.leg.knee_for(distance).max(style.knee_contact - LANDING_STRAIGHTER);
-        let factor = (1.0 - (flexion - style.knee_contact) / range).clamp(-1.0, 1.0);
-        Boundary::new(flexion, style.knee_contact_rate * factor, style.knee_contact_acc * factor)
+        let flexion = self.leg.knee_for(distance).max(knee.position - LANDING_STRAIGHTER);
+        let factor = (1.0 - (flexion - knee.position) / range).clamp(-1.0, 1.0);
+        Boundary::new(flexion, knee.velocity * factor, knee.acceleration * factor)
     }
 
     /// Gives the knee its law from contact (the jet `contact`) to the flat foot.
