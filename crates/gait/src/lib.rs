@@ -47,8 +47,8 @@ pub use request::{
     TURN, TURN_IN_ALL, WALK_RATIO, WalkPart, WalkRequest,
 };
 pub use smooth::{
-    FRICTION, LONGEST_STAND, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Unit, WalkNumbers,
-    WalkPlan, WalkSegment, WalkSequence, walk,
+    FRICTION, LONGEST_STAND, Manner, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Toes, Unit,
+    WalkNumbers, WalkPlan, WalkSegment, WalkSequence, walk,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

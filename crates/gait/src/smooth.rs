@@ -3,6 +3,7 @@
 mod band;
 mod laws;
 mod legs;
+mod manner;
 mod parameter;
 mod plan_check;
 mod prescribed;
@@ -13,6 +14,8 @@ mod style;
 mod walk;
 mod walker;
 
+pub use crate::limbs::swing::Toes;
+pub use manner::Manner;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use plan_check::FRICTION;
 pub use sequence::{LONGEST_STAND, WalkSegment, WalkSequence};

@@ -7,7 +7,7 @@ use super::segments::{Body, Segment};
 use nalgebra::{Matrix3, Vector3};
 
 /// Rotation of the hand about x (rad): the fingers a little forward.
-pub(crate) const HAND_FLEXION: f64 = -0.08;
+const HAND_FLEXION: f64 = -0.08;
 
 /// How upper arms hang (rad).
 #[derive(Clone, Copy, Debug)]
@@ -16,11 +16,27 @@ pub(crate) struct ArmCarriage {
     pub(crate) abduction: f64,
     /// Inward about the arm's own length, so that a bent forearm points across the body.
     pub(crate) inward: f64,
+    /// How far the shoulder girdle turns about the vertical with the arm, as a part of the shoulder's angle.
+    pub(crate) clavicle: f64,
+    /// How far the hand swings on, as a part of the elbow's angle.
+    pub(crate) wrist: f64,
 }
 
 impl ArmCarriage {
     /// Of people who walk: 6° outward.
-    pub(crate) const WALKING: Self = Self { abduction: 6.0 * std::f64::consts::PI / 180.0, inward: 0.0 };
+    pub(crate) const WALKING: Self =
+        Self { abduction: 6.0 * std::f64::consts::PI / 180.0, inward: 0.0, clavicle: 0.0, wrist: 0.0 };
+
+    /// Angle of a clavicle about the vertical against the thorax, forward with the arm.
+    pub(crate) fn girdle(&self, side: usize, shoulder: f64) -> f64 {
+        let forward = -self.clavicle * shoulder;
+        if side == 0 { -forward } else { forward }
+    }
+
+    /// Angle of a hand about x.
+    pub(crate) fn hand(&self, elbow: f64) -> f64 {
+        HAND_FLEXION + self.wrist * elbow
+    }
 
     /// Rotation of an upper arm (left 0, right 1) against the thorax, for the shoulder's angle s: `Rz(±a) Rx(s) Ry(∓i)`.
     pub(crate) fn rotation(&self, side: usize, shoulder: f64) -> Matrix3<f64> {
@@ -86,10 +102,10 @@ impl Posture {
             set(&body.middle[i], rotations::euler(&(rotations[i - 1].transpose() * rotations[i])));
         }
         for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(self.arms).enumerate() {
-            set(&arm[0], [0.0; 3]);
+            set(&arm[0], [0.0, self.carriage.girdle(side, shoulder), 0.0]);
             set(&arm[1], self.carriage.angles(side, shoulder));
             set(&arm[2], [0.0, 0.0, elbow]);
-            set(&arm[3], [0.0, 0.0, HAND_FLEXION]);
+            set(&arm[3], [0.0, 0.0, self.carriage.hand(elbow)]);
         }
         for (side, (leg, pose)) in body.legs.iter().zip(&self.legs).enumerate() {
             let [thigh, shank, foot, _] = plane.frames(pose);

@@ -32,6 +32,8 @@ pub(super) const WAYPOINT_GAIN: f64 = 1.3;
 pub(super) const TOE_OFF_GAIN: f64 = 1.5;
 /// The greatest knee flexion that toe-off is bent to.
 pub(super) const MOST_KNEE_TOE_OFF: f64 = 60.0 * DEGREE;
+/// How often the toes' roll is held against the foot's pitch.
+pub(super) const ROLL_ATTEMPTS: usize = 2;
 /// How far the law of the toes goes on after toe-off, in parts of the roll over the tip.
 pub(super) const TOES_BEYOND: f64 = 1.2;
 
@@ -50,6 +52,13 @@ pub(super) const LEAST_KNEE_SINE: f64 = 0.05;
 /// much farther it leans then: the thighs pass each other before mid-swing. (More would need more friction than soles have.)
 pub(super) const STRAIGHTENED: f64 = 0.3;
 pub(super) const OUTWARD: f64 = 1.3;
+
+/// Where the toes come to rest after toe-off, against the foot (rad, extension), unless they are too fast for that: they are slowed down by
+/// so much at most (rad by u²), turn so far at least, and within so long (u).
+pub(super) const SETTLED: f64 = 2.0 * DEGREE;
+pub(super) const MOST_SLOWED: f64 = 70_000.0 * DEGREE;
+pub(super) const LEAST_TURNED: f64 = DEGREE;
+pub(super) const LONGEST_SETTLING: f64 = 0.12;
 
 // Over the ground; x counts from 0 at toe-off to 1 at contact.
 

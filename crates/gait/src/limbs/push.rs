@@ -13,6 +13,8 @@ pub(crate) struct Push {
     pub(crate) tip_roll_at: f64,
     /// Pitch of the toes at toe-off.
     pub(crate) toe_roll: f64,
+    /// The greatest part of the foot's pitch that they have then: more would bend them down as the foot leaves.
+    pub(crate) most_roll: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,
 }

@@ -6,8 +6,8 @@
 use super::jet::{LegJet, jets};
 use super::numbers::{
     JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_KNEE_TOE_OFF, MOST_WIDTHS, PUSH_ATTEMPTS,
-    PUSH_CHECKED, PUSH_INSTANTS, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN, TOES_BEYOND,
-    WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
+    PUSH_CHECKED, PUSH_INSTANTS, ROLL_ATTEMPTS, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN,
+    TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
 };
 use super::push::Push;
 use crate::body::foot::FootPlane;
@@ -159,6 +159,11 @@ impl Stance {
             }
         }
         self.push.knee_toe_off = end;
+        // The ball, and with it the pitch, depends a little on the roll.
+        for _ in 0..ROLL_ATTEMPTS {
+            let pitch = self.push_phase(toe_off, &hip(toe_off)).1;
+            self.push.toe_roll = self.push.toe_roll.min(self.push.most_roll * pitch);
+        }
         Ok(())
     }
 

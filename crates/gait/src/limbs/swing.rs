@@ -1,7 +1,10 @@
 //! One foot in the air: joint splines between the end of one stance and the begin of the next.
 
 use super::jet::LegJet;
-use super::numbers::{EARLY, LACK, LATE_ENDS, LATE_FROM, MIDDLE_FROM, OUTWARD, STRAIGHTENED};
+use super::numbers::{
+    EARLY, LACK, LATE_ENDS, LATE_FROM, LEAST_TURNED, LONGEST_SETTLING, MIDDLE_FROM, MOST_SLOWED, OUTWARD,
+    SETTLED, STRAIGHTENED,
+};
 use crate::body::leg::{LegGeometry, LegPose};
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, step};
 
@@ -14,14 +17,46 @@ pub(crate) struct Way<'a> {
     pub(crate) knee: &'a [(f64, f64)],
     /// Of the ankle's dorsiflexion.
     pub(crate) ankle: &'a [(f64, f64)],
-    /// When the toes are straight again.
-    pub(crate) toes_straight_at: f64,
+    pub(crate) toes: Toes,
     /// Duration of the piece that lands the foot.
     pub(crate) landing: f64,
     /// By how much the leg leans sideways at its two ends only because the body faces elsewhere than the foot, see [`sideways`].
     pub(crate) sideways: [f64; 2],
     /// By how much the leg leans outward in mid-swing, so that it passes the other one (rad).
     pub(crate) outward: f64,
+}
+
+/// How the toes come back to the foot after toe-off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Toes {
+    /// In one piece, straight from so many strides after contact on. They claw on the way: their rate at toe-off is large.
+    StraightAt(f64),
+    /// As soon as they can without clawing, to this extension (rad) in mid-swing; straight when the foot lands.
+    Extended(f64),
+}
+
+impl Toes {
+    /// Their extension over the swing, from its jet at toe-off.
+    fn spline(self, toe_off: f64, start: Boundary) -> Result<Piecewise, ProfileError> {
+        let rest = Boundary::rest(0.0);
+        match self {
+            Self::StraightAt(at) => Piecewise::quintic_spline(&[toe_off, at], &[], start, rest),
+            Self::Extended(extension) => {
+                let (v, a) = (-start.velocity.min(0.0), -start.acceleration.min(0.0));
+                // How far they turn until they rest, and when they do: the quintic from a rest at D below to (0, −v, −a) is
+                // (1 − t)³·(D(1 + 3t + 6t²) − V·t(1 + 3t) − ½A·t²) with V = v·t₁ and A = a·t₁²; it goes below D nowhere if
+                // 10·D ≥ 4·V + ½·A.
+                let turned = (start.position - SETTLED).max(v * v / (2.0 * MOST_SLOWED)).max(LEAST_TURNED);
+                let within = 20.0 * turned / (4.0 * v + (16.0 * v * v + 20.0 * a * turned).sqrt());
+                let (settled, still) = (start.position - turned, toe_off + within.min(LONGEST_SETTLING));
+                let knots = [toe_off, still, 0.5 * (still + 1.0), 1.0];
+                Piecewise::quintic_hermite(
+                    &knots,
+                    &[start, Boundary::rest(settled), Boundary::rest(extension), rest],
+                )
+            }
+        }
+    }
 }
 
 /// How a swinging foot is kept off the ground; x counts from 0 at toe-off to 1 at contact.
@@ -86,7 +121,6 @@ pub(crate) struct Swing {
     knee: Piecewise,
     dorsiflexion: Piecewise,
     toes: Piecewise,
-    toes_straight_at: f64,
     /// See [`Way`].
     sideways: [f64; 2],
     outward: f64,
@@ -133,8 +167,7 @@ impl Swing {
             thigh,
             knee,
             dorsiflexion: spline(way.ankle, landed_from, after, before)?,
-            toes: spline(&[], way.toes_straight_at, extension, Boundary::rest(0.0))?,
-            toes_straight_at: way.toes_straight_at,
+            toes: way.toes.spline(toe_off, extension)?,
             sideways: way.sideways,
             outward: way.outward,
             landing,
@@ -168,7 +201,7 @@ impl Swing {
             let t = ((v - self.landed_from) / time).clamp(0.0, 1.0);
             contact + rate * time / 3.0 * (t * t * t - 1.0)
         };
-        let extension = if v < self.toes_straight_at { self.toes.position(v) } else { 0.0 };
+        let extension = self.toes.position(v);
         // In mid-swing the leg leans as if the body faced where the foot does.
         let x = self.phase(v).clamp(0.0, 1.0);
         let [before, after] = self.sideways;

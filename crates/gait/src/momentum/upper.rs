@@ -1,7 +1,7 @@
 //! Trunk and arms over the nodes of a plan, found once: they do not change from pass to pass.
 
 use super::parts::Parts;
-use crate::body::posture::{ArmCarriage, HAND_FLEXION};
+use crate::body::posture::ArmCarriage;
 use crate::body::rotations;
 use crate::body::{Body, Segment};
 use crate::grid::Grid;
@@ -81,10 +81,10 @@ fn posture(
         parts[i] = (*rotation, origin + rotation * segment.com);
     }
     for (side, (arm, [shoulder, elbow])) in body.arms.iter().zip(arms).enumerate() {
-        let clavicle = rotations[2];
+        let clavicle = rotations[2] * rotations::about_y(carriage.girdle(side, *shoulder));
         let upper = clavicle * carriage.rotation(side, *shoulder);
         let forearm = upper * rotations::about_x(*elbow);
-        let chain = [clavicle, upper, forearm, forearm * rotations::about_x(HAND_FLEXION)];
+        let chain = [clavicle, upper, forearm, forearm * rotations::about_x(carriage.hand(*elbow))];
         let mut origin = thorax_origin + rotations[2] * arm[0].offset;
         for (i, (segment, rotation)) in arm.iter().zip(&chain).enumerate() {
             if i > 0 {

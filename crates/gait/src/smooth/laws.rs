@@ -24,6 +24,8 @@ const COP_TIP_ROLL: f64 = 0.955;
 
 /// Amplitude of the pelvis' forward tilt (rad), twice a stride, and its phase (u).
 const TILT_SWING: (f64, f64) = (1.4 * DEGREE, 0.02);
+/// When the body is over the left leg, highest and farthest to the left (u).
+const SWAY_MOST: f64 = 0.30;
 /// Third harmonic of the pelvis' obliquity over its first.
 const OBLIQUITY_THIRD: f64 = 0.3;
 /// Part of the way from the one to the other: the abdomen between pelvis and thorax, the neck between the head, which stays
@@ -31,8 +33,7 @@ const OBLIQUITY_THIRD: f64 = 0.3;
 const HALFWAY: f64 = 0.5;
 /// Mean of the shoulders' flexion (rad): a little backward.
 const SHOULDER_MEAN: f64 = -3.0 * DEGREE;
-/// Mean and amplitude of the elbows' flexion (rad), and its lag after the shoulder (u).
-const ELBOW: (f64, f64) = (22.0 * DEGREE, 9.0 * DEGREE);
+/// Lag of the elbows after the shoulders (u).
 const ELBOW_LAG: f64 = 0.05;
 
 /// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).
@@ -122,7 +123,12 @@ pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
         style.thorax_lean,
     ];
     let abdomen = std::array::from_fn(|i| HALFWAY * (pelvis[i] + thorax[i]));
-    [pelvis, abdomen, thorax, thorax.map(|x| HALFWAY * x), [0.0; 3]]
+    // The head rises twice a stride, most in mid-stance, and sways once, to the standing leg's side.
+    let [pitch, turn] = style.manner.head;
+    let head =
+        [0.0, -swings.thorax * turn * cos(u - SWAY_MOST), swings.thorax * pitch * cos(2.0 * (u - SWAY_MOST))];
+    let neck = std::array::from_fn(|i| HALFWAY * (thorax[i] + head[i]));
+    [pelvis, abdomen, thorax, neck, head]
 }
 
 /// Rotations about x of shoulders and elbows, left and right: the right arm's are the left one's half a stride later.
@@ -132,5 +138,7 @@ pub(crate) fn arms(style: &Style, u: f64, swings: Swings) -> [[f64; 2]; 2] {
 
 fn arm(style: &Style, u: f64, swing: f64) -> [f64; 2] {
     let cos = |x: f64| (TAU * (x - 0.5 - style.arm_lag)).cos();
-    [-(SHOULDER_MEAN + swing * style.arm_swing * cos(u)), -(ELBOW.0 + swing * ELBOW.1 * cos(u - ELBOW_LAG))]
+    let [standing, mean, amplitude] = style.manner.elbow;
+    let elbow = standing + swing * (mean - standing + amplitude * cos(u - ELBOW_LAG));
+    [-(SHOULDER_MEAN + swing * style.arm_swing * cos(u)), -elbow]
 }

@@ -20,8 +20,6 @@ const CLOSING_THIGH_AT: f64 = 0.82;
 const ANKLE_AT: f64 = 0.83;
 /// When the knee has its late waypoint (u).
 const LATE_KNEE_AT: f64 = 0.945;
-/// When the toes are straight again (u).
-const TOES_STRAIGHT_AT: f64 = 0.80;
 /// How much later the knee of a closing foot is bent the most (u), and how much more its ankle is.
 const CLOSING_KNEE_LATER: f64 = 0.02;
 const CLOSING_ANKLE: f64 = 2.0 * DEGREE;
@@ -65,6 +63,7 @@ impl Style {
             waypoint: Some((PUSH_WAYPOINT_AT, self.knee_push)),
             tip_roll_at: self.tip_roll_at(),
             toe_roll: self.toe_roll,
+            most_roll: self.manner.toe_roll_part,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }
@@ -87,7 +86,7 @@ impl Style {
             thigh: &[(thigh_at, aim.thigh)],
             knee,
             ankle: &[(ANKLE_AT, self.ankle_swing + ankle)],
-            toes_straight_at: TOES_STRAIGHT_AT,
+            toes: self.manner.toes,
             landing: LANDING,
             sideways: aim.sideways,
             outward: 0.0,

@@ -6,7 +6,7 @@ use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
 use crate::body::leg::LegPose;
 use crate::body::missing;
-use crate::body::posture::{ArmCarriage, Posture};
+use crate::body::posture::Posture;
 use crate::body::rotations;
 use crate::error::GaitError;
 use crate::grid::{Ends, Grid};
@@ -72,7 +72,7 @@ impl StridePlan {
         let s2 = 2.0 * style.step_length;
         let leg = body.leg;
         let laws = Laws::new(&body, style, n)?;
-        let upper = UpperBody::new(&body, &grid, ArmCarriage::WALKING, |i| {
+        let upper = UpperBody::new(&body, &grid, style.manner.carriage(), |i| {
             let (trunk, arms) = angles(style, clock(i));
             (trunk, arms, 0.0)
         });
@@ -168,7 +168,7 @@ impl StridePlan {
     pub fn configuration(&self, u: f64, q: &mut [f64]) {
         let (pelvis, legs) = self.place(u);
         let (trunk, arms) = angles(&self.style, u);
-        let carriage = ArmCarriage::WALKING;
+        let carriage = self.style.manner.carriage();
         Posture { pelvis, trunk, arms, carriage, legs, heading: 0.0, feet: [0.0; 2] }.write(
             &self.body,
             &self.stance.plane,

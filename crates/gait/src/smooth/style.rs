@@ -1,5 +1,6 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
+use super::manner::Manner;
 use crate::body::LegGeometry;
 use crate::error::RequestError;
 use crate::request::WALK_RATIO;
@@ -36,6 +37,8 @@ macro_rules! style_numbers {
             pub anterior_tilt: f64,
             /// Least pitch of the standing shank when the hip is above its ankle (χ): the body is lowered to it.
             pub flexion: f64,
+            /// Toes, head and arms.
+            pub manner: Manner,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -52,6 +55,7 @@ macro_rules! style_numbers {
                     clearance: common.clearance,
                     anterior_tilt: 4.0 * DEGREE,
                     flexion: 0.0,
+                    manner: common.manner,
                     $($name: q($name) * $unit,)*
                 }
             }
@@ -71,7 +75,7 @@ macro_rules! style_numbers {
         impl Default for StyleTable {
             /// What ships.
             fn default() -> Self {
-                Self { rows: [$([$c0, $c1, $c2, $c3],)*] }
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None }
             }
         }
 
@@ -84,6 +88,8 @@ macro_rules! style_numbers {
 pub struct StyleTable {
     /// A row for each of [`StyleTable::NUMBERS`].
     pub rows: [[f64; 4]; NUMBERS],
+    /// Toes, head and arms; people's at the speed for `None`.
+    pub manner: Option<Manner>,
 }
 
 impl StyleTable {
@@ -109,6 +115,7 @@ struct Common {
     step_length: f64,
     double_support: f64,
     clearance: f64,
+    manner: Manner,
 }
 
 // One offline least-squares fit over all speeds at once (docs/walking.md).
@@ -217,6 +224,11 @@ impl Style {
             step_length,
             double_support: (29.4 - 0.149 * step_frequency) / 100.0,
             clearance: 0.012 * height / crate::body::REFERENCE_HEIGHT,
+            manner: table.manner.unwrap_or_else(|| {
+                // As fast as somebody of the reference height would be who walks alike.
+                let speed = step_length * step_frequency / 60.0;
+                Manner::of_people(speed / (height / crate::body::REFERENCE_HEIGHT).sqrt())
+            }),
         };
         let mut style = Self::tabulated(table, &basis, common);
         if stretch(leg, step_length) < -1.6 {
@@ -248,7 +260,12 @@ impl Style {
             ("anterior_tilt", self.anterior_tilt),
             ("flexion", self.flexion),
         ];
-        match common.into_iter().chain(self.numbers()).find(|(_, value)| !value.is_finite()) {
+        match common
+            .into_iter()
+            .chain(self.numbers())
+            .chain(self.manner.numbers())
+            .find(|(_, value)| !value.is_finite())
+        {
             Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),
             None => Ok(()),
         }

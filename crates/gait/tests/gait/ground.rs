@@ -140,13 +140,13 @@ fn stances_are_found_within_30_ms_of_the_planned_ones() {
 }
 
 /// As shipped, shares of the swing's speed count as standing, which fit motions of markers that were filtered. A planned heel comes down
-/// softly: it is slower than that up to 107 ms before it lands; a tip is for as much as 60 ms after it has left.
+/// softly: it is slower than that up to 107 ms before it lands; a tip is for as much as 74 ms after it has left: the toes straighten where they are.
 #[test]
 fn as_shipped_stances_begin_early_by_the_time_that_a_foot_comes_down_slowly() {
     for frequency in [80.0, 95.0, 110.0, 118.0] {
         let [start, end] = lateness(&walked(frequency, 6), StanceOptions::default());
         say(&format!("{frequency}: feet come {start:.0?} ms late, leave {end:.0?} ms late"));
         assert!(start.0 > -110.0 && start.1 < 1.0, "{frequency}: {start:?}");
-        assert!(end.0 > -1.0 && end.1 < 65.0, "{frequency}: {end:?}");
+        assert!(end.0 > -1.0 && end.1 < 80.0, "{frequency}: {end:?}");
     }
 }

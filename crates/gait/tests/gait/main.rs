@@ -18,6 +18,7 @@ mod isolated_peaks;
 mod layers;
 mod leg_closed_forms;
 mod long_walk;
+mod manners;
 mod metrics;
 mod mirror;
 mod people;

@@ -59,8 +59,37 @@ impl Piecewise {
         jets.extend(values.iter().map(|&x| Boundary::rest(x)));
         jets.push(end);
         solve_inner_jets(knots, &mut jets);
-        let pieces = (0..=inner)
-            .map(|i| Polynomial::quintic(knots[i + 1] - knots[i], &jets[i], &jets[i + 1]))
+        Self::through(knots, &jets)
+    }
+
+    /// The C² curve of quintic pieces with these positions, velocities and accelerations at its knots, one for each.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Piecewise::quintic_spline`].
+    ///
+    /// ```
+    /// use solaris_profiles::{Boundary, Piecewise};
+    /// let jets = [Boundary::rest(0.0), Boundary::new(0.5, 1.0, 0.0), Boundary::rest(0.4)];
+    /// let curve = Piecewise::quintic_hermite(&[0.0, 0.4, 1.0], &jets)?;
+    /// assert!((curve.at(0.4).velocity - 1.0).abs() < 1e-15);
+    /// # Ok::<(), solaris_profiles::ProfileError>(())
+    /// ```
+    #[doc(alias = "cspline")]
+    pub fn quintic_hermite(knots: &[f64], jets: &[Boundary]) -> Result<Self, ProfileError> {
+        check_knots(knots)?;
+        if jets.len() != knots.len() {
+            return Err(ProfileError::Count { what: "jets", found: jets.len(), needed: knots.len() });
+        }
+        jets.iter().try_for_each(|jet| check_finite("jet", &jet.numbers()))?;
+        Self::through(knots, jets)
+    }
+
+    fn through(knots: &[f64], jets: &[Boundary]) -> Result<Self, ProfileError> {
+        let pieces = knots
+            .windows(2)
+            .zip(jets.windows(2))
+            .map(|(knots, jets)| Polynomial::quintic(knots[1] - knots[0], &jets[0], &jets[1]))
             .collect();
         Self::new(knots, pieces)
     }

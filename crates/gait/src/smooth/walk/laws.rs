@@ -73,15 +73,20 @@ impl WalkLaws {
         fade(u, self.course.finish(u), self.numbers.swing_in, out)
     }
 
+    /// The envelope of the arms.
+    fn arms_swinging(&self, u: f64) -> f64 {
+        fade(u, self.course.finish(u), self.numbers.arms_in, self.numbers.arms_out)
+    }
+
     /// The envelope of the height's harmonics.
     pub(super) fn bobbing(&self, u: f64) -> f64 {
         self.swinging(u, self.numbers.harmonics_out)
     }
 
     fn swings(&self, u: f64) -> Swings {
-        let WalkNumbers { pelvis_out, thorax_out, arms_out, .. } = self.numbers;
-        let [pelvis, thorax, arms] = [pelvis_out, thorax_out, arms_out].map(|out| self.swinging(u, out));
-        Swings { pelvis, thorax, arms }
+        let WalkNumbers { pelvis_out, thorax_out, .. } = self.numbers;
+        let [pelvis, thorax] = [pelvis_out, thorax_out].map(|out| self.swinging(u, out));
+        Swings { pelvis, thorax, arms: self.arms_swinging(u) }
     }
 
     /// Angles of trunk and both arms, against the way the body faces.

@@ -87,8 +87,10 @@ pub struct WalkNumbers {
     pub height_in: (f64, f64),
     /// See [`Self::height_in`].
     pub height_out: (f64, f64),
-    /// Begin of everything that swings.
+    /// Begin of everything that swings but the arms.
     pub swing_in: (f64, f64),
+    /// Begin of the arms' swings.
+    pub arms_in: (f64, f64),
     /// End of the height's harmonics.
     pub harmonics_out: (f64, f64),
     /// End of the pelvis' swings.
@@ -121,6 +123,7 @@ impl WalkNumbers {
             height_in: (-0.21, 0.60),
             height_out: (0.09, 1.60),
             swing_in: (0.18, 0.85),
+            arms_in: (0.18, 0.85),
             harmonics_out: swing_out,
             pelvis_out: swing_out,
             thorax_out: swing_out,
@@ -137,7 +140,8 @@ impl WalkNumbers {
 }
 
 impl Default for WalkNumbers {
-    /// What ships: the trunk stops before the arms do, and the closing leg swings less, so that the feet twist the ground less.
+    /// What ships: the trunk stops before the arms do, and the closing leg swings less, so that the feet twist the ground less; the arms
+    /// swing before the first foot has landed.
     fn default() -> Self {
         Self {
             pelvis_out: (-0.14, 0.84),
@@ -148,6 +152,7 @@ impl Default for WalkNumbers {
             landing_range: LANDING_RANGE,
             knee_closing: 1.5 * DEGREE,
             late_clearance: 0.025,
+            arms_in: (-0.05, 0.75),
             ..Self::recipe()
         }
     }

@@ -8,7 +8,6 @@ use super::timeline::Timeline;
 use crate::body::Body;
 use crate::body::foot::turned;
 use crate::body::leg::LegPose;
-use crate::body::posture::ArmCarriage;
 use crate::error::GaitError;
 use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
@@ -48,7 +47,7 @@ impl Passes {
     pub(super) fn new(body: Body, laws: WalkLaws, timeline: Timeline) -> Self {
         let count = timeline.grid.count;
         let clocks = timeline.clocks();
-        let upper = UpperBody::new(&body, &timeline.grid, ArmCarriage::WALKING, |i| {
+        let upper = UpperBody::new(&body, &timeline.grid, laws.style(0).manner.carriage(), |i| {
             let (trunk, arms) = laws.angles(clocks[i]);
             (trunk, arms, laws.course.heading(clocks[i]))
         });

@@ -12,7 +12,7 @@ use super::timeline::Timeline;
 use crate::body::Body;
 use crate::body::foot::{mirror, turned};
 use crate::body::leg::LegPose;
-use crate::body::posture::{ArmCarriage, Posture};
+use crate::body::posture::Posture;
 use crate::body::rotations::{self, Euler};
 use crate::error::GaitError;
 use crate::request::Resolution;
@@ -295,7 +295,7 @@ impl WalkPlan {
         let legs = self.legs_below(u, &hips);
         let feet = [0, 1].map(|side| self.laws.foot_heading(side, u) - heading);
         let pelvis = pelvis + Vector3::z() * advance;
-        let carriage = ArmCarriage::WALKING;
+        let carriage = self.laws.style(0).manner.carriage();
         let ahead = Posture { pelvis, trunk, arms, carriage, legs, heading, feet };
         let seen = if self.left_first { ahead.mirrored() } else { ahead };
         let pelvis = self.from.place + turned(self.from.heading, &seen.pelvis);

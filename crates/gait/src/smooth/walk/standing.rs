@@ -2,7 +2,6 @@
 
 use super::numbers::{KNEE_STANDING, STANDING_AHEAD};
 use crate::body::Body;
-use crate::body::posture::ArmCarriage;
 use crate::body::rotations;
 use crate::grid::{Ends, Grid};
 use crate::limbs::stance::{Landing, Stance};
@@ -27,7 +26,7 @@ impl Standing {
         let ahead = leg.heel_behind + STANDING_AHEAD * body.scale();
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
         let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));
-        let upper = UpperBody::new(body, &grid, ArmCarriage::WALKING, |_| (trunk, arms, 0.0));
+        let upper = UpperBody::new(body, &grid, style.manner.carriage(), |_| (trunk, arms, 0.0));
         let hip_offset = rotations::matrix(trunk[0]) * leg.hip;
         let stance = Stance::new(leg, &style.footing(), Landing::Flat, style.push());
         let ankle = stance.flat_ankle();

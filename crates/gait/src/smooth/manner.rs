@@ -1,0 +1,74 @@
+//! What a walker does besides what the fitted numbers say: toes, head, arms.
+
+use crate::body::posture::ArmCarriage;
+use crate::limbs::swing::Toes;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// How a walker carries what does not decide the walk (rad).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Manner {
+    /// What the toes do after toe-off.
+    pub toes: Toes,
+    /// The greatest part of the foot's pitch at toe-off that the toes may have.
+    pub toe_roll_part: f64,
+    /// Flexion of the elbows while standing; in a stride its mean, and how far it swings.
+    pub elbow: [f64; 3],
+    /// Amplitudes of the head's pitch, against the body's rise, and of its turn, against the body's sway: they keep the gaze steady.
+    pub head: [f64; 2],
+    /// How far the shoulder girdle turns about the vertical with the arm, as a part of the arm's angle.
+    pub clavicle: f64,
+    /// How far the hand swings on, as a part of the forearm's.
+    pub wrist: f64,
+}
+
+impl Manner {
+    /// Of the recipe that the golden walks were made with: an upright head, stiff wrists.
+    pub const RECIPE: Self = Self {
+        toes: Toes::StraightAt(0.80),
+        toe_roll_part: f64::MAX,
+        elbow: [22.0 * DEGREE, 22.0 * DEGREE, 9.0 * DEGREE],
+        head: [0.0; 2],
+        clavicle: 0.0,
+        wrist: 0.0,
+    };
+
+    /// Of people at this speed (m/s): the faster they walk, the more their elbows bend and swing.
+    ///
+    /// An artist's choice within what textbooks give: elbows between 20° and 65° from slow to fast, a head that pitches and turns by a
+    /// degree or two against the trunk, toes that are a little extended in mid-swing.
+    pub fn of_people(speed: f64) -> Self {
+        let speed = speed.clamp(0.0, 2.2);
+        Self {
+            toes: Toes::Extended(5.0 * DEGREE),
+            toe_roll_part: 0.6,
+            elbow: [15.0 * DEGREE, (14.0 + 16.0 * speed) * DEGREE, (2.0 + 10.0 * speed) * DEGREE],
+            head: [1.5 * DEGREE, 1.2 * DEGREE],
+            clavicle: 0.08,
+            wrist: 0.15,
+        }
+    }
+
+    pub(super) fn carriage(&self) -> ArmCarriage {
+        ArmCarriage { clavicle: self.clavicle, wrist: self.wrist, ..ArmCarriage::WALKING }
+    }
+
+    /// Its numbers with their names.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let toes = match self.toes {
+            Toes::StraightAt(at) => at,
+            Toes::Extended(by) => by,
+        };
+        let [standing, mean, swing] = self.elbow;
+        let [pitch, turn] = self.head;
+        [
+            ("toes", toes),
+            ("toe_roll_part", self.toe_roll_part),
+            ("elbow", standing + mean + swing),
+            ("head", pitch + turn),
+            ("clavicle", self.clavicle),
+            ("wrist", self.wrist),
+        ]
+        .into_iter()
+    }
+}
