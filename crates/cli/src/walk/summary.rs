@@ -225,6 +225,13 @@ fn steady_rows(report: &Report) -> Vec<Row> {
     let mut rows = vec![
         row("walk ratio", fixed(stride.walk_ratio(), 5), "m·min", ratio),
         row("stance", fixed(stride.stance, 1), "% stride", stance),
+        row("on a plate, stance", fixed(stride.plate_stance, 1), "% stride", "above 20 N"),
+        row(
+            "on a plate, double support",
+            fixed(stride.plate_double_support, 1),
+            "% stride",
+            "both above 20 N",
+        ),
     ];
     for list in report.bands.iter().filter(|list| list.name == "textbook") {
         rows.extend(list.checks.iter().map(|check| {

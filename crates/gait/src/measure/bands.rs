@@ -136,7 +136,7 @@ pub const TEXTBOOK_BANDS: &[Band] = &[
     band("second vertical peak", "%BW", 100.0, 120.0, |s| s.second_peak),
     band("braking force", "%BW", -25.0, 25.0, |s| s.braking),
     band("pushing force", "%BW", -25.0, 25.0, |s| s.pushing),
-    band("one double support", "% stride", 9.0, 13.0, |s| s.double_support),
+    band("one double support", "% stride", 9.0, 13.0, |s| s.plate_double_support),
     band("hip range", "°", 38.0, 48.0, |s| s.hip_range),
     band("knee in swing", "°", 55.0, 70.0, |s| s.knee_swing),
     band("knee in stance", "°", 12.0, 25.0, |s| s.knee_loading),

@@ -8,12 +8,14 @@ use solaris_model::{EventKind, Motion};
 
 /// Part of a stride's duration and way by which its halves may differ, and by which it may go sideways.
 const UNEVEN: f64 = 0.02;
+/// The vertical force (N) from which on a plate sees a foot.
+const PLATE_THRESHOLD: f64 = 20.0;
 
 /// The measures of a steady stride of the left leg. Forces in % of body weight, angles in degrees, excursions in cm,
 /// moments in N m/kg about the distal segment's axes.
 ///
 /// With the feature `serde` its keys are `span_s`, `step_length_m`, `speed_m_s`, `cadence_per_min`, `double_support_percent`,
-/// `stance_percent` and `walk_ratio_m_min`; what bands ask about is written with them ([`super::BandReport`]).
+/// `stance_percent`, `plate_double_support_percent`, `plate_stance_percent` and `walk_ratio_m_min`; what bands ask about is written with them ([`super::BandReport`]).
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs, reason = "the names are the measures; the bands list them with units")]
 #[doc(alias = "gait cycle")]
@@ -25,9 +27,12 @@ pub struct SteadyStride {
     pub step_length: f64,
     pub speed: f64,
     pub cadence: f64,
-    /// One double support and the stance, in % of the stride.
+    /// One double support and the stance from touch-down to lift-off, in % of the stride.
     pub double_support: f64,
     pub stance: f64,
+    /// The same as people's are measured, on plates that take a foot for lifted below 20 N.
+    pub plate_double_support: f64,
+    pub plate_stance: f64,
     pub mean_vertical: f64,
     pub first_peak: f64,
     pub valley: f64,
@@ -114,6 +119,9 @@ impl SteadyStride {
             cadence: 120.0 / stride,
             double_support: 100.0 * double_support,
             stance: 100.0 * toe_off,
+            plate_double_support: 50.0
+                * window.part_above(PLATE_THRESHOLD, &|i| left[i].y.min(series.forces[1][i].y)),
+            plate_stance: 100.0 * window.part_above(PLATE_THRESHOLD, &|i| left[i].y),
             mean_vertical: window.mean(&total),
             first_peak: pushed.first_peak(&vertical),
             valley: pushed.valley(double_support, &vertical),
@@ -144,13 +152,15 @@ impl SteadyStride {
 impl serde::Serialize for SteadyStride {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
-        let mut stride = serializer.serialize_struct("SteadyStride", 7)?;
+        let mut stride = serializer.serialize_struct("SteadyStride", 9)?;
         stride.serialize_field("span_s", &self.span)?;
         stride.serialize_field("step_length_m", &self.step_length)?;
         stride.serialize_field("speed_m_s", &self.speed)?;
         stride.serialize_field("cadence_per_min", &self.cadence)?;
         stride.serialize_field("double_support_percent", &self.double_support)?;
         stride.serialize_field("stance_percent", &self.stance)?;
+        stride.serialize_field("plate_double_support_percent", &self.plate_double_support)?;
+        stride.serialize_field("plate_stance_percent", &self.plate_stance)?;
         stride.serialize_field("walk_ratio_m_min", &self.walk_ratio())?;
         stride.end()
     }

@@ -39,12 +39,33 @@ impl Window<'_> {
 
     /// The mean over the stride: trapezoids between the samples and its ends.
     pub(crate) fn mean(&self, f: &dyn Fn(usize) -> f64) -> f64 {
+        let points = self.points(f);
+        let area = points.windows(2).map(|p| (p[1].0 - p[0].0) * (p[0].1 + p[1].1) / 2.0).sum::<f64>();
+        area / (self.span.1 - self.span.0)
+    }
+
+    /// The part of the stride in which the value is above a threshold, linear between samples.
+    pub(crate) fn part_above(&self, threshold: f64, f: &dyn Fn(usize) -> f64) -> f64 {
+        let points = self.points(f);
+        let above = points.windows(2).map(|p| {
+            let (duration, [a, b]) = (p[1].0 - p[0].0, [p[0].1 - threshold, p[1].1 - threshold]);
+            match (a > 0.0, b > 0.0) {
+                (true, true) => duration,
+                (false, false) => 0.0,
+                _ => duration * a.max(b) / (a - b).abs(),
+            }
+        });
+        above.sum::<f64>() / (self.span.1 - self.span.0)
+    }
+
+    /// Times and values at the stride's ends and the samples between them.
+    fn points(&self, f: &dyn Fn(usize) -> f64) -> Vec<(f64, f64)> {
         let (start, end) = self.span;
         let inside = (0..self.time.len()).filter(|&i| self.time[i] > start && self.time[i] < end);
         let mut points = vec![(start, self.at(start, f))];
         points.extend(inside.map(|i| (self.time[i], f(i))));
         points.push((end, self.at(end, f)));
-        points.windows(2).map(|p| (p[1].0 - p[0].0) * (p[0].1 + p[1].1) / 2.0).sum::<f64>() / (end - start)
+        points
     }
 }
 

@@ -97,7 +97,7 @@ pub const FACTS: &[Fact] = &[
         looked_up: true,
         law: "64.2 − 3.5 v ± 2",
         trial: Some(63.7),
-        range: Range::Law(|s, _| s.stance, |s, _| (62.2 - 3.5 * s.speed, 66.2 - 3.5 * s.speed)),
+        range: Range::Law(|s, _| s.plate_stance, |s, _| (62.2 - 3.5 * s.speed, 66.2 - 3.5 * s.speed)),
     },
     Fact {
         name: "one double support, by cadence",
@@ -108,7 +108,7 @@ pub const FACTS: &[Fact] = &[
         law: "29.4 − 0.15 sf ± 1",
         trial: Some(13.5),
         range: Range::Law(
-            |s, _| s.double_support,
+            |s, _| s.plate_double_support,
             |_, p| (28.4 - 0.15 * p.step_frequency, 30.4 - 0.15 * p.step_frequency),
         ),
     },

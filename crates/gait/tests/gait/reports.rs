@@ -67,6 +67,12 @@ fn a_smooth_walk_is_written_with_units_in_its_keys() {
     assert_eq!(written["joints"][1]["absorbed"]["value"], json!(knee.absorbed.value));
 
     let stride = measures.steady.expect("eight steps have one");
+    // Plates see a foot later and lose it sooner than it touches and lifts.
+    assert!(stride.plate_stance > stride.stance - 5.0 && stride.plate_stance < stride.stance);
+    let lost = stride.double_support - stride.plate_double_support;
+    assert!((0.5..4.0).contains(&lost), "{lost}");
+    // Both legs' stances together are the stride and both double supports.
+    assert!((2.0 * stride.plate_stance - 100.0 - 2.0 * stride.plate_double_support).abs() < 0.1);
     assert_eq!(
         written["steady_stride"],
         json!({
@@ -76,6 +82,8 @@ fn a_smooth_walk_is_written_with_units_in_its_keys() {
             "cadence_per_min": stride.cadence,
             "double_support_percent": stride.double_support,
             "stance_percent": stride.stance,
+            "plate_double_support_percent": stride.plate_double_support,
+            "plate_stance_percent": stride.plate_stance,
             "walk_ratio_m_min": stride.step_length / stride.cadence,
         })
     );
