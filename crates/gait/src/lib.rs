@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < comparison < styled < people < sweep
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -28,6 +28,7 @@ pub mod metrics;
 mod momentum;
 pub mod people;
 mod request;
+mod running;
 mod smooth;
 mod styled;
 pub mod sweep;
@@ -43,9 +44,11 @@ pub use measure::{
     measure_stride,
 };
 pub use request::{
-    CHANGING_STEPS, DEFAULT_STEP_FREQUENCY, Extent, Resolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
-    TURN, TURN_IN_ALL, WALK_RATIO, WalkPart, WalkRequest,
+    CHANGING_STEPS, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, RUN_SPEED, Resolution, RunRequest,
+    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WALK_RATIO, WalkPart,
+    WalkRequest,
 };
+pub use running::{RunStride, RunStyle};
 pub use smooth::{
     FRICTION, LONGEST_STAND, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Unit, WalkNumbers,
     WalkPlan, WalkSegment, WalkSequence, walk,
