@@ -48,7 +48,7 @@ pub use request::{
     RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WALK_RATIO, WalkPart,
     WalkRequest,
 };
-pub use running::{RunStride, RunStyle};
+pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
     FRICTION, LONGEST_STAND, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Unit, WalkNumbers,
     WalkPlan, WalkSegment, WalkSequence, walk,
@@ -58,4 +58,4 @@ pub use thesis::{
     Edge, FeasibleMap, InBetween, KeyChoice, KeyScript, KeyframedOptions, KeyframedWalk, MapCondition,
     ScriptCycle, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, determinants, stick_figures, thesis_walk,
 };
-pub use walking::{StrideLoop, Walking, on_the_spot};
+pub use walking::{Prescribing, StrideLoop, Walking, on_the_spot};

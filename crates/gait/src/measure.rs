@@ -55,7 +55,7 @@ pub struct WalkMeasures {
     /// How long it lasts (s).
     #[cfg_attr(feature = "serde", serde(rename = "duration_s"))]
     pub duration: f64,
-    /// Each double support between steps, in % of the stride time at it.
+    /// Each double support between steps, in % of the stride time at it; a run has none.
     #[doc(alias = "double support")]
     #[doc(alias = "dual support")]
     #[cfg_attr(feature = "serde", serde(rename = "double_supports_percent"))]
@@ -225,18 +225,22 @@ fn touch_downs(motion: &Motion) -> Vec<(f64, usize)> {
 
 /// From each contact but the closing one to the next lift-off, in % of the stride that the two contacts around it make.
 fn double_supports(motion: &Motion, contacts: &[(f64, usize)]) -> Vec<f64> {
-    let lifts: Vec<f64> = motion
+    let lifts: Vec<(f64, &str)> = motion
         .events
         .iter()
-        .filter(|event| matches!(event.kind, EventKind::LiftOff { .. }))
-        .map(|event| event.time)
+        .filter_map(|event| match &event.kind {
+            EventKind::LiftOff { link } => Some((event.time, link.as_str())),
+            _ => None,
+        })
         .collect();
-    let spans = contacts.windows(2).map(|pair| (pair[0].0, 2.0 * (pair[1].0 - pair[0].0)));
+    let spans = contacts.windows(2).map(|pair| (pair[0], 2.0 * (pair[1].0 - pair[0].0)));
     spans
-        .filter_map(|(contact, stride)| {
+        .filter_map(|((contact, side), stride)| {
             // A foot may lift at the very moment at which the other one lands.
-            let lift = lifts.get(lifts.partition_point(|lift| *lift < contact - SAME_TIME))?;
-            Some(100.0 * (lift - contact).max(0.0) / stride)
+            let next = lifts.partition_point(|(lift, _)| *lift < contact - SAME_TIME);
+            let (lift, link) = lifts.get(next)?;
+            // Where the foot that has landed lifts next, the other one is in the air: it runs.
+            (*link != FEET[side]).then(|| 100.0 * (lift - contact).max(0.0) / stride)
         })
         .collect()
 }

@@ -7,10 +7,14 @@ mod circulant;
 mod forces;
 mod laws;
 mod legs;
+mod plan;
 mod prints;
+mod runner;
 mod stride;
 mod style;
 mod trunk;
 
-pub use stride::RunStride;
+pub use plan::RunPlan;
+pub use runner::{RUN_FRICTION, run};
+pub use stride::{RunExtremes, RunStride};
 pub use style::RunStyle;

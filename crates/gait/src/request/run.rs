@@ -57,9 +57,9 @@ pub struct RunResolution {
 }
 
 impl Default for RunResolution {
-    /// 200 nodes and 15 passes are within 0.02 mm and 0.02° of the limit.
+    /// With 200 nodes and 25 passes the body's own force is within 0.3 N of the law's at the nodes.
     fn default() -> Self {
-        Self { nodes: 200, passes: 15 }
+        Self { nodes: 200, passes: 25 }
     }
 }
 

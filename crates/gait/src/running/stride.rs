@@ -25,6 +25,8 @@ use solaris_profiles::UniformSpline;
 /// Part of the way that the trunk turns in a pass to where the angular momentum asks for it: with more, roll and yaw take each other
 /// away.
 const RELAXATION: f64 = 0.45;
+/// Part of the body's weight from which on a foot counts as loaded.
+const LOADED: f64 = 0.05;
 /// Centre of mass against the pelvis' origin before anything is known (m).
 const OFFSET: Vector3<f64> = Vector3::new(0.0, 0.06, 0.0);
 
@@ -50,6 +52,26 @@ pub struct RunStride {
     com: Vec<Vector3<f64>>,
     momentum: Vec<Vector3<f64>>,
     excess: Vec<Vector3<f64>>,
+}
+
+/// The greatest and least values that a run must keep within what soles and legs can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunExtremes {
+    /// Greatest friction ratio of a foot that bears more than 5 % of the weight.
+    pub friction: f64,
+    /// Least knee flexion (rad); negative is hyperextended.
+    pub least_knee: f64,
+    /// Greatest depth of a point of the soles below the ground (m).
+    pub sink: f64,
+    /// Greatest distance by which a leg is too short for its planted foot (m).
+    pub short: f64,
+    /// By how much the rate of the body's angular momentum differs from the law's at most (N m).
+    pub momentum_excess: f64,
+}
+
+/// The greatest value; NaN where there is one, so that it is found.
+fn greatest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(f64::NEG_INFINITY, |a, b| if a >= b || a.is_nan() { a } else { b })
 }
 
 /// What a pass found.
@@ -203,8 +225,9 @@ impl RunStride {
         self.posture(u).write(&self.body, &self.stance.plane, q);
     }
 
-    pub(super) fn plane(&self) -> &FootPlane {
-        &self.stance.plane
+    /// Writes the mirror image, in which the right foot touches at u = 0, to `q`.
+    pub(super) fn mirrored_configuration(&self, u: f64, q: &mut [f64]) {
+        self.posture(u).mirrored().write(&self.body, &self.stance.plane, q);
     }
 
     /// World pitch of foot and toes (rad, toe down), left and right, at the clock `u`.
@@ -212,7 +235,15 @@ impl RunStride {
         self.posture(u).legs.map(|pose| (pose.pitch, pose.toes))
     }
 
-    pub(super) fn posture(&self, u: f64) -> Posture {
+    fn posture(&self, u: f64) -> Posture {
+        let (pelvis, trunk, legs) = self.place(u);
+        let legs = legs.map(|(_, pose)| pose);
+        let arms = trunk::arms(&self.style, u);
+        Posture { pelvis, trunk, arms, carriage: trunk::CARRIAGE, legs, heading: 0.0, feet: [0.0; 2] }
+    }
+
+    /// The pelvis, the trunk's angles, and of each leg (left, right, as a left one) the hip and the pose.
+    fn place(&self, u: f64) -> (Vector3<f64>, [Euler; 5], [(Vector3<f64>, LegPose); 2]) {
         let advance = Vector3::z() * (2.0 * self.style.step_length);
         let pelvis = Vector3::from(self.pelvis.position(u)) + advance * u;
         let trunk = trunk::trunk(&self.style, u, self.thorax.position(u));
@@ -222,14 +253,44 @@ impl RunStride {
             let hip = pelvis + rotation * self.body.legs[side][0].offset;
             let hip = if side == 0 { hip } else { mirror(&hip) };
             let v = u - contact;
-            if v <= self.style.duty {
-                self.stance.pose(v, &(hip - advance * contact))
+            let hip = hip - advance * contact;
+            let pose = if v <= self.style.duty {
+                self.stance.pose(v, &hip)
             } else {
                 self.swing.pose(&self.body.leg, v)
-            }
+            };
+            (hip, pose)
         });
-        let arms = trunk::arms(&self.style, u);
-        Posture { pelvis, trunk, arms, carriage: trunk::CARRIAGE, legs, heading: 0.0, feet: [0.0; 2] }
+        (pelvis, trunk, legs)
+    }
+
+    /// What it asks of soles and legs, at `instants` clocks.
+    pub fn extremes(&self, instants: usize) -> RunExtremes {
+        let leg = &self.body.leg;
+        let toe = leg.toe_polar();
+        let mut found = RunExtremes {
+            friction: 0.0,
+            least_knee: f64::INFINITY,
+            sink: f64::NEG_INFINITY,
+            short: 0.0,
+            momentum_excess: greatest(self.excess.iter().map(|excess| excess.amax())),
+        };
+        for i in 0..instants {
+            // Left and right are mirror images: one leg says it all.
+            let u = i as f64 / instants as f64;
+            let (hip, pose) = self.place(u).2[0];
+            found.least_knee = -greatest([-found.least_knee, -pose.knee]);
+            let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
+            found.sink = greatest([found.sink, -leg.lowest(toe, ankle, pose.pitch, pose.toes)]);
+            if u <= self.style.duty {
+                found.short = greatest([found.short, self.stance.short(u, &hip)]);
+            }
+            let force = self.forces(u)[0].force;
+            if force.y > LOADED * self.body.mass * G {
+                found.friction = greatest([found.friction, force.x.hypot(force.z) / force.y]);
+            }
+        }
+        found
     }
 
     /// Prescribed wrenches of left and right foot at the clock `u`, any number: all zero in flight.
