@@ -8,12 +8,14 @@ mod isolated;
 pub(crate) mod peaks;
 mod series;
 mod steady;
+mod steady_run;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, BandReport, RECIPE_BANDS, TEXTBOOK_BANDS, band_reports, check_bands};
 pub use isolated::{IsolatedPeak, isolated_peaks};
 pub use solaris_analysis::Peak;
 pub use steady::SteadyStride;
+pub use steady_run::{RUN_BANDS, RunBand, SteadyRun, measure_run, run_bands};
 
 use crate::body::FEET;
 use crate::error::GaitError;

@@ -2,7 +2,7 @@
 
 pub(crate) mod pace;
 mod resolution;
-mod run;
+pub(crate) mod run;
 mod walk;
 
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};

@@ -229,9 +229,9 @@ fn steady_rows(report: &Report) -> Vec<Row> {
     for list in report.bands.iter().filter(|list| list.name == "textbook") {
         rows.extend(list.checks.iter().map(|check| {
             let verdict = if check.inside { "inside" } else { "OUTSIDE" };
-            let (lower, upper) = check.band.range;
+            let (lower, upper) = check.range;
             let note = format!("{verdict:<7} {lower} to {upper}, {}", list.source);
-            row(check.band.name, value(check), check.band.unit, note)
+            row(check.name, value(check), check.unit, note)
         }));
     }
     rows
@@ -276,14 +276,14 @@ fn names(list: &BandReport) -> [Vec<String>; 2] {
     let (inside, outside): (Vec<&BandCheck>, Vec<&BandCheck>) =
         list.checks.iter().partition(|check| check.inside);
     let off = |check: &&BandCheck| {
-        let ((lower, upper), band) = (check.band.range, check.band);
-        format!("{} {} {} ({lower} to {upper})", band.name, value(check), band.unit)
+        let (lower, upper) = check.range;
+        format!("{} {} {} ({lower} to {upper})", check.name, value(check), check.unit)
     };
-    [inside.iter().map(|check| check.band.name.to_owned()).collect(), outside.iter().map(off).collect()]
+    [inside.iter().map(|check| check.name.to_owned()).collect(), outside.iter().map(off).collect()]
 }
 
 /// Two decimals for moments, one for the rest.
 fn value(check: &BandCheck) -> String {
-    let decimals = if check.band.unit == "N m/kg" { 2 } else { 1 };
-    beside(check.value, check.band.range, decimals)
+    let decimals = if check.unit == "N m/kg" { 2 } else { 1 };
+    beside(check.value, check.range, decimals)
 }

@@ -9,6 +9,18 @@ pub const RUN_SPEED: (f64, f64) = (1.0, 6.0);
 /// The speed when none is asked (m/s).
 pub const DEFAULT_RUN_SPEED: f64 = 3.5;
 
+/// Speeds that the numbers of running are known at (m/s).
+const COLUMNS: [f64; 3] = [2.5, 3.5, 4.5];
+
+/// A number of running at a speed (m/s), linear between those at 2.5, 3.5 and 4.5 m/s and beyond them.
+pub(crate) fn at_speed([slow, middle, fast]: [f64; 3], speed: f64) -> f64 {
+    if speed < COLUMNS[1] {
+        slow + (middle - slow) * (speed - COLUMNS[0])
+    } else {
+        middle + (fast - middle) * (speed - COLUMNS[1])
+    }
+}
+
 /// What is asked of a run.
 ///
 /// ```

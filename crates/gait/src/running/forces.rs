@@ -147,7 +147,9 @@ impl Prescribed {
         let about_x =
             |z: &[f64], i: usize| z[i] * self.vertical[i] - self.pressed[i][1] - height[i] * force_z[i];
         let ahead = (0..nodes).map(|i| about_x(&z, i)).sum::<f64>() / self.vertical.iter().sum::<f64>();
-        z.iter_mut().for_each(|z| *z -= ahead);
+        for z in &mut z {
+            *z -= ahead;
+        }
         let twisted: Vec<f64> = (0..nodes)
             .map(|i| {
                 let standing = self.prints[i].iter().filter(|print| print.stands);

@@ -5,6 +5,7 @@ use crate::limbs::jet::LegJet;
 use crate::limbs::push::Push;
 use crate::limbs::stance::Footing;
 use crate::limbs::swing::{Clearance, Swing, Way};
+use crate::request::run::at_speed;
 use solaris_profiles::{Boundary, ProfileError};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -97,13 +98,7 @@ impl RunStyle {
     }
 
     /// A row of people's at this speed (rad), held at its ends.
-    fn people(&self, [slow, middle, fast]: [f64; 3]) -> f64 {
-        let at = self.speed.clamp(2.5, 4.5);
-        let degrees = if at < 3.5 {
-            slow + (middle - slow) * (at - 2.5)
-        } else {
-            middle + (fast - middle) * (at - 3.5)
-        };
-        degrees * DEGREE
+    fn people(&self, row: [f64; 3]) -> f64 {
+        at_speed(row, self.speed.clamp(2.5, 4.5)) * DEGREE
     }
 }

@@ -5,6 +5,7 @@ use super::stride::{RunExtremes, RunStride};
 use super::style::RunStyle;
 use crate::body::{Body, missing};
 use crate::error::{GaitError, PlanError, RequestError};
+use crate::request::pace::range;
 use crate::request::{Extent, RUN_SPEED, RunRequest, RunResolution, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
@@ -36,7 +37,7 @@ pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> 
     missing::check(figure)?;
     let body = Body::of(figure)?;
     let speed = request.speed;
-    in_range("speed", speed, " m/s", RUN_SPEED)?;
+    range("speed", speed, " m/s", RUN_SPEED, String::new)?;
     let style = RunStyle::of(body.height, speed);
     let steps = steps(request.extent, style.step_length)?;
     let stride = RunStride::plan(body.clone(), &style, request.resolution)?;
@@ -52,27 +53,15 @@ fn steps(extent: Extent, step_length: f64) -> Result<usize, RequestError> {
     let (fewest, most) = STEPS;
     match extent {
         Extent::Steps(steps) => {
-            in_range("steps", steps as f64, "", (fewest as f64, most as f64))?;
+            range("steps", steps as f64, "", (fewest as f64, most as f64), String::new)?;
             Ok(steps)
         }
         Extent::Distance(distance) => {
-            in_range("distance", distance, " m", (SHORTEST_DISTANCE, most as f64 * step_length))?;
+            range("distance", distance, " m", (SHORTEST_DISTANCE, most as f64 * step_length), String::new)?;
             // A distance that is a number of steps is so many, whatever the rounding.
             Ok((distance / step_length - 1e-9).ceil().max(1.0) as usize)
         }
     }
-}
-
-fn in_range(
-    parameter: &'static str,
-    value: f64,
-    unit: &'static str,
-    (lower, upper): (f64, f64),
-) -> Result<(), RequestError> {
-    if (lower..=upper).contains(&value) {
-        return Ok(());
-    }
-    Err(RequestError::Range { parameter, value, unit, lower, upper, why: String::new() })
 }
 
 /// What soles or legs cannot do.

@@ -74,6 +74,14 @@ fn greatest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(f64::NEG_INFINITY, |a, b| if a >= b || a.is_nan() { a } else { b })
 }
 
+/// Where the body is.
+struct Place {
+    pelvis: Vector3<f64>,
+    trunk: [Euler; 5],
+    /// Of each leg (left, right), seen as a left one from its print: the hip and the pose.
+    legs: [(Vector3<f64>, LegPose); 2],
+}
+
 /// What a pass found.
 struct Pass {
     stance: Stance,
@@ -142,8 +150,10 @@ impl RunStride {
             let from_ankle = hip_at(0.0, 0.0) - stance.ankle_on_heel(-style.heel_strike_angle);
             let reach = leg.reach_squared(style.knee_contact) - from_ankle.x.powi(2) - from_ankle.z.powi(2);
             let rise = reach.max(1e-6).sqrt() - from_ankle.y;
-            height.iter_mut().for_each(|height| *height += rise);
-            com.iter_mut().for_each(|com| com.y += rise);
+            for (height, com) in height.iter_mut().zip(&mut com) {
+                *height += rise;
+                com.y += rise;
+            }
             let hip = |u: f64| hip_at(u, rise);
             stance.set_contact(style.contact_knee(), hip)?;
             stance.set_push(hip)?;
@@ -236,14 +246,13 @@ impl RunStride {
     }
 
     fn posture(&self, u: f64) -> Posture {
-        let (pelvis, trunk, legs) = self.place(u);
+        let Place { pelvis, trunk, legs } = self.place(u);
         let legs = legs.map(|(_, pose)| pose);
         let arms = trunk::arms(&self.style, u);
         Posture { pelvis, trunk, arms, carriage: trunk::CARRIAGE, legs, heading: 0.0, feet: [0.0; 2] }
     }
 
-    /// The pelvis, the trunk's angles, and of each leg (left, right, as a left one) the hip and the pose.
-    fn place(&self, u: f64) -> (Vector3<f64>, [Euler; 5], [(Vector3<f64>, LegPose); 2]) {
+    fn place(&self, u: f64) -> Place {
         let advance = Vector3::z() * (2.0 * self.style.step_length);
         let pelvis = Vector3::from(self.pelvis.position(u)) + advance * u;
         let trunk = trunk::trunk(&self.style, u, self.thorax.position(u));
@@ -261,7 +270,7 @@ impl RunStride {
             };
             (hip, pose)
         });
-        (pelvis, trunk, legs)
+        Place { pelvis, trunk, legs }
     }
 
     /// What it asks of soles and legs, at `instants` clocks.
@@ -273,12 +282,12 @@ impl RunStride {
             least_knee: f64::INFINITY,
             sink: f64::NEG_INFINITY,
             short: 0.0,
-            momentum_excess: greatest(self.excess.iter().map(|excess| excess.amax())),
+            momentum_excess: greatest(self.excess.iter().map(Vector3::amax)),
         };
         for i in 0..instants {
             // Left and right are mirror images: one leg says it all.
             let u = i as f64 / instants as f64;
-            let (hip, pose) = self.place(u).2[0];
+            let (hip, pose) = self.place(u).legs[0];
             found.least_knee = -greatest([-found.least_knee, -pose.knee]);
             let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
             found.sink = greatest([found.sink, -leg.lowest(toe, ankle, pose.pitch, pose.toes)]);
@@ -342,6 +351,8 @@ fn turn(
     for k in 0..3 {
         let mean = |rows: &[Euler]| rows.iter().map(|row| row[k]).sum::<f64>() / count;
         let shift = mean(drawn) - mean(thorax);
-        thorax.iter_mut().for_each(|angles| angles[k] += shift);
+        for angles in thorax.iter_mut() {
+            angles[k] += shift;
+        }
     }
 }

@@ -2,16 +2,16 @@
 
 use crate::body::REFERENCE_HEIGHT;
 use crate::error::RequestError;
+use crate::request::run::at_speed;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Speeds of the table's columns (m/s), and the height that they belong to (m).
-const SPEEDS: [f64; 3] = [2.5, 3.5, 4.5];
+/// Height that the table belongs to (m).
 const TABLE_HEIGHT: f64 = 1.76;
 /// Speeds between which the table is read (m/s): above, the step keeps its length, below, its time.
 const READ: (f64, f64) = (2.0, 6.0);
 
-/// Names the numbers of a style once: as fields, and as rows of the table with a column for each of [`SPEEDS`].
+/// Names the numbers of a style once: as fields, and as rows of the table with columns at 2.5, 3.5 and 4.5 m/s.
 macro_rules! run_numbers {
     ($($(#[$doc:meta])* $name:ident: $unit:expr, [$slow:expr, $middle:expr, $fast:expr];)*) => {
         /// The numbers of one running style (rad, m, s; body weights for forces). *u* is the time since left contact over the
@@ -34,15 +34,12 @@ macro_rules! run_numbers {
         impl RunStyle {
             /// The table at a speed (m/s): linear between the columns, and beyond them.
             fn tabulated(at: f64, common: Common) -> Self {
-                let column = if at < SPEEDS[1] { 0 } else { 1 };
-                let part = (at - SPEEDS[column]) / (SPEEDS[column + 1] - SPEEDS[column]);
-                let read = |row: [f64; 3]| row[column] + (row[column + 1] - row[column]) * part;
                 Self {
                     speed: common.speed,
                     step_length: 0.0,
                     foot_yaw: 6.0 * DEGREE,
                     clearance: 0.012 * common.height / REFERENCE_HEIGHT,
-                    $($name: read([$slow, $middle, $fast]) * $unit,)*
+                    $($name: at_speed([$slow, $middle, $fast], at) * $unit,)*
                 }
             }
 
