@@ -67,7 +67,8 @@ pub struct WalkMeasures {
     pub extremes: WalkExtremes,
     /// Hip, knee and ankle.
     pub joints: Vec<JointPeaks>,
-    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps).
+    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps); none of a run, see
+    /// [`measure_run`].
     #[cfg_attr(feature = "serde", serde(rename = "steady_stride"))]
     pub steady: Option<SteadyStride>,
 }
@@ -166,14 +167,20 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
             Peak { value: -peak.value, ..peak }
         },
     };
+    let double_supports = double_supports(motion, &contacts);
     Ok(WalkMeasures {
         steps,
         distance: forward(motion.len() - 1) - forward(0),
         duration: motion.time()[motion.len() - 1],
-        double_supports: double_supports(motion, &contacts),
         extremes,
         joints: series.joint_peaks(),
-        steady: SteadyStride::find(motion, &series, &contacts),
+        // Without double support it is a run, whose stride has other measures.
+        steady: if double_supports.is_empty() {
+            None
+        } else {
+            SteadyStride::find(motion, &series, &contacts)
+        },
+        double_supports,
     })
 }
 
