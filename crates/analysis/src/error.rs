@@ -1,5 +1,6 @@
 //! Errors of ground reactions.
 
+use crate::inverse::InverseError;
 use crate::prepared::PrepareError;
 use solaris_dynamics::{DynamicsError, RootViewError};
 use solaris_model::MotionError;
@@ -70,6 +71,9 @@ pub enum ReactionError {
     /// The kernel refused.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
+    /// A frame cannot be computed with.
+    #[error(transparent)]
+    Inverse(#[from] InverseError),
     /// The motion is not one of this figure.
     #[error(transparent)]
     Motion(#[from] MotionError),

@@ -38,8 +38,8 @@ pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
-    DoubleSupportLaw, InBetweens, Loop, PaceArgs, PersonArgs, RootLink, Side, StyleName, Then, Travel,
-    WalkArgs, WhoArgs,
+    DeterminantCount, DoubleSupportLaw, Gait, InBetweens, Loop, PaceArgs, PersonArgs, RootLink, Side,
+    StyleName, Then, Travel, WalkArgs, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};

@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < comparison < styled < people < sweep
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -28,6 +28,7 @@ pub mod metrics;
 mod momentum;
 pub mod people;
 mod request;
+mod running;
 mod smooth;
 mod styled;
 pub mod sweep;
@@ -38,14 +39,16 @@ pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;
 pub use error::{BodyError, GaitError, MapError, MeasureError, PlanError, PostureError, RequestError};
 pub use measure::{
-    Band, BandCheck, BandReport, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, SteadyStride, TEXTBOOK_BANDS,
-    WalkExtremes, WalkMeasures, band_reports, check_bands, free_moment, isolated_peaks, measure,
-    measure_stride,
+    Band, BandCheck, BandReport, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, RUN_BANDS, RunBand, SteadyRun,
+    SteadyStride, TEXTBOOK_BANDS, WalkExtremes, WalkMeasures, band_reports, check_bands, free_moment,
+    isolated_peaks, measure, measure_run, measure_stride, run_bands,
 };
 pub use request::{
-    CHANGING_STEPS, DEFAULT_STEP_FREQUENCY, Extent, Resolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS,
-    TURN, TURN_IN_ALL, WALK_RATIO, WalkPart, WalkRequest,
+    CHANGING_STEPS, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, RUN_SPEED, Resolution, RunRequest,
+    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WALK_RATIO, WalkPart,
+    WalkRequest,
 };
+pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
     FRICTION, LONGEST_STAND, Manner, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Toes, Unit,
     WalkNumbers, WalkPlan, WalkSegment, WalkSequence, walk,
@@ -55,4 +58,4 @@ pub use thesis::{
     Edge, FeasibleMap, InBetween, KeyChoice, KeyScript, KeyframedOptions, KeyframedWalk, MapCondition,
     ScriptCycle, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, determinants, stick_figures, thesis_walk,
 };
-pub use walking::{StrideLoop, Walking, on_the_spot};
+pub use walking::{Prescribing, StrideLoop, Walking, on_the_spot};

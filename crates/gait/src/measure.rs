@@ -8,12 +8,14 @@ mod isolated;
 pub(crate) mod peaks;
 mod series;
 mod steady;
+mod steady_run;
 pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, BandReport, RECIPE_BANDS, TEXTBOOK_BANDS, band_reports, check_bands};
 pub use isolated::{IsolatedPeak, isolated_peaks};
 pub use solaris_analysis::Peak;
 pub use steady::SteadyStride;
+pub use steady_run::{RUN_BANDS, RunBand, SteadyRun, measure_run, run_bands};
 
 use crate::body::FEET;
 use crate::error::GaitError;
@@ -55,7 +57,7 @@ pub struct WalkMeasures {
     /// How long it lasts (s).
     #[cfg_attr(feature = "serde", serde(rename = "duration_s"))]
     pub duration: f64,
-    /// Each double support between steps, in % of the stride time at it.
+    /// Each double support between steps, in % of the stride time at it; a run has none.
     #[doc(alias = "double support")]
     #[doc(alias = "dual support")]
     #[cfg_attr(feature = "serde", serde(rename = "double_supports_percent"))]
@@ -65,7 +67,8 @@ pub struct WalkMeasures {
     pub extremes: WalkExtremes,
     /// Hip, knee and ankle.
     pub joints: Vec<JointPeaks>,
-    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps).
+    /// A stride from the middle, where the walk is long enough to have a steady one (eight steps); none of a run, see
+    /// [`measure_run`].
     #[cfg_attr(feature = "serde", serde(rename = "steady_stride"))]
     pub steady: Option<SteadyStride>,
 }
@@ -164,14 +167,20 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
             Peak { value: -peak.value, ..peak }
         },
     };
+    let double_supports = double_supports(motion, &contacts);
     Ok(WalkMeasures {
         steps,
         distance: forward(motion.len() - 1) - forward(0),
         duration: motion.time()[motion.len() - 1],
-        double_supports: double_supports(motion, &contacts),
         extremes,
         joints: series.joint_peaks(),
-        steady: SteadyStride::find(motion, &series, &contacts),
+        // Without double support it is a run, whose stride has other measures.
+        steady: if double_supports.is_empty() {
+            None
+        } else {
+            SteadyStride::find(motion, &series, &contacts)
+        },
+        double_supports,
     })
 }
 
@@ -225,18 +234,22 @@ fn touch_downs(motion: &Motion) -> Vec<(f64, usize)> {
 
 /// From each contact but the closing one to the next lift-off, in % of the stride that the two contacts around it make.
 fn double_supports(motion: &Motion, contacts: &[(f64, usize)]) -> Vec<f64> {
-    let lifts: Vec<f64> = motion
+    let lifts: Vec<(f64, &str)> = motion
         .events
         .iter()
-        .filter(|event| matches!(event.kind, EventKind::LiftOff { .. }))
-        .map(|event| event.time)
+        .filter_map(|event| match &event.kind {
+            EventKind::LiftOff { link } => Some((event.time, link.as_str())),
+            _ => None,
+        })
         .collect();
-    let spans = contacts.windows(2).map(|pair| (pair[0].0, 2.0 * (pair[1].0 - pair[0].0)));
+    let spans = contacts.windows(2).map(|pair| (pair[0], 2.0 * (pair[1].0 - pair[0].0)));
     spans
-        .filter_map(|(contact, stride)| {
+        .filter_map(|((contact, side), stride)| {
             // A foot may lift at the very moment at which the other one lands.
-            let lift = lifts.get(lifts.partition_point(|lift| *lift < contact - SAME_TIME))?;
-            Some(100.0 * (lift - contact).max(0.0) / stride)
+            let next = lifts.partition_point(|(lift, _)| *lift < contact - SAME_TIME);
+            let (lift, link) = lifts.get(next)?;
+            // Where the foot that has landed lifts next, the other one is in the air: it runs.
+            (*link != FEET[side]).then(|| 100.0 * (lift - contact).max(0.0) / stride)
         })
         .collect()
 }

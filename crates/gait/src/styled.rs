@@ -1,4 +1,4 @@
-//! A walk in either style, with its forces.
+//! A walk in either style, or a run, with its forces.
 
 mod forces;
 
@@ -6,14 +6,16 @@ pub use forces::{Pull, WalkForces};
 
 use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
-use crate::request::WalkRequest;
+use crate::request::{RunRequest, WalkRequest};
+use crate::running::{RunPlan, run};
 use crate::smooth::{WalkPlan, WalkSegment, WalkSequence, walk};
 use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
+use crate::walking::Prescribing;
 use solaris_analysis::ground::{Split, reactions_of_planted};
-use solaris_analysis::{SupportLaw, ground_reactions};
+use solaris_analysis::{SupportLaw, ground_reactions, prescribed_reactions};
 use solaris_model::{Figure, Motion, Trajectory as _};
 
-/// A request in one of the two styles.
+/// A request in one of the two styles, or of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StyledRequest {
     /// Forces first, as people walk.
@@ -22,9 +24,11 @@ pub enum StyledRequest {
     Sequence(Vec<WalkSegment>),
     /// Through key postures.
     Thesis(ThesisRequest),
+    /// A run.
+    Run(RunRequest),
 }
 
-/// A plan in one of the two styles.
+/// A plan in one of the two styles, or of a run.
 pub enum StyledPlan {
     /// Forces first.
     Smooth(Box<WalkPlan>),
@@ -32,6 +36,8 @@ pub enum StyledPlan {
     Sequence(Box<WalkSequence>),
     /// Through key postures.
     Thesis(Box<ThesisWalk>),
+    /// A run.
+    Run(Box<RunPlan>),
 }
 
 impl StyledPlan {
@@ -39,7 +45,7 @@ impl StyledPlan {
     ///
     /// # Errors
     ///
-    /// Those of [`walk`] and [`thesis_walk`].
+    /// Those of [`walk`], [`thesis_walk`] and [`run`].
     pub fn of(figure: &Figure, request: &StyledRequest) -> Result<Self, GaitError> {
         Ok(match request {
             StyledRequest::Smooth(request) => Self::Smooth(Box::new(walk(figure, request)?)),
@@ -47,6 +53,7 @@ impl StyledPlan {
                 Self::Sequence(Box::new(WalkSequence::new(figure, segments)?))
             }
             StyledRequest::Thesis(request) => Self::Thesis(Box::new(thesis_walk(figure, request)?)),
+            StyledRequest::Run(request) => Self::Run(Box::new(run(figure, request)?)),
         })
     }
 
@@ -55,7 +62,7 @@ impl StyledPlan {
         match self {
             Self::Smooth(plan) => Some(plan),
             Self::Sequence(sequence) => Some(sequence.first()),
-            Self::Thesis(_) => None,
+            Self::Thesis(_) | Self::Run(_) => None,
         }
     }
 
@@ -64,7 +71,7 @@ impl StyledPlan {
         match self {
             Self::Smooth(plan) => plan.destination().1,
             Self::Sequence(sequence) => sequence.destination().1,
-            Self::Thesis(_) => 0.0,
+            Self::Thesis(_) | Self::Run(_) => 0.0,
         }
     }
 
@@ -74,6 +81,7 @@ impl StyledPlan {
             Self::Smooth(plan) => plan.style().step_frequency,
             Self::Sequence(sequence) => sequence.first().style().step_frequency,
             Self::Thesis(plan) => plan.step_frequency,
+            Self::Run(plan) => plan.style().step_frequency(),
         }
     }
 
@@ -83,6 +91,7 @@ impl StyledPlan {
             Self::Smooth(plan) => plan.style().step_length,
             Self::Sequence(sequence) => sequence.first().style().step_length,
             Self::Thesis(plan) => plan.step_length,
+            Self::Run(plan) => plan.style().step_length,
         }
     }
 
@@ -92,6 +101,7 @@ impl StyledPlan {
             Self::Smooth(plan) => plan.stature(),
             Self::Sequence(sequence) => sequence.first().stature(),
             Self::Thesis(plan) => plan.proportions.height,
+            Self::Run(plan) => plan.stature(),
         }
     }
 
@@ -101,10 +111,11 @@ impl StyledPlan {
             Self::Smooth(plan) => plan.duration(),
             Self::Sequence(sequence) => sequence.duration(),
             Self::Thesis(plan) => plan.walk.duration(),
+            Self::Run(plan) => plan.duration(),
         }
     }
 
-    /// The walk sampled `rate` times a second, with the ground's and the joints' forces.
+    /// The walk or run sampled `rate` times a second, with the ground's and the joints' forces.
     ///
     /// # Errors
     ///
@@ -114,6 +125,7 @@ impl StyledPlan {
             Self::Smooth(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
             Self::Sequence(plan) => prescribed(figure, plan.motion(figure, rate)?, plan.as_ref()),
             Self::Thesis(plan) => needed(figure, plan.walk.motion(figure, rate)?),
+            Self::Run(plan) => lawful(figure, plan.motion(figure, rate)?, plan.as_ref()),
         }
     }
 
@@ -121,7 +133,7 @@ impl StyledPlan {
     ///
     /// # Errors
     ///
-    /// As [`Self::loaded`], and [`PlanError::NoStride`] for a walk that is too short: 42 steps or six.
+    /// As [`Self::loaded`], and [`PlanError::NoStride`] for a walk that is too short: 42 steps, six, or two of a run.
     pub fn loaded_stride(&self, figure: &Figure, rate: f64) -> Result<(Motion, WalkForces), GaitError> {
         match self {
             Self::Smooth(plan) => {
@@ -132,6 +144,10 @@ impl StyledPlan {
             Self::Thesis(plan) => {
                 let stride = plan.walk.stride_loop().ok_or(PlanError::NoStride { least: 6 })?;
                 needed(figure, stride.motion(figure, rate)?)
+            }
+            Self::Run(plan) => {
+                let stride = plan.stride_loop().ok_or(PlanError::NoStride { least: 2 })?;
+                lawful(figure, stride.balanced_motion(figure, rate)?, &stride)
             }
         }
     }
@@ -144,6 +160,15 @@ fn prescribed(
 ) -> Result<(Motion, WalkForces), GaitError> {
     let report = ground_reactions(figure, &mut motion, FEET, law)?;
     Ok((motion, WalkForces::Prescribed(report)))
+}
+
+fn lawful(
+    figure: &Figure,
+    mut motion: Motion,
+    law: &impl Prescribing,
+) -> Result<(Motion, WalkForces), GaitError> {
+    let residual = prescribed_reactions(figure, &mut motion, FEET, |time| law.contacts(time))?;
+    Ok((motion, WalkForces::Law(residual)))
 }
 
 fn needed(figure: &Figure, mut motion: Motion) -> Result<(Motion, WalkForces), GaitError> {

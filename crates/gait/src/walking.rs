@@ -2,12 +2,16 @@
 //! the spot.
 
 mod on_the_spot;
+mod stood;
 mod stride_loop;
 
 pub use on_the_spot::on_the_spot;
 pub use stride_loop::StrideLoop;
 
-use solaris_model::{Event, Figure, Interval, Motion, Trajectory};
+pub(crate) use stood::Stood;
+
+use solaris_analysis::{ReactionError, balance_momentum};
+use solaris_model::{Contact, Event, Figure, Interval, Motion, MotionInfo, Trajectory};
 
 /// Acceleration of gravity that walks are planned for (m/s²): the standard one.
 pub(crate) const G: f64 = 9.80665;
@@ -20,6 +24,27 @@ pub trait Walking: Trajectory {
     fn events(&self) -> Vec<Event>;
     /// When which point of the soles is planted.
     fn planted(&self, figure: &Figure) -> Vec<Interval>;
+}
+
+/// A walk that prescribes all of the ground's force.
+#[doc(alias = "grf")]
+pub trait Prescribing {
+    /// The wrenches on left and right foot at time `t` (s), with moments about the world's origin; zero on a foot in the air.
+    fn contacts(&self, t: f64) -> [Contact; 2];
+}
+
+/// A walk of the figure with this fingerprint sampled `rate` times a second, with its events and planted points.
+pub(crate) fn sampled(
+    figure: &Figure,
+    walk: &impl Walking,
+    fingerprint: u64,
+    rate: f64,
+) -> Result<Motion, ReactionError> {
+    let info = MotionInfo { fingerprint, ..MotionInfo::on_earth(figure, rate) };
+    let mut motion = Motion::sample(figure, walk, info)?;
+    balance_momentum(figure, walk, &mut motion)?;
+    annotate(&mut motion, walk, figure);
+    Ok(motion)
 }
 
 /// Notes in the samples of a walk when its feet touch and stand.

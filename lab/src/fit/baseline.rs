@@ -53,7 +53,7 @@ fn stride_line(found: &stride::Found) -> String {
     let outside: Vec<String> = check_bands(RECIPE_BANDS, &found.steady)
         .iter()
         .filter(|check| !check.inside)
-        .map(|check| format!("{} {:.2}", check.band.name, check.value))
+        .map(|check| format!("{} {:.2}", check.name, check.value))
         .collect();
     format!(
         "{:5} {:5} {:6.1} {:5.1} {:6.1} {:5} {:6.1} {:5.1} {:.3}/{:.3} {:6.2} {:6.3}  {}",

@@ -10,7 +10,7 @@ use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, 
 use clap::{Args, ValueEnum};
 use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, THESIS_STEP_FREQUENCY, TURN,
+    DEFAULT_STEP_FREQUENCY, RUN_SPEED, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, THESIS_STEP_FREQUENCY, TURN,
     TURN_IN_ALL, WALK_RATIO,
 };
 use std::path::PathBuf;
@@ -27,7 +27,9 @@ const EXAMPLES: &str = "Examples:
   solaris walk --steps 4 --then steps=3,turn=20 --then stand=1 --then steps=3,step-frequency=90 -o corner.html
       round a corner to the left, a stop, and on more slowly
   solaris walk --loop in-place -o loop.bvh
-      one stride that repeats, for a game";
+      one stride that repeats, for a game
+  solaris walk --gait run --speed 3.5 -o run.html
+      ten steps of a run, with its flights";
 
 /// A walk, and what to make of it.
 #[derive(Debug, Args)]
@@ -146,6 +148,12 @@ pub(crate) type Count = usize;
 /// In which manner it walks.
 #[derive(Debug, Args)]
 pub(crate) struct MannerArgs {
+    #[arg(long, value_name = "GAIT", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(&format!(
+        "walk, or run: --speed is {} to {} m/s then, and as many steps as are asked for go by in full run, from a contact to a contact, \
+         without a start or a stop [default: walk]",
+        RUN_SPEED.0, RUN_SPEED.1
+    )))]
+    pub(crate) gait: Gait,
     #[arg(long, value_name = "LINK", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(
         "What the forces are computed from: the pelvis outwards, or the foot that stands, as the thesis does; no force \
          depends on it [default: pelvis]"
@@ -191,6 +199,14 @@ pub(crate) struct MannerArgs {
         "Style thesis: amplitude of the pelvis' way to the sides, towards the foot that stands [default: 0]"
     ))]
     pub(crate) sway: Option<Number>,
+}
+
+/// With or without flight.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Gait {
+    #[default]
+    Walk,
+    Run,
 }
 
 /// Out of which link the forces are computed.

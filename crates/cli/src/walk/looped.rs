@@ -25,7 +25,8 @@ pub(super) fn in_step(request: &StyledRequest, step_frequency: f64, rate: f64) -
     let (frequency, length, speed) = match &mut request {
         StyledRequest::Smooth(walk) => (&mut walk.step_frequency, &walk.step_length, &mut walk.speed),
         StyledRequest::Thesis(walk) => (&mut walk.step_frequency, &walk.step_length, &mut walk.speed),
-        StyledRequest::Sequence(_) => return None,
+        // A run's step frequency follows from its speed.
+        StyledRequest::Sequence(_) | StyledRequest::Run(_) => return None,
     };
     // Two of the three decide: of length and speed, the length stays.
     if length.is_some() {

@@ -8,8 +8,8 @@ use crate::error::CliError;
 use crate::progress::Progress;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
-use solaris::gait::{FEET, StyledPlan, StyledRequest, on_the_spot};
-use solaris::model::{Figure, Motion};
+use solaris::gait::{FEET, RunPlan, SteadyRun, StyledPlan, StyledRequest, measure_run, on_the_spot};
+use solaris::model::{Figure, Motion, Trajectory as _};
 use std::time::{Duration, Instant};
 
 /// What is known of a walk with its forces, besides the motion.
@@ -23,6 +23,8 @@ pub(super) struct Planned {
     /// Whether pace or direction change on the way.
     pub(super) changes: bool,
     pub(super) beside: Option<BesideKeyPostures>,
+    /// A steady stride of a run.
+    pub(super) running: Option<SteadyRun>,
     /// How long planning took, and all with the forces.
     pub(super) planning: Duration,
     pub(super) solving: Duration,
@@ -33,6 +35,7 @@ pub(super) fn style(plan: &StyledPlan) -> &'static str {
     match plan {
         StyledPlan::Smooth(_) | StyledPlan::Sequence(_) => "smooth",
         StyledPlan::Thesis(_) => "thesis",
+        StyledPlan::Run(_) => "run",
     }
 }
 
@@ -91,6 +94,15 @@ impl Planned {
         if looped == Some(Loop::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
+        let running = if let StyledPlan::Run(run) = &plan {
+            // From a left contact on, whichever comes first.
+            let stride = StyledPlan::Run(Box::new(RunPlan::new(run.stride().clone(), 2, true)));
+            let (stride, _) =
+                stride.loaded_stride(figure, 1.0 / run.resolution()).map_err(CliError::other)?;
+            Some(measure_run(figure, &stride).map_err(CliError::other)?)
+        } else {
+            None
+        };
         // One stride has its own clock.
         let beside = if looped.is_none() { beside(&plan, args.manner.determinants.into()) } else { None };
         let planned = Self {
@@ -101,9 +113,10 @@ impl Planned {
             changes: match &asked.request {
                 StyledRequest::Smooth(walk) => !walk.then.is_empty(),
                 StyledRequest::Sequence(_) => true,
-                StyledRequest::Thesis(_) => false,
+                StyledRequest::Thesis(_) | StyledRequest::Run(_) => false,
             },
             beside,
+            running,
             planning,
             solving: start.elapsed(),
         };

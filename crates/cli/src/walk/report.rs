@@ -8,8 +8,8 @@ use crate::limbs::overlap_note;
 use serde::Serialize;
 use solaris::analysis::NearestLimbs;
 use solaris::gait::{
-    BandReport, IsolatedPeak, JointPeaks, SteadyStride, StyledPlan, WALK_RATIO, WalkExtremes, WalkMeasures,
-    WalkPlan, band_reports,
+    BandReport, IsolatedPeak, JointPeaks, SteadyRun, SteadyStride, StyledPlan, WALK_RATIO, WalkExtremes,
+    WalkMeasures, WalkPlan, band_reports, run_bands,
 };
 use solaris::model::Motion;
 use std::io::Write;
@@ -28,6 +28,9 @@ pub(crate) struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) beside_key_postures: Option<BesideKeyPostures>,
     pub(crate) steady_stride: Option<SteadyStride>,
+    /// Of a run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) steady_run: Option<SteadyRun>,
     pub(crate) whole_walk: Whole,
     pub(crate) bands: Vec<BandReport>,
     pub(crate) forces: Forces,
@@ -53,7 +56,8 @@ pub(crate) struct Walk {
     pub(crate) step_frequency_per_min: f64,
     pub(crate) step_length_m: f64,
     /// Step length over people's at this height and frequency.
-    pub(crate) step_length_over_peoples: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) step_length_over_peoples: Option<f64>,
     pub(crate) speed_m_s: f64,
     pub(crate) distance_m: f64,
     pub(crate) duration_s: f64,
@@ -87,7 +91,8 @@ impl Report {
         lone: &[IsolatedPeak],
         nearest_limbs: Option<NearestLimbs>,
     ) -> Self {
-        let Planned { plan, forces, repeats, asked_frequency, changes, beside, planning, solving } = planned;
+        let Planned { plan, forces, repeats, asked_frequency, changes, beside, running, planning, solving } =
+            planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));
@@ -120,7 +125,8 @@ impl Report {
                 },
                 step_frequency_per_min: step_frequency,
                 step_length_m: step_length,
-                step_length_over_peoples: step_length / (WALK_RATIO * height * step_frequency),
+                step_length_over_peoples: (!matches!(plan, StyledPlan::Run(_)))
+                    .then(|| step_length / (WALK_RATIO * height * step_frequency)),
                 speed_m_s: step_length * step_frequency / 60.0,
                 distance_m: distance,
                 duration_s: duration,
@@ -130,7 +136,8 @@ impl Report {
                 // Not where feet stand between two walks.
                 double_supports_percent: if stands { Vec::new() } else { double_supports },
             },
-            bands: steady.iter().flat_map(band_reports).collect(),
+            bands: steady.iter().flat_map(band_reports).chain(running.iter().map(run_bands)).collect(),
+            steady_run: running,
             steady_stride: steady,
             whole_walk: Whole { extremes, nearest_limbs, joints },
             key_postures: postures(&plan),

@@ -3,19 +3,20 @@
 mod refused;
 
 use crate::args::{
-    DEFAULT_STEPS, DoubleSupportLaw, InBetweens, Loop, Number, PaceArgs, PersonArgs, Side, StyleName, Then,
-    Travel, WalkArgs,
+    DEFAULT_STEPS, DoubleSupportLaw, Gait, InBetweens, Loop, Number, PaceArgs, PersonArgs, Side, StyleName,
+    Then, Travel, WalkArgs,
 };
 use crate::error::{CliError, Typed, UsageError};
 use refused::refuse_others;
 use solaris::gait::determinants::{Determinants, DoubleSupport};
 use solaris::gait::{
-    DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, PARAMETERS, STEPS, StyledRequest, ThesisRequest,
-    WalkPart, WalkRequest, WalkSegment,
+    DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, PARAMETERS, RunRequest, STEPS,
+    StyledRequest, ThesisRequest, WalkPart, WalkRequest, WalkSegment,
 };
 
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
 const LOOPED_STEPS: (usize, usize) = (42, 6);
+const LOOPED_RUN: usize = 2;
 /// What standing, the first and the closing step add to the time of a walk's steps (s), at the usual step frequency.
 const BEGINNING_AND_END: f64 = 2.6;
 
@@ -34,6 +35,15 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     if args.manner.style == StyleName::Thesis {
         let request = StyledRequest::Thesis(thesis(args, determinants));
         return Ok(Asked { request, origins: Vec::new() });
+    }
+    if args.manner.gait == Gait::Run {
+        let request = RunRequest {
+            speed: value(args.pace.speed.as_ref()).unwrap_or(DEFAULT_RUN_SPEED),
+            extent: extent(args, LOOPED_RUN),
+            left_first: args.manner.first == Side::Left,
+            ..RunRequest::default()
+        };
+        return Ok(Asked { request: StyledRequest::Run(request), origins: Vec::new() });
     }
     let pace = &args.pace;
     let mut parameters: Vec<(&'static str, f64)> =

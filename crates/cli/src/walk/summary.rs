@@ -28,6 +28,14 @@ pub(super) fn title(report: &Report) -> String {
     let (person, walk) = (&report.person, &report.walk);
     let plural = if walk.steps == 1 { "" } else { "s" };
     let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
+    if walk.style == "run" {
+        let (speed, what) = (short(walk.speed_m_s), format!("a person of {height} m and {mass} kg"));
+        return if walk.repeats {
+            format!("A stride of a run that repeats itself, of {what} at {speed} m/s")
+        } else {
+            format!("A person of {height} m and {mass} kg runs {} step{plural} at {speed} m/s", walk.steps)
+        };
+    }
     if walk.repeats {
         return format!(
             "A stride that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
@@ -122,15 +130,17 @@ fn walk_rows(report: &Report) -> Vec<Row> {
     let (walk, whole) = (&report.walk, &report.whole_walk.extremes);
     let pair = |a: Peak, b: Peak, d: usize| format!("{} / {}", fixed(a.value, d), fixed(b.value, d));
     let millimetres = |peak: Peak, decimals| fixed(1e3 * peak.value, decimals);
-    let ratio = walk.step_length_over_peoples;
-    let people = if (ratio - 1.0).abs() < 5e-4 { String::new() } else { format!("{ratio:.2} of ") };
+    let people = walk.step_length_over_peoples.map_or_else(String::new, |ratio| {
+        let part = if (ratio - 1.0).abs() < 5e-4 { String::new() } else { format!("{ratio:.2} of ") };
+        format!("{part}people's at this pace")
+    });
     let frames = if walk.repeats {
         format!("{} frames, {} a second; after the last comes the first", walk.frames, short(walk.rate_per_s))
     } else {
         format!("{} frames", walk.frames)
     };
     let mut rows = vec![
-        row("step length", fixed(walk.step_length_m, 3), "m", format!("{people}people's at this pace")),
+        row("step length", fixed(walk.step_length_m, 3), "m", people),
         row("speed", fixed(walk.speed_m_s, 2), "m/s", ""),
         row("cadence", fixed(walk.step_frequency_per_min, 1), "steps/min", ""),
         row("distance", fixed(walk.distance_m, 2), "m", ""),
@@ -236,9 +246,9 @@ fn steady_rows(report: &Report) -> Vec<Row> {
     for list in report.bands.iter().filter(|list| list.name == "textbook") {
         rows.extend(list.checks.iter().map(|check| {
             let verdict = if check.inside { "inside" } else { "OUTSIDE" };
-            let (lower, upper) = check.band.range;
+            let (lower, upper) = check.range;
             let note = format!("{verdict:<7} {lower} to {upper}, {}", list.source);
-            row(check.band.name, value(check), check.band.unit, note)
+            row(check.name, value(check), check.unit, note)
         }));
     }
     rows
@@ -268,14 +278,18 @@ fn trust_rows(report: &Report) -> Vec<Row> {
         let note = format!("the ground would have to pull, at {:.2} s; no ground does", pull.time);
         rows.push(row("least force on a foot", fixed(pull.percent, 0), "%BW", note));
     }
-    rows.push(row("double support", forces.split(), "", "split: an assumption, no law"));
+    rows.extend(forces.split().map(|split| row("double support", split, "", "split: an assumption, no law")));
     let [plan, rest] = [time.planning_s, time.with_forces_s - time.planning_s].map(|s| fixed(1e3 * s, 0));
     rows.push(row("run time", format!("{plan} + {rest}"), "ms", "plan + forces"));
     rows
 }
 
 fn heading(list: &BandReport) -> &'static str {
-    if list.name == "recipe" { "Recipe's bands" } else { "Textbook bands" }
+    match list.name {
+        "recipe" => "Recipe's bands",
+        "running" => "Runners' bands",
+        _ => "Textbook bands",
+    }
 }
 
 /// The bands that hold, and those that do not with their numbers.
@@ -283,14 +297,14 @@ fn names(list: &BandReport) -> [Vec<String>; 2] {
     let (inside, outside): (Vec<&BandCheck>, Vec<&BandCheck>) =
         list.checks.iter().partition(|check| check.inside);
     let off = |check: &&BandCheck| {
-        let ((lower, upper), band) = (check.band.range, check.band);
-        format!("{} {} {} ({lower} to {upper})", band.name, value(check), band.unit)
+        let (lower, upper) = check.range;
+        format!("{} {} {} ({lower} to {upper})", check.name, value(check), check.unit)
     };
-    [inside.iter().map(|check| check.band.name.to_owned()).collect(), outside.iter().map(off).collect()]
+    [inside.iter().map(|check| check.name.to_owned()).collect(), outside.iter().map(off).collect()]
 }
 
 /// Two decimals for moments, one for the rest.
 fn value(check: &BandCheck) -> String {
-    let decimals = if check.band.unit == "N m/kg" { 2 } else { 1 };
-    beside(check.value, check.band.range, decimals)
+    let decimals = if check.unit == "N m/kg" { 2 } else { 1 };
+    beside(check.value, check.range, decimals)
 }

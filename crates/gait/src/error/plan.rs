@@ -27,6 +27,8 @@ pub enum PlanError {
          for it"
     )]
     AbruptChange { part: usize, step: usize, time: f64, what: String },
+    #[error("a run at {speed:.2} m/s: {what}; {nearest}")]
+    NotRunnable { speed: f64, what: String, nearest: String },
     #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]
     NoPath,
     #[error("the walk has no stride that repeats itself; it needs {least} steps at least")]

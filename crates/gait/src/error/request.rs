@@ -41,6 +41,10 @@ pub enum RequestError {
     Nodes { nodes: usize },
     #[error("{passes} passes for a walk: at least 8 are needed, the last four of which only settle")]
     Passes { passes: usize },
+    #[error("{nodes} nodes a stride of a run: the planner takes an even number from {lower} to {upper}")]
+    RunNodes { nodes: usize, lower: usize, upper: usize },
+    #[error("{passes} passes for a run: the planner makes {lower} to {upper}")]
+    RunPasses { passes: usize, lower: usize, upper: usize },
     #[error("the style's {name} is {value}; it must be a finite number")]
     StyleNotFinite { name: &'static str, value: f64 },
     #[error("a sequence without a walk; give it one, if only of a single step")]

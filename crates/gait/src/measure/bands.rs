@@ -26,22 +26,32 @@ impl Band {
 /// With the feature `serde` its keys are `name`, `unit`, `value`, `lower`, `upper` and `inside`.
 #[derive(Clone, Copy, Debug)]
 pub struct BandCheck {
+    /// What is measured.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
     /// The band.
-    pub band: &'static Band,
+    pub range: (f64, f64),
     /// The stride's value.
     pub value: f64,
     /// Whether it lies inside.
     pub inside: bool,
 }
 
+impl BandCheck {
+    pub(super) fn new(name: &'static str, unit: &'static str, range: (f64, f64), value: f64) -> Self {
+        Self { name, unit, range, value, inside: (range.0..=range.1).contains(&value) }
+    }
+}
+
 #[cfg(feature = "serde")]
 impl serde::Serialize for BandCheck {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
-        let Band { name, unit, range: (lower, upper), .. } = self.band;
+        let (lower, upper) = &self.range;
         let mut check = serializer.serialize_struct("BandCheck", 6)?;
-        check.serialize_field("name", name)?;
-        check.serialize_field("unit", unit)?;
+        check.serialize_field("name", self.name)?;
+        check.serialize_field("unit", self.unit)?;
         check.serialize_field("value", &self.value)?;
         check.serialize_field("lower", lower)?;
         check.serialize_field("upper", upper)?;
@@ -56,7 +66,7 @@ impl serde::Serialize for BandCheck {
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BandReport {
-    /// Which list: `recipe` or `textbook`.
+    /// Which list: `recipe` or `textbook`, of a run `running`.
     pub name: &'static str,
     /// Where its bands come from.
     pub source: &'static str,
@@ -74,20 +84,19 @@ pub fn band_reports(stride: &SteadyStride) -> [BandReport; 2] {
         ("recipe", "the bands that the walk was fitted to", RECIPE_BANDS),
         ("textbook", "textbook range, not cited", TEXTBOOK_BANDS),
     ];
-    lists.map(|(name, source, bands)| {
-        let checks = check_bands(bands, stride);
+    lists.map(|(name, source, bands)| BandReport::new(name, source, check_bands(bands, stride)))
+}
+
+impl BandReport {
+    pub(super) fn new(name: &'static str, source: &'static str, checks: Vec<BandCheck>) -> Self {
         let inside = checks.iter().filter(|check| check.inside).count();
-        BandReport { name, source, inside, of: checks.len(), checks }
-    })
+        Self { name, source, inside, of: checks.len(), checks }
+    }
 }
 
 /// Holds a stride against a list of bands.
 pub fn check_bands(bands: &'static [Band], stride: &SteadyStride) -> Vec<BandCheck> {
-    let check = |band: &'static Band| {
-        let value = band.value(stride);
-        BandCheck { band, value, inside: (band.range.0..=band.range.1).contains(&value) }
-    };
-    bands.iter().map(check).collect()
+    bands.iter().map(|band| BandCheck::new(band.name, band.unit, band.range, band.value(stride))).collect()
 }
 
 const fn band(

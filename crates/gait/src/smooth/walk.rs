@@ -19,5 +19,4 @@ mod timeline;
 pub(crate) use course::Step;
 pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;
-pub(crate) use schedule::sampled;
 pub(crate) use steps::Steps;

@@ -13,6 +13,8 @@ pub enum WalkForces {
     Prescribed(ReactionReport),
     /// They are what the motion needs, and what is left at its root.
     Needed(Box<GroundReport>, Residual),
+    /// The plan prescribes all of them, and what is left at the root says how far the motion is from them.
+    Law(Residual),
 }
 
 /// The ground would have to pull at a foot.
@@ -33,11 +35,12 @@ pub struct Pull {
 }
 
 impl WalkForces {
-    /// Name of the rule that shares the load in double support.
-    pub fn split(&self) -> &'static str {
+    /// Name of the rule that shares the load in double support; none where there is no double support.
+    pub fn split(&self) -> Option<&'static str> {
         match self {
-            Self::Prescribed(report) => report.split,
-            Self::Needed(report, _) => report.split.name(),
+            Self::Prescribed(report) => Some(report.split),
+            Self::Needed(report, _) => Some(report.split.name()),
+            Self::Law(_) => None,
         }
     }
 
@@ -45,7 +48,7 @@ impl WalkForces {
     pub fn root_residual(&self) -> [f64; 2] {
         match self {
             Self::Prescribed(report) => [report.root_force, report.root_moment],
-            Self::Needed(_, residual) => [residual.force, residual.moment],
+            Self::Needed(_, residual) | Self::Law(residual) => [residual.force, residual.moment],
         }
     }
 
@@ -53,6 +56,7 @@ impl WalkForces {
     pub fn from_prescribed(&self) -> Option<Peak> {
         match self {
             Self::Prescribed(report) => report.from_prescribed,
+            Self::Law(residual) => Some(Peak { value: residual.force, time: residual.force_time }),
             Self::Needed(..) => None,
         }
     }
@@ -61,7 +65,7 @@ impl WalkForces {
     pub fn cop_from_prescribed(&self) -> Option<Peak> {
         match self {
             Self::Prescribed(report) => Some(report.cop_from_nominal),
-            Self::Needed(..) => None,
+            Self::Needed(..) | Self::Law(_) => None,
         }
     }
 
@@ -80,7 +84,7 @@ impl serde::Serialize for WalkForces {
         use serde::ser::SerializeStruct;
         let ([force, moment], pull) = (self.root_residual(), self.pull());
         let mut forces = serializer.serialize_struct("WalkForces", 5 + usize::from(pull.is_some()))?;
-        forces.serialize_field("double_support_split", self.split())?;
+        forces.serialize_field("double_support_split", &self.split())?;
         forces.serialize_field("root_residual_n", &force)?;
         forces.serialize_field("root_residual_n_m", &moment)?;
         forces.serialize_field("from_prescribed_n", &self.from_prescribed())?;

@@ -1,8 +1,9 @@
 //! One stride of a walk, exactly as long as it is, to be repeated for ever: what games ask for.
 
-use super::Walking;
+use super::{Prescribing, Walking};
+use nalgebra::Vector3;
 use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
-use solaris_model::{Figure, Motion, MotionError, MotionInfo, Trajectory};
+use solaris_model::{Contact, Figure, Motion, MotionError, MotionInfo, Trajectory};
 
 /// The stride of a walk from a time on, as a curve that repeats itself a stride farther along z.
 ///
@@ -99,7 +100,24 @@ impl<W: Walking + SupportLaw> SupportLaw for StrideLoop<'_, W> {
     }
 }
 
-impl<W: Walking + SupportLaw> StrideLoop<'_, W> {
+impl<W: Walking + Prescribing> Prescribing for StrideLoop<'_, W> {
+    fn contacts(&self, t: f64) -> [Contact; 2] {
+        let (time, advance) = self.fold(t);
+        self.walk.contacts(time).map(|contact| ahead(&contact, advance))
+    }
+}
+
+/// A contact `advance` farther along z (m).
+fn ahead(contact: &Contact, advance: f64) -> Contact {
+    let Contact { force, moment, cop } = *contact;
+    if force == Vector3::zeros() {
+        return Contact::default();
+    }
+    let shift = Vector3::new(0.0, 0.0, advance);
+    Contact { force, moment: moment + shift.cross(&force), cop: cop + shift }
+}
+
+impl<W: Walking> StrideLoop<'_, W> {
     /// The same as [`Self::motion`], with accelerations that carry the centre of mass exactly.
     ///
     /// # Errors

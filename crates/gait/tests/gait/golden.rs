@@ -4,9 +4,17 @@ use serde_json::Value;
 use solaris_gait::{Manner, StyleTable};
 use solaris_model::{Figure, Vector3};
 
-/// The golden numbers.
+/// The golden numbers of the walk.
 pub(crate) fn golden() -> Value {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/reference/smooth/golden.json");
+    read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/reference/smooth/golden.json"))
+}
+
+/// The golden numbers of the run, of the same figure.
+pub(crate) fn running_golden() -> Value {
+    read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/reference/running/golden.json"))
+}
+
+fn read(path: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("the fixture is there")).expect("it is JSON")
 }
 
@@ -97,6 +105,14 @@ impl Differences {
         q: &[f64],
         pitches: [(f64, f64); 2],
     ) {
+        self.note_joints(figure, golden, i, q);
+        for (name, pitches) in ["left", "right"].into_iter().zip(pitches) {
+            self.note_pitches(golden, i, name, pitches);
+        }
+    }
+
+    /// The angles `q` of all segments.
+    pub(crate) fn note_joints(&mut self, figure: &Figure, golden: &Value, i: usize, q: &[f64]) {
         for (key, values) in golden["angles"].as_object().expect("angles") {
             let (segment, axis) = key.rsplit_once('_').expect("an axis");
             let link = figure.link_index(&link_name(segment)).expect("a link");
@@ -105,12 +121,14 @@ impl Differences {
             let found = q[layout.q + layout.nq - 3 + axis].to_degrees();
             self.angle.note((found - number(&values[i])).abs(), || format!("{key}, sample {i}"));
         }
-        for (name, (foot, toes)) in ["left", "right"].into_iter().zip(pitches) {
-            for (what, found) in [("foot", foot), ("toes", toes)] {
-                let wanted = number(&golden[format!("{what}_pitch_{name}")][i]);
-                self.angle
-                    .note((found.to_degrees() - wanted).abs(), || format!("{what} pitch {name}, sample {i}"));
-            }
+    }
+
+    /// The pitches of a side's foot and toes (rad).
+    pub(crate) fn note_pitches(&mut self, golden: &Value, i: usize, side: &str, (foot, toes): (f64, f64)) {
+        for (what, found) in [("foot", foot), ("toes", toes)] {
+            let wanted = number(&golden[format!("{what}_pitch_{side}")][i]);
+            self.angle
+                .note((found.to_degrees() - wanted).abs(), || format!("{what} pitch {side}, sample {i}"));
         }
     }
 

@@ -26,6 +26,7 @@ mod posed;
 mod refusals;
 #[cfg(feature = "serde")]
 mod reports;
+mod running;
 mod sequence;
 mod smooth_laws;
 mod stride_loop;

@@ -1,6 +1,6 @@
 //! Options of the other style, and of the other number of determinants.
 
-use crate::args::{StyleName, WalkArgs, key_options};
+use crate::args::{DeterminantCount, Gait, RootLink, StyleName, WalkArgs, key_options};
 use crate::error::CliError;
 use clap::ValueEnum;
 use solaris::gait::Parameter;
@@ -16,6 +16,15 @@ pub(super) fn key_parameters(determinants: Determinants) -> &'static [KeyParamet
 
 /// Refuses options of the other style and of the other number of determinants.
 pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Result<(), CliError> {
+    if args.manner.gait == Gait::Run {
+        return of_walks(args).map_or(Ok(()), |(option, typed)| {
+            Err(CliError::option(
+                option,
+                &typed,
+                "a run has no such option: it has --speed, --steps or --distance, --first and --loop",
+            ))
+        });
+    }
     let style = args.manner.style;
     let has = |name: &str| match style {
         StyleName::Thesis => {
@@ -43,6 +52,18 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
         StyleName::Smooth => StyleName::Thesis,
     };
     Err(CliError::option(option, typed, format!("only --style {} has this", other.name())))
+}
+
+/// What was given that only walks have.
+fn of_walks(args: &WalkArgs) -> Option<(&'static str, String)> {
+    let manner = &args.manner;
+    let pace = [("step-frequency", &args.pace.step_frequency), ("step-length", &args.pace.step_length)];
+    let pace = pace.into_iter().find_map(|(name, number)| Some((name, number.as_ref()?.typed.clone())));
+    let style = args.style.0.iter().next().map(|(name, number)| (name, number.typed.clone()));
+    let thesis = (manner.style == StyleName::Thesis).then(|| ("style", manner.style.name().to_owned()));
+    let three = (manner.determinants == DeterminantCount::Three).then(|| ("determinants", "3".to_owned()));
+    let foot = (manner.root == RootLink::Foot).then(|| ("root", "foot".to_owned()));
+    pace.or(style).or(thesis).or(three).or(foot).or_else(|| changes(args)).or_else(|| key_postures(args))
 }
 
 /// What was given that the smooth style alone has.

@@ -2,11 +2,11 @@
 
 use super::course::{Episode, Kind};
 use super::plan::WalkPlan;
-use crate::body::roles::{FEET, TOES};
+use crate::body::FEET;
 use crate::smooth::style::Style;
-use crate::walking::{G, Walking, annotate};
-use solaris_analysis::{ReactionError, Support, SupportLaw, balance_momentum};
-use solaris_model::{Event, EventKind, Figure, Interval, Motion, MotionInfo, SolePart, Trajectory};
+use crate::walking::{G, Stood, Walking, sampled};
+use solaris_analysis::{ReactionError, Support, SupportLaw};
+use solaris_model::{Event, EventKind, Figure, Interval, Motion, Trajectory};
 
 impl WalkPlan {
     /// The body's weight (N).
@@ -63,8 +63,7 @@ impl WalkPlan {
         events
     }
 
-    /// When which point of the soles is planted: the heel until it rises, the foot's ball while the foot is flat, the
-    /// toes' ball until they roll, their tip until it lifts.
+    /// When which point of the soles is planted.
     pub fn planted(&self, figure: &Figure) -> Vec<Interval> {
         let mut planted = Vec::new();
         let end = self.duration();
@@ -79,37 +78,19 @@ impl WalkPlan {
                 let flat =
                     if matches!(episode.kind, Kind::Step | Kind::Last) { style.foot_flat } else { landed };
                 let last = |v: f64| if pushes { clock(v) } else { end };
-                let (foot, toes) = (FEET[self.seen_side(side)], TOES[self.seen_side(side)]);
-                let spans = [
-                    (foot, SolePart::Heel, clock(landed), last(stance.heel_off())),
-                    (foot, SolePart::Ball, clock(flat), last(stance.heel_off())),
-                    (toes, SolePart::Ball, clock(flat), last(stance.tip_roll_at())),
-                    (toes, SolePart::ToeTip, clock(flat), last(style.toe_off())),
-                ];
-                for (link, part, start, end) in spans {
-                    let Some(index) = figure.link_index(link) else { continue };
-                    let Some(&point) = figure.links()[index].sole_point(part) else { continue };
-                    planted.push(Interval { link: index, point, start, end });
-                }
+                let stood = Stood {
+                    landed: clock(landed),
+                    flat: clock(flat),
+                    heel_off: last(stance.heel_off()),
+                    tip_roll: last(stance.tip_roll_at()),
+                    toe_off: last(style.toe_off()),
+                };
+                planted.extend(stood.planted(figure, self.seen_side(side)));
             }
         }
         planted.sort_by(|a, b| a.start.total_cmp(&b.start));
         planted
     }
-}
-
-/// A walk of the figure with this fingerprint sampled `rate` times a second, with its events and planted points.
-pub(crate) fn sampled(
-    figure: &Figure,
-    walk: &(impl Walking + SupportLaw),
-    fingerprint: u64,
-    rate: f64,
-) -> Result<Motion, ReactionError> {
-    let info = MotionInfo { fingerprint, ..MotionInfo::on_earth(figure, rate) };
-    let mut motion = Motion::sample(figure, walk, info)?;
-    balance_momentum(figure, walk, &mut motion)?;
-    annotate(&mut motion, walk, figure);
-    Ok(motion)
 }
 
 impl SupportLaw for WalkPlan {

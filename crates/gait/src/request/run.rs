@@ -1,0 +1,96 @@
+//! The request for a run, with its ranges.
+
+use super::walk::Extent;
+use crate::error::RequestError;
+
+/// Speeds that runs are planned at (m/s); up to about 2.2 m/s it is a jog.
+#[doc(alias = "velocity")]
+pub const RUN_SPEED: (f64, f64) = (1.0, 6.0);
+/// The speed when none is asked (m/s).
+pub const DEFAULT_RUN_SPEED: f64 = 3.5;
+
+/// Speeds that the numbers of running are known at (m/s).
+const COLUMNS: [f64; 3] = [2.5, 3.5, 4.5];
+
+/// A number of running at a speed (m/s), linear between those at 2.5, 3.5 and 4.5 m/s and beyond them.
+pub(crate) fn at_speed([slow, middle, fast]: [f64; 3], speed: f64) -> f64 {
+    if speed < COLUMNS[1] {
+        slow + (middle - slow) * (speed - COLUMNS[0])
+    } else {
+        middle + (fast - middle) * (speed - COLUMNS[1])
+    }
+}
+
+/// What is asked of a run.
+///
+/// ```
+/// use solaris_gait::{Extent, RunRequest, run};
+/// use solaris_model::Trajectory;
+///
+/// let ann = solaris_model::human(1.65, 58.0)?;
+/// let plan = run(&ann, &RunRequest { speed: 3.0, extent: Extent::Steps(6), ..RunRequest::default() })?;
+/// let mut q = vec![0.0; ann.layout().nq()];
+/// plan.configuration(0.5 * plan.duration(), &mut q);
+/// assert!(q[2] > 2.0); // half way she has come more than two metres forward (root.tz)
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "gait parameters")]
+pub struct RunRequest {
+    /// Speed (m/s).
+    #[doc(alias = "velocity")]
+    pub speed: f64,
+    /// How far: so many steps, or as many whole steps as it takes to go at least so far.
+    pub extent: Extent,
+    /// Whether the left foot touches first; else the right one.
+    pub left_first: bool,
+    /// How finely to plan.
+    pub resolution: RunResolution,
+}
+
+impl Default for RunRequest {
+    fn default() -> Self {
+        Self {
+            speed: DEFAULT_RUN_SPEED,
+            extent: Extent::Steps(10),
+            left_first: false,
+            resolution: RunResolution::default(),
+        }
+    }
+}
+
+/// How finely a run is planned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RunResolution {
+    /// Nodes a stride; even, 60 to 2000.
+    pub nodes: usize,
+    /// Passes in which body and forces come to agree.
+    pub passes: usize,
+}
+
+impl Default for RunResolution {
+    /// With 200 nodes and 25 passes the body's own force is within 0.3 N of the law's at the nodes.
+    fn default() -> Self {
+        Self { nodes: 200, passes: 25 }
+    }
+}
+
+/// Nodes that a stride of a run may have.
+const NODES: (usize, usize) = (60, 2000);
+/// Passes that it may have.
+const PASSES: (usize, usize) = (1, 1000);
+
+impl RunResolution {
+    pub(crate) fn check(self) -> Result<(), RequestError> {
+        let (nodes, passes) = (self.nodes, self.passes);
+        let (lower, upper) = NODES;
+        if !(lower..=upper).contains(&nodes) || !nodes.is_multiple_of(2) {
+            return Err(RequestError::RunNodes { nodes, lower, upper });
+        }
+        let (lower, upper) = PASSES;
+        if !(lower..=upper).contains(&passes) {
+            return Err(RequestError::RunPasses { passes, lower, upper });
+        }
+        Ok(())
+    }
+}

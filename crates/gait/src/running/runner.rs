@@ -1,0 +1,115 @@
+//! The runner: it plans a run that holds.
+
+use super::plan::RunPlan;
+use super::stride::{RunExtremes, RunStride};
+use super::style::RunStyle;
+use crate::body::{Body, missing};
+use crate::error::{GaitError, PlanError, RequestError};
+use crate::request::pace::range;
+use crate::request::{Extent, RUN_SPEED, RunRequest, RunResolution, SHORTEST_DISTANCE, STEPS};
+use solaris_model::Figure;
+
+/// Friction that a run may need.
+#[doc(alias = "friction coefficient")]
+pub const RUN_FRICTION: f64 = 0.5;
+/// Least flexion of a knee (rad), greatest depth of a sole and shortage of a leg (m).
+const LEAST_KNEE: f64 = 0.0;
+const SINK: f64 = 1e-3;
+const SHORT: f64 = 1e-4;
+/// The most by which the rate of the angular momentum may miss the law's, over weight times height.
+const EXCESS: f64 = 1e-2;
+/// Instants of a stride that are looked at.
+const INSTANTS: usize = 400;
+/// By how much speeds are tried apart where one does not hold (m/s), and how often the way between is halved.
+const TRIED: f64 = 0.25;
+const HALVED: usize = 5;
+
+/// Plans a run: some steps of a steady stride, from a contact to a contact, in full run at both ends. Starting and stopping are not
+/// part of it.
+///
+/// # Errors
+///
+/// [`GaitError`] for a figure that the planner does not know, for values out of range (with the range), and for a run that soles or
+/// legs cannot do, with the nearest speed that holds.
+#[doc(alias = "jog")]
+#[doc(alias = "locomotion")]
+pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> {
+    missing::check(figure)?;
+    let body = Body::of(figure)?;
+    let speed = request.speed;
+    range("speed", speed, " m/s", RUN_SPEED, String::new)?;
+    let style = RunStyle::of(body.height, speed);
+    let steps = steps(request.extent, style.step_length)?;
+    let stride = RunStride::plan(body.clone(), &style, request.resolution)?;
+    if let Some(what) = fault(&stride.extremes(INSTANTS), &body) {
+        let nearest = nearest(&body, speed, request.resolution);
+        return Err(PlanError::NotRunnable { speed, what, nearest }.into());
+    }
+    Ok(RunPlan::new(stride, steps, request.left_first))
+}
+
+/// The number of steps that is asked for.
+fn steps(extent: Extent, step_length: f64) -> Result<usize, RequestError> {
+    let (fewest, most) = STEPS;
+    match extent {
+        Extent::Steps(steps) => {
+            range("steps", steps as f64, "", (fewest as f64, most as f64), String::new)?;
+            Ok(steps)
+        }
+        Extent::Distance(distance) => {
+            range("distance", distance, " m", (SHORTEST_DISTANCE, most as f64 * step_length), String::new)?;
+            // A distance that is a number of steps is so many, whatever the rounding.
+            Ok((distance / step_length - 1e-9).ceil().max(1.0) as usize)
+        }
+    }
+}
+
+/// What soles or legs cannot do.
+fn fault(found: &RunExtremes, body: &Body) -> Option<String> {
+    let RunExtremes { friction, least_knee, sink, short, momentum_excess } = *found;
+    let excess = EXCESS * body.mass * crate::walking::G * body.height;
+    // Written so that no number is a fault.
+    let within = |value: f64, limit: f64| value <= limit;
+    if !within(friction, RUN_FRICTION) {
+        Some(format!("its friction would have to be {friction:.2}, and soles hold {RUN_FRICTION}"))
+    } else if !within(-least_knee, -LEAST_KNEE) {
+        Some(format!("a knee would be hyperextended by {:.1}°", -least_knee.to_degrees()))
+    } else if !within(sink, SINK) {
+        Some(format!("a foot would sink {:.1} mm into the ground", 1e3 * sink))
+    } else if !within(short, SHORT) {
+        Some(format!("a leg would be {:.1} mm too short to reach its foot on the ground", 1e3 * short))
+    } else if !within(momentum_excess, excess) {
+        Some(format!(
+            "body and forces do not come to agree: their moments are {momentum_excess:.1} N m apart"
+        ))
+    } else {
+        None
+    }
+}
+
+/// The speed nearest to one that does not hold.
+fn nearest(body: &Body, speed: f64, resolution: RunResolution) -> String {
+    let holds = |speed: f64| {
+        (RUN_SPEED.0..=RUN_SPEED.1).contains(&speed)
+            && RunStride::plan(body.clone(), &RunStyle::of(body.height, speed), resolution)
+                .is_ok_and(|stride| fault(&stride.extremes(INSTANTS), body).is_none())
+    };
+    let tries = ((RUN_SPEED.1 - RUN_SPEED.0) / TRIED).ceil() as usize;
+    let away = (1..=tries).flat_map(|k| [-TRIED * k as f64, TRIED * k as f64]);
+    let Some(mut good) = away.map(|away| speed + away).find(|&speed| holds(speed)) else {
+        return "no speed holds for this figure".to_owned();
+    };
+    // Between it and its neighbour towards the speed that was asked for.
+    let mut bad = good - TRIED.copysign(good - speed);
+    for _ in 0..HALVED {
+        let middle = 0.5 * (good + bad);
+        if holds(middle) {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    // Rounded away from what does not hold.
+    let shown = if good < speed { (good * 100.0).floor() } else { (good * 100.0).ceil() } / 100.0;
+    format!("the nearest speed that holds is {shown} m/s")
+}

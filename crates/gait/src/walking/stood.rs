@@ -1,0 +1,34 @@
+//! Which points of a foot are planted while it stands.
+
+use crate::body::roles::{FEET, TOES};
+use solaris_model::{Figure, Interval, SolePart};
+
+/// One stance of a foot: the times (s) between which its parts are on the ground.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stood {
+    pub(crate) landed: f64,
+    pub(crate) flat: f64,
+    pub(crate) heel_off: f64,
+    pub(crate) tip_roll: f64,
+    pub(crate) toe_off: f64,
+}
+
+impl Stood {
+    /// When which point of the sole of the foot on a side is planted: the heel until it rises, the foot's ball while the foot is
+    /// flat, the toes' ball until they roll, their tip until it lifts.
+    pub(crate) fn planted(&self, figure: &Figure, side: usize) -> impl Iterator<Item = Interval> + use<> {
+        let (foot, toes) = (FEET[side], TOES[side]);
+        let spans = [
+            (foot, SolePart::Heel, self.landed, self.heel_off),
+            (foot, SolePart::Ball, self.flat, self.heel_off),
+            (toes, SolePart::Ball, self.flat, self.tip_roll),
+            (toes, SolePart::ToeTip, self.flat, self.toe_off),
+        ];
+        let planted = spans.map(|(name, part, start, end)| {
+            let link = figure.link_index(name)?;
+            let point = *figure.links()[link].sole_point(part)?;
+            Some(Interval { link, point, start, end })
+        });
+        planted.into_iter().flatten()
+    }
+}
