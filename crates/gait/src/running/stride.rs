@@ -115,7 +115,7 @@ impl RunStride {
         let laws = ForceLaws::new(style, n)?;
         let prescribed = Prescribed::new(&body, style, &laws, n);
         let upper_of = |thorax: &[Euler]| {
-            UpperBody::new(&body, &grid, trunk::CARRIAGE, |i| {
+            UpperBody::new(&body, &grid, trunk::carriage(style), |i| {
                 let u = clock(i);
                 (trunk::trunk(style, u, thorax[i]), trunk::arms(style, u), 0.0)
             })
@@ -249,7 +249,15 @@ impl RunStride {
         let Place { pelvis, trunk, legs } = self.place(u);
         let legs = legs.map(|(_, pose)| pose);
         let arms = trunk::arms(&self.style, u);
-        Posture { pelvis, trunk, arms, carriage: trunk::CARRIAGE, legs, heading: 0.0, feet: [0.0; 2] }
+        Posture {
+            pelvis,
+            trunk,
+            arms,
+            carriage: trunk::carriage(&self.style),
+            legs,
+            heading: 0.0,
+            feet: [0.0; 2],
+        }
     }
 
     fn place(&self, u: f64) -> Place {

@@ -28,6 +28,10 @@ macro_rules! run_numbers {
             pub foot_yaw: f64,
             /// Least height of the swinging foot's lowest point in mid-swing (m).
             pub clearance: f64,
+            /// How far the upper arms stand out from the thorax, and are turned in about their own length.
+            pub arm_abduction: f64,
+            /// See `arm_abduction`.
+            pub arm_inward: f64,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -39,6 +43,9 @@ macro_rules! run_numbers {
                     step_length: 0.0,
                     foot_yaw: 6.0 * DEGREE,
                     clearance: 0.012 * common.height / REFERENCE_HEIGHT,
+                    // So that the hands pass the thighs.
+                    arm_abduction: 20.0 * DEGREE,
+                    arm_inward: 10.0 * DEGREE,
                     $($name: at_speed([$slow, $middle, $fast], at) * $unit,)*
                 }
             }
@@ -168,6 +175,8 @@ impl RunStyle {
             ("step_length", self.step_length),
             ("foot_yaw", self.foot_yaw),
             ("clearance", self.clearance),
+            ("arm_abduction", self.arm_abduction),
+            ("arm_inward", self.arm_inward),
         ];
         match common.into_iter().chain(self.numbers()).find(|(_, value)| !value.is_finite()) {
             Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),

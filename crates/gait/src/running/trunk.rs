@@ -5,8 +5,6 @@ use crate::body::posture::ArmCarriage;
 use crate::body::rotations::Euler;
 use std::f64::consts::TAU;
 
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
 /// Phases (u) of the pelvis' obliquity, turn and tilt, of the thorax' turn, of shoulders and of elbows after them.
 const OBLIQUITY_AT: f64 = 0.13;
 const TURN_AT: f64 = 0.88;
@@ -18,9 +16,10 @@ const ELBOWS_AFTER: f64 = 0.03;
 const NECK: f64 = 0.5;
 const HEAD: Euler = [0.1, 0.1, 0.15];
 
-/// How runners carry their arms: 12° outward, turned in by 25°.
-pub(super) const CARRIAGE: ArmCarriage =
-    ArmCarriage { abduction: 12.0 * DEGREE, inward: 25.0 * DEGREE, clavicle: 0.0, wrist: 0.0 };
+/// How a runner's arms hang.
+pub(super) fn carriage(style: &RunStyle) -> ArmCarriage {
+    ArmCarriage { abduction: style.arm_abduction, inward: style.arm_inward, clavicle: 0.0, wrist: 0.0 }
+}
 
 /// World orientation of the pelvis.
 pub(super) fn pelvis(style: &RunStyle, u: f64) -> Euler {

@@ -54,12 +54,18 @@ fn compare(figure: &Figure, golden: &Value, stride: &RunStride, differences: &mu
     momentum
 }
 
+/// The style of the golden strides, whose arms hang closer: our hands pass the thighs.
+fn recipe(speed: f64) -> RunStyle {
+    let [arm_abduction, arm_inward] = [12.0_f64.to_radians(), 25.0_f64.to_radians()];
+    RunStyle { arm_abduction, arm_inward, ..RunStyle::of(1.75, speed) }
+}
+
 /// Limits of lengths (m), angles (degrees), forces (N and N m), momentum (N m s).
 fn check(resolution: RunResolution, [length, angle, force, momentum]: [f64; 4]) {
     let figure = golden_figure(&golden());
     let golden = running_golden();
     for speed in [2.5, 3.5, 5.0] {
-        let stride = RunStride::new(&figure, &RunStyle::of(1.75, speed), resolution).expect("a stride");
+        let stride = RunStride::new(&figure, &recipe(speed), resolution).expect("a stride");
         let mut differences = Differences::default();
         let golden = &golden["strides"][format!("{speed:.1}")];
         let worst = compare(&figure, golden, &stride, &mut differences);
@@ -167,10 +173,10 @@ fn soles_and_knees_do_what_they_can() {
     }
 }
 
-/// A steady stride of a person at a speed, with its measures.
-fn steady(figure: &Figure, speed: f64, resolution: RunResolution) -> SteadyRun {
-    let request = RunRequest { speed, left_first: true, resolution, ..RunRequest::default() };
-    let plan = run(figure, &request).expect("a run");
+/// The measures of a steady stride in a style.
+fn steady(figure: &Figure, style: &RunStyle, resolution: RunResolution) -> SteadyRun {
+    let stride = RunStride::new(figure, style, resolution).expect("a stride");
+    let plan = RunPlan::new(stride, 2, true);
     let rate = 1.0 / plan.resolution();
     let (motion, _) = StyledPlan::Run(Box::new(plan)).loaded_stride(figure, rate).expect("forces");
     measure_run(figure, &motion).expect("measures")
@@ -181,7 +187,7 @@ fn steady(figure: &Figure, speed: f64, resolution: RunResolution) -> SteadyRun {
 fn bands_of_people_hold_as_in_the_recipe() {
     let figure = human(1.75, 73.0).expect("a person");
     for (speed, least) in [(2.2, 22), (2.5, 22), (3.0, 22), (3.5, 22), (4.0, 21), (5.0, 19), (6.0, 20)] {
-        let found = steady(&figure, speed, RunResolution::default());
+        let found = steady(&figure, &RunStyle::of(1.75, speed), RunResolution::default());
         let report = run_bands(&found);
         let outside = report.checks.iter().filter(|check| !check.inside);
         let outside: Vec<String> =
@@ -198,7 +204,7 @@ fn measures_are_the_golden_ones() {
     let (figure, all) = (golden_figure(&golden()), running_golden());
     for speed in [2.5, 3.5, 5.0] {
         let golden = &all["measures"][format!("{speed:.1}")];
-        let found = steady(&figure, speed, RunResolution { nodes: 400, passes: 25 });
+        let found = steady(&figure, &recipe(speed), RunResolution { nodes: 400, passes: 25 });
         #[rustfmt::skip]
         let pairs = [
             ("cad", found.cadence, 1e-3), ("tc", 1e-3 * found.contact, 1e-4), ("tf", 1e-3 * found.flight, 1e-4),
