@@ -25,7 +25,8 @@ fn a_walk_in_a_file_has_the_numbers_of_its_report() {
     for (key, pointer, factor, within) in [
         ("slide_greatest_mm", "/whole_walk/slide_m/value", 1e3, 0.1),
         ("sink_mm", "/whole_walk/sink_m/value", 1e3, 1e-9),
-        ("clearance_mm", "/whole_walk/toe_clearance_m/value", 1e3, 0.2),
+        // Mid-swing begins a frame earlier where contacts are found in frames, and the tip rises there.
+        ("clearance_mm", "/whole_walk/toe_clearance_m/value", 1e3, 0.8),
         ("step_length_m", "/steady_stride/step_length_m", 1.0, 5e-3),
         ("speed_m_s", "/steady_stride/speed_m_s", 1.0, 5e-3),
         ("double_support_percent", "/steady_stride/double_support_percent", 1.0, 1.6),

@@ -91,6 +91,7 @@ fn every_example_of_the_help_runs() {
         "child.html",
         "corner.html",
         "loop.bvh",
+        "run.html",
         "stiff.bvh",
         "stiff.json",
         "thesis.html",
