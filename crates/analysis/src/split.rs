@@ -16,17 +16,31 @@ pub struct FootSupport {
     pub share: f64,
     /// Nominal centre of pressure (m), on the ground.
     pub cop: Vector3<f64>,
+    /// Normal of the ground under the foot; the vertical for `None`.
+    pub normal: Option<Vector3<f64>>,
+}
+
+impl FootSupport {
+    /// On level ground.
+    pub fn level(share: f64, cop: Vector3<f64>) -> Self {
+        Self { share, cop, normal: None }
+    }
+
+    /// By how much the normal leans, for a vertical part of 1: `n/(n·up) − up`.
+    fn lean(&self, up: &Vector3<f64>) -> Vector3<f64> {
+        self.normal.map_or(Vector3::zeros(), |n| n / n.dot(up) - up)
+    }
 }
 
 /// The pivot split:
 ///
 /// ```text
-/// Fᵢ = sᵢ [ (c − Pᵢ)_t Fₙ/(κ y_c) + R_t + Fₙ n ]      R = F − (c − P) Fₙ/(κ y_c)
+/// Fᵢ = sᵢ [ (c − Pᵢ)_t F_v/(κ y) + R_t + F_v e ]      R = F − (c − P) F_v/(κ y)
 /// ```
 ///
-/// `sᵢ` share, `Pᵢ` centre of pressure of foot i, `P` of both, `c` centre of mass and `y_c` its height, `κ` = `pivot`, `n`
-/// = `up`, `t` tangential. The moment normal to the ground that the forces leave is shared by `sᵢ`. Where the given centres
-/// of pressure do not add up to the wrench's, both are moved by the difference.
+/// `sᵢ` share, `Pᵢ` centre of pressure of foot i, `P = Σ sᵢ Pᵢ`, `c` centre of mass and `y` its height above `P`, `κ` = `pivot`, `e`
+/// = `up`, `t` horizontal. The vertical moment that the forces leave is shared by `sᵢ`, as free moments about the ground's normals.
+/// Where the given centres of pressure leave a horizontal one, each is moved in its ground's plane.
 ///
 /// `None` where nothing presses on the ground.
 #[doc(alias = "load sharing")]
@@ -38,30 +52,31 @@ pub fn split_at_pivot(
     pivot: f64,
     feet: &[FootSupport; 2],
 ) -> Option<[Contact; 2]> {
+    let pressed = total.force.dot(up) > 0.0;
     let height = feet[0].cop.dot(up) * feet[0].share + feet[1].cop.dot(up) * feet[1].share;
-    let centre = total.center_of_pressure(up, height)?;
-    let shift = centre - feet[0].cop * feet[0].share - feet[1].cop * feet[1].share;
     let mut parts = [Wrench::zero(); 2];
     pivot_parts(total, up, 1.0 / (pivot * (com.dot(up) - height)), feet, &mut parts);
     let mut contacts = [Contact::default(); 2];
     for ((contact, part), foot) in contacts.iter_mut().zip(parts).zip(feet) {
         if foot.share > 0.0 {
-            *contact = Contact { force: part.force, moment: part.moment, cop: foot.cop + shift };
+            let normal = foot.normal.unwrap_or(*up);
+            let own = part.moment - foot.cop.cross(&part.force);
+            let cop = foot.cop + normal.cross(&own) / part.force.dot(&normal);
+            *contact = Contact { force: part.force, moment: part.moment, cop };
         }
     }
-    Some(contacts)
+    pressed.then_some(contacts)
 }
 
-/// The parts of any number of feet, also where nothing presses on the ground. With `k` = `pull` = `1/(κ y_c)`, `N = Σ sᵢ Pᵢ` of
-/// the given centres of pressure, and `m` the moment that the wrench has about `N`, the pivot split without a division by the
-/// normal force is
+/// The parts of any number of feet, also where nothing presses on the ground. With `k` = `pull` = `1/(κ y)` and `N = Σ sᵢ Pᵢ` of
+/// the given centres of pressure the pivot split without a division by the vertical force is
 ///
 /// ```text
-/// Fᵢ = sᵢ [ F + k Fₙ (N − Pᵢ)_t ]
-/// Mᵢ = Pᵢ × Fᵢ + sᵢ [ m_t + n (T − k m_t·(N − Pᵢ)) ]      T = n·m − Σ n·((Pᵢ − N) × Fᵢ)
+/// Fᵢ = sᵢ [ F + k F_v (N − Pᵢ)_t ]           m = M − Σ Pᵢ × Fᵢ      T = m·e
+/// Mᵢ = Pᵢ × Fᵢ + sᵢ [ m_t − T Σ sⱼ hⱼ + T hᵢ + e (T − k m_t·(N − Pᵢ)) ]      hᵢ = nᵢ/(nᵢ·e) − e
 /// ```
 ///
-/// The sums are exact where all centres are at one height and the shares add up to 1.
+/// The sums are exact where the shares add up to 1.
 pub(crate) fn pivot_parts(
     total: &Wrench<f64>,
     up: &Vector3<f64>,
@@ -69,18 +84,20 @@ pub(crate) fn pivot_parts(
     feet: &[FootSupport],
     parts: &mut [Wrench<f64>],
 ) {
-    let tangential = |v: Vector3<f64>| v - up * v.dot(up);
+    let horizontal = |v: Vector3<f64>| v - up * v.dot(up);
     let nominal: Vector3<f64> = feet.iter().map(|foot| foot.cop * foot.share).sum();
-    let about = total.moment - nominal.cross(&total.force);
-    let (normal, tilting) = (total.force.dot(up), tangential(about));
-    let mut twist = about.dot(up);
+    let vertical = total.force.dot(up);
+    let mut left = total.moment;
     for (part, foot) in parts.iter_mut().zip(feet) {
-        part.force = (total.force + tangential(nominal - foot.cop) * (pull * normal)) * foot.share;
-        twist -= (foot.cop - nominal).cross(&part.force).dot(up);
+        part.force = (total.force + horizontal(nominal - foot.cop) * (pull * vertical)) * foot.share;
+        left -= foot.cop.cross(&part.force);
     }
+    let twist = left.dot(up);
+    let leaning: Vector3<f64> = feet.iter().map(|foot| foot.lean(up) * foot.share).sum();
+    let tilting = horizontal(left) - leaning * twist;
     for (part, foot) in parts.iter_mut().zip(feet) {
         let own = twist - pull * tilting.dot(&(nominal - foot.cop));
-        part.moment = foot.cop.cross(&part.force) + (tilting + up * own) * foot.share;
+        part.moment = foot.cop.cross(&part.force) + (tilting + foot.lean(up) * twist + up * own) * foot.share;
     }
 }
 
@@ -91,8 +108,8 @@ mod tests {
 
     fn feet(share: f64) -> [FootSupport; 2] {
         [
-            FootSupport { share, cop: Vector3::new(0.1, 0.0, 0.3) },
-            FootSupport { share: 1.0 - share, cop: Vector3::new(-0.1, 0.0, -0.2) },
+            FootSupport::level(share, Vector3::new(0.1, 0.0, 0.3)),
+            FootSupport::level(1.0 - share, Vector3::new(-0.1, 0.0, -0.2)),
         ]
     }
 
@@ -107,6 +124,27 @@ mod tests {
             assert_relative_eq!(a.force + b.force, total.force, epsilon = 1e-12);
             assert_relative_eq!(a.moment + b.moment, total.moment, epsilon = 1e-11);
             assert_relative_eq!(a.force.y, share * 700.0, epsilon = 1e-12);
+        }
+    }
+
+    /// A step up, each foot on a slope of its own.
+    #[test]
+    fn on_slopes_the_free_moments_are_normal_to_the_ground() {
+        let total =
+            Wrench { force: Vector3::new(20.0, 700.0, -90.0), moment: Vector3::new(-40.0, 12.0, 30.0) };
+        let mut feet = feet(0.3);
+        feet[0].cop.y = 0.2;
+        feet[0].normal = Some(Vector3::new(0.0, 1.0, -0.2).normalize());
+        feet[1].normal = Some(Vector3::new(0.1, 1.0, 0.0).normalize());
+        let up = Vector3::y();
+        let contacts = split_at_pivot(&total, &Vector3::new(0.0, 1.1, 0.1), &up, 1.4, &feet).expect("pressed");
+        assert_relative_eq!(contacts[0].force + contacts[1].force, total.force, epsilon = 1e-12);
+        assert_relative_eq!(contacts[0].moment + contacts[1].moment, total.moment, epsilon = 1e-11);
+        for (contact, foot) in contacts.iter().zip(feet) {
+            let normal = foot.normal.expect("a slope");
+            assert!((contact.cop - foot.cop).dot(&normal).abs() < 1e-12);
+            let free = contact.moment - contact.cop.cross(&contact.force);
+            assert!(free.cross(&normal).norm() < 1e-10 * total.moment.norm(), "{free}");
         }
     }
 

@@ -3,6 +3,7 @@
 pub(crate) mod jet;
 pub(crate) mod midstance;
 pub(crate) mod numbers;
+pub(crate) mod path;
 pub(crate) mod push;
 pub(crate) mod stance;
 pub(crate) mod swing;

@@ -11,8 +11,8 @@ use crate::body::foot::{FootPlane, mirror, turned};
 use crate::body::leg::LegPose;
 use crate::body::{Body, Segment};
 use crate::grid::Grid;
-use legs::{LEG_SHAPE, LegMotion};
-use nalgebra::Vector3;
+use legs::{LEG_SHAPE, LegMotion, Tilt};
+use nalgebra::{Matrix3, Vector3};
 use parts::Parts;
 use upper::UpperBody;
 
@@ -28,6 +28,8 @@ pub(crate) struct MomentumKernel {
     plane: FootPlane,
     /// Which way each foot points, and its rate, at every node; none where all feet point along z.
     headings: Vec<[(f64, f64); 2]>,
+    /// The ground that each foot is turned in, at every node; none where all is level.
+    tilts: Vec<[Tilt; 2]>,
     legs: [LegMotion; 2],
     mass: f64,
     hips: Vec<Hips>,
@@ -41,13 +43,14 @@ pub(crate) struct Momentum {
 }
 
 impl MomentumKernel {
-    /// `heading` is which way a side's foot points at a node.
+    /// `heading` is which way a side's foot points at a node, `tilt` the pitch of the ground that it is turned in.
     pub(crate) fn new(
         body: &Body,
         grid: &Grid,
         upper: &UpperBody,
         plane: FootPlane,
         heading: impl Fn(usize, usize) -> f64,
+        tilt: impl Fn(usize, usize) -> f64,
     ) -> Self {
         let headings: Vec<[f64; 2]> = (0..grid.count).map(|i| [0, 1].map(|side| heading(i, side))).collect();
         let hip = |node: usize, side: usize| {
@@ -66,7 +69,17 @@ impl MomentumKernel {
             let rate = |i: usize, side: usize| grid.first(i, |j| headings[j][side]);
             (0..grid.count).map(|i| [0, 1].map(|side| (headings[i][side], rate(i, side)))).collect()
         };
-        Self { grid: *grid, plane, headings, legs, mass: body.mass, hips, shapes }
+        let tilts: Vec<[f64; 2]> = (0..grid.count).map(|i| [0, 1].map(|side| tilt(i, side))).collect();
+        let tilts = if tilts.iter().flatten().all(|&tilt| tilt == 0.0) {
+            Vec::new()
+        } else {
+            let axes: Vec<[Matrix3<f64>; 2]> =
+                tilts.iter().map(|sides| sides.map(|tilt| plane.tilted_within(tilt))).collect();
+            let of =
+                |i: usize, side: usize| Tilt { axes: axes[i][side], rates: grid.first(i, |j| axes[j][side]) };
+            (0..grid.count).map(|i| [of(i, 0), of(i, 1)]).collect()
+        };
+        Self { grid: *grid, plane, headings, tilts, legs, mass: body.mass, hips, shapes }
     }
 
     /// Of the whole body, for the legs' poses at every node (left, right).
@@ -83,8 +96,9 @@ impl MomentumKernel {
             for side in [0, 1] {
                 let rate = self.grid.first_of(i, |j| &self.shapes[j][side]);
                 let (hip, hip_rate) = &self.hips[i].0[side];
-                let leg = self.legs[side].parts(&self.shapes[i][side], &rate, hip, hip_rate);
-                let turning = || self.legs[side].turning(&self.shapes[i][side], hip);
+                let tilt = self.tilts.get(i).map(|sides| &sides[side]);
+                let leg = self.legs[side].parts(&self.shapes[i][side], &rate, hip, hip_rate, tilt);
+                let turning = || self.legs[side].turning(&self.shapes[i][side], hip, tilt);
                 parts.join(&self.to_world(&leg, turning, side, i));
             }
             let com = parts.first / self.mass;

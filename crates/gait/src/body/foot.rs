@@ -1,7 +1,12 @@
 //! The vertical plane of a planted foot, and the frames of a leg that stands or swings in it.
 
 use super::leg::{LegGeometry, LegPose};
+use super::rotations::about_x;
 use nalgebra::{Matrix3, Vector3};
+
+/// Points of a sole that are held over the ground: of the foot, and with those of the toes.
+const FOOT_POINTS: usize = 8;
+const SOLE_POINTS: usize = 12;
 
 /// Axes of the foot's vertical plane: forward and to the left.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +20,19 @@ impl FootPlane {
     pub(crate) fn new(yaw: f64) -> Self {
         let (sin, cos) = yaw.sin_cos();
         Self { forward: Vector3::new(sin, 0.0, cos), left: Vector3::new(cos, 0.0, -sin) }
+    }
+
+    /// The same axes with the normal between them, on ground that rises by `tilt` (rad) along z: the columns of `Rx(−β)·Ry(ψ)`.
+    pub(crate) fn tilted(&self, tilt: f64) -> Matrix3<f64> {
+        let (sin, cos) = tilt.sin_cos();
+        let lean = |v: &Vector3<f64>| Vector3::new(v.x, v.y * cos + v.z * sin, v.z * cos - v.y * sin);
+        Matrix3::from_columns(&[lean(&self.left), lean(&Vector3::y()), lean(&self.forward)])
+    }
+
+    /// The same as the plane itself has it: to the side, up, forward.
+    pub(crate) fn tilted_within(&self, tilt: f64) -> Matrix3<f64> {
+        let axes = self.tilted(tilt);
+        Matrix3::from_columns(&[0, 1, 2].map(|i| self.split_vector(&axes.column(i).into())))
     }
 
     /// To the side, up, forward.
@@ -56,7 +74,39 @@ impl FootPlane {
             let (sa, ca) = angle.sin_cos();
             Matrix3::new(s.x, sa * f.x, ca * f.x, 0.0, ca, -sa, s.z, sa * f.z, ca * f.z)
         };
-        [turned(pose.thigh), turned(pose.thigh - pose.knee), pitched(pose.pitch), pitched(pose.toes)]
+        let (foot, toes) = if pose.tilt == 0.0 {
+            (pitched(pose.pitch), pitched(pose.toes))
+        } else {
+            // Rx(−β)·Ry(ψ)·Rx(angle + β)
+            let axes = self.tilted(pose.tilt);
+            (axes * about_x(pose.pitch + pose.tilt), axes * about_x(pose.toes + pose.tilt))
+        };
+        [turned(pose.thigh), turned(pose.thigh - pose.knee), foot, toes]
+    }
+
+    /// Points along the sole of a foot and its toes, from the heel to the tip, for a hip whose ankle is `drop` below it in the leg's plane.
+    pub(crate) fn sole(
+        &self,
+        leg: &LegGeometry,
+        hip: &Vector3<f64>,
+        pose: &LegPose,
+        drop: f64,
+    ) -> [Vector3<f64>; SOLE_POINTS] {
+        let (sin, cos) = pose.side.sin_cos();
+        let up = Vector3::y() * cos + self.left * sin;
+        let ankle = hip + self.forward * leg.ankle_ahead_of_hip(pose) - up * drop;
+        let [_, _, foot, toes] = self.frames(pose);
+        let ball = ankle + foot * Vector3::new(0.0, -leg.ball_below, leg.ball_ahead);
+        std::array::from_fn(|i| {
+            if i < FOOT_POINTS {
+                let part = i as f64 / (FOOT_POINTS - 1) as f64;
+                let along = -leg.heel_behind + part * (leg.heel_behind + leg.ball_ahead);
+                ankle + foot * Vector3::new(0.0, -leg.ankle_height, along)
+            } else {
+                let part = (i - FOOT_POINTS) as f64 / (SOLE_POINTS - FOOT_POINTS - 1) as f64;
+                ball + toes * Vector3::new(0.0, -leg.ball_height, part * leg.toe)
+            }
+        })
     }
 
     /// The leg's angles for a given ankle: `hip` against `ankle`, pitches of foot and toes as they are.
@@ -76,7 +126,7 @@ impl FootPlane {
         let v = side.hypot(up);
         let knee = leg.knee_for(v * v + forward * forward);
         let thigh = (-forward).atan2(v) + leg.thigh_against_leg(leg.geometric_knee(knee));
-        LegPose { side: side.atan2(up), thigh, knee, pitch, toes }
+        LegPose { side: side.atan2(up), thigh, knee, pitch, toes, tilt: 0.0 }
     }
 }
 

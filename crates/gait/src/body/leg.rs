@@ -52,6 +52,9 @@ pub(crate) struct LegPose {
     pub(crate) pitch: f64,
     /// Pitch of the toes (ε).
     pub(crate) toes: f64,
+    /// Pitch of the ground that the foot is turned in (β), uphill positive: `γ + β` is the foot's pitch against it. Pitches are those
+    /// of the world.
+    pub(crate) tilt: f64,
 }
 
 impl LegGeometry {

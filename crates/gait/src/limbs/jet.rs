@@ -19,7 +19,7 @@ impl LegJet {
     pub(crate) fn pose(&self) -> LegPose {
         let [side, thigh, knee, pitch, toes] =
             [self.side, self.thigh, self.knee, self.pitch, self.toes].map(|jet| jet.position);
-        LegPose { side, thigh, knee, pitch, toes }
+        LegPose { side, thigh, knee, pitch, toes, tilt: 0.0 }
     }
 }
 

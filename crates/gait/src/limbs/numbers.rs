@@ -31,7 +31,9 @@ pub(super) const PUSH_ATTEMPTS: usize = 4;
 pub(super) const WAYPOINT_GAIN: f64 = 1.3;
 pub(super) const TOE_OFF_GAIN: f64 = 1.5;
 /// The greatest knee flexion that toe-off is bent to.
-pub(super) const MOST_KNEE_TOE_OFF: f64 = 60.0 * DEGREE;
+pub(crate) const MOST_KNEE_TOE_OFF: f64 = 60.0 * DEGREE;
+/// Until when a foot's pitch is rounded off in the push on a slope (u), and how long that takes to come and go.
+pub(super) const PUSH_EASES: (f64, f64) = (0.50, 0.06);
 /// How often the toes' roll is held against the foot's pitch.
 pub(super) const ROLL_ATTEMPTS: usize = 2;
 /// How far the law of the toes goes on after toe-off, in parts of the roll over the tip.

@@ -15,6 +15,11 @@ pub(crate) struct Push {
     pub(crate) toe_roll: f64,
     /// The greatest part of the foot's pitch that they have then: more would bend them down as the foot leaves.
     pub(crate) most_roll: f64,
+    /// The least flexion of the knee, and the greatest one that its end is bent to where it would be too straight (rad).
+    pub(crate) least_knee: f64,
+    pub(crate) most_knee: f64,
+    /// How far the foot's pitch is rounded off where it would stay at the ground in mid-push (rad); none for 0.
+    pub(crate) softness: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,
 }

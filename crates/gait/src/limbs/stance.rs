@@ -5,21 +5,30 @@
 
 use super::jet::{LegJet, jets};
 use super::numbers::{
-    JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_KNEE_TOE_OFF, MOST_WIDTHS, PUSH_ATTEMPTS,
-    PUSH_CHECKED, PUSH_INSTANTS, ROLL_ATTEMPTS, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN,
+    JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_WIDTHS, PUSH_ATTEMPTS, PUSH_CHECKED,
+    PUSH_EASES, PUSH_INSTANTS, ROLL_ATTEMPTS, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN,
     TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
 };
+use super::path::FootJet;
 use super::push::Push;
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose, Polar};
 use nalgebra::Vector3;
-use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic};
+use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic, step};
 
 /// What a foot does at the begin of its stance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Landing {
     /// It turns about the heel until it is flat.
     Heel,
+    /// It turns about the ball, its toes flat, from this pitch (rad, against the ground) on: `γ = γ₀ (1 − t)³ [1 + 3t + 6t² − r·t (1 + 3t)]` with
+    /// `t` = u over the time until it is flat, so that it has the rate `−r γ₀` over that time at first and comes to rest.
+    Ball {
+        /// γ₀.
+        pitch: f64,
+        /// r.
+        rate: f64,
+    },
     /// It stands flat already.
     Flat,
 }
@@ -35,13 +44,36 @@ pub(crate) struct Footing {
     pub(crate) flat: f64,
     /// When it lifts.
     pub(crate) toe_off: f64,
+    /// Pitch of the ground under it along z, uphill positive (rad).
+    pub(crate) tilt: f64,
 }
 
-/// The left foot on the ground; its print's heel stands at z = 0 (the right foot's world is mirrored).
+/// Axes of the ground under a foot: to the left, normal, forward.
+#[derive(Clone, Copy, Debug)]
+struct Sole {
+    left: Vector3<f64>,
+    normal: Vector3<f64>,
+    forward: Vector3<f64>,
+}
+
+impl Sole {
+    /// Left, up, forward.
+    #[inline]
+    fn split(&self, v: &Vector3<f64>) -> [f64; 3] {
+        [v.dot(&self.left), v.dot(&self.normal), v.dot(&self.forward)]
+    }
+}
+
+/// The left foot on the ground; its print's heel stands at y = z = 0 (the right foot's world is mirrored).
+///
+/// The ground may be pitched. The closed forms of a foot that turns on it are those of level ground in the ground's axes; the leg's
+/// angles, and the pitches of foot and toes in every answer, are the world's: `γ_world = γ − β`.
 #[derive(Clone, Debug)]
 pub(crate) struct Stance {
     leg: LegGeometry,
     pub(crate) plane: FootPlane,
+    sole: Sole,
+    tilt: f64,
     landing: Landing,
     foot_flat: f64,
     toe_off: f64,
@@ -60,16 +92,21 @@ impl Stance {
     pub(crate) fn new(leg: &LegGeometry, footing: &Footing, landing: Landing, push: Push) -> Self {
         let plane = FootPlane::new(footing.yaw);
         let heel = Vector3::new(footing.width / 2.0, 0.0, 0.0);
+        let axes = plane.tilted(footing.tilt);
+        let [left, normal, forward] = [0, 1, 2].map(|i| axes.column(i).into());
+        let sole = Sole { left, normal, forward };
         Self {
             leg: *leg,
             plane,
+            sole,
+            tilt: footing.tilt,
             landing,
             foot_flat: footing.flat,
             toe_off: footing.toe_off,
             push,
             heel,
-            flat_ankle: heel + plane.forward * leg.heel_behind + Vector3::y() * leg.ankle_height,
-            tip: heel + plane.forward * leg.foot_length(),
+            flat_ankle: heel + sole.forward * leg.heel_behind + sole.normal * leg.ankle_height,
+            tip: heel + sole.forward * leg.foot_length(),
             heel_polar: leg.heel_polar(),
             ball_polar: leg.ball_polar(),
             toe_polar: leg.toe_polar(),
@@ -130,6 +167,7 @@ impl Stance {
             (hip(toe_off) - self.ankle_on_ball(&self.ball(toe_off), STEEPEST_PITCH)).norm_squared();
         let mut end = self.push.knee_toe_off;
         end.position = end.position.min(self.leg.knee_for(steepest.min(self.leg.almost_straight_squared())));
+        let most = self.push.most_knee.max(end.position);
         let mut waypoint = self.push.waypoint.map(|(at, knee)| {
             let excess = (self.flat_knee(at, &hip) + WAYPOINT_ABOVE_FLAT - knee) / WAYPOINT_WIDTH;
             (at, knee + WAYPOINT_WIDTH * excess.min(MOST_WIDTHS).exp().ln_1p())
@@ -144,7 +182,8 @@ impl Stance {
             let (mut worst, mut at) = (f64::NEG_INFINITY, from);
             for i in 0..PUSH_INSTANTS {
                 let u = from + (to - from) * f64::from(i) / f64::from(PUSH_INSTANTS - 1);
-                let straighter = self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT - spline.position(u);
+                let least = (self.flat_knee(u, &hip) - STRAIGHTER_THAN_FLAT).max(self.push.least_knee);
+                let straighter = least - spline.position(u);
                 if straighter > worst {
                     (worst, at) = (straighter, u);
                 }
@@ -155,7 +194,7 @@ impl Stance {
             }
             match &mut waypoint {
                 Some((knot, knee)) if at < 0.5 * (*knot + toe_off) => *knee += WAYPOINT_GAIN * worst,
-                _ => end.position = (end.position + TOE_OFF_GAIN * worst).min(MOST_KNEE_TOE_OFF),
+                _ => end.position = (end.position + TOE_OFF_GAIN * worst).min(most),
             }
         }
         self.push.knee_toe_off = end;
@@ -171,7 +210,8 @@ impl Stance {
     #[inline]
     pub(crate) fn pose(&self, u: f64, hip: &Vector3<f64>) -> LegPose {
         let (ankle, pitch, toes) = self.foot(u, hip);
-        self.plane.pose(&self.leg, &(hip - ankle), pitch, toes)
+        let pose = self.plane.pose(&self.leg, &(hip - ankle), pitch - self.tilt, toes - self.tilt);
+        LegPose { tilt: self.tilt, ..pose }
     }
 
     /// By how much the leg is too short for the foot (m).
@@ -180,29 +220,57 @@ impl Stance {
         ((hip - ankle).norm() - self.leg.thigh - self.leg.shank).max(0.0)
     }
 
-    /// The ankle, and the pitches of foot and toes.
+    /// The ankle, and the pitches of foot and toes against the ground.
     #[inline]
     fn foot(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64, f64) {
         if u > self.push.heel_off && self.pushes() {
             let (ankle, pitch) = self.push_phase(u, hip);
             (ankle, pitch, self.toes(u))
-        } else if u < self.foot_flat && self.landing == Landing::Heel {
-            let (ankle, pitch) = self.heel_phase(u, hip);
-            (ankle, pitch, pitch)
+        } else if u < self.foot_flat {
+            self.landing_foot(u, hip)
         } else {
             (self.flat_ankle, 0.0, 0.0)
         }
+    }
+
+    /// The same while it lands.
+    #[inline]
+    fn landing_foot(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64, f64) {
+        match self.landing {
+            Landing::Heel => {
+                let (ankle, pitch) = self.heel_phase(u, hip);
+                (ankle, pitch, pitch)
+            }
+            Landing::Ball { pitch, rate } => {
+                let t = u / self.foot_flat;
+                let left = 1.0 + t * (3.0 + 6.0 * t) - rate * t * (1.0 + 3.0 * t);
+                let pitch = pitch * (1.0 - t).powi(3) * left;
+                (self.ankle_on_ball(&self.flat_ball(), pitch), pitch, 0.0)
+            }
+            Landing::Flat => (self.flat_ankle, 0.0, 0.0),
+        }
+    }
+
+    /// The ankle when a foot that lands on its ball touches the ground.
+    pub(crate) fn landing_ankle(&self, heel_pitch: f64) -> Vector3<f64> {
+        match self.landing {
+            Landing::Heel => self.ankle_on_heel(heel_pitch),
+            Landing::Ball { pitch, .. } => self.ankle_on_ball(&self.flat_ball(), pitch),
+            Landing::Flat => self.flat_ankle,
+        }
+    }
+
+    /// The ball joint while the toes are flat.
+    fn flat_ball(&self) -> Vector3<f64> {
+        self.tip - self.sole.forward * self.leg.toe + self.sole.normal * self.leg.ball_height
     }
 
     /// Angles and derivatives at contact; `knee` is the law's jet, or the leg's own where there is none.
     pub(crate) fn contact_jet(&self, knee: Option<Boundary>, hip: impl Fn(f64) -> Vector3<f64>) -> LegJet {
         self.jet(0.0, knee, |u| {
             let hip = hip(u);
-            let (ankle, pitch) = match self.landing {
-                Landing::Heel => self.heel_phase(u, &hip),
-                Landing::Flat => (self.flat_ankle, 0.0),
-            };
-            (hip - ankle, pitch, pitch)
+            let (ankle, pitch, toes) = self.landing_foot(u, &hip);
+            (hip - ankle, pitch, toes)
         })
     }
 
@@ -215,6 +283,27 @@ impl Stance {
         })
     }
 
+    /// The path of ankle and foot at contact.
+    pub(crate) fn contact_path(&self, hip: impl Fn(f64) -> Vector3<f64>) -> FootJet {
+        self.path(0.0, |u| self.landing_foot(u, &hip(u)))
+    }
+
+    /// The path of ankle and foot at toe-off.
+    pub(crate) fn toe_off_path(&self, hip: impl Fn(f64) -> Vector3<f64>) -> FootJet {
+        self.path(self.toe_off, |u| {
+            let (ankle, pitch) = self.push_phase(u, &hip(u));
+            (ankle, pitch, self.toes(u))
+        })
+    }
+
+    fn path(&self, u: f64, foot: impl Fn(f64) -> (Vector3<f64>, f64, f64)) -> FootJet {
+        let [x, y, z, pitch, extension] = jets(u, JET_STEP, |u| {
+            let (ankle, pitch, toes) = foot(u);
+            [ankle.x, ankle.y, ankle.z, pitch - self.tilt, pitch - toes]
+        });
+        FootJet { ankle: [x, y, z], pitch, extension }
+    }
+
     fn jet(
         &self,
         u: f64,
@@ -225,6 +314,7 @@ impl Stance {
             let (hip, pitch, toes) = geometry(u);
             let [side, up, forward] = self.plane.split(&hip);
             let v = side.hypot(up);
+            let (pitch, toes) = (pitch - self.tilt, toes - self.tilt);
             [side.atan2(up), (-forward).atan2(v), v * v + forward * forward, pitch, toes]
         });
         let knee = knee.unwrap_or_else(|| self.knee_jet(&distance));
@@ -265,17 +355,17 @@ impl Stance {
         self.knee_jet(&distance)
     }
 
-    /// The ankle of a foot that turns about the heel.
+    /// The ankle of a foot that turns about the heel, for its pitch against the ground.
     pub(crate) fn ankle_on_heel(&self, pitch: f64) -> Vector3<f64> {
         let (sin, cos) = pitch.sin_cos();
         let (hz, ha) = (self.leg.heel_behind, self.leg.ankle_height);
-        self.heel + self.plane.forward * (hz * cos + ha * sin) + Vector3::y() * (ha * cos - hz * sin)
+        self.heel + self.sole.forward * (hz * cos + ha * sin) + self.sole.normal * (ha * cos - hz * sin)
     }
 
     #[inline]
     fn heel_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
         let knee = self.contact_knee.as_ref().map_or(0.0, |law| law.extrapolated(u).position);
-        let hip = self.plane.split(&(hip - self.heel));
+        let hip = self.sole.split(&(hip - self.heel));
         let pitch = self.leg.pitch_about(self.heel_polar, hip, knee).min(0.0);
         (self.ankle_on_heel(pitch), pitch)
     }
@@ -292,22 +382,30 @@ impl Stance {
     fn ball(&self, u: f64) -> Vector3<f64> {
         let (b, r) = self.toe_polar;
         let (sin, cos) = (b + self.toes(u)).sin_cos();
-        self.tip - self.plane.forward * (r * cos) + Vector3::y() * (r * sin)
+        self.tip - self.sole.forward * (r * cos) + self.sole.normal * (r * sin)
     }
 
     /// The ankle of a foot that turns about the ball joint, which is at `ball`.
     fn ankle_on_ball(&self, ball: &Vector3<f64>, pitch: f64) -> Vector3<f64> {
         let (angle, r) = self.ball_polar;
         let (sin, cos) = (pitch + angle).sin_cos();
-        ball - self.plane.forward * (r * cos) + Vector3::y() * (r * sin)
+        ball - self.sole.forward * (r * cos) + self.sole.normal * (r * sin)
     }
 
     #[inline]
     fn push_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
         let knee = self.push_knee.as_ref().map_or(0.0, |law| law.position(u));
         let ball = self.ball(u);
-        let hip = self.plane.split(&(hip - ball));
-        let pitch = self.leg.pitch_over(self.ball_polar, hip, knee).max(0.0);
+        let hip = self.sole.split(&(hip - ball));
+        let pitch = self.leg.pitch_over(self.ball_polar, hip, knee);
+        // Not below 0; on slopes it would stay there in mid-push, and where it leaves is rounded off.
+        let pitch = if self.push.softness == 0.0 {
+            pitch.max(0.0)
+        } else {
+            let part = |from: f64| step::quintic((u - from) / PUSH_EASES.1).position;
+            let width = self.push.softness * part(self.push.heel_off) * (1.0 - part(PUSH_EASES.0));
+            0.5 * (pitch + pitch.hypot(width))
+        };
         (self.ankle_on_ball(&ball, pitch), pitch)
     }
 }

@@ -5,7 +5,9 @@ use super::numbers::{
     EARLY, LACK, LATE_ENDS, LATE_FROM, LEAST_TURNED, LONGEST_SETTLING, MIDDLE_FROM, MOST_SLOWED, OUTWARD,
     SETTLED, STRAIGHTENED,
 };
+use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose};
+use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError, step};
 
 /// What a swing goes through between its two ends, on the foot's own clock.
@@ -20,6 +22,8 @@ pub(crate) struct Way<'a> {
     pub(crate) toes: Toes,
     /// Duration of the piece that lands the foot.
     pub(crate) landing: f64,
+    /// Pitch of the ground at its two ends.
+    pub(crate) tilt: [f64; 2],
     /// By how much the leg leans sideways at its two ends only because the body faces elsewhere than the foot, see [`sideways`].
     pub(crate) sideways: [f64; 2],
     /// By how much the leg leans outward in mid-swing, so that it passes the other one (rad).
@@ -122,6 +126,7 @@ pub(crate) struct Swing {
     dorsiflexion: Piecewise,
     toes: Piecewise,
     /// See [`Way`].
+    tilt: [f64; 2],
     sideways: [f64; 2],
     outward: f64,
     /// Pitch and its rate at contact, and when the foot begins to land.
@@ -168,6 +173,7 @@ impl Swing {
             knee,
             dorsiflexion: spline(way.ankle, landed_from, after, before)?,
             toes: way.toes.spline(toe_off, extension)?,
+            tilt: way.tilt,
             sideways: way.sideways,
             outward: way.outward,
             landing,
@@ -208,25 +214,46 @@ impl Swing {
         let part = step::quintic(x.min(1.0 - x) / STRAIGHTENED).position;
         let straightened = OUTWARD * (before + (after - before) * x) * part;
         let side = self.side.position(v) - straightened - self.outward * hump(x);
-        LegPose { side, thigh, knee, pitch, toes: pitch - extension }
+        let [tilt, after] = self.tilt;
+        let tilt = if tilt == after { tilt } else { tilt + (after - tilt) * step::quintic(x).position };
+        LegPose { side, thigh, knee, pitch, toes: pitch - extension, tilt }
     }
 
-    /// Raises the ankle where the foot would come too near to the ground: about the worst sample, a few times.
+    /// Raises the ankle where the foot would come too near to level ground: about the worst sample, a few times.
     ///
     /// `samples` are clocks and the hip's heights there.
     pub(crate) fn clear_ground(&mut self, leg: &LegGeometry, clearance: &Clearance, samples: &[(f64, f64)]) {
-        struct At {
-            x: f64,
-            wanted: f64,
-            hip: f64,
-            drop: f64,
-            cos_side: f64,
-            pitch: f64,
-            toes: f64,
-        }
-        let mut points: Vec<At> = samples
-            .iter()
-            .map(|&(v, hip)| {
+        let toe = leg.toe_polar();
+        let points = samples.iter().map(|&(v, hip)| (v, Vector3::new(0.0, hip, 0.0)));
+        self.raise_over(leg, clearance, points, |at| {
+            leg.lowest(toe, at.hip.y - at.drop * at.pose.side.cos(), at.pose.pitch, at.pose.toes)
+        });
+    }
+
+    /// The same over any ground, for the hip's places in the print's frame; `gap` is a point's height above the ground there.
+    pub(crate) fn clear_terrain(
+        &mut self,
+        leg: &LegGeometry,
+        plane: &FootPlane,
+        clearance: &Clearance,
+        samples: &[(f64, Vector3<f64>)],
+        gap: impl Fn(&Vector3<f64>) -> f64,
+    ) {
+        self.raise_over(leg, clearance, samples.iter().copied(), |at| {
+            plane.sole(leg, &at.hip, &at.pose, at.drop).iter().map(&gap).fold(f64::INFINITY, f64::min)
+        });
+    }
+
+    /// Raises the ankle about the sample with the least `gap` over what is wanted, a few times.
+    fn raise_over(
+        &mut self,
+        leg: &LegGeometry,
+        clearance: &Clearance,
+        samples: impl Iterator<Item = (f64, Vector3<f64>)>,
+        gap: impl Fn(&Over) -> f64,
+    ) {
+        let mut points: Vec<Over> = samples
+            .map(|(v, hip)| {
                 let (x, pose) = (self.phase(v), self.unlifted(v));
                 let drop = leg.ankle_below_hip(&pose);
                 let mid_swing = ((x - clearance.from.0) / clearance.from.1)
@@ -235,14 +262,12 @@ impl Swing {
                 let late = clearance.late * ((1.0 - x) / LATE_ENDS).clamp(0.0, 1.0);
                 let late = if x > LATE_FROM { late } else { 0.0 };
                 let wanted = clearance.height * mid_swing.max(late);
-                At { x, wanted, hip, drop, cos_side: pose.side.cos(), pitch: pose.pitch, toes: pose.toes }
+                Over { x, wanted, hip, drop, pose }
             })
             .filter(|at| at.x > clearance.ends_kept && (at.x < 1.0 - clearance.ends_kept || at.wanted > 0.0))
             .collect();
-        let toe = leg.toe_polar();
         for _ in 0..clearance.most_bumps {
-            let missing =
-                |at: &At| at.wanted - leg.lowest(toe, at.hip - at.drop * at.cos_side, at.pitch, at.toes);
+            let missing = |at: &Over| at.wanted - gap(at);
             let Some((worst, at)) = points
                 .iter()
                 .map(|at| (missing(at), at))
@@ -258,10 +283,20 @@ impl Swing {
             let bump = Bump { height: worst / unit.at(at.x).max(clearance.least_part), ..unit };
             self.bumps.push(bump);
             for at in &mut points {
-                at.drop -= bump.at(at.x) / at.cos_side;
+                at.drop -= bump.at(at.x) / at.pose.side.cos();
             }
         }
     }
+}
+
+/// A sample of a swing over the ground: when, how high it is to be, the hip, how far the ankle is below it in the leg's plane, and the
+/// posture that was not raised.
+struct Over {
+    x: f64,
+    wanted: f64,
+    hip: Vector3<f64>,
+    drop: f64,
+    pose: LegPose,
 }
 
 /// Raises the ankle by `lift` (m), the pitches kept: inverse kinematics in the leg's plane.

@@ -11,6 +11,13 @@ use nalgebra::{Matrix3, Vector3};
 /// How many products there are.
 pub(crate) const LEG_SHAPE: usize = 18;
 
+/// Axes of ground that is not level in the foot's plane, and their rates.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tilt {
+    pub(crate) axes: Matrix3<f64>,
+    pub(crate) rates: Matrix3<f64>,
+}
+
 /// The constants of a leg that stands or swings in its foot's plane: thigh, shank, foot, toes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LegMotion([Segment; 4]);
@@ -21,7 +28,7 @@ impl LegMotion {
     }
 
     /// The products: (cos η, sin η); for α and then for α − k: (cos·sin η, cos·cos η, sin, sin·sin η, sin·cos η, cos); then
-    /// cosine and sine of γ and of ε.
+    /// cosine and sine of γ + β and of ε + β.
     #[inline]
     pub(crate) fn shape(pose: &LegPose) -> [f64; LEG_SHAPE] {
         let (side_sin, side_cos) = pose.side.sin_cos();
@@ -30,7 +37,8 @@ impl LegMotion {
             [cos * side_sin, cos * side_cos, sin, sin * side_sin, sin * side_cos, cos]
         };
         let ([a, b, c, d, e, f], [g, h, i, j, k, l]) = (turned(pose.thigh), turned(pose.thigh - pose.knee));
-        let ((foot_sin, foot_cos), (toes_sin, toes_cos)) = (pose.pitch.sin_cos(), pose.toes.sin_cos());
+        let (foot, toes) = (pose.pitch + pose.tilt, pose.toes + pose.tilt);
+        let ((foot_sin, foot_cos), (toes_sin, toes_cos)) = (foot.sin_cos(), toes.sin_cos());
         [side_cos, side_sin, a, b, c, d, e, f, g, h, i, j, k, l, foot_cos, foot_sin, toes_cos, toes_sin]
     }
 
@@ -51,7 +59,7 @@ impl LegMotion {
         [turned(&p[2..8]), turned(&p[8..14]), pitched(p[14], p[15]), pitched(p[16], p[17])]
     }
 
-    /// Sums over the leg, for the products and the hip with their rates.
+    /// Sums over the leg, for the products and the hip with their rates, and for the ground that the foot is turned in.
     #[inline]
     pub(crate) fn parts(
         &self,
@@ -59,8 +67,15 @@ impl LegMotion {
         rate: &[f64; LEG_SHAPE],
         hip: &Vector3<f64>,
         hip_rate: &Vector3<f64>,
+        tilt: Option<&Tilt>,
     ) -> Parts {
-        let (axes, rates) = (Self::axes(shape, 1.0), Self::axes(rate, 0.0));
+        let (mut axes, mut rates) = (Self::axes(shape, 1.0), Self::axes(rate, 0.0));
+        if let Some(tilt) = tilt {
+            for i in [2, 3] {
+                rates[i] = tilt.axes * rates[i] + tilt.rates * axes[i];
+                axes[i] = tilt.axes * axes[i];
+            }
+        }
         let (mut origin, mut origin_rate) = (*hip, *hip_rate);
         let mut parts = Parts::default();
         for (i, segment) in self.0.iter().enumerate() {
@@ -76,8 +91,17 @@ impl LegMotion {
     }
 
     /// The angular momentum of the leg in a turn of its plane at 1 rad/s, for the products and the hip.
-    pub(crate) fn turning(&self, shape: &[f64; LEG_SHAPE], hip: &Vector3<f64>) -> Vector3<f64> {
-        let axes = Self::axes(shape, 1.0);
+    pub(crate) fn turning(
+        &self,
+        shape: &[f64; LEG_SHAPE],
+        hip: &Vector3<f64>,
+        tilt: Option<&Tilt>,
+    ) -> Vector3<f64> {
+        let mut axes = Self::axes(shape, 1.0);
+        if let Some(tilt) = tilt {
+            axes[2] = tilt.axes * axes[2];
+            axes[3] = tilt.axes * axes[3];
+        }
         let (mut origin, mut sum) = (*hip, Vector3::zeros());
         for (i, segment) in self.0.iter().enumerate() {
             if i > 0 {

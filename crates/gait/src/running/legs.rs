@@ -2,6 +2,7 @@
 
 use super::style::RunStyle;
 use crate::limbs::jet::LegJet;
+use crate::limbs::numbers::MOST_KNEE_TOE_OFF;
 use crate::limbs::push::Push;
 use crate::limbs::stance::Footing;
 use crate::limbs::swing::{Clearance, Swing, Toes, Way};
@@ -39,7 +40,7 @@ impl RunStyle {
     /// Where and when a foot stands.
     pub(super) fn footing(&self) -> Footing {
         let flat = self.foot_flat * self.duty;
-        Footing { yaw: self.foot_yaw, width: self.step_width, flat, toe_off: self.duty }
+        Footing { yaw: self.foot_yaw, width: self.step_width, flat, toe_off: self.duty, tilt: 0.0 }
     }
 
     pub(super) fn push(&self) -> Push {
@@ -48,6 +49,9 @@ impl RunStyle {
             waypoint: Some((self.knee_push_at * self.duty, self.knee_push)),
             tip_roll_at: self.tip_roll * self.duty,
             toe_roll: self.toe_roll,
+            least_knee: f64::NEG_INFINITY,
+            most_knee: MOST_KNEE_TOE_OFF,
+            softness: 0.0,
             most_roll: f64::MAX,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
@@ -87,6 +91,7 @@ impl RunStyle {
             ],
             toes: Toes::StraightAt(at(TOES_STRAIGHT_AT)),
             landing: LANDING,
+            tilt: [0.0; 2],
             sideways: [0.0; 2],
             outward: OUTWARD,
         };

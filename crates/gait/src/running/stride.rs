@@ -125,7 +125,7 @@ impl RunStride {
         let mut upper = upper_of(&thorax);
         let plane = FootPlane::new(style.foot_yaw);
         // The pelvis' law does not change, and it is all that the kernel takes of the trunk.
-        let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0);
+        let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0, |_, _| 0.0);
         let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();
 
         let mut height: Vec<f64> = prescribed.height.iter().map(|height| height + leg.length()).collect();

@@ -77,6 +77,9 @@ pub(crate) fn share(style: &Style, u: f64) -> f64 {
 
 /// Centre of pressure along the foot as a fraction of its length from the heel, by the foot's own clock.
 pub(crate) fn cop(style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
+    if let Some(stairs) = &style.stairs {
+        return Ok(CubicSpline::monotone(&stairs.cop(style))?.into_clip());
+    }
     let (flat, forward) = (style.foot_flat, style.cop_forward);
     let keys = [
         (0.0, 0.0),

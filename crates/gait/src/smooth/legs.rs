@@ -3,7 +3,7 @@
 use super::style::Style;
 use crate::limbs::jet::LegJet;
 use crate::limbs::push::Push;
-use crate::limbs::stance::Footing;
+use crate::limbs::stance::{Footing, Landing};
 use crate::limbs::swing::{Clearance, Swing, Way};
 use solaris_profiles::{Boundary, ProfileError};
 
@@ -46,6 +46,8 @@ pub(crate) struct Aim {
     pub(crate) late_knee: f64,
     /// Whether the foot closes beside the other one, where the walk ends.
     pub(crate) beside: bool,
+    /// See [`Way`].
+    pub(crate) tilt: [f64; 2],
     /// See [`Way::sideways`].
     pub(crate) sideways: [f64; 2],
 }
@@ -53,7 +55,21 @@ pub(crate) struct Aim {
 impl Style {
     /// Where and when a foot stands.
     pub(crate) fn footing(&self) -> Footing {
-        Footing { yaw: self.foot_yaw, width: self.step_width, flat: self.foot_flat, toe_off: self.toe_off() }
+        Footing {
+            yaw: self.foot_yaw,
+            width: self.step_width,
+            flat: self.foot_flat,
+            toe_off: self.toe_off(),
+            tilt: self.slope,
+        }
+    }
+
+    /// How a foot lands.
+    pub(crate) fn landing(&self) -> Landing {
+        match &self.stairs {
+            Some(stairs) => Landing::Ball { pitch: stairs.landing_pitch, rate: stairs.landing_rate },
+            None => Landing::Heel,
+        }
     }
 
     /// The stride's own push-off.
@@ -63,6 +79,9 @@ impl Style {
             waypoint: Some((PUSH_WAYPOINT_AT, self.knee_push)),
             tip_roll_at: self.tip_roll_at(),
             toe_roll: self.toe_roll,
+            least_knee: f64::NEG_INFINITY,
+            most_knee: self.toe_off_most,
+            softness: self.push_softness,
             most_roll: self.manner.toe_roll_part,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
@@ -88,6 +107,7 @@ impl Style {
             ankle: &[(ANKLE_AT, self.ankle_swing + ankle)],
             toes: self.manner.toes,
             landing: LANDING,
+            tilt: aim.tilt,
             sideways: aim.sideways,
             outward: 0.0,
         };

@@ -16,31 +16,85 @@ pub(crate) struct PrescribedNode {
     pub(crate) momentum_rate: Vector3<f64>,
     /// Share and centre of pressure of each foot (left, right).
     pub(crate) feet: [FootSupport; 2],
+    /// Horizontal part of the free moments, which act about the ground's normals (N m): zero on level ground.
+    pub(crate) tilting: Vector3<f64>,
 }
 
 impl PrescribedNode {
-    /// The floor's whole wrench: forces that carry the centre of mass over the centre of pressure and leave the angular
-    /// momentum its rate.
+    /// Centre of pressure of both feet.
+    fn centre(&self) -> Vector3<f64> {
+        self.feet[0].cop * self.feet[0].share + self.feet[1].cop * self.feet[1].share
+    }
+
+    /// The floor's whole force, which carries the centre of mass over the centre of pressure `P = Σ sᵢ Pᵢ` and leaves the angular momentum
+    /// its rate:
     ///
     /// ```text
-    /// F_z = ((z − P_z) F_y − Ḣ_x)/y      F_x = ((x − P_x) F_y + Ḣ_z)/y      T_y = Ḣ_y − [(P − c) × F]_y
+    /// F_z = ((z − P_z) F_y − (Ḣ − T)_x − C_z)/y'     F_x = ((x − P_x) F_y + (Ḣ − T)_z − C_x)/y'     y' = y − P_y
+    /// C = s_l s_r D_y D F_y/(κ y')      D = P_l − P_r
     /// ```
-    pub(crate) fn total(&self) -> Wrench<f64> {
-        let centre = self.feet[0].cop * self.feet[0].share + self.feet[1].cop * self.feet[1].share;
-        let (c, h, y) = (self.com, self.momentum_rate, self.com.y);
-        let force = Vector3::new(
-            ((c.x - centre.x) * self.vertical + h.z) / y,
+    ///
+    /// Each foot's force points at κ times the height above P: where the feet stand at different heights C is what that does to the
+    /// moment.
+    pub(crate) fn force(&self, pivot: f64) -> Vector3<f64> {
+        let centre = self.centre();
+        let (c, h) = (self.com, self.momentum_rate - self.tilting);
+        let y = c.y - centre.y;
+        let spread = spread(&self.feet) * (self.vertical / (pivot * y));
+        Vector3::new(
+            ((c.x - centre.x) * self.vertical + h.z - spread.x) / y,
             self.vertical,
-            ((c.z - centre.z) * self.vertical - h.x) / y,
-        );
-        let twist = h.y - (centre - c).cross(&force).y;
-        Wrench { force, moment: centre.cross(&force) + Vector3::y() * twist }
+            ((c.z - centre.z) * self.vertical - h.x - spread.z) / y,
+        )
+    }
+
+    /// The floor's whole wrench: that force, and the moment `c × F + Ḣ` about the world's origin.
+    pub(crate) fn total(&self, pivot: f64) -> Wrench<f64> {
+        let force = self.force(pivot);
+        Wrench { force, moment: self.com.cross(&force) + self.momentum_rate }
     }
 
     /// Each foot's part of it: forces that point at `pivot` times the height of the centre of mass.
     pub(crate) fn feet(&self, pivot: f64) -> [Contact; 2] {
-        split_at_pivot(&self.total(), &self.com, &Vector3::y(), pivot, &self.feet).unwrap_or_default()
+        split_at_pivot(&self.total(pivot), &self.com, &Vector3::y(), pivot, &self.feet).unwrap_or_default()
     }
+
+    /// What the free moments' horizontal part has to be, for the wrench as it is: `T_y Σ sᵢ hᵢ`, see [`split_at_pivot`].
+    pub(crate) fn needed_tilting(&self, pivot: f64) -> Vector3<f64> {
+        let leaning: Vector3<f64> = self.feet.iter().map(|foot| lean(foot) * foot.share).sum();
+        if leaning == Vector3::zeros() {
+            return leaning;
+        }
+        let force = self.force(pivot);
+        let (centre, c) = (self.centre(), self.com);
+        let pull = self.vertical / (pivot * (c.y - centre.y));
+        let twist: f64 = self
+            .feet
+            .iter()
+            .map(|foot| {
+                let apart = centre - foot.cop;
+                let own = (force + Vector3::new(apart.x, 0.0, apart.z) * pull) * foot.share;
+                (foot.cop - c).cross(&own).y
+            })
+            .sum();
+        leaning * (self.momentum_rate.y - twist)
+    }
+}
+
+/// By how much the ground's normal leans under a foot, for a vertical part of 1.
+fn lean(foot: &FootSupport) -> Vector3<f64> {
+    foot.normal.map_or(Vector3::zeros(), |n| n / n.y - Vector3::y())
+}
+
+/// `s_l s_r D_y D` with `D = P_l − P_r`: zero where both feet stand equally high.
+pub(crate) fn spread(feet: &[FootSupport; 2]) -> Vector3<f64> {
+    let apart = feet[0].cop - feet[1].cop;
+    apart * (feet[0].share * feet[1].share * apart.y)
+}
+
+/// Normal of ground that rises by `slope` (rad) along z; the vertical for `None`.
+pub(crate) fn normal_of(slope: f64) -> Option<Vector3<f64>> {
+    (slope != 0.0).then(|| Vector3::new(0.0, slope.cos(), -slope.sin()))
 }
 
 /// Tangential over normal force.

@@ -13,8 +13,8 @@ use crate::grid::{Ends, Grid};
 use crate::limbs::jet::LegJet;
 use crate::limbs::midstance::above_flexion;
 use crate::limbs::numbers::LANDING_RANGE;
+use crate::limbs::path::{Air, PathSwing};
 use crate::limbs::stance::{Landing, Stance};
-use crate::limbs::swing::Swing;
 use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
 use crate::request::Resolution;
@@ -26,11 +26,11 @@ use nalgebra::Vector3;
 use nodes::Laws;
 use solaris_analysis::FootSupport;
 use solaris_model::{Contact, Figure};
-use solaris_profiles::UniformSpline;
+use solaris_profiles::{Boundary, UniformSpline, step};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// Least flexion of a knee on a flat foot.
-const LEAST_KNEE: f64 = 7.0 * DEGREE;
+/// The slope from which on the landing knee is as bent as the leg needs it (rad).
+const UPHILL: f64 = 5.0 * DEGREE;
 /// Instants at which a flat foot's leg is looked at for it.
 const INSTANTS: i32 = 30;
 /// Part of the way to the momentum found that each pass goes but the first, which goes all of it.
@@ -42,7 +42,7 @@ pub struct StridePlan {
     pub(crate) body: Body,
     pub(crate) style: Style,
     stance: Stance,
-    swing: Swing,
+    swing: Air,
     /// The pelvis in a frame that moves with the walk.
     pelvis: UniformSpline<3>,
     nodes: Vec<PrescribedNode>,
@@ -69,7 +69,7 @@ impl StridePlan {
         let half = n / 2;
         let grid = Grid { count: n, step: style.stride_time / n as f64, ends: Ends::Periodic };
         let clock = |i: usize| i as f64 / n as f64;
-        let s2 = 2.0 * style.step_length;
+        let stride = Vector3::new(0.0, style.rise(), style.step_length) * 2.0;
         let leg = body.leg;
         let laws = Laws::new(&body, style, n)?;
         let upper = UpperBody::new(&body, &grid, style.manner.carriage(), |i| {
@@ -77,7 +77,7 @@ impl StridePlan {
             (trunk, arms, 0.0)
         });
         let plane = FootPlane::new(style.foot_yaw);
-        let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0);
+        let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0, |_, _| style.slope);
         let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();
         let toe_off = style.toe_off();
         let swinging = (0..n).filter(|&i| clock(i) > toe_off);
@@ -87,42 +87,72 @@ impl StridePlan {
             (0..n).map(|i| Vector3::new(0.0, laws.height[i] + leg.length() * 1.026, 0.0)).collect();
         let mut offset = vec![Vector3::new(0.0, 0.05, 0.0); n];
         let mut momentum_rate = vec![Vector3::zeros(); n];
+        let mut tilting = vec![Vector3::zeros(); n];
         let mut last = None;
         for pass in 0..resolution.stride_passes.max(1) {
-            laws.centre_of_mass(&grid, &momentum_rate, &mut com)?;
+            let own: Vec<Vector3<f64>> =
+                momentum_rate.iter().zip(&tilting).map(|(rate, tilting)| rate - tilting).collect();
+            laws.centre_of_mass(&grid, &own, &mut com)?;
             let hip_nodes: Vec<[f64; 3]> = (0..n).map(|i| (com[i] - offset[i] + hips[i]).into()).collect();
             let spline = UniformSpline::periodic(0.0, 1.0 / n as f64, &hip_nodes)?;
             let hip_at =
-                |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::new(0.0, rise, s2 * u);
-            let mut stance = Stance::new(&leg, &style.footing(), Landing::Heel, style.push());
+                |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::y() * rise + stride * u;
+            let mut stance = Stance::new(&leg, &style.footing(), style.landing(), style.push());
             let rise = spare_height(&stance, style, &leg, |u| hip_at(u, 0.0));
             for com in &mut com {
                 com.y += rise;
             }
             let hip = |u: f64| hip_at(u, rise);
-            let knee = if style.flexion > 0.0 {
+            let (knee, lowered) = if style.flexion > 0.0 {
                 let pitch = -style.heel_strike_angle;
-                stance.landing_knee(style.contact_knee(), pitch, LANDING_RANGE, &hip(0.0))
+                let knee = stance.landing_knee(style.contact_knee(), pitch, LANDING_RANGE, &hip(0.0));
+                (knee, knee.position - style.knee_contact)
             } else {
-                style.contact_knee()
+                // Uphill the standing leg, not the landing one, limits the height: the pitch is kept, and the knee follows.
+                let ankle = stance.ankle_on_heel(-style.heel_strike_angle);
+                let bent = leg.knee_for((hip(0.0) - ankle).norm_squared()) - style.knee_contact;
+                let part = step::cubic((style.slope / UPHILL).clamp(0.0, 1.0)).position;
+                let knee = style.contact_knee();
+                (Boundary { position: knee.position + part * bent.max(0.0), ..knee }, 0.0)
             };
-            stance.set_contact(knee, hip)?;
+            let knee = (style.landing() == Landing::Heel).then_some(knee);
+            if let Some(knee) = knee {
+                stance.set_contact(knee, hip)?;
+            }
             stance.set_push(hip)?;
-            let contact = stance.contact_jet(Some(knee), hip);
+            let contact = stance.contact_jet(knee, hip);
             let aim = Aim {
                 thigh: style.thigh_swing,
-                late_knee: style.knee_late_swing + knee.position - style.knee_contact,
+                late_knee: style.knee_late_swing + lowered,
                 beside: false,
+                tilt: [style.slope; 2],
                 sideways: [0.0; 2],
             };
-            let mut swing = style.swing(&stance.toe_off_jet(hip), &contact, &aim)?;
-            let heights: Vec<(f64, f64)> =
-                swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
-            swing.clear_ground(&leg, &style.ground_clearance(0.0), &heights);
+            let start = stance.toe_off_jet(hip);
+            let swing = if let Some(stairs) = &style.stairs {
+                let (start, end) = (stance.toe_off_path(hip), stance.contact_path(hip));
+                let passings = stairs.passings(style.step_length, leg.foot_length());
+                Air::Path(PathSwing::new(&leg, toe_off, &passings, &start, &end, &stride)?)
+            } else {
+                let mut swing = style.swing(&start, &contact, &aim)?;
+                if style.slope == 0.0 {
+                    let heights: Vec<(f64, f64)> =
+                        swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
+                    swing.clear_ground(&leg, &style.ground_clearance(0.0), &heights);
+                } else {
+                    let hips: Vec<(f64, Vector3<f64>)> =
+                        swinging.iter().map(|&i| (clock(i), hip(clock(i)))).collect();
+                    let slope = style.slope.tan();
+                    swing.clear_terrain(&leg, &plane, &style.ground_clearance(0.0), &hips, |p| {
+                        p.y - slope * p.z
+                    });
+                }
+                Air::Joints(swing)
+            };
             let poses: Vec<LegPose> = (0..n)
                 .map(|i| match clock(i) {
                     u if u <= toe_off => stance.pose(u, &hip(u)),
-                    u => swing.pose(&leg, u),
+                    u => swing.pose(&plane, &leg, u, &hip(u)),
                 })
                 .collect();
             let momentum = kernel.momentum(&upper, |i| [poses[i], poses[(i + half) % n]]);
@@ -133,17 +163,21 @@ impl StridePlan {
                 *old += (new - *old) * relaxation;
             }
             offset = momentum.com;
-            last = Some((stance, swing, contact, pelvis, rate));
+            let nodes: Vec<PrescribedNode> = (0..n)
+                .map(|i| PrescribedNode {
+                    com: pelvis[i] + offset[i] + stride * clock(i),
+                    vertical: laws.vertical[i],
+                    momentum_rate: rate[i],
+                    feet: laws.feet[i],
+                    tilting: tilting[i],
+                })
+                .collect();
+            if style.slope != 0.0 {
+                tilting = nodes.iter().map(|node| node.needed_tilting(style.pivot)).collect();
+            }
+            last = Some((stance, swing, contact, pelvis, nodes));
         }
-        let Some((stance, swing, contact, pelvis, rate)) = last else { unreachable!("at least one pass") };
-        let nodes = (0..n)
-            .map(|i| PrescribedNode {
-                com: pelvis[i] + offset[i] + Vector3::new(0.0, 0.0, s2 * clock(i)),
-                vertical: laws.vertical[i],
-                momentum_rate: rate[i],
-                feet: laws.feet[i],
-            })
-            .collect();
+        let Some((stance, swing, contact, pelvis, nodes)) = last else { unreachable!("at least one pass") };
         let pelvis_nodes: Vec<[f64; 3]> = pelvis.iter().map(|&p| p.into()).collect();
         let pelvis = UniformSpline::periodic(0.0, 1.0 / n as f64, &pelvis_nodes)?;
         Ok(Self { body, style: *style, stance, swing, pelvis, nodes, com_offset: offset, contact })
@@ -159,9 +193,11 @@ impl StridePlan {
         self.nodes.len()
     }
 
-    /// Mean height of the centre of mass (m).
+    /// Mean height of the centre of mass above the line through the prints (m).
     pub fn mean_height(&self) -> f64 {
-        self.nodes.iter().map(|node| node.com.y).sum::<f64>() / self.nodes.len() as f64
+        let risen = |i: usize| 2.0 * self.style.rise() * i as f64 / self.nodes.len() as f64;
+        self.nodes.iter().enumerate().map(|(i, node)| node.com.y - risen(i)).sum::<f64>()
+            / self.nodes.len() as f64
     }
 
     /// Writes the figure's coordinates at the clock `u`, any number, to `q` (length `nq`).
@@ -181,9 +217,14 @@ impl StridePlan {
         self.place(u).1.map(|pose| (pose.pitch, pose.toes))
     }
 
+    /// How far a stride goes, upward and forward (m).
+    fn advance(&self) -> Vector3<f64> {
+        Vector3::new(0.0, self.style.rise(), self.style.step_length) * 2.0
+    }
+
     fn place(&self, u: f64) -> (Vector3<f64>, [LegPose; 2]) {
-        let step = self.style.step_length;
-        let pelvis = Vector3::from(self.pelvis.position(u)) + Vector3::new(0.0, 0.0, 2.0 * step * u);
+        let stride = self.advance();
+        let pelvis = Vector3::from(self.pelvis.position(u)) + stride * u;
         let (trunk, _) = angles(&self.style, u);
         let rotation = rotations::matrix(trunk[0]);
         let legs = [0, 1].map(|side| {
@@ -193,9 +234,9 @@ impl StridePlan {
             let hip = if side == 0 { hip } else { mirror(&hip) };
             let v = u - contact;
             if v <= self.style.toe_off() {
-                self.stance.pose(v, &(hip - Vector3::new(0.0, 0.0, 2.0 * step * contact)))
+                self.stance.pose(v, &(hip - stride * contact))
             } else {
-                self.swing.pose(&self.body.leg, v)
+                self.swing.pose(&self.stance.plane, &self.body.leg, v, &(hip - stride * contact))
             }
         });
         (pelvis, legs)
@@ -238,7 +279,7 @@ fn spare_height(
         let d = hip(u) - ankle;
         (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(1e-6).sqrt() - d.y
     };
-    let contact = spare(0.0, stance.ankle_on_heel(-style.heel_strike_angle), style.knee_contact);
+    let contact = spare(0.0, stance.landing_ankle(-style.heel_strike_angle), style.knee_contact);
     let (from, to) = (style.foot_flat, style.heel_off);
     let flexed = if style.flexion > 0.0 {
         -above_flexion(leg, stance, style.flexion, (from, to), &hip).1
@@ -250,7 +291,7 @@ fn spare_height(
             spare(
                 from + (to - from) * f64::from(i) / f64::from(INSTANTS - 1),
                 stance.flat_ankle(),
-                LEAST_KNEE,
+                style.least_knee,
             )
         })
         .fold(contact.min(flexed), f64::min)

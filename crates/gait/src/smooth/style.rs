@@ -1,14 +1,18 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
 use super::manner::Manner;
+use super::stairs::StairNumbers;
 use crate::body::LegGeometry;
 use crate::error::RequestError;
+use crate::limbs::numbers::MOST_KNEE_TOE_OFF;
 use crate::request::WALK_RATIO;
 
 /// Middle and spread of S/leg over the speeds that the table was fitted to.
 const SIGMA: (f64, f64) = (0.7586, 0.138);
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// Least flexion of a knee on a flat foot.
+const LEAST_KNEE: f64 = 7.0 * DEGREE;
 
 /// Names the numbers of a style, once: as fields, and as rows of the table.
 macro_rules! style_numbers {
@@ -37,6 +41,16 @@ macro_rules! style_numbers {
             pub anterior_tilt: f64,
             /// Least pitch of the standing shank when the hip is above its ankle (χ): the body is lowered to it.
             pub flexion: f64,
+            /// Rise of the ground along the way, see [`Style::on_slope`].
+            pub slope: f64,
+            /// Least knee flexion on a flat foot.
+            pub least_knee: f64,
+            /// How far the foot's pitch in the push is rounded off where it would stay at the ground.
+            pub push_softness: f64,
+            /// The greatest flexion that a knee which is too straight in the push is bent to at toe-off.
+            pub toe_off_most: f64,
+            /// What stairs ask for besides, see [`Style::on_stairs`].
+            pub stairs: Option<StairNumbers>,
             /// Toes, head and arms.
             pub manner: Manner,
             $($(#[$doc])* pub $name: f64,)*
@@ -55,6 +69,11 @@ macro_rules! style_numbers {
                     clearance: common.clearance,
                     anterior_tilt: 4.0 * DEGREE,
                     flexion: 0.0,
+                    slope: 0.0,
+                    stairs: None,
+                    least_knee: LEAST_KNEE,
+                    push_softness: 0.0,
+                    toe_off_most: MOST_KNEE_TOE_OFF,
                     manner: common.manner,
                     $($name: q($name) * $unit,)*
                 }
@@ -259,11 +278,16 @@ impl Style {
             ("clearance", self.clearance),
             ("anterior_tilt", self.anterior_tilt),
             ("flexion", self.flexion),
+            ("slope", self.slope),
+            ("least_knee", self.least_knee),
+            ("push_softness", self.push_softness),
+            ("toe_off_most", self.toe_off_most),
         ];
         match common
             .into_iter()
             .chain(self.numbers())
             .chain(self.manner.numbers())
+            .chain(self.stairs.iter().map(|stairs| ("stairs", stairs.sum())))
             .find(|(_, value)| !value.is_finite())
         {
             Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),
@@ -280,6 +304,11 @@ impl Style {
     /// Toe-off of the left foot, in u.
     pub fn toe_off(&self) -> f64 {
         0.5 + self.double_support
+    }
+
+    /// How much higher each print is than the one before (m).
+    pub fn rise(&self) -> f64 {
+        self.stairs.map_or(self.step_length * self.slope.tan(), |stairs| stairs.rise)
     }
 
     /// Begin of the left foot's roll over the tip, in u.

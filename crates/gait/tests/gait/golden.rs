@@ -14,7 +14,7 @@ pub(crate) fn running_golden() -> Value {
     read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/reference/running/golden.json"))
 }
 
-fn read(path: &str) -> Value {
+pub(crate) fn read(path: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("the fixture is there")).expect("it is JSON")
 }
 

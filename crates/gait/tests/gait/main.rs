@@ -11,6 +11,7 @@ mod five_determinants_tables;
 mod flexion;
 mod froude;
 mod golden;
+mod golden_slopes;
 mod golden_stride;
 mod golden_walk;
 mod ground;

@@ -86,7 +86,7 @@ impl<'a> Sharing<'a> {
         for (index, load) in self.loads.iter().enumerate() {
             let foot = load.stance.foot;
             if (load.stance.start..=load.stance.end).contains(&t) && !standing.contains(&foot) {
-                feet[foot] = FootSupport { share: load.weight(t), cop: self.nominal(index, row) };
+                feet[foot] = FootSupport::level(load.weight(t), self.nominal(index, row));
                 standing.push(foot);
             }
         }

@@ -71,7 +71,7 @@ fn the_pivot_split_is_that_of_its_formula() {
     for row in [24, 27, 70] {
         let total = &ground.total[row];
         let contacts = [0, 1].map(|foot| ground.contacts[foot].samples[row]);
-        let feet = contacts.map(|own| FootSupport { share: own.force.y / total.force.y, cop: own.cop });
+        let feet = contacts.map(|own| FootSupport::level(own.force.y / total.force.y, own.cop));
         let wrench = Wrench { force: total.force, moment: total.moment };
         let parts = split_at_pivot(&wrench, &total.com, &Vector3::y(), 1.4297, &feet).expect("pressed");
         for (contact, part) in contacts.iter().zip(&parts) {

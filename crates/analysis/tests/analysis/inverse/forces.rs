@@ -66,7 +66,7 @@ struct Standing;
 impl SupportLaw for Standing {
     fn support(&self, t: f64) -> Support {
         let share = 0.5 + 0.4 * (4.0 * t).sin();
-        let foot = |share, x| FootSupport { share, cop: Vector3::new(x, 0.0, 0.12 + 0.1 * (9.0 * t).sin()) };
+        let foot = |share, x| FootSupport::level(share, Vector3::new(x, 0.0, 0.12 + 0.1 * (9.0 * t).sin()));
         Support { feet: [foot(share, 0.1), foot(1.0 - share, -0.1)], pivot: 1.4, force: None }
     }
 }

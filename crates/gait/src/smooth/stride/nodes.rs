@@ -6,6 +6,7 @@ use crate::error::{GaitError, PlanError};
 use crate::grid::{Grid, SECOND};
 use crate::smooth::band::Band;
 use crate::smooth::laws;
+use crate::smooth::prescribed::{normal_of, spread};
 use crate::smooth::style::Style;
 use crate::walking::G;
 use nalgebra::{Matrix3, Matrix3x2, Vector3};
@@ -21,19 +22,23 @@ pub(super) struct Laws {
     pub(super) feet: Vec<[FootSupport; 2]>,
     /// Centre of pressure in the frame that moves with the walk.
     centre: Vec<Vector3<f64>>,
+    /// See [`spread`].
+    spread: Vec<Vector3<f64>>,
+    pivot: f64,
 }
 
 impl Laws {
     pub(super) fn new(body: &Body, style: &Style, n: usize) -> Result<Self, GaitError> {
         let length = body.leg.foot_length();
-        let plane = FootPlane::new(style.foot_yaw);
+        let forward: Vector3<f64> = FootPlane::new(style.foot_yaw).tilted(style.slope).column(2).into();
+        let normal = normal_of(style.slope);
         let cop = laws::cop(style)?;
         let clock = |i: usize| i as f64 / n as f64;
-        let step = style.step_length;
+        let step = Vector3::new(0.0, style.rise(), style.step_length);
         // The left foot's print; the right one's is the mirror image, one step away.
         let left = |u: f64| {
             let along = cop.at(u.clamp(0.0, style.toe_off())).position * length;
-            Vector3::new(style.step_width / 2.0, 0.0, 0.0) + plane.forward * along
+            Vector3::new(style.step_width / 2.0, 0.0, 0.0) + forward * along
         };
         let feet: Vec<[FootSupport; 2]> = (0..n)
             .map(|i| {
@@ -42,8 +47,8 @@ impl Laws {
                 let ahead = if u < 0.5 { -step } else { step };
                 let share = laws::share(style, u);
                 [
-                    FootSupport { share, cop: left(u) },
-                    FootSupport { share: 1.0 - share, cop: right + Vector3::new(0.0, 0.0, ahead) },
+                    FootSupport { share, cop: left(u), normal },
+                    FootSupport { share: 1.0 - share, cop: right + ahead, normal },
                 ]
             })
             .collect();
@@ -52,19 +57,21 @@ impl Laws {
         let centre = feet
             .iter()
             .enumerate()
-            .map(|(i, [l, r])| {
-                l.cop * l.share + r.cop * r.share - Vector3::new(0.0, 0.0, 2.0 * step * clock(i))
-            })
+            .map(|(i, [l, r])| l.cop * l.share + r.cop * r.share - step * (2.0 * clock(i)))
             .collect();
         let vertical = acceleration.iter().map(|a| body.mass * (G + a)).collect();
-        Ok(Self { mass: body.mass, height, vertical, feet, centre })
+        let spread = feet.iter().map(spread).collect();
+        Ok(Self { mass: body.mass, height, vertical, feet, centre, spread, pivot: style.pivot })
     }
 
     /// Sets x and z of the centre of mass: the periodic solution of
     ///
     /// ```text
-    /// z̈ = k(z − P_z) − Ḣ_x/(m y)      ẍ = k(x − P_x) + Ḣ_z/(m y)      k = F_y/(m y)
+    /// z̈ = k(z − P_z) − (Ḣ_x + C_z)/(m y')      ẍ = k(x − P_x) + (Ḣ_z − C_x)/(m y')      k = F_y/(m y')      y' = y − P_y
     /// ```
+    ///
+    /// with C of [`PrescribedNode::force`](super::PrescribedNode::force). `momentum_rate` is the body's without what free moments about
+    /// leaning normals do to it.
     ///
     /// It is unique, and nothing in it grows: the matrix diag(k) − D² is positive definite.
     pub(super) fn centre_of_mass(
@@ -76,12 +83,13 @@ impl Laws {
         let (n, unit) = (com.len(), 1.0 / (180.0 * grid.step * grid.step));
         let (mut stiffness, mut forcing) = (Vec::with_capacity(n), Vec::with_capacity(n));
         for (i, com) in com.iter().enumerate() {
-            let my = self.mass * com.y;
-            let k = self.vertical[i] / my;
+            let y = com.y - self.centre[i].y;
+            let (my, k) = (self.mass * y, self.vertical[i] / (self.mass * y));
+            let spread = self.spread[i] * (self.vertical[i] / (self.pivot * y));
             stiffness.push(k);
             forcing.push([
-                k * self.centre[i].x - momentum_rate[i].z / my,
-                k * self.centre[i].z + momentum_rate[i].x / my,
+                k * self.centre[i].x - (momentum_rate[i].z - spread.x) / my,
+                k * self.centre[i].z + (momentum_rate[i].x + spread.z) / my,
             ]);
         }
         let way = periodic(&stiffness, &forcing, unit).ok_or(PlanError::NoPath)?;

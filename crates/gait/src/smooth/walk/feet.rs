@@ -75,13 +75,14 @@ impl Foot {
                     thigh: style.thigh_swing * laws.numbers.closing_thigh,
                     late_knee: 0.0,
                     beside: true,
+                    tilt: [0.0; 2],
                     sideways,
                 }
             } else {
                 let steady = laws.gaits.of_contact(to.index).contact_thigh;
                 let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady);
                 let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
-                Aim { thigh, late_knee, beside: false, sideways }
+                Aim { thigh, late_knee, beside: false, tilt: [0.0; 2], sideways }
             };
             let mut swing = style.swing(&start, end, &aim)?;
             let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);

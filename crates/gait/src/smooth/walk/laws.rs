@@ -214,7 +214,7 @@ impl WalkLaws {
     /// Share and centre of pressure of both feet without the shifts.
     pub(super) fn unshifted(&self, u: f64) -> [FootSupport; 2] {
         let share = self.share(u);
-        [FootSupport { share, cop: self.cop(0, u) }, FootSupport { share: 1.0 - share, cop: self.cop(1, u) }]
+        [FootSupport::level(share, self.cop(0, u)), FootSupport::level(1.0 - share, self.cop(1, u))]
     }
 
     /// Shapes of the shifts: fore and aft at the start and the end, sideways at the start and the end (m).

@@ -89,7 +89,7 @@ impl Passes {
         let (momentum_rate, offset) = clocks.iter().map(|&u| guess(u)).unzip();
         let heading = |i: usize, side: usize| laws.foot_heading(side, clocks[i]);
         Self {
-            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, laws.plane, heading),
+            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, laws.plane, heading, |_, _| 0.0),
             hips,
             height,
             weights,
@@ -120,6 +120,7 @@ impl Passes {
                 vertical: vertical[i],
                 momentum_rate: rate[i],
                 feet: laws.support(timeline.clock(i)),
+                tilting: Vector3::zeros(),
             })
             .collect();
         Ok(Solved { body, laws, timeline, feet, pelvis, nodes, corrections })

@@ -113,7 +113,13 @@ impl WalkPlan {
         prints.push(prints[whole.len()]);
         Ok(Self {
             pelvis: spline(pelvis.iter().map(|&p| p.into()).collect())?,
-            force: spline(nodes.iter().map(|node| node.total().force.into()).collect())?,
+            force: spline(
+                nodes
+                    .iter()
+                    .enumerate()
+                    .map(|(i, node)| node.force(laws.pivot(timeline.clock(i))).into())
+                    .collect(),
+            )?,
             timeline,
             body,
             tempo: laws.gaits.tempo_of(standing, whole),

@@ -30,7 +30,7 @@ impl Standing {
         let hip_offset = rotations::matrix(trunk[0]) * leg.hip;
         let stance = Stance::new(leg, &style.footing(), Landing::Flat, style.push());
         let ankle = stance.flat_ankle();
-        let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane, |_, _| 0.0);
+        let mut kernel = MomentumKernel::new(body, &grid, &upper, stance.plane, |_, _| 0.0, |_, _| 0.0);
         let mut pelvis = Vector3::new(0.0, 0.95 * leg.length(), ahead);
         let mut com = pelvis;
         for _ in 0..25 {

@@ -140,7 +140,7 @@ impl LegAngles {
         // ζ₂ − (α − k).
         let thigh = thigh_lean - self.thigh;
         let knee = thigh - (shank_lean - self.shank);
-        LegPose { side: 0.0, thigh, knee, pitch: self.foot, toes: self.toes }
+        LegPose { side: 0.0, thigh, knee, pitch: self.foot, toes: self.toes, tilt: 0.0 }
     }
 }
 

@@ -1,0 +1,128 @@
+//! One foot in the air over edges: the ankle's path is the law, and the leg follows.
+
+use super::swing::Swing;
+use crate::body::foot::FootPlane;
+use crate::body::leg::{LegGeometry, LegPose};
+use nalgebra::Vector3;
+use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError};
+
+/// When the toes have come back to the foot (u).
+const TOES_STRAIGHT_AT: f64 = 0.80;
+
+/// The end of the sole that passes an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SoleEnd {
+    Tip,
+    Heel,
+}
+
+/// One end of the sole passes above an edge.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Passing {
+    /// When, on the foot's own clock.
+    pub(crate) at: f64,
+    pub(crate) end: SoleEnd,
+    /// Pitch of the foot then (rad, toe down).
+    pub(crate) pitch: f64,
+    /// Where the end is then: up and forward in the print's frame (m).
+    pub(crate) place: [f64; 2],
+}
+
+impl Passing {
+    /// Height and way forward of the ankle then.
+    fn ankle(&self, leg: &LegGeometry) -> [f64; 2] {
+        let (sin, cos) = self.pitch.sin_cos();
+        let along = match self.end {
+            SoleEnd::Tip => leg.ball_ahead + leg.toe,
+            SoleEnd::Heel => -leg.heel_behind,
+        };
+        [
+            self.place[0] + leg.ankle_height * cos + along * sin,
+            self.place[1] - along * cos + leg.ankle_height * sin,
+        ]
+    }
+}
+
+/// Where the ankle is and how the foot is pitched at an end of a swing, with two derivatives.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FootJet {
+    pub(crate) ankle: [Boundary; 3],
+    pub(crate) pitch: Boundary,
+    /// Pitch of the foot against its toes.
+    pub(crate) extension: Boundary,
+}
+
+/// A swing whose ankle goes by quintic splines (C⁴ inside) from toe-off to contact through the passings of edges.
+#[derive(Clone, Debug)]
+pub(crate) struct PathSwing {
+    ankle: [Piecewise; 3],
+    pitch: Piecewise,
+    extension: Piecewise,
+}
+
+impl PathSwing {
+    /// From one foothold to the next one, which lies `ahead` of it (m).
+    pub(crate) fn new(
+        leg: &LegGeometry,
+        toe_off: f64,
+        passings: &[Passing],
+        start: &FootJet,
+        end: &FootJet,
+        ahead: &Vector3<f64>,
+    ) -> Result<Self, ProfileError> {
+        let mut knots = vec![toe_off];
+        knots.extend(passings.iter().map(|passing| passing.at));
+        knots.push(1.0);
+        let through = |of: &dyn Fn(&Passing) -> f64, start, end| {
+            let values: Vec<f64> = passings.iter().map(of).collect();
+            Ok::<_, ProfileError>(
+                Piecewise::quintic_spline(&knots, &values, start, end)?.outside(Outside::Extrapolate),
+            )
+        };
+        let landed = |axis: usize| {
+            let jet = end.ankle[axis];
+            Boundary { position: jet.position + ahead[axis], ..jet }
+        };
+        Ok(Self {
+            ankle: [
+                Piecewise::quintic_spline(&[toe_off, 1.0], &[], start.ankle[0], landed(0))?
+                    .outside(Outside::Extrapolate),
+                through(&|passing| passing.ankle(leg)[0], start.ankle[1], landed(1))?,
+                through(&|passing| passing.ankle(leg)[1], start.ankle[2], landed(2))?,
+            ],
+            pitch: through(&|passing| passing.pitch, start.pitch, end.pitch)?,
+            extension: Piecewise::quintic_spline(
+                &[toe_off, TOES_STRAIGHT_AT, 1.0],
+                &[0.0],
+                start.extension,
+                end.extension,
+            )?
+            .outside(Outside::Extrapolate),
+        })
+    }
+
+    fn pose(&self, plane: &FootPlane, leg: &LegGeometry, v: f64, hip: &Vector3<f64>) -> LegPose {
+        let ankle = Vector3::from([0, 1, 2].map(|axis| self.ankle[axis].position(v)));
+        let pitch = self.pitch.position(v);
+        plane.pose(leg, &(hip - ankle), pitch, pitch - self.extension.position(v))
+    }
+}
+
+/// A foot in the air, one way or the other.
+#[derive(Clone, Debug)]
+pub(crate) enum Air {
+    /// The joints' angles are the law.
+    Joints(Swing),
+    /// The ankle's path is.
+    Path(PathSwing),
+}
+
+impl Air {
+    /// The leg at the foot's clock `v`, for a hip in the frame of the print that it has left.
+    pub(crate) fn pose(&self, plane: &FootPlane, leg: &LegGeometry, v: f64, hip: &Vector3<f64>) -> LegPose {
+        match self {
+            Self::Joints(swing) => swing.pose(leg, v),
+            Self::Path(path) => path.pose(plane, leg, v, hip),
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! What a style changes on stairs.
+
+use super::style::Style;
+use crate::limbs::path::{Passing, SoleEnd};
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Stairs that strides were tried on: rise and tread of a step (m).
+pub const STAIRS: ((f64, f64), (f64, f64)) = ((0.10, 0.20), (0.25, 0.35));
+
+/// How far a heel print overhangs the nosing of its tread on the way up (m), and the part of the foot's length by which its toes do on the
+/// way down (people's: 17 ± 7 %).
+pub(crate) const HEEL_OVERHANGS: f64 = 0.02;
+pub(crate) const TOES_OVERHANG: f64 = 0.17;
+
+/// What a stride on stairs has besides the style of level ground: the foot lands on its ball, and swings over the nosings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StairNumbers {
+    /// Rise of a step, negative on the way down (m).
+    pub rise: f64,
+    /// Pitch of the foot as its ball lands (rad, toe down), and the rate that it comes down with, see `Landing::Ball`.
+    pub landing_pitch: f64,
+    /// See [`Self::landing_pitch`].
+    pub landing_rate: f64,
+    /// Centre of pressure (parts of the foot's length from the heel): at contact, on the flat foot, in mid-stance and when that is (u), and at
+    /// toe-off.
+    pub cop_contact: f64,
+    /// See [`Self::cop_contact`].
+    pub cop_flat: f64,
+    /// See [`Self::cop_contact`].
+    pub cop_middle: (f64, f64),
+    /// See [`Self::cop_contact`].
+    pub cop_end: f64,
+    /// The two passings of a nosing: when (u), how far above it (m), and the foot's pitch (rad).
+    pub passings: [(f64, f64, f64); 2],
+}
+
+impl StairNumbers {
+    /// Keys of the centre of pressure.
+    pub(super) fn cop(&self, style: &Style) -> [(f64, f64); 7] {
+        // On the way down the toes do not roll.
+        let before = if self.cop_end > 0.9 { 0.03 } else { 0.005 };
+        [
+            (0.0, self.cop_contact),
+            (style.foot_flat, self.cop_flat),
+            self.cop_middle,
+            (style.heel_off, style.cop_heel_off),
+            (0.50, style.cop_50),
+            (style.tip_roll_at(), self.cop_end - before),
+            (style.toe_off(), self.cop_end),
+        ]
+    }
+
+    /// How a foot passes the nosings of stairs with this tread (m), seen from the print that it leaves.
+    pub(crate) fn passings(&self, tread: f64, foot_length: f64) -> [Passing; 2] {
+        std::array::from_fn(|i| {
+            let (at, above, pitch) = self.passings[i];
+            let (end, nosing, number) = if self.rise > 0.0 {
+                (SoleEnd::Tip, HEEL_OVERHANGS, i as f64 + 1.0)
+            } else {
+                (SoleEnd::Heel, (1.0 - TOES_OVERHANG) * foot_length, i as f64)
+            };
+            Passing { at, end, pitch, place: [number * self.rise + above, nosing + number * tread] }
+        })
+    }
+
+    /// For a check of all numbers at once.
+    pub(super) fn sum(&self) -> f64 {
+        let passings: f64 = self.passings.iter().map(|(at, above, pitch)| at + above + pitch).sum();
+        self.rise
+            + self.landing_pitch
+            + self.landing_rate
+            + self.cop_contact
+            + self.cop_flat
+            + self.cop_middle.0
+            + self.cop_middle.1
+            + self.cop_end
+            + passings
+    }
+}
+
+impl Style {
+    /// The style on stairs whose steps rise by `rise` (m, negative on the way down), for a figure of this height (m); the step length is the
+    /// tread.
+    ///
+    /// Fitted offline to what people do on stairs of 0.17 m over 0.29 m (docs/slopes.md).
+    #[must_use]
+    pub fn on_stairs(&self, height: f64, rise: f64) -> Self {
+        let up = rise > 0.0;
+        let of = |numbers: (f64, f64)| if up { numbers.0 } else { numbers.1 };
+        let angle = |numbers: (f64, f64)| of(numbers) * DEGREE;
+        Self {
+            double_support: of((0.12, 0.11)),
+            height1: of((0.0081, 0.014)),
+            height1_phase: of((0.029_13, 0.0714)),
+            height2_cos: of((-0.000_17, -0.003_08)),
+            height2_sin: of((-0.000_51, 0.001_45)),
+            height3_cos: of((-0.001_49, -0.000_08)),
+            height3_sin: of((0.000_27, -0.0006)),
+            pelvic_obliquity: 2.5 * DEGREE,
+            obliquity_phase: of((-0.039_08, 0.138)),
+            pelvic_rotation: 3.0 * DEGREE,
+            foot_flat: of((0.042_98, 0.1566)),
+            heel_strike_angle: 0.0,
+            knee_contact: angle((60.0, 16.13)),
+            knee_push: angle((12.25, 54.24)),
+            knee_toe_off: angle((34.25, 81.06)),
+            knee_toe_off_rate: angle((249.27, 277.66)),
+            knee_toe_off_acc: angle((-1112.91, 881.23)),
+            toe_roll: angle((30.62, 0.0)),
+            cop_heel_off: of((0.6584, 0.7693)),
+            cop_50: of((0.7542, 0.79)),
+            heel_off: of((0.3718, 0.2943)),
+            thorax_lean: angle((12.0, 1.0)),
+            anterior_tilt: angle((9.0, 4.0)),
+            share_exponent: of((0.9563, 0.6026)),
+            tip_roll: of((0.2787, 0.5604)),
+            pivot: of((1.4609, 1.3768)),
+            arm_swing: 12.0 * DEGREE,
+            thorax_bend_sin: 3.0 * DEGREE,
+            thorax_bend_cos: -1.5 * DEGREE,
+            thorax_yaw: 3.0 * DEGREE,
+            least_knee: angle((17.27, 12.0)),
+            step_width: 0.11 * height / 1.75,
+            clearance: 0.015 * height / crate::body::REFERENCE_HEIGHT,
+            toe_off_most: 95.0 * DEGREE,
+            stairs: Some(StairNumbers {
+                rise,
+                landing_pitch: angle((4.76, 20.19)),
+                landing_rate: of((1.1661, 2.28)),
+                cop_contact: 0.76,
+                cop_flat: of((0.6429, 0.6636)),
+                cop_middle: (of((0.2728, 0.195)), of((0.3054, 0.6595))),
+                cop_end: of((1.0, 0.8)),
+                passings: [
+                    (of((0.7558, 0.77)), of((0.029_63, 0.0894)), angle((53.66, 36.26))),
+                    (of((0.8533, 0.8665)), of((0.029_17, 0.029_67)), angle((18.68, 16.54))),
+                ],
+            }),
+            ..*self
+        }
+    }
+}
