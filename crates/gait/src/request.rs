@@ -1,10 +1,12 @@
 //! Requests: how far to walk or run, at which pace, planned how finely.
 
+mod ground;
 pub(crate) mod pace;
 mod resolution;
 pub(crate) mod run;
 mod walk;
 
+pub use ground::{STAIR_COUNT, Stairs, WalkGround};
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
 pub use resolution::Resolution;
 pub use run::{DEFAULT_RUN_SPEED, RUN_SPEED, RunRequest, RunResolution};

@@ -13,6 +13,7 @@ mod slope;
 mod stairs;
 mod stride;
 mod style;
+mod terrain;
 mod walk;
 mod walker;
 

@@ -25,6 +25,7 @@ mod measured;
 mod medium;
 mod motion;
 mod prune;
+mod relief;
 mod reroot;
 pub mod rig;
 mod scale;
@@ -59,6 +60,7 @@ pub use motion::{
     MotionInfo, Trajectory,
 };
 pub use prune::{PruneError, Pruned};
+pub use relief::{Relief, ReliefError};
 
 pub use reroot::{JointInView, RerootError, Rerooted, RootAt};
 pub use scale::{MassShares, ScaleError, Scaling, Stretching, stretched_inertia};

@@ -6,6 +6,7 @@ pub use sample::{DifferenceStep, Trajectory};
 
 use crate::configuration::rotation::read;
 use crate::figure::Figure;
+use crate::relief::Relief;
 use nalgebra::Vector3;
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -162,6 +163,8 @@ pub struct Motion {
     pub planted: Vec<Interval>,
     /// Contact wrenches by link; empty until a layer has found them.
     pub contacts: Vec<ContactTrack>,
+    /// The ground's heights above y = 0, where it is not level.
+    pub relief: Option<Relief>,
     nq: usize,
     nv: usize,
     time: Vec<f64>,
@@ -337,7 +340,7 @@ impl Motion {
         }
         check_states(figure, &time, [&q, &v, &a])?;
         let (events, planted, contacts, tau) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Ok(Self { info, events, planted, contacts, nq, nv, time, q, v, a, tau, known })
+        Ok(Self { info, events, planted, contacts, relief: None, nq, nv, time, q, v, a, tau, known })
     }
 
     /// Which velocities and accelerations are known.

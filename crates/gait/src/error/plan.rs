@@ -29,6 +29,14 @@ pub enum PlanError {
     AbruptChange { part: usize, step: usize, time: f64, what: String },
     #[error("a run at {speed:.2} m/s: {what}; {nearest}")]
     NotRunnable { speed: f64, what: String, nearest: String },
+    #[error(
+        "step {step}: about {place:.2} m along the way no foot finds a place: a sole needs {} of ground that is even to within 2 mm and rises \
+         by no more than 16°, no more than 16° above or below the foot before; smooth the ground, or change the step length",
+        "its own length"
+    )]
+    NoFoothold { step: usize, place: f64 },
+    #[error("{what} at step {step}, {time:.2} s, on ground that is not level; {nearest}")]
+    TooSteep { step: usize, time: f64, what: String, nearest: String },
     #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]
     NoPath,
     #[error("the walk has no stride that repeats itself; it needs {least} steps at least")]

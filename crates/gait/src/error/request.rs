@@ -47,6 +47,10 @@ pub enum RequestError {
     RunPasses { passes: usize, lower: usize, upper: usize },
     #[error("the style's {name} is {value}; it must be a finite number")]
     StyleNotFinite { name: &'static str, value: f64 },
+    #[error(transparent)]
+    Relief(solaris_model::ReliefError),
+    #[error("{what} on ground that is not level: not planned yet; walk one part straight on there")]
+    NotOnTerrain { what: &'static str },
     #[error("a sequence without a walk; give it one, if only of a single step")]
     NoWalk,
 }

@@ -1,6 +1,7 @@
 //! One foot in the air over edges: the ankle's path is the law, and the leg follows.
 
-use super::swing::Swing;
+use super::numbers::LACK;
+use super::swing::{Bump, Swing};
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose};
 use nalgebra::Vector3;
@@ -8,6 +9,14 @@ use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError};
 
 /// When the toes have come back to the foot (u).
 const TOES_STRAIGHT_AT: f64 = 0.80;
+
+/// How a path is kept off the ground: how often it is raised, half the width of a rise (parts of the swing), the least part of a rise's height
+/// that its worst sample may have of it, from which part of the swing on the clearance is asked for in full, and how near to its ends not.
+const MOST_BUMPS: usize = 4;
+const REACH: f64 = 0.32;
+const LEAST_PART: f64 = 0.3;
+const FULL_FROM: f64 = 0.2;
+const ENDS_KEPT: f64 = 0.04;
 
 /// The end of the sole that passes an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +67,8 @@ pub(crate) struct PathSwing {
     ankle: [Piecewise; 3],
     pitch: Piecewise,
     extension: Piecewise,
+    toe_off: f64,
+    bumps: Vec<Bump>,
 }
 
 impl PathSwing {
@@ -98,11 +109,51 @@ impl PathSwing {
                 end.extension,
             )?
             .outside(Outside::Extrapolate),
+            toe_off,
+            bumps: Vec::new(),
         })
     }
 
+    /// 0 at toe-off, 1 at contact.
+    fn phase(&self, v: f64) -> f64 {
+        (v - self.toe_off) / (1.0 - self.toe_off)
+    }
+
+    /// Raises the ankle where the sole would come nearer than `height` (m) to the ground, a few times; `gap` is a point's height above it.
+    pub(crate) fn clear_terrain(
+        &mut self,
+        leg: &LegGeometry,
+        plane: &FootPlane,
+        height: f64,
+        samples: &[(f64, Vector3<f64>)],
+        gap: impl Fn(&Vector3<f64>) -> f64,
+    ) {
+        for _ in 0..MOST_BUMPS {
+            let missing = |&(v, hip): &(f64, Vector3<f64>)| {
+                let x = self.phase(v);
+                let wanted = height * (x.min(1.0 - x) / FULL_FROM).clamp(0.0, 1.0);
+                let pose = self.pose(plane, leg, v, &hip);
+                let points = plane.sole(leg, &hip, &pose, leg.ankle_below_hip(&pose));
+                (wanted - points.iter().map(&gap).fold(f64::INFINITY, f64::min), x)
+            };
+            let inside =
+                samples.iter().filter(|(v, _)| (ENDS_KEPT..1.0 - ENDS_KEPT).contains(&self.phase(*v)));
+            let Some((worst, x)) =
+                inside.map(missing).reduce(|best, next| if next.0 > best.0 { next } else { best })
+            else {
+                break;
+            };
+            if worst.is_nan() || worst <= LACK {
+                break;
+            }
+            let unit = Bump { from: (x - REACH).max(0.0), to: (x + REACH).min(1.0), height: 1.0 };
+            self.bumps.push(Bump { height: worst / unit.at(x).max(LEAST_PART), ..unit });
+        }
+    }
+
     fn pose(&self, plane: &FootPlane, leg: &LegGeometry, v: f64, hip: &Vector3<f64>) -> LegPose {
-        let ankle = Vector3::from([0, 1, 2].map(|axis| self.ankle[axis].position(v)));
+        let mut ankle = Vector3::from([0, 1, 2].map(|axis| self.ankle[axis].position(v)));
+        ankle.y += self.bumps.iter().map(|bump| bump.at(self.phase(v))).sum::<f64>();
         let pitch = self.pitch.position(v);
         plane.pose(leg, &(hip - ankle), pitch, pitch - self.extension.position(v))
     }

@@ -125,6 +125,10 @@ impl Stance {
         self.push_knee.is_some()
     }
 
+    pub(crate) fn lands_on_ball(&self) -> bool {
+        matches!(self.landing, Landing::Ball { .. })
+    }
+
     pub(crate) fn heel_off(&self) -> f64 {
         self.push.heel_off
     }
@@ -134,16 +138,17 @@ impl Stance {
     }
 
     /// The knee at contact for a foot that lands on its heel with this pitch: what the leg needs, but hardly straighter than the
-    /// style's (`knee`). The more it is bent, the less it goes on bending: not at all from `range` (rad) more than the style's on.
+    /// style's (`straightest`). The more it is bent than `knee`, the less it goes on bending: not at all from `range` (rad) more than the style's on.
     pub(crate) fn landing_knee(
         &self,
         knee: Boundary,
+        straightest: f64,
         pitch: f64,
         range: f64,
         hip: &Vector3<f64>,
     ) -> Boundary {
         let distance = (hip - self.ankle_on_heel(pitch)).norm_squared();
-        let flexion = self.leg.knee_for(distance).max(knee.position - LANDING_STRAIGHTER);
+        let flexion = self.leg.knee_for(distance).max(straightest - LANDING_STRAIGHTER);
         let factor = (1.0 - (flexion - knee.position) / range).clamp(-1.0, 1.0);
         Boundary::new(flexion, knee.velocity * factor, knee.acceleration * factor)
     }

@@ -99,14 +99,14 @@ pub(crate) fn sideways(leg: &LegGeometry, pose: &LegPose, turn: f64) -> f64 {
 
 /// A rise of the ankle that keeps the foot clear of the ground: C², over part of the swing.
 #[derive(Clone, Copy, Debug)]
-struct Bump {
-    from: f64,
-    to: f64,
-    height: f64,
+pub(super) struct Bump {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) height: f64,
 }
 
 impl Bump {
-    fn at(&self, x: f64) -> f64 {
+    pub(super) fn at(&self, x: f64) -> f64 {
         hump(((x - self.from) / (self.to - self.from)).clamp(0.0, 1.0)) * self.height
     }
 }

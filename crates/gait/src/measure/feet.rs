@@ -15,6 +15,9 @@ const TOUCHING: f64 = 5e-3;
 const ROUND: f64 = 0.012;
 const HALF_WIDTH: f64 = 0.040;
 
+/// Points that a stretch of a sole is looked at.
+const BETWEEN: u32 = 10;
+
 /// Greatest distance of a planted point from where it was when it was planted (m).
 pub(super) fn slide(motion: &Motion, series: &Series<'_>) -> Peak {
     let mut worst = Peak { value: 0.0, time: 0.0 };
@@ -32,7 +35,6 @@ pub(super) fn slide(motion: &Motion, series: &Series<'_>) -> Peak {
 /// Greatest depth of a sole below the ground, and greatest distance of a loaded foot's centre of pressure outside the
 /// part that touches it (m).
 pub(super) fn sink_and_cop(figure: &Figure, motion: &Motion, series: &Series<'_>) -> (Peak, Peak) {
-    let ground = height(motion);
     let scale = figure.stature().map_or(1.0, |height| height / REFERENCE_HEIGHT);
     let mut sink = Peak::NONE;
     let mut outside = Peak { value: 0.0, time: 0.0 };
@@ -41,10 +43,15 @@ pub(super) fn sink_and_cop(figure: &Figure, motion: &Motion, series: &Series<'_>
         for (i, &time) in series.time.iter().enumerate() {
             let places: Vec<Vector3<f64>> =
                 points.iter().filter_map(|(link, _, point)| series.place(i, *link, point)).collect();
-            let lowest = places.iter().map(|p| p.y - ground).fold(f64::INFINITY, f64::min);
+            let over: Vec<f64> = places.iter().map(|p| height(motion, p)).collect();
+            let lowest = over.iter().copied().fold(f64::INFINITY, f64::min);
             sink = sink.max(Peak { value: -lowest, time });
             if series.forces[side][i].y > 0.05 * series.weight {
-                let value = outside_of(&series.cops[side][i], &places, ground, scale);
+                // Where the ground has edges the sole between its points touches it, too.
+                let between = motion.relief.as_ref().map(|_| along_sole(&places));
+                let places = between.as_ref().unwrap_or(&places);
+                let over: Vec<f64> = places.iter().map(|p| height(motion, p)).collect();
+                let value = outside_of(&series.cops[side][i], places, &over, scale);
                 outside = outside.max(Peak { value, time });
             }
         }
@@ -63,15 +70,28 @@ pub(super) fn clearance(figure: &Figure, motion: &Motion, series: &Series<'_>) -
         for (lift, contact) in swings(motion, side) {
             for i in mid_swing(series.time, (lift, contact)) {
                 let Some(place) = series.place(i, *link, tip) else { continue };
-                least = least.min(Peak { value: place.y - height(motion), time: series.time[i] });
+                least = least.min(Peak { value: height(motion, &place), time: series.time[i] });
             }
         }
     }
     least
 }
 
-fn height(motion: &Motion) -> f64 {
-    motion.info.ground.map_or(0.0, |ground| ground.height)
+/// Points of a sole, and some between each and the next one.
+fn along_sole(points: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    let between = |pair: &[Vector3<f64>]| {
+        let [from, to] = [pair[0], pair[1]];
+        (0..BETWEEN).map(move |i| from.lerp(&to, f64::from(i) / f64::from(BETWEEN)))
+    };
+    points.windows(2).flat_map(between).chain(points.last().copied()).collect()
+}
+
+/// Height of a point over the ground (m); within a millimetre of a riser either side of it counts.
+fn height(motion: &Motion, point: &Vector3<f64>) -> f64 {
+    match &motion.relief {
+        Some(relief) => point.y - relief.lowest_near(point.z, 1e-3),
+        None => point.y - motion.info.ground.map_or(0.0, |ground| ground.height),
+    }
 }
 
 /// The sole points of a foot and of its toes: link, part, position.
@@ -100,19 +120,22 @@ fn swings(motion: &Motion, side: usize) -> Vec<(f64, f64)> {
 }
 
 /// How far a centre of pressure lies outside of the part of a foot that touches the ground.
-fn outside_of(cop: &Vector3<f64>, points: &[Vector3<f64>], ground: f64, scale: f64) -> f64 {
-    let flat = |p: &Vector3<f64>| Vector3::new(p.x, ground, p.z);
+///
+/// `over` is how high each of its points is over the ground (m). Ways are horizontal.
+fn outside_of(cop: &Vector3<f64>, points: &[Vector3<f64>], over: &[f64], scale: f64) -> f64 {
+    let flat = |p: &Vector3<f64>| Vector3::new(p.x, 0.0, p.z);
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return 0.0 };
     let Some(axis) = (flat(last) - flat(first)).try_normalize(1e-9) else { return 0.0 };
-    let along = |p: &Vector3<f64>| (p - first).dot(&axis);
-    let touching = points.iter().filter(|p| p.y - ground < TOUCHING).map(|p| along(&flat(p)));
+    let along = |p: &Vector3<f64>| (p - flat(first)).dot(&axis);
+    let touching =
+        points.iter().zip(over).filter(|(_, over)| **over < TOUCHING).map(|(p, _)| along(&flat(p)));
     let (least, most) =
         touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
     if least > most {
         // A loaded foot in the air: how far its nearest point is from where it should press.
         return points.iter().map(|p| (p - cop).norm()).fold(f64::INFINITY, f64::min);
     }
-    let x = along(cop);
+    let x = along(&flat(cop));
     let side = (flat(cop) - flat(first) - axis * x).norm() - HALF_WIDTH * scale;
     (least - ROUND * scale - x).max(x - most - ROUND * scale).max(side).max(0.0)
 }

@@ -1,5 +1,6 @@
 //! The request for a smooth walk, with its ranges.
 
+use super::ground::WalkGround;
 use super::resolution::Resolution;
 
 /// Numbers of steps.
@@ -62,6 +63,8 @@ pub struct WalkRequest {
     pub turn: f64,
     /// What is walked next, without standing in between.
     pub then: Vec<WalkPart>,
+    /// What is walked on. Where it is not level a walk has one part, straight on.
+    pub ground: WalkGround,
     /// Whether the left foot makes the first step; else the right one.
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
@@ -79,6 +82,7 @@ impl Default for WalkRequest {
             extent: Extent::Steps(10),
             turn: 0.0,
             then: Vec::new(),
+            ground: WalkGround::Level,
             left_first: false,
             parameters: Vec::new(),
             resolution: Resolution::default(),

@@ -137,6 +137,7 @@ impl Walking for RunPlan {
             let stood = Stood {
                 landed: after(0.0),
                 flat: after(style.foot_flat),
+                on_ball: false,
                 heel_off: after(style.heel_off),
                 tip_roll: after(style.tip_roll),
                 toe_off: after(1.0),

@@ -22,6 +22,9 @@ const COP_SINGLE: (f64, f64) = (0.20, 0.56);
 /// Where it is (parts of the foot's length) as the roll over the tip begins.
 const COP_TIP_ROLL: f64 = 0.955;
 
+/// How far behind its end (parts of the foot's length) it is then on stairs, up and down.
+const COP_BEFORE_END: (f64, f64) = (0.03, 0.005);
+
 /// Amplitude of the pelvis' forward tilt (rad), twice a stride, and its phase (u).
 const TILT_SWING: (f64, f64) = (1.4 * DEGREE, 0.02);
 /// When the body is over the left leg, highest and farthest to the left (u).
@@ -77,22 +80,36 @@ pub(crate) fn share(style: &Style, u: f64) -> f64 {
 
 /// Centre of pressure along the foot as a fraction of its length from the heel, by the foot's own clock.
 pub(crate) fn cop(style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
-    if let Some(stairs) = &style.stairs {
-        return Ok(CubicSpline::monotone(&stairs.cop(style))?.into_clip());
+    cop_of(style, style)
+}
+
+/// The same of a foot that lands in one style, and stands and pushes off in another.
+pub(crate) fn cop_of(landing: &Style, style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
+    let (flat, forward) = (landing.foot_flat, style.cop_forward);
+    let mut keys = Vec::with_capacity(10);
+    match &landing.stairs {
+        Some(stairs) => keys.extend([(0.0, stairs.cop_contact), (flat, stairs.cop_flat)]),
+        None => keys.extend([
+            (0.0, 0.0),
+            (COP_LOADING.0 * flat, COP_LOADING.1),
+            (flat, COP_FLAT),
+            (flat + COP_QUICK.0, COP_QUICK.1 * forward),
+        ]),
     }
-    let (flat, forward) = (style.foot_flat, style.cop_forward);
-    let keys = [
-        (0.0, 0.0),
-        (COP_LOADING.0 * flat, COP_LOADING.1),
-        (flat, COP_FLAT),
-        (flat + COP_QUICK.0, COP_QUICK.1 * forward),
-        (COP_SINGLE.0, COP_SINGLE.1 * forward),
-        (style.heel_off, style.cop_heel_off),
-        (0.40, style.cop_40),
-        (0.50, style.cop_50),
-        (style.tip_roll_at(), COP_TIP_ROLL),
-        (style.toe_off(), 1.0),
-    ];
+    let at_toe_off = |before: f64, end: f64| [(style.tip_roll_at(), before), (style.toe_off(), end)];
+    match &style.stairs {
+        Some(stairs) => {
+            // On the way down the toes do not roll.
+            let before = if stairs.cop_end > 0.9 { COP_BEFORE_END.0 } else { COP_BEFORE_END.1 };
+            keys.extend([stairs.cop_middle, (style.heel_off, style.cop_heel_off), (0.50, style.cop_50)]);
+            keys.extend(at_toe_off(stairs.cop_end - before, stairs.cop_end));
+        }
+        None => {
+            keys.extend([(COP_SINGLE.0, COP_SINGLE.1 * forward), (style.heel_off, style.cop_heel_off)]);
+            keys.extend([(0.40, style.cop_40), (0.50, style.cop_50)]);
+            keys.extend(at_toe_off(COP_TIP_ROLL, 1.0));
+        }
+    }
     Ok(CubicSpline::monotone(&keys)?.into_clip())
 }
 

@@ -4,11 +4,12 @@ use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
 use crate::measure::measure;
 use crate::request::pace::tidy;
-use crate::smooth::prescribed::friction;
+use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
 use crate::smooth::walk::WalkPlan;
+use nalgebra::Vector3;
 use solaris_analysis::ground_reactions;
-use solaris_model::Figure;
+use solaris_model::{Contact, Figure};
 
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
 #[doc(alias = "friction coefficient")]
@@ -19,6 +20,8 @@ pub const FRICTION: (f64, f64) = (0.5, 0.6);
 const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
 /// How far outside of a foot's rounded edges its pressure may lie (m).
 const OUTSIDE: f64 = 1e-3;
+/// The same on ground that is not level (m).
+const OUTSIDE_ON_GROUND: f64 = 5e-3;
 /// How often a walk that changes on the way is looked at (1/s).
 const RATE: f64 = 120.0;
 
@@ -26,6 +29,8 @@ const RATE: f64 = 120.0;
 pub(crate) struct PlanCheck<'a> {
     pub(crate) figure: &'a Figure,
     pub(crate) route: &'a Route,
+    /// What to try where the ground is too steep.
+    pub(crate) nearest: String,
 }
 
 impl PlanCheck<'_> {
@@ -34,7 +39,7 @@ impl PlanCheck<'_> {
     pub(crate) fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         self.check_forces(plan)?;
         self.check_legs(plan)?;
-        if self.route.is_even() { Ok(()) } else { self.check_pressure(plan) }
+        if self.route.is_even() && self.route.is_level() { Ok(()) } else { self.check_pressure(plan) }
     }
 
     /// The prescribed forces press, and need no more friction than soles have.
@@ -53,9 +58,18 @@ impl PlanCheck<'_> {
                     *worst = (friction, node);
                 }
             };
-            worse(&mut total, friction(&force));
-            for foot in feet.iter().filter(|foot| foot.force.y > 0.05 * plan.weight()) {
-                worse(&mut single, friction(&foot.force));
+            let normals = plan.normals(plan.clock(node));
+            let loaded = |foot: &&(Contact, Vector3<f64>)| foot.0.force.y > 0.05 * plan.weight();
+            let both: Vec<(Contact, Vector3<f64>)> = feet.into_iter().zip(normals).collect();
+            let mean: Vector3<f64> = both.iter().map(|(foot, normal)| normal * foot.force.y).sum();
+            worse(
+                &mut total,
+                if plan.is_level() { friction(&force) } else { friction_on(&force, &mean.normalize()) },
+            );
+            for (foot, normal) in both.iter().filter(loaded) {
+                let friction =
+                    if plan.is_level() { friction(&foot.force) } else { friction_on(&foot.force, normal) };
+                worse(&mut single, friction);
             }
         }
         for (whose, (friction, node), limit) in [("the", total, FRICTION.0), ("a foot's", single, FRICTION.1)]
@@ -72,7 +86,7 @@ impl PlanCheck<'_> {
                 }
                 .into();
                 let what = format!("{whose} friction would have to be {friction:.2}, and soles hold {limit}");
-                return Err(if self.route.is_even() {
+                return Err(if self.route.is_even() && self.route.is_level() {
                     error
                 } else {
                     self.refusal(plan, plan.clock(node), what)
@@ -111,7 +125,8 @@ impl PlanCheck<'_> {
         let mut motion = plan.motion(self.figure, RATE)?;
         ground_reactions(self.figure, &mut motion, FEET, plan)?;
         let outside = measure(self.figure, &motion)?.extremes.cop_outside;
-        if outside.value <= OUTSIDE {
+        let most = if self.route.is_level() { OUTSIDE } else { OUTSIDE_ON_GROUND };
+        if outside.value <= most {
             return Ok(());
         }
         let what = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
@@ -120,6 +135,11 @@ impl PlanCheck<'_> {
 
     /// Why the plan does not hold: of a walk that changes on the way, where.
     fn refusal(&self, plan: &WalkPlan, clock: f64, what: String) -> GaitError {
+        if !self.route.is_level() {
+            let step = ((2.0 * clock).floor().max(0.0) as usize + 1).min(plan.steps());
+            let nearest = self.nearest.clone();
+            return PlanError::TooSteep { step, time: plan.time(clock), what, nearest }.into();
+        }
         if self.route.is_even() {
             let pace = self.route.pace();
             let (step_length, step_frequency) = (pace.step_length, tidy(pace.step_frequency));

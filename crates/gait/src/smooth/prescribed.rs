@@ -97,7 +97,13 @@ pub(crate) fn normal_of(slope: f64) -> Option<Vector3<f64>> {
     (slope != 0.0).then(|| Vector3::new(0.0, slope.cos(), -slope.sin()))
 }
 
-/// Tangential over normal force.
+/// Tangential over normal force, on ground with this normal.
+pub(crate) fn friction_on(force: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
+    let pressed = force.dot(normal);
+    (force - normal * pressed).norm() / pressed
+}
+
+/// Tangential over normal force, on level ground.
 pub(crate) fn friction(force: &Vector3<f64>) -> f64 {
     force.x.hypot(force.z) / force.y
 }

@@ -4,11 +4,14 @@ use crate::body::Body;
 use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
 use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
-use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
+use crate::request::{
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkGround, WalkRequest,
+};
 use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
-use crate::smooth::walk::{Step, Steps, WalkNumbers, WalkPlan, steps};
+use crate::smooth::terrain::{LEAD, StepKind, Terrain};
+use crate::smooth::walk::{Grounded, Step, Steps, WalkNumbers, WalkPlan, steps};
 
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
@@ -31,6 +34,7 @@ struct Part {
 #[derive(Clone, Debug)]
 pub(crate) struct Route {
     parts: Vec<Part>,
+    ground: WalkGround,
 }
 
 impl Route {
@@ -96,7 +100,13 @@ impl Route {
             parts.push(part);
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
-        let route = Self { parts };
+        let ground = request.ground.clone();
+        let route = Self { parts, ground };
+        if !route.is_level() && (!route.is_even() || heading != 0.0) {
+            return Err(
+                RequestError::NotOnTerrain { what: "turns, changes of pace and a second walk" }.into()
+            );
+        }
         let most = if route.is_even() { STEPS.1 } else { CHANGING_STEPS };
         range("steps in all", all as f64, "", (STEPS.0 as f64, most as f64), || {
             " where pace or direction change on the way".to_owned()
@@ -123,12 +133,86 @@ impl Route {
     pub(crate) fn with_step_length(&self, step_length: f64, most: usize) -> Self {
         let first = self.parts[0];
         let pace = Pace { step_length, ..first.pace };
-        Self { parts: vec![Part { pace, steps: first.steps.min(most), ..first }] }
+        let parts = vec![Part { pace, steps: first.steps.min(most), ..first }];
+        Self { parts, ground: self.ground.clone() }
     }
 
     /// Whether there is only one part, straight on.
     pub(crate) fn is_even(&self) -> bool {
         matches!(self.parts[..], [Part { turn, .. }] if turn == 0.0)
+    }
+
+    /// Whether all goes over a horizontal plane.
+    pub(crate) fn is_level(&self) -> bool {
+        self.ground == WalkGround::Level
+    }
+
+    /// What to try where the ground asks too much.
+    pub(crate) fn easier(&self) -> String {
+        match &self.ground {
+            WalkGround::Level => String::new(),
+            WalkGround::Slope(_) => "take a gentler slope, or walk slower".to_owned(),
+            WalkGround::Stairs(_) => "take lower stairs or deeper treads, or walk slower".to_owned(),
+            WalkGround::Relief(_) => "smooth the ground there, or walk slower".to_owned(),
+        }
+    }
+
+    /// The style of a pace with the parameters that were asked for.
+    fn style(body: &Body, pace: &Pace, parameters: &[(&'static str, f64)]) -> Result<Style, GaitError> {
+        let mut style = Style::of(&body.leg, body.height, pace.step_frequency, pace.step_length);
+        for (name, value) in parameters {
+            let parameter = Parameter::named(name).ok_or_else(|| {
+                let known = PARAMETERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
+                RequestError::UnknownParameter { name: (*name).to_owned(), known }
+            })?;
+            parameter.set(&mut style, *value)?;
+        }
+        Ok(style)
+    }
+
+    /// Plans the walk over ground that is not level.
+    fn plan_on_ground(
+        &self,
+        body: &Body,
+        parameters: &[(&'static str, f64)],
+        resolution: Resolution,
+    ) -> Result<WalkPlan, GaitError> {
+        let part = self.parts[0];
+        let count = match &self.ground {
+            WalkGround::Stairs(stairs) => stairs.count + 2 * LEAD,
+            _ => part.steps,
+        };
+        let levels: Vec<Step> =
+            steps::factors(count).map(|factor| Step::level(0, factor * part.pace.step_length, 0.0)).collect();
+        let Some(terrain) = Terrain::of(&self.ground, &body.leg, part.pace.step_length, &levels)? else {
+            unreachable!("ground that is not level")
+        };
+        let tread = match &self.ground {
+            WalkGround::Stairs(stairs) => stairs.tread,
+            _ => part.pace.step_length,
+        };
+        let on_tread = Self::style(body, &Pace { step_length: tread, ..part.pace }, &[])?;
+        let style = |kind: StepKind| {
+            Ok(match kind {
+                StepKind::Slope(slope, step_length) => {
+                    let pace = Pace { step_length, ..part.pace };
+                    Self::style(body, &pace, parameters)?.on_slope(&body.leg, body.height, slope)
+                }
+                StepKind::Stairs(rise) => on_tread.on_stairs(body.height, rise),
+            })
+        };
+        let grounded = Grounded::new(body, &terrain, part.pace.step_length, &style, resolution)?;
+        let stride = StridePlan::plan(body.clone(), &style(terrain.kinds[count / 2])?, resolution)?;
+        let steps = Steps {
+            strides: std::slice::from_ref(&stride),
+            standing: 0,
+            steady: 0,
+            numbers: WalkNumbers::on_ground(),
+            whole: &terrain.steps,
+            planned: None,
+            ground: Some(&grounded),
+        };
+        WalkPlan::of_steps(&steps, resolution)
     }
 
     /// Plans the walk. `standing` is the style in which the feet stand before it, that of the first step where there is none;
@@ -141,6 +225,9 @@ impl Route {
         mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
+        if !self.is_level() {
+            return self.plan_on_ground(body, parameters, resolution);
+        }
         let mut paces = Vec::new();
         let mut steps_of = |parts: &[Part]| steps_of(parts, mirrored, &mut paces);
         let whole = steps_of(&self.parts);
@@ -150,14 +237,7 @@ impl Route {
         });
         let mut strides = Vec::new();
         for pace in &paces {
-            let mut style = Style::of(&body.leg, body.height, pace.step_frequency, pace.step_length);
-            for (name, value) in parameters {
-                let parameter = Parameter::named(name).ok_or_else(|| {
-                    let known = PARAMETERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-                    RequestError::UnknownParameter { name: (*name).to_owned(), known }
-                })?;
-                parameter.set(&mut style, *value)?;
-            }
+            let style = Self::style(body, pace, parameters)?;
             strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
         }
         // The middle of the first part is what it is called after.
@@ -184,6 +264,7 @@ impl Route {
             numbers: WalkNumbers::default(),
             whole: &whole,
             planned: planned.as_deref(),
+            ground: None,
         };
         WalkPlan::of_steps(&steps, resolution)
     }
@@ -199,7 +280,7 @@ fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> 
             paces.len() - 1
         });
         let turn = if mirrored { -part.turn } else { part.turn };
-        Step { pace: index, length: factor * pace.step_length, turn }
+        Step::level(index, factor * pace.step_length, turn)
     });
     steps.collect()
 }

@@ -36,32 +36,27 @@ pub struct StairNumbers {
 }
 
 impl StairNumbers {
-    /// Keys of the centre of pressure.
-    pub(super) fn cop(&self, style: &Style) -> [(f64, f64); 7] {
-        // On the way down the toes do not roll.
-        let before = if self.cop_end > 0.9 { 0.03 } else { 0.005 };
-        [
-            (0.0, self.cop_contact),
-            (style.foot_flat, self.cop_flat),
-            self.cop_middle,
-            (style.heel_off, style.cop_heel_off),
-            (0.50, style.cop_50),
-            (style.tip_roll_at(), self.cop_end - before),
-            (style.toe_off(), self.cop_end),
-        ]
-    }
-
     /// How a foot passes the nosings of stairs with this tread (m), seen from the print that it leaves.
     pub(crate) fn passings(&self, tread: f64, foot_length: f64) -> [Passing; 2] {
         std::array::from_fn(|i| {
             let (at, above, pitch) = self.passings[i];
-            let (end, nosing, number) = if self.rise > 0.0 {
-                (SoleEnd::Tip, HEEL_OVERHANGS, i as f64 + 1.0)
+            let (nosing, number) = if self.rise > 0.0 {
+                (HEEL_OVERHANGS, i as f64 + 1.0)
             } else {
-                (SoleEnd::Heel, (1.0 - TOES_OVERHANG) * foot_length, i as f64)
+                ((1.0 - TOES_OVERHANG) * foot_length, i as f64)
             };
-            Passing { at, end, pitch, place: [number * self.rise + above, nosing + number * tread] }
+            Passing {
+                at,
+                end: self.end(),
+                pitch,
+                place: [number * self.rise + above, nosing + number * tread],
+            }
         })
+    }
+
+    /// The end of the sole that passes the nosings.
+    pub(crate) fn end(&self) -> SoleEnd {
+        if self.rise > 0.0 { SoleEnd::Tip } else { SoleEnd::Heel }
     }
 
     /// For a check of all numbers at once.

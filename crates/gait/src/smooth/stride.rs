@@ -105,7 +105,13 @@ impl StridePlan {
             let hip = |u: f64| hip_at(u, rise);
             let (knee, lowered) = if style.flexion > 0.0 {
                 let pitch = -style.heel_strike_angle;
-                let knee = stance.landing_knee(style.contact_knee(), pitch, LANDING_RANGE, &hip(0.0));
+                let knee = stance.landing_knee(
+                    style.contact_knee(),
+                    style.knee_contact,
+                    pitch,
+                    LANDING_RANGE,
+                    &hip(0.0),
+                );
                 (knee, knee.position - style.knee_contact)
             } else {
                 // Uphill the standing leg, not the landing one, limits the height: the pitch is kept, and the knee follows.

@@ -79,6 +79,21 @@ macro_rules! style_numbers {
                 }
             }
 
+            /// The numbers between this style and another one; what has no numbers between is this one's.
+            pub(crate) fn mixed(&self, other: &Self, part: f64) -> Self {
+                let mix = |a: f64, b: f64| a + (b - a) * part;
+                Self {
+                    step_length: mix(self.step_length, other.step_length),
+                    double_support: mix(self.double_support, other.double_support),
+                    anterior_tilt: mix(self.anterior_tilt, other.anterior_tilt),
+                    least_knee: mix(self.least_knee, other.least_knee),
+                    clearance: mix(self.clearance, other.clearance),
+                    slope: mix(self.slope, other.slope),
+                    $($name: mix(self.$name, other.$name),)*
+                    ..*self
+                }
+            }
+
             /// The numbers of the table with their names.
             fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
                 [$((stringify!($name), self.$name),)*].into_iter()

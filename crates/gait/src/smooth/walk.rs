@@ -4,6 +4,7 @@ mod check;
 mod course;
 mod feet;
 mod gaits;
+mod grounded;
 mod laws;
 mod numbers;
 mod passes;
@@ -17,6 +18,7 @@ mod tempo;
 mod timeline;
 
 pub(crate) use course::Step;
+pub(crate) use grounded::Grounded;
 pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;
 pub(crate) use steps::Steps;

@@ -36,7 +36,7 @@ pub(crate) fn walk_from(
     let route = Route::of(request, body.height, heading)?;
     let plan = |route: &Route| {
         let plan = route.plan(body, standing, &request.parameters, request.left_first, request.resolution)?;
-        PlanCheck { figure, route }.check(&plan)?;
+        PlanCheck { figure, route, nearest: route.easier() }.check(&plan)?;
         Ok(plan)
     };
     let plan = plan(&route).map_err(|error| advise(error, &route, |route| plan(route).is_ok()))?;

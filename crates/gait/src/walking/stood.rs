@@ -8,6 +8,8 @@ use solaris_model::{Figure, Interval, SolePart};
 pub(crate) struct Stood {
     pub(crate) landed: f64,
     pub(crate) flat: f64,
+    /// Whether it lands on its ball, its toes flat, instead of its heel.
+    pub(crate) on_ball: bool,
     pub(crate) heel_off: f64,
     pub(crate) tip_roll: f64,
     pub(crate) toe_off: f64,
@@ -18,11 +20,12 @@ impl Stood {
     /// flat, the toes' ball until they roll, their tip until it lifts.
     pub(crate) fn planted(&self, figure: &Figure, side: usize) -> impl Iterator<Item = Interval> + use<> {
         let (foot, toes) = (FEET[side], TOES[side]);
+        let toes_from = if self.on_ball { self.landed } else { self.flat };
         let spans = [
-            (foot, SolePart::Heel, self.landed, self.heel_off),
+            (foot, SolePart::Heel, if self.on_ball { self.flat } else { self.landed }, self.heel_off),
             (foot, SolePart::Ball, self.flat, self.heel_off),
-            (toes, SolePart::Ball, self.flat, self.tip_roll),
-            (toes, SolePart::ToeTip, self.flat, self.toe_off),
+            (toes, SolePart::Ball, toes_from, self.tip_roll),
+            (toes, SolePart::ToeTip, toes_from, self.toe_off),
         ];
         let planted = spans.map(|(name, part, start, end)| {
             let link = figure.link_index(name)?;

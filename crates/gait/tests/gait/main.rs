@@ -32,6 +32,7 @@ mod sequence;
 mod smooth_laws;
 mod stride_loop;
 mod sweep;
+mod terrain;
 mod thesis;
 mod thesis_random;
 mod thesis_refusals;

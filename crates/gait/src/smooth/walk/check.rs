@@ -1,6 +1,8 @@
 //! The legs of a plan at its nodes: how straight, how low, how far too short they are.
 
 use super::plan::WalkPlan;
+use crate::body::leg::LegPose;
+use nalgebra::Vector3;
 
 /// What the legs do in a plan, at its nodes.
 pub(crate) struct LegsCheck {
@@ -24,8 +26,13 @@ impl WalkPlan {
             for side in [0, 1] {
                 let (hip, pose) = (hips[side], legs[side]);
                 check.least_knee = least(check.least_knee, (pose.knee, u));
-                let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
-                check.lowest = least(check.lowest, (leg.lowest(toe, ankle, pose.pitch, pose.toes), u));
+                let lowest = if self.is_level() {
+                    let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
+                    leg.lowest(toe, ankle, pose.pitch, pose.toes)
+                } else {
+                    self.lowest_over_ground(side, u, &hip, &pose)
+                };
+                check.lowest = least(check.lowest, (lowest, u));
                 let short = self.feet[side].short(&self.laws, u, &hip);
                 let (longest, at) = least((-check.short.0, check.short.1), (-short, u));
                 check.short = (-longest, at);
@@ -34,6 +41,24 @@ impl WalkPlan {
         check
     }
 }
+
+impl WalkPlan {
+    /// The least height of a point of a sole over ground that is not level (m); within `EDGE` of a riser either side of it counts.
+    fn lowest_over_ground(&self, side: usize, u: f64, hip: &Vector3<f64>, pose: &LegPose) -> f64 {
+        let Some(relief) = self.relief() else { return f64::NAN };
+        let leg = &self.body.leg;
+        let episode = self.laws.course.episode(side, self.laws.course.episode_at(side, u));
+        let points = self.laws.plane.sole(leg, &episode.local(hip), pose, leg.ankle_below_hip(pose));
+        let over = points.iter().map(|point| {
+            let at = episode.print.world(side, point);
+            at.y - relief.lowest_near(at.z, EDGE)
+        });
+        over.fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// How sharp an edge of the ground is (m).
+const EDGE: f64 = 1e-3;
 
 /// The smaller one; NaN wins, so that it is found.
 fn least(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {

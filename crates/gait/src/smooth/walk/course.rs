@@ -13,6 +13,17 @@ pub(crate) struct Step {
     pub(crate) length: f64,
     /// By how much its foot turns to the left of the other one (rad).
     pub(crate) turn: f64,
+    /// By how much its print is higher than the one before (m).
+    pub(crate) rise: f64,
+    /// Pitch of the ground under it (rad).
+    pub(crate) tilt: f64,
+}
+
+impl Step {
+    /// On level ground.
+    pub(crate) fn level(pace: usize, length: f64, turn: f64) -> Self {
+        Self { pace, length, turn, rise: 0.0, tilt: 0.0 }
+    }
 }
 
 /// What a foot does on one print.
@@ -35,6 +46,8 @@ pub(super) struct Print {
     pub(super) place: Vector3<f64>,
     /// Which way it points (rad, to the left of z).
     pub(super) heading: f64,
+    /// Pitch of the ground along z (rad).
+    pub(super) tilt: f64,
 }
 
 impl Print {
@@ -85,18 +98,28 @@ pub(crate) struct Course {
 }
 
 impl Course {
-    pub(super) fn new(steps: &[Step]) -> Self {
-        let mut print = Print::default();
+    /// Of steps from feet that stand on ground of this pitch (rad).
+    pub(super) fn new(steps: &[Step], standing: f64) -> Self {
+        let mut print = Print { tilt: standing, ..Print::default() };
         let mut prints = vec![print];
         for step in steps {
             // Along the chord of an arc.
             let along = turned(print.heading + 0.5 * step.turn, &Vector3::z()) * step.length;
-            print = Print { place: print.place + along, heading: print.heading + step.turn };
+            print = Print {
+                place: print.place + along + Vector3::y() * step.rise,
+                heading: print.heading + step.turn,
+                tilt: step.tilt,
+            };
             prints.push(print);
         }
         prints.push(print);
         let n = steps.len();
         Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints }
+    }
+
+    /// Where it begins.
+    pub(super) fn first(&self) -> Print {
+        self.prints[0]
     }
 
     /// Where the walk ends.
@@ -114,11 +137,21 @@ impl Course {
     pub(super) fn heading(&self, u: f64) -> f64 {
         let x = 2.0 * u - 0.5;
         let k = x.floor();
-        let t = x - k;
-        let control = |offset: isize| {
-            let index = (k as isize + offset).clamp(0, self.steps as isize + 1);
-            self.prints[index as usize].heading
-        };
+        self.blended(k as isize, x - k, |print| print.heading)
+    }
+
+    /// Height of the ground that the body follows: over contact k that of its print, in between along a cubic B-spline (C²), which is a
+    /// line where prints rise evenly.
+    pub(super) fn rise(&self, u: f64) -> f64 {
+        let x = 2.0 * u;
+        let k = x.floor();
+        self.blended(k as isize, x - k, |print| print.place.y)
+    }
+
+    /// Cubic B-spline of a number of the prints, at the part `t` of the way from print `k` to the next one.
+    fn blended(&self, k: isize, t: f64, of: impl Fn(&Print) -> f64) -> f64 {
+        let control =
+            |offset: isize| of(&self.prints[(k + offset).clamp(0, self.steps as isize + 1) as usize]);
         let s = 1.0 - t;
         let weights =
             [s * s * s, 3.0 * t * t * t - 6.0 * t * t + 4.0, 3.0 * s * s * s - 6.0 * s * s + 4.0, t * t * t];
@@ -159,8 +192,8 @@ mod tests {
     #[test]
     fn an_even_turn_goes_round_a_circle_and_faces_along_it() {
         let turn = 0.3;
-        let steps = [Step { pace: 0, length: 0.6, turn }; 20];
-        let course = Course::new(&steps);
+        let steps = [Step::level(0, 0.6, turn); 20];
+        let course = Course::new(&steps, 0.0);
         // Chords of 0.6 m that turn by 0.3: a circle of radius 0.3 m / sin 0.15 to the left.
         let radius = 0.3 / (0.5 * turn).sin();
         for print in &course.prints {
@@ -175,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_prints_frame_goes_there_and_back() {
-        let print = Print { place: Vector3::new(0.2, 0.0, 1.0), heading: 0.7 };
+        let print = Print { place: Vector3::new(0.2, 0.0, 1.0), heading: 0.7, tilt: 0.0 };
         let point = Vector3::new(-0.4, 0.9, 1.7);
         for side in [0, 1] {
             assert!((print.world(side, &print.local(side, &point)) - point).norm() < 1e-15);

@@ -1,18 +1,22 @@
 //! The feet of a walk: every print of one foot, and the swings between them.
 
 use super::course::{Episode, Kind};
+use super::gaits::LandingLaw;
 use super::laws::WalkLaws;
 use super::numbers::{
-    CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
-    KNEE_FLAT, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF,
-    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS,
+    CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, FLAT_UNTIL_CHANGE, INSTANTS,
+    KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT,
+    PEAK_FOLLOWS, STANDING_FROM, STANDING_HEEL_LATER, STANDING_HEEL_OFF, STANDING_TOE_OFF, STANDING_WAYPOINT,
+    THIGH_FOLLOWS,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
 use crate::limbs::jet::LegJet;
 use crate::limbs::midstance::above_flexion;
-use crate::limbs::stance::{Landing, Stance};
-use crate::limbs::swing::{Swing, sideways};
+use crate::limbs::path::{Air, PathSwing};
+use crate::limbs::push::Push;
+use crate::limbs::stance::{Footing, Landing, Stance};
+use crate::limbs::swing::sideways;
 use crate::smooth::legs::Aim;
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, ProfileError, UniformSpline};
@@ -21,7 +25,7 @@ use solaris_profiles::{Boundary, ProfileError, UniformSpline};
 pub(super) struct Foot {
     side: usize,
     pub(super) stances: Vec<Stance>,
-    swings: Vec<Swing>,
+    swings: Vec<Air>,
 }
 
 /// The hip over a walk.
@@ -70,25 +74,55 @@ impl Foot {
                 sideways(leg, &jet.pose(), if side == 0 { turn } else { -turn })
             };
             let sideways = [leans(&from, style.toe_off(), &start), leans(&to, 0.0, end)];
+            let tilt = [from.print.tilt, to.print.tilt];
             let aim = if to.kind == Kind::Close {
                 Aim {
                     thigh: style.thigh_swing * laws.numbers.closing_thigh,
                     late_knee: 0.0,
                     beside: true,
-                    tilt: [0.0; 2],
+                    tilt,
                     sideways,
                 }
             } else {
-                let steady = laws.gaits.of_contact(to.index).contact_thigh;
-                let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady);
-                let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
-                Aim { thigh, late_knee, beside: false, tilt: [0.0; 2], sideways }
+                let steady = laws.gaits.landing(to.index);
+                let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady.thigh);
+                let late_knee = style.knee_late_swing + end.knee.position - steady.knee;
+                Aim { thigh, late_knee, beside: false, tilt, sideways }
             };
+            let passings = laws.gaits.passings(&to);
+            if !passings.is_empty() {
+                let (lifted, landed) = (&stances[j], &stances[j + 1]);
+                let (start, end) = (lifted.toe_off_path(seen(from)), landed.contact_path(seen(to)));
+                let ahead = from.local(&to.print.place) - from.local(&from.print.place);
+                let mut path = PathSwing::new(leg, style.toe_off(), passings, &start, &end, &ahead)?;
+                let nodes = hip.timeline.between(from.contact + style.toe_off(), to.contact);
+                let hips: Vec<(f64, Vector3<f64>)> =
+                    nodes.map(|(node, u)| (u - from.contact, from.local(&hip.nodes[node].into()))).collect();
+                let gap = |point: &Vector3<f64>| laws.above_ground(&from.print.world(side, point));
+                path.clear_terrain(leg, &laws.plane, style.clearance, &hips, gap);
+                swings.push(Air::Path(path));
+                continue;
+            }
+            let mut style = style;
+            if laws.relief.is_some() && to.kind != Kind::Close {
+                // A foot that lands with a bent leg swings with a more bent one.
+                let bent = end.knee.position - laws.gaits.landing(to.index).knee - PEAK_FOLLOWS.0;
+                style.knee_peak += PEAK_FOLLOWS.1 * bent.max(0.0);
+            }
             let mut swing = style.swing(&start, end, &aim)?;
-            let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);
-            let heights: Vec<(f64, f64)> =
-                heights.map(|(node, u)| (u - from.contact, hip.nodes[node][1])).collect();
-            swing.clear_ground(leg, &style.ground_clearance(laws.numbers.late_clearance), &heights);
+            let nodes = hip.timeline.between(from.contact + style.toe_off(), to.contact);
+            let clearance = style.ground_clearance(laws.numbers.late_clearance);
+            if laws.relief.is_some() {
+                let hips: Vec<(f64, Vector3<f64>)> =
+                    nodes.map(|(node, u)| (u - from.contact, from.local(&hip.nodes[node].into()))).collect();
+                let gap = |point: &Vector3<f64>| laws.above_ground(&from.print.world(side, point));
+                swing.clear_terrain(leg, &laws.plane, &clearance, &hips, gap);
+            } else {
+                let heights: Vec<(f64, f64)> =
+                    nodes.map(|(node, u)| (u - from.contact, hip.nodes[node][1])).collect();
+                swing.clear_ground(leg, &clearance, &heights);
+            }
+            let swing = Air::Joints(swing);
             swings.push(swing);
         }
         Ok(Self { side, stances, swings })
@@ -97,7 +131,9 @@ impl Foot {
     /// The leg at the clock `u`, for a hip of the world.
     pub(super) fn pose(&self, laws: &WalkLaws, leg: &LegGeometry, u: f64, hip: &Vector3<f64>) -> LegPose {
         match self.at(laws, u) {
-            (j, episode, v) if self.swings_at(laws, j, &episode, v) => self.swings[j].pose(leg, v),
+            (j, episode, v) if self.swings_at(laws, j, &episode, v) => {
+                self.swings[j].pose(&laws.plane, leg, v, &episode.local(hip))
+            }
             (j, episode, v) => self.stances[j].pose(v, &episode.local(hip)),
         }
     }
@@ -129,20 +165,24 @@ fn stance(
     episode: &Episode,
     hip: impl Fn(f64) -> Vector3<f64>,
 ) -> Result<(Stance, LegJet), ProfileError> {
-    let style = &laws.gaits.stance(episode).style;
-    let mut push = style.push();
+    let law = laws.gaits.stance(episode);
+    let style = &law.style;
+    let mut push = Push { least_knee: law.least_knee, ..style.push() };
     let landing = match episode.kind {
         Kind::First | Kind::Close => Landing::Flat,
-        Kind::Step | Kind::Last => Landing::Heel,
+        Kind::Step | Kind::Last => law.landing,
     };
     match (episode.kind, side) {
         (Kind::First, 0) => {
-            push.heel_off = STANDING_HEEL_OFF;
+            push.softness = 0.0;
+            let uphill = (episode.print.tilt / STANDING_HEEL_LATER.0).clamp(0.0, 1.0);
+            push.heel_off = STANDING_HEEL_OFF + STANDING_HEEL_LATER.1 * uphill;
             push.waypoint = Some((STANDING_WAYPOINT.0, style.knee_push.max(STANDING_WAYPOINT.1)));
             push.knee_toe_off.position -= STANDING_TOE_OFF.0;
             push.knee_toe_off.velocity -= STANDING_TOE_OFF.1;
         }
         (Kind::First, _) => {
+            push.softness = 0.0;
             push.heel_off = style.toe_off() - FIRST_HEEL_OFF;
             push.waypoint = None;
             push.tip_roll_at = style.toe_off() - FIRST_TIP_ROLL;
@@ -151,18 +191,21 @@ fn stance(
         }
         _ => {}
     }
-    let mut stance = Stance::new(leg, &style.footing(), landing, push);
-    let mut knee = None;
+    let footing = Footing { tilt: episode.print.tilt, ..style.footing() };
+    let mut stance = Stance::new(leg, &footing, landing, push);
+    let mut contact_knee = None;
     if landing == Landing::Heel {
         let (pitch, range) = (-contact_pitch(laws, episode), laws.numbers.landing_range);
-        let jet = stance.landing_knee(style.contact_knee(), pitch, range, &hip(0.0));
+        let LandingLaw { knee, straightest, .. } = *laws.gaits.landing(episode.index);
+        let wanted = Boundary { position: knee, ..style.contact_knee() };
+        let jet = stance.landing_knee(wanted, straightest, pitch, range, &hip(0.0));
         stance.set_contact(jet, &hip)?;
-        knee = Some(jet);
+        contact_knee = Some(jet);
     }
     if matches!(episode.kind, Kind::First | Kind::Step) {
         stance.set_push(&hip)?;
     }
-    let contact = stance.contact_jet(knee, &hip);
+    let contact = stance.contact_jet(contact_knee, &hip);
     Ok((stance, contact))
 }
 
@@ -173,7 +216,7 @@ fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
         Episode { index: 1, .. } => laws.numbers.pitch_first,
         _ => 1.0,
     };
-    laws.style(episode.index).heel_strike_angle * factor
+    laws.gaits.landing(episode.index).style.heel_strike_angle * factor
 }
 
 /// How far the body is above what the leg reaches with the wanted knee, by the correction that can lower it. Signed: a
@@ -197,11 +240,19 @@ fn note_need(
         (0..count).map(move |i| from + (to - from) * f64::from(i) / f64::from(count - 1))
     };
     if matches!(episode.kind, Kind::Step | Kind::Last) {
-        note(0.0, stance.ankle_on_heel(-contact_pitch(laws, episode)), KNEE_CONTACT);
+        let landing = laws.gaits.landing(episode.index);
+        let knee = if landing.style.stairs.is_some() { landing.style.knee_contact } else { KNEE_CONTACT };
+        note(0.0, stance.landing_ankle(-contact_pitch(laws, episode)), knee);
     }
-    let (flat, ankle) = (laws.style(episode.index).foot_flat, stance.flat_ankle());
+    let law = &laws.gaits.stance(episode).style;
+    let (flat, ankle) = (law.foot_flat, stance.flat_ankle());
     match episode.kind {
-        Kind::Step => spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, KNEE_FLAT)),
+        Kind::Step => {
+            let changes = laws.slope_changes(episode.index);
+            let until = if changes { stance.heel_off().max(FLAT_UNTIL_CHANGE) } else { stance.heel_off() };
+            let knee = law.least_knee - KNEE_FLAT_BELOW;
+            spread(flat, until, INSTANTS[0]).for_each(|v| note(v, ankle, knee));
+        }
         Kind::Last => {
             spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
             let knee = laws.numbers.knee_closing;
@@ -209,8 +260,12 @@ fn note_need(
                 spread(CLOSING.0, CLOSING.1, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
             }
         }
-        Kind::First => spread(STANDING_FROM, STANDING_HEEL_OFF, INSTANTS[3])
-            .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
+        Kind::First => spread(
+            STANDING_FROM,
+            if episode.side == 0 { stance.heel_off() } else { STANDING_HEEL_OFF },
+            INSTANTS[3],
+        )
+        .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
     }
     let flexion = laws.style(episode.index).flexion;

@@ -1,9 +1,12 @@
 //! The paces of a walk, and which of them a clock belongs to.
 
 use super::course::{Episode, Step};
+use super::grounded::Grounded;
 use super::standing::Standing;
 use super::tempo::{Tempo, smooth_step};
 use crate::error::GaitError;
+use crate::limbs::path::Passing;
+use crate::limbs::stance::Landing;
 use crate::smooth::laws;
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
@@ -12,12 +15,14 @@ use solaris_profiles::Clip;
 use solaris_profiles::spline::CubicSpline;
 
 /// A pace: its style, and what its steady stride says.
-pub(super) struct Gait {
+#[derive(Clone)]
+pub(crate) struct Gait {
     pub(super) style: Style,
     /// Mean height of the centre of mass (m).
     pub(super) mean_height: f64,
-    /// The thigh at contact (rad).
+    /// Thigh and knee at contact (rad).
     pub(super) contact_thigh: f64,
+    pub(super) contact_knee: f64,
     pub(super) standing: Standing,
     /// Rate of the angular momentum and centre of mass against the pelvis, by node.
     momentum_rate: Vec<Vector3<f64>>,
@@ -25,15 +30,32 @@ pub(super) struct Gait {
 }
 
 impl Gait {
-    fn of(stride: &StridePlan) -> Self {
+    pub(super) fn of(stride: &StridePlan) -> Self {
         let nodes = 0..stride.node_count();
         Self {
             style: stride.style,
             mean_height: stride.mean_height(),
             contact_thigh: stride.contact.thigh.position,
-            standing: Standing::new(&stride.body, &stride.style),
+            contact_knee: stride.contact.knee.position,
+            standing: Standing::new(&stride.body, &stride.style, 0.0),
             momentum_rate: nodes.map(|node| stride.momentum_rate(node)).collect(),
             com_offset: stride.com_offset.clone(),
+        }
+    }
+
+    /// Between this pace and another one of as many nodes.
+    pub(super) fn mixed(&self, other: &Self, part: f64) -> Self {
+        let mix = |a: f64, b: f64| a + (b - a) * part;
+        let all =
+            |a: &[Vector3<f64>], b: &[Vector3<f64>]| a.iter().zip(b).map(|(a, b)| a.lerp(b, part)).collect();
+        Self {
+            style: self.style.mixed(&other.style, part),
+            mean_height: mix(self.mean_height, other.mean_height),
+            contact_thigh: mix(self.contact_thigh, other.contact_thigh),
+            contact_knee: mix(self.contact_knee, other.contact_knee),
+            standing: self.standing,
+            momentum_rate: all(&self.momentum_rate, &other.momentum_rate),
+            com_offset: all(&self.com_offset, &other.com_offset),
         }
     }
 
@@ -48,7 +70,36 @@ impl Gait {
 /// What a foot does on one print: its pace's style with the double support in which it lifts, and where it is pressed.
 pub(super) struct StanceLaw {
     pub(super) style: Style,
+    /// How it lands, if it does.
+    pub(super) landing: Landing,
+    /// Least flexion of the knee in the push.
+    pub(super) least_knee: f64,
     pub(super) cop: Clip<CubicSpline>,
+}
+
+impl StanceLaw {
+    /// In this style, landing as `landing`.
+    pub(super) fn of(style: Style, landing: &Style, least_knee: f64) -> Result<Self, GaitError> {
+        Ok(Self { landing: landing.landing(), least_knee, cop: laws::cop_of(landing, &style)?, style })
+    }
+}
+
+/// How a foot lands at a contact.
+#[derive(Clone, Copy)]
+pub(super) struct LandingLaw {
+    pub(super) style: Style,
+    /// Knee and thigh of a steady stride there, and the knee that it is hardly straighter than (rad).
+    pub(super) knee: f64,
+    pub(super) thigh: f64,
+    pub(super) straightest: f64,
+}
+
+/// How a foot swings to a contact.
+#[derive(Clone)]
+pub(super) struct SwingLaw {
+    pub(super) style: Style,
+    /// Edges that it passes, if any: then its path is the law.
+    pub(super) passings: Vec<Passing>,
 }
 
 /// The paces of a walk.
@@ -58,6 +109,9 @@ pub(super) struct Gaits {
     of_contact: Vec<usize>,
     /// By the contact before which a foot lifts.
     stances: Vec<StanceLaw>,
+    /// By contact.
+    landings: Vec<LandingLaw>,
+    swings: Vec<SwingLaw>,
     pub(super) tempo: Tempo,
     /// Stride time of the fastest pace (s).
     pub(super) stride_time: f64,
@@ -77,11 +131,52 @@ impl Gaits {
                 let style_of = |contact: usize| &paces[of_contact[contact.min(of_contact.len() - 1)]].style;
                 let double_support = style_of(next).double_support;
                 let style = Style { double_support, ..*style_of(next.saturating_sub(1)) };
-                Ok(StanceLaw { style, cop: laws::cop(&style)? })
+                StanceLaw::of(style, &style, f64::NEG_INFINITY)
             })
             .collect::<Result<_, GaitError>>()?;
         let tempo = tempo(&paces, stride_time, standing, steps);
-        Ok(Self { paces, of_contact, stances, tempo, stride_time })
+        let landing = |pace: &usize| {
+            let Gait { style, contact_thigh, .. } = &paces[*pace];
+            let knee = style.knee_contact;
+            LandingLaw { style: *style, knee, thigh: *contact_thigh, straightest: knee }
+        };
+        let landings = of_contact.iter().map(landing).collect();
+        let swing = |pace: &usize| SwingLaw { style: paces[*pace].style, passings: Vec::new() };
+        let swings = of_contact.iter().map(swing).collect();
+        Ok(Self { paces, of_contact, stances, landings, swings, tempo, stride_time })
+    }
+
+    /// On ground that is not level, where every contact has a pace of its own.
+    pub(super) fn on_ground(grounded: &Grounded) -> Result<Self, GaitError> {
+        let contacts = &grounded.contacts;
+        let last = contacts.len() - 1;
+        let stances = (0..=contacts.len())
+            .map(|next| {
+                let contact = &contacts[next.saturating_sub(1)];
+                let double_support = contacts[next.min(last)].gait.style.double_support;
+                StanceLaw::merged(&contact.landing.style, &contact.push, double_support)
+            })
+            .collect::<Result<_, GaitError>>()?;
+        let stride_time = contacts[0].gait.style.stride_time;
+        Ok(Self {
+            paces: contacts.iter().map(|contact| contact.gait.clone()).collect(),
+            of_contact: (0..contacts.len()).collect(),
+            stances,
+            landings: contacts.iter().map(|contact| contact.landing).collect(),
+            swings: grounded.swings.clone(),
+            tempo: Tempo::new(vec![1.0; contacts.len() - 1]),
+            stride_time,
+        })
+    }
+
+    /// How a foot lands at contact `k`.
+    pub(super) fn landing(&self, k: usize) -> &LandingLaw {
+        &self.landings[k.min(self.landings.len() - 1)]
+    }
+
+    /// The edges that a foot passes on its way to a print.
+    pub(super) fn passings(&self, to: &Episode) -> &[Passing] {
+        &self.swings[to.index.min(self.swings.len() - 1)].passings
     }
 
     /// The tempo of other steps of the same paces.
@@ -102,7 +197,7 @@ impl Gaits {
     /// The style in which a foot swings from one print to the next.
     pub(super) fn swing(&self, from: &Episode, to: &Episode) -> Style {
         let double_support = self.stance(from).style.double_support;
-        Style { double_support, ..self.of_contact(to.index).style }
+        Style { double_support, ..self.swings[to.index.min(self.swings.len() - 1)].style }
     }
 
     /// The pace at a clock, and in a step in which it changes how much of which other one: over step k from that of contact

@@ -1,9 +1,10 @@
 //! The laws over a whole walk: height, load share and centre of pressure.
 
-use super::course::{Course, Episode, Kind, Step};
+use super::course::{Course, Episode, Kind, Print, Step};
 use super::gaits::Gaits;
+use super::grounded::Grounded;
 use super::numbers::{
-    CORRECTION_IN, COUNTS_AHEAD, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
+    CORRECTION_IN, COUNTS_AHEAD, EDGES, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
     LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
 };
 use crate::body::Body;
@@ -11,11 +12,16 @@ use crate::body::foot::{FootPlane, turned};
 use crate::body::rotations::Euler;
 use crate::error::GaitError;
 use crate::smooth::laws::{self, Swings};
+use crate::smooth::prescribed::normal_of;
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_analysis::FootSupport;
+use solaris_model::Relief;
 use solaris_profiles::step;
+
+/// Slopes that differ by no more are one (rad).
+const SAME_SLOPE: f64 = std::f64::consts::PI / 180.0;
 
 /// Amplitudes of the shifts of load at both ends, from the solve.
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,6 +35,8 @@ pub(crate) struct Amplitudes {
 /// The laws of a walk.
 pub(crate) struct WalkLaws {
     pub(crate) course: Course,
+    /// Ground that is not level.
+    pub(crate) relief: Option<Relief>,
     pub(super) gaits: Gaits,
     pub(super) numbers: WalkNumbers,
     pub(super) amplitudes: Amplitudes,
@@ -46,10 +54,15 @@ impl WalkLaws {
         standing: usize,
         steps: &[Step],
         numbers: WalkNumbers,
+        ground: Option<&Grounded>,
     ) -> Result<Self, GaitError> {
         Ok(Self {
-            course: Course::new(steps),
-            gaits: Gaits::new(strides, standing, steps)?,
+            course: Course::new(steps, ground.map_or(0.0, |ground| ground.standing)),
+            relief: ground.map(|ground| ground.relief.clone()),
+            gaits: match ground {
+                Some(ground) => Gaits::on_ground(ground)?,
+                None => Gaits::new(strides, standing, steps)?,
+            },
             numbers,
             amplitudes: Amplitudes::default(),
             plane: FootPlane::new(strides[standing].style.foot_yaw),
@@ -107,12 +120,13 @@ impl WalkLaws {
     /// Height of the centre of mass without corrections (m).
     pub(super) fn height(&self, u: f64) -> f64 {
         let (walking, bobbing) = (self.walking(u), self.bobbing(u));
-        self.gaits.number(u, |pace| {
-            let standing = pace.standing.com.y;
-            standing
-                + (pace.mean_height - standing) * walking
-                + bobbing * laws::height(&pace.style, self.leg_length, u).0
-        })
+        self.course.rise(u)
+            + self.gaits.number(u, |pace| {
+                let standing = pace.standing.com.y;
+                standing
+                    + (pace.mean_height - standing) * walking
+                    + bobbing * laws::height(&pace.style, self.leg_length, u).0
+            })
     }
 
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
@@ -157,6 +171,45 @@ impl WalkLaws {
             + (to - from.print.heading) * step::quintic((v - toe_off) / (1.0 - toe_off)).position
     }
 
+    /// Pitch of the ground that a foot is turned in: that of its print, in the air from one print to the next.
+    pub(super) fn foot_tilt(&self, side: usize, u: f64) -> f64 {
+        let j = self.course.episode_at(side, u);
+        let from = self.course.episode(side, j);
+        let toe_off = self.toe_off(&from);
+        let v = u - from.contact;
+        if v <= toe_off || j + 1 == self.course.episode_count(side) {
+            return from.print.tilt;
+        }
+        let to = self.course.episode(side, j + 1).print.tilt;
+        from.print.tilt + (to - from.print.tilt) * step::quintic((v - toe_off) / (1.0 - toe_off)).position
+    }
+
+    /// Whether a foot lands as on stairs at contact `k`.
+    pub(super) fn on_stairs(&self, k: usize) -> bool {
+        self.gaits.landing(k).style.stairs.is_some()
+    }
+
+    /// Whether the ground's slope changes about contact `k`.
+    pub(super) fn slope_changes(&self, k: usize) -> bool {
+        let slopes = |from: usize, to: usize| (from..=to).map(|k| self.gaits.landing(k).style.slope);
+        if self.relief.is_none() {
+            return false;
+        }
+        let (least, most) = slopes(k.saturating_sub(1), k + 2)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), slope| {
+                (least.min(slope), most.max(slope))
+            });
+        let stairs = |k: usize| self.on_stairs(k);
+        most - least > SAME_SLOPE || (!stairs(k) && (k + 1..=k + 2).any(stairs))
+    }
+
+    /// Height of a point of the world over the ground (m), whose edges reach a little farther.
+    pub(super) fn above_ground(&self, point: &Vector3<f64>) -> f64 {
+        let Some(relief) = &self.relief else { return point.y };
+        let (here, near) = (relief.height(point.z), relief.highest_near(point.z, EDGES.0));
+        point.y - if near - here > EDGES.1 { near } else { here }
+    }
+
     /// Load share of the left foot without the shifts.
     fn share(&self, u: f64) -> f64 {
         let last = self.course.steps + 1;
@@ -175,15 +228,15 @@ impl WalkLaws {
         if k % 2 == 1 { 1.0 - risen } else { risen }
     }
 
-    /// Centre of pressure of a foot.
-    fn cop(&self, side: usize, u: f64) -> Vector3<f64> {
+    /// Share and centre of pressure of a foot.
+    fn foot(&self, side: usize, u: f64, share: f64) -> FootSupport {
         let course = &self.course;
         let j = course.episode_at(side, u);
         let episode = course.episode(side, j);
         let stance = self.gaits.stance(&episode);
         let v = u - episode.contact;
-        let standing =
-            self.gaits.of_contact(episode.index).standing.com.z / (self.foot_length * self.plane.forward.z);
+        let standing = self.gaits.of_contact(episode.index).standing.com.z
+            / (self.foot_length * self.plane.forward.z * episode.print.tilt.cos());
         let law = |v: f64| stance.cop.at(v.clamp(0.0, stance.style.toe_off())).position;
         let mix = |s: f64, a: f64, b: f64| a + (b - a) * step::quintic(s).position;
         let (flat, toe_off) = (stance.style.foot_flat, stance.style.toe_off());
@@ -207,14 +260,16 @@ impl WalkLaws {
         let next = (j + 1 < course.episode_count(side)).then(|| course.episode(side, j + 1));
         let on = next.filter(|next| u >= next.contact - COUNTS_AHEAD).unwrap_or(episode);
         let beside = self.style(on.index).step_width / 2.0;
-        let at = Vector3::x() * beside + self.plane.forward * (fraction * self.foot_length);
-        on.print.world(side, &at)
+        let forward = self.plane.tilted(on.print.tilt).column(2).into_owned();
+        let at = Vector3::x() * beside + forward * (fraction * self.foot_length);
+        let normal = normal_of(on.print.tilt).map(|normal| turned(on.print.heading, &normal));
+        FootSupport { share, cop: on.print.world(side, &at), normal }
     }
 
     /// Share and centre of pressure of both feet without the shifts.
     pub(super) fn unshifted(&self, u: f64) -> [FootSupport; 2] {
         let share = self.share(u);
-        [FootSupport::level(share, self.cop(0, u)), FootSupport::level(1.0 - share, self.cop(1, u))]
+        [self.foot(0, u, share), self.foot(1, u, 1.0 - share)]
     }
 
     /// Shapes of the shifts: fore and aft at the start and the end, sideways at the start and the end (m).
@@ -235,7 +290,9 @@ impl WalkLaws {
     /// Directions of the shifts: along and across the way at the start and the end.
     pub(super) fn shift_axes(&self) -> [Vector3<f64>; 4] {
         let end = self.course.last().heading;
-        [Vector3::z(), turned(end, &Vector3::z()), Vector3::x(), turned(end, &Vector3::x())]
+        // Along the ground.
+        let along = |print: &Print| turned(print.heading, &Vector3::new(0.0, print.tilt.tan(), 1.0));
+        [along(&self.course.first()), along(&self.course.last()), Vector3::x(), turned(end, &Vector3::x())]
     }
 
     /// Share and centre of pressure of both feet. The sideways shifts are shifts of load between the feet.

@@ -19,6 +19,8 @@ pub(super) const KNEE_FLAT: f64 = 6.8 * DEGREE;
 pub(super) const KNEE_START: f64 = 4.5 * DEGREE;
 /// Knee flexion when standing.
 pub(super) const KNEE_STANDING: f64 = 4.0 * DEGREE;
+/// How much more a knee is bent when standing on a slope, over the slope.
+pub(super) const KNEE_BY_SLOPE: f64 = 0.8;
 /// Centre of mass ahead of the ankles when standing (m, for the reference height).
 pub(super) const STANDING_AHEAD: f64 = 0.045;
 /// Share of a height need that one pass corrects, the most it corrects, and the range of all corrections (m).
@@ -28,6 +30,19 @@ pub(super) const CORRECTION: (f64, f64, f64, f64) = (0.9, 0.01, -0.05, 0.06);
 pub(super) const KEPT_PASSES: (usize, usize) = (2, 4);
 /// Part of the way to the momentum found that a pass goes: in the first passes, how many these are, and afterwards.
 pub(super) const RELAXATION: (f64, usize, f64) = (0.5, 3, 0.8);
+/// The same on ground that is not level, the passes that a walk takes there at least, and the range of its corrections (m).
+pub(super) const GROUND_RELAXATION: (f64, usize, f64) = (0.4, 6, 0.7);
+pub(super) const GROUND_PASSES: usize = 18;
+pub(super) const GROUND_CORRECTIONS: (f64, f64) = (-0.06, 0.08);
+/// The most by which the last two contacts raise the body there (m): it comes to rest beside them.
+pub(super) const LAST_RAISED: f64 = -0.02;
+/// How near to an edge the ground counts as high as the edge for a foot in the air, and how much higher an edge is at least (m).
+pub(super) const EDGES: (f64, f64) = (0.02, 0.012);
+/// How much straighter than the style's a knee on a flat foot may be (rad), and until when a foot is looked at where the slope changes (u).
+pub(super) const KNEE_FLAT_BELOW: f64 = 0.2 * DEGREE;
+pub(super) const FLAT_UNTIL_CHANGE: f64 = 0.40;
+/// On ground that is not level a knee that lands so much more bent than in a steady stride (rad) is more bent in swing, too, by a part of it.
+pub(super) const PEAK_FOLLOWS: (f64, f64) = (8.0 * DEGREE, 0.7);
 /// Least weight by which a need is divided: where a correction hardly lowers the body it is not asked for more than twice.
 pub(super) const LEAST_WEIGHT: f64 = 0.5;
 /// Least height of a hip over its ankle that is reckoned with, over the length of thigh and shank.
@@ -47,6 +62,8 @@ pub(super) const THIGH_FOLLOWS: f64 = 0.8;
 
 /// The foot that stands while the other makes the first step: when its heel rises (u).
 pub(super) const STANDING_HEEL_OFF: f64 = 0.06;
+/// How much later that is uphill (u), from which slope on (rad).
+pub(super) const STANDING_HEEL_LATER: (f64, f64) = (10.0 * DEGREE, 0.20);
 /// Its knee's waypoint: when (u), and how bent at least (rad).
 pub(super) const STANDING_WAYPOINT: (f64, f64) = (0.40, 12.0 * DEGREE);
 /// How much less its knee is bent at toe-off (rad), and how much slower it bends (rad by u).
@@ -136,6 +153,14 @@ impl WalkNumbers {
             knee_closing: 0.0,
             late_clearance: 0.0,
         }
+    }
+}
+
+impl WalkNumbers {
+    /// What ships on ground that is not level, where landing legs more often than standing ones decide how low the body must be: its
+    /// corrections come earlier.
+    pub fn on_ground() -> Self {
+        Self { correction_at: 0.18, ..Self::default() }
     }
 }
 

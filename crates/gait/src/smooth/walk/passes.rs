@@ -2,7 +2,9 @@
 
 use super::feet::{Foot, Hip};
 use super::laws::{Amplitudes, WalkLaws};
-use super::numbers::{CORRECTION, KEPT_PASSES, RELAXATION};
+use super::numbers::{
+    CORRECTION, GROUND_CORRECTIONS, GROUND_PASSES, GROUND_RELAXATION, KEPT_PASSES, LAST_RAISED, RELAXATION,
+};
 use super::solve::{Way, factor, rest_to_rest};
 use super::timeline::Timeline;
 use crate::body::Body;
@@ -11,10 +13,13 @@ use crate::body::leg::LegPose;
 use crate::error::GaitError;
 use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
-use crate::smooth::prescribed::PrescribedNode;
+use crate::smooth::prescribed::{PrescribedNode, spread};
 use crate::walking::G;
 use nalgebra::Vector3;
 use solaris_profiles::UniformSpline;
+
+/// Part of the way to the free moments found that a pass goes.
+const TILTING_FOLLOWS: f64 = 0.8;
 
 /// Weight of one height correction at a node, and its second derivative in time.
 struct CorrectionWeight {
@@ -37,6 +42,12 @@ pub(super) struct Passes {
     weights: Vec<Vec<CorrectionWeight>>,
     shapes: [Vec<f64>; 4],
     centre: Vec<Vector3<f64>>,
+    /// Covariance of the feet's places, see [`spread`], and the height of the pivot; none on level ground.
+    spread: Vec<(Vector3<f64>, f64)>,
+    /// Horizontal part of the free moments.
+    tilting: Vec<Vector3<f64>>,
+    /// That of the pass before, which the way was solved with.
+    solved_tilting: Vec<Vector3<f64>>,
     momentum_rate: Vec<Vector3<f64>>,
     /// Centre of mass against the pelvis' origin.
     offset: Vec<Vector3<f64>>,
@@ -69,6 +80,8 @@ impl Passes {
             .collect();
         let shifts: Vec<[f64; 4]> = clocks.iter().map(|&u| laws.shifts(u)).collect();
         let shift = |shape: usize| shifts.iter().map(|shapes| shapes[shape]).collect();
+        let spreads = clocks.iter().map(|&u| (spread(&laws.unshifted(u)), laws.pivot(u)));
+        let spread = if laws.relief.is_some() { spreads.collect() } else { Vec::new() };
         let centre = clocks
             .iter()
             .map(|&u| laws.unshifted(u).iter().map(|foot| foot.cop * foot.share).sum())
@@ -88,13 +101,17 @@ impl Passes {
         };
         let (momentum_rate, offset) = clocks.iter().map(|&u| guess(u)).unzip();
         let heading = |i: usize, side: usize| laws.foot_heading(side, clocks[i]);
+        let tilt = |i: usize, side: usize| laws.foot_tilt(side, clocks[i]);
         Self {
-            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, laws.plane, heading, |_, _| 0.0),
+            kernel: MomentumKernel::new(&body, &timeline.grid, &upper, laws.plane, heading, tilt),
             hips,
             height,
             weights,
             shapes: [shift(0), shift(1), shift(2), shift(3)],
             centre,
+            spread,
+            tilting: vec![Vector3::zeros(); count],
+            solved_tilting: vec![Vector3::zeros(); count],
             momentum_rate,
             offset,
             corrections: vec![0.0; laws.course.steps + 1],
@@ -107,20 +124,21 @@ impl Passes {
 
     /// Runs the passes; the last one is the walk.
     pub(super) fn run(mut self, passes: usize) -> Result<Solved, GaitError> {
-        let passes = passes.max(1);
+        let uneven = self.laws.relief.is_some();
+        let passes = passes.max(if uneven { GROUND_PASSES } else { 1 });
         let mut last = None;
         for pass in 0..passes {
             last = Some(self.pass(pass, passes)?);
         }
         let Some(Pass { feet, pelvis, rate, vertical }) = last else { unreachable!("at least one pass") };
-        let Self { body, laws, timeline, corrections, offset, .. } = self;
+        let Self { body, laws, timeline, corrections, offset, solved_tilting, .. } = self;
         let nodes = (0..timeline.grid.count)
             .map(|i| PrescribedNode {
                 com: pelvis[i] + offset[i],
                 vertical: vertical[i],
                 momentum_rate: rate[i],
                 feet: laws.support(timeline.clock(i)),
-                tilting: Vector3::zeros(),
+                tilting: solved_tilting[i],
             })
             .collect();
         Ok(Solved { body, laws, timeline, feet, pelvis, nodes, corrections })
@@ -154,18 +172,52 @@ impl Passes {
                 i => self.timeline.grid.first(i, |j| momentum.angular[j]),
             })
             .collect();
-        let relaxation = if pass < RELAXATION.1 { RELAXATION.0 } else { RELAXATION.2 };
+        let uneven = self.laws.relief.is_some();
+        let (first_part, firsts, later) = if uneven { GROUND_RELAXATION } else { RELAXATION };
+        let relaxation = if pass < firsts { first_part } else { later };
         for (old, new) in self.momentum_rate.iter_mut().zip(&rate) {
             *old += (new - *old) * relaxation;
         }
         self.offset = momentum.com;
+        self.solved_tilting.clone_from(&self.tilting);
+        if uneven {
+            for i in 0..count {
+                let clock = self.timeline.clock(i);
+                let node = PrescribedNode {
+                    com: pelvis[i] + self.offset[i],
+                    vertical: vertical[i],
+                    momentum_rate: rate[i],
+                    feet: self.laws.support(clock),
+                    tilting: self.tilting[i],
+                };
+                let needed = node.needed_tilting(self.laws.pivot(clock));
+                self.tilting[i] = self.tilting[i].lerp(&needed, TILTING_FOLLOWS);
+            }
+        }
         if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
             let (share, most, lower, upper) = CORRECTION;
-            for (correction, need) in self.corrections.iter_mut().zip(&need) {
+            let (lower, upper) = if uneven { GROUND_CORRECTIONS } else { (lower, upper) };
+            for (k, (correction, need)) in self.corrections.iter_mut().zip(&need).enumerate() {
+                // On stairs the body is never raised: a leg that is bent there may stay bent.
+                let lower = if self.laws.on_stairs(k) {
+                    0.0
+                } else if uneven && k + 1 >= self.laws.course.steps {
+                    LAST_RAISED
+                } else {
+                    lower
+                };
                 *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);
             }
         }
         Ok(Pass { feet, pelvis, rate, vertical })
+    }
+
+    /// How much higher the shifts of the last pass put the centre of pressure at a node, where they go along a slope.
+    fn shifted(&self, node: usize) -> f64 {
+        let [along, across] = [self.laws.amplitudes.sagittal, self.laws.amplitudes.lateral];
+        let axes = self.laws.shift_axes();
+        let amplitudes = [along[0], along[1], across[0], across[1]];
+        (0..4).map(|j| amplitudes[j] * self.shapes[j][node] * axes[j].y).sum()
     }
 
     /// The centre of mass and the vertical force at the nodes, for the present guess of the body's own momentum.
@@ -173,6 +225,8 @@ impl Passes {
         let count = self.timeline.grid.count;
         let mass = self.body.mass;
         let (mut heights, mut vertical, mut stiffness) = (Vec::new(), Vec::new(), Vec::new());
+        // Heights above the centre of pressure.
+        let mut levers = Vec::new();
         for i in 0..count {
             let (mut y, mut acceleration) = self.height[i];
             for weight in &self.weights[i] {
@@ -182,16 +236,22 @@ impl Passes {
             let force = mass * (G + acceleration);
             heights.push(y);
             vertical.push(force);
-            stiffness.push(force / (mass * y));
+            let lever = y - self.centre[i].y - self.shifted(i);
+            levers.push(lever);
+            stiffness.push(force / (mass * lever));
         }
         let unit = 1.0 / (180.0 * self.timeline.grid.step.powi(2));
         let moving = self.timeline.moving;
         let factored = factor(&stiffness, moving, unit);
-        let own: Vec<Vector3<f64>> = self
-            .momentum_rate
-            .iter()
-            .zip(&heights)
-            .map(|(h, y)| Vector3::new(h.z, 0.0, -h.x) / (mass * y))
+        let own: Vec<Vector3<f64>> = (0..count)
+            .map(|i| {
+                let h = self.momentum_rate[i] - self.tilting[i];
+                let spread = self
+                    .spread
+                    .get(i)
+                    .map_or(Vector3::zeros(), |(spread, pivot)| spread * (vertical[i] / (pivot * levers[i])));
+                Vector3::new(h.z - spread.x, 0.0, -h.x - spread.z) / (mass * levers[i])
+            })
             .collect();
         let [start, end] = [0, self.laws.course.steps].map(|k| self.laws.gaits.of_contact(k).standing.com);
         let last = self.laws.course.last();

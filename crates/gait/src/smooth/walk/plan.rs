@@ -22,7 +22,7 @@ use crate::smooth::style::Style;
 use crate::walking::StrideLoop;
 use nalgebra::Vector3;
 use solaris_analysis::FootSupport;
-use solaris_model::{Contact, Trajectory};
+use solaris_model::{Contact, Relief, Trajectory};
 use solaris_profiles::UniformSpline;
 
 /// A planned walk: its posture, and what the ground is to do, at any time.
@@ -83,8 +83,15 @@ impl WalkPlan {
         let of = |steps: usize| steps::even(steps, stride.style.step_length);
         let (whole, planned) = (of(steps), Steps::repeated(steps).map(of));
         let strides = std::slice::from_ref(stride);
-        let steps =
-            Steps { strides, standing: 0, steady: 0, numbers, whole: &whole, planned: planned.as_deref() };
+        let steps = Steps {
+            strides,
+            standing: 0,
+            steady: 0,
+            numbers,
+            whole: &whole,
+            planned: planned.as_deref(),
+            ground: None,
+        };
         Self::of_steps(&steps, resolution)
     }
 
@@ -94,12 +101,12 @@ impl WalkPlan {
     ///
     /// A walk that does not close.
     pub(crate) fn of_steps(steps: &Steps<'_>, resolution: Resolution) -> Result<Self, GaitError> {
-        let Steps { strides, standing, steady, numbers, whole, planned } = *steps;
+        let Steps { strides, standing, steady, numbers, whole, planned, ground } = *steps;
         let planned = planned.unwrap_or(whole);
         let steady = strides[steady].style;
         let repeat = Repeat::new(whole.len(), planned.len(), resolution.nodes, steady.step_length);
         let body = strides[standing].body.clone();
-        let laws = WalkLaws::new(&body, strides, standing, planned, numbers)?;
+        let laws = WalkLaws::new(&body, strides, standing, planned, numbers, ground)?;
         let timeline = Timeline::new(&laws, resolution.nodes);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
             Passes::new(body, laws, timeline).run(resolution.walk_passes)?;
@@ -122,10 +129,14 @@ impl WalkPlan {
             )?,
             timeline,
             body,
-            tempo: laws.gaits.tempo_of(standing, whole),
+            tempo: if ground.is_some() {
+                laws.gaits.tempo.clone()
+            } else {
+                laws.gaits.tempo_of(standing, whole)
+            },
             laws,
-            whole: Course::new(whole),
-            loops: steps.loop_at(repeat.middle()),
+            whole: Course::new(whole, ground.map_or(0.0, |ground| ground.standing)),
+            loops: steps.loop_at(repeat.middle()).filter(|_| ground.is_none()),
             steady,
             prints,
             repeat,
@@ -146,8 +157,8 @@ impl WalkPlan {
     /// The same walk from another place on, turned to the left of where it pointed (m, rad).
     #[must_use]
     pub fn moved(self, place: Vector3<f64>, turn: f64) -> Self {
-        let Print { place: from, heading } = self.from;
-        Self { from: Print { place: place + turned(turn, &from), heading: heading + turn }, ..self }
+        let Print { place: from, heading, tilt } = self.from;
+        Self { from: Print { place: place + turned(turn, &from), heading: heading + turn, tilt }, ..self }
     }
 
     /// Of a pair, the left foot's first.
@@ -207,6 +218,21 @@ impl WalkPlan {
         let last = self.whole.last();
         let turn = if self.left_first { -last.heading } else { last.heading };
         (self.seen_point(last.place), self.from.heading + turn)
+    }
+
+    /// Whether it goes over a horizontal plane.
+    pub fn is_level(&self) -> bool {
+        self.laws.relief.is_none()
+    }
+
+    /// The ground's heights along z, where it is not level.
+    pub fn relief(&self) -> Option<&Relief> {
+        self.laws.relief.as_ref()
+    }
+
+    /// Normals of the ground under left and right foot at a clock.
+    pub(crate) fn normals(&self, clock: f64) -> [Vector3<f64>; 2] {
+        self.support(clock).map(|foot| foot.normal.unwrap_or_else(Vector3::y))
     }
 
     /// Amplitudes of the shifts of load: fore and aft at start and end (m), sideways at start and end (step widths).

@@ -21,7 +21,9 @@ impl WalkPlan {
     ///
     /// A rate that is none, and another figure than the plan's.
     pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
-        sampled(figure, self, self.body.fingerprint, rate)
+        let mut motion = sampled(figure, self, self.body.fingerprint, rate)?;
+        motion.relief = self.relief().cloned();
+        Ok(motion)
     }
 
     /// The side that a foot of the plan is on.
@@ -81,6 +83,7 @@ impl WalkPlan {
                 let stood = Stood {
                     landed: clock(landed),
                     flat: clock(flat),
+                    on_ball: matches!(episode.kind, Kind::Step | Kind::Last) && stance.lands_on_ball(),
                     heel_off: last(stance.heel_off()),
                     tip_roll: last(stance.tip_roll_at()),
                     toe_off: last(style.toe_off()),

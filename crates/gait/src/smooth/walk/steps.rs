@@ -1,6 +1,7 @@
 //! The steps of a walk, their lengths, and the number of steps to a distance.
 
 use super::course::Step;
+use super::grounded::Grounded;
 use super::numbers::{STEP_FACTORS, WalkNumbers};
 use super::repeat;
 use crate::smooth::stride::StridePlan;
@@ -16,6 +17,8 @@ pub(crate) struct Steps<'a> {
     pub(crate) numbers: WalkNumbers,
     /// A shorter walk of which the middle stride is repeated.
     pub(crate) planned: Option<&'a [Step]>,
+    /// Ground that is not level, and what its contacts are gone with.
+    pub(crate) ground: Option<&'a Grounded>,
 }
 
 impl Steps<'_> {
@@ -38,7 +41,7 @@ impl Steps<'_> {
 
 /// `n` steps of one pace, ahead.
 pub(super) fn even(n: usize, step_length: f64) -> Vec<Step> {
-    factors(n).map(|factor| Step { pace: 0, length: factor * step_length, turn: 0.0 }).collect()
+    factors(n).map(|factor| Step::level(0, factor * step_length, 0.0)).collect()
 }
 
 /// Lengths of `n` steps over S: the first is shorter, and two shorter ones brake at the end.

@@ -1,0 +1,267 @@
+//! Where feet are set down on ground that is not level.
+
+use crate::body::LegGeometry;
+use crate::error::{GaitError, PlanError, RequestError};
+use crate::request::pace::{range, tidy};
+use crate::request::{STAIR_COUNT, Stairs, WalkGround};
+use crate::smooth::slope::{SLOPES, step_length_on_slope};
+use crate::smooth::stairs::{HEEL_OVERHANGS, STAIRS, TOES_OVERHANG};
+use crate::smooth::walk::Step;
+use solaris_model::Relief;
+
+/// How a step is gone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum StepKind {
+    /// Along a line of this slope (rad), in the style of level steps of this length (m).
+    Slope(f64, f64),
+    /// From a tread to the next one, which is so much higher (m).
+    Stairs(f64),
+}
+
+/// Steps over ground that is not level.
+#[derive(Clone, Debug)]
+pub(crate) struct Terrain {
+    pub(crate) relief: Relief,
+    pub(crate) steps: Vec<Step>,
+    /// How each step is gone.
+    pub(crate) kinds: Vec<StepKind>,
+    /// Pitch of the ground under the standing feet (rad).
+    pub(crate) standing: f64,
+}
+
+/// Level steps before and after stairs.
+pub(crate) const LEAD: usize = 3;
+/// How much shorter these steps are than elsewhere: the body is as slow before the stairs as on them, and gains speed after them.
+const BEFORE_UP: [f64; LEAD] = [0.85, 0.75, 0.65];
+const BEFORE_DOWN: [f64; LEAD] = [0.85, 0.68, 0.50];
+const AFTER_STAIRS: [f64; LEAD] = [0.60, 0.85, 0.85];
+/// How much shorter the first step and the last two are on a slope, over the slope (1/rad): soles hold less there.
+const SHORTER_ENDS: (f64, f64) = (1.5, 0.8);
+/// How far a slope's ground is known before the walk and after it (m).
+const AROUND: f64 = 3.0;
+/// The most by which the ground may stand above the line from heel to tip, and below it (m).
+const BUMP: f64 = 5e-4;
+const HOLLOW: f64 = 0.02;
+/// Edges so near to an end of the sole are under it (m).
+const EDGE: f64 = 1e-3;
+/// So far before and behind a sole the ground may stand no more than so much above its line (m): feet swing low there.
+const CLEAR: (f64, f64) = (0.08, 0.03);
+/// The steepest ground that a foot is set on (rad), and the steepest step (rad).
+const STEEPEST_PRINT: f64 = 16.0 * std::f64::consts::PI / 180.0;
+const STEEPEST_STEP: f64 = 16.0 * std::f64::consts::PI / 180.0;
+/// How many steps before an edge are adapted to it, by which factors, and one alone; in which strides a place is looked for (m).
+const ADAPTED: usize = 3;
+const STRETCHED: (f64, f64) = (0.75, 1.06);
+const STRETCHED_ALONE: (f64, f64) = (0.5, 1.06);
+const LOOKS_BY: f64 = 0.005;
+
+impl Terrain {
+    /// Over `ground`, for level steps `levels` of a pace whose steps are `usual` long (m); `None` on level ground.
+    pub(crate) fn of(
+        ground: &WalkGround,
+        leg: &LegGeometry,
+        usual: f64,
+        levels: &[Step],
+    ) -> Result<Option<Self>, GaitError> {
+        match ground {
+            WalkGround::Level => Ok(None),
+            WalkGround::Slope(slope) => {
+                let (lower, upper) = SLOPES;
+                let degrees = |angle: f64| tidy(angle.to_degrees());
+                range("slope", degrees(*slope), "°", (degrees(lower), degrees(upper)), String::new)?;
+                Self::on_slope(*slope, usual, levels).map(Some)
+            }
+            WalkGround::Stairs(stairs) => Self::on_stairs(stairs, leg, usual, levels).map(Some),
+            WalkGround::Relief(relief) => Self::on_relief(relief, leg, usual, levels).map(Some),
+        }
+    }
+
+    fn on_slope(slope: f64, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
+        let steps: Vec<Step> = levels
+            .iter()
+            .enumerate()
+            .map(|(i, step)| {
+                let end = match i {
+                    0 => 1.0 - SHORTER_ENDS.0 * slope.abs(),
+                    i if i + 2 >= levels.len() => 1.0 - SHORTER_ENDS.1 * slope.abs(),
+                    _ => 1.0,
+                };
+                let length = step.length * step_length_on_slope(slope) * end;
+                Step { length, rise: length * slope.tan(), tilt: slope, ..*step }
+            })
+            .collect();
+        let end = steps.iter().map(|step| step.length).sum::<f64>() + AROUND;
+        let points = vec![[-AROUND, -AROUND * slope.tan()], [end, end * slope.tan()]];
+        let relief = Relief::new(points).map_err(RequestError::Relief)?;
+        let kinds = vec![StepKind::Slope(slope, usual); steps.len()];
+        Ok(Self { relief, steps, kinds, standing: slope })
+    }
+
+    fn on_stairs(stairs: &Stairs, leg: &LegGeometry, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
+        let Stairs { count, rise, tread } = *stairs;
+        let (rises, treads) = STAIRS;
+        range("stairs", count as f64, "", (STAIR_COUNT.0 as f64, STAIR_COUNT.1 as f64), String::new)?;
+        range("rise", rise.abs(), " m", rises, || " up or down".to_owned())?;
+        range("tread", tread, " m", treads, String::new)?;
+        let (mut steps, mut kinds, mut points, mut z) = (Vec::new(), Vec::new(), vec![[-AROUND, 0.0]], 0.0);
+        for (i, level) in levels.iter().enumerate() {
+            let on_stairs = (LEAD..LEAD + count).contains(&i);
+            let length = match i {
+                _ if on_stairs => tread,
+                i if i < LEAD => level.length * if rise > 0.0 { BEFORE_UP[i] } else { BEFORE_DOWN[i] },
+                i => level.length * AFTER_STAIRS[i - LEAD - count],
+            };
+            if on_stairs {
+                let above = (i - LEAD) as f64 * rise;
+                let nosing = if rise > 0.0 {
+                    z + length + HEEL_OVERHANGS
+                } else {
+                    z + (1.0 - TOES_OVERHANG) * leg.foot_length()
+                };
+                points.extend([[nosing, above], [nosing, above + rise]]);
+            }
+            z += length;
+            steps.push(Step { length, rise: if on_stairs { rise } else { 0.0 }, tilt: 0.0, ..*level });
+            kinds.push(if on_stairs {
+                StepKind::Stairs(rise)
+            } else {
+                StepKind::Slope(0.0, length.min(usual))
+            });
+        }
+        points.push([z + AROUND, count as f64 * rise]);
+        let relief = Relief::new(points).map_err(RequestError::Relief)?;
+        Ok(Self { relief, steps, kinds, standing: 0.0 })
+    }
+
+    fn on_relief(relief: &Relief, leg: &LegGeometry, usual: f64, levels: &[Step]) -> Result<Self, GaitError> {
+        let length = leg.foot_length();
+        let standing = Foothold::at(relief, 0.0, length);
+        let from = relief.height(0.0);
+        if !standing.holds() {
+            return Err(PlanError::NoFoothold { step: 0, place: 0.0 }.into());
+        }
+        // Places of the heels, and what is found there.
+        let mut places = vec![(0.0, standing)];
+        for (i, level) in levels.iter().enumerate() {
+            let (z, before) = places[i];
+            // As long as people's on the slope that it goes over.
+            let mut reach = level.length;
+            for _ in 0..4 {
+                let slope = (Foothold::at(relief, z + reach, length).height - before.height).atan2(reach);
+                reach = level.length * step_length_on_slope(slope);
+            }
+            places.push((z + reach, Foothold::at(relief, z + reach, length)));
+            if !fits(&places) && !fit_last(relief, length, &mut places) {
+                return Err(PlanError::NoFoothold { step: i + 1, place: z + reach }.into());
+            }
+        }
+        let (mut steps, mut kinds) = (Vec::new(), Vec::new());
+        for (pair, level) in places.windows(2).zip(levels) {
+            let [(z, before), (next, foothold)] = [pair[0], pair[1]];
+            let (ahead, rise) = (next - z, foothold.height - before.height);
+            let slope = rise.atan2(ahead);
+            let shorter = ahead / (level.length * step_length_on_slope(slope));
+            kinds.push(StepKind::Slope(slope, if shorter < 0.97 { usual * shorter } else { usual }));
+            steps.push(Step { length: ahead, rise, tilt: foothold.tilt, ..*level });
+        }
+        let points = relief.points().iter().map(|[z, y]| [*z, y - from]).collect();
+        let relief = Relief::new(points).map_err(RequestError::Relief)?;
+        Ok(Self { relief, steps, kinds, standing: standing.tilt })
+    }
+}
+
+/// Whether the last foot finds a place, and not too far above or below the one before.
+fn fits(places: &[(f64, Foothold)]) -> bool {
+    let [.., (z, before), (next, foothold)] = places else { return true };
+    foothold.holds() && (foothold.height - before.height).atan2(next - z).abs() <= STEEPEST_STEP
+}
+
+/// Stretches or shortens the last steps alike, as many as help and by as little as does, until the last foot finds a place.
+fn fit_last(relief: &Relief, length: f64, places: &mut Vec<(f64, Foothold)>) -> bool {
+    let last = places.len() - 1;
+    for count in (1..=ADAPTED.min(last)).rev() {
+        let first = last - count;
+        let (z, end) = (places[first].0, places[last].0);
+        let (shortest, longest) = if count > 1 { STRETCHED } else { STRETCHED_ALONE };
+        let most = ((end - z) * (1.0 - shortest) / LOOKS_BY) as i32;
+        for shift in (1..=most).flat_map(|i| [-i, i]) {
+            let factor = 1.0 + f64::from(shift) * LOOKS_BY / (end - z);
+            if factor > longest {
+                continue;
+            }
+            let mut tried = places.clone();
+            for place in &mut tried[first + 1..] {
+                place.0 = z + (place.0 - z) * factor;
+                place.1 = Foothold::at(relief, place.0, length);
+            }
+            if (first + 1..=last).all(|i| fits(&tried[..=i])) {
+                *places = tried;
+                return true;
+            }
+        }
+    }
+    false
+}
+
+/// A place for a foot.
+#[derive(Clone, Copy, Debug)]
+struct Foothold {
+    /// Height at the heel (m), on the line that the sole lies on.
+    height: f64,
+    /// Pitch of that line (rad).
+    tilt: f64,
+    /// The most by which the ground stands above it and lies below it (m).
+    above: f64,
+    below: f64,
+    /// Whether something stands close before it or behind it.
+    blocked: bool,
+}
+
+impl Foothold {
+    /// With the heel at `z`, for a sole of this length (m).
+    fn at(relief: &Relief, z: f64, length: f64) -> Self {
+        let heel = relief.height(z);
+        let mut tilt = 0.0;
+        // The sole is as long on a slope, too.
+        for _ in 0..3 {
+            let reach = length * f64::cos(tilt);
+            tilt = (relief.height(z + reach) - heel).atan2(reach);
+        }
+        let reach = length * tilt.cos();
+        let line = |at: f64| heel + (at.clamp(z, z + reach) - z) * tilt.tan();
+        let inside =
+            relief.points().iter().filter(|point| point[0] > z - EDGE && point[0] < z + length + EDGE);
+        let (above, below) = inside.fold((0.0_f64, 0.0_f64), |(above, below), [at, height]| {
+            let gap = height - line(*at);
+            (above.max(gap), below.max(-gap))
+        });
+        let ends = [(z - 0.5 * CLEAR.0, z), (z + reach + 0.5 * CLEAR.0, z + reach)];
+        let blocked =
+            ends.iter().any(|&(at, end)| relief.highest_near(at, 0.5 * CLEAR.0) > line(end) + CLEAR.1);
+        Self { height: heel, tilt, above, below, blocked }
+    }
+
+    fn holds(&self) -> bool {
+        !self.is_rough() && self.tilt.abs() <= STEEPEST_PRINT
+    }
+
+    fn is_rough(&self) -> bool {
+        self.above > BUMP || self.below > HOLLOW || self.blocked
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_foot_does_not_stand_across_a_kerb() {
+        let kerb = Relief::new(vec![[1.0, 0.0], [1.0, 0.1]]).expect("a relief");
+        assert!(Foothold::at(&kerb, 0.9, 0.26).is_rough());
+        assert!(!Foothold::at(&kerb, 1.0, 0.26).is_rough() && !Foothold::at(&kerb, 0.6, 0.26).is_rough());
+        assert!(Foothold::at(&kerb, 0.7, 0.26).is_rough());
+        let ramp = Relief::new(vec![[0.0, 0.0], [2.0, 0.2]]).expect("a relief");
+        let foothold = Foothold::at(&ramp, 0.5, 0.26);
+        assert!((foothold.tilt - 0.1_f64.atan()).abs() < 1e-12 && (foothold.height - 0.05).abs() < 1e-12);
+    }
+}

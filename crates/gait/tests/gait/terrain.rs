@@ -1,0 +1,137 @@
+//! Walks over slopes, ramps, kerbs and stairs, judged by their own inverse dynamics and by where their soles are: nothing here knows
+//! the plan but its requests.
+
+use nalgebra::Vector3;
+use solaris_analysis::{ReactionReport, ground_reactions};
+use solaris_gait::{Extent, FEET, Stairs, WalkExtremes, WalkGround, WalkRequest, measure, walk};
+use solaris_model::{Figure, Motion, Relief, human};
+
+fn request(ground: WalkGround, step_frequency: f64) -> WalkRequest {
+    WalkRequest {
+        step_frequency: Some(step_frequency),
+        extent: Extent::Steps(10),
+        ground,
+        ..WalkRequest::default()
+    }
+}
+
+fn walked(figure: &Figure, request: &WalkRequest) -> (Motion, ReactionReport, WalkExtremes) {
+    let plan = walk(figure, request).unwrap_or_else(|error| panic!("{:?}: {error}", request.ground));
+    let mut motion = plan.motion(figure, 120.0).expect("a motion");
+    let report = ground_reactions(figure, &mut motion, FEET, &plan).expect("forces");
+    let measures = measure(figure, &motion).expect("measures").extremes;
+    (motion, report, measures)
+}
+
+/// What every walk keeps, whatever it goes over.
+fn judge(name: &str, figure: &Figure, request: &WalkRequest) {
+    let (motion, report, measures) = walked(figure, request);
+    let most = |what: &str, value: f64, limit: f64| {
+        assert!(value <= limit, "{name}: {what} is {value}, not within {limit}")
+    };
+    most("slide, m", measures.slide.value, 1e-4);
+    most("sink, m", measures.sink.value, 1e-3);
+    most("pressure outside of the sole, m", measures.cop_outside.value, 5e-3);
+    most("hyperextension, rad", -measures.least_knee.value, 1f64.to_radians());
+    most("vertical force, %BW", measures.vertical.value, 150.0);
+    // Newton: what the motion needs is what was prescribed.
+    let weight = figure.mass() * 9.80665;
+    most("force beside the law", report.from_prescribed.expect("a law").value / weight, 0.05);
+    most("residual at the root, N", report.root_force, 1e-6);
+    // Friction and free moment by each sole's own normal.
+    for track in &motion.contacts {
+        for (sample, contact) in track.samples.iter().enumerate() {
+            if contact.force.y < 0.05 * weight {
+                continue;
+            }
+            let free = contact.moment - contact.cop.cross(&contact.force);
+            let normal = normal_under(&motion, contact.cop.z, &free);
+            let pressed = contact.force.dot(&normal);
+            let friction = (contact.force - normal * pressed).norm() / pressed;
+            most(&format!("friction at {:.2} s", motion.time()[sample]), friction, 0.6);
+        }
+    }
+}
+
+/// The ground's normal at a place along z; under a sole that bridges a bend that of its free moment.
+fn normal_under(motion: &Motion, z: f64, free: &Vector3<f64>) -> Vector3<f64> {
+    let relief = motion.relief.as_ref().expect("a relief");
+    let slope = (relief.height(z + 1e-4) - relief.height(z - 1e-4)) / 2e-4;
+    if slope.abs() < 0.3 {
+        return Vector3::new(0.0, 1.0, -slope).normalize();
+    }
+    free.try_normalize(1e-9).map_or_else(Vector3::y, |normal| normal * normal.y.signum())
+}
+
+fn relief(points: &[[f64; 2]]) -> WalkGround {
+    WalkGround::Relief(Relief::new(points.to_vec()).expect("a relief"))
+}
+
+#[test]
+fn slopes_from_standing_to_standing() {
+    let ann = human(1.75, 73.0).expect("a person");
+    for slope in [-12.0, -10.0, -5.0, -2.0, 2.0, 5.0_f64] {
+        judge(&format!("{slope}°"), &ann, &request(WalkGround::Slope(slope.to_radians()), 100.0));
+    }
+}
+
+#[test]
+fn from_the_level_up_or_down_a_ramp_and_on() {
+    let ann = human(1.75, 73.0).expect("a person");
+    for slope in [-12.0, -8.0, -4.0, 4.0, 7.0, 10.0_f64] {
+        let ramp = relief(&[[1.8, 0.0], [4.8, 3.0 * slope.to_radians().tan()]]);
+        judge(&format!("ramp of {slope}°"), &ann, &request(ramp, 100.0));
+    }
+}
+
+#[test]
+fn kerbs() {
+    let ann = human(1.75, 73.0).expect("a person");
+    for height in [-0.10, -0.05, 0.05, 0.10] {
+        judge(&format!("kerb of {height} m"), &ann, &request(relief(&[[2.0, 0.0], [2.0, height]]), 100.0));
+    }
+}
+
+#[test]
+fn stairs_up_and_down() {
+    let ann = human(1.75, 73.0).expect("a person");
+    for (rise, tread, step_frequency) in [
+        (0.17, 0.29, 88.0),
+        (0.15, 0.30, 100.0),
+        (0.19, 0.30, 88.0),
+        (-0.17, 0.29, 100.0),
+        (-0.15, 0.26, 110.0),
+    ] {
+        let stairs = WalkGround::Stairs(Stairs { count: 8, rise, tread });
+        judge(&format!("stairs {rise} over {tread}"), &ann, &request(stairs, step_frequency));
+    }
+}
+
+/// A slope of next to nothing is the level walk, to what the passes differ by.
+#[test]
+fn hardly_a_slope_is_level() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let level = walk(&ann, &request(WalkGround::Level, 100.0)).expect("a walk");
+    let sloped = walk(&ann, &request(WalkGround::Slope(1e-6), 100.0)).expect("a walk");
+    let mut q = [vec![0.0; ann.layout().nq()], vec![0.0; ann.layout().nq()]];
+    let middle = 3.2;
+    level.configuration_at(middle, &mut q[0]);
+    sloped.configuration_at(middle, &mut q[1]);
+    for (a, b) in q[0].iter().zip(&q[1]).skip(3) {
+        assert!((a - b).abs() < 0.02, "{a} {b}");
+    }
+}
+
+#[test]
+fn what_cannot_be_walked_on_is_refused_by_what_it_is() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let why = |ground: WalkGround| {
+        walk(&ann, &request(ground, 100.0)).map(|_| ()).expect_err("no walk").to_string()
+    };
+    assert!(why(WalkGround::Slope(0.5)).contains("slope"));
+    assert!(why(WalkGround::Slope(f64::NAN)).contains("slope"));
+    assert!(why(WalkGround::Stairs(Stairs { rise: 0.4, ..Stairs::default() })).contains("rise"));
+    assert!(why(WalkGround::Stairs(Stairs { count: 0, ..Stairs::default() })).contains("stairs"));
+    // A ditch that no foot finds a place in, and a wall.
+    assert!(why(relief(&[[2.0, 0.0], [2.0, 1.0]])).contains("step"));
+}
