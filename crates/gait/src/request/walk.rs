@@ -1,5 +1,6 @@
 //! The request for a smooth walk, with its ranges.
 
+use super::path::WalkPath;
 use super::resolution::Resolution;
 
 /// Numbers of steps.
@@ -8,8 +9,8 @@ pub const STEPS: (usize, usize) = (1, 10_000);
 pub const SHORTEST_DISTANCE: f64 = 0.1;
 /// The most by which a step may turn (rad).
 pub const TURN: f64 = 30.0 * std::f64::consts::PI / 180.0;
-/// The most by which a walk may turn in all (rad): where the pelvis faces across, the root's angles are singular, and the pelvis
-/// turns by up to 12° of its own.
+/// The most by which a walk may turn in all (rad) where the figure's root turns in the order Z-Y-X: where the pelvis faces across,
+/// these angles are singular, and the pelvis turns by up to 12° of its own. With [`solaris_model::RootOrder::Yzx`] there is no bound.
 pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Steps of a walk that changes on the way: it is planned whole.
 pub const CHANGING_STEPS: usize = 1000;
@@ -62,6 +63,8 @@ pub struct WalkRequest {
     pub turn: f64,
     /// What is walked next, without standing in between.
     pub then: Vec<WalkPart>,
+    /// A way to walk along instead: it says how far, and nothing else may turn or follow. Up to 110 steps/min.
+    pub path: Option<WalkPath>,
     /// Whether the left foot makes the first step; else the right one.
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
@@ -79,6 +82,7 @@ impl Default for WalkRequest {
             extent: Extent::Steps(10),
             turn: 0.0,
             then: Vec::new(),
+            path: None,
             left_first: false,
             parameters: Vec::new(),
             resolution: Resolution::default(),

@@ -2,6 +2,7 @@
 
 use super::style::RunStyle;
 use crate::limbs::jet::LegJet;
+use crate::limbs::numbers::STEEPEST_PITCH;
 use crate::limbs::push::Push;
 use crate::limbs::stance::Footing;
 use crate::limbs::swing::{Clearance, Swing, Toes, Way};
@@ -49,6 +50,7 @@ impl RunStyle {
             tip_roll_at: self.tip_roll * self.duty,
             toe_roll: self.toe_roll,
             most_roll: f64::MAX,
+            steepest: STEEPEST_PITCH,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }

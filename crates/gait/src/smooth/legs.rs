@@ -2,6 +2,7 @@
 
 use super::style::Style;
 use crate::limbs::jet::LegJet;
+use crate::limbs::numbers::STEEPEST_PITCH;
 use crate::limbs::push::Push;
 use crate::limbs::stance::Footing;
 use crate::limbs::swing::{Clearance, Swing, Way};
@@ -64,6 +65,7 @@ impl Style {
             tip_roll_at: self.tip_roll_at(),
             toe_roll: self.toe_roll,
             most_roll: self.manner.toe_roll_part,
+            steepest: STEEPEST_PITCH,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }

@@ -3,12 +3,16 @@
 use crate::body::Body;
 use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
-use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
-use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
+use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, WALK_RATIO, range, tidy};
+use crate::request::{
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkPath, WalkRequest,
+};
+use crate::smooth::laid::{Laid, lay};
 use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
 use crate::smooth::walk::{Step, Steps, WalkNumbers, WalkPlan, steps};
+use solaris_model::RootOrder;
 
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
@@ -19,12 +23,19 @@ const LENGTHENING: f64 = 1.12;
 /// What a step above the frequency of the ends may lose to the one after, towards the end (steps/min).
 const LOSS: f64 = 10.0;
 
+/// The step frequency of short steps that turn, where none is given (steps/min).
+const TURNING_STEP_FREQUENCY: f64 = 90.0;
+
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     steps: usize,
     pace: Pace,
     turn: f64,
+    /// Length of its steps (m) where they are shorter than any that a pace has.
+    length: Option<f64>,
+    /// Which way its step goes on a path (rad), and where to.
+    laid: Option<Laid>,
 }
 
 /// The parts of a walk, checked for range.
@@ -34,14 +45,21 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    /// For a person of this height (m) that faces `heading` to the left of z (rad).
-    pub(crate) fn of(request: &WalkRequest, height: f64, heading: f64) -> Result<Self, GaitError> {
+    /// For a body that faces `heading` to the left of z (rad).
+    pub(crate) fn of(request: &WalkRequest, body: &Body, heading: f64) -> Result<Self, GaitError> {
+        let height = body.height;
         let given = Given {
             step_frequency: request.step_frequency,
             step_length: request.step_length,
             speed: request.speed,
         };
-        let mut pace = given.settle(height, 1.0 - STEP_LENGTH_MARGIN)?;
+        let (mut pace, mut length) = match turning_short(&given, height, request.turn) {
+            Some(found) => found?,
+            None => (given.settle(height, if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP })?, None),
+        };
+        if let Some(path) = &request.path {
+            return Self::along(path, request, pace, body, heading);
+        }
         let mut steps = match request.extent {
             Extent::Steps(steps) => steps,
             Extent::Distance(distance) => {
@@ -66,7 +84,7 @@ impl Route {
         for (number, next) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
             let turn = next.map_or(request.turn, |next| next.turn);
             let checked = || -> Result<Part, GaitError> {
-                let (mut steps, mut pace) = (steps, pace);
+                let (mut steps, mut pace, mut length) = (steps, pace, length);
                 if let Some(next) = next {
                     let given = Given {
                         step_frequency: next.step_frequency,
@@ -74,25 +92,25 @@ impl Route {
                         speed: next.speed,
                     };
                     steps = next.steps;
-                    pace = if given.nothing() { pace } else { given.settle(height, SHORTEST_STEP)? };
+                    (pace, length) = match turning_short(&given, height, turn) {
+                        _ if given.nothing() => (pace, length),
+                        Some(found) => found?,
+                        None => (given.settle(height, SHORTEST_STEP)?, None),
+                    };
                 }
                 let (lower, upper) = (STEPS.0 as f64, STEPS.1 as f64);
                 range("steps", steps as f64, "", (lower, upper), String::new)?;
                 let limit = tidy(TURN.to_degrees());
                 range("turn", turn.to_degrees(), "°", (-limit, limit), || " a step".to_owned())?;
-                Ok(Part { steps, pace, turn })
+                Ok(Part { steps, pace, turn, length, laid: None })
             };
             let part = checked().map_err(|why| match number {
                 0 => why,
                 _ => GaitError::InPart { number: number + 1, why: Box::new(why) },
             })?;
-            (steps, pace) = (part.steps, part.pace);
+            (steps, pace, length) = (part.steps, part.pace, part.length);
             turned += part.turn * part.steps as f64;
-            let limit = TURN_IN_ALL;
-            if turned.abs() > limit + 1e-12 {
-                let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
-                return Err(RequestError::TurnInAll { turned, limit }.into());
-            }
+            check_turned(body, turned)?;
             parts.push(part);
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
@@ -102,6 +120,37 @@ impl Route {
             " where pace or direction change on the way".to_owned()
         })?;
         Ok(route)
+    }
+
+    /// Steps along a way.
+    fn along(
+        path: &WalkPath,
+        request: &WalkRequest,
+        pace: Pace,
+        body: &Body,
+        heading: f64,
+    ) -> Result<Self, GaitError> {
+        let given = [("steps that turn", request.turn != 0.0), ("more steps", !request.then.is_empty())];
+        if let Some((what, _)) = given.into_iter().find(|(_, given)| *given) {
+            return Err(RequestError::PathAndMore { what }.into());
+        }
+        range("step frequency", pace.step_frequency, " steps/min", (STEP_FREQUENCY.0, ENDS), || {
+            " along a path".to_owned()
+        })?;
+        check_turned(body, path.widest().max((heading + path.turns()).abs()))?;
+        let parts = lay(path, pace, 0.5 * body.leg.foot_length())?.into_iter().map(|laid| Part {
+            steps: 1,
+            pace: laid.pace,
+            turn: laid.turn,
+            length: Some(laid.length),
+            laid: Some(laid),
+        });
+        Ok(Self { parts: parts.collect() })
+    }
+
+    /// Where a step of a path leads (x, z; m); both count from 1.
+    pub(crate) fn place_of(&self, step: usize) -> Option<[f64; 2]> {
+        Some(self.parts.get(step.checked_sub(1)?)?.laid?.place)
     }
 
     /// The pace of the first part.
@@ -123,7 +172,7 @@ impl Route {
     pub(crate) fn with_step_length(&self, step_length: f64, most: usize) -> Self {
         let first = self.parts[0];
         let pace = Pace { step_length, ..first.pace };
-        Self { parts: vec![Part { pace, steps: first.steps.min(most), ..first }] }
+        Self { parts: vec![Part { pace, steps: first.steps.min(most), length: None, ..first }] }
     }
 
     /// Whether there is only one part, straight on.
@@ -189,6 +238,33 @@ impl Route {
     }
 }
 
+/// Refuses a turn (rad) before which the angles of the body's root are singular.
+fn check_turned(body: &Body, turned: f64) -> Result<(), RequestError> {
+    let limit = TURN_IN_ALL;
+    if body.root_order == RootOrder::Zyx && turned.abs() > limit + 1e-12 {
+        let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
+        return Err(RequestError::TurnInAll { turned, limit });
+    }
+    Ok(())
+}
+
+/// The pace of steps that turn and are shorter than any that go straight on, down to none at all: the shortest one's, and their
+/// length (m); nothing for others.
+fn turning_short(
+    given: &Given,
+    height: f64,
+    turn: f64,
+) -> Option<Result<(Pace, Option<f64>), RequestError>> {
+    let length = given.step_length.filter(|_| turn != 0.0 && given.speed.is_none())?;
+    let step_frequency = given.step_frequency.unwrap_or(TURNING_STEP_FREQUENCY);
+    let shortest = SHORTEST_STEP * WALK_RATIO * height * step_frequency;
+    if !(0.0..shortest).contains(&length) {
+        return None;
+    }
+    let given = Given { step_frequency: Some(step_frequency), step_length: Some(shortest), speed: None };
+    Some(given.settle(height, SHORTEST_STEP).map(|pace| (pace, Some(length))))
+}
+
 /// The steps of some parts; paces that are new are added to `paces`.
 fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
     let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
@@ -199,7 +275,11 @@ fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> 
             paces.len() - 1
         });
         let turn = if mirrored { -part.turn } else { part.turn };
-        Step { pace: index, length: factor * pace.step_length, turn }
+        if let Some(Laid { length, bearing, .. }) = part.laid {
+            return Step { pace: index, length, turn, bearing: if mirrored { -bearing } else { bearing } };
+        }
+        let length = factor * part.length.unwrap_or(pace.step_length);
+        Step::along_an_arc(index, length, turn)
     });
     steps.collect()
 }

@@ -5,7 +5,7 @@ use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
     KNEE_FLAT, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF,
-    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS,
+    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST, TURNING_STEEPEST, TURNING_UNTIL,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -81,7 +81,8 @@ impl Foot {
                 let steady = laws.gaits.of_contact(to.index).contact_thigh;
                 let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady);
                 let late_knee = style.knee_late_swing + end.knee.position - style.knee_contact;
-                Aim { thigh, late_knee, beside: false, sideways }
+                let beside = shortened(laws, to.index) < LANDS_FLATTER;
+                Aim { thigh, late_knee, beside, sideways }
             };
             let mut swing = style.swing(&start, end, &aim)?;
             let heights = hip.timeline.between(from.contact + style.toe_off(), to.contact);
@@ -150,6 +151,9 @@ fn stance(
         }
         _ => {}
     }
+    if laws.course.turning(episode.index) > 0.0 {
+        push.steepest = TURNING_STEEPEST;
+    }
     let mut stance = Stance::new(leg, &style.footing(), landing, push);
     let mut knee = None;
     if landing == Landing::Heel {
@@ -165,6 +169,15 @@ fn stance(
     Ok((stance, contact))
 }
 
+/// Length of a turning step over its pace's; 1 straight on.
+fn shortened(laws: &WalkLaws, contact: usize) -> f64 {
+    if laws.course.turning(contact) > 0.0 {
+        laws.course.step_length(contact) / laws.style(contact).step_length
+    } else {
+        1.0
+    }
+}
+
 /// The foot's pitch at contact, toe up.
 fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
     let factor = match episode {
@@ -172,7 +185,8 @@ fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
         Episode { index: 1, .. } => laws.numbers.pitch_first,
         _ => 1.0,
     };
-    laws.style(episode.index).heel_strike_angle * factor
+    let shorter = (shortened(laws, episode.index) / LANDS_FLATTER).clamp(LANDS_LEAST, 1.0);
+    laws.style(episode.index).heel_strike_angle * factor * shorter
 }
 
 /// How far the body is above what the leg reaches with the wanted knee, by the correction that can lower it. Signed: a
@@ -211,6 +225,10 @@ fn note_need(
         Kind::First => spread(STANDING_FROM, STANDING_HEEL_OFF, INSTANTS[3])
             .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
+    }
+    // Round a turn the hip is farther from the foot behind it than straight on: it is looked at until the push.
+    if episode.kind == Kind::Step && laws.course.turning(episode.index) > 0.0 {
+        spread(stance.heel_off(), TURNING_UNTIL, INSTANTS[4]).for_each(|v| note(v, ankle, KNEE_TURNING));
     }
     let flexion = laws.style(episode.index).flexion;
     if flexion > 0.0 && episode.kind == Kind::Step {

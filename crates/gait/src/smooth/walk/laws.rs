@@ -4,7 +4,7 @@ use super::course::{Course, Episode, Kind, Step};
 use super::gaits::Gaits;
 use super::numbers::{
     CORRECTION_IN, COUNTS_AHEAD, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
-    LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
+    LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
 };
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
@@ -48,7 +48,7 @@ impl WalkLaws {
         numbers: WalkNumbers,
     ) -> Result<Self, GaitError> {
         Ok(Self {
-            course: Course::new(steps),
+            course: Course::new(steps, 0.5 * strides[standing].style.step_width),
             gaits: Gaits::new(strides, standing, steps)?,
             numbers,
             amplitudes: Amplitudes::default(),
@@ -101,7 +101,20 @@ impl WalkLaws {
             let after = trunk_after.iter().flatten().chain(arms_after.iter().flatten());
             angles.zip(after).for_each(|(angle, after)| *angle += (after - *angle) * part);
         }
+        // Neck and head turn into a turn before the body does.
+        let ahead = self.looking_ahead(u);
+        trunk[3][1] += 0.5 * ahead;
+        trunk[4][1] += ahead;
         (trunk, arms)
+    }
+
+    /// By how much the head is turned to where the body will face a little later (rad).
+    fn looking_ahead(&self, u: f64) -> f64 {
+        if self.course.is_straight() {
+            return 0.0;
+        }
+        let strides = LOOKS_AHEAD / self.gaits.at(u).0.style.stride_time;
+        MOST_AHEAD * ((self.course.heading(u + strides) - self.course.heading(u)) / MOST_AHEAD).tanh()
     }
 
     /// Height of the centre of mass without corrections (m).

@@ -118,7 +118,7 @@ impl WalkPlan {
             body,
             tempo: laws.gaits.tempo_of(standing, whole),
             laws,
-            whole: Course::new(whole),
+            whole: Course::new(whole, 0.5 * strides[standing].style.step_width),
             loops: steps.loop_at(repeat.middle()),
             steady,
             prints,
