@@ -47,10 +47,13 @@ pub(crate) fn lay(path: &WalkPath, pace: Pace, middle: f64) -> Result<Vec<Laid>,
             laid.step(laid.place, laid.heading + run.turn / spot, 0.0);
         }
         let ends = [k == 0 && spot == 0.0, k == last];
-        for along in stations(run, pace.step_length, ends)? {
-            let ([x, z], heading) = run.at(along.0 + middle);
+        let stations = stations(run, pace.step_length, ends)?;
+        for (i, &(along, own)) in stations.iter().enumerate() {
+            let ([x, z], heading) = run.at(along + middle);
             let (sin, cos) = heading.sin_cos();
-            laid.step([x - middle * sin, z - middle * cos], heading, along.1);
+            // A foot that pushes off into a longer step does so as in that one.
+            let style = stations.get(i + 1).map_or(own, |(_, next)| own.max(*next));
+            laid.step([x - middle * sin, z - middle * cos], heading, style);
         }
         if laid.steps.len() > CHANGING_STEPS {
             return Err(RequestError::PathTooLong { length: path.length(), most: CHANGING_STEPS });

@@ -122,6 +122,11 @@ impl Course {
         Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints, feet }
     }
 
+    /// Whether it turns at contact `k` or two steps before or after it.
+    pub(super) fn turns_near(&self, k: usize) -> bool {
+        (k.saturating_sub(2)..=k + 2).any(|near| self.turning(near) > 0.0)
+    }
+
     /// Whether it goes straight on from begin to end.
     pub(super) fn is_straight(&self) -> bool {
         self.prints.iter().all(|print| print.heading == 0.0)

@@ -5,7 +5,7 @@ use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
     KNEE_FLAT, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF,
-    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST, TURNING_STEEPEST, TURNING_UNTIL,
+    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST, TURNED_CLOSING, TURNING_STEEPEST, TURNING_UNTIL,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -151,7 +151,7 @@ fn stance(
         }
         _ => {}
     }
-    if laws.course.turning(episode.index) > 0.0 {
+    if laws.course.turns_near(episode.index) {
         push.steepest = TURNING_STEEPEST;
     }
     let mut stance = Stance::new(leg, &style.footing(), landing, push);
@@ -217,9 +217,10 @@ fn note_need(
         Kind::Step => spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, KNEE_FLAT)),
         Kind::Last => {
             spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
-            let knee = laws.numbers.knee_closing;
+            let turns = laws.course.turns_near(episode.index);
+            let knee = laws.numbers.knee_closing.max(if turns { KNEE_TURNING } else { 0.0 });
             if knee > 0.0 {
-                spread(CLOSING.0, CLOSING.1, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
+                spread(CLOSING.0, if turns { TURNED_CLOSING } else { CLOSING.1 }, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
             }
         }
         Kind::First => spread(STANDING_FROM, STANDING_HEEL_OFF, INSTANTS[3])
@@ -227,7 +228,7 @@ fn note_need(
         Kind::Close => {}
     }
     // Round a turn the hip is farther from the foot behind it than straight on: it is looked at until the push.
-    if episode.kind == Kind::Step && laws.course.turning(episode.index) > 0.0 {
+    if episode.kind == Kind::Step && laws.course.turns_near(episode.index) {
         spread(stance.heel_off(), TURNING_UNTIL, INSTANTS[4]).for_each(|v| note(v, ankle, KNEE_TURNING));
     }
     let flexion = laws.style(episode.index).flexion;

@@ -39,6 +39,8 @@ pub(super) const INSTANTS: [i32; 5] = [12, 14, 10, 12, 8];
 /// contact).
 pub(super) const LAST_FLAT_UNTIL: f64 = 0.42;
 pub(super) const CLOSING: (f64, f64) = (0.44, 0.80);
+/// Until when after a turn.
+pub(super) const TURNED_CLOSING: f64 = 1.05;
 /// Until when a turning step is looked at for its height (u), and the knee flexion for which it is kept then.
 pub(super) const TURNING_UNTIL: f64 = 0.42;
 pub(super) const KNEE_TURNING: f64 = 3.0 * DEGREE;
