@@ -91,6 +91,11 @@ impl WalkPath {
         self.runs.last().map_or(0.0, |run| run.at(f64::INFINITY).1)
     }
 
+    /// Which way it turns at its begin (rad, to the left): on the spot, or over its first half metre.
+    pub fn begins(&self) -> f64 {
+        self.runs.first().map_or(0.0, |run| run.at(0.5).1)
+    }
+
     /// The greatest heading on the way, whichever way it is turned (rad).
     pub(crate) fn widest(&self) -> f64 {
         let headings = self.runs.iter().flat_map(|run| {

@@ -113,7 +113,7 @@ impl WalkLaws {
         if self.course.is_straight() {
             return 0.0;
         }
-        let strides = LOOKS_AHEAD / self.gaits.at(u).0.style.stride_time;
+        let strides = LOOKS_AHEAD / self.gaits.number(u, |pace| pace.style.stride_time);
         MOST_AHEAD * ((self.course.heading(u + strides) - self.course.heading(u)) / MOST_AHEAD).tanh()
     }
 
