@@ -137,7 +137,8 @@ mod tests {
         feet[0].normal = Some(Vector3::new(0.0, 1.0, -0.2).normalize());
         feet[1].normal = Some(Vector3::new(0.1, 1.0, 0.0).normalize());
         let up = Vector3::y();
-        let contacts = split_at_pivot(&total, &Vector3::new(0.0, 1.1, 0.1), &up, 1.4, &feet).expect("pressed");
+        let contacts =
+            split_at_pivot(&total, &Vector3::new(0.0, 1.1, 0.1), &up, 1.4, &feet).expect("pressed");
         assert_relative_eq!(contacts[0].force + contacts[1].force, total.force, epsilon = 1e-12);
         assert_relative_eq!(contacts[0].moment + contacts[1].moment, total.moment, epsilon = 1e-11);
         for (contact, foot) in contacts.iter().zip(feet) {

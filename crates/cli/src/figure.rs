@@ -5,7 +5,7 @@ use crate::error::{CliError, Typed};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::words::rounded;
-use solaris::model::{Human, text};
+use solaris::model::{Human, RootOrder, text};
 
 /// A figure's text.
 pub(crate) const TEXT: Formats<()> = &[("ron", ())];
@@ -17,11 +17,12 @@ pub(crate) fn run(command: &FigureCommand) -> Result<(), CliError> {
 }
 
 fn human(args: &HumanArgs) -> Result<(), CliError> {
-    let HumanArgs { size, age, output } = args;
+    let HumanArgs { size, age, heading_first, output } = args;
     let outputs = Outputs::new([("-o", output, TEXT)])?;
     let height = size.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = size.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
-    let person = Human::new(height, mass);
+    let root = if *heading_first { RootOrder::Yzx } else { RootOrder::Zyx };
+    let person = Human::new(height, mass).root(root);
     let person = match age {
         Some(age) => person.age(age.value),
         None => person,

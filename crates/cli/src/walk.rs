@@ -20,7 +20,7 @@ use planned::Planned;
 use report::Report;
 pub(crate) use request::asked;
 use solaris::gait::{isolated_peaks, measure, missing_for_walking};
-use solaris::model::{Figure, Human, Motion};
+use solaris::model::{Figure, Human, Motion, RootOrder};
 use solaris::view::{PageOptions, page};
 use std::io::Write;
 
@@ -46,10 +46,10 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let outputs = Outputs::new(motions.chain(files.report.iter().map(|path| ("--report", path, REPORT))))?;
     outputs.keep_off(args.who.figure.as_deref())?;
     let asked = asked(args)?;
-    let figure = figure(&args.who)?;
+    let mut figure = figure(&args.who)?;
 
     let progress = Progress::new(4);
-    let (planned, motion) = Planned::of(&figure, &asked, args, &progress)?;
+    let (planned, motion) = Planned::of(&mut figure, &asked, args, &progress)?;
     progress.stage("measuring");
     let measures = measure(&figure, &motion).map_err(CliError::other)?;
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
@@ -89,9 +89,18 @@ pub(crate) fn figure(who: &WhoArgs) -> Result<Figure, CliError> {
 
 /// A human of the height and mass that are asked for, or of the usual ones.
 pub(crate) fn person(person: &PersonArgs) -> Result<Figure, CliError> {
+    person_with(person, RootOrder::Zyx)
+}
+
+/// The same whose root turns by its heading first.
+pub(crate) fn heading_first(person: &PersonArgs) -> Result<Figure, CliError> {
+    person_with(person, RootOrder::Yzx)
+}
+
+fn person_with(person: &PersonArgs, root: RootOrder) -> Result<Figure, CliError> {
     let height = person.height.as_ref().map_or(HEIGHT, |height| height.value);
     let mass = person.mass.as_ref().map_or(BODY_MASS_INDEX * height * height, |mass| mass.value);
-    let human = Human::new(height, mass);
+    let human = Human::new(height, mass).root(root);
     let human = match &person.age {
         Some(age) => human.age(age.value),
         None => human,

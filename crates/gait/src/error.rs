@@ -52,3 +52,14 @@ pub enum GaitError {
     #[error("the walk does not close: {0}; this is a fault of the planner")]
     Profile(#[from] ProfileError),
 }
+
+impl GaitError {
+    /// Whether the figure would have to turn farther than its root can: [`RequestError::TurnInAll`], wherever it is.
+    pub fn turns_too_far(&self) -> bool {
+        match self {
+            Self::Request(RequestError::TurnInAll { .. }) => true,
+            Self::InSegment { why, .. } | Self::InPart { why, .. } => why.turns_too_far(),
+            _ => false,
+        }
+    }
+}

@@ -46,7 +46,7 @@ pub use measure::{
 pub use request::{
     CHANGING_STEPS, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, RUN_SPEED, Resolution, RunRequest,
     RunResolution, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, TURN, TURN_IN_ALL,
-    WALK_RATIO, WalkGround, WalkPart, WalkRequest,
+    WALK_RATIO, WalkGround, WalkPart, WalkPath, WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{

@@ -2,12 +2,14 @@
 
 mod ground;
 pub(crate) mod pace;
+pub(crate) mod path;
 mod resolution;
 pub(crate) mod run;
 mod walk;
 
 pub use ground::{STAIR_COUNT, Stairs, WalkGround};
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
+pub use path::WalkPath;
 pub use resolution::Resolution;
 pub use run::{DEFAULT_RUN_SPEED, RUN_SPEED, RunRequest, RunResolution};
 pub use walk::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkPart, WalkRequest};

@@ -1,6 +1,7 @@
 //! The smooth walker: forces first, as people walk, and legs that follow.
 
 mod band;
+mod laid;
 mod laws;
 mod legs;
 mod manner;

@@ -96,7 +96,7 @@ pub enum HumanError {
 ///
 /// The frame is x left, y up, z forward; in the zero posture the figure stands upright with arms and legs straight down,
 /// the pelvis' origin at the world's origin. Every joint turns in the order Z-Y-X (side bend, twist, flexion); the root
-/// first slides along x, y, z.
+/// first slides along x, y, z. [`Human::root`] lets the root turn by its heading first.
 ///
 /// # Source
 ///
@@ -142,6 +142,20 @@ pub struct Human {
     lengths: Vec<(String, f64)>,
     limits: Vec<(String, [f64; 2])>,
     joints: Joints,
+    root: RootOrder,
+}
+
+/// In which order the root of a human turns, after it has slid along x, y, z.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[doc(alias = "Euler order")]
+#[doc(alias = "gimbal lock")]
+pub enum RootOrder {
+    /// `R = Rz·Ry·Rx` as in every other joint, the thesis's order: singular where the body has turned by a quarter turn.
+    #[default]
+    Zyx,
+    /// `R = Ry·Rz·Rx`, the heading first and outermost: the angle in the middle is the tilt to the side, so that an upright body
+    /// turns as often as it likes. The heading goes on past a whole turn and is never wrapped.
+    Yzx,
 }
 
 /// How the joints of a human move.
@@ -156,7 +170,15 @@ enum Joints {
 impl Human {
     /// A human of `height` (m) and `mass` (kg).
     pub fn new(height: f64, mass: f64) -> Self {
-        Self { height, mass, age: None, lengths: Vec::new(), limits: Vec::new(), joints: Joints::Angles }
+        Self {
+            height,
+            mass,
+            age: None,
+            lengths: Vec::new(),
+            limits: Vec::new(),
+            joints: Joints::Angles,
+            root: RootOrder::Zyx,
+        }
     }
 
     /// Gives the human the proportions of a boy or girl of this age (years, 6 to 18): a longer and heavier head, shorter legs.
@@ -227,6 +249,21 @@ impl Human {
         self
     }
 
+    /// Lets the root turn in this order. Names and numbers of degrees of freedom stay, their order in `q` does not; a limp body's
+    /// root is a free joint and has none.
+    ///
+    /// ```
+    /// use solaris_model::{Human, RootOrder};
+    ///
+    /// let walker = Human::new(1.75, 73.0).root(RootOrder::Yzx).build()?;
+    /// assert_eq!(walker.layout().v_names()[3..6], ["root.ry", "root.rz", "root.rx"]);
+    /// # Ok::<(), solaris_model::HumanError>(())
+    /// ```
+    pub fn root(mut self, order: RootOrder) -> Self {
+        self.root = order;
+        self
+    }
+
     /// Gives one segment a length of its own (m): `thigh` for both sides, `left_thigh` for one.
     pub fn segment_length(mut self, segment: impl Into<String>, length: f64) -> Self {
         self.lengths.push((segment.into(), length));
@@ -260,6 +297,7 @@ impl Human {
             height,
             mass,
             joints: self.joints,
+            root: self.root,
             share: &|segment| child.mass(segment),
             factor: &|side, segment| {
                 let own = factors.iter().rev().find(|(name, _)| name == side || name == segment);

@@ -45,7 +45,7 @@ pub use figure::Figure;
 pub use follower::Follower;
 pub use fuse::{FuseError, Fused, LinkPlace};
 pub use hull::{GroundAxes, convex_hull};
-pub use human::{Human, HumanError, Portion, human};
+pub use human::{Human, HumanError, Portion, RootOrder, human};
 pub use inertia::{Inertia, Shape, ShapeKind};
 pub use joint::{Axis, AxisKind, Dof, Follow, Joint, JointKind, Limits, Passive, Placement};
 pub use layout::{JointLayout, StateLayout};

@@ -44,7 +44,7 @@
 //! | | fields |
 //! |---|---|
 //! | `Figure` | `version` (required, 1), `name`, `stature` (m), `gravity: (x, y, z)` (m/s²; of the world that the figure is made in, (0, −9.80665, 0) without it), then `links: [Link(…), …]` and `angles: {"NAME": "DOF", …}` (`"-DOF"`: taken negative), or `body: Human(…)` alone |
-//! | `Human` | `height`, `mass` (both required), `age` (years, 6 to 18: a child's proportions), `segments: {"left_thigh": 0.45, …}` (lengths in m), `joints: Angles` or `Limp`, `limits: {"left_elbow.rx": (deg(-150), deg(0)), …}`: [`crate::Human`]. It brings its own name and stature unless they are given |
+//! | `Human` | `height`, `mass` (both required), `age` (years, 6 to 18: a child's proportions), `segments: {"left_thigh": 0.45, …}` (lengths in m), `joints: Angles` or `Limp`, `root: Zyx` or `Yzx` (the order in which the root turns), `limits: {"left_elbow.rx": (deg(-150), deg(0)), …}`: [`crate::Human`]. It brings its own name and stature unless they are given |
 //! | `Link` | `name`, `joint` (both required), `parent` (all but the root have one), `mass`, `com: (x, y, z)`, `inertia: (xx, yy, zz)` or `(xx, yy, zz, xy, xz, yz)`, or instead of these two `solid: SHAPE`; `shape: SHAPE`, `tip: (x, y, z)`, `sole: [Heel(x, y, z), Ball(…), ToeTip(…)]`, `frames: {"NAME": (PLACE), …}` |
 //! | `Joint` | `name` (required), PLACE, `axes: [AXIS, …]`, the first nearest to the parent; none is a weld |
 //! | `Ball`, `Free` | a joint with any rotation, or any motion: `name` (required), PLACE, ACTING |

@@ -69,6 +69,10 @@ pub(crate) struct HumanArgs {
         "Age in years, from 6 on: a child's proportions; from 18 on an adult's [default: an adult]"
     ))]
     pub(crate) age: Option<Number>,
+    #[arg(long, help = wrap(
+        "Let the root turn by its heading first (about y, z, x) in place of z, y, x: for walks that turn by more than 75° in all"
+    ))]
+    pub(crate) heading_first: bool,
     #[arg(short = 'o', long, value_name = "FILE", help = "Where to write the figure: .ron")]
     pub(crate) output: PathBuf,
 }

@@ -26,6 +26,10 @@ const EXAMPLES: &str = "Examples:
       through the key postures of three determinants, from rest to rest
   solaris walk --steps 4 --then steps=3,turn=20 --then stand=1 --then steps=3,step-frequency=90 -o corner.html
       round a corner to the left, a stop, and on more slowly
+  solaris walk --path way.csv -o way.html
+      along a way: way.csv has the columns x and z, its points in m
+  solaris walk --turn 30 --step-length 0 --steps 6 -o about.html
+      half a turn to the left, on the spot
   solaris walk --loop in-place -o loop.bvh
       one stride that repeats, for a game
   solaris walk --gait run --speed 3.5 -o run.html
@@ -174,14 +178,12 @@ pub(crate) struct MannerArgs {
         long,
         value_name = "SIDE",
         value_enum,
-        default_value_t,
-        hide_default_value = true,
         hide_possible_values = true,
-        help = "Which foot makes the first step [default: right]"
+        help = "Which foot makes the first step [default: right, the inner one into a turn]"
     )]
-    pub(crate) first: Side,
+    pub(crate) first: Option<Side>,
     #[arg(long = "loop", value_name = "HOW", value_enum, hide_possible_values = true,
-        conflicts_with_all = ["steps", "distance", "duration", "turn", "then"], help = wrap(
+        conflicts_with_all = ["steps", "distance", "duration", "turn", "then", "path"], help = wrap(
         "One stride that repeats instead of a walk: on the spot (in-place), or going on (moving); its first frame does not come \
          again as its last. With --rate the step frequency is fitted to whole frames, without it the rate [default: a walk]"
     ))]
@@ -253,10 +255,9 @@ impl From<DeterminantCount> for Determinants {
     }
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Side {
     Left,
-    #[default]
     Right,
 }
 
@@ -286,10 +287,16 @@ pub(crate) enum DoubleSupportLaw {
 #[derive(Debug, Args)]
 pub(crate) struct ChangeArgs {
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help = wrap(&format!(
-        "By how much each step turns to the left, -{turn} to {turn}°, {in_all}° in all [default: 0]",
+        "By how much each step turns to the left, -{turn} to {turn}°; beyond {in_all}° in all the root turns by its heading first. With \
+         --step-length 0 it turns on the spot [default: 0]",
         turn = TURN.to_degrees().round(), in_all = TURN_IN_ALL.to_degrees().round()
     )))]
     pub(crate) turn: Option<Number>,
+    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["steps", "distance", "duration", "turn", "then"], help = wrap(
+        "Walk along a way: a table with the columns x (to the left) and z (ahead) in m, points as the walker sees them who stands at 0, 0 \
+         and faces along z. Corners are rounded, steps shorter in bends, and it ends at the last point [default: straight on]"
+    ))]
+    pub(crate) path: Option<PathBuf>,
     #[arg(long, value_name = "WHAT", value_parser = then::parse, help = wrap(
         "What comes next; several are allowed. steps=4,step-frequency=95,step-length=0.6,speed=1,turn=15: steps of another \
          pace or direction (with neither frequency, length nor speed the pace stays; else what is left out is people's); a short \

@@ -3,7 +3,7 @@
 use crate::args::{WalkArgs, parse, walk_options};
 use crate::error::CliError;
 use crate::pool::pool;
-use crate::walk::{asked, figure};
+use crate::walk::{asked, figure, heading_first};
 use clap::Command;
 use rayon::ThreadPool;
 use rayon::prelude::*;
@@ -81,7 +81,13 @@ impl Walker {
         };
         let walked = || -> Result<_, CliError> {
             let (asked, figure) = (asked(&args)?, figure(&args.who)?);
-            metrics_of(&figure, &asked.request, self.rate).map_err(|error| asked.refuse(error, &args))
+            let metrics = match metrics_of(&figure, &asked.request, self.rate) {
+                Err(error) if error.turns_too_far() && args.who.figure.is_none() => {
+                    metrics_of(&heading_first(&args.who.person)?, &asked.request, self.rate)
+                }
+                metrics => metrics,
+            };
+            metrics.map_err(|error| asked.refuse(error, &args))
         };
         walked().map_err(|error| error.to_string().split_whitespace().collect::<Vec<_>>().join(" "))
     }

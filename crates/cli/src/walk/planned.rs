@@ -25,6 +25,8 @@ pub(super) struct Planned {
     pub(super) beside: Option<BesideKeyPostures>,
     /// A steady stride of a run.
     pub(super) running: Option<SteadyRun>,
+    /// Whether the root turns by its heading first, as nobody asked for.
+    pub(super) heading_first: bool,
     /// How long planning took, and all with the forces.
     pub(super) planning: Duration,
     pub(super) solving: Duration,
@@ -57,7 +59,7 @@ pub(super) fn postures(plan: &StyledPlan) -> Option<KeyPostures> {
 impl Planned {
     /// Plans, samples, and finds the forces, which are in the motion.
     pub(super) fn of(
-        figure: &Figure,
+        figure: &mut Figure,
         asked: &Asked,
         args: &WalkArgs,
         progress: &Progress,
@@ -65,14 +67,23 @@ impl Planned {
         let (looped, rate) = (args.manner.repeats, args.extent.rate.unwrap_or(RATE.0));
         let start = Instant::now();
         progress.stage("planning the walk");
-        let plan_of = |request: &StyledRequest| {
+        let plan_of = |figure: &Figure, request: &StyledRequest| {
             StyledPlan::of(figure, request).map_err(|error| asked.refuse(error, args))
         };
-        let mut plan = plan_of(&asked.request)?;
+        let mut heading_first = false;
+        let mut plan = match StyledPlan::of(figure, &asked.request) {
+            Err(error) if error.turns_too_far() && args.who.figure.is_none() => {
+                *figure = super::heading_first(&args.who.person)?;
+                heading_first = true;
+                plan_of(figure, &asked.request)?
+            }
+            plan => plan.map_err(|error| asked.refuse(error, args))?,
+        };
+        let figure = &*figure;
         let asked_frequency = plan.step_frequency();
         let in_step = || looped::in_step(&asked.request, asked_frequency, rate);
         if let Some(request) = looped.and(args.extent.rate).and_then(|_| in_step()) {
-            plan = plan_of(&request)?;
+            plan = plan_of(figure, &request)?;
         }
         let planning = start.elapsed();
         super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
@@ -111,12 +122,13 @@ impl Planned {
             repeats: looped.is_some(),
             asked_frequency,
             changes: match &asked.request {
-                StyledRequest::Smooth(walk) => !walk.then.is_empty(),
+                StyledRequest::Smooth(walk) => !walk.then.is_empty() || walk.path.is_some(),
                 StyledRequest::Sequence(_) => true,
                 StyledRequest::Thesis(_) | StyledRequest::Run(_) => false,
             },
             beside,
             running,
+            heading_first,
             planning,
             solving: start.elapsed(),
         };

@@ -91,8 +91,18 @@ impl Report {
         lone: &[IsolatedPeak],
         nearest_limbs: Option<NearestLimbs>,
     ) -> Self {
-        let Planned { plan, forces, repeats, asked_frequency, changes, beside, running, planning, solving } =
-            planned;
+        let Planned {
+            plan,
+            forces,
+            repeats,
+            asked_frequency,
+            changes,
+            beside,
+            running,
+            heading_first,
+            planning,
+            solving,
+        } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));
@@ -107,6 +117,13 @@ impl Report {
                 motion.len() - 1,
                 short(motion.info.rate)
             ));
+        }
+        if heading_first {
+            notes.push(
+                "it turns too far for a root that turns about z first: the root turns by its heading first (root.ry, rz, rx); \
+                 solaris figure human --heading-first writes this figure"
+                    .to_owned(),
+            );
         }
         let WalkMeasures { steps, distance, duration, double_supports, extremes, joints, steady } = measures;
         Self {

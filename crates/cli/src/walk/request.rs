@@ -1,5 +1,6 @@
 //! The walk that is asked for, out of the options.
 
+mod path;
 mod refused;
 
 use crate::args::{
@@ -40,7 +41,7 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         let request = RunRequest {
             speed: value(args.pace.speed.as_ref()).unwrap_or(DEFAULT_RUN_SPEED),
             extent: extent(args, LOOPED_RUN),
-            left_first: args.manner.first == Side::Left,
+            left_first: args.manner.first == Some(Side::Left),
             ..RunRequest::default()
         };
         return Ok(Asked { request: StyledRequest::Run(request), origins: Vec::new() });
@@ -52,13 +53,22 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         // The determinant that is missing: the pelvis does not turn.
         parameters.push(("rotation", 0.0));
     }
+    let path = args.changes.path.as_deref().map(path::read).transpose()?;
+    let turn = value(args.changes.turn.as_ref()).unwrap_or_default().to_radians();
+    // The inner foot opens a turn.
+    let inner = if turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0) {
+        Side::Left
+    } else {
+        Side::Right
+    };
     let first = WalkRequest {
         step_frequency: value(pace.step_frequency.as_ref()),
         step_length: value(pace.step_length.as_ref()),
         speed: value(pace.speed.as_ref()),
         extent: extent(args, LOOPED_STEPS.0),
-        turn: value(args.changes.turn.as_ref()).unwrap_or_default().to_radians(),
-        left_first: args.manner.first == Side::Left,
+        turn,
+        path,
+        left_first: args.manner.first.unwrap_or(inner) == Side::Left,
         parameters,
         ..WalkRequest::default()
     };
@@ -112,7 +122,7 @@ fn thesis(args: &WalkArgs, determinants: Determinants) -> ThesisRequest {
         },
         step_width: value(args.style.0.get("step-width")),
         sway: value(manner.sway.as_ref()).unwrap_or_default(),
-        left_first: manner.first == Side::Left,
+        left_first: manner.first == Some(Side::Left),
     }
 }
 

@@ -5,6 +5,7 @@ use super::leg::LegPose;
 use super::rotations::{self, Euler};
 use super::segments::{Body, Segment};
 use nalgebra::{Matrix3, Vector3};
+use solaris_model::RootOrder;
 
 /// Rotation of the hand about x (rad): the fingers a little forward.
 const HAND_FLEXION: f64 = -0.08;
@@ -92,10 +93,14 @@ impl Posture {
         q[body.root..body.root + 3].copy_from_slice(root.as_slice());
         let mut set = |segment: &Segment, angles: Euler| q[segment.q..segment.q + 3].copy_from_slice(&angles);
         let rotations = self.trunk.map(rotations::matrix);
-        let facing = if self.heading == 0.0 {
-            self.trunk[0]
-        } else {
-            rotations::euler(&(rotations::about_y(self.heading) * rotations[0]))
+        let facing = match body.root_order {
+            // The heading is outermost, and goes on past a whole turn: R = Ry(h)·Ry(a) Rz(b) Rx(c).
+            RootOrder::Yzx => {
+                let [y, z, x] = rotations::heading_first(&rotations[0]);
+                [self.heading + y, z, x]
+            }
+            RootOrder::Zyx if self.heading == 0.0 => self.trunk[0],
+            RootOrder::Zyx => rotations::euler(&(rotations::about_y(self.heading) * rotations[0])),
         };
         set(&body.middle[0], facing);
         for i in 1..5 {

@@ -5,7 +5,7 @@ use super::leg::LegGeometry;
 use super::roles::{ARM, LEG, MIDDLE, SIDES};
 use crate::error::BodyError;
 use nalgebra::{Matrix3, Vector3};
-use solaris_model::{AxisKind, Figure, Vector3 as V3};
+use solaris_model::{AxisKind, Figure, RootOrder, Vector3 as V3};
 
 /// Height of the person that the recipe's lengths were measured on (m).
 pub(crate) const REFERENCE_HEIGHT: f64 = 1.741;
@@ -48,6 +48,8 @@ pub(crate) struct Body {
     pub(crate) leg: LegGeometry,
     /// First entry of the root's translations in `q`.
     pub(crate) root: usize,
+    /// The order in which the root turns.
+    pub(crate) root_order: RootOrder,
     pub(crate) middle: [Segment; 5],
     pub(crate) arms: [[Segment; 4]; 2],
     pub(crate) legs: [[Segment; 4]; 2],
@@ -73,6 +75,7 @@ impl Body {
             height: figure.stature().unwrap_or(leg.length() / LEG_OVER_HEIGHT),
             leg,
             root,
+            root_order: root_order(figure),
             middle,
             arms: [limb(SIDES[0], ARM, "thorax")?, limb(SIDES[1], ARM, "thorax")?],
             legs: [limb(SIDES[0], LEG, "pelvis")?, limb(SIDES[1], LEG, "pelvis")?],
@@ -85,6 +88,13 @@ impl Body {
     }
 }
 
+/// The order in which the root turns: by its heading first where its first rotation is about y.
+fn root_order(figure: &Figure) -> RootOrder {
+    let axes = figure.links()[0].joint().kind().axes();
+    let first = axes.iter().map(|dof| dof.axis).find(|axis| axis.kind == AxisKind::Rotation);
+    if first.is_some_and(|axis| axis.direction == V3::y()) { RootOrder::Yzx } else { RootOrder::Zyx }
+}
+
 pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, BodyError> {
     let missing = || BodyError::MissingLinks { figure: figure.name().into(), links: vec![name.into()] };
     let index = figure.link_index(name).ok_or_else(missing)?;
@@ -94,12 +104,16 @@ pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Resu
         let show = |parent: Option<&str>| parent.unwrap_or("the world").to_owned();
         return Err(BodyError::OtherParent { link: name.into(), parent: show(found), wanted: show(parent) });
     }
+    let [first, second] = match root_order(figure) {
+        RootOrder::Yzx if parent.is_none() => [V3::y(), V3::z()],
+        _ => [V3::z(), V3::y()],
+    };
     let wanted: &[(AxisKind, V3<f64>)] = &[
         (AxisKind::Translation, V3::x()),
         (AxisKind::Translation, V3::y()),
         (AxisKind::Translation, V3::z()),
-        (AxisKind::Rotation, V3::z()),
-        (AxisKind::Rotation, V3::y()),
+        (AxisKind::Rotation, first),
+        (AxisKind::Rotation, second),
         (AxisKind::Rotation, V3::x()),
     ];
     let wanted = if parent.is_none() { wanted } else { &wanted[3..] };

@@ -18,8 +18,8 @@ pub enum BodyError {
     #[error("link '{link}' hangs on {parent}; the walker needs it on {wanted}")]
     OtherParent { link: String, parent: String, wanted: String },
     #[error(
-        "joint '{joint}': the walker needs rotations about z, y, x in this order (the root slides along x, y, z first), \
-         with axes parallel to the parent's"
+        "joint '{joint}': the walker needs rotations about z, y, x in this order (the root slides along x, y, z first, and \
+         may turn about y, z, x), with axes parallel to the parent's"
     )]
     OtherJoint { joint: String },
     #[error(

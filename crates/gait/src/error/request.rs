@@ -28,10 +28,30 @@ pub enum RequestError {
     )]
     DistanceThenMore { distance: f64 },
     #[error(
-        "the walk turns by {turned:.1}° in all; it may turn by {limit}°, for at a quarter turn the root's three angles are \
-         singular"
+        "the walk turns by {turned:.1}° in all; this figure may turn by {limit}°, for at a quarter turn its root's angles (about z, y, \
+         x) are singular: give it a root that turns by its heading first, in a figure's text Human(..., root: Yzx), in the library \
+         Human::root(RootOrder::Yzx)"
     )]
     TurnInAll { turned: f64, limit: f64 },
+    #[error(
+        "a path with {points} points besides the place where the walker stands; give it 1 to {most}, as x and z in m"
+    )]
+    PathPoints { points: usize, most: usize },
+    #[error("point {number} of the path is ({x}, {z}); both numbers must be finite (m)")]
+    PathPoint { number: usize, x: f64, z: f64 },
+    #[error(
+        "a path of {length:.1} m needs more than {most} steps, the most of a walk that changes on the way; cut it into parts"
+    )]
+    PathTooLong { length: f64, most: usize },
+    #[error(
+        "the path bends by {turn:.0}° within a tenth of a step near ({x:.2}, {z:.2}); a step turns by {most:.0}° at most: give \
+         the bend more room, or a single corner that can be rounded"
+    )]
+    PathBends { x: f64, z: f64, turn: f64, most: f64 },
+    #[error(
+        "a walk along a path is given {what} too; how far it goes and where it turns the path says: drop one"
+    )]
+    PathAndMore { what: &'static str },
     #[error(
         "foot-yaw {to:.1}°: the feet stand {from:.1}° outward after the walk before, and standing feet do not turn; give all \
          walks the same"

@@ -13,7 +13,7 @@ pub(super) const LANDING_STRAIGHTER: f64 = 2.0 * DEGREE;
 // In the push.
 
 /// The greatest pitch of the foot at toe-off, also when the body is far ahead.
-pub(super) const STEEPEST_PITCH: f64 = 78.0 * DEGREE;
+pub(crate) const STEEPEST_PITCH: f64 = 78.0 * DEGREE;
 /// By how much the knee's waypoint is more bent than the leg on a flat foot, and over which width it comes to be.
 pub(super) const WAYPOINT_ABOVE_FLAT: f64 = 2.5 * DEGREE;
 pub(super) const WAYPOINT_WIDTH: f64 = 2.0 * DEGREE;

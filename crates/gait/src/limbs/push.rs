@@ -20,6 +20,8 @@ pub(crate) struct Push {
     pub(crate) most_knee: f64,
     /// How far the foot's pitch is rounded off where it would stay at the ground in mid-push (rad); none for 0.
     pub(crate) softness: f64,
+    /// The greatest pitch of the foot at toe-off: where the body is so far ahead that it would be steeper, the knee is straighter.
+    pub(crate) steepest: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,
 }

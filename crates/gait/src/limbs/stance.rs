@@ -169,10 +169,15 @@ impl Stance {
         let (heel_off, toe_off) = (self.push.heel_off, self.toe_off);
         let start = self.flat_knee_jet(heel_off, &hip);
         let steepest =
-            (hip(toe_off) - self.ankle_on_ball(&self.ball(toe_off), STEEPEST_PITCH)).norm_squared();
+            (hip(toe_off) - self.ankle_on_ball(&self.ball(toe_off), self.push.steepest)).norm_squared();
         let mut end = self.push.knee_toe_off;
         end.position = end.position.min(self.leg.knee_for(steepest.min(self.leg.almost_straight_squared())));
         let most = self.push.most_knee.max(end.position);
+        if self.push.steepest < STEEPEST_PITCH {
+            // As much slower as it is straighter, or the foot would go on to tip over.
+            let part = (end.position / self.push.knee_toe_off.position).clamp(0.0, 1.0);
+            (end.velocity, end.acceleration) = (end.velocity * part.powi(2), end.acceleration * part.powi(2));
+        }
         let mut waypoint = self.push.waypoint.map(|(at, knee)| {
             let excess = (self.flat_knee(at, &hip) + WAYPOINT_ABOVE_FLAT - knee) / WAYPOINT_WIDTH;
             (at, knee + WAYPOINT_WIDTH * excess.min(MOST_WIDTHS).exp().ln_1p())

@@ -1,6 +1,7 @@
 //! The request for a smooth walk, with its ranges.
 
 use super::ground::WalkGround;
+use super::path::WalkPath;
 use super::resolution::Resolution;
 
 /// Numbers of steps.
@@ -9,8 +10,8 @@ pub const STEPS: (usize, usize) = (1, 10_000);
 pub const SHORTEST_DISTANCE: f64 = 0.1;
 /// The most by which a step may turn (rad).
 pub const TURN: f64 = 30.0 * std::f64::consts::PI / 180.0;
-/// The most by which a walk may turn in all (rad): where the pelvis faces across, the root's angles are singular, and the pelvis
-/// turns by up to 12° of its own.
+/// The most by which a walk may turn in all (rad) where the figure's root turns in the order Z-Y-X: where the pelvis faces across,
+/// these angles are singular, and the pelvis turns by up to 12° of its own. With [`solaris_model::RootOrder::Yzx`] there is no bound.
 pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Steps of a walk that changes on the way: it is planned whole.
 pub const CHANGING_STEPS: usize = 1000;
@@ -65,6 +66,8 @@ pub struct WalkRequest {
     pub then: Vec<WalkPart>,
     /// What is walked on. Where it is not level a walk has one part, straight on.
     pub ground: WalkGround,
+    /// A way to walk along instead: it says how far, and nothing else may turn or follow. Up to 110 steps/min.
+    pub path: Option<WalkPath>,
     /// Whether the left foot makes the first step; else the right one.
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
@@ -83,6 +86,7 @@ impl Default for WalkRequest {
             turn: 0.0,
             then: Vec::new(),
             ground: WalkGround::Level,
+            path: None,
             left_first: false,
             parameters: Vec::new(),
             resolution: Resolution::default(),

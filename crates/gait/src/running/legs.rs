@@ -2,7 +2,7 @@
 
 use super::style::RunStyle;
 use crate::limbs::jet::LegJet;
-use crate::limbs::numbers::MOST_KNEE_TOE_OFF;
+use crate::limbs::numbers::{MOST_KNEE_TOE_OFF, STEEPEST_PITCH};
 use crate::limbs::push::Push;
 use crate::limbs::stance::Footing;
 use crate::limbs::swing::{Clearance, Swing, Toes, Way};
@@ -53,6 +53,7 @@ impl RunStyle {
             most_knee: MOST_KNEE_TOE_OFF,
             softness: 0.0,
             most_roll: f64::MAX,
+            steepest: STEEPEST_PITCH,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::style::Style;
 use crate::limbs::jet::LegJet;
+use crate::limbs::numbers::STEEPEST_PITCH;
 use crate::limbs::push::Push;
 use crate::limbs::stance::{Footing, Landing};
 use crate::limbs::swing::{Clearance, Swing, Way};
@@ -83,6 +84,7 @@ impl Style {
             most_knee: self.toe_off_most,
             softness: self.push_softness,
             most_roll: self.manner.toe_roll_part,
+            steepest: STEEPEST_PITCH,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }

@@ -3,15 +3,18 @@
 use crate::body::Body;
 use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
-use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
+use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, WALK_RATIO, range, tidy};
 use crate::request::{
-    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkGround, WalkRequest,
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkGround,
+    WalkPath, WalkRequest,
 };
+use crate::smooth::laid::{Laid, lay};
 use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
 use crate::smooth::terrain::{LEAD, StepKind, Terrain};
 use crate::smooth::walk::{Grounded, Step, Steps, WalkNumbers, WalkPlan, steps};
+use solaris_model::RootOrder;
 
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
@@ -22,12 +25,19 @@ const LENGTHENING: f64 = 1.12;
 /// What a step above the frequency of the ends may lose to the one after, towards the end (steps/min).
 const LOSS: f64 = 10.0;
 
+/// The step frequency of short steps that turn, where none is given (steps/min).
+const TURNING_STEP_FREQUENCY: f64 = 90.0;
+
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     steps: usize,
     pace: Pace,
     turn: f64,
+    /// Length of its steps (m) where they are shorter than any that a pace has.
+    length: Option<f64>,
+    /// Which way its step goes on a path (rad), and where to.
+    laid: Option<Laid>,
 }
 
 /// The parts of a walk, checked for range.
@@ -38,14 +48,27 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    /// For a person of this height (m) that faces `heading` to the left of z (rad).
-    pub(crate) fn of(request: &WalkRequest, height: f64, heading: f64) -> Result<Self, GaitError> {
+    /// For a body that faces `heading` to the left of z (rad).
+    pub(crate) fn of(request: &WalkRequest, body: &Body, heading: f64) -> Result<Self, GaitError> {
+        let height = body.height;
         let given = Given {
             step_frequency: request.step_frequency,
             step_length: request.step_length,
             speed: request.speed,
         };
-        let mut pace = given.settle(height, 1.0 - STEP_LENGTH_MARGIN)?;
+        let (mut pace, mut length) = match turning_short(&given, height, request.turn) {
+            Some(found) => found?,
+            None => (
+                given.settle(
+                    height,
+                    if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP },
+                )?,
+                None,
+            ),
+        };
+        if let Some(path) = &request.path {
+            return Self::along(path, request, pace, body, heading);
+        }
         let mut steps = match request.extent {
             Extent::Steps(steps) => steps,
             Extent::Distance(distance) => {
@@ -70,7 +93,7 @@ impl Route {
         for (number, next) in std::iter::once(None).chain(request.then.iter().map(Some)).enumerate() {
             let turn = next.map_or(request.turn, |next| next.turn);
             let checked = || -> Result<Part, GaitError> {
-                let (mut steps, mut pace) = (steps, pace);
+                let (mut steps, mut pace, mut length) = (steps, pace, length);
                 if let Some(next) = next {
                     let given = Given {
                         step_frequency: next.step_frequency,
@@ -78,25 +101,25 @@ impl Route {
                         speed: next.speed,
                     };
                     steps = next.steps;
-                    pace = if given.nothing() { pace } else { given.settle(height, SHORTEST_STEP)? };
+                    (pace, length) = match turning_short(&given, height, turn) {
+                        _ if given.nothing() => (pace, length),
+                        Some(found) => found?,
+                        None => (given.settle(height, SHORTEST_STEP)?, None),
+                    };
                 }
                 let (lower, upper) = (STEPS.0 as f64, STEPS.1 as f64);
                 range("steps", steps as f64, "", (lower, upper), String::new)?;
                 let limit = tidy(TURN.to_degrees());
                 range("turn", turn.to_degrees(), "°", (-limit, limit), || " a step".to_owned())?;
-                Ok(Part { steps, pace, turn })
+                Ok(Part { steps, pace, turn, length, laid: None })
             };
             let part = checked().map_err(|why| match number {
                 0 => why,
                 _ => GaitError::InPart { number: number + 1, why: Box::new(why) },
             })?;
-            (steps, pace) = (part.steps, part.pace);
+            (steps, pace, length) = (part.steps, part.pace, part.length);
             turned += part.turn * part.steps as f64;
-            let limit = TURN_IN_ALL;
-            if turned.abs() > limit + 1e-12 {
-                let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
-                return Err(RequestError::TurnInAll { turned, limit }.into());
-            }
+            check_turned(body, turned)?;
             parts.push(part);
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
@@ -112,6 +135,40 @@ impl Route {
             " where pace or direction change on the way".to_owned()
         })?;
         Ok(route)
+    }
+
+    /// Steps along a way.
+    fn along(
+        path: &WalkPath,
+        request: &WalkRequest,
+        pace: Pace,
+        body: &Body,
+        heading: f64,
+    ) -> Result<Self, GaitError> {
+        if request.ground != WalkGround::Level {
+            return Err(RequestError::NotOnTerrain { what: "a path" }.into());
+        }
+        let given = [("steps that turn", request.turn != 0.0), ("more steps", !request.then.is_empty())];
+        if let Some((what, _)) = given.into_iter().find(|(_, given)| *given) {
+            return Err(RequestError::PathAndMore { what }.into());
+        }
+        range("step frequency", pace.step_frequency, " steps/min", (STEP_FREQUENCY.0, ENDS), || {
+            " along a path".to_owned()
+        })?;
+        check_turned(body, path.widest().max((heading + path.turns()).abs()))?;
+        let parts = lay(path, pace, 0.5 * body.leg.foot_length())?.into_iter().map(|laid| Part {
+            steps: 1,
+            pace: laid.pace,
+            turn: laid.turn,
+            length: Some(laid.length),
+            laid: Some(laid),
+        });
+        Ok(Self { parts: parts.collect(), ground: WalkGround::Level })
+    }
+
+    /// Where a step of a path leads (x, z; m); both count from 1.
+    pub(crate) fn place_of(&self, step: usize) -> Option<[f64; 2]> {
+        Some(self.parts.get(step.checked_sub(1)?)?.laid?.place)
     }
 
     /// The pace of the first part.
@@ -133,7 +190,7 @@ impl Route {
     pub(crate) fn with_step_length(&self, step_length: f64, most: usize) -> Self {
         let first = self.parts[0];
         let pace = Pace { step_length, ..first.pace };
-        let parts = vec![Part { pace, steps: first.steps.min(most), ..first }];
+        let parts = vec![Part { pace, steps: first.steps.min(most), length: None, ..first }];
         Self { parts, ground: self.ground.clone() }
     }
 
@@ -182,8 +239,9 @@ impl Route {
             WalkGround::Stairs(stairs) => stairs.count + 2 * LEAD,
             _ => part.steps,
         };
-        let levels: Vec<Step> =
-            steps::factors(count).map(|factor| Step::level(0, factor * part.pace.step_length, 0.0)).collect();
+        let levels: Vec<Step> = steps::factors(count)
+            .map(|factor| Step::along_an_arc(0, factor * part.pace.step_length, 0.0))
+            .collect();
         let Some(terrain) = Terrain::of(&self.ground, &body.leg, part.pace.step_length, &levels)? else {
             unreachable!("ground that is not level")
         };
@@ -270,6 +328,29 @@ impl Route {
     }
 }
 
+/// Refuses a turn (rad) before which the angles of the body's root are singular.
+fn check_turned(body: &Body, turned: f64) -> Result<(), RequestError> {
+    let limit = TURN_IN_ALL;
+    if body.root_order == RootOrder::Zyx && turned.abs() > limit + 1e-12 {
+        let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
+        return Err(RequestError::TurnInAll { turned, limit });
+    }
+    Ok(())
+}
+
+/// The pace of steps that turn and are shorter than any that go straight on, down to none at all: the shortest one's, and their
+/// length (m); nothing for others.
+fn turning_short(given: &Given, height: f64, turn: f64) -> Option<Result<(Pace, Option<f64>), RequestError>> {
+    let length = given.step_length.filter(|_| turn != 0.0 && given.speed.is_none())?;
+    let step_frequency = given.step_frequency.unwrap_or(TURNING_STEP_FREQUENCY);
+    let shortest = SHORTEST_STEP * WALK_RATIO * height * step_frequency;
+    if !(0.0..shortest).contains(&length) {
+        return None;
+    }
+    let given = Given { step_frequency: Some(step_frequency), step_length: Some(shortest), speed: None };
+    Some(given.settle(height, SHORTEST_STEP).map(|pace| (pace, Some(length))))
+}
+
 /// The steps of some parts; paces that are new are added to `paces`.
 fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
     let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
@@ -280,7 +361,12 @@ fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> 
             paces.len() - 1
         });
         let turn = if mirrored { -part.turn } else { part.turn };
-        Step::level(index, factor * pace.step_length, turn)
+        if let Some(Laid { length, bearing, .. }) = part.laid {
+            let bearing = if mirrored { -bearing } else { bearing };
+            return Step { bearing, ..Step::along_an_arc(index, length, turn) };
+        }
+        let length = factor * part.length.unwrap_or(pace.step_length);
+        Step::along_an_arc(index, length, turn)
     });
     steps.collect()
 }

@@ -1,11 +1,11 @@
 //! The human built: from the table of segments to a figure.
 
-use super::Joints;
 use super::girth;
 use super::segments::{
     ANGLES, BALL_HEIGHT, DAMPING, Drawn, HEEL_BEHIND, LIMITS, REFERENCE_HEIGHT, REFERENCE_MASS, SEGMENTS,
     Segment,
 };
+use super::{Joints, RootOrder};
 use crate::builder::{FigureBuilder, LinkSpec};
 use crate::fault::FigureError;
 use crate::figure::Figure;
@@ -27,6 +27,7 @@ pub(super) struct Body<'a> {
     /// Mass (kg).
     pub(super) mass: f64,
     pub(super) joints: Joints,
+    pub(super) root: RootOrder,
     /// A segment's share of the mass relative to the table, by its name without the side.
     pub(super) share: &'a dyn Fn(&str) -> f64,
     /// A segment's length relative to the table at this height, by its names with and without the side.
@@ -163,10 +164,15 @@ impl Side<'_> {
             return if is_root { Joint::free(name) } else { Joint::ball(name) }.at(at).passive(acts);
         }
         let mut joint = Joint::new(name).at(at);
-        if segment.parent.is_empty() {
+        let is_root = segment.parent.is_empty();
+        if is_root {
             joint = joint.tx().ty().tz();
         }
-        let order = if is_limp && segment.joint == "elbow" { ["rx", "rz", "ry"] } else { ["rz", "ry", "rx"] };
+        let order = match segment.joint {
+            "elbow" if is_limp => ["rx", "rz", "ry"],
+            _ if is_root && self.body.root == RootOrder::Yzx => ["ry", "rz", "rx"],
+            _ => ["rz", "ry", "rx"],
+        };
         for axis in order {
             joint = match axis {
                 "rz" => joint.rz(),

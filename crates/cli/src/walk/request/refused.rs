@@ -69,7 +69,8 @@ fn of_walks(args: &WalkArgs) -> Option<(&'static str, String)> {
 /// What was given that the smooth style alone has.
 fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
     let turn = args.changes.turn.as_ref().map(|turn| ("turn", turn.typed.clone()));
-    turn.or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
+    let path = args.changes.path.as_ref().map(|path| ("path", path.display().to_string()));
+    turn.or(path).or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
 }
 
 /// What was given that the thesis's style alone has.

@@ -1,6 +1,6 @@
 //! The course of a walk: where and in which order its feet stand.
 
-use super::numbers::{BEGIN, SETTLE};
+use super::numbers::{BEGIN, OPENED, SETTLE};
 use crate::body::foot::{mirror, turned};
 use nalgebra::Vector3;
 
@@ -13,6 +13,8 @@ pub(crate) struct Step {
     pub(crate) length: f64,
     /// By how much its foot turns to the left of the other one (rad).
     pub(crate) turn: f64,
+    /// Which way it goes, to the left of where the other foot points (rad): half the turn along an arc.
+    pub(crate) bearing: f64,
     /// By how much its print is higher than the one before (m).
     pub(crate) rise: f64,
     /// Pitch of the ground under it (rad).
@@ -20,9 +22,9 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// On level ground.
-    pub(crate) fn level(pace: usize, length: f64, turn: f64) -> Self {
-        Self { pace, length, turn, rise: 0.0, tilt: 0.0 }
+    /// On level ground, along the chord of an arc.
+    pub(crate) fn along_an_arc(pace: usize, length: f64, turn: f64) -> Self {
+        Self { pace, length, turn, bearing: 0.5 * turn, rise: 0.0, tilt: 0.0 }
     }
 }
 
@@ -56,6 +58,20 @@ impl Print {
     pub(super) fn local(&self, side: usize, point: &Vector3<f64>) -> Vector3<f64> {
         let at = turned(-self.heading, &(point - self.place));
         if side == 0 { at } else { mirror(&at) }
+    }
+
+    /// The same with a foot turned by `opened` to the left about its heel, which is `beside` the way (m).
+    fn opened(&self, side: usize, opened: f64, beside: f64) -> Self {
+        if opened == 0.0 {
+            return *self;
+        }
+        let heel = if side == 0 { beside } else { -beside };
+        let (heel, heading) = (Vector3::x() * heel, self.heading + opened);
+        Self {
+            place: self.place + turned(self.heading, &heel) - turned(heading, &heel),
+            heading,
+            tilt: self.tilt,
+        }
     }
 
     /// The point of the world.
@@ -94,17 +110,19 @@ pub(crate) struct Course {
     /// Rest before and after these clocks.
     pub(super) begin: f64,
     pub(super) end: f64,
+    /// Points of the way and where it goes there.
     prints: Vec<Print>,
+    /// The same for the feet, which are turned outward besides where the way turns.
+    feet: Vec<Print>,
 }
 
 impl Course {
-    /// Of steps from feet that stand on ground of this pitch (rad).
-    pub(super) fn new(steps: &[Step], standing: f64) -> Self {
+    /// Of steps of feet on lines `beside` the way (m), from feet that stand on ground of this pitch (rad).
+    pub(super) fn new(steps: &[Step], beside: f64, standing: f64) -> Self {
         let mut print = Print { tilt: standing, ..Print::default() };
         let mut prints = vec![print];
         for step in steps {
-            // Along the chord of an arc.
-            let along = turned(print.heading + 0.5 * step.turn, &Vector3::z()) * step.length;
+            let along = turned(print.heading + step.bearing, &Vector3::z()) * step.length;
             print = Print {
                 place: print.place + along + Vector3::y() * step.rise,
                 heading: print.heading + step.turn,
@@ -114,7 +132,30 @@ impl Course {
         }
         prints.push(print);
         let n = steps.len();
-        Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints }
+        let feet =
+            prints.iter().enumerate().map(|(k, way)| way.opened(k % 2, opened(steps, k), beside)).collect();
+        Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints, feet }
+    }
+
+    /// Whether it turns at contact `k` or two steps before or after it.
+    pub(super) fn turns_near(&self, k: usize) -> bool {
+        (k.saturating_sub(2)..=k + 2).any(|near| self.turning(near) > 0.0)
+    }
+
+    /// Whether it goes straight on from begin to end.
+    pub(super) fn is_straight(&self) -> bool {
+        self.prints.iter().all(|print| print.heading == 0.0)
+    }
+
+    /// Length of the step to contact `k` (m).
+    pub(super) fn step_length(&self, k: usize) -> f64 {
+        (self.prints[k].place - self.prints[k.saturating_sub(1)].place).norm()
+    }
+
+    /// By how much the way turns at contact `k` (rad), whichever way: the mean of the steps before and after it.
+    pub(super) fn turning(&self, k: usize) -> f64 {
+        let at = |k: usize| self.prints[k.min(self.steps)].heading;
+        0.5 * (at(k + 1) - at(k.saturating_sub(1))).abs()
     }
 
     /// Where it begins.
@@ -167,7 +208,7 @@ impl Course {
     pub(super) fn episode(&self, side: usize, j: usize) -> Episode {
         if j == 0 {
             let (contact, next) = if side == 0 { (0.0, 1) } else { (-0.5, 0) };
-            return Episode { side, contact, print: self.prints[0], kind: Kind::First, index: 0, next };
+            return Episode { side, contact, print: self.feet[0], kind: Kind::First, index: 0, next };
         }
         let index = 2 * j - side;
         let kind = match index {
@@ -175,7 +216,7 @@ impl Course {
             k if k == self.steps => Kind::Last,
             _ => Kind::Close,
         };
-        Episode { side, contact: index as f64 / 2.0, print: self.prints[index], kind, index, next: index + 1 }
+        Episode { side, contact: index as f64 / 2.0, print: self.feet[index], kind, index, next: index + 1 }
     }
 
     /// The print that a foot stands on or has left last, at the clock `u`.
@@ -185,6 +226,19 @@ impl Course {
     }
 }
 
+/// By how much the foot of contact `k` is turned outward besides its own way: the inner foot opens into a turn, the outer one does
+/// not follow all of it, so that knees and toes pass each other. Feet that stand at the ends are as ever.
+fn opened(steps: &[Step], k: usize) -> f64 {
+    if k == 0 || k >= steps.len() {
+        return 0.0;
+    }
+    let turn = 0.5 * (steps[k - 1].turn + steps[k].turn);
+    // Beside a foot that stands as ever it makes up for both.
+    let alone = k == 1 || k + 1 == steps.len() || steps[k - 1].turn == 0.0 || steps[k].turn == 0.0;
+    let outward = turn.abs() * if alone { OPENED.1 } else { OPENED.0 };
+    if k % 2 == 1 { -outward } else { outward }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -192,8 +246,8 @@ mod tests {
     #[test]
     fn an_even_turn_goes_round_a_circle_and_faces_along_it() {
         let turn = 0.3;
-        let steps = [Step::level(0, 0.6, turn); 20];
-        let course = Course::new(&steps, 0.0);
+        let steps = [Step::along_an_arc(0, 0.6, turn); 20];
+        let course = Course::new(&steps, 0.05, 0.0);
         // Chords of 0.6 m that turn by 0.3: a circle of radius 0.3 m / sin 0.15 to the left.
         let radius = 0.3 / (0.5 * turn).sin();
         for print in &course.prints {

@@ -5,9 +5,10 @@ use super::gaits::LandingLaw;
 use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, FLAT_UNTIL_CHANGE, INSTANTS,
-    KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT,
-    PEAK_FOLLOWS, STANDING_FROM, STANDING_HEEL_LATER, STANDING_HEEL_OFF, STANDING_TOE_OFF, STANDING_WAYPOINT,
-    THIGH_FOLLOWS,
+    KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST,
+    LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, PEAK_FOLLOWS, STANDING_FROM, STANDING_HEEL_LATER,
+    STANDING_HEEL_OFF, STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS, TURNED_CLOSING, TURNING_STEEPEST,
+    TURNING_UNTIL,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -87,7 +88,8 @@ impl Foot {
                 let steady = laws.gaits.landing(to.index);
                 let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady.thigh);
                 let late_knee = style.knee_late_swing + end.knee.position - steady.knee;
-                Aim { thigh, late_knee, beside: false, tilt, sideways }
+                let beside = shortened(laws, to.index) < LANDS_FLATTER;
+                Aim { thigh, late_knee, beside, tilt, sideways }
             };
             let passings = laws.gaits.passings(&to);
             if !passings.is_empty() {
@@ -191,6 +193,9 @@ fn stance(
         }
         _ => {}
     }
+    if laws.course.turns_near(episode.index) {
+        push.steepest = TURNING_STEEPEST;
+    }
     let footing = Footing { tilt: episode.print.tilt, ..style.footing() };
     let mut stance = Stance::new(leg, &footing, landing, push);
     let mut contact_knee = None;
@@ -209,6 +214,15 @@ fn stance(
     Ok((stance, contact))
 }
 
+/// Length of a turning step over its pace's; 1 straight on.
+fn shortened(laws: &WalkLaws, contact: usize) -> f64 {
+    if laws.course.turning(contact) > 0.0 {
+        laws.course.step_length(contact) / laws.style(contact).step_length
+    } else {
+        1.0
+    }
+}
+
 /// The foot's pitch at contact, toe up.
 fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
     let factor = match episode {
@@ -216,7 +230,8 @@ fn contact_pitch(laws: &WalkLaws, episode: &Episode) -> f64 {
         Episode { index: 1, .. } => laws.numbers.pitch_first,
         _ => 1.0,
     };
-    laws.gaits.landing(episode.index).style.heel_strike_angle * factor
+    let shorter = (shortened(laws, episode.index) / LANDS_FLATTER).clamp(LANDS_LEAST, 1.0);
+    laws.gaits.landing(episode.index).style.heel_strike_angle * factor * shorter
 }
 
 /// How far the body is above what the leg reaches with the wanted knee, by the correction that can lower it. Signed: a
@@ -255,9 +270,11 @@ fn note_need(
         }
         Kind::Last => {
             spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
-            let knee = laws.numbers.knee_closing;
+            let turns = laws.course.turns_near(episode.index);
+            let knee = laws.numbers.knee_closing.max(if turns { KNEE_TURNING } else { 0.0 });
             if knee > 0.0 {
-                spread(CLOSING.0, CLOSING.1, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
+                spread(CLOSING.0, if turns { TURNED_CLOSING } else { CLOSING.1 }, INSTANTS[2])
+                    .for_each(|v| note(v, ankle, knee));
             }
         }
         Kind::First => spread(
@@ -267,6 +284,10 @@ fn note_need(
         )
         .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
+    }
+    // Round a turn the hip is farther from the foot behind it than straight on: it is looked at until the push.
+    if episode.kind == Kind::Step && laws.course.turns_near(episode.index) {
+        spread(stance.heel_off(), TURNING_UNTIL, INSTANTS[4]).for_each(|v| note(v, ankle, KNEE_TURNING));
     }
     let flexion = laws.style(episode.index).flexion;
     if flexion > 0.0 && episode.kind == Kind::Step {

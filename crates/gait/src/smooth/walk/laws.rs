@@ -5,7 +5,7 @@ use super::gaits::Gaits;
 use super::grounded::Grounded;
 use super::numbers::{
     CORRECTION_IN, COUNTS_AHEAD, EDGES, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
-    LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
+    LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
 };
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
@@ -57,7 +57,11 @@ impl WalkLaws {
         ground: Option<&Grounded>,
     ) -> Result<Self, GaitError> {
         Ok(Self {
-            course: Course::new(steps, ground.map_or(0.0, |ground| ground.standing)),
+            course: Course::new(
+                steps,
+                0.5 * strides[standing].style.step_width,
+                ground.map_or(0.0, |ground| ground.standing),
+            ),
             relief: ground.map(|ground| ground.relief.clone()),
             gaits: match ground {
                 Some(ground) => Gaits::on_ground(ground)?,
@@ -114,7 +118,20 @@ impl WalkLaws {
             let after = trunk_after.iter().flatten().chain(arms_after.iter().flatten());
             angles.zip(after).for_each(|(angle, after)| *angle += (after - *angle) * part);
         }
+        // Neck and head turn into a turn before the body does.
+        let ahead = self.looking_ahead(u);
+        trunk[3][1] += 0.5 * ahead;
+        trunk[4][1] += ahead;
         (trunk, arms)
+    }
+
+    /// By how much the head is turned to where the body will face a little later (rad).
+    fn looking_ahead(&self, u: f64) -> f64 {
+        if self.course.is_straight() {
+            return 0.0;
+        }
+        let strides = LOOKS_AHEAD / self.gaits.number(u, |pace| pace.style.stride_time);
+        MOST_AHEAD * ((self.course.heading(u + strides) - self.course.heading(u)) / MOST_AHEAD).tanh()
     }
 
     /// Height of the centre of mass without corrections (m).

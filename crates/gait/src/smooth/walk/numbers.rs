@@ -47,12 +47,20 @@ pub(super) const PEAK_FOLLOWS: (f64, f64) = (8.0 * DEGREE, 0.7);
 pub(super) const LEAST_WEIGHT: f64 = 0.5;
 /// Least height of a hip over its ankle that is reckoned with, over the length of thigh and shank.
 pub(super) const LEAST_HEIGHT: f64 = 0.5;
-/// Instants at which a stance is looked at for its height: of a step, of the last step, while the other foot closes, of standing.
-pub(super) const INSTANTS: [i32; 4] = [12, 14, 10, 12];
+/// Instants at which a stance is looked at for its height: of a step, of the last step, while the other foot closes, of standing,
+/// of a turning step after its heel has risen.
+pub(super) const INSTANTS: [i32; 5] = [12, 14, 10, 12, 8];
 /// Until when the last step is flat for its height, and from when to when it stands while the other foot closes (u after its
 /// contact).
 pub(super) const LAST_FLAT_UNTIL: f64 = 0.42;
 pub(super) const CLOSING: (f64, f64) = (0.44, 0.80);
+/// Until when after a turn.
+pub(super) const TURNED_CLOSING: f64 = 1.05;
+/// Until when a turning step is looked at for its height (u), and the knee flexion for which it is kept then.
+pub(super) const TURNING_UNTIL: f64 = 0.42;
+pub(super) const KNEE_TURNING: f64 = 3.0 * DEGREE;
+/// The steepest pitch of a foot that pushes off round a turn (rad): the outer one is left far behind.
+pub(super) const TURNING_STEEPEST: f64 = 60.0 * DEGREE;
 /// From when the standing feet are looked at for their height (u).
 pub(super) const STANDING_FROM: f64 = -0.6;
 /// Duration of the first height correction's coming in (u).
@@ -75,6 +83,17 @@ pub(super) const FIRST_TIP_ROLL: f64 = 0.06;
 pub(super) const FIRST_TOE_ROLL: f64 = 12.0 * DEGREE;
 /// Its knee at toe-off (rad), and how fast it bends (rad by u).
 pub(super) const FIRST_TOE_OFF: (f64, f64) = (44.0 * DEGREE, 320.0 * DEGREE);
+
+/// By how much a foot is turned outward in a turn, over what a step turns by: between two that are, and beside one that is not.
+pub(super) const OPENED: (f64, f64) = (0.35, 0.6);
+/// Part of its pace's length from which on a turning step lands on its heel as much as ever; the shorter, the flatter. It swings as a
+/// foot does that closes beside the other one.
+pub(super) const LANDS_FLATTER: f64 = 0.6;
+/// How much at least: a sole that lands quite flat would sink as it comes down.
+pub(super) const LANDS_LEAST: f64 = 0.25;
+/// How far ahead of the body the head looks round a turn (s), and by how much at most (rad).
+pub(super) const LOOKS_AHEAD: f64 = 0.25;
+pub(super) const MOST_AHEAD: f64 = 25.0 * DEGREE;
 
 /// When the load begins to shift to the foot that stands on, between begin and toe-off.
 pub(super) const LOAD_SHIFT_FROM: f64 = 0.45;

@@ -135,7 +135,11 @@ impl WalkPlan {
                 laws.gaits.tempo_of(standing, whole)
             },
             laws,
-            whole: Course::new(whole, ground.map_or(0.0, |ground| ground.standing)),
+            whole: Course::new(
+                whole,
+                0.5 * strides[standing].style.step_width,
+                ground.map_or(0.0, |ground| ground.standing),
+            ),
             loops: steps.loop_at(repeat.middle()).filter(|_| ground.is_none()),
             steady,
             prints,

@@ -3,13 +3,13 @@
 use super::FigureReader;
 use crate::fault::Fault;
 use crate::figure::Figure;
-use crate::human::{Human, HumanError};
+use crate::human::{Human, HumanError, RootOrder};
 use solaris_text::Node;
 use std::collections::HashSet;
 use std::ops::Range;
 
 impl FigureReader<'_> {
-    /// `Human(height: 1.75, mass: 73.0, age: 9, segments: {"left_thigh": 0.45}, joints: Limp,
+    /// `Human(height: 1.75, mass: 73.0, age: 9, segments: {"left_thigh": 0.45}, joints: Limp, root: Yzx,
     /// limits: {"left_elbow.rx": (deg(-150), deg(0))})`
     pub(super) fn body(
         &mut self,
@@ -21,8 +21,8 @@ impl FigureReader<'_> {
             let place = self.places.of(&Fault::Stature { stature });
             self.fault(place, Fault::Stature { stature }.to_string());
         }
-        let fields =
-            self.fields(node, &["Human"], &["height", "mass", "age", "segments", "joints", "limits"])?;
+        let known = ["height", "mass", "age", "segments", "joints", "root", "limits"];
+        let fields = self.fields(node, &["Human"], &known)?;
         let height_node = self.required(&fields, "height", "1.75");
         let mass_node = self.required(&fields, "mass", "73.0");
         let height = height_node.and_then(|node| self.number(node, "the height"));
@@ -32,9 +32,16 @@ impl FigureReader<'_> {
         let age = age_node.map(|node| self.number(node, "the age"));
         let limits = fields.get("limits").map(|node| self.own_limits(node)).unwrap_or_default();
         let joints = fields.get("joints").map(|node| self.is_limp(node));
+        let root = fields.get("root").map(|node| self.root_order(node));
         let (height, mass, is_limp) = (height?, mass?, joints.unwrap_or(Some(false))?);
+        let root = root.unwrap_or(Some(RootOrder::default()))?;
+        if let Some(node) = fields.get("root").filter(|_| is_limp) {
+            let message = "joints: Limp makes the root a free joint, which turns in no order; leave out root or joints: Limp";
+            self.fault(node.place(), message.to_owned());
+            return None;
+        }
         let place = |node: Option<&Node<'_>>| node.map_or(fields.at.clone(), |node| node.span.clone());
-        let mut human = Human::new(height, mass);
+        let mut human = Human::new(height, mass).root(root);
         if is_limp {
             human = human.limp();
         }
@@ -88,6 +95,12 @@ impl FigureReader<'_> {
                 None
             }
         }
+    }
+
+    fn root_order(&mut self, node: &Node<'_>) -> Option<RootOrder> {
+        let kind = self.kind(node, &["Zyx", "Yzx"])?;
+        let order = if kind == "Yzx" { RootOrder::Yzx } else { RootOrder::Zyx };
+        self.stands_alone(node, kind).then_some(order)
     }
 
     fn is_limp(&mut self, node: &Node<'_>) -> Option<bool> {
