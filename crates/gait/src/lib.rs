@@ -44,14 +44,15 @@ pub use measure::{
     isolated_peaks, measure, measure_run, measure_stride, run_bands,
 };
 pub use request::{
-    CHANGING_STEPS, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, RUN_SPEED, Resolution, RunRequest,
-    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WALK_RATIO, WalkPart,
+    CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunRequest,
+    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkPart,
     WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
-    FRICTION, LONGEST_STAND, Manner, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Toes, Unit,
-    WalkNumbers, WalkPlan, WalkSegment, WalkSequence, walk,
+    FRICTION, LONGEST_STAND, Manner, MANNERS, PARAMETERS, Parameter, SHEET_NUMBERS, SheetNumber, SheetUnit, ShippedManner,
+    StridePlan, Style, StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet,
+    sheet_of, walk,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

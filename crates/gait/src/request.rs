@@ -1,11 +1,17 @@
 //! Requests: how far to walk or run, at which pace, planned how finely.
 
 pub(crate) mod pace;
+pub(crate) mod population;
 mod resolution;
 pub(crate) mod run;
+pub(crate) mod sheet;
+pub(crate) mod variability;
 mod walk;
 
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
+pub use population::Population;
 pub use resolution::Resolution;
 pub use run::{DEFAULT_RUN_SPEED, RUN_SPEED, RunRequest, RunResolution};
+pub use sheet::{Change, StyleSheet};
+pub use variability::{MOST_VARIABILITY, Variability};
 pub use walk::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkPart, WalkRequest};

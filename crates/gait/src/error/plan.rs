@@ -27,6 +27,8 @@ pub enum PlanError {
          for it"
     )]
     AbruptChange { part: usize, step: usize, time: f64, what: String },
+    #[error("the manner, or the variability, that is asked for: {why}; {part} of it holds")]
+    OnlyPart { part: f64, why: Box<crate::error::GaitError> },
     #[error("a run at {speed:.2} m/s: {what}; {nearest}")]
     NotRunnable { speed: f64, what: String, nearest: String },
     #[error("the centre of mass has no periodic path: the prescribed forces do not carry the body")]

@@ -1,6 +1,9 @@
 //! The request for a smooth walk, with its ranges.
 
+use super::population::Population;
 use super::resolution::Resolution;
+use super::sheet::StyleSheet;
+use super::variability::Variability;
 
 /// Numbers of steps.
 pub const STEPS: (usize, usize) = (1, 10_000);
@@ -23,7 +26,8 @@ pub enum Extent {
     Distance(f64),
 }
 
-/// What is asked. Of step frequency, step length and speed any two decide the third; what is left open is people's.
+/// What is asked. Of step frequency, step length and speed any two decide the third; what is left open follows the law of a
+/// population.
 ///
 /// A fast walk begins and ends at 110 steps/min; a step gains 20 steps/min over the one before at most, above 110 only 5, and
 /// loses 10 towards the end. A step that is slower for it is shorter by as much.
@@ -66,6 +70,12 @@ pub struct WalkRequest {
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
     pub parameters: Vec<(&'static str, f64)>,
+    /// Whose step length it has.
+    pub population: Population,
+    /// In which manner: what is changed of the style before its `parameters` are set.
+    pub sheet: StyleSheet,
+    /// How steps differ; `None`: not at all.
+    pub variability: Option<Variability>,
     /// How finely to plan.
     pub resolution: Resolution,
 }
@@ -81,6 +91,9 @@ impl Default for WalkRequest {
             then: Vec::new(),
             left_first: false,
             parameters: Vec::new(),
+            population: Population::default(),
+            sheet: StyleSheet::default(),
+            variability: None,
             resolution: Resolution::default(),
         }
     }

@@ -3,11 +3,11 @@
 use crate::body::Body;
 use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
-use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, range, tidy};
+use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, StepLaw, range, tidy};
 use crate::request::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkRequest};
-use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
+use crate::smooth::styling::Styling;
 use crate::smooth::walk::{Step, Steps, WalkNumbers, WalkPlan, steps};
 
 /// The fastest first and last step (steps/min).
@@ -34,14 +34,14 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    /// For a person of this height (m) that faces `heading` to the left of z (rad).
-    pub(crate) fn of(request: &WalkRequest, height: f64, heading: f64) -> Result<Self, GaitError> {
+    /// For a person with this law of step length that faces `heading` to the left of z (rad).
+    pub(crate) fn of(request: &WalkRequest, law: &StepLaw, heading: f64) -> Result<Self, GaitError> {
         let given = Given {
             step_frequency: request.step_frequency,
             step_length: request.step_length,
             speed: request.speed,
         };
-        let mut pace = given.settle(height, 1.0 - STEP_LENGTH_MARGIN)?;
+        let mut pace = given.settle(law, 1.0 - STEP_LENGTH_MARGIN)?;
         let mut steps = match request.extent {
             Extent::Steps(steps) => steps,
             Extent::Distance(distance) => {
@@ -50,7 +50,7 @@ impl Route {
                     format!(", {} steps at most", STEPS.1)
                 })?;
                 let lengths = |n: usize| {
-                    let walked = eased(vec![pace; n]).into_iter();
+                    let walked = eased(vec![pace; n], law.tempo).into_iter();
                     walked.map(|walked| walked.step_length / pace.step_length)
                 };
                 let (steps, length) = steps::for_distance(distance, pace.step_length, lengths);
@@ -74,7 +74,7 @@ impl Route {
                         speed: next.speed,
                     };
                     steps = next.steps;
-                    pace = if given.nothing() { pace } else { given.settle(height, SHORTEST_STEP)? };
+                    pace = if given.nothing() { pace } else { given.settle(law, SHORTEST_STEP)? };
                 }
                 let (lower, upper) = (STEPS.0 as f64, STEPS.1 as f64);
                 range("steps", steps as f64, "", (lower, upper), String::new)?;
@@ -97,7 +97,7 @@ impl Route {
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
         let route = Self { parts };
-        let most = if route.is_even() { STEPS.1 } else { CHANGING_STEPS };
+        let most = if route.is_even() && request.variability.is_none() { STEPS.1 } else { CHANGING_STEPS };
         range("steps in all", all as f64, "", (STEPS.0 as f64, most as f64), || {
             " where pace or direction change on the way".to_owned()
         })?;
@@ -137,27 +137,21 @@ impl Route {
         &self,
         body: &Body,
         standing: Option<&Style>,
-        parameters: &[(&'static str, f64)],
+        styling: &Styling<'_>,
         mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         let mut paces = Vec::new();
-        let mut steps_of = |parts: &[Part]| steps_of(parts, mirrored, &mut paces);
+        let mut steps_of = |parts: &[Part]| steps_of(parts, styling.law.tempo, mirrored, &mut paces);
         let whole = steps_of(&self.parts);
-        let planned = Steps::repeated(whole.len()).filter(|_| self.is_even()).map(|steps| {
+        let repeats = self.is_even() && !styling.varies();
+        let planned = Steps::repeated(whole.len()).filter(|_| repeats).map(|steps| {
             let part = Part { steps, ..self.parts[0] };
             steps_of(&[part])
         });
         let mut strides = Vec::new();
         for pace in &paces {
-            let mut style = Style::of(&body.leg, body.height, pace.step_frequency, pace.step_length);
-            for (name, value) in parameters {
-                let parameter = Parameter::named(name).ok_or_else(|| {
-                    let known = PARAMETERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-                    RequestError::UnknownParameter { name: (*name).to_owned(), known }
-                })?;
-                parameter.set(&mut style, *value)?;
-            }
+            let style = styling.style(body, pace)?;
             strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
         }
         // The middle of the first part is what it is called after.
@@ -171,12 +165,18 @@ impl Route {
                 }
                 // All that a standing posture depends on.
                 let (step_width, thorax_lean) = (before.step_width, before.thorax_lean);
-                let style = Style { step_width, thorax_lean, anterior_tilt: before.anterior_tilt, ..next };
+                let manner = next.manner.standing_as(&before.manner);
+                let anterior_tilt = before.anterior_tilt;
+                let style = Style { step_width, thorax_lean, anterior_tilt, manner, ..next };
                 strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
                 strides.len() - 1
             }
             None => first,
         };
+        let (whole, varied) = styling.varied(body, (&whole, &paces), strides.len(), mirrored)?;
+        for style in &varied {
+            strides.push(StridePlan::plan(body.clone(), style, resolution)?);
+        }
         let steps = Steps {
             strides: &strides,
             standing,
@@ -190,39 +190,41 @@ impl Route {
 }
 
 /// The steps of some parts; paces that are new are added to `paces`.
-fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
+fn steps_of(parts: &[Part], tempo: f64, mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
     let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
-    let walked = eased(asked.iter().map(|part| part.pace).collect());
+    let walked = eased(asked.iter().map(|part| part.pace).collect(), tempo);
     let steps = asked.iter().zip(walked).zip(steps::factors(asked.len())).map(|((part, pace), factor)| {
         let index = paces.iter().position(|known| *known == pace).unwrap_or_else(|| {
             paces.push(pace);
             paces.len() - 1
         });
         let turn = if mirrored { -part.turn } else { part.turn };
-        Step { pace: index, length: factor * pace.step_length, turn }
+        Step { pace: index, length: factor * pace.step_length, turn, yaw: 0.0 }
     });
     steps.collect()
 }
 
-/// The paces of steps that gain and lose no more than they may; a step that is slower is shorter by as much.
-fn eased(mut steps: Vec<Pace>) -> Vec<Pace> {
+/// The paces of steps that gain and lose no more than they may, for step frequencies of this `tempo`; a step that is slower is shorter
+/// by as much.
+fn eased(mut steps: Vec<Pace>, tempo: f64) -> Vec<Pace> {
+    let (ends, loss, gain) = (ENDS * tempo, LOSS * tempo, (GAIN.0 * tempo, GAIN.1 * tempo));
     let limit = |pace: &mut Pace, most: f64| {
         if pace.step_frequency > most {
             pace.step_length *= most / pace.step_frequency;
             pace.step_frequency = most;
         }
     };
-    let (mut most, mut longest) = (ENDS, f64::INFINITY);
+    let (mut most, mut longest) = (ends, f64::INFINITY);
     for pace in &mut steps {
         limit(pace, most);
-        if pace.step_frequency > ENDS {
+        if pace.step_frequency > ends {
             pace.step_length = pace.step_length.min(longest);
         }
-        most = (pace.step_frequency + GAIN.0).min(ENDS).max(pace.step_frequency + GAIN.1);
+        most = (pace.step_frequency + gain.0).min(ends).max(pace.step_frequency + gain.1);
         longest = pace.step_length * LENGTHENING;
     }
     for (before_last, pace) in steps.iter_mut().rev().enumerate() {
-        limit(pace, ENDS + LOSS * before_last as f64);
+        limit(pace, ends + loss * before_last as f64);
     }
     steps
 }

@@ -6,6 +6,7 @@ use crate::error::{GaitError, PlanError};
 use crate::request::WalkRequest;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
+use crate::smooth::styling::Styling;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
 
@@ -33,14 +34,46 @@ pub(crate) fn walk_from(
 ) -> Result<WalkPlan, GaitError> {
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
-    let route = Route::of(request, body.height, heading)?;
-    let plan = |route: &Route| {
-        let plan = route.plan(body, standing, &request.parameters, request.left_first, request.resolution)?;
-        PlanCheck { figure, route }.check(&plan)?;
-        Ok(plan)
+    let planned = |part: f64| -> Result<WalkPlan, GaitError> {
+        let styling = Styling::of(request, body, part)?;
+        let route = Route::of(request, &styling.law, heading)?;
+        let plan = |route: &Route| {
+            let plan = route.plan(body, standing, &styling, request.left_first, request.resolution)?;
+            PlanCheck { figure, route, deviates: styling.deviates() }.check(&plan)?;
+            Ok(plan)
+        };
+        plan(&route).map_err(|error| match styling.deviates() {
+            true => error,
+            false => advise(error, &route, |route| plan(route).is_ok()),
+        })
     };
-    let plan = plan(&route).map_err(|error| advise(error, &route, |route| plan(route).is_ok()))?;
+    let plan = planned(1.0).map_err(|error| nearest_part(error, request, planned))?;
     Ok(if request.left_first { plan.mirrored() } else { plan })
+}
+
+/// Says how much of a manner and of a variability holds where all of it does not, by six bisections; why there is no walk at all
+/// where none of it does.
+fn nearest_part(
+    why: GaitError,
+    request: &WalkRequest,
+    planned: impl Fn(f64) -> Result<WalkPlan, GaitError>,
+) -> GaitError {
+    if request.sheet.is_empty() && request.variability.is_none() {
+        return why;
+    }
+    if let Err(plain) = planned(0.0) {
+        return plain;
+    }
+    let (mut lower, mut upper) = (0.0, 1.0);
+    for _ in 0..6 {
+        let middle = 0.5 * (lower + upper);
+        if planned(middle).is_ok() {
+            lower = middle;
+        } else {
+            upper = middle;
+        }
+    }
+    PlanError::OnlyPart { part: lower, why: Box::new(why) }.into()
 }
 
 /// Says how long a step may be where friction is the reason: the longest that `holds`, by ten bisections.

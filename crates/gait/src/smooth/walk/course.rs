@@ -13,6 +13,8 @@ pub(crate) struct Step {
     pub(crate) length: f64,
     /// By how much its foot turns to the left of the other one (rad).
     pub(crate) turn: f64,
+    /// By how much its foot is turned to the left besides, which changes nothing of the way (rad).
+    pub(crate) yaw: f64,
 }
 
 /// What a foot does on one print.
@@ -92,7 +94,7 @@ impl Course {
             // Along the chord of an arc.
             let along = turned(print.heading + 0.5 * step.turn, &Vector3::z()) * step.length;
             print = Print { place: print.place + along, heading: print.heading + step.turn };
-            prints.push(print);
+            prints.push(Print { heading: print.heading + step.yaw, ..print });
         }
         prints.push(print);
         let n = steps.len();
@@ -159,7 +161,7 @@ mod tests {
     #[test]
     fn an_even_turn_goes_round_a_circle_and_faces_along_it() {
         let turn = 0.3;
-        let steps = [Step { pace: 0, length: 0.6, turn }; 20];
+        let steps = [Step { pace: 0, length: 0.6, turn, yaw: 0.0 }; 20];
         let course = Course::new(&steps);
         // Chords of 0.6 m that turn by 0.3: a circle of radius 0.3 m / sin 0.15 to the left.
         let radius = 0.3 / (0.5 * turn).sin();
