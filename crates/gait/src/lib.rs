@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep < crowd
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -15,11 +15,12 @@
 //! - `measure`, `metrics`: numbers of a finished walk of ours, and of any motion of any figure with feet.
 //! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
 //! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
-//! - `comparison`, `styled`, `people`, `sweep`: what needs both walkers or all of this.
+//! - `comparison`, `styled`, `people`, `sweep`, `crowd`: what needs both walkers or all of this.
 
 mod body;
 mod comparison;
 mod condition;
+pub mod crowd;
 mod error;
 mod grid;
 mod limbs;
@@ -44,15 +45,15 @@ pub use measure::{
     isolated_peaks, measure, measure_run, measure_stride, run_bands,
 };
 pub use request::{
-    CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunRequest,
-    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkPart,
-    WalkRequest,
+    CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, MOST_VARIABILITY, Population,
+    RUN_SPEED, Resolution, RunRequest, RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, StyleSheet,
+    TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkPart, WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
-    FRICTION, LONGEST_STAND, Manner, MANNERS, PARAMETERS, Parameter, SHEET_NUMBERS, SheetNumber, SheetUnit, ShippedManner,
-    StridePlan, Style, StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet,
-    sheet_of, walk,
+    FRICTION, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SheetNumber, SheetUnit,
+    ShippedManner, StridePlan, Style, StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment,
+    WalkSequence, manner, read_sheet, sheet_of, walk, walk_in_part,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

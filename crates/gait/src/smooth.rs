@@ -27,4 +27,4 @@ pub use sheet_text::{MANNERS, ShippedManner, manner, read_sheet, sheet_of};
 pub use stride::StridePlan;
 pub use style::{Style, StyleTable};
 pub use walk::{WalkNumbers, WalkPlan};
-pub use walker::walk;
+pub use walker::{walk, walk_in_part};

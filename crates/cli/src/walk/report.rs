@@ -91,14 +91,29 @@ impl Report {
         lone: &[IsolatedPeak],
         nearest_limbs: Option<NearestLimbs>,
     ) -> Self {
-        let Planned { plan, forces, repeats, asked_frequency, changes, beside, running, planning, solving } =
-            planned;
+        let Planned {
+            plan,
+            forces,
+            repeats,
+            asked_frequency,
+            changes,
+            beside,
+            in_part,
+            running,
+            planning,
+            solving,
+        } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));
         let overlaps = nearest_limbs.as_ref().and_then(overlap_note).into_iter();
         let weight = mass * motion.info.gravity.norm();
         let mut notes: Vec<String> = overlaps.chain(notes(&plan, &measures, lone, weight, repeats)).collect();
+        if let Some((part, why)) = in_part {
+            notes.push(format!(
+                "{part} of the manner and of the variability is walked, for all of it would not hold: {why}"
+            ));
+        }
         if (step_frequency - asked_frequency).abs() > 1e-6 * asked_frequency {
             notes.push(format!(
                 "{:.1} steps/min in place of {:.1}: so the stride lasts {} frames of {} a second",

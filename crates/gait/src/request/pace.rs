@@ -105,7 +105,8 @@ impl Given {
         let default = ratio * step_frequency;
         // Steps that are longer than this person's are those of adults for longer.
         let longest = adult_ratio.max(ratio) * step_frequency;
-        let (lower, upper) = (default * shortest, longest * (1.0 + longest_over_default(step_frequency / tempo)));
+        let (lower, upper) =
+            (default * shortest, longest * (1.0 + longest_over_default(step_frequency / tempo)));
         if (lower * (1.0 - 1e-9)..=upper * (1.0 + 1e-9)).contains(&step_length) {
             return Ok(Pace { step_frequency, step_length });
         }

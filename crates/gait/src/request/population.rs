@@ -9,7 +9,7 @@ const TREADMILL_RATIO: f64 = 0.0031;
 /// Step length of older people over that of young ones at the same step frequency: 0.00295 over 0.00327.
 const OLDER_OVER_YOUNG: f64 = 0.90;
 /// How much longer each double support of older people is (parts of the stride).
-const OLDER_DOUBLE_SUPPORT: f64 = 0.015;
+const OLDER_DOUBLE_SUPPORT: f64 = 0.012;
 /// Body mass indices up to which a gait is anybody's, and beyond which it changes at an even rate (kg/m²).
 const HEAVY: (f64, f64) = (25.0, 30.0);
 
@@ -38,7 +38,7 @@ pub enum Population {
     /// Children, by their height: as adults of 1.741 m walk at the same Froude number. With `k = √(1.741/H)`, where that is above 1,
     /// the step frequency is k times as high and `S = 0.0037·H·sf/k`.
     Child,
-    /// Older people overground: nine tenths of the adults' step at the same step frequency, and each double support longer by 1.5 % of
+    /// Older people overground: nine tenths of the adults' step at the same step frequency, and each double support longer by 1.2 % of
     /// the stride.
     Older,
 }

@@ -36,7 +36,9 @@ pub struct Variability {
 
 impl Variability {
     pub(crate) fn check(self) -> Result<(), RequestError> {
-        super::pace::range("variability", self.scale, "", (0.0, MOST_VARIABILITY), || " times people's".to_owned())
+        super::pace::range("variability", self.scale, "", (0.0, MOST_VARIABILITY), || {
+            " times people's".to_owned()
+        })
     }
 }
 
@@ -56,8 +58,8 @@ impl Chance {
     }
 }
 
-/// The finaliser of SplitMix64.
-fn mixed(x: u64) -> u64 {
+/// The finaliser of `SplitMix64`.
+pub(crate) fn mixed(x: u64) -> u64 {
     let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -75,7 +77,10 @@ mod tests {
         let mean = draws.iter().sum::<f64>() / count as f64;
         let variance = draws.iter().map(|x| x * x).sum::<f64>() / count as f64;
         let next = draws.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>() / count as f64;
-        assert!(mean.abs() < 0.02 && (variance - 1.0).abs() < 0.05 && next.abs() < 0.02, "{mean} {variance} {next}");
+        assert!(
+            mean.abs() < 0.02 && (variance - 1.0).abs() < 0.05 && next.abs() < 0.02,
+            "{mean} {variance} {next}"
+        );
         assert!(Chance(7).normal(3, 2).to_bits() == Chance(7).normal(3, 2).to_bits());
     }
 }

@@ -80,6 +80,15 @@ pub struct WalkRequest {
     pub resolution: Resolution,
 }
 
+impl WalkRequest {
+    /// The same with a part of its manner and of its variability.
+    #[must_use]
+    pub fn in_part(&self, part: f64) -> Self {
+        let variability = self.variability.map(|all| Variability { scale: part * all.scale, ..all });
+        Self { sheet: self.sheet.scaled(part), variability, ..self.clone() }
+    }
+}
+
 impl Default for WalkRequest {
     fn default() -> Self {
         Self {

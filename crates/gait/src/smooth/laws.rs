@@ -123,12 +123,11 @@ pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
     let abdomen = std::array::from_fn(|i| HALFWAY * (pelvis[i] + thorax[i]));
     // The head rises twice a stride, most in mid-stance, and sways once, to the standing leg's side.
     let [pitch, turn] = style.manner.head;
-    let head =
-        [
-            0.0,
-            -swings.thorax * turn * cos(u - SWAY_MOST),
-            style.manner.head_pitch + swings.thorax * pitch * cos(2.0 * (u - SWAY_MOST)),
-        ];
+    let head = [
+        0.0,
+        -swings.thorax * turn * cos(u - SWAY_MOST),
+        style.manner.head_pitch + swings.thorax * pitch * cos(2.0 * (u - SWAY_MOST)),
+    ];
     let neck = std::array::from_fn(|i| HALFWAY * (thorax[i] + head[i]));
     [pelvis, abdomen, thorax, neck, head]
 }

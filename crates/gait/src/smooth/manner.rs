@@ -74,7 +74,7 @@ impl Manner {
     pub(super) fn standing_as(self, other: &Self) -> Self {
         let Self { head_pitch, shoulder, arms_out, arms_in, elbow: [standing, ..], .. } = *other;
         let elbow = [standing, self.elbow[1], self.elbow[2]];
-        Self { head_pitch, shoulder, arms_out, arms_in, elbow, ..self }
+        Self { elbow, head_pitch, shoulder, arms_out, arms_in, ..self }
     }
 
     /// Of a walk whose left is right.

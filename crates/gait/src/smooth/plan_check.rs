@@ -29,8 +29,10 @@ const RATE: f64 = 120.0;
 pub(crate) struct PlanCheck<'a> {
     pub(crate) figure: &'a Figure,
     pub(crate) route: &'a Route,
-    /// Whether it is walked in a manner of its own, or its steps differ.
+    /// Whether it is another walk than an adult's of even steps in no manner.
     pub(crate) deviates: bool,
+    /// Its step frequencies over adults'.
+    pub(crate) tempo: f64,
 }
 
 impl PlanCheck<'_> {
@@ -128,7 +130,7 @@ impl PlanCheck<'_> {
 
     /// No joint is farther beyond its range than those of the plain walk are.
     fn check_ranges(&self, plan: &WalkPlan, motion: &Motion) -> Result<(), GaitError> {
-        let fast = plan.style().step_frequency > FAST;
+        let fast = plan.style().step_frequency > FAST * self.tempo;
         let limit = if fast { BEYOND.1 } else { BEYOND.0 };
         for (frame, time) in motion.time().iter().enumerate() {
             let excess = self.figure.limit_excess(motion.q(frame));

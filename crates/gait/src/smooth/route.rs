@@ -167,7 +167,7 @@ impl Route {
                 let (step_width, thorax_lean) = (before.step_width, before.thorax_lean);
                 let manner = next.manner.standing_as(&before.manner);
                 let anterior_tilt = before.anterior_tilt;
-                let style = Style { step_width, thorax_lean, anterior_tilt, manner, ..next };
+                let style = Style { anterior_tilt, manner, thorax_lean, step_width, ..next };
                 strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
                 strides.len() - 1
             }

@@ -52,11 +52,26 @@ enum Place {
     Pace,
     /// A parameter of the style by its own name.
     Parameter(&'static str),
+    DoubleSupport,
     Number(fn(&mut Style) -> &mut f64),
 }
 
+/// Changes how long both feet stand by some part of the stride. The body is farther ahead when the foot leaves then, and the leg the
+/// longer: its knee is straighter at toe-off by as much as it would have bent in that time, or the foot would have to point down
+/// without end.
+pub(super) fn stand_longer(style: &mut Style, by: f64) {
+    style.double_support += by;
+    style.knee_toe_off -= by * style.knee_toe_off_rate;
+}
+
 /// A row that is a parameter of the style, too.
-const fn parameter(name: &'static str, of: &'static str, unit: SheetUnit, range: (f64, f64), help: &'static str) -> SheetNumber {
+const fn parameter(
+    name: &'static str,
+    of: &'static str,
+    unit: SheetUnit,
+    range: (f64, f64),
+    help: &'static str,
+) -> SheetNumber {
     SheetNumber { name, help, unit, range, place: Place::Parameter(of) }
 }
 
@@ -88,11 +103,23 @@ pub const SHEET_NUMBERS: &[SheetNumber] = &[
         range: (0.6, 1.15),
         place: Place::Pace,
     },
-    parameter("heel_strike_angle", "heel-strike-angle", Degrees, (8.0, 26.0), "pitch of the foot at contact, toe up"),
+    parameter(
+        "heel_strike_angle",
+        "heel-strike-angle",
+        Degrees,
+        (8.0, 26.0),
+        "pitch of the foot at contact, toe up",
+    ),
     parameter("rotation", "rotation", Degrees, (0.0, 12.0), "turn of the pelvis at contact"),
     parameter("tilt", "tilt", Degrees, (0.0, 7.0), "amplitude of the pelvis' side tilt"),
     parameter("anterior_tilt", "anterior-tilt", Degrees, (-5.0, 15.0), "mean forward tilt of the pelvis"),
-    parameter("flexion", "flexion", Degrees, (0.0, 12.0), "pitch of the standing shank under the hip, at least: the body is lowered"),
+    parameter(
+        "flexion",
+        "flexion",
+        Degrees,
+        (0.0, 12.0),
+        "pitch of the standing shank under the hip, at least: the body is lowered",
+    ),
     parameter("clearance", "clearance", Metres, (0.0, 0.05), "least height of the swinging foot"),
     parameter("step_width", "step-width", Metres, (0.04, 0.20), "distance of the heels' lines"),
     parameter("foot_yaw", "foot-yaw", Degrees, (0.0, 15.0), "outward turn of the feet"),
@@ -101,14 +128,30 @@ pub const SHEET_NUMBERS: &[SheetNumber] = &[
     parameter("arm_swing", "arm-swing", Degrees, (0.0, 45.0), "amplitude of the shoulders' flexion"),
     parameter("thorax_rotation", "thorax-rotation", Degrees, (0.0, 12.0), "turn of the thorax"),
     number("thorax_lean", Degrees, (-8.0, 18.0), "forward lean of the thorax", |s| &mut s.thorax_lean),
-    number("thorax_bend", Degrees, (0.0, 12.0), "side bend of the thorax, the part in time with the feet", |s| {
-        &mut s.thorax_bend_sin
+    number(
+        "thorax_bend",
+        Degrees,
+        (0.0, 12.0),
+        "side bend of the thorax, the part in time with the feet",
+        |s| &mut s.thorax_bend_sin,
+    ),
+    number(
+        "bounce",
+        Part,
+        (0.004, 0.03),
+        "rise of the centre of mass: its first harmonic over the leg's length",
+        |s| &mut s.height1,
+    ),
+    SheetNumber {
+        name: "double_support",
+        help: "one double support, over the stride",
+        unit: Part,
+        range: (0.06, 0.24),
+        place: Place::DoubleSupport,
+    },
+    number("head_pitch", Degrees, (-15.0, 35.0), "mean forward pitch of the head", |s| {
+        &mut s.manner.head_pitch
     }),
-    number("bounce", Part, (0.004, 0.03), "rise of the centre of mass: its first harmonic over the leg's length", |s| {
-        &mut s.height1
-    }),
-    number("double_support", Part, (0.06, 0.24), "one double support, over the stride", |s| &mut s.double_support),
-    number("head_pitch", Degrees, (-15.0, 35.0), "mean forward pitch of the head", |s| &mut s.manner.head_pitch),
     number("head_nod", Degrees, (0.0, 6.0), "amplitude of the head's pitch against the body's rise", |s| {
         &mut s.manner.head[0]
     }),
@@ -122,10 +165,18 @@ pub const SHEET_NUMBERS: &[SheetNumber] = &[
     number("arms_in", Degrees, (-30.0, 45.0), "upper arms turned inward about their own length", |s| {
         &mut s.manner.arms_in
     }),
-    number("elbow", Degrees, (5.0, 100.0), "mean flexion of the elbows in a stride", |s| &mut s.manner.elbow[1]),
-    number("elbow_swing", Degrees, (0.0, 40.0), "amplitude of the elbows' flexion", |s| &mut s.manner.elbow[2]),
-    number("elbow_standing", Degrees, (5.0, 100.0), "flexion of the elbows in standing", |s| &mut s.manner.elbow[0]),
-    number("clavicle", Part, (0.0, 0.3), "turn of the shoulder girdle over the arm's angle", |s| &mut s.manner.clavicle),
+    number("elbow", Degrees, (5.0, 100.0), "mean flexion of the elbows in a stride", |s| {
+        &mut s.manner.elbow[1]
+    }),
+    number("elbow_swing", Degrees, (0.0, 40.0), "amplitude of the elbows' flexion", |s| {
+        &mut s.manner.elbow[2]
+    }),
+    number("elbow_standing", Degrees, (5.0, 100.0), "flexion of the elbows in standing", |s| {
+        &mut s.manner.elbow[0]
+    }),
+    number("clavicle", Part, (0.0, 0.3), "turn of the shoulder girdle over the arm's angle", |s| {
+        &mut s.manner.clavicle
+    }),
     number("wrist", Part, (0.0, 0.5), "swing of the hand over the forearm's", |s| &mut s.manner.wrist),
 ];
 
@@ -139,7 +190,10 @@ impl SheetNumber {
     pub fn get(&self, style: &Style) -> f64 {
         match self.place {
             Place::Pace => 1.0,
-            Place::Parameter(name) => Parameter::named(name).map_or(f64::NAN, |parameter| parameter.get(style)),
+            Place::DoubleSupport => style.double_support,
+            Place::Parameter(name) => {
+                Parameter::named(name).map_or(f64::NAN, |parameter| parameter.get(style))
+            }
             Place::Number(place) => {
                 let mut copy = *style;
                 *place(&mut copy) / self.si()
@@ -153,9 +207,12 @@ impl SheetNumber {
 
     fn change(&self, style: &mut Style, change: Change) -> Result<(), RequestError> {
         let value = change.factor * self.get(style) + change.add;
-        pace::range(self.name, value, self.unit.symbol(), self.range, || " in the manner that is asked for".to_owned())?;
+        pace::range(self.name, value, self.unit.symbol(), self.range, || {
+            " in the manner that is asked for".to_owned()
+        })?;
         match self.place {
             Place::Pace => {}
+            Place::DoubleSupport => stand_longer(style, value - style.double_support),
             Place::Parameter(name) => {
                 if let Some(parameter) = Parameter::named(name) {
                     parameter.set(style, value)?;

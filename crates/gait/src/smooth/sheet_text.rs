@@ -158,8 +158,10 @@ fn read_change(reader: &mut Reader, node: &Node<'_>, number: &SheetNumber) -> Ch
             Change { factor: 1.0, add: add.unwrap_or(0.0) }
         }
         other => {
-            let hint = nearest(other, ["Times", "Plus"].into_iter())
-                .map_or_else(|| "write Times(…) or Plus(…)".to_owned(), |near| format!("did you mean '{near}'?"));
+            let hint = nearest(other, ["Times", "Plus"].into_iter()).map_or_else(
+                || "write Times(…) or Plus(…)".to_owned(),
+                |near| format!("did you mean '{near}'?"),
+            );
             reader.fault(named.span.clone(), format!("'{other}' is not known here; {hint}"));
             Change::NONE
         }
@@ -192,7 +194,10 @@ mod tests {
     fn what_ships_can_be_read_and_says_where_it_comes_from() {
         for ShippedManner { name, text } in MANNERS {
             let sheet = read_sheet(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-            assert!(!sheet.is_empty() && text.contains("source:") && text.contains(&format!("\"{name}\"")), "{name}");
+            assert!(
+                !sheet.is_empty() && text.contains("source:") && text.contains(&format!("\"{name}\"")),
+                "{name}"
+            );
         }
     }
 

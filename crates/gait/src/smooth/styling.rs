@@ -1,6 +1,6 @@
 //! From paces to styles: whose they are, how heavy a body is, in which manner it walks, and how its steps differ.
 
-use super::sheet_numbers;
+use super::sheet_numbers::{self, stand_longer};
 use crate::body::{Body, REFERENCE_HEIGHT};
 use crate::error::RequestError;
 use crate::request::pace::{Pace, StepLaw};
@@ -18,13 +18,16 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 ///
 /// From memory, not looked up: Spyropoulos 1991 has steps of heavy men twice as wide, Browning and Kram 2007 a third wider at the
 /// same speed, with 2 to 3 % of a stride more on both feet; the arms give way to a wider trunk.
-const HEAVY: (f64, f64, f64) = (0.020, 0.012, 4.0 * DEGREE);
+const HEAVY: (f64, f64, f64) = (0.020, 0.008, 4.0 * DEGREE);
+/// The most by which all of it makes one double support longer: what legs were tried to do at every step frequency.
+const LONGEST: f64 = 0.016;
 
 /// Standard deviations from step to step, at a scale of 1: length and time (parts), width (of the height), turn of the foot (rad),
-/// arms, thorax and pelvis (parts), pitch at contact and knee in swing (rad), clearance (part).
+/// arms, thorax and pelvis (parts), pitch at contact and knee in swing (rad), clearance (part). A step's time is between its own pace's and
+/// the one's before, and so differs by less: 2 %.
 const STEPS: Spread = Spread {
     length: 0.025,
-    time: 0.02,
+    time: 0.027,
     width: 0.017 / 1.75,
     yaw: 1.5 * DEGREE,
     arms: 0.06,
@@ -67,7 +70,7 @@ pub(crate) struct Styling<'a> {
 impl<'a> Styling<'a> {
     /// Of a request, with a part of its manner and of its variability.
     pub(crate) fn of(request: &'a WalkRequest, body: &Body, part: f64) -> Result<Self, RequestError> {
-        let sheet = if part == 1.0 { request.sheet.clone() } else { request.sheet.scaled(part) };
+        let sheet = if part < 1.0 { request.sheet.scaled(part) } else { request.sheet.clone() };
         let variability = request.variability.map(|v| Variability { scale: part * v.scale, ..v });
         variability.map_or(Ok(()), Variability::check)?;
         Ok(Self {
@@ -79,9 +82,9 @@ impl<'a> Styling<'a> {
         })
     }
 
-    /// Whether it is more than the style of people at a pace: a manner, or steps that differ.
+    /// Whether it is more than the style of adults at a pace: another population, a manner, or steps that differ.
     pub(crate) fn deviates(&self) -> bool {
-        !self.sheet.is_empty() || self.varies()
+        self.population != Population::Adult || !self.sheet.is_empty() || self.varies()
     }
 
     /// Whether steps differ.
@@ -94,17 +97,17 @@ impl<'a> Styling<'a> {
         let Pace { step_frequency, step_length } = *pace;
         let tempo = self.law.tempo;
         let mut style = Style::of(&body.leg, body.height, step_frequency / tempo, step_length);
-        if tempo != 1.0 {
+        if tempo > 1.0 {
             // As an adult at the same Froude number, in less time.
             style.step_frequency = step_frequency;
             style.stride_time = 120.0 / step_frequency;
             let speed = step_length * step_frequency / 60.0;
             style.manner = Manner::of_people(speed / (body.height / REFERENCE_HEIGHT).sqrt());
         }
-        style.double_support += self.population.longer_double_support();
         let heavy = heaviness(body.height, body.mass);
+        let longer = self.population.longer_double_support() + HEAVY.1 * heavy;
+        stand_longer(&mut style, longer.min(LONGEST));
         style.step_width += HEAVY.0 * heavy * body.height;
-        style.double_support += HEAVY.1 * heavy;
         style.manner.arms_out += HEAVY.2 * heavy;
         sheet_numbers::apply(&self.sheet, &mut style)?;
         for (name, value) in self.parameters {
@@ -144,10 +147,8 @@ impl<'a> Styling<'a> {
             let by = |which: u64, spread: f64| scale * spread * chance.normal(k as u64, which);
             let longer = 1.0 + by(0, STEPS.length) + sign * length_side;
             let slower = 1.0 + by(1, STEPS.time) + sign * time_side;
-            let other = Pace {
-                step_frequency: pace.step_frequency / slower,
-                step_length: pace.step_length * longer,
-            };
+            let other =
+                Pace { step_frequency: pace.step_frequency / slower, step_length: pace.step_length * longer };
             let mut style = self.style(body, &other)?;
             // A width is the mean of what two prints have.
             let width = style.step_width + by(2, std::f64::consts::SQRT_2 * STEPS.width) * body.height;
@@ -174,7 +175,9 @@ impl<'a> Styling<'a> {
         }
         let sum = |steps: &[Step]| steps.iter().map(|step| step.length).sum::<f64>();
         let (asked, walked) = (sum(steps), sum(&varied));
-        varied.iter_mut().for_each(|step| step.length *= asked / walked);
+        for step in &mut varied {
+            step.length *= asked / walked;
+        }
         Ok((varied, styles))
     }
 }

@@ -25,6 +25,20 @@ pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitErro
     walk_from(figure, &Body::of(figure)?, None, request)
 }
 
+/// Plans a walk with as much of its manner and of its variability as holds, and says how much that is: 1 is all.
+///
+/// # Errors
+///
+/// Those of [`walk`], but for [`PlanError::OnlyPart`].
+pub fn walk_in_part(figure: &Figure, request: &WalkRequest) -> Result<(WalkPlan, f64), GaitError> {
+    match walk(figure, request) {
+        Err(GaitError::Plan(PlanError::OnlyPart { part, .. })) => {
+            Ok((walk(figure, &request.in_part(part))?, part))
+        }
+        found => Ok((found?, 1.0)),
+    }
+}
+
 /// Plans a walk after another one: from its last style and heading.
 pub(crate) fn walk_from(
     figure: &Figure,
@@ -39,13 +53,15 @@ pub(crate) fn walk_from(
         let route = Route::of(request, &styling.law, heading)?;
         let plan = |route: &Route| {
             let plan = route.plan(body, standing, &styling, request.left_first, request.resolution)?;
-            PlanCheck { figure, route, deviates: styling.deviates() }.check(&plan)?;
+            PlanCheck { figure, route, deviates: styling.deviates(), tempo: styling.law.tempo }
+                .check(&plan)?;
             Ok(plan)
         };
-        plan(&route).map_err(|error| match styling.deviates() {
-            true => error,
-            false => advise(error, &route, |route| plan(route).is_ok()),
-        })
+        let found = plan(&route);
+        if request.sheet.is_empty() && request.variability.is_none() {
+            return found.map_err(|error| advise(error, &route, |route| plan(route).is_ok()));
+        }
+        found
     };
     let plan = planned(1.0).map_err(|error| nearest_part(error, request, planned))?;
     Ok(if request.left_first { plan.mirrored() } else { plan })

@@ -70,6 +70,7 @@ fn of_walks(args: &WalkArgs) -> Option<(&'static str, String)> {
 fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
     let turn = args.changes.turn.as_ref().map(|turn| ("turn", turn.typed.clone()));
     turn.or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
+        .or_else(|| args.everyone.given())
 }
 
 /// What was given that the thesis's style alone has.
