@@ -51,9 +51,9 @@ pub use request::{
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
-    FRICTION, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SheetNumber, SheetUnit,
-    ShippedManner, StridePlan, Style, StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment,
-    WalkSequence, manner, read_sheet, sheet_of, walk, walk_in_part,
+    FRICTION, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SIDE_MANNERS,
+    SheetNumber, SheetUnit, ShippedManner, StridePlan, Style, StyleTable, Toes, Unit, WalkNumbers, WalkPlan,
+    WalkSegment, WalkSequence, manner, read_sheet, sheet_of, side_sheet_of, walk, walk_in_part,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

@@ -23,7 +23,7 @@ pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use plan_check::FRICTION;
 pub use sequence::{LONGEST_STAND, WalkSegment, WalkSequence};
 pub use sheet_numbers::{SHEET_NUMBERS, SheetNumber, SheetUnit};
-pub use sheet_text::{MANNERS, ShippedManner, manner, read_sheet, sheet_of};
+pub use sheet_text::{MANNERS, SIDE_MANNERS, ShippedManner, manner, read_sheet, sheet_of, side_sheet_of};
 pub use stride::StridePlan;
 pub use style::{Style, StyleTable};
 pub use walk::{WalkNumbers, WalkPlan};

@@ -85,6 +85,12 @@ impl StyleSheet {
         other.changes.iter().fold(self.clone(), |sum, (name, change)| sum.with(name, *change))
     }
 
+    /// This without some numbers.
+    pub(crate) fn without(&self, names: &[&str]) -> Self {
+        let changes = self.changes.iter().filter(|(name, _)| !names.contains(name));
+        Self { changes: changes.copied().collect() }
+    }
+
     /// All changes.
     pub fn changes(&self) -> &[(&'static str, Change)] {
         &self.changes

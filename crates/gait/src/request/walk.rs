@@ -74,6 +74,9 @@ pub struct WalkRequest {
     pub population: Population,
     /// In which manner: what is changed of the style before its `parameters` are set.
     pub sheet: StyleSheet,
+    /// What is different of the left and of the right side: the step length and the step frequency of the step that is taken while that
+    /// foot stands, the arm swing of its arm, and the rest from the foot's landing to the other's. The mean pace stays as it is asked.
+    pub sides: [StyleSheet; 2],
     /// How steps differ; `None`: not at all.
     pub variability: Option<Variability>,
     /// How finely to plan.
@@ -81,11 +84,22 @@ pub struct WalkRequest {
 }
 
 impl WalkRequest {
+    /// Whether it is walked in a manner, unevenly, or otherwise left than right.
+    pub(crate) fn deviates(&self) -> bool {
+        !self.sheet.is_empty() || self.is_uneven()
+    }
+
+    /// Whether its steps differ.
+    pub(crate) fn is_uneven(&self) -> bool {
+        self.variability.is_some() || self.sides.iter().any(|sheet| !sheet.is_empty())
+    }
+
     /// The same with a part of its manner and of its variability.
     #[must_use]
     pub fn in_part(&self, part: f64) -> Self {
         let variability = self.variability.map(|all| Variability { scale: part * all.scale, ..all });
-        Self { sheet: self.sheet.scaled(part), variability, ..self.clone() }
+        let sides = [0, 1].map(|side| self.sides[side].scaled(part));
+        Self { sheet: self.sheet.scaled(part), sides, variability, ..self.clone() }
     }
 }
 
@@ -102,6 +116,7 @@ impl Default for WalkRequest {
             parameters: Vec::new(),
             population: Population::default(),
             sheet: StyleSheet::default(),
+            sides: Default::default(),
             variability: None,
             resolution: Resolution::default(),
         }

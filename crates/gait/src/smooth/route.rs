@@ -97,7 +97,7 @@ impl Route {
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
         let route = Self { parts };
-        let most = if route.is_even() && request.variability.is_none() { STEPS.1 } else { CHANGING_STEPS };
+        let most = if route.is_even() && !request.is_uneven() { STEPS.1 } else { CHANGING_STEPS };
         range("steps in all", all as f64, "", (STEPS.0 as f64, most as f64), || {
             " where pace or direction change on the way".to_owned()
         })?;
@@ -144,7 +144,7 @@ impl Route {
         let mut paces = Vec::new();
         let mut steps_of = |parts: &[Part]| steps_of(parts, styling.law.tempo, mirrored, &mut paces);
         let whole = steps_of(&self.parts);
-        let repeats = self.is_even() && !styling.varies();
+        let repeats = self.is_even() && !styling.is_uneven();
         let planned = Steps::repeated(whole.len()).filter(|_| repeats).map(|steps| {
             let part = Part { steps, ..self.parts[0] };
             steps_of(&[part])
@@ -199,7 +199,7 @@ fn steps_of(parts: &[Part], tempo: f64, mirrored: bool, paces: &mut Vec<Pace>) -
             paces.len() - 1
         });
         let turn = if mirrored { -part.turn } else { part.turn };
-        Step { pace: index, length: factor * pace.step_length, turn, yaw: 0.0 }
+        Step { pace: index, length: factor * pace.step_length, turn, yaw: 0.0, slower: 0.0 }
     });
     steps.collect()
 }

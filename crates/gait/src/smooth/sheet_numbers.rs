@@ -149,6 +149,7 @@ pub const SHEET_NUMBERS: &[SheetNumber] = &[
         range: (0.06, 0.24),
         place: Place::DoubleSupport,
     },
+    number("ankle_swing", Degrees, (-15.0, 15.0), "dorsiflexion in late swing", |s| &mut s.ankle_swing),
     number("head_pitch", Degrees, (-15.0, 35.0), "mean forward pitch of the head", |s| {
         &mut s.manner.head_pitch
     }),

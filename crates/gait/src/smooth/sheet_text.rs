@@ -15,14 +15,17 @@ pub struct ShippedManner {
 }
 
 macro_rules! shipped {
-    ($($name:literal),*) => {
-        &[$(ShippedManner { name: $name, text: include_str!(concat!("../../manners/", $name, ".ron")) }),*]
+    ($folder:literal: $($name:literal),*) => {
+        &[$(ShippedManner { name: $name, text: include_str!(concat!("../../manners/", $folder, $name, ".ron")) }),*]
     };
 }
 
 /// All manners that ship.
 pub const MANNERS: &[ShippedManner] =
-    shipped!["tired", "sad", "happy", "proud", "heavy", "older", "child", "cautious"];
+    shipped!["": "tired", "sad", "happy", "proud", "heavy", "older", "child", "cautious"];
+
+/// All manners of one side that ship, see [`crate::WalkRequest::sides`].
+pub const SIDE_MANNERS: &[ShippedManner] = shipped!["sides/": "limp", "stiff_knee", "drop_foot", "load"];
 
 /// What a number of a sheet may be blended by at most: twice as much as it says.
 const MOST: f64 = 2.0;
@@ -33,8 +36,12 @@ const MOST: f64 = 2.0;
 ///
 /// A name that none has, with the nearest.
 pub fn manner(name: &str) -> Result<StyleSheet, RequestError> {
-    let names = || MANNERS.iter().map(|manner| manner.name);
-    let found = MANNERS.iter().find(|manner| manner.name == name);
+    among(MANNERS, name)
+}
+
+fn among(all: &[ShippedManner], name: &str) -> Result<StyleSheet, RequestError> {
+    let names = || all.iter().map(|manner| manner.name);
+    let found = all.iter().find(|manner| manner.name == name);
     found.and_then(|manner| read_sheet(manner.text).ok()).ok_or_else(|| RequestError::UnknownManner {
         name: name.to_owned(),
         known: match nearest(name, names()) {
@@ -50,6 +57,19 @@ pub fn manner(name: &str) -> Result<StyleSheet, RequestError> {
 ///
 /// A name that none has, and a part that is no number from 0 to 2.
 pub fn sheet_of(blend: &str) -> Result<StyleSheet, RequestError> {
+    blended(MANNERS, blend)
+}
+
+/// The same of one side: `limp`, `limp:0.5,load`.
+///
+/// # Errors
+///
+/// As for [`sheet_of`].
+pub fn side_sheet_of(blend: &str) -> Result<StyleSheet, RequestError> {
+    blended(SIDE_MANNERS, blend)
+}
+
+fn blended(all: &[ShippedManner], blend: &str) -> Result<StyleSheet, RequestError> {
     blend.split(',').try_fold(StyleSheet::default(), |sum, one| {
         let (name, part) = one.split_once(':').unwrap_or((one, "1"));
         let value = part.trim().parse::<f64>().ok().filter(|part| (0.0..=MOST).contains(part));
@@ -58,7 +78,7 @@ pub fn sheet_of(blend: &str) -> Result<StyleSheet, RequestError> {
             part: part.trim().to_owned(),
             most: MOST,
         })?;
-        Ok(sum.plus(&manner(name.trim())?.scaled(value)))
+        Ok(sum.plus(&among(all, name.trim())?.scaled(value)))
     })
 }
 
@@ -192,7 +212,7 @@ mod tests {
 
     #[test]
     fn what_ships_can_be_read_and_says_where_it_comes_from() {
-        for ShippedManner { name, text } in MANNERS {
+        for ShippedManner { name, text } in MANNERS.iter().chain(SIDE_MANNERS) {
             let sheet = read_sheet(text).unwrap_or_else(|error| panic!("{name}: {error}"));
             assert!(
                 !sheet.is_empty() && text.contains("source:") && text.contains(&format!("\"{name}\"")),

@@ -5,6 +5,7 @@ use crate::body::{Body, REFERENCE_HEIGHT};
 use crate::error::RequestError;
 use crate::request::pace::{Pace, StepLaw};
 use crate::request::population::heaviness;
+use crate::request::sheet::{CADENCE, STEP_LENGTH};
 use crate::request::variability::Chance;
 use crate::request::{Population, StyleSheet, Variability, WalkRequest};
 use crate::smooth::manner::Manner;
@@ -44,6 +45,9 @@ const AT_ENDS: f64 = 0.5;
 /// Least and greatest step width that chance may bring, over the height.
 const WIDTHS: (f64, f64) = (0.02, 0.14);
 
+/// The number of a sheet of one side that is its arm's.
+const ARM_SWING: &str = "arm_swing";
+
 struct Spread {
     length: f64,
     time: f64,
@@ -63,6 +67,7 @@ pub(crate) struct Styling<'a> {
     pub(crate) law: StepLaw,
     population: Population,
     sheet: StyleSheet,
+    sides: [StyleSheet; 2],
     parameters: &'a [(&'static str, f64)],
     variability: Option<Variability>,
 }
@@ -70,13 +75,13 @@ pub(crate) struct Styling<'a> {
 impl<'a> Styling<'a> {
     /// Of a request, with a part of its manner and of its variability.
     pub(crate) fn of(request: &'a WalkRequest, body: &Body, part: f64) -> Result<Self, RequestError> {
-        let sheet = if part < 1.0 { request.sheet.scaled(part) } else { request.sheet.clone() };
-        let variability = request.variability.map(|v| Variability { scale: part * v.scale, ..v });
-        variability.map_or(Ok(()), Variability::check)?;
+        let WalkRequest { sheet, sides, variability, .. } =
+            if part < 1.0 { request.in_part(part) } else { request.clone() };
         Ok(Self {
             law: StepLaw::new(request.population, &sheet, body.height, body.mass),
             population: request.population,
             sheet,
+            sides,
             parameters: &request.parameters,
             variability: variability.filter(|v| v.scale > 0.0),
         })
@@ -84,12 +89,12 @@ impl<'a> Styling<'a> {
 
     /// Whether it is more than the style of adults at a pace: another population, a manner, or steps that differ.
     pub(crate) fn deviates(&self) -> bool {
-        self.population != Population::Adult || !self.sheet.is_empty() || self.varies()
+        self.population != Population::Adult || !self.sheet.is_empty() || self.is_uneven()
     }
 
     /// Whether steps differ.
-    pub(crate) fn varies(&self) -> bool {
-        self.variability.is_some()
+    pub(crate) fn is_uneven(&self) -> bool {
+        self.variability.is_some() || self.sides.iter().any(|sheet| !sheet.is_empty())
     }
 
     /// The style of a pace.
@@ -120,6 +125,18 @@ impl<'a> Styling<'a> {
         Ok(style)
     }
 
+    /// What is different of a step of the left foot, or of the right one: the sheets of its own and of the other side, and its length and
+    /// time over those of even steps; the mean of both sides' is 1.
+    fn sided(&self, left: bool) -> ([&StyleSheet; 2], [f64; 2]) {
+        let (own, other) = if left { (0, 1) } else { (1, 0) };
+        let part = |name: &str, of: fn(f64) -> f64| {
+            let [own, other] = [own, other].map(|side: usize| of(self.sides[side].get(name).factor));
+            2.0 * other / (own + other)
+        };
+        let parts = [part(STEP_LENGTH, |factor| factor), part(CADENCE, f64::recip)];
+        ([&self.sides[own], &self.sides[other]], parts)
+    }
+
     /// The styles of steps of some paces, each of its own, and the steps in these styles, counted from `first` on; no more and no less
     /// way is walked. Styles are of the walk as it is planned, right foot first, and so `mirrored` where the left one begins.
     pub(crate) fn varied(
@@ -129,9 +146,10 @@ impl<'a> Styling<'a> {
         first: usize,
         mirrored: bool,
     ) -> Result<(Vec<Step>, Vec<Style>), RequestError> {
-        let Some(Variability { scale, seed }) = self.variability else {
+        if !self.is_uneven() {
             return Ok((steps.to_vec(), Vec::new()));
-        };
+        }
+        let Variability { scale, seed } = self.variability.unwrap_or(Variability { scale: 0.0, seed: 0 });
         let chance = Chance(seed);
         let side = |which: u64, spread: f64| 0.5 * scale * spread * chance.normal(u64::MAX, which);
         let (length_side, time_side) = (side(0, SIDES.0), side(1, SIDES.1));
@@ -145,16 +163,20 @@ impl<'a> Styling<'a> {
             let left = (k % 2 == 1) != mirrored;
             let sign = if left { 1.0 } else { -1.0 };
             let by = |which: u64, spread: f64| scale * spread * chance.normal(k as u64, which);
-            let longer = 1.0 + by(0, STEPS.length) + sign * length_side;
-            let slower = 1.0 + by(1, STEPS.time) + sign * time_side;
+            // The step is taken while the other foot stands.
+            let ([own, _], [long, slow]) = self.sided(left);
+            let longer = (1.0 + by(0, STEPS.length) + sign * length_side) * long;
+            let slower = 1.0 + by(1, STEPS.time);
             let other =
                 Pace { step_frequency: pace.step_frequency / slower, step_length: pace.step_length * longer };
             let mut style = self.style(body, &other)?;
+            sheet_numbers::apply(&own.without(&[STEP_LENGTH, CADENCE, ARM_SWING]), &mut style)?;
             // A width is the mean of what two prints have.
             let width = style.step_width + by(2, std::f64::consts::SQRT_2 * STEPS.width) * body.height;
             style.step_width = width.clamp(WIDTHS.0 * body.height, WIDTHS.1 * body.height);
             style.arm_swing *= 1.0 + by(4, STEPS.arms);
-            style.manner.arm_sides = [1.0 + arm_side, 1.0 - arm_side];
+            let arms = [0, 1].map(|side| self.sides[side].get(ARM_SWING).factor.max(0.0));
+            style.manner.arm_sides = [(1.0 + arm_side) * arms[0], (1.0 - arm_side) * arms[1]];
             if mirrored {
                 style.manner = style.manner.mirrored();
             }
@@ -170,7 +192,13 @@ impl<'a> Styling<'a> {
             style.clearance *= 1.0 + by(9, STEPS.clearance);
             let yaw = if k + 1 == steps.len() { 0.0 } else { by(3, STEPS.yaw) };
             let yaw = if mirrored { -yaw } else { yaw };
-            varied.push(Step { pace: first + k, length: step.length * longer, yaw, ..*step });
+            varied.push(Step {
+                pace: first + k,
+                length: step.length * longer,
+                yaw,
+                slower: slow - 1.0 + sign * time_side,
+                ..*step
+            });
             styles.push(style);
         }
         let sum = |steps: &[Step]| steps.iter().map(|step| step.length).sum::<f64>();

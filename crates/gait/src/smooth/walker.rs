@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError};
-use crate::request::WalkRequest;
+use crate::request::{Variability, WalkRequest};
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::styling::Styling;
@@ -48,6 +48,7 @@ pub(crate) fn walk_from(
 ) -> Result<WalkPlan, GaitError> {
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
+    request.variability.map_or(Ok(()), Variability::check)?;
     let planned = |part: f64| -> Result<WalkPlan, GaitError> {
         let styling = Styling::of(request, body, part)?;
         let route = Route::of(request, &styling.law, heading)?;
@@ -58,7 +59,7 @@ pub(crate) fn walk_from(
             Ok(plan)
         };
         let found = plan(&route);
-        if request.sheet.is_empty() && request.variability.is_none() {
+        if !request.deviates() {
             return found.map_err(|error| advise(error, &route, |route| plan(route).is_ok()));
         }
         found
@@ -74,7 +75,7 @@ fn nearest_part(
     request: &WalkRequest,
     planned: impl Fn(f64) -> Result<WalkPlan, GaitError>,
 ) -> GaitError {
-    if request.sheet.is_empty() && request.variability.is_none() {
+    if !request.deviates() {
         return why;
     }
     if let Err(plain) = planned(0.0) {

@@ -3,8 +3,9 @@
 use crate::posed::Posed;
 use solaris_analysis::ground_reactions;
 use solaris_gait::{
-    Change, Extent, FEET, FRICTION, MANNERS, Population, SHEET_NUMBERS, StyleSheet, Variability, WALK_RATIO,
-    WalkPlan, WalkRequest, manner, measure, sheet_of, walk, walk_in_part,
+    Change, Extent, FEET, FRICTION, MANNERS, Population, SHEET_NUMBERS, SIDE_MANNERS, StyleSheet,
+    Variability, WALK_RATIO, WalkPlan, WalkRequest, manner, measure, sheet_of, side_sheet_of, walk,
+    walk_in_part,
 };
 use solaris_model::{EventKind, Figure, Motion, Trajectory, Vector3, human};
 
@@ -338,6 +339,44 @@ fn what_cannot_be_is_refused_with_how_much_of_it_holds() {
             if let Err(error) = walk(&figure, &asked) {
                 let said = error.to_string();
                 assert!(!said.contains("NaN"), "{} {factor}: {said}", number.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn one_side_differs_and_the_mean_pace_stays() {
+    let figure = person(1.75, 23.8);
+    let plain = walk(&figure, &WalkRequest::default()).expect("a walk");
+    for shipped in SIDE_MANNERS {
+        for side in 0..2 {
+            let mut sides = [StyleSheet::default(), StyleSheet::default()];
+            sides[side] = side_sheet_of(shipped.name).expect("it ships");
+            let asked = WalkRequest { sides, extent: Extent::Steps(14), ..WalkRequest::default() };
+            let (plan, part) = walk_in_part(&figure, &asked).expect("it walks");
+            let why = walk(&figure, &asked).err();
+            println!("{} {side}: {part} {}", shipped.name, why.map_or(String::new(), |why| why.to_string()));
+            let mut motion = plan.motion(&figure, 120.0).expect("sampled");
+            ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
+            let extremes = measure(&figure, &motion).expect("measured").extremes;
+            assert!(extremes.cop_outside.value < 1e-3 && extremes.slide.value < 1e-9, "{}", shipped.name);
+            assert!(extremes.friction.value < FRICTION.0 && extremes.sink.value < 1e-4, "{}", shipped.name);
+            let steps = steps_of(&figure, &plan);
+            let middle = &steps[4..10];
+            let mean = |which: usize, odd: usize| {
+                let of = middle.iter().enumerate().filter(|(i, _)| i % 2 == odd).map(|(_, step)| step[which]);
+                of.sum::<f64>() / 3.0
+            };
+            let [length, time] = [0, 1].map(|which| (mean(which, 0), mean(which, 1)));
+            println!("  {length:?} m, {time:?} s");
+            let style = plain.style();
+            assert!((0.5 * (length.0 + length.1) / style.step_length - 1.0).abs() < 0.01, "{length:?}");
+            assert!((0.5 * (time.0 + time.1) / (60.0 / style.step_frequency) - 1.0).abs() < 0.02, "{time:?}");
+            if shipped.name == "limp" {
+                assert!(
+                    (length.0 / length.1 - 1.0).abs() > 0.05 * part
+                        && (time.0 / time.1 - 1.0).abs() > 0.02 * part
+                );
             }
         }
     }

@@ -15,6 +15,8 @@ pub(crate) struct Step {
     pub(crate) turn: f64,
     /// By how much its foot is turned to the left besides, which changes nothing of the way (rad).
     pub(crate) yaw: f64,
+    /// By which part it lasts longer than its pace and the one before have it.
+    pub(crate) slower: f64,
 }
 
 /// What a foot does on one print.
@@ -161,7 +163,7 @@ mod tests {
     #[test]
     fn an_even_turn_goes_round_a_circle_and_faces_along_it() {
         let turn = 0.3;
-        let steps = [Step { pace: 0, length: 0.6, turn, yaw: 0.0 }; 20];
+        let steps = [Step { pace: 0, length: 0.6, turn, yaw: 0.0, slower: 0.0 }; 20];
         let course = Course::new(&steps);
         // Chords of 0.6 m that turn by 0.3: a circle of radius 0.3 m / sin 0.15 to the left.
         let radius = 0.3 / (0.5 * turn).sin();

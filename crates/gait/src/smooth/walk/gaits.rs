@@ -126,5 +126,6 @@ impl Gaits {
 
 fn tempo(paces: &[Gait], stride_time: f64, standing: usize, steps: &[Step]) -> Tempo {
     let contacts = std::iter::once(standing).chain(steps.iter().map(|step| step.pace));
-    Tempo::new(contacts.map(|pace| paces[pace].style.stride_time / stride_time).collect())
+    let ratios = contacts.map(|pace| paces[pace].style.stride_time / stride_time);
+    Tempo::new(ratios.collect(), steps.iter().map(|step| step.slower))
 }

@@ -38,7 +38,9 @@ impl Steps<'_> {
 
 /// `n` steps of one pace, ahead.
 pub(super) fn even(n: usize, step_length: f64) -> Vec<Step> {
-    factors(n).map(|factor| Step { pace: 0, length: factor * step_length, turn: 0.0, yaw: 0.0 }).collect()
+    factors(n)
+        .map(|factor| Step { pace: 0, length: factor * step_length, turn: 0.0, yaw: 0.0, slower: 0.0 })
+        .collect()
 }
 
 /// Lengths of `n` steps over S: the first is shorter, and two shorter ones brake at the end.
