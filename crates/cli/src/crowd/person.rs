@@ -87,7 +87,11 @@ impl<'a> Crowd<'a> {
         }
         self.walked(number).map_err(|(column, why)| {
             let why = why.split_whitespace().collect::<Vec<_>>().join(" ");
-            let at = column.and_then(|column| self.people.columns.iter().position(|name| *name == column));
+            let is_same = |name: &str, column: &str| {
+                name == column || (name == "cadence" && column == "step-frequency")
+            };
+            let at =
+                column.and_then(|column| self.people.columns.iter().position(|name| is_same(name, &column)));
             at.map_or_else(|| format!("{line}: {why}"), |at| format!("{line}, column {}: {why}", at + 1))
         })
     }
@@ -115,7 +119,7 @@ impl<'a> Crowd<'a> {
         let mut words: Vec<String> =
             given.iter().map(|(column, field)| format!("--{column}={field}")).collect();
         if has(&["seed"]) && !has(&["variability"]) {
-            words.push("--variability".to_owned());
+            words.push("--variability=1".to_owned());
         }
         let args: WalkArgs = parse(&self.options, words.clone()).map_err(of_clap)?;
         let own = args.everyone.seed.unwrap_or(seed);

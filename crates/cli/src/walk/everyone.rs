@@ -3,7 +3,7 @@
 use crate::args::EveryoneArgs;
 use crate::error::CliError;
 use crate::input;
-use solaris::gait::{Population, StyleSheet, Variability, WalkRequest, read_sheet, sheet_of};
+use solaris::gait::{Population, StyleSheet, Variability, WalkRequest, read_sheet, sheet_of, side_sheet_of};
 use std::path::Path;
 
 /// A request with population, manner and variability of the options.
@@ -24,8 +24,17 @@ pub(super) fn dressed(request: WalkRequest, args: &EveryoneArgs) -> Result<WalkR
         }
         (Some(scale), seed) => Some(Variability { scale: scale.value, seed: seed.unwrap_or_default() }),
     };
+    let side = |option: &str, asked: &Option<String>| match asked {
+        None => Ok(StyleSheet::default()),
+        Some(path) if path.ends_with(".ron") => of_file(Path::new(path)),
+        Some(blend) => {
+            let known = side_sheet_of(&blend.replace('-', "_"));
+            known.map_err(|why| CliError::option(option, blend, why.to_string()))
+        }
+    };
+    let sides = [side("left", &args.left)?, side("right", &args.right)?];
     let population = args.population.map_or_else(Population::default, Population::from);
-    Ok(WalkRequest { population, sheet, variability, ..request })
+    Ok(WalkRequest { population, sheet, sides, variability, ..request })
 }
 
 /// A manner in a file of its own.

@@ -64,9 +64,9 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         ..WalkRequest::default()
     };
     let first = dressed(first, &args.everyone)?;
-    if let (Some(variability), Some(_)) = (&args.everyone.variability, args.manner.repeats) {
+    if let (Some((option, typed)), Some(_)) = (args.everyone.uneven(), args.manner.repeats) {
         let why = "one stride that repeats itself has no steps that differ; leave out --loop, or this";
-        return Err(CliError::option("variability", &variability.typed, why));
+        return Err(CliError::option(option, typed, why));
     }
     smooth(&first, &args.changes.then)
 }
