@@ -66,7 +66,7 @@ impl Population {
                 "dynamic similarity; Sutherland 1980 has 0.84 of the adults' ratio at 7 years, the law 0.83 (from memory, not looked up)"
             }
             Self::Older => {
-                "fifteen people of 55 to 72 beside fifteen of 21 to 37 at six speeds on a treadmill (Fukuchi 2018): 0.00295 and 0.00327; \
+                "fifteen people of 55 to 72 beside fifteen of 22 to 36 at six speeds on a treadmill (Fukuchi 2018): 0.00295 and 0.00327; \
                  double support from memory (Winter 1990), not looked up"
             }
         }
