@@ -1,5 +1,6 @@
 //! The commands, and what each of them is asked: one struct a command, parsed once, here.
 
+mod crowd;
 mod figure;
 mod gait;
 mod given;
@@ -17,6 +18,7 @@ mod sweep;
 mod value;
 mod walk;
 
+pub(crate) use crowd::{CrowdArgs, CrowdFormat, PLACES};
 pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
@@ -38,8 +40,8 @@ pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
-    DeterminantCount, DoubleSupportLaw, Gait, InBetweens, Loop, PaceArgs, PersonArgs, RootLink, Side,
-    StyleName, Then, Travel, WalkArgs, WhoArgs,
+    DeterminantCount, DoubleSupportLaw, EveryoneArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs, RootLink,
+    Side, StyleName, Then, Travel, WalkArgs, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -83,6 +85,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Walk(Box<WalkArgs>),
     Sweep(SweepArgs),
+    Crowd(CrowdArgs),
     Run(RunArgs),
     Inverse(Box<InverseArgs>),
     Ik(Box<IkArgs>),

@@ -5,6 +5,7 @@
 mod args;
 mod check;
 mod convert;
+mod crowd;
 mod cycles;
 mod error;
 mod figure;
@@ -59,6 +60,7 @@ fn run(command: &Command) -> Result<(), CliError> {
     match command {
         Command::Walk(args) => walk::run(args),
         Command::Sweep(args) => sweep::run(args),
+        Command::Crowd(args) => crowd::run(args),
         Command::Run(args) => run::run(args),
         Command::Inverse(args) => inverse::run(args),
         Command::Ik(args) => ik::run(args),

@@ -1,5 +1,6 @@
 //! `solaris walk`: a person walks.
 
+mod everyone;
 mod looped;
 mod notes;
 mod numbers;

@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep < crowd
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -15,11 +15,12 @@
 //! - `measure`, `metrics`: numbers of a finished walk of ours, and of any motion of any figure with feet.
 //! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
 //! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
-//! - `comparison`, `styled`, `people`, `sweep`: what needs both walkers or all of this.
+//! - `comparison`, `styled`, `people`, `sweep`, `crowd`: what needs both walkers or all of this.
 
 mod body;
 mod comparison;
 mod condition;
+pub mod crowd;
 mod error;
 mod grid;
 mod limbs;
@@ -44,14 +45,17 @@ pub use measure::{
     isolated_peaks, measure, measure_run, measure_stride, run_bands,
 };
 pub use request::{
-    CHANGING_STEPS, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, RUN_SPEED, Resolution, RunRequest,
-    RunResolution, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, TURN, TURN_IN_ALL,
-    WALK_RATIO, WalkGround, WalkPart, WalkPath, WalkRequest,
+    CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, MOST_VARIABILITY, Population,
+    RUN_SPEED, Resolution, RunRequest, RunResolution, SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS,
+    Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath,
+    WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
-    FRICTION, LONGEST_STAND, Manner, PARAMETERS, Parameter, SLOPES, STAIRS, StairNumbers, StridePlan, Style,
-    StyleTable, Toes, Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, step_length_on_slope, walk,
+    FRICTION, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SIDE_MANNERS, SLOPES,
+    STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style, StyleTable, Toes, Unit,
+    WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet, sheet_of, side_sheet_of,
+    step_length_on_slope, walk, walk_in_part,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

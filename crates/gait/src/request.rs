@@ -3,13 +3,19 @@
 mod ground;
 pub(crate) mod pace;
 pub(crate) mod path;
+pub(crate) mod population;
 mod resolution;
 pub(crate) mod run;
+pub(crate) mod sheet;
+pub(crate) mod variability;
 mod walk;
 
 pub use ground::{STAIR_COUNT, Stairs, WalkGround};
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
 pub use path::WalkPath;
+pub use population::Population;
 pub use resolution::Resolution;
 pub use run::{DEFAULT_RUN_SPEED, RUN_SPEED, RunRequest, RunResolution};
+pub use sheet::{Change, StyleSheet};
+pub use variability::{MOST_VARIABILITY, Variability};
 pub use walk::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkPart, WalkRequest};

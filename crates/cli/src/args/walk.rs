@@ -1,7 +1,9 @@
 //! The request of `solaris walk`.
 
+mod everyone;
 mod then;
 
+pub(crate) use everyone::EveryoneArgs;
 pub(crate) use then::{Then, Travel};
 
 use super::parameters::StyleArgs;
@@ -32,6 +34,8 @@ const EXAMPLES: &str = "Examples:
       half a turn to the left, on the spot
   solaris walk --loop in-place -o loop.bvh
       one stride that repeats, for a game
+  solaris walk --manner sad:0.7 --variability --seed 3 -o sad.html
+      rather sad, and no step like another
   solaris walk --gait run --speed 3.5 -o run.html
       ten steps of a run, with its flights";
 
@@ -49,6 +53,8 @@ pub(crate) struct WalkArgs {
     pub(crate) extent: ExtentArgs,
     #[command(flatten)]
     pub(crate) manner: MannerArgs,
+    #[command(flatten, next_help_heading = "Whose walk, and in which manner (style smooth)")]
+    pub(crate) everyone: EveryoneArgs,
     #[command(flatten, next_help_heading = "Changes on the way (style smooth)")]
     pub(crate) changes: ChangeArgs,
     #[command(flatten)]

@@ -8,7 +8,9 @@ use crate::error::CliError;
 use crate::progress::Progress;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
-use solaris::gait::{FEET, RunPlan, SteadyRun, StyledPlan, StyledRequest, measure_run, on_the_spot};
+use solaris::gait::{
+    FEET, GaitError, PlanError, RunPlan, SteadyRun, StyledPlan, StyledRequest, measure_run, on_the_spot,
+};
 use solaris::model::{Figure, Motion, Trajectory as _};
 use std::time::{Duration, Instant};
 
@@ -23,6 +25,8 @@ pub(super) struct Planned {
     /// Whether pace or direction change on the way.
     pub(super) changes: bool,
     pub(super) beside: Option<BesideKeyPostures>,
+    /// How much of the manner and of the variability is walked, where all of it would not hold, and why.
+    pub(super) in_part: Option<(f64, String)>,
     /// A steady stride of a run.
     pub(super) running: Option<SteadyRun>,
     /// Whether the root turns by its heading first, as nobody asked for.
@@ -67,8 +71,17 @@ impl Planned {
         let (looped, rate) = (args.manner.repeats, args.extent.rate.unwrap_or(RATE.0));
         let start = Instant::now();
         progress.stage("planning the walk");
-        let plan_of = |figure: &Figure, request: &StyledRequest| {
-            StyledPlan::of(figure, request).map_err(|error| asked.refuse(error, args))
+        let mut in_part = None;
+        let mut plan_of = |figure: &Figure, request: &StyledRequest| {
+            let refuse = |error| asked.refuse(error, args);
+            match (StyledPlan::of(figure, request), request) {
+                (Err(GaitError::Plan(PlanError::OnlyPart { part, why })), StyledRequest::Smooth(walk)) => {
+                    in_part = Some((part, why.to_string()));
+                    let request = StyledRequest::Smooth(walk.in_part(part));
+                    StyledPlan::of(figure, &request).map_err(refuse)
+                }
+                (found, _) => found.map_err(refuse),
+            }
         };
         let mut heading_first = false;
         let mut plan = match StyledPlan::of(figure, &asked.request) {
@@ -127,6 +140,7 @@ impl Planned {
                 StyledRequest::Thesis(_) | StyledRequest::Run(_) => false,
             },
             beside,
+            in_part,
             running,
             heading_first,
             planning,

@@ -98,6 +98,7 @@ impl Report {
             asked_frequency,
             changes,
             beside,
+            in_part,
             running,
             heading_first,
             planning,
@@ -109,6 +110,11 @@ impl Report {
         let overlaps = nearest_limbs.as_ref().and_then(overlap_note).into_iter();
         let weight = mass * motion.info.gravity.norm();
         let mut notes: Vec<String> = overlaps.chain(notes(&plan, &measures, lone, weight, repeats)).collect();
+        if let Some((part, why)) = in_part {
+            notes.push(format!(
+                "{part} of the manner and of the variability is walked, for all of it would not hold: {why}"
+            ));
+        }
         if (step_frequency - asked_frequency).abs() > 1e-6 * asked_frequency {
             notes.push(format!(
                 "{:.1} steps/min in place of {:.1}: so the stride lasts {} frames of {} a second",

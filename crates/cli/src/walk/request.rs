@@ -3,6 +3,7 @@
 mod path;
 mod refused;
 
+use super::everyone::dressed;
 use crate::args::{
     DEFAULT_STEPS, DoubleSupportLaw, Gait, InBetweens, Loop, Number, PaceArgs, PersonArgs, Side, StyleName,
     Then, Travel, WalkArgs,
@@ -72,6 +73,11 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         parameters,
         ..WalkRequest::default()
     };
+    let first = dressed(first, &args.everyone)?;
+    if let (Some((option, typed)), Some(_)) = (args.everyone.uneven(), args.manner.repeats) {
+        let why = "one stride that repeats itself has no steps that differ; leave out --loop, or this";
+        return Err(CliError::option(option, typed, why));
+    }
     smooth(&first, &args.changes.then)
 }
 
@@ -223,6 +229,7 @@ impl Typed for WalkArgs {
             "distance" => &self.extent.distance,
             "turn" => &self.changes.turn,
             "sway" => &self.manner.sway,
+            "variability" => &self.everyone.variability,
             other => return Some(&self.style.0.get(&other.replace(' ', "-"))?.typed),
         };
         number.as_ref().map(|number| number.typed.as_str())

@@ -1,6 +1,8 @@
 //! The program as a whole: its files, its manners, its exit codes. What it prints stands in the transcripts.
 
 mod agreement;
+mod crowd;
+mod everyone;
 mod hints;
 mod loops;
 mod manners;

@@ -65,6 +65,10 @@ pub enum RequestError {
     RunNodes { nodes: usize, lower: usize, upper: usize },
     #[error("{passes} passes for a run: the planner makes {lower} to {upper}")]
     RunPasses { passes: usize, lower: usize, upper: usize },
+    #[error("there is no manner '{name}'; {known}")]
+    UnknownManner { name: String, known: String },
+    #[error("{part:?} of the manner '{manner}': it must be a number from 0 to {most}, as in sad:0.6")]
+    MannerPart { manner: String, part: String, most: f64 },
     #[error("the style's {name} is {value}; it must be a finite number")]
     StyleNotFinite { name: &'static str, value: f64 },
     #[error(transparent)]

@@ -57,6 +57,20 @@ pub(crate) struct Pace {
     pub(crate) step_length: f64,
 }
 
+/// How the step length follows the step frequency, for one person.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StepLaw {
+    /// Standing height (m).
+    pub(crate) height: f64,
+    /// Step length over step frequency (m min): of this person, and of adults overground of this tempo.
+    pub(crate) ratio: f64,
+    pub(crate) adult_ratio: f64,
+    /// Step frequencies over those of adults.
+    pub(crate) tempo: f64,
+    /// Where no pace is asked for (steps/min).
+    pub(crate) step_frequency: f64,
+}
+
 /// What is given of a pace.
 pub(crate) struct Given {
     pub(crate) step_frequency: Option<f64>,
@@ -70,9 +84,10 @@ impl Given {
     }
 
     /// Step frequency and step length, in range; steps may be as short as `shortest` of people's.
-    pub(crate) fn settle(&self, height: f64, shortest: f64) -> Result<Pace, RequestError> {
+    pub(crate) fn settle(&self, law: &StepLaw, shortest: f64) -> Result<Pace, RequestError> {
+        let frequencies = (STEP_FREQUENCY.0 * law.tempo, STEP_FREQUENCY.1 * law.tempo);
         let given = [
-            ("step frequency", self.step_frequency, " steps/min", STEP_FREQUENCY),
+            ("step frequency", self.step_frequency, " steps/min", frequencies),
             ("step length", self.step_length, " m", (0.01, 2.0)),
             ("speed", self.speed, " m/s", (0.01, 3.0)),
         ];
@@ -81,13 +96,17 @@ impl Given {
                 range(name, value, unit, limits, String::new)?;
             }
         }
-        let ratio = WALK_RATIO * height;
-        let (step_frequency, step_length) = settle(self.step_frequency, self.step_length, self.speed, ratio)?;
-        range("step frequency", step_frequency, " steps/min", STEP_FREQUENCY, || {
+        let StepLaw { height, ratio, adult_ratio, tempo, .. } = *law;
+        let asked = if self.nothing() { Some(law.step_frequency) } else { self.step_frequency };
+        let (step_frequency, step_length) = settle(asked, self.step_length, self.speed, ratio)?;
+        range("step frequency", step_frequency, " steps/min", frequencies, || {
             "; slower and faster gaits are not this walk: the forces leave people's range".to_owned()
         })?;
         let default = ratio * step_frequency;
-        let (lower, upper) = (default * shortest, default * (1.0 + longest_over_default(step_frequency)));
+        // Steps that are longer than this person's are those of adults for longer.
+        let longest = adult_ratio.max(ratio) * step_frequency;
+        let (lower, upper) =
+            (default * shortest, longest * (1.0 + longest_over_default(step_frequency / tempo)));
         if (lower * (1.0 - 1e-9)..=upper * (1.0 + 1e-9)).contains(&step_length) {
             return Ok(Pace { step_frequency, step_length });
         }

@@ -2,7 +2,10 @@
 
 use super::ground::WalkGround;
 use super::path::WalkPath;
+use super::population::Population;
 use super::resolution::Resolution;
+use super::sheet::StyleSheet;
+use super::variability::Variability;
 
 /// Numbers of steps.
 pub const STEPS: (usize, usize) = (1, 10_000);
@@ -25,7 +28,8 @@ pub enum Extent {
     Distance(f64),
 }
 
-/// What is asked. Of step frequency, step length and speed any two decide the third; what is left open is people's.
+/// What is asked. Of step frequency, step length and speed any two decide the third; what is left open follows the law of a
+/// population.
 ///
 /// A fast walk begins and ends at 110 steps/min; a step gains 20 steps/min over the one before at most, above 110 only 5, and
 /// loses 10 towards the end. A step that is slower for it is shorter by as much.
@@ -72,8 +76,37 @@ pub struct WalkRequest {
     pub left_first: bool,
     /// Parameters of the style by name (see [`crate::PARAMETERS`]), in their units.
     pub parameters: Vec<(&'static str, f64)>,
+    /// Whose step length it has.
+    pub population: Population,
+    /// In which manner: what is changed of the style before its `parameters` are set.
+    pub sheet: StyleSheet,
+    /// What is different of the left and of the right side: the step length and the step frequency of the step that is taken while that
+    /// foot stands, the arm swing of its arm, and the rest from the foot's landing to the other's. The mean pace stays as it is asked.
+    pub sides: [StyleSheet; 2],
+    /// How steps differ; `None`: not at all.
+    pub variability: Option<Variability>,
     /// How finely to plan.
     pub resolution: Resolution,
+}
+
+impl WalkRequest {
+    /// Whether it is walked in a manner, unevenly, or otherwise left than right.
+    pub(crate) fn deviates(&self) -> bool {
+        !self.sheet.is_empty() || self.is_uneven()
+    }
+
+    /// Whether its steps differ.
+    pub(crate) fn is_uneven(&self) -> bool {
+        self.variability.is_some() || self.sides.iter().any(|sheet| !sheet.is_empty())
+    }
+
+    /// The same with a part of its manner and of its variability.
+    #[must_use]
+    pub fn in_part(&self, part: f64) -> Self {
+        let variability = self.variability.map(|all| Variability { scale: part * all.scale, ..all });
+        let sides = [0, 1].map(|side| self.sides[side].scaled(part));
+        Self { sheet: self.sheet.scaled(part), sides, variability, ..self.clone() }
+    }
 }
 
 impl Default for WalkRequest {
@@ -89,6 +122,10 @@ impl Default for WalkRequest {
             path: None,
             left_first: false,
             parameters: Vec::new(),
+            population: Population::default(),
+            sheet: StyleSheet::default(),
+            sides: Default::default(),
+            variability: None,
             resolution: Resolution::default(),
         }
     }

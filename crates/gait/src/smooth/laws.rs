@@ -34,8 +34,6 @@ const OBLIQUITY_THIRD: f64 = 0.3;
 /// Part of the way from the one to the other: the abdomen between pelvis and thorax, the neck between the head, which stays
 /// upright, and the thorax.
 const HALFWAY: f64 = 0.5;
-/// Mean of the shoulders' flexion (rad): a little backward.
-const SHOULDER_MEAN: f64 = -3.0 * DEGREE;
 /// Lag of the elbows after the shoulders (u).
 const ELBOW_LAG: f64 = 0.05;
 
@@ -145,20 +143,25 @@ pub(crate) fn trunk(style: &Style, u: f64, swings: Swings) -> [Euler; 5] {
     let abdomen = std::array::from_fn(|i| HALFWAY * (pelvis[i] + thorax[i]));
     // The head rises twice a stride, most in mid-stance, and sways once, to the standing leg's side.
     let [pitch, turn] = style.manner.head;
-    let head =
-        [0.0, -swings.thorax * turn * cos(u - SWAY_MOST), swings.thorax * pitch * cos(2.0 * (u - SWAY_MOST))];
+    let head = [
+        0.0,
+        -swings.thorax * turn * cos(u - SWAY_MOST),
+        style.manner.head_pitch + swings.thorax * pitch * cos(2.0 * (u - SWAY_MOST)),
+    ];
     let neck = std::array::from_fn(|i| HALFWAY * (thorax[i] + head[i]));
     [pelvis, abdomen, thorax, neck, head]
 }
 
-/// Rotations about x of shoulders and elbows, left and right: the right arm's are the left one's half a stride later.
+/// Rotations about x of shoulders and elbows, left and right: the right arm's are the left one's half a stride later, but for what
+/// the manner has by sides.
 pub(crate) fn arms(style: &Style, u: f64, swings: Swings) -> [[f64; 2]; 2] {
-    [arm(style, u, swings.arms), arm(style, u + 0.5, swings.arms)]
+    let [left, right] = style.manner.arm_sides;
+    [arm(style, u, swings.arms, left), arm(style, u + 0.5, swings.arms, right)]
 }
 
-fn arm(style: &Style, u: f64, swing: f64) -> [f64; 2] {
+fn arm(style: &Style, u: f64, swing: f64, side: f64) -> [f64; 2] {
     let cos = |x: f64| (TAU * (x - 0.5 - style.arm_lag)).cos();
     let [standing, mean, amplitude] = style.manner.elbow;
-    let elbow = standing + swing * (mean - standing + amplitude * cos(u - ELBOW_LAG));
-    [-(SHOULDER_MEAN + swing * style.arm_swing * cos(u)), -elbow]
+    let elbow = standing + swing * (mean - standing + side * amplitude * cos(u - ELBOW_LAG));
+    [-(style.manner.shoulder + swing * style.arm_swing * side * cos(u)), -elbow]
 }

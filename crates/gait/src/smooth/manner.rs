@@ -20,6 +20,16 @@ pub struct Manner {
     pub clavicle: f64,
     /// How far the hand swings on, as a part of the forearm's.
     pub wrist: f64,
+    /// Mean forward pitch of the head.
+    pub head_pitch: f64,
+    /// Mean of the shoulders' flexion; backward is negative.
+    pub shoulder: f64,
+    /// Upper arms outward, and turned inward about their own length, so that bent forearms point across the body.
+    pub arms_out: f64,
+    /// See [`Self::arms_out`].
+    pub arms_in: f64,
+    /// How far left and right arm swing over the style's amplitude.
+    pub arm_sides: [f64; 2],
 }
 
 impl Manner {
@@ -31,6 +41,11 @@ impl Manner {
         head: [0.0; 2],
         clavicle: 0.0,
         wrist: 0.0,
+        head_pitch: 0.0,
+        shoulder: -3.0 * DEGREE,
+        arms_out: ArmCarriage::WALKING.abduction,
+        arms_in: 0.0,
+        arm_sides: [1.0; 2],
     };
 
     /// Of people at this speed (m/s): the faster they walk, the more their elbows bend and swing.
@@ -46,11 +61,26 @@ impl Manner {
             head: [1.5 * DEGREE, 1.2 * DEGREE],
             clavicle: 0.08,
             wrist: 0.15,
+            ..Self::RECIPE
         }
     }
 
     pub(super) fn carriage(&self) -> ArmCarriage {
-        ArmCarriage { clavicle: self.clavicle, wrist: self.wrist, ..ArmCarriage::WALKING }
+        let Self { clavicle, wrist, arms_out: abduction, arms_in: inward, .. } = *self;
+        ArmCarriage { abduction, inward, clavicle, wrist }
+    }
+
+    /// This, with arms, head and what else shows in standing as another one has them.
+    pub(super) fn standing_as(self, other: &Self) -> Self {
+        let Self { head_pitch, shoulder, arms_out, arms_in, elbow: [standing, ..], .. } = *other;
+        let elbow = [standing, self.elbow[1], self.elbow[2]];
+        Self { elbow, head_pitch, shoulder, arms_out, arms_in, ..self }
+    }
+
+    /// Of a walk whose left is right.
+    pub(super) fn mirrored(self) -> Self {
+        let [left, right] = self.arm_sides;
+        Self { arm_sides: [right, left], ..self }
     }
 
     /// Its numbers with their names.
@@ -68,6 +98,11 @@ impl Manner {
             ("head", pitch + turn),
             ("clavicle", self.clavicle),
             ("wrist", self.wrist),
+            ("head_pitch", self.head_pitch),
+            ("shoulder", self.shoulder),
+            ("arms_out", self.arms_out),
+            ("arms_in", self.arms_in),
+            ("arm_sides", self.arm_sides[0] + self.arm_sides[1]),
         ]
         .into_iter()
     }

@@ -9,7 +9,7 @@ use crate::smooth::route::Route;
 use crate::smooth::walk::WalkPlan;
 use nalgebra::Vector3;
 use solaris_analysis::ground_reactions;
-use solaris_model::{Contact, Figure};
+use solaris_model::{Contact, Figure, Motion};
 
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
 #[doc(alias = "friction coefficient")]
@@ -22,6 +22,9 @@ const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
 const OUTSIDE: f64 = 1e-3;
 /// The same on ground that is not level (m).
 const OUTSIDE_ON_GROUND: f64 = 5e-3;
+/// How far a joint may be beyond its range (rad), and above which step frequency (steps/min) how far.
+const BEYOND: (f64, f64) = (0.5 * std::f64::consts::PI / 180.0, 3.0 * std::f64::consts::PI / 180.0);
+const FAST: f64 = 118.0;
 /// How often a walk that changes on the way is looked at (1/s).
 const RATE: f64 = 120.0;
 
@@ -31,6 +34,10 @@ pub(crate) struct PlanCheck<'a> {
     pub(crate) route: &'a Route,
     /// What to try where the ground is too steep.
     pub(crate) nearest: String,
+    /// Whether it is another walk than an adult's of even steps in no manner.
+    pub(crate) deviates: bool,
+    /// Its step frequencies over adults'.
+    pub(crate) tempo: f64,
 }
 
 impl PlanCheck<'_> {
@@ -39,7 +46,8 @@ impl PlanCheck<'_> {
     pub(crate) fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         self.check_forces(plan)?;
         self.check_legs(plan)?;
-        if self.route.is_even() && self.route.is_level() { Ok(()) } else { self.check_pressure(plan) }
+        let plain = self.route.is_even() && self.route.is_level() && !self.deviates;
+        if plain { Ok(()) } else { self.check_motion(plan) }
     }
 
     /// The prescribed forces press, and need no more friction than soles have.
@@ -120,10 +128,13 @@ impl PlanCheck<'_> {
         )
     }
 
-    /// The forces that the motion itself needs press inside of the feet.
-    fn check_pressure(&self, plan: &WalkPlan) -> Result<(), GaitError> {
+    /// The forces that the motion itself needs press inside of the feet, and where it deviates no joint leaves its range.
+    fn check_motion(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let mut motion = plan.motion(self.figure, RATE)?;
         ground_reactions(self.figure, &mut motion, FEET, plan)?;
+        if self.deviates {
+            self.check_ranges(plan, &motion)?;
+        }
         let outside = measure(self.figure, &motion)?.extremes.cop_outside;
         let most = if self.route.is_level() { OUTSIDE } else { OUTSIDE_ON_GROUND };
         if outside.value <= most {
@@ -131,6 +142,21 @@ impl PlanCheck<'_> {
         }
         let what = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
         Err(self.refusal(plan, plan.clock_at(outside.time), what))
+    }
+
+    /// No joint is farther beyond its range than those of the plain walk are.
+    fn check_ranges(&self, plan: &WalkPlan, motion: &Motion) -> Result<(), GaitError> {
+        let fast = plan.style().step_frequency > FAST * self.tempo;
+        let limit = if fast { BEYOND.1 } else { BEYOND.0 };
+        for (frame, time) in motion.time().iter().enumerate() {
+            let excess = self.figure.limit_excess(motion.q(frame));
+            if let Some(beyond) = excess.into_iter().find(|beyond| beyond.by.abs() > limit) {
+                let (name, by) = (&self.figure.layout().v_names()[beyond.dof], beyond.by.to_degrees());
+                let what = format!("{name} would be {by:.1}° beyond its range");
+                return Err(self.refusal(plan, plan.clock_at(*time), what));
+            }
+        }
+        Ok(())
     }
 
     /// Why the plan does not hold: of a walk that changes on the way, where.

@@ -3,15 +3,15 @@
 use crate::body::Body;
 use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
-use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, WALK_RATIO, range, tidy};
+use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, StepLaw, range, tidy};
 use crate::request::{
     CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkGround,
     WalkPath, WalkRequest,
 };
 use crate::smooth::laid::{Laid, lay};
-use crate::smooth::parameter::{PARAMETERS, Parameter};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
+use crate::smooth::styling::Styling;
 use crate::smooth::terrain::{LEAD, StepKind, Terrain};
 use crate::smooth::walk::{Grounded, Step, Steps, WalkNumbers, WalkPlan, steps};
 use solaris_model::RootOrder;
@@ -48,23 +48,24 @@ pub(crate) struct Route {
 }
 
 impl Route {
-    /// For a body that faces `heading` to the left of z (rad).
-    pub(crate) fn of(request: &WalkRequest, body: &Body, heading: f64) -> Result<Self, GaitError> {
-        let height = body.height;
+    /// For a body with this law of step length that faces `heading` to the left of z (rad).
+    pub(crate) fn of(
+        request: &WalkRequest,
+        body: &Body,
+        law: &StepLaw,
+        heading: f64,
+    ) -> Result<Self, GaitError> {
         let given = Given {
             step_frequency: request.step_frequency,
             step_length: request.step_length,
             speed: request.speed,
         };
-        let (mut pace, mut length) = match turning_short(&given, height, request.turn) {
+        let (mut pace, mut length) = match turning_short(&given, law, request.turn) {
             Some(found) => found?,
-            None => (
-                given.settle(
-                    height,
-                    if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP },
-                )?,
-                None,
-            ),
+            None => {
+                let shortest = if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP };
+                (given.settle(law, shortest)?, None)
+            }
         };
         if let Some(path) = &request.path {
             return Self::along(path, request, pace, body, heading);
@@ -77,7 +78,7 @@ impl Route {
                     format!(", {} steps at most", STEPS.1)
                 })?;
                 let lengths = |n: usize| {
-                    let walked = eased(vec![pace; n]).into_iter();
+                    let walked = eased(vec![pace; n], law.tempo).into_iter();
                     walked.map(|walked| walked.step_length / pace.step_length)
                 };
                 let (steps, length) = steps::for_distance(distance, pace.step_length, lengths);
@@ -101,10 +102,10 @@ impl Route {
                         speed: next.speed,
                     };
                     steps = next.steps;
-                    (pace, length) = match turning_short(&given, height, turn) {
+                    (pace, length) = match turning_short(&given, law, turn) {
                         _ if given.nothing() => (pace, length),
                         Some(found) => found?,
-                        None => (given.settle(height, SHORTEST_STEP)?, None),
+                        None => (given.settle(law, SHORTEST_STEP)?, None),
                     };
                 }
                 let (lower, upper) = (STEPS.0 as f64, STEPS.1 as f64);
@@ -125,12 +126,11 @@ impl Route {
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
         let ground = request.ground.clone();
         let route = Self { parts, ground };
-        if !route.is_level() && (!route.is_even() || heading != 0.0) {
-            return Err(
-                RequestError::NotOnTerrain { what: "turns, changes of pace and a second walk" }.into()
-            );
+        if !route.is_level() && (!route.is_even() || request.is_uneven() || heading != 0.0) {
+            let what = "turns, changes of pace, steps that differ and a second walk";
+            return Err(RequestError::NotOnTerrain { what }.into());
         }
-        let most = if route.is_even() { STEPS.1 } else { CHANGING_STEPS };
+        let most = if route.is_even() && !request.is_uneven() { STEPS.1 } else { CHANGING_STEPS };
         range("steps in all", all as f64, "", (STEPS.0 as f64, most as f64), || {
             " where pace or direction change on the way".to_owned()
         })?;
@@ -214,24 +214,11 @@ impl Route {
         }
     }
 
-    /// The style of a pace with the parameters that were asked for.
-    fn style(body: &Body, pace: &Pace, parameters: &[(&'static str, f64)]) -> Result<Style, GaitError> {
-        let mut style = Style::of(&body.leg, body.height, pace.step_frequency, pace.step_length);
-        for (name, value) in parameters {
-            let parameter = Parameter::named(name).ok_or_else(|| {
-                let known = PARAMETERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-                RequestError::UnknownParameter { name: (*name).to_owned(), known }
-            })?;
-            parameter.set(&mut style, *value)?;
-        }
-        Ok(style)
-    }
-
     /// Plans the walk over ground that is not level.
     fn plan_on_ground(
         &self,
         body: &Body,
-        parameters: &[(&'static str, f64)],
+        styling: &Styling<'_>,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         let part = self.parts[0];
@@ -249,12 +236,12 @@ impl Route {
             WalkGround::Stairs(stairs) => stairs.tread,
             _ => part.pace.step_length,
         };
-        let on_tread = Self::style(body, &Pace { step_length: tread, ..part.pace }, &[])?;
+        let on_tread = Style::of(&body.leg, body.height, part.pace.step_frequency, tread);
         let style = |kind: StepKind| {
             Ok(match kind {
                 StepKind::Slope(slope, step_length) => {
                     let pace = Pace { step_length, ..part.pace };
-                    Self::style(body, &pace, parameters)?.on_slope(&body.leg, body.height, slope)
+                    styling.style(body, &pace)?.on_slope(&body.leg, body.height, slope)
                 }
                 StepKind::Stairs(rise) => on_tread.on_stairs(body.height, rise),
             })
@@ -279,23 +266,24 @@ impl Route {
         &self,
         body: &Body,
         standing: Option<&Style>,
-        parameters: &[(&'static str, f64)],
+        styling: &Styling<'_>,
         mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         if !self.is_level() {
-            return self.plan_on_ground(body, parameters, resolution);
+            return self.plan_on_ground(body, styling, resolution);
         }
         let mut paces = Vec::new();
-        let mut steps_of = |parts: &[Part]| steps_of(parts, mirrored, &mut paces);
+        let mut steps_of = |parts: &[Part]| steps_of(parts, styling.law.tempo, mirrored, &mut paces);
         let whole = steps_of(&self.parts);
-        let planned = Steps::repeated(whole.len()).filter(|_| self.is_even()).map(|steps| {
+        let repeats = self.is_even() && !styling.is_uneven();
+        let planned = Steps::repeated(whole.len()).filter(|_| repeats).map(|steps| {
             let part = Part { steps, ..self.parts[0] };
             steps_of(&[part])
         });
         let mut strides = Vec::new();
         for pace in &paces {
-            let style = Self::style(body, pace, parameters)?;
+            let style = styling.style(body, pace)?;
             strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
         }
         // The middle of the first part is what it is called after.
@@ -309,12 +297,18 @@ impl Route {
                 }
                 // All that a standing posture depends on.
                 let (step_width, thorax_lean) = (before.step_width, before.thorax_lean);
-                let style = Style { step_width, thorax_lean, anterior_tilt: before.anterior_tilt, ..next };
+                let manner = next.manner.standing_as(&before.manner);
+                let anterior_tilt = before.anterior_tilt;
+                let style = Style { anterior_tilt, manner, thorax_lean, step_width, ..next };
                 strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
                 strides.len() - 1
             }
             None => first,
         };
+        let (whole, varied) = styling.varied(body, (&whole, &paces), strides.len(), mirrored)?;
+        for style in &varied {
+            strides.push(StridePlan::plan(body.clone(), style, resolution)?);
+        }
         let steps = Steps {
             strides: &strides,
             standing,
@@ -340,21 +334,25 @@ fn check_turned(body: &Body, turned: f64) -> Result<(), RequestError> {
 
 /// The pace of steps that turn and are shorter than any that go straight on, down to none at all: the shortest one's, and their
 /// length (m); nothing for others.
-fn turning_short(given: &Given, height: f64, turn: f64) -> Option<Result<(Pace, Option<f64>), RequestError>> {
+fn turning_short(
+    given: &Given,
+    law: &StepLaw,
+    turn: f64,
+) -> Option<Result<(Pace, Option<f64>), RequestError>> {
     let length = given.step_length.filter(|_| turn != 0.0 && given.speed.is_none())?;
     let step_frequency = given.step_frequency.unwrap_or(TURNING_STEP_FREQUENCY);
-    let shortest = SHORTEST_STEP * WALK_RATIO * height * step_frequency;
+    let shortest = SHORTEST_STEP * law.ratio * step_frequency;
     if !(0.0..shortest).contains(&length) {
         return None;
     }
     let given = Given { step_frequency: Some(step_frequency), step_length: Some(shortest), speed: None };
-    Some(given.settle(height, SHORTEST_STEP).map(|pace| (pace, Some(length))))
+    Some(given.settle(law, SHORTEST_STEP).map(|pace| (pace, Some(length))))
 }
 
 /// The steps of some parts; paces that are new are added to `paces`.
-fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
+fn steps_of(parts: &[Part], tempo: f64, mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
     let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
-    let walked = eased(asked.iter().map(|part| part.pace).collect());
+    let walked = eased(asked.iter().map(|part| part.pace).collect(), tempo);
     let steps = asked.iter().zip(walked).zip(steps::factors(asked.len())).map(|((part, pace), factor)| {
         let index = paces.iter().position(|known| *known == pace).unwrap_or_else(|| {
             paces.push(pace);
@@ -371,25 +369,27 @@ fn steps_of(parts: &[Part], mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> 
     steps.collect()
 }
 
-/// The paces of steps that gain and lose no more than they may; a step that is slower is shorter by as much.
-fn eased(mut steps: Vec<Pace>) -> Vec<Pace> {
+/// The paces of steps that gain and lose no more than they may, for step frequencies of this `tempo`; a step that is slower is shorter
+/// by as much.
+fn eased(mut steps: Vec<Pace>, tempo: f64) -> Vec<Pace> {
+    let (ends, loss, gain) = (ENDS * tempo, LOSS * tempo, (GAIN.0 * tempo, GAIN.1 * tempo));
     let limit = |pace: &mut Pace, most: f64| {
         if pace.step_frequency > most {
             pace.step_length *= most / pace.step_frequency;
             pace.step_frequency = most;
         }
     };
-    let (mut most, mut longest) = (ENDS, f64::INFINITY);
+    let (mut most, mut longest) = (ends, f64::INFINITY);
     for pace in &mut steps {
         limit(pace, most);
-        if pace.step_frequency > ENDS {
+        if pace.step_frequency > ends {
             pace.step_length = pace.step_length.min(longest);
         }
-        most = (pace.step_frequency + GAIN.0).min(ENDS).max(pace.step_frequency + GAIN.1);
+        most = (pace.step_frequency + gain.0).min(ends).max(pace.step_frequency + gain.1);
         longest = pace.step_length * LENGTHENING;
     }
     for (before_last, pace) in steps.iter_mut().rev().enumerate() {
-        limit(pace, ENDS + LOSS * before_last as f64);
+        limit(pace, ends + loss * before_last as f64);
     }
     steps
 }

@@ -2,10 +2,11 @@
 
 use crate::body::Body;
 use crate::body::missing;
-use crate::error::{GaitError, PlanError};
-use crate::request::{STEP_FREQUENCY, WalkRequest};
+use crate::error::{GaitError, PlanError, RequestError};
+use crate::request::{STEP_FREQUENCY, Variability, WalkRequest};
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
+use crate::smooth::styling::Styling;
 use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
 
@@ -24,6 +25,20 @@ pub fn walk(figure: &Figure, request: &WalkRequest) -> Result<WalkPlan, GaitErro
     walk_from(figure, &Body::of(figure)?, None, request)
 }
 
+/// Plans a walk with as much of its manner and of its variability as holds, and says how much that is: 1 is all.
+///
+/// # Errors
+///
+/// Those of [`walk`], but for [`PlanError::OnlyPart`].
+pub fn walk_in_part(figure: &Figure, request: &WalkRequest) -> Result<(WalkPlan, f64), GaitError> {
+    match walk(figure, request) {
+        Err(GaitError::Plan(PlanError::OnlyPart { part, .. })) => {
+            Ok((walk(figure, &request.in_part(part))?, part))
+        }
+        found => Ok((found?, 1.0)),
+    }
+}
+
 /// Plans a walk after another one: from its last style and heading.
 pub(crate) fn walk_from(
     figure: &Figure,
@@ -33,24 +48,42 @@ pub(crate) fn walk_from(
 ) -> Result<WalkPlan, GaitError> {
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
-    let route = Route::of(request, body, heading)?;
-    let plan = |route: &Route| {
-        let plan = route.plan(body, standing, &request.parameters, request.left_first, request.resolution)?;
-        PlanCheck { figure, route, nearest: route.easier() }.check(&plan)?;
-        Ok(plan)
+    request.variability.map_or(Ok(()), Variability::check)?;
+    let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
+        let styling = Styling::of(request, body, part)?;
+        let route = Route::of(request, body, &styling.law, heading)?;
+        let plan = |route: &Route| {
+            let plan = route.plan(body, standing, &styling, request.left_first, request.resolution)?;
+            let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
+            PlanCheck { figure, route, deviates, tempo, nearest }.check(&plan)?;
+            Ok(plan)
+        };
+        let found = plan(&route);
+        if request.deviates() || request.path.is_some() {
+            return found;
+        }
+        found.map_err(|error| advise(error, &route, |route| plan(route).is_ok()))
     };
-    let plan = plan(&route).map_err(|error| match &request.path {
-        Some(_) => advise_on_path(error, &route, |step_frequency| {
-            let speed = None;
-            let slower = WalkRequest {
-                step_frequency: Some(step_frequency),
-                step_length: None,
-                speed,
-                ..request.clone()
-            };
-            Route::of(&slower, body, heading).and_then(|route| plan(&route)).is_ok()
-        }),
-        None => advise(error, &route, |route| plan(route).is_ok()),
+    let plan = planned(request, 1.0).map_err(|error| {
+        if request.path.is_none() {
+            return nearest_part(error, request, |part| planned(request, part));
+        }
+        let styling = Styling::of(request, body, 1.0);
+        match styling.and_then(|styling| {
+            Route::of(request, body, &styling.law, heading).map_err(|_| RequestError::NoWalk)
+        }) {
+            Ok(route) => advise_on_path(error, &route, |step_frequency| {
+                let speed = None;
+                let slower = WalkRequest {
+                    step_frequency: Some(step_frequency),
+                    step_length: None,
+                    speed,
+                    ..request.clone()
+                };
+                planned(&slower, 1.0).is_ok()
+            }),
+            Err(_) => error,
+        }
     })?;
     Ok(if request.left_first { plan.mirrored() } else { plan })
 }
@@ -69,6 +102,31 @@ fn advise_on_path(error: GaitError, route: &Route, holds: impl Fn(f64) -> bool) 
         |slower| format!("; it holds at {slower:.0} steps/min with people's steps"),
     );
     PlanError::OnPath { step, x, z, time, what, nearest }.into()
+}
+
+/// Says how much of a manner and of a variability holds where all of it does not, by six bisections; why there is no walk at all
+/// where none of it does.
+fn nearest_part(
+    why: GaitError,
+    request: &WalkRequest,
+    planned: impl Fn(f64) -> Result<WalkPlan, GaitError>,
+) -> GaitError {
+    if !request.deviates() {
+        return why;
+    }
+    if let Err(plain) = planned(0.0) {
+        return plain;
+    }
+    let (mut lower, mut upper) = (0.0, 1.0);
+    for _ in 0..6 {
+        let middle = 0.5 * (lower + upper);
+        if planned(middle).is_ok() {
+            lower = middle;
+        } else {
+            upper = middle;
+        }
+    }
+    PlanError::OnlyPart { part: lower, why: Box::new(why) }.into()
 }
 
 /// Says how long a step may be where friction is the reason: the longest that `holds`, by ten bisections.

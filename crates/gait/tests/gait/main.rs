@@ -4,6 +4,7 @@
 mod changes;
 mod changes_random;
 mod comparison;
+mod everyone;
 mod five_determinants;
 mod five_determinants_automatic;
 mod five_determinants_closure;

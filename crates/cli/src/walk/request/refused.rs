@@ -70,7 +70,9 @@ fn of_walks(args: &WalkArgs) -> Option<(&'static str, String)> {
 fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
     let turn = args.changes.turn.as_ref().map(|turn| ("turn", turn.typed.clone()));
     let path = args.changes.path.as_ref().map(|path| ("path", path.display().to_string()));
-    turn.or(path).or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
+    turn.or(path)
+        .or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
+        .or_else(|| args.everyone.given())
 }
 
 /// What was given that the thesis's style alone has.

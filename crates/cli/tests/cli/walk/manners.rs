@@ -92,6 +92,7 @@ fn every_example_of_the_help_runs() {
         "corner.html",
         "loop.bvh",
         "run.html",
+        "sad.html",
         "stiff.bvh",
         "stiff.json",
         "thesis.html",

@@ -15,6 +15,10 @@ pub(crate) struct Step {
     pub(crate) turn: f64,
     /// Which way it goes, to the left of where the other foot points (rad): half the turn along an arc.
     pub(crate) bearing: f64,
+    /// By how much its foot is turned to the left besides, which changes nothing of the way (rad).
+    pub(crate) yaw: f64,
+    /// By which part it lasts longer than its pace and the one before have it.
+    pub(crate) slower: f64,
     /// By how much its print is higher than the one before (m).
     pub(crate) rise: f64,
     /// Pitch of the ground under it (rad).
@@ -24,7 +28,7 @@ pub(crate) struct Step {
 impl Step {
     /// On level ground, along the chord of an arc.
     pub(crate) fn along_an_arc(pace: usize, length: f64, turn: f64) -> Self {
-        Self { pace, length, turn, bearing: 0.5 * turn, rise: 0.0, tilt: 0.0 }
+        Self { pace, length, turn, bearing: 0.5 * turn, yaw: 0.0, slower: 0.0, rise: 0.0, tilt: 0.0 }
     }
 }
 
@@ -229,14 +233,15 @@ impl Course {
 /// By how much the foot of contact `k` is turned outward besides its own way: the inner foot opens into a turn, the outer one does
 /// not follow all of it, so that knees and toes pass each other. Feet that stand at the ends are as ever.
 fn opened(steps: &[Step], k: usize) -> f64 {
+    let own = k.checked_sub(1).and_then(|step| steps.get(step)).map_or(0.0, |step| step.yaw);
     if k == 0 || k >= steps.len() {
-        return 0.0;
+        return own;
     }
     let turn = 0.5 * (steps[k - 1].turn + steps[k].turn);
     // Beside a foot that stands as ever it makes up for both.
     let alone = k == 1 || k + 1 == steps.len() || steps[k - 1].turn == 0.0 || steps[k].turn == 0.0;
     let outward = turn.abs() * if alone { OPENED.1 } else { OPENED.0 };
-    if k % 2 == 1 { -outward } else { outward }
+    own + if k % 2 == 1 { -outward } else { outward }
 }
 
 #[cfg(test)]

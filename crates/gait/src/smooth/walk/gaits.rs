@@ -164,7 +164,7 @@ impl Gaits {
             stances,
             landings: contacts.iter().map(|contact| contact.landing).collect(),
             swings: grounded.swings.clone(),
-            tempo: Tempo::new(vec![1.0; contacts.len() - 1]),
+            tempo: Tempo::new(vec![1.0; contacts.len() - 1], std::iter::empty()),
             stride_time,
         })
     }
@@ -221,5 +221,6 @@ impl Gaits {
 
 fn tempo(paces: &[Gait], stride_time: f64, standing: usize, steps: &[Step]) -> Tempo {
     let contacts = std::iter::once(standing).chain(steps.iter().map(|step| step.pace));
-    Tempo::new(contacts.map(|pace| paces[pace].style.stride_time / stride_time).collect())
+    let ratios = contacts.map(|pace| paces[pace].style.stride_time / stride_time);
+    Tempo::new(ratios.collect(), steps.iter().map(|step| step.slower))
 }
