@@ -50,8 +50,8 @@ pub use request::{
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
-    FRICTION, LONGEST_STAND, Manner, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Toes, Unit,
-    WalkNumbers, WalkPlan, WalkSegment, WalkSequence, walk,
+    FRICTION, Footfall, LONGEST_STAND, Manner, PARAMETERS, Parameter, StridePlan, Style, StyleTable, Toes,
+    Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, walk,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};
 pub use thesis::{

@@ -1,6 +1,7 @@
 //! The smooth walker: forces first, as people walk, and legs that follow.
 
 mod band;
+mod footfall;
 mod laws;
 mod legs;
 mod manner;
@@ -15,6 +16,7 @@ mod walk;
 mod walker;
 
 pub use crate::limbs::swing::Toes;
+pub use footfall::Footfall;
 pub use manner::Manner;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use plan_check::FRICTION;

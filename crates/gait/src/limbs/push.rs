@@ -15,6 +15,8 @@ pub(crate) struct Push {
     pub(crate) toe_roll: f64,
     /// The greatest part of the foot's pitch that they have then: more would bend them down as the foot leaves.
     pub(crate) most_roll: f64,
+    /// Over how much pitch (rad) the foot comes to be flat or begins to rise where the knee's law would press it through the ground.
+    pub(crate) softness: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,
 }

@@ -44,6 +44,7 @@ impl RunStyle {
 
     pub(super) fn push(&self) -> Push {
         Push {
+            softness: 0.0,
             heel_off: self.heel_off * self.duty,
             waypoint: Some((self.knee_push_at * self.duty, self.knee_push)),
             tip_roll_at: self.tip_roll * self.duty,
@@ -87,6 +88,7 @@ impl RunStyle {
             ],
             toes: Toes::StraightAt(at(TOES_STRAIGHT_AT)),
             landing: LANDING,
+            soft_landing: false,
             sideways: [0.0; 2],
             outward: OUTWARD,
         };

@@ -64,6 +64,7 @@ impl Style {
             tip_roll_at: self.tip_roll_at(),
             toe_roll: self.toe_roll,
             most_roll: self.manner.toe_roll_part,
+            softness: self.footfall.softness,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }
@@ -87,7 +88,8 @@ impl Style {
             knee,
             ankle: &[(ANKLE_AT, self.ankle_swing + ankle)],
             toes: self.manner.toes,
-            landing: LANDING,
+            landing: self.footfall.soft_landing.unwrap_or(LANDING),
+            soft_landing: self.footfall.soft_landing.is_some(),
             sideways: aim.sideways,
             outward: 0.0,
         };

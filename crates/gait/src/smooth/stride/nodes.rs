@@ -33,7 +33,8 @@ impl Laws {
         // The left foot's print; the right one's is the mirror image, one step away.
         let left = |u: f64| {
             let along = cop.at(u.clamp(0.0, style.toe_off())).position * length;
-            Vector3::new(style.step_width / 2.0, 0.0, 0.0) + plane.forward * along
+            let outward = style.footfall.outward(u, style.toe_off()) * length;
+            Vector3::new(style.step_width / 2.0, 0.0, 0.0) + plane.forward * along + plane.left * outward
         };
         let feet: Vec<[FootSupport; 2]> = (0..n)
             .map(|i| {
