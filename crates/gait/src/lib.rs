@@ -52,9 +52,9 @@ pub use request::{
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{
-    FRICTION, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SIDE_MANNERS, SLOPES,
-    STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style, StyleTable, Toes, Unit,
-    WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet, sheet_of, side_sheet_of,
+    FRICTION, Footfall, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SIDE_MANNERS,
+    SLOPES, STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style, StyleTable, Toes,
+    Unit, WalkNumbers, WalkPlan, WalkSegment, WalkSequence, manner, read_sheet, sheet_of, side_sheet_of,
     step_length_on_slope, walk, walk_in_part,
 };
 pub use styled::{Pull, StyledPlan, StyledRequest, WalkForces};

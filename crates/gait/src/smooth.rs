@@ -1,6 +1,7 @@
 //! The smooth walker: forces first, as people walk, and legs that follow.
 
 mod band;
+mod footfall;
 mod laid;
 mod laws;
 mod legs;
@@ -22,6 +23,7 @@ mod walk;
 mod walker;
 
 pub use crate::limbs::swing::Toes;
+pub use footfall::Footfall;
 pub use manner::Manner;
 pub use parameter::{PARAMETERS, Parameter, Unit};
 pub use plan_check::FRICTION;

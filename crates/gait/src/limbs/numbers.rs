@@ -10,6 +10,9 @@ pub(crate) const LANDING_RANGE: f64 = 24.0 * DEGREE;
 /// How much straighter than the style's a knee may land.
 pub(super) const LANDING_STRAIGHTER: f64 = 2.0 * DEGREE;
 
+/// How long (u) before a foot is flat, and after its heel rises, its pitch stops at the ground as softly as it does at all.
+pub(super) const SOFT_WITHIN: f64 = 0.04;
+
 // In the push.
 
 /// The greatest pitch of the foot at toe-off, also when the body is far ahead.

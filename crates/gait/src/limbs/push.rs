@@ -18,10 +18,12 @@ pub(crate) struct Push {
     /// The least flexion of the knee, and the greatest one that its end is bent to where it would be too straight (rad).
     pub(crate) least_knee: f64,
     pub(crate) most_knee: f64,
-    /// How far the foot's pitch is rounded off where it would stay at the ground in mid-push (rad); none for 0.
-    pub(crate) softness: f64,
     /// The greatest pitch of the foot at toe-off: where the body is so far ahead that it would be steeper, the knee is straighter.
     pub(crate) steepest: f64,
+    /// Over how much pitch (rad) the foot comes to be flat or begins to rise where the knee's law would press it through the ground.
+    pub(crate) softness: f64,
+    /// How far the foot's pitch is rounded off where it would stay at the ground in mid-push, on slopes (rad); none for 0.
+    pub(crate) rounding: f64,
     /// Knee at toe-off: value, rate, second derivative by the foot's clock.
     pub(crate) knee_toe_off: Boundary,
 }

@@ -6,8 +6,8 @@
 use super::jet::{LegJet, jets};
 use super::numbers::{
     JET_STEP, KNEE_STEP, LANDING_STRAIGHTER, LEAST_KNEE_SINE, MOST_WIDTHS, PUSH_ATTEMPTS, PUSH_CHECKED,
-    PUSH_EASES, PUSH_INSTANTS, ROLL_ATTEMPTS, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT, TOE_OFF_GAIN,
-    TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
+    PUSH_EASES, PUSH_INSTANTS, ROLL_ATTEMPTS, SOFT_WITHIN, STEEPEST_PITCH, STRAIGHTER_THAN_FLAT,
+    TOE_OFF_GAIN, TOES_BEYOND, WAYPOINT_ABOVE_FLAT, WAYPOINT_GAIN, WAYPOINT_WIDTH,
 };
 use super::path::FootJet;
 use super::push::Push;
@@ -376,8 +376,14 @@ impl Stance {
     fn heel_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
         let knee = self.contact_knee.as_ref().map_or(0.0, |law| law.extrapolated(u).position);
         let hip = self.sole.split(&(hip - self.heel));
-        let pitch = self.leg.pitch_about(self.heel_polar, hip, knee).min(0.0);
+        let law = self.leg.pitch_about(self.heel_polar, hip, knee);
+        let pitch = -not_below_zero(-law, self.softness(self.foot_flat - u));
         (self.ankle_on_heel(pitch), pitch)
+    }
+
+    /// Over how much pitch the foot stops at the ground, so long (u) from where it is flat by law: nothing there, so that it joins.
+    fn softness(&self, from_flat: f64) -> f64 {
+        self.push.softness * step::quintic(from_flat / SOFT_WITHIN).position
     }
 
     /// Pitch of the toes about the tip: `toe·((u − u_tt)/(u_to − u_tt))³`.
@@ -407,15 +413,31 @@ impl Stance {
         let knee = self.push_knee.as_ref().map_or(0.0, |law| law.position(u));
         let ball = self.ball(u);
         let hip = self.sole.split(&(hip - ball));
-        let pitch = self.leg.pitch_over(self.ball_polar, hip, knee);
+        let law = self.leg.pitch_over(self.ball_polar, hip, knee);
         // Not below 0; on slopes it would stay there in mid-push, and where it leaves is rounded off.
-        let pitch = if self.push.softness == 0.0 {
-            pitch.max(0.0)
+        let pitch = if self.push.rounding == 0.0 {
+            not_below_zero(law, self.softness(u - self.push.heel_off))
         } else {
             let part = |from: f64| step::quintic((u - from) / PUSH_EASES.1).position;
-            let width = self.push.softness * part(self.push.heel_off) * (1.0 - part(PUSH_EASES.0));
-            0.5 * (pitch + pitch.hypot(width))
+            let width = self.push.rounding * part(self.push.heel_off) * (1.0 - part(PUSH_EASES.0));
+            0.5 * (law + law.hypot(width))
         };
         (self.ankle_on_ball(&ball, pitch), pitch)
+    }
+}
+
+/// The greater one of `x` and 0, C² with a width of `soft` to either side:
+///
+/// ```text
+/// 2ε (t³ − t⁴/2)      t = (x + ε)/(2ε) in 0 … 1
+/// ```
+fn not_below_zero(x: f64, soft: f64) -> f64 {
+    if x >= soft {
+        x
+    } else if x <= -soft {
+        0.0
+    } else {
+        let t = 0.5 * (x / soft + 1.0);
+        2.0 * soft * t * t * t * (1.0 - 0.5 * t)
     }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Way<'a> {
     pub(crate) landing: f64,
     /// Pitch of the ground at its two ends.
     pub(crate) tilt: [f64; 2],
+    /// Whether the foot's pitch is C² at contact.
+    pub(crate) soft_landing: bool,
     /// By how much the leg leans sideways at its two ends only because the body faces elsewhere than the foot, see [`sideways`].
     pub(crate) sideways: [f64; 2],
     /// By how much the leg leans outward in mid-swing, so that it passes the other one (rad).
@@ -116,6 +118,35 @@ fn hump(t: f64) -> f64 {
     (4.0 * t * (1.0 - t)).powi(3)
 }
 
+/// The last piece of a foot's pitch before contact. A near-straight leg forces its rate γ̇ there; before it the foot hardly turns.
+#[derive(Clone, Copy, Debug)]
+struct Touchdown {
+    contact: Boundary,
+    /// Duration h (u).
+    time: f64,
+    soft: bool,
+}
+
+impl Touchdown {
+    /// The pitch when the part `t` of it is over. It begins with neither rate nor second derivative if it is soft, and ends with those of
+    /// the contact; else it is the cubic that takes the rate from nothing to γ̇:
+    ///
+    /// ```text
+    /// γ̇(t) = γ̇ t²      soft: γ̇ (3t² − 2t³) + γ̈ h (t³ − t²)
+    /// ```
+    fn pitch(&self, t: f64) -> f64 {
+        let t = t.clamp(0.0, 1.0);
+        let (rate, bend) = (self.contact.velocity, self.contact.acceleration * self.time);
+        let cube = t * t * t;
+        let turned = if self.soft {
+            rate * (cube - 0.5 * cube * t - 0.5) + bend * (0.25 * cube * t - cube / 3.0 + 1.0 / 12.0)
+        } else {
+            rate / 3.0 * (cube - 1.0)
+        };
+        self.contact.position + turned * self.time
+    }
+}
+
 /// A swing on the foot's own clock, from toe-off to 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Swing {
@@ -129,10 +160,8 @@ pub(crate) struct Swing {
     tilt: [f64; 2],
     sideways: [f64; 2],
     outward: f64,
-    /// Pitch and its rate at contact, and when the foot begins to land.
-    landing: (f64, f64),
+    landing: Touchdown,
     landed_from: f64,
-    landing_time: f64,
     bumps: Vec<Bump>,
 }
 
@@ -148,11 +177,9 @@ impl Swing {
         };
         let thigh = spline(way.thigh, 1.0, start.thigh, end.thigh)?;
         let knee = spline(way.knee, 1.0, start.knee, end.knee)?;
-        // The foot's pitch is C¹ at contact: a near-straight leg forces its rate there, and a smoother landing would turn
-        // the toes far up before it. A cubic of duration h takes the rate from nothing to γ̇.
-        let landing = (end.pitch.position, end.pitch.velocity);
+        let landing = Touchdown { contact: end.pitch, time: way.landing, soft: way.soft_landing };
         let landed_from = 1.0 - way.landing;
-        let rest = landing.0 - landing.1 * way.landing / 3.0;
+        let rest = landing.pitch(0.0);
         let (k, a) = (knee.at(landed_from), thigh.at(landed_from));
         let before = Boundary::new(
             k.position - a.position - rest,
@@ -178,7 +205,6 @@ impl Swing {
             outward: way.outward,
             landing,
             landed_from,
-            landing_time: way.landing,
             bumps: Vec::new(),
         })
     }
@@ -203,9 +229,7 @@ impl Swing {
         let pitch = if v < self.landed_from {
             knee - thigh - self.dorsiflexion.position(v)
         } else {
-            let ((contact, rate), time) = (self.landing, self.landing_time);
-            let t = ((v - self.landed_from) / time).clamp(0.0, 1.0);
-            contact + rate * time / 3.0 * (t * t * t - 1.0)
+            self.landing.pitch((v - self.landed_from) / self.landing.time)
         };
         let extension = self.toes.position(v);
         // In mid-swing the leg leans as if the body faced where the foot does.

@@ -45,13 +45,14 @@ impl RunStyle {
 
     pub(super) fn push(&self) -> Push {
         Push {
+            softness: 0.0,
             heel_off: self.heel_off * self.duty,
             waypoint: Some((self.knee_push_at * self.duty, self.knee_push)),
             tip_roll_at: self.tip_roll * self.duty,
             toe_roll: self.toe_roll,
             least_knee: f64::NEG_INFINITY,
             most_knee: MOST_KNEE_TOE_OFF,
-            softness: 0.0,
+            rounding: 0.0,
             most_roll: f64::MAX,
             steepest: STEEPEST_PITCH,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
@@ -93,6 +94,7 @@ impl RunStyle {
             toes: Toes::StraightAt(at(TOES_STRAIGHT_AT)),
             landing: LANDING,
             tilt: [0.0; 2],
+            soft_landing: false,
             sideways: [0.0; 2],
             outward: OUTWARD,
         };

@@ -60,9 +60,16 @@ pub(crate) fn height(style: &Style, leg: f64, u: f64) -> (f64, f64) {
     (y, acceleration)
 }
 
-/// Rise of the load share after a contact, `v` after it: S3((v/d)^se).
+/// Rise of the load share after a contact, `v` after it: see [`share_risen`].
 pub(crate) fn share_rise(style: &Style, v: f64) -> f64 {
-    step::cubic((v / style.double_support).clamp(0.0, 1.0).powf(style.share_exponent)).position
+    share_risen(style, v / style.double_support)
+}
+
+/// Rise of the load share when the part `x` of double support is over: `(1 − λ) S3(x^se) + λ x`.
+pub(crate) fn share_risen(style: &Style, x: f64) -> f64 {
+    let (x, even) = (x.clamp(0.0, 1.0), style.footfall.even_share);
+    let rounded = step::cubic(x.powf(style.share_exponent)).position;
+    rounded + even * (x - rounded)
 }
 
 /// Share of the foot whose contact is at 0, over one stance.

@@ -82,9 +82,10 @@ impl Style {
             toe_roll: self.toe_roll,
             least_knee: f64::NEG_INFINITY,
             most_knee: self.toe_off_most,
-            softness: self.push_softness,
+            rounding: self.push_softness,
             most_roll: self.manner.toe_roll_part,
             steepest: STEEPEST_PITCH,
+            softness: self.footfall.softness,
             knee_toe_off: Boundary::new(self.knee_toe_off, self.knee_toe_off_rate, self.knee_toe_off_acc),
         }
     }
@@ -108,7 +109,8 @@ impl Style {
             knee,
             ankle: &[(ANKLE_AT, self.ankle_swing + ankle)],
             toes: self.manner.toes,
-            landing: LANDING,
+            landing: self.footfall.soft_landing.unwrap_or(LANDING),
+            soft_landing: self.footfall.soft_landing.is_some(),
             tilt: aim.tilt,
             sideways: aim.sideways,
             outward: 0.0,

@@ -1,5 +1,6 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
+use super::footfall::{Footfall, planned_double_support};
 use super::manner::Manner;
 use super::stairs::StairNumbers;
 use crate::body::LegGeometry;
@@ -53,6 +54,8 @@ macro_rules! style_numbers {
             pub stairs: Option<StairNumbers>,
             /// Toes, head and arms.
             pub manner: Manner,
+            /// How feet meet the ground and leave it.
+            pub footfall: Footfall,
             $($(#[$doc])* pub $name: f64,)*
         }
 
@@ -75,6 +78,7 @@ macro_rules! style_numbers {
                     push_softness: 0.0,
                     toe_off_most: MOST_KNEE_TOE_OFF,
                     manner: common.manner,
+                    footfall: table.footfall,
                     $($name: q($name) * $unit,)*
                 }
             }
@@ -109,7 +113,7 @@ macro_rules! style_numbers {
         impl Default for StyleTable {
             /// What ships.
             fn default() -> Self {
-                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None }
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE }
             }
         }
 
@@ -124,6 +128,8 @@ pub struct StyleTable {
     pub rows: [[f64; 4]; NUMBERS],
     /// Toes, head and arms; people's at the speed for `None`.
     pub manner: Option<Manner>,
+    /// How feet meet the ground and leave it.
+    pub footfall: Footfall,
 }
 
 impl StyleTable {
@@ -144,6 +150,13 @@ fn stretch(leg: &LegGeometry, step_length: f64) -> f64 {
     (step_length / leg.length() - SIGMA.0) / SIGMA.1
 }
 
+/// The law of one double support by cadence (a part of the stride), which plates have seen at their threshold; the recipe takes it, with
+/// a digit more, from touch-down to lift-off.
+fn double_support(footfall: &Footfall, step_frequency: f64) -> f64 {
+    let slope = if footfall.threshold > 0.0 { 0.15 } else { 0.149 };
+    (29.4 - slope * step_frequency) / 100.0
+}
+
 struct Common {
     step_frequency: f64,
     step_length: f64,
@@ -155,85 +168,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [17.42, 3.32, 0.23, 0.55];
+    heel_strike_angle: DEGREE, [20.42, 3.51, 0.18, 14.31];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01687, 0.00139, 0.00032, 0.00029];
+    height1: 1.0, [0.01743, -0.00013, -0.00056, 0.00620];
     /// Its phase.
-    height1_phase: 1.0, [0.0121, -0.0059, 0.0129, 0.0406];
+    height1_phase: 1.0, [0.0237, -0.0207, 0.0045, 0.0903];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00118, 0.00093, 0.00004, -0.00024];
+    height2_cos: 1.0, [-0.00096, 0.00087, -0.00016, -0.00199];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00079, -0.00097, -0.00001, -0.00075];
+    height2_sin: 1.0, [0.00155, 0.00102, -0.00029, -0.00485];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00012, -0.00015, -0.00011, -0.00003];
+    height3_cos: 1.0, [-0.00043, -0.00024, 0.00031, 0.00091];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [0.00014, 0.00037, -0.00010, -0.00025];
+    height3_sin: 1.0, [-0.00002, 0.00029, -0.00000, -0.00069];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [3.90, 0.39, 0.02, 0.56];
+    pelvic_obliquity: DEGREE, [4.18, 1.02, 0.33, 2.49];
     /// Its phase.
-    obliquity_phase: 1.0, [0.0346, 0.0178, -0.0005, 0.0255];
+    obliquity_phase: 1.0, [0.1235, -0.0014, -0.0127, -0.3650];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0796, -0.0116, -0.0005, 0.0114];
+    foot_flat: 1.0, [0.0693, -0.0085, 0.0093, 0.0158];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [7.38, 0.91, 1.02, -3.24];
+    knee_contact: DEGREE, [8.06, -0.47, -1.27, -19.44];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [120.5, 39.5, 13.0, -4.9];
+    knee_contact_rate: DEGREE, [131.8, -27.5, -57.1, -397.6];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [2215.0, 3049.0, 1997.0, 2120.0];
+    knee_contact_acc: DEGREE, [3564.0, 4353.0, 2988.0, 4226.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [11.90, -3.54, -0.39, 6.65];
+    knee_push: DEGREE, [8.57, 7.31, 5.65, 2.43];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [41.50, -4.82, 1.23, -19.37];
+    knee_toe_off: DEGREE, [41.74, -5.73, 1.15, -20.69];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [363.1, 20.1, 26.2, -174.8];
+    knee_toe_off_rate: DEGREE, [343.0, -51.7, -14.3, -410.0];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-656.4, 672.9, 80.0, 784.4];
+    knee_toe_off_acc: DEGREE, [-2870.0, 341.0, 25.0, 6330.0];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [34.78, -0.96, -0.14, 36.22];
+    toe_roll: DEGREE, [40.19, 3.11, -0.22, 5.87];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [65.17, -4.87, -1.53, -0.55];
+    knee_peak: DEGREE, [62.56, -6.45, -1.29, 3.21];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7503, -0.0027, -0.0026, 0.0436];
+    knee_peak_at: 1.0, [0.7800, 0.0352, 0.0181, 0.0383];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [28.80, -0.61, 1.24, -1.67];
+    thigh_swing: DEGREE, [28.99, 1.89, 1.69, -16.69];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [6.17, -0.31, -0.41, 1.66];
+    ankle_swing: DEGREE, [6.84, 0.60, 0.94, -1.41];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [1.0609, 0.2194, -0.0662, 0.6133];
+    cop_forward: 1.0, [0.7303, 0.2467, -0.0381, -1.3348];
     /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7494, 0.0063, -0.0016, 0.0387];
+    cop_heel_off: 1.0, [0.7995, 0.0532, 0.0065, -0.0385];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.7914, 0.0187, -0.0087, 0.0759];
+    cop_40: 1.0, [0.8031, 0.0526, 0.0060, -0.0343];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.7964, 0.0360, 0.0230, 0.0912];
+    cop_50: 1.0, [0.8066, 0.0518, 0.0056, -0.0295];
     /// When the heel rises.
-    heel_off: 1.0, [0.3248, 0.0146, -0.0038, 0.0421];
+    heel_off: 1.0, [0.3070, 0.0436, 0.0035, -0.1258];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-0.36, -1.55, 0.08, 0.69];
+    thorax_lean: DEGREE, [-2.91, -1.03, 1.78, -0.02];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [4.48, 0.21, 1.76, 1.09];
+    knee_late_swing: DEGREE, [5.54, 4.40, 3.74, 0.91];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [5.31, -0.03, 0.17, -0.79];
+    thorax_bend_sin: DEGREE, [-1.57, 0.56, 0.03, -1.96];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-2.65, -1.71, 0.88, -0.58];
+    thorax_bend_cos: DEGREE, [-6.18, -0.35, -0.04, 2.11];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [7.06, 0.15, 0.08, -0.44];
+    thorax_yaw: DEGREE, [3.05, 0.02, -0.01, 0.24];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [23.80, 7.65, -2.74, -31.84];
+    arm_swing: DEGREE, [17.07, 4.78, -0.81, -22.50];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.7408, -0.0568, 0.0354, -0.2458];
+    share_exponent: 1.0, [0.7506, -0.4180, 0.1694, -0.8758];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.1117, -0.0016, -0.0056, -0.0858];
+    step_width: 1.0, [0.0985, -0.0002, 0.0009, -0.0110];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.4268, -0.1015, 0.0126, 0.2992];
+    tip_roll: 1.0, [0.3620, -0.1838, -0.0057, 0.2793];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [5.82, 1.43, -0.18, -0.59];
+    pelvic_rotation: DEGREE, [6.77, 0.79, -0.83, 1.76];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4592, -0.0340, -0.0140, 1.8694];
+    pivot: 1.0, [1.4971, -0.6126, 0.4369, 1.7713];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0213, 0.0353, -0.0045, 0.0037];
+    arm_lag: 1.0, [-0.0482, 0.0397, -0.0334, -0.0172];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [-0.0076, 0.0293, 0.0768, -0.0143];
+    thorax_yaw_phase: 1.0, [-0.0366, 0.0467, 0.0108, -0.0443];
 }
 
 impl Style {
@@ -256,7 +269,7 @@ impl Style {
         let common = Common {
             step_frequency,
             step_length,
-            double_support: (29.4 - 0.149 * step_frequency) / 100.0,
+            double_support: double_support(&table.footfall, step_frequency),
             clearance: 0.012 * height / crate::body::REFERENCE_HEIGHT,
             manner: table.manner.unwrap_or_else(|| {
                 // As fast as somebody of the reference height would be who walks alike.
@@ -279,6 +292,7 @@ impl Style {
             }
         }
         style.step_width *= height / 1.75;
+        style.double_support = planned_double_support(style.double_support, &style, leg.length(), height);
         style
     }
 
@@ -303,6 +317,7 @@ impl Style {
             .chain(self.numbers())
             .chain(self.manner.numbers())
             .chain(self.stairs.iter().map(|stairs| ("stairs", stairs.sum())))
+            .chain(self.footfall.numbers())
             .find(|(_, value)| !value.is_finite())
         {
             Some((name, value)) => Err(RequestError::StyleNotFinite { name, value }),

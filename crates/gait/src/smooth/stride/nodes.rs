@@ -30,7 +30,8 @@ pub(super) struct Laws {
 impl Laws {
     pub(super) fn new(body: &Body, style: &Style, n: usize) -> Result<Self, GaitError> {
         let length = body.leg.foot_length();
-        let forward: Vector3<f64> = FootPlane::new(style.foot_yaw).tilted(style.slope).column(2).into();
+        let axes = FootPlane::new(style.foot_yaw).tilted(style.slope);
+        let [left_axis, forward]: [Vector3<f64>; 2] = [axes.column(0).into(), axes.column(2).into()];
         let normal = normal_of(style.slope);
         let cop = laws::cop(style)?;
         let clock = |i: usize| i as f64 / n as f64;
@@ -38,7 +39,8 @@ impl Laws {
         // The left foot's print; the right one's is the mirror image, one step away.
         let left = |u: f64| {
             let along = cop.at(u.clamp(0.0, style.toe_off())).position * length;
-            Vector3::new(style.step_width / 2.0, 0.0, 0.0) + forward * along
+            let outward = style.footfall.outward(u, style.toe_off()) * length;
+            Vector3::new(style.step_width / 2.0, 0.0, 0.0) + forward * along + left_axis * outward
         };
         let feet: Vec<[FootSupport; 2]> = (0..n)
             .map(|i| {

@@ -176,7 +176,7 @@ fn stance(
     };
     match (episode.kind, side) {
         (Kind::First, 0) => {
-            push.softness = 0.0;
+            push.rounding = 0.0;
             let uphill = (episode.print.tilt / STANDING_HEEL_LATER.0).clamp(0.0, 1.0);
             push.heel_off = STANDING_HEEL_OFF + STANDING_HEEL_LATER.1 * uphill;
             push.waypoint = Some((STANDING_WAYPOINT.0, style.knee_push.max(STANDING_WAYPOINT.1)));
@@ -184,7 +184,7 @@ fn stance(
             push.knee_toe_off.velocity -= STANDING_TOE_OFF.1;
         }
         (Kind::First, _) => {
-            push.softness = 0.0;
+            push.rounding = 0.0;
             push.heel_off = style.toe_off() - FIRST_HEEL_OFF;
             push.waypoint = None;
             push.tip_roll_at = style.toe_off() - FIRST_TIP_ROLL;

@@ -257,15 +257,19 @@ impl WalkLaws {
         let law = |v: f64| stance.cop.at(v.clamp(0.0, stance.style.toe_off())).position;
         let mix = |s: f64, a: f64, b: f64| a + (b - a) * step::quintic(s).position;
         let (flat, toe_off) = (stance.style.foot_flat, stance.style.toe_off());
+        let (from, to) = if side == 0 {
+            (course.begin, STANDING_COP_UNTIL)
+        } else {
+            (toe_off - FIRST_COP.0, toe_off - FIRST_COP.1)
+        };
         let fraction = match episode.kind {
             Kind::Step => law(v),
             Kind::First => {
-                let (from, to) = if side == 0 {
-                    (course.begin, STANDING_COP_UNTIL)
+                if v < to {
+                    mix((v - from) / (to - from), standing, law(to))
                 } else {
-                    (toe_off - FIRST_COP.0, toe_off - FIRST_COP.1)
-                };
-                if v < to { mix((v - from) / (to - from), standing, law(to)) } else { law(v) }
+                    law(v)
+                }
             }
             Kind::Last => {
                 let rolled = mix((v - flat) / LAST_COP_ROLL.0, law(v.min(flat)), LAST_COP_ROLL.1);
@@ -273,12 +277,21 @@ impl WalkLaws {
             }
             Kind::Close => standing,
         };
+        let outward = |v: f64| stance.style.footfall.outward(v.clamp(0.0, toe_off), toe_off);
+        let outward = match episode.kind {
+            Kind::Step => outward(v),
+            Kind::First => outward(v) * step::quintic((v - from) / (to - from)).position,
+            Kind::Last => outward(v.min(flat)) * (1.0 - step::quintic((v - flat) / LAST_COP_ROLL.0).position),
+            Kind::Close => 0.0,
+        };
         // A foot in the air counts for its next print shortly before it lands, where its share is zero.
         let next = (j + 1 < course.episode_count(side)).then(|| course.episode(side, j + 1));
         let on = next.filter(|next| u >= next.contact - COUNTS_AHEAD).unwrap_or(episode);
         let beside = self.style(on.index).step_width / 2.0;
-        let forward = self.plane.tilted(on.print.tilt).column(2).into_owned();
-        let at = Vector3::x() * beside + forward * (fraction * self.foot_length);
+        let axes = self.plane.tilted(on.print.tilt);
+        let at = Vector3::x() * beside
+            + axes.column(2) * (fraction * self.foot_length)
+            + axes.column(0) * (outward * self.foot_length);
         let normal = normal_of(on.print.tilt).map(|normal| turned(on.print.heading, &normal));
         FootSupport { share, cop: on.print.world(side, &at), normal }
     }

@@ -1,0 +1,115 @@
+//! How feet meet the ground and leave it, where people's do otherwise than those of the recipe.
+
+use super::laws;
+use super::style::Style;
+use crate::walking::G;
+use solaris_profiles::step;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// Mass over squared height of a person of average build (kg/m²).
+const BUILD: f64 = 23.84;
+/// How often the planned double support is held against what a plate sees of it.
+const CORRECTIONS: usize = 4;
+/// Halvings that find when the share has risen so far: to 1e-9 of a double support.
+const HALVINGS: usize = 30;
+/// Until when the centre of pressure is outermost (u), and from when on it goes inward: in parts of the stance.
+const OUTWARD_UNTIL: f64 = 0.22;
+const INWARD_FROM: f64 = 0.34;
+
+/// How a foot meets the ground and leaves it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Footfall {
+    /// The vertical force (N) from which on a foot counts as standing in the law of double support; none for 0, where it counts from
+    /// touch-down to lift-off.
+    pub threshold: f64,
+    /// The part of the load share that rises and falls evenly over double support; the rest does so without a rate at its ends.
+    pub even_share: f64,
+    /// How far outward of the foot's axis its centre of pressure is at contact, in mid-stance and at toe-off, in parts of its length.
+    pub cop_outward: [f64; 3],
+    /// Over how much pitch (rad) a foot comes to be flat, or begins to rise, where the leg's law would have it go through the ground;
+    /// for 0 it stops at once.
+    pub softness: f64,
+    /// Whether a foot's pitch goes through its contact with a continuous second derivative. Its duration (u).
+    pub soft_landing: Option<f64>,
+}
+
+impl Footfall {
+    /// Of the recipe that the golden walks were made with.
+    pub const RECIPE: Self =
+        Self { threshold: 0.0, even_share: 0.0, cop_outward: [0.0; 3], softness: 0.0, soft_landing: None };
+
+    /// Of people: plates see a foot from 20 N on; the pressure begins a little outside of the heel's middle, goes outward under the
+    /// middle of the foot and inward to the great toe.
+    pub const PEOPLE: Self = Self {
+        threshold: 20.0,
+        even_share: 0.5,
+        cop_outward: [0.01, 0.04, -0.03],
+        softness: 0.5 * DEGREE,
+        soft_landing: Some(0.022),
+    };
+
+    /// How far outward of the foot's axis its centre of pressure is, in parts of the foot's length, `v` after contact.
+    pub(super) fn outward(&self, v: f64, toe_off: f64) -> f64 {
+        let [contact, middle, end] = self.cop_outward;
+        contact
+            + (middle - contact) * step::quintic(v / OUTWARD_UNTIL).position
+            + (end - middle) * step::quintic((v - INWARD_FROM) / (toe_off - INWARD_FROM)).position
+    }
+
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        let [contact, middle, end] = self.cop_outward;
+        [
+            ("threshold", self.threshold),
+            ("even_share", self.even_share),
+            ("cop_outward", contact + middle + end),
+            ("softness", self.softness),
+            ("soft_landing", self.soft_landing.unwrap_or_default()),
+        ]
+        .into_iter()
+    }
+}
+
+/// The double support from touch-down to lift-off of which a plate sees `seen` (both parts of the stride), in this style, for a person of
+/// this height (m) and average build with legs so long (m).
+///
+/// A plate that takes a foot for lifted below `T` sees the leading foot from `x₀·d` on and the trailing one until `x₁·d`; with the load
+/// share's rise `s(x)`:
+///
+/// ```text
+/// s(x₀) F_y(x₀ d) = T      (1 − s(x₁)) F_y(x₁ d) = T      seen = (x₁ − x₀)·d
+/// ```
+///
+/// F_y hardly changes over a correction of `d`, so that a few suffice.
+pub(super) fn planned_double_support(seen: f64, style: &Style, leg: f64, height: f64) -> f64 {
+    let threshold = style.footfall.threshold;
+    if threshold <= 0.0 {
+        return seen;
+    }
+    let mass = BUILD * height * height;
+    let (mut planned, mut ends) = (seen, (0.0, 1.0));
+    for _ in 0..CORRECTIONS {
+        let part = |x: f64| {
+            let force = mass * (G + laws::height(style, leg, x * planned).1);
+            if force > 2.0 * threshold { threshold / force } else { 0.5 }
+        };
+        ends = (risen_to(style, part(ends.0)), risen_to(style, 1.0 - part(ends.1)));
+        // Less would be two feet that a plate hardly sees at once: no walk of people's.
+        planned = seen / (ends.1 - ends.0).max(0.5);
+    }
+    planned
+}
+
+/// The part of a double support after which the load share has risen to `share`.
+fn risen_to(style: &Style, share: f64) -> f64 {
+    let (mut from, mut to) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (from + to);
+        if laws::share_risen(style, middle) < share {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    0.5 * (from + to)
+}
