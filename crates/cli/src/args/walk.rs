@@ -1,9 +1,11 @@
 //! The request of `solaris walk`.
 
 mod everyone;
+mod terrain;
 mod then;
 
 pub(crate) use everyone::EveryoneArgs;
+pub(crate) use terrain::TerrainArgs;
 pub(crate) use then::{Then, Travel};
 
 use super::parameters::StyleArgs;
@@ -55,6 +57,8 @@ pub(crate) struct WalkArgs {
     pub(crate) manner: MannerArgs,
     #[command(flatten, next_help_heading = "Whose walk, and in which manner (style smooth)")]
     pub(crate) everyone: EveryoneArgs,
+    #[command(flatten, next_help_heading = "The ground (style smooth)")]
+    pub(crate) ground: TerrainArgs,
     #[command(flatten, next_help_heading = "Changes on the way (style smooth)")]
     pub(crate) changes: ChangeArgs,
     #[command(flatten)]

@@ -2,6 +2,7 @@
 
 mod path;
 mod refused;
+mod terrain;
 
 use super::everyone::dressed;
 use crate::args::{
@@ -62,8 +63,11 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     } else {
         Side::Right
     };
+    let (ground, usual) = terrain::of(&args.ground)?;
+    let open = pace.step_length.is_none() && pace.speed.is_none();
     let first = WalkRequest {
-        step_frequency: value(pace.step_frequency.as_ref()),
+        ground,
+        step_frequency: value(pace.step_frequency.as_ref()).or(usual.filter(|_| open)),
         step_length: value(pace.step_length.as_ref()),
         speed: value(pace.speed.as_ref()),
         extent: extent(args, LOOPED_STEPS.0),
@@ -228,6 +232,9 @@ impl Typed for WalkArgs {
             "speed" => &self.pace.speed,
             "distance" => &self.extent.distance,
             "turn" => &self.changes.turn,
+            "slope" => &self.ground.slope,
+            "rise" => &self.ground.rise,
+            "tread" => &self.ground.tread,
             "sway" => &self.manner.sway,
             "variability" => &self.everyone.variability,
             other => return Some(&self.style.0.get(&other.replace(' ', "-"))?.typed),

@@ -10,7 +10,7 @@ use crate::request::{
 };
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::stride::StridePlan;
-use crate::smooth::style::Style;
+use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::Styling;
 use crate::smooth::terrain::{LEAD, StepKind, Terrain};
 use crate::smooth::walk::{Grounded, Step, Steps, WalkNumbers, WalkPlan, steps};
@@ -236,12 +236,13 @@ impl Route {
             WalkGround::Stairs(stairs) => stairs.tread,
             _ => part.pace.step_length,
         };
-        let on_tread = Style::of(&body.leg, body.height, part.pace.step_frequency, tread);
+        let table = StyleTable::on_ground();
+        let on_tread = Style::from_table(&table, &body.leg, body.height, part.pace.step_frequency, tread);
         let style = |kind: StepKind| {
             Ok(match kind {
                 StepKind::Slope(slope, step_length) => {
                     let pace = Pace { step_length, ..part.pace };
-                    styling.style(body, &pace)?.on_slope(&body.leg, body.height, slope)
+                    styling.style_from(&table, body, &pace)?.on_slope(&body.leg, body.height, slope)
                 }
                 StepKind::Stairs(rise) => on_tread.on_stairs(body.height, rise),
             })

@@ -10,7 +10,7 @@ use crate::request::variability::Chance;
 use crate::request::{Population, StyleSheet, Variability, WalkRequest};
 use crate::smooth::manner::Manner;
 use crate::smooth::parameter::{PARAMETERS, Parameter};
-use crate::smooth::style::Style;
+use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::walk::Step;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -99,9 +99,19 @@ impl<'a> Styling<'a> {
 
     /// The style of a pace.
     pub(crate) fn style(&self, body: &Body, pace: &Pace) -> Result<Style, RequestError> {
+        self.style_from(&StyleTable::default(), body, pace)
+    }
+
+    /// The same, made of other coefficients than those that ship.
+    pub(crate) fn style_from(
+        &self,
+        table: &StyleTable,
+        body: &Body,
+        pace: &Pace,
+    ) -> Result<Style, RequestError> {
         let Pace { step_frequency, step_length } = *pace;
         let tempo = self.law.tempo;
-        let mut style = Style::of(&body.leg, body.height, step_frequency / tempo, step_length);
+        let mut style = Style::from_table(table, &body.leg, body.height, step_frequency / tempo, step_length);
         if tempo > 1.0 {
             // As an adult at the same Froude number, in less time.
             style.step_frequency = step_frequency;

@@ -73,6 +73,7 @@ fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
     turn.or(path)
         .or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
         .or_else(|| args.everyone.given())
+        .or_else(|| args.ground.given())
 }
 
 /// What was given that the thesis's style alone has.

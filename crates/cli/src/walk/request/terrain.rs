@@ -1,0 +1,48 @@
+//! The ground that is walked on, out of the options and a file.
+
+use crate::args::TerrainArgs;
+use crate::error::CliError;
+use crate::input;
+use solaris::gait::{Stairs, WalkGround};
+use solaris::model::Relief;
+use std::path::Path;
+
+/// The columns of a relief.
+const COLUMNS: [&str; 2] = ["z", "height"];
+/// Steps a minute where no pace is asked for: over slopes and other ground, up stairs and down.
+const STEP_FREQUENCY: f64 = 100.0;
+const UP: f64 = 88.0;
+
+/// The ground, and the step frequency that goes with it where none is asked for.
+pub(super) fn of(args: &TerrainArgs) -> Result<(WalkGround, Option<f64>), CliError> {
+    if let Some(slope) = &args.slope {
+        return Ok((WalkGround::Slope(slope.value.to_radians()), Some(STEP_FREQUENCY)));
+    }
+    if let Some(count) = args.stairs {
+        let usual = Stairs::default();
+        let rise = args.rise.as_ref().map_or(usual.rise, |rise| rise.value);
+        let tread = args.tread.as_ref().map_or(usual.tread, |tread| tread.value);
+        let step_frequency = if rise > 0.0 { UP } else { STEP_FREQUENCY };
+        return Ok((WalkGround::Stairs(Stairs { count, rise, tread }), Some(step_frequency)));
+    }
+    match &args.ground {
+        Some(path) => Ok((WalkGround::Relief(read(path)?), Some(STEP_FREQUENCY))),
+        None => Ok((WalkGround::Level, None)),
+    }
+}
+
+/// Reads the points of a relief.
+fn read(path: &Path) -> Result<Relief, CliError> {
+    let table = input::table(path)?;
+    let column = |name: &str| {
+        let found = table.columns.join(", ");
+        let why = format!(
+            "there is no column '{name}'; ground has z (ahead) and height in m, and here are {found}"
+        );
+        table.column(name).ok_or_else(|| CliError::input(path, &why))
+    };
+    let [z, height] = [column(COLUMNS[0])?, column(COLUMNS[1])?];
+    let points: Vec<[f64; 2]> =
+        (0..table.len()).map(|row| [table.row(row)[z], table.row(row)[height]]).collect();
+    Relief::new(points).map_err(|error| CliError::input(path, &error))
+}
