@@ -181,6 +181,11 @@ impl StridePlan {
         self.place(u).1.map(|pose| (pose.pitch, pose.toes))
     }
 
+    /// Knee flexion (rad), left and right, at the clock `u`.
+    pub fn knees(&self, u: f64) -> [f64; 2] {
+        self.place(u).1.map(|pose| pose.knee)
+    }
+
     fn place(&self, u: f64) -> (Vector3<f64>, [LegPose; 2]) {
         let step = self.style.step_length;
         let pelvis = Vector3::from(self.pelvis.position(u)) + Vector3::new(0.0, 0.0, 2.0 * step * u);

@@ -4,6 +4,7 @@ mod check;
 mod course;
 mod feet;
 mod gaits;
+mod heights;
 mod laws;
 mod numbers;
 mod passes;

@@ -1,6 +1,6 @@
 //! The course of a walk: where and in which order its feet stand.
 
-use super::numbers::{BEGIN, SETTLE};
+use super::numbers::SETTLE;
 use crate::body::foot::{mirror, turned};
 use nalgebra::Vector3;
 
@@ -85,7 +85,8 @@ pub(crate) struct Course {
 }
 
 impl Course {
-    pub(super) fn new(steps: &[Step]) -> Self {
+    /// Of some steps; the body begins to move at the clock `begin`.
+    pub(super) fn new(steps: &[Step], begin: f64) -> Self {
         let mut print = Print::default();
         let mut prints = vec![print];
         for step in steps {
@@ -96,7 +97,7 @@ impl Course {
         }
         prints.push(print);
         let n = steps.len();
-        Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints }
+        Self { steps: n, begin, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints }
     }
 
     /// Where the walk ends.
@@ -160,7 +161,7 @@ mod tests {
     fn an_even_turn_goes_round_a_circle_and_faces_along_it() {
         let turn = 0.3;
         let steps = [Step { pace: 0, length: 0.6, turn }; 20];
-        let course = Course::new(&steps);
+        let course = Course::new(&steps, -0.75);
         // Chords of 0.6 m that turn by 0.3: a circle of radius 0.3 m / sin 0.15 to the left.
         let radius = 0.3 / (0.5 * turn).sin();
         for print in &course.prints {

@@ -3,9 +3,9 @@
 use super::course::{Episode, Kind};
 use super::laws::WalkLaws;
 use super::numbers::{
-    CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
-    KNEE_FLAT, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF,
-    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS,
+    CLOSING, FIRST_KNEE, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
+    KNEE_FLAT, KNEE_STANDING, KNEE_START, LAST_FLAT_UNTIL, LAST_STRAIGHTENS, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM,
+    STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -15,7 +15,7 @@ use crate::limbs::stance::{Landing, Stance};
 use crate::limbs::swing::{Swing, sideways};
 use crate::smooth::legs::Aim;
 use nalgebra::Vector3;
-use solaris_profiles::{Boundary, ProfileError, UniformSpline};
+use solaris_profiles::{Boundary, ProfileError, UniformSpline, step};
 
 /// One foot over a walk. Each print is a left foot's, see [`super::course::Print::local`].
 pub(super) struct Foot {
@@ -62,7 +62,11 @@ impl Foot {
         let mut swings = Vec::with_capacity(count - 1);
         for j in 0..count - 1 {
             let (from, to) = (course.episode(side, j), course.episode(side, j + 1));
-            let style = laws.gaits.swing(&from, &to);
+            let mut style = laws.gaits.swing(&from, &to);
+            if from.kind == Kind::First {
+                let after = style.toe_off() + laws.numbers.first_peak_after;
+                style.knee_peak_at = style.knee_peak_at.max(after);
+            }
             let end = &contacts[j + 1];
             let start = stances[j].toe_off_jet(seen(from));
             let leans = |episode: &Episode, v: f64, jet: &LegJet| {
@@ -136,13 +140,13 @@ fn stance(
     };
     match (episode.kind, side) {
         (Kind::First, 0) => {
-            push.heel_off = STANDING_HEEL_OFF;
+            push.heel_off = laws.standing_heel_off();
             push.waypoint = Some((STANDING_WAYPOINT.0, style.knee_push.max(STANDING_WAYPOINT.1)));
-            push.knee_toe_off.position -= STANDING_TOE_OFF.0;
-            push.knee_toe_off.velocity -= STANDING_TOE_OFF.1;
+            push.knee_toe_off.position -= laws.numbers.standing_toe_off;
+            push.knee_toe_off.velocity -= STANDING_TOE_OFF_RATE;
         }
         (Kind::First, _) => {
-            push.heel_off = style.toe_off() - FIRST_HEEL_OFF;
+            push.heel_off = style.toe_off() - laws.first_heel_off();
             push.waypoint = None;
             push.tip_roll_at = style.toe_off() - FIRST_TIP_ROLL;
             push.toe_roll = FIRST_TOE_ROLL;
@@ -186,11 +190,22 @@ fn note_need(
     need: &mut [f64],
 ) {
     let shortest = (LEAST_HEIGHT * (leg.thigh + leg.shank)).powi(2);
-    let mut note = |v: f64, ankle: Vector3<f64>, knee: f64| {
+    let above = |v: f64, ankle: Vector3<f64>, knee: f64| {
         let d = hip(v) - ankle;
-        let level = (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt();
-        let weight = laws.correction(episode.contact + v, episode.index).max(LEAST_WEIGHT);
-        need[episode.index] = need[episode.index].max((d.y - level) / weight);
+        d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
+    };
+    for (knot, clock) in laws.heights.knots() {
+        let v = clock - episode.contact;
+        if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
+            need[knot] = need[knot].max(above(v, ankle, knee));
+        }
+    }
+    if !laws.heights.has(episode.index) {
+        return;
+    }
+    let mut note = |v: f64, ankle: Vector3<f64>, knee: f64| {
+        let weight = laws.heights.weight(episode.contact + v, episode.index).max(LEAST_WEIGHT);
+        need[episode.index] = need[episode.index].max(above(v, ankle, knee) / weight);
     };
     let spread = |from: f64, to: f64, count: i32| {
         (0..count).map(move |i| from + (to - from) * f64::from(i) / f64::from(count - 1))
@@ -208,14 +223,47 @@ fn note_need(
                 spread(CLOSING.0, CLOSING.1, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
             }
         }
-        Kind::First => spread(STANDING_FROM, STANDING_HEEL_OFF, INSTANTS[3])
+        Kind::First => spread(STANDING_FROM, laws.standing_heel_off(), INSTANTS[3])
             .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
         Kind::Close => {}
     }
     let flexion = laws.style(episode.index).flexion;
     if flexion > 0.0 && episode.kind == Kind::Step {
         let (midstance, above) = above_flexion(leg, stance, flexion, (flat, stance.heel_off()), hip);
-        let weight = laws.correction(episode.contact + midstance, episode.index).max(LEAST_WEIGHT);
+        let weight = laws.heights.weight(episode.contact + midstance, episode.index).max(LEAST_WEIGHT);
         need[episode.index] = need[episode.index].max(above / weight);
     }
+}
+
+/// Where a leg has its ankle on the ground, and how bent its knee should be there, at the clock `v` of the foot.
+fn wanted(
+    laws: &WalkLaws,
+    episode: &Episode,
+    stance: &Stance,
+    v: f64,
+) -> Option<(Vector3<f64>, f64)> {
+    let style = laws.style(episode.index);
+    let steady = |v: f64| laws.gaits.of_contact(episode.index).stance_knee(v);
+    let settled = |v: f64| mix(steady(v), KNEE_STANDING, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
+    let flat = match episode.kind {
+        Kind::First => f64::NEG_INFINITY,
+        Kind::Close => 0.0,
+        Kind::Step | Kind::Last => style.foot_flat,
+    };
+    let until = if stance.pushes() { stance.heel_off() + TOLD_AFTER } else { f64::INFINITY };
+    if v < flat || v > until {
+        return None;
+    }
+    let knee = match episode.kind {
+        Kind::First => mix(KNEE_STANDING, FIRST_KNEE, (v - laws.course.begin) / (until - laws.course.begin)),
+        Kind::Step => steady(v.min(stance.heel_off())),
+        Kind::Last => settled(v),
+        Kind::Close => KNEE_STANDING,
+    };
+    Some((stance.flat_ankle(), knee))
+}
+
+/// From `a` to `b` as `t` goes from 0 to 1.
+fn mix(a: f64, b: f64, t: f64) -> f64 {
+    a + (b - a) * step::quintic(t).position
 }

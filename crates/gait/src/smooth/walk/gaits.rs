@@ -22,11 +22,14 @@ pub(super) struct Gait {
     /// Rate of the angular momentum and centre of mass against the pelvis, by node.
     momentum_rate: Vec<Vector3<f64>>,
     com_offset: Vec<Vector3<f64>>,
+    /// Flexion of the left knee, by node.
+    knee: Vec<f64>,
 }
 
 impl Gait {
     fn of(stride: &StridePlan) -> Self {
-        let nodes = 0..stride.node_count();
+        let count = stride.node_count();
+        let nodes = 0..count;
         Self {
             style: stride.style,
             mean_height: stride.mean_height(),
@@ -34,7 +37,14 @@ impl Gait {
             standing: Standing::new(&stride.body, &stride.style),
             momentum_rate: nodes.map(|node| stride.momentum_rate(node)).collect(),
             com_offset: stride.com_offset.clone(),
+            knee: (0..count).map(|node| stride.knees(node as f64 / count as f64)[0]).collect(),
         }
+    }
+
+    /// Flexion of a knee in a steady stride, at the node next to a clock of its foot.
+    pub(super) fn stance_knee(&self, v: f64) -> f64 {
+        let count = self.knee.len();
+        self.knee[((v * count as f64).round() as isize).rem_euclid(count as isize) as usize]
     }
 
     /// Rate of the angular momentum and centre of mass against the pelvis in a steady stride, at the node next to a clock.

@@ -58,11 +58,12 @@ impl Passes {
         let reach = 3.0 / timeline.rate as f64;
         let weights = (0..count)
             .map(|i| {
-                laws.corrections_near(clocks[i], reach)
+                laws.heights
+                    .near(clocks[i], reach)
                     .map(|contact| CorrectionWeight {
                         contact,
-                        weight: laws.correction(clocks[i], contact),
-                        acceleration: timeline.second(|k| laws.correction(timeline.neighbour(i, k), contact)),
+                        weight: laws.heights.weight(clocks[i], contact),
+                        acceleration: timeline.second(|k| laws.heights.weight(timeline.neighbour(i, k), contact)),
                     })
                     .collect()
             })
@@ -97,7 +98,7 @@ impl Passes {
             centre,
             momentum_rate,
             offset,
-            corrections: vec![0.0; laws.course.steps + 1],
+            corrections: laws.heights.first_guess(),
             upper,
             body,
             laws,
@@ -130,7 +131,7 @@ impl Passes {
         let (com, vertical) = self.centre_of_mass();
         let pelvis: Vec<Vector3<f64>> =
             com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
-        let mut need = vec![-9.0_f64; self.laws.course.steps + 1];
+        let mut need = vec![f64::NEG_INFINITY; self.laws.heights.count()];
         let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
             (0..count).map(|i| (pelvis[i] + self.hips[side][i]).into()).collect()
         });
@@ -160,9 +161,11 @@ impl Passes {
         self.offset = momentum.com;
         if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
             let (share, most, lower, upper) = CORRECTION;
-            for (correction, need) in self.corrections.iter_mut().zip(&need) {
+            let told: Vec<bool> = need.iter().map(|need| need.is_finite()).collect();
+            for (correction, need) in self.corrections.iter_mut().zip(&need).filter(|(_, need)| need.is_finite()) {
                 *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);
             }
+            self.laws.heights.bridge(&mut self.corrections, &told);
         }
         Ok(Pass { feet, pelvis, rate, vertical })
     }
