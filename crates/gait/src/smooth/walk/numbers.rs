@@ -49,9 +49,9 @@ pub(super) const KNOTS_FROM: f64 = 0.02;
 /// How long after its heel has risen a leg still says how high the body should be (u).
 pub(super) const TOLD_AFTER: f64 = 0.05;
 /// Flexion of a standing knee as its heel rises for the first time (rad).
-pub(super) const FIRST_KNEE: f64 = 9.0 * DEGREE;
+pub(super) const FIRST_KNEE: f64 = 8.0 * DEGREE;
 /// From when on (u after the last contact) and over how long the last leg that lands becomes as straight as in standing.
-pub(super) const LAST_STRAIGHTENS: (f64, f64) = (0.10, 0.30);
+pub(super) const LAST_STRAIGHTENS: (f64, f64) = (0.04, 0.28);
 /// How much of what the thigh at contact is ahead of its steady place its swing is, too.
 pub(super) const THIGH_FOLLOWS: f64 = 0.8;
 
@@ -185,16 +185,17 @@ impl Default for WalkNumbers {
             start_time: Some(0.72),
             knots: 0.1,
             standing_heel_off: (0.01, 1.18),
-            first_shift_ramp: 0.35,
+            first_shift_ramp: 0.28,
             standing_cop_until: 0.45,
             first_heel_off: (0.22, 0.24),
-            standing_toe_off: 13.0 * DEGREE,
+            standing_toe_off: 12.0 * DEGREE,
             first_peak_after: 0.11,
             correction_at: 0.26,
             closing_thigh: 0.78,
             landing_range: LANDING_RANGE,
             knee_closing: 1.5 * DEGREE,
             late_clearance: 0.025,
+            swing_in: (0.05, 0.70),
             arms_in: (-0.05, 0.75),
             ..Self::recipe()
         }
