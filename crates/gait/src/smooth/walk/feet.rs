@@ -3,9 +3,10 @@
 use super::course::{Episode, Kind};
 use super::laws::WalkLaws;
 use super::numbers::{
-    CLOSING, FIRST_KNEE, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
-    KNEE_FLAT, KNEE_STANDING, KNEE_START, LAST_FLAT_UNTIL, LAST_STRAIGHTENS, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM,
-    STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER,
+    CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS,
+    KNEE_CONTACT, KNEE_FLAT, KNEE_STANDING, KNEE_START, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS,
+    LAST_STRAIGHTENS, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT,
+    THIGH_FOLLOWS, TOLD_AFTER,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -194,8 +195,11 @@ fn note_need(
         let d = hip(v) - ankle;
         d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
     };
+    let lands = episode.index == 1 && episode.kind != Kind::Close;
     for (knot, clock) in laws.heights.knots() {
         let v = clock - episode.contact;
+        // The knot next to the first landing is told by it.
+        let v = if lands && v.abs() <= 0.5 * laws.heights.spacing() { 0.0 } else { v };
         if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
             need[knot] = need[knot].max(above(v, ankle, knee));
         }
@@ -236,15 +240,16 @@ fn note_need(
 }
 
 /// Where a leg has its ankle on the ground, and how bent its knee should be there, at the clock `v` of the foot.
-fn wanted(
-    laws: &WalkLaws,
-    episode: &Episode,
-    stance: &Stance,
-    v: f64,
-) -> Option<(Vector3<f64>, f64)> {
+fn wanted(laws: &WalkLaws, episode: &Episode, stance: &Stance, v: f64) -> Option<(Vector3<f64>, f64)> {
     let style = laws.style(episode.index);
     let steady = |v: f64| laws.gaits.of_contact(episode.index).stance_knee(v);
-    let settled = |v: f64| mix(steady(v), KNEE_STANDING, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
+    let settled = |v: f64| {
+        let straighter = mix(steady(v), LAST_KNEE, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
+        mix(straighter, KNEE_STANDING, (v - LAST_STANDS.0) / LAST_STANDS.1)
+    };
+    if v == 0.0 && episode.index == 1 {
+        return Some((stance.ankle_on_heel(-contact_pitch(laws, episode)), FIRST_LANDING));
+    }
     let flat = match episode.kind {
         Kind::First => f64::NEG_INFINITY,
         Kind::Close => 0.0,

@@ -21,11 +21,12 @@ pub(super) struct Heights {
 }
 
 impl Heights {
-    pub(super) fn new(course: &Course, numbers: &WalkNumbers) -> Self {
+    /// Of a walk whose first stride would last `stride_time` (s, see [`WalkNumbers::knots`]).
+    pub(super) fn new(course: &Course, numbers: &WalkNumbers, stride_time: f64) -> Self {
         let (begin, steps) = (course.begin, course.steps);
-        let (mut knots, mut contacts, spacing) = (Vec::new(), (0, steps), numbers.knots);
+        let (mut knots, mut contacts, spacing) = (Vec::new(), (0, steps), numbers.knots / stride_time);
         if spacing > 0.0 {
-            // A knot's spline reaches over two distances on either side; knots fall on contacts.
+            // A knot's spline reaches over two distances on either side.
             let first = (begin / spacing).ceil() as isize + 2;
             let last = (course.end / spacing).floor() as isize - 2;
             let start_ends = (KNOTS.0 / spacing).round() as isize;
@@ -50,6 +51,11 @@ impl Heights {
         let mut guess = vec![0.0; self.count];
         guess.resize(self.count(), KNOTS_FROM);
         guess
+    }
+
+    /// Distance of the knots.
+    pub(super) fn spacing(&self) -> f64 {
+        self.spacing
     }
 
     /// Number and clock of the knots.
@@ -101,8 +107,10 @@ impl Heights {
             let after = (j + 1..self.knots.len()).take_while(|&i| near(i - 1, i)).find(|&i| known(i));
             let of = |i: Option<usize>| i.map_or(0.0, |i| corrections[self.count + i]);
             let at = |i: Option<usize>, end: f64| i.map_or(end, |i| self.knots[i]);
-            let (from, to) =
-                (at(before, self.knots[j] - 2.0 * self.spacing), at(after, self.knots[j] + 2.0 * self.spacing));
+            let (from, to) = (
+                at(before, self.knots[j] - 2.0 * self.spacing),
+                at(after, self.knots[j] + 2.0 * self.spacing),
+            );
             let part = (self.knots[j] - from) / (to - from);
             let between = of(before) + (of(after) - of(before)) * part;
             corrections[self.count + j] = between;
@@ -124,7 +132,7 @@ mod tests {
 
     fn heights(steps: usize, numbers: &WalkNumbers) -> Heights {
         let steps = vec![Step { pace: 0, length: 0.7, turn: 0.0 }; steps];
-        Heights::new(&Course::new(&steps, -0.5), numbers)
+        Heights::new(&Course::new(&steps, -0.5), numbers, 1.1)
     }
 
     #[test]

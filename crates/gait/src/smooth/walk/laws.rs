@@ -4,8 +4,8 @@ use super::course::{Course, Episode, Kind, Step};
 use super::gaits::Gaits;
 use super::heights::Heights;
 use super::numbers::{
-    BEGIN, COUNTS_AHEAD, FIRST_COP, FIRST_FREED, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT, LEAST_SHARE,
-    LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, WalkNumbers,
+    BEGIN, COUNTS_AHEAD, FIRST_COP, FIRST_FREED, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
+    LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, SETTLE, WalkNumbers,
 };
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
@@ -38,6 +38,8 @@ pub(crate) struct WalkLaws {
     pub(super) plane: FootPlane,
     leg_length: f64,
     foot_length: f64,
+    /// Of the first stride, in seconds of somebody of the reference height: as long as a pendulum's.
+    first_stride: f64,
 }
 
 impl WalkLaws {
@@ -51,11 +53,11 @@ impl WalkLaws {
     ) -> Result<Self, GaitError> {
         let gaits = Gaits::new(strides, standing, steps)?;
         let style = &gaits.of_contact(0).style;
-        let begin =
-            numbers.start_time.map_or(BEGIN, |time| style.double_support - time / style.stride_time);
+        let first_stride = style.stride_time / body.scale().sqrt();
+        let begin = numbers.start_time.map_or(BEGIN, |time| style.double_support - time / first_stride);
         let course = Course::new(steps, begin);
         Ok(Self {
-            heights: Heights::new(&course, &numbers),
+            heights: Heights::new(&course, &numbers, first_stride),
             course,
             gaits,
             numbers,
@@ -63,6 +65,7 @@ impl WalkLaws {
             plane: FootPlane::new(strides[standing].style.foot_yaw),
             leg_length: body.leg.length(),
             foot_length: body.leg.foot_length(),
+            first_stride,
         })
     }
 
@@ -139,7 +142,7 @@ impl WalkLaws {
     /// How long before toe-off the heel of the foot that makes the first step rises.
     pub(super) fn first_heel_off(&self) -> f64 {
         let (clock, time) = self.numbers.first_heel_off;
-        clock.min(time / self.style(0).stride_time)
+        clock.min(time / self.first_stride)
     }
 
     /// Where a foot lifts off a print, on its own clock.

@@ -50,7 +50,12 @@ pub(super) const KNOTS_FROM: f64 = 0.02;
 pub(super) const TOLD_AFTER: f64 = 0.05;
 /// Flexion of a standing knee as its heel rises for the first time (rad).
 pub(super) const FIRST_KNEE: f64 = 8.0 * DEGREE;
-/// From when on (u after the last contact) and over how long the last leg that lands becomes as straight as in standing.
+/// Flexion of a knee that lands where knots are (rad).
+pub(super) const FIRST_LANDING: f64 = 20.0 * DEGREE;
+/// Flexion of the last leg that lands while the other foot closes (rad), from when on (u after its contact) and over how long it comes
+/// to it, and likewise from there to standing.
+pub(super) const LAST_KNEE: f64 = 6.0 * DEGREE;
+pub(super) const LAST_STANDS: (f64, f64) = (0.45, 0.35);
 pub(super) const LAST_STRAIGHTENS: (f64, f64) = (0.04, 0.28);
 /// How much of what the thigh at contact is ahead of its steady place its swing is, too.
 pub(super) const THIGH_FOLLOWS: f64 = 0.8;
@@ -109,9 +114,9 @@ pub struct WalkNumbers {
     pub thorax_out: (f64, f64),
     /// End of the arms' swings.
     pub arms_out: (f64, f64),
-    /// From the first movement to the first lift (s); none where the movement begins at [`BEGIN`].
+    /// From the first movement to the first lift (s, of somebody of the reference height; it goes with the root of height); none where the movement begins at [`BEGIN`].
     pub start_time: Option<f64>,
-    /// Distance of the knots at which height is corrected where a walk begins and ends (u); 0 for one correction a contact there, too.
+    /// Distance of the knots at which height is corrected where a walk begins and ends (s, likewise); 0 for one correction a contact there, too.
     pub knots: f64,
     /// The foot that stands while the other makes the first step: when its heel rises (u), and how much later for each first double
     /// support: short steps take the hip less far ahead of the ankle.
@@ -120,7 +125,7 @@ pub struct WalkNumbers {
     pub first_shift_ramp: f64,
     /// Until when the pressure under it has come from its place at rest to where a step has it (u).
     pub standing_cop_until: f64,
-    /// The foot that makes the first step: how long before toe-off its heel rises (u), and how long at most (s).
+    /// The foot that makes the first step: how long before toe-off its heel rises (u), and how long at most (s, likewise).
     pub first_heel_off: (f64, f64),
     /// How much less its knee is bent at toe-off than a step's (rad).
     pub standing_toe_off: f64,
@@ -183,12 +188,12 @@ impl Default for WalkNumbers {
             thorax_out: (0.39, 0.90),
             arms_out: (0.50, 1.14),
             start_time: Some(0.72),
-            knots: 0.1,
+            knots: 0.11,
             standing_heel_off: (0.01, 1.18),
             first_shift_ramp: 0.28,
             standing_cop_until: 0.45,
             first_heel_off: (0.22, 0.24),
-            standing_toe_off: 12.0 * DEGREE,
+            standing_toe_off: 13.0 * DEGREE,
             first_peak_after: 0.11,
             correction_at: 0.26,
             closing_thigh: 0.78,

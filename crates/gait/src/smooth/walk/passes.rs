@@ -63,7 +63,8 @@ impl Passes {
                     .map(|contact| CorrectionWeight {
                         contact,
                         weight: laws.heights.weight(clocks[i], contact),
-                        acceleration: timeline.second(|k| laws.heights.weight(timeline.neighbour(i, k), contact)),
+                        acceleration: timeline
+                            .second(|k| laws.heights.weight(timeline.neighbour(i, k), contact)),
                     })
                     .collect()
             })
@@ -162,7 +163,9 @@ impl Passes {
         if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
             let (share, most, lower, upper) = CORRECTION;
             let told: Vec<bool> = need.iter().map(|need| need.is_finite()).collect();
-            for (correction, need) in self.corrections.iter_mut().zip(&need).filter(|(_, need)| need.is_finite()) {
+            for (correction, need) in
+                self.corrections.iter_mut().zip(&need).filter(|(_, need)| need.is_finite())
+            {
                 *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);
             }
             self.laws.heights.bridge(&mut self.corrections, &told);
