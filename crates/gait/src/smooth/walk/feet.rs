@@ -1,11 +1,12 @@
 //! The feet of a walk: every print of one foot, and the swings between them.
 
 use super::course::{Episode, Kind};
+use super::heights::Needs;
 use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS,
     KNEE_CONTACT, KNEE_FLAT, KNEE_STANDING, KNEE_START, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS,
-    LAST_STRAIGHTENS, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT,
+    LAST_STRAIGHTENS, LEAST_LANDING, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT,
     THIGH_FOLLOWS, TOLD_AFTER,
 };
 use super::timeline::Timeline;
@@ -34,13 +35,13 @@ pub(super) struct Hip<'a> {
 }
 
 impl Foot {
-    /// All prints of a foot for a given hip. `need` takes, by contact, how far the body is too high for the legs.
+    /// All prints of a foot for a given hip. `needs` take how far the body is too high for the legs.
     pub(super) fn new(
         laws: &WalkLaws,
         leg: &LegGeometry,
         side: usize,
         hip: &Hip<'_>,
-        need: &mut [f64],
+        needs: &mut Needs,
     ) -> Result<Self, ProfileError> {
         let (course, tempo) = (&laws.course, &laws.gaits.tempo);
         let count = course.episode_count(side);
@@ -56,7 +57,7 @@ impl Foot {
         for j in 0..count {
             let episode = course.episode(side, j);
             let (stance, contact) = stance(laws, leg, side, &episode, seen(episode))?;
-            note_need(laws, leg, &episode, &stance, seen(episode), need);
+            note_need(laws, leg, &episode, &stance, seen(episode), needs);
             contacts.push(contact);
             stances.push(stance);
         }
@@ -188,19 +189,26 @@ fn note_need(
     episode: &Episode,
     stance: &Stance,
     hip: impl Fn(f64) -> Vector3<f64>,
-    need: &mut [f64],
+    needs: &mut Needs,
 ) {
     let shortest = (LEAST_HEIGHT * (leg.thigh + leg.shank)).powi(2);
     let above = |v: f64, ankle: Vector3<f64>, knee: f64| {
         let d = hip(v) - ankle;
         d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
     };
-    let lands = episode.index == 1 && episode.kind != Kind::Close;
+    let Needs { told: need, least } = needs;
+    let lands = matches!(episode.kind, Kind::Step | Kind::Last);
     for (knot, clock) in laws.heights.knots() {
         let v = clock - episode.contact;
-        // The knot next to the first landing is told by it.
-        let v = if lands && v.abs() <= 0.5 * laws.heights.spacing() { 0.0 } else { v };
-        if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
+        if lands && v.abs() <= 0.5 * laws.heights.spacing() {
+            // The first landing tells the knot next to it; later ones only that a leg must reach.
+            let ankle = stance.ankle_on_heel(-contact_pitch(laws, episode));
+            if episode.index == 1 {
+                need[knot] = need[knot].max(above(0.0, ankle, FIRST_LANDING));
+            } else {
+                least[knot] = least[knot].max(above(0.0, ankle, LEAST_LANDING));
+            }
+        } else if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
             need[knot] = need[knot].max(above(v, ankle, knee));
         }
     }
@@ -247,9 +255,6 @@ fn wanted(laws: &WalkLaws, episode: &Episode, stance: &Stance, v: f64) -> Option
         let straighter = mix(steady(v), LAST_KNEE, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
         mix(straighter, KNEE_STANDING, (v - LAST_STANDS.0) / LAST_STANDS.1)
     };
-    if v == 0.0 && episode.index == 1 {
-        return Some((stance.ankle_on_heel(-contact_pitch(laws, episode)), FIRST_LANDING));
-    }
     let flat = match episode.kind {
         Kind::First => f64::NEG_INFINITY,
         Kind::Close => 0.0,

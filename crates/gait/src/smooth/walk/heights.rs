@@ -4,7 +4,10 @@
 //! no law of a steady stride has: there knots lie so near to each other that the body follows it, as cubic B-splines.
 
 use super::course::Course;
-use super::numbers::{CORRECTION_IN, KNOTS, KNOTS_FROM, WalkNumbers};
+use super::numbers::{
+    BOUND_ATTEMPTS, BOUND_MISSED, CORRECTION, CORRECTION_IN, KNOTS, KNOTS_FROM, KNOTS_STEPS, SMOOTHING, WalkNumbers,
+};
+use crate::smooth::band::Band;
 use solaris_profiles::step;
 
 /// The corrections of a walk: those of the contacts 0 … n, then those at the knots.
@@ -24,19 +27,24 @@ impl Heights {
     /// Of a walk whose first stride would last `stride_time` (s, see [`WalkNumbers::knots`]).
     pub(super) fn new(course: &Course, numbers: &WalkNumbers, stride_time: f64) -> Self {
         let (begin, steps) = (course.begin, course.steps);
-        let (mut knots, mut contacts, spacing) = (Vec::new(), (0, steps), numbers.knots / stride_time);
+        let (mut knots, mut contacts, mut spacing) = (Vec::new(), (0, steps), numbers.knots / stride_time);
         if spacing > 0.0 {
-            // A knot's spline reaches over two distances on either side.
-            let first = (begin / spacing).ceil() as isize + 2;
-            let last = (course.end / spacing).floor() as isize - 2;
-            let start_ends = (KNOTS.0 / spacing).round() as isize;
-            let end_begins = ((course.steps as f64 - 1.0) / 2.0 + KNOTS.1) / spacing;
-            let end_begins = (end_begins.round() as isize).max(start_ends + 1);
-            knots = (first..=last)
-                .filter(|&j| j <= start_ends || j >= end_begins)
-                .map(|j| j as f64 * spacing)
-                .collect();
-            contacts = (2, steps.saturating_sub(1));
+            // A knot's spline reaches over two distances on either side. Knots fall on the first contact, and on the last one.
+            let (start, end) = (0.5, 0.5 * steps as f64);
+            let end_begins = end - 0.5 * (1.0 + KNOTS_STEPS as f64) + KNOTS.1;
+            let meet = end_begins < KNOTS.0 + spacing;
+            if meet && steps > 1 {
+                spacing = (end - start) / ((end - start) / spacing).round();
+            }
+            let reach = 2.0 * spacing;
+            let first = ((begin + reach - start) / spacing).ceil() as isize;
+            let last = ((course.end - reach - end) / spacing).floor() as isize;
+            let until = if meet { end - 0.5 * spacing } else { KNOTS.0 };
+            let from = if meet { end } else { end_begins };
+            knots.extend((first..).map(|j| start + j as f64 * spacing).take_while(|&u| u <= until));
+            let back = ((end - from) / spacing).floor() as isize;
+            knots.extend((-back..=last).map(|j| end + j as f64 * spacing));
+            contacts = (2, steps.saturating_sub(1 + KNOTS_STEPS));
         }
         Self { begin, at: numbers.correction_at, contacts, count: steps + 1, knots, spacing }
     }
@@ -95,26 +103,78 @@ impl Heights {
         contacts.chain(self.count + first..self.count + end)
     }
 
-    /// Gives knots at which no leg says anything (NaN) what lies between those of their neighbours, nothing where there is none.
-    pub(super) fn bridge(&self, corrections: &mut [f64], told: &[bool]) {
-        let near = |a: usize, b: usize| (self.knots[b] - self.knots[a]) < 1.5 * self.spacing;
-        let known = |j: usize| told[self.count + j];
-        for j in 0..self.knots.len() {
-            if known(j) {
-                continue;
-            }
-            let before = (0..j).rev().take_while(|&i| near(i, i + 1)).find(|&i| known(i));
-            let after = (j + 1..self.knots.len()).take_while(|&i| near(i - 1, i)).find(|&i| known(i));
-            let of = |i: Option<usize>| i.map_or(0.0, |i| corrections[self.count + i]);
-            let at = |i: Option<usize>, end: f64| i.map_or(end, |i| self.knots[i]);
-            let (from, to) = (
-                at(before, self.knots[j] - 2.0 * self.spacing),
-                at(after, self.knots[j] + 2.0 * self.spacing),
-            );
-            let part = (self.knots[j] - from) / (to - from);
-            let between = of(before) + (of(after) - of(before)) * part;
-            corrections[self.count + j] = between;
+    /// Lowers and raises the body by what a pass has found: at the knots as smoothly as may be,
+    ///
+    /// ```text
+    /// Σ wᵢ (cᵢ − tᵢ)² + λ Σ (cᵢ₋₁ − 2 cᵢ + cᵢ₊₁)²  least,  cᵢ ≥ lᵢ      nothing before and after the knots
+    /// ```
+    ///
+    /// where a leg says `tᵢ` (w 1) or nothing (w 0), and must reach where it lands (l).
+    pub(super) fn correct(&self, corrections: &mut [f64], needs: &Needs) {
+        let (share, most, lower, upper) = CORRECTION;
+        let corrected = |correction: f64, need: f64, share: f64| {
+            (correction + (share * need).clamp(-most, most)).clamp(lower, upper)
+        };
+        for contact in (0..self.count).filter(|&contact| self.has(contact)) {
+            corrections[contact] = corrected(corrections[contact], needs.told[contact], share);
         }
+        let before = corrections[self.count..].to_vec();
+        let wanted = |needs: &[f64]| -> Vec<Option<f64>> {
+            let needs = needs[self.count..].iter().zip(&before);
+            needs.map(|(need, at)| need.is_finite().then(|| corrected(*at, *need, 1.0))).collect()
+        };
+        let (mut told, least) = (wanted(&needs.told), wanted(&needs.least));
+        for _ in 0..BOUND_ATTEMPTS {
+            let smooth = self.smooth(&told);
+            let mut held = true;
+            for (knot, (value, least)) in smooth.iter().zip(&least).enumerate() {
+                corrections[self.count + knot] = *value;
+                if let Some(least) = least.filter(|least| *value < least - BOUND_MISSED) {
+                    told[knot] = Some(least);
+                    held = false;
+                }
+            }
+            if held {
+                break;
+            }
+        }
+    }
+
+    /// The smoothest corrections through what is told, each stretch of knots by itself.
+    fn smooth(&self, told: &[Option<f64>]) -> Vec<f64> {
+        let mut all = Vec::with_capacity(told.len());
+        while all.len() < told.len() {
+            let from = all.len();
+            let gap = (from + 1..told.len()).find(|&k| self.knots[k] - self.knots[k - 1] > 1.5 * self.spacing);
+            let told = &told[from..gap.unwrap_or(told.len())];
+            // DᵀD of second differences that also see the zeros beyond both ends.
+            let rows = told.iter().enumerate().map(|(i, told)| {
+                let of = |back: usize, value: f64| if i >= back { SMOOTHING * value } else { 0.0 };
+                let weight = if told.is_some() { 1.0 } else { 0.0 };
+                [0.0, of(2, 1.0), of(1, -4.0), SMOOTHING * 6.0 + weight]
+            });
+            let factor = Band::factor(rows.collect());
+            let mut right: Vec<[f64; 1]> = told.iter().map(|told| [told.unwrap_or(0.0)]).collect();
+            factor.solve(&mut right);
+            all.extend(right.iter().map(|value| value[0]));
+        }
+        all
+    }
+}
+
+/// How far the body is above what the legs reach, by correction: below zero where height is to spare, minus infinity where no leg says
+/// anything.
+pub(super) struct Needs {
+    /// What is to become zero.
+    pub(super) told: Vec<f64>,
+    /// What must not be above zero.
+    pub(super) least: Vec<f64>,
+}
+
+impl Needs {
+    pub(super) fn new(corrections: usize) -> Self {
+        let none = vec![f64::NEG_INFINITY; corrections];
+        Self { told: none.clone(), least: none }
     }
 }
 

@@ -43,15 +43,24 @@ pub(super) const STANDING_FROM: f64 = -0.6;
 /// Duration of the first height correction's coming in (u).
 pub(super) const CORRECTION_IN: f64 = 0.4;
 /// Until which clock the knots at the beginning of a walk lie, and from which finish clock on those at its end.
-pub(super) const KNOTS: (f64, f64) = (0.9, 0.3);
+pub(super) const KNOTS: (f64, f64) = (1.0, 0.3);
+/// By how many steps earlier than that: a body that brakes is farther behind its feet than in a steady stride.
+pub(super) const KNOTS_STEPS: usize = 2;
+/// How much their smoothness counts, see [`super::heights::Heights::correct`].
+pub(super) const SMOOTHING: f64 = 0.4;
+/// How often they are made to keep above their bounds, and what they may miss (m).
+pub(super) const BOUND_ATTEMPTS: usize = 3;
+pub(super) const BOUND_MISSED: f64 = 1e-4;
 /// How much they lower the body at first (m).
 pub(super) const KNOTS_FROM: f64 = 0.02;
 /// How long after its heel has risen a leg still says how high the body should be (u).
-pub(super) const TOLD_AFTER: f64 = 0.05;
+pub(super) const TOLD_AFTER: f64 = 0.08;
 /// Flexion of a standing knee as its heel rises for the first time (rad).
 pub(super) const FIRST_KNEE: f64 = 8.0 * DEGREE;
 /// Flexion of a knee that lands where knots are (rad).
 pub(super) const FIRST_LANDING: f64 = 20.0 * DEGREE;
+/// The least flexion of a knee that lands at a later knot (rad).
+pub(super) const LEAST_LANDING: f64 = 12.0 * DEGREE;
 /// Flexion of the last leg that lands while the other foot closes (rad), from when on (u after its contact) and over how long it comes
 /// to it, and likewise from there to standing.
 pub(super) const LAST_KNEE: f64 = 6.0 * DEGREE;
@@ -188,7 +197,7 @@ impl Default for WalkNumbers {
             thorax_out: (0.39, 0.90),
             arms_out: (0.50, 1.14),
             start_time: Some(0.72),
-            knots: 0.11,
+            knots: 0.055,
             standing_heel_off: (0.01, 1.18),
             first_shift_ramp: 0.28,
             standing_cop_until: 0.45,

@@ -2,7 +2,8 @@
 
 use super::feet::{Foot, Hip};
 use super::laws::{Amplitudes, WalkLaws};
-use super::numbers::{CORRECTION, KEPT_PASSES, RELAXATION};
+use super::heights::Needs;
+use super::numbers::{KEPT_PASSES, RELAXATION};
 use super::solve::{Way, factor, rest_to_rest};
 use super::timeline::Timeline;
 use crate::body::Body;
@@ -132,7 +133,7 @@ impl Passes {
         let (com, vertical) = self.centre_of_mass();
         let pelvis: Vec<Vector3<f64>> =
             com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
-        let mut need = vec![f64::NEG_INFINITY; self.laws.heights.count()];
+        let mut needs = Needs::new(self.laws.heights.count());
         let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
             (0..count).map(|i| (pelvis[i] + self.hips[side][i]).into()).collect()
         });
@@ -140,7 +141,7 @@ impl Passes {
             let spacing = 1.0 / self.timeline.rate as f64;
             let spline = UniformSpline::resting(self.timeline.start(), spacing, &nodes[side])?;
             let hip = Hip { spline: &spline, nodes: &nodes[side], timeline: &self.timeline };
-            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut need)?)
+            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut needs)?)
         };
         let feet = [foot(0)?, foot(1)?];
         let pose = |side: usize, i: usize| {
@@ -161,14 +162,7 @@ impl Passes {
         }
         self.offset = momentum.com;
         if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
-            let (share, most, lower, upper) = CORRECTION;
-            let told: Vec<bool> = need.iter().map(|need| need.is_finite()).collect();
-            for (correction, need) in
-                self.corrections.iter_mut().zip(&need).filter(|(_, need)| need.is_finite())
-            {
-                *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);
-            }
-            self.laws.heights.bridge(&mut self.corrections, &told);
+            self.laws.heights.correct(&mut self.corrections, &needs);
         }
         Ok(Pass { feet, pelvis, rate, vertical })
     }
