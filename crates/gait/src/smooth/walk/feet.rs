@@ -6,8 +6,8 @@ use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS,
     KNEE_CONTACT, KNEE_FLAT, KNEE_STANDING, KNEE_START, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS,
-    LAST_STRAIGHTENS, LEAST_LANDING, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT,
-    THIGH_FOLLOWS, TOLD_AFTER,
+    LAST_STRAIGHTENS, LEAST_HEIGHT, LEAST_LANDING, LEAST_WEIGHT, LOADING, STANDING_FROM,
+    STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -196,7 +196,7 @@ fn note_need(
         let d = hip(v) - ankle;
         d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
     };
-    let Needs { told: need, least } = needs;
+    let Needs { told: need, least, weight } = needs;
     let lands = matches!(episode.kind, Kind::Step | Kind::Last);
     for (knot, clock) in laws.heights.knots() {
         let v = clock - episode.contact;
@@ -210,6 +210,9 @@ fn note_need(
             }
         } else if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
             need[knot] = need[knot].max(above(v, ankle, knee));
+            if lands && episode.index > 1 && v < LOADING.0 {
+                weight[knot] = LOADING.1;
+            }
         }
     }
     if !laws.heights.has(episode.index) {

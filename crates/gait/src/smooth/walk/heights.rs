@@ -5,7 +5,8 @@
 
 use super::course::Course;
 use super::numbers::{
-    BOUND_ATTEMPTS, BOUND_MISSED, CORRECTION, CORRECTION_IN, KNOTS, KNOTS_FROM, KNOTS_STEPS, SMOOTHING, WalkNumbers,
+    BOUND_ATTEMPTS, BOUND_MISSED, CORRECTION, CORRECTION_IN, KNOTS, KNOTS_FROM, KNOTS_STEPS, SMOOTHING,
+    WalkNumbers,
 };
 use crate::smooth::band::Band;
 use solaris_profiles::step;
@@ -109,7 +110,7 @@ impl Heights {
     /// Σ wᵢ (cᵢ − tᵢ)² + λ Σ (cᵢ₋₁ − 2 cᵢ + cᵢ₊₁)²  least,  cᵢ ≥ lᵢ      nothing before and after the knots
     /// ```
     ///
-    /// where a leg says `tᵢ` (w 1) or nothing (w 0), and must reach where it lands (l).
+    /// where a leg says `tᵢ` (w up to 1) or nothing (w 0), and must reach where it lands (l).
     pub(super) fn correct(&self, corrections: &mut [f64], needs: &Needs) {
         let (share, most, lower, upper) = CORRECTION;
         let corrected = |correction: f64, need: f64, share: f64| {
@@ -123,14 +124,20 @@ impl Heights {
             let needs = needs[self.count..].iter().zip(&before);
             needs.map(|(need, at)| need.is_finite().then(|| corrected(*at, *need, 1.0))).collect()
         };
-        let (mut told, least) = (wanted(&needs.told), wanted(&needs.least));
+        let least = wanted(&needs.least);
+        let weights = needs.weight[self.count..].iter();
+        let mut told: Vec<(f64, f64)> = wanted(&needs.told)
+            .into_iter()
+            .zip(weights)
+            .map(|(told, weight)| told.map_or((0.0, 0.0), |told| (told, *weight)))
+            .collect();
         for _ in 0..BOUND_ATTEMPTS {
             let smooth = self.smooth(&told);
             let mut held = true;
             for (knot, (value, least)) in smooth.iter().zip(&least).enumerate() {
                 corrections[self.count + knot] = *value;
                 if let Some(least) = least.filter(|least| *value < least - BOUND_MISSED) {
-                    told[knot] = Some(least);
+                    told[knot] = (least, 1.0);
                     held = false;
                 }
             }
@@ -141,20 +148,20 @@ impl Heights {
     }
 
     /// The smoothest corrections through what is told, each stretch of knots by itself.
-    fn smooth(&self, told: &[Option<f64>]) -> Vec<f64> {
+    fn smooth(&self, told: &[(f64, f64)]) -> Vec<f64> {
         let mut all = Vec::with_capacity(told.len());
         while all.len() < told.len() {
             let from = all.len();
-            let gap = (from + 1..told.len()).find(|&k| self.knots[k] - self.knots[k - 1] > 1.5 * self.spacing);
+            let gap =
+                (from + 1..told.len()).find(|&k| self.knots[k] - self.knots[k - 1] > 1.5 * self.spacing);
             let told = &told[from..gap.unwrap_or(told.len())];
             // DᵀD of second differences that also see the zeros beyond both ends.
-            let rows = told.iter().enumerate().map(|(i, told)| {
+            let rows = told.iter().enumerate().map(|(i, (_, weight))| {
                 let of = |back: usize, value: f64| if i >= back { SMOOTHING * value } else { 0.0 };
-                let weight = if told.is_some() { 1.0 } else { 0.0 };
                 [0.0, of(2, 1.0), of(1, -4.0), SMOOTHING * 6.0 + weight]
             });
             let factor = Band::factor(rows.collect());
-            let mut right: Vec<[f64; 1]> = told.iter().map(|told| [told.unwrap_or(0.0)]).collect();
+            let mut right: Vec<[f64; 1]> = told.iter().map(|(told, weight)| [told * weight]).collect();
             factor.solve(&mut right);
             all.extend(right.iter().map(|value| value[0]));
         }
@@ -169,12 +176,14 @@ pub(super) struct Needs {
     pub(super) told: Vec<f64>,
     /// What must not be above zero.
     pub(super) least: Vec<f64>,
+    /// How much what is told counts.
+    pub(super) weight: Vec<f64>,
 }
 
 impl Needs {
     pub(super) fn new(corrections: usize) -> Self {
         let none = vec![f64::NEG_INFINITY; corrections];
-        Self { told: none.clone(), least: none }
+        Self { told: none.clone(), least: none, weight: vec![1.0; corrections] }
     }
 }
 

@@ -43,11 +43,14 @@ pub(super) const STANDING_FROM: f64 = -0.6;
 /// Duration of the first height correction's coming in (u).
 pub(super) const CORRECTION_IN: f64 = 0.4;
 /// Until which clock the knots at the beginning of a walk lie, and from which finish clock on those at its end.
-pub(super) const KNOTS: (f64, f64) = (1.0, 0.3);
+pub(super) const KNOTS: (f64, f64) = (1.0, 0.1);
 /// By how many steps earlier than that: a body that brakes is farther behind its feet than in a steady stride.
 pub(super) const KNOTS_STEPS: usize = 2;
 /// How much their smoothness counts, see [`super::heights::Heights::correct`].
-pub(super) const SMOOTHING: f64 = 0.4;
+pub(super) const SMOOTHING: f64 = 0.7;
+/// Until when (u) a leg that has landed after the first step bends under the load as it comes, and how much it counts until then what
+/// a steady stride's would.
+pub(super) const LOADING: (f64, f64) = (0.20, 0.1);
 /// How often they are made to keep above their bounds, and what they may miss (m).
 pub(super) const BOUND_ATTEMPTS: usize = 3;
 pub(super) const BOUND_MISSED: f64 = 1e-4;

@@ -1,8 +1,8 @@
 //! The passes in which body and forces come to agree.
 
 use super::feet::{Foot, Hip};
-use super::laws::{Amplitudes, WalkLaws};
 use super::heights::Needs;
+use super::laws::{Amplitudes, WalkLaws};
 use super::numbers::{KEPT_PASSES, RELAXATION};
 use super::solve::{Way, factor, rest_to_rest};
 use super::timeline::Timeline;
