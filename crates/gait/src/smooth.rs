@@ -4,6 +4,7 @@ mod band;
 mod laws;
 mod legs;
 mod manner;
+mod options;
 mod parameter;
 mod plan_check;
 mod prescribed;

@@ -19,6 +19,10 @@ const LENGTHENING: f64 = 1.12;
 /// What a step above the frequency of the ends may lose to the one after, towards the end (steps/min).
 const LOSS: f64 = 10.0;
 
+/// As many steps of one pace as decide whether it holds: the shifts at the ends are the worst, and a fast walk has gained its speed
+/// after eight.
+const DECIDE: usize = 14;
+
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
 struct Part {
@@ -124,6 +128,16 @@ impl Route {
         let first = self.parts[0];
         let pace = Pace { step_length, ..first.pace };
         Self { parts: vec![Part { pace, steps: first.steps.min(most), ..first }] }
+    }
+
+    /// The same with no more steps than decide whether it holds: those of its beginning and its end, and some between.
+    pub(crate) fn shortened(&self) -> Self {
+        if self.is_even() { self.with_step_length(self.pace().step_length, DECIDE) } else { self.clone() }
+    }
+
+    /// Whether it has more steps than [`Self::shortened`].
+    pub(crate) fn is_long(&self) -> bool {
+        self.is_even() && self.parts[0].steps > DECIDE
     }
 
     /// Whether there is only one part, straight on.

@@ -4,6 +4,7 @@ use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError};
 use crate::request::WalkRequest;
+use crate::smooth::options;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::walk::WalkPlan;
@@ -14,7 +15,8 @@ use solaris_model::Figure;
 /// # Errors
 ///
 /// [`GaitError`] for a figure that the walker does not know, for values out of range (with the range), for a walk that
-/// needs more friction than soles have (with the longest step that holds), for one that the legs cannot do, and for a change on
+/// needs more friction than soles have (with the longest step that holds), for one that the legs cannot do, for options of the style with which it does not hold (with the
+/// nearest that do), and for a change on
 /// the way that is too sudden (with where and why).
 #[doc(alias = "gait")]
 #[doc(alias = "locomotion")]
@@ -34,12 +36,28 @@ pub(crate) fn walk_from(
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
     let route = Route::of(request, body.height, heading)?;
-    let plan = |route: &Route| {
-        let plan = route.plan(body, standing, &request.parameters, request.left_first, request.resolution)?;
-        PlanCheck { figure, route }.check(&plan)?;
+    let plan = |route: &Route, options: &[(&'static str, f64)]| {
+        let planned =
+            |route: &Route| route.plan(body, standing, options, request.left_first, request.resolution);
+        let plan = planned(route)?;
+        let check = PlanCheck { figure, route };
+        check.check(&plan)?;
+        if !route.is_even() {
+            check.check_motion(&plan)?;
+        } else if !options.is_empty() {
+            // A few of many steps decide.
+            let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
+            check.check_motion(short.as_ref().unwrap_or(&plan))?;
+        }
         Ok(plan)
     };
-    let plan = plan(&route).map_err(|error| advise(error, &route, |route| plan(route).is_ok()))?;
+    let options = &request.parameters[..];
+    let plan = plan(&route, options).map_err(|error| {
+        match options::advise(error, &route, body, options, |route, options| plan(route, options).is_ok()) {
+            error @ GaitError::Plan(PlanError::Options { .. }) => error,
+            error => advise(error, &route, |route| plan(route, options).is_ok()),
+        }
+    })?;
     Ok(if request.left_first { plan.mirrored() } else { plan })
 }
 

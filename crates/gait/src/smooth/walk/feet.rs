@@ -6,7 +6,7 @@ use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS,
     KNEE_CONTACT, KNEE_FLAT, KNEE_STANDING, KNEE_START, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS,
-    LAST_STRAIGHTENS, LEAST_HEIGHT, LEAST_LANDING, LEAST_WEIGHT, LOADING, STANDING_FROM,
+    LAST_STRAIGHTENS, LEAST_FLAT, LEAST_HEIGHT, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, STANDING_FROM,
     STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER,
 };
 use super::timeline::Timeline;
@@ -200,7 +200,7 @@ fn note_need(
     let lands = matches!(episode.kind, Kind::Step | Kind::Last);
     for (knot, clock) in laws.heights.knots() {
         let v = clock - episode.contact;
-        if lands && v.abs() <= 0.5 * laws.heights.spacing() {
+        if lands && v.abs() <= NEXT_TO * laws.heights.spacing() {
             // The first landing tells the knot next to it; later ones only that a leg must reach.
             let ankle = stance.ankle_on_heel(-contact_pitch(laws, episode));
             if episode.index == 1 {
@@ -210,6 +210,9 @@ fn note_need(
             }
         } else if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
             need[knot] = need[knot].max(above(v, ankle, knee));
+            if !stance.pushes() || v <= stance.heel_off() {
+                least[knot] = least[knot].max(above(v, ankle, LEAST_FLAT));
+            }
             if lands && episode.index > 1 && v < LOADING.0 {
                 weight[knot] = LOADING.1;
             }

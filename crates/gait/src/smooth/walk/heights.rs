@@ -5,8 +5,8 @@
 
 use super::course::Course;
 use super::numbers::{
-    BOUND_ATTEMPTS, BOUND_MISSED, CORRECTION, CORRECTION_IN, KNOTS, KNOTS_FROM, KNOTS_STEPS, SMOOTHING,
-    WalkNumbers,
+    BOUND_ATTEMPTS, BOUND_MISSED, BOUND_WEIGHT, CORRECTION, CORRECTION_IN, KNOTS, KNOTS_FROM, KNOTS_STEPS,
+    SMOOTHING, WalkNumbers,
 };
 use crate::smooth::band::Band;
 use solaris_profiles::step;
@@ -137,7 +137,7 @@ impl Heights {
             for (knot, (value, least)) in smooth.iter().zip(&least).enumerate() {
                 corrections[self.count + knot] = *value;
                 if let Some(least) = least.filter(|least| *value < least - BOUND_MISSED) {
-                    told[knot] = (least, 1.0);
+                    told[knot] = (least, BOUND_WEIGHT);
                     held = false;
                 }
             }

@@ -51,9 +51,10 @@ pub(super) const SMOOTHING: f64 = 0.7;
 /// Until when (u) a leg that has landed after the first step bends under the load as it comes, and how much it counts until then what
 /// a steady stride's would.
 pub(super) const LOADING: (f64, f64) = (0.20, 0.1);
-/// How often they are made to keep above their bounds, and what they may miss (m).
+/// How much a bound counts, how often they are made to keep above it, and what they may miss (m).
+pub(super) const BOUND_WEIGHT: f64 = 1.0;
 pub(super) const BOUND_ATTEMPTS: usize = 3;
-pub(super) const BOUND_MISSED: f64 = 1e-4;
+pub(super) const BOUND_MISSED: f64 = 1e-12;
 /// How much they lower the body at first (m).
 pub(super) const KNOTS_FROM: f64 = 0.02;
 /// How long after its heel has risen a leg still says how high the body should be (u).
@@ -61,7 +62,11 @@ pub(super) const TOLD_AFTER: f64 = 0.08;
 /// Flexion of a standing knee as its heel rises for the first time (rad).
 pub(super) const FIRST_KNEE: f64 = 8.0 * DEGREE;
 /// Flexion of a knee that lands where knots are (rad).
-pub(super) const FIRST_LANDING: f64 = 20.0 * DEGREE;
+pub(super) const FIRST_LANDING: f64 = 21.0 * DEGREE;
+/// A knot this near to a landing, in distances of knots, is told by it: a little more than a half, so that two may be.
+pub(super) const NEXT_TO: f64 = 0.5 + 1e-9;
+/// The least flexion of a knee on a flat foot at a knot (rad).
+pub(super) const LEAST_FLAT: f64 = 3.0 * DEGREE;
 /// The least flexion of a knee that lands at a later knot (rad).
 pub(super) const LEAST_LANDING: f64 = 12.0 * DEGREE;
 /// Flexion of the last leg that lands while the other foot closes (rad), from when on (u after its contact) and over how long it comes
@@ -206,7 +211,7 @@ impl Default for WalkNumbers {
             standing_cop_until: 0.45,
             first_heel_off: (0.22, 0.24),
             standing_toe_off: 13.0 * DEGREE,
-            first_peak_after: 0.11,
+            first_peak_after: 0.12,
             correction_at: 0.26,
             closing_thigh: 0.78,
             landing_range: LANDING_RANGE,
