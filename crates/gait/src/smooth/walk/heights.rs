@@ -131,13 +131,17 @@ impl Heights {
             .zip(weights)
             .map(|(told, weight)| told.map_or((0.0, 0.0), |told| (told, *weight)))
             .collect();
+        let wishes = told.clone();
         for _ in 0..BOUND_ATTEMPTS {
             let smooth = self.smooth(&told);
             let mut held = true;
             for (knot, (value, least)) in smooth.iter().zip(&least).enumerate() {
                 corrections[self.count + knot] = *value;
                 if let Some(least) = least.filter(|least| *value < least - BOUND_MISSED) {
-                    told[knot] = (least, BOUND_WEIGHT);
+                    // Beside what is told: where the bound is just met, it changes nothing.
+                    let (target, weight) = wishes[knot];
+                    let sum = weight + BOUND_WEIGHT;
+                    told[knot] = ((target * weight + least * BOUND_WEIGHT) / sum, sum);
                     held = false;
                 }
             }

@@ -52,7 +52,7 @@ pub(super) const SMOOTHING: f64 = 0.7;
 /// a steady stride's would.
 pub(super) const LOADING: (f64, f64) = (0.20, 0.1);
 /// How much a bound counts, how often they are made to keep above it, and what they may miss (m).
-pub(super) const BOUND_WEIGHT: f64 = 1.0;
+pub(super) const BOUND_WEIGHT: f64 = 2.0;
 pub(super) const BOUND_ATTEMPTS: usize = 3;
 pub(super) const BOUND_MISSED: f64 = 1e-12;
 /// How much they lower the body at first (m).
