@@ -263,7 +263,8 @@ fn wanted(laws: &WalkLaws, episode: &Episode, stance: &Stance, v: f64) -> Option
     };
     let flat = match episode.kind {
         Kind::First => f64::NEG_INFINITY,
-        Kind::Close => 0.0,
+        // A knot may fall on its landing.
+        Kind::Close => -1e-9,
         Kind::Step | Kind::Last => style.foot_flat,
     };
     let until = if stance.pushes() { stance.heel_off() + TOLD_AFTER } else { f64::INFINITY };

@@ -5,8 +5,8 @@
 
 use super::course::Course;
 use super::numbers::{
-    BOUND_ATTEMPTS, BOUND_MISSED, BOUND_WEIGHT, CORRECTION, CORRECTION_IN, KNOTS, KNOTS_FROM, KNOTS_STEPS,
-    SMOOTHING, WalkNumbers,
+    BOUND_ATTEMPTS, BOUND_MISSED, BOUND_WEIGHT, CORRECTION, CORRECTION_IN, KNOT_SHARE, KNOTS, KNOTS_FROM,
+    KNOTS_STEPS, SMOOTHING, WalkNumbers,
 };
 use crate::smooth::band::Band;
 use solaris_profiles::step;
@@ -122,7 +122,7 @@ impl Heights {
         let before = corrections[self.count..].to_vec();
         let wanted = |needs: &[f64]| -> Vec<Option<f64>> {
             let needs = needs[self.count..].iter().zip(&before);
-            needs.map(|(need, at)| need.is_finite().then(|| corrected(*at, *need, 1.0))).collect()
+            needs.map(|(need, at)| need.is_finite().then(|| corrected(*at, *need, KNOT_SHARE))).collect()
         };
         let least = wanted(&needs.least);
         let weights = needs.weight[self.count..].iter();

@@ -50,11 +50,13 @@ pub(super) const KNOTS_STEPS: usize = 2;
 pub(super) const SMOOTHING: f64 = 0.7;
 /// Until when (u) a leg that has landed after the first step bends under the load as it comes, and how much it counts until then what
 /// a steady stride's would.
-pub(super) const LOADING: (f64, f64) = (0.20, 0.1);
+pub(super) const LOADING: (f64, f64) = (0.19, 0.1);
 /// How much a bound counts, how often they are made to keep above it, and what they may miss (m).
 pub(super) const BOUND_WEIGHT: f64 = 2.0;
 pub(super) const BOUND_ATTEMPTS: usize = 3;
 pub(super) const BOUND_MISSED: f64 = 1e-12;
+/// Share of what a leg says there that one pass corrects: the swing of the closing foot answers to it.
+pub(super) const KNOT_SHARE: f64 = 0.7;
 /// How much they lower the body at first (m).
 pub(super) const KNOTS_FROM: f64 = 0.02;
 /// How long after its heel has risen a leg still says how high the body should be (u).
