@@ -49,7 +49,7 @@ impl WalkLaws {
         strides: &[StridePlan],
         standing: usize,
         steps: &[Step],
-        numbers: WalkNumbers,
+        numbers: &WalkNumbers,
     ) -> Result<Self, GaitError> {
         let gaits = Gaits::new(strides, standing, steps)?;
         let style = &gaits.of_contact(0).style;
@@ -57,10 +57,10 @@ impl WalkLaws {
         let begin = numbers.start_time.map_or(BEGIN, |time| style.double_support - time / first_stride);
         let course = Course::new(steps, begin);
         Ok(Self {
-            heights: Heights::new(&course, &numbers, first_stride),
+            heights: Heights::new(&course, numbers, first_stride),
             course,
             gaits,
-            numbers,
+            numbers: *numbers,
             amplitudes: Amplitudes::default(),
             plane: FootPlane::new(strides[standing].style.foot_yaw),
             leg_length: body.leg.length(),
@@ -232,10 +232,8 @@ impl WalkLaws {
         let (d, e) = (standing.double_support, last.double_support);
         let bump = |x: f64| step::bump(x).position;
         let ramp = self.numbers.first_shift_ramp;
-        let first = |x: f64| match ramp > 0.0 {
-            true => step::quintic(x / ramp).position * step::quintic((1.0 - x) / ramp).position,
-            false => bump(x),
-        };
+        let plateau = |x: f64| step::quintic(x / ramp).position * step::quintic((1.0 - x) / ramp).position;
+        let first = |x: f64| if ramp > 0.0 { plateau(x) } else { bump(x) };
         let towards_last = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         [
             -first((u - begin) / (d + FIRST_SHIFTS.0 - begin)),

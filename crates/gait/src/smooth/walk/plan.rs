@@ -99,7 +99,7 @@ impl WalkPlan {
         let steady = strides[steady].style;
         let repeat = Repeat::new(whole.len(), planned.len(), resolution.nodes, steady.step_length);
         let body = strides[standing].body.clone();
-        let laws = WalkLaws::new(&body, strides, standing, planned, numbers)?;
+        let laws = WalkLaws::new(&body, strides, standing, planned, &numbers)?;
         let timeline = Timeline::new(&laws, resolution.nodes);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
             Passes::new(body, laws, timeline).run(resolution.walk_passes)?;
