@@ -40,9 +40,9 @@ pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;
 pub use error::{BodyError, GaitError, MapError, MeasureError, PlanError, PostureError, RequestError};
 pub use measure::{
-    Band, BandCheck, BandReport, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, RUN_BANDS, RunBand, SteadyRun,
-    SteadyStride, TEXTBOOK_BANDS, WalkExtremes, WalkMeasures, band_reports, check_bands, free_moment,
-    isolated_peaks, measure, measure_run, measure_stride, run_bands,
+    Band, BandCheck, BandReport, BeyondRange, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, RUN_BANDS,
+    RunBand, SteadyRun, SteadyStride, TEXTBOOK_BANDS, WalkExtremes, WalkMeasures, band_reports, check_bands,
+    free_moment, isolated_peaks, measure, measure_run, measure_stride, run_bands,
 };
 pub use request::{
     CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, MOST_VARIABILITY, Population,

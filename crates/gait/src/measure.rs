@@ -6,6 +6,7 @@ mod bands;
 mod feet;
 mod isolated;
 pub(crate) mod peaks;
+mod range;
 mod series;
 mod steady;
 mod steady_run;
@@ -13,6 +14,7 @@ pub(crate) mod window;
 
 pub use bands::{Band, BandCheck, BandReport, RECIPE_BANDS, TEXTBOOK_BANDS, band_reports, check_bands};
 pub use isolated::{IsolatedPeak, isolated_peaks};
+pub use range::BeyondRange;
 pub use solaris_analysis::Peak;
 pub use steady::SteadyStride;
 pub use steady_run::{RUN_BANDS, RunBand, SteadyRun, measure_run, run_bands};
@@ -76,7 +78,8 @@ pub struct WalkMeasures {
 /// Greatest and least values over a whole walk.
 ///
 /// With the feature `serde` its keys are `vertical_percent_bw`, `braking_percent_bw`, `pushing_percent_bw`, `friction`,
-/// `foot_friction`, `slide_m`, `sink_m`, `toe_clearance_m`, `cop_outside_m` and `least_knee_deg`.
+/// `foot_friction`, `slide_m`, `sink_m`, `toe_clearance_m`, `cop_outside_m`, `least_knee_deg` and, where
+/// a joint leaves its range, `beyond_range`.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct WalkExtremes {
@@ -120,12 +123,23 @@ pub struct WalkExtremes {
     /// Least knee flexion (rad); negative is hyperextended.
     #[cfg_attr(feature = "serde", serde(rename = "least_knee_deg", serialize_with = "degrees"))]
     pub least_knee: Peak,
+    /// The joint that goes farthest beyond its own range, if one does.
+    #[doc(alias = "joint limits")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub beyond_range: Option<BeyondRange>,
 }
 
 /// An angle (rad) in degrees.
 #[cfg(feature = "serde")]
 fn degrees<S: serde::Serializer>(angle: &Peak, serializer: S) -> Result<S::Ok, S::Error> {
     serde::Serialize::serialize(&Peak { value: angle.value.to_degrees(), ..*angle }, serializer)
+}
+
+/// An angle (rad) in degrees.
+#[cfg(feature = "serde")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature is serde's")]
+fn angle_in_degrees<S: serde::Serializer>(angle: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(angle.to_degrees())
 }
 
 /// Measures a walk.
@@ -166,6 +180,7 @@ pub fn measure(figure: &Figure, motion: &Motion) -> Result<WalkMeasures, GaitErr
             let peak = series.greatest(knees);
             Peak { value: -peak.value, ..peak }
         },
+        beyond_range: range::beyond_range(figure, motion, &series),
     };
     let double_supports = double_supports(motion, &contacts);
     Ok(WalkMeasures {

@@ -6,6 +6,7 @@ mod laid;
 mod laws;
 mod legs;
 mod manner;
+mod options;
 mod parameter;
 mod plan_check;
 mod prescribed;

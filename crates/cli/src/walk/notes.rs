@@ -63,6 +63,14 @@ pub(super) fn notes(
             measures.extremes.cop_outside.time
         ));
     }
+    if let Some(beyond) = &measures.extremes.beyond_range {
+        notes.push(format!(
+            "{} goes {:.1}° beyond its range at {:.2} s",
+            beyond.joint,
+            beyond.by.to_degrees(),
+            beyond.time
+        ));
+    }
     if step_frequency > 115.0 {
         notes.push(
             "above 115 steps/min hip range, hip moments, push and ankle moment exceed people's".to_owned(),

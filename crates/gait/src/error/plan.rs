@@ -23,6 +23,10 @@ pub enum PlanError {
     )]
     NotWalkable { step_length: f64, step_frequency: f64, what: String },
     #[error(
+        "{options} with steps of {step_length:.3} m at {step_frequency} steps/min: {what}; the nearest that holds is {nearest}"
+    )]
+    Options { options: String, step_length: f64, step_frequency: f64, what: String, nearest: String },
+    #[error(
         "part {part} of the walk, step {step}, at {time:.2} s: {what}; change the pace or turn by less at once, or take more steps \
          for it"
     )]

@@ -22,6 +22,14 @@ impl Unit {
         }
     }
 
+    /// The last place in which a value is told to people.
+    pub(super) fn place(self) -> f64 {
+        match self {
+            Self::Degrees => 0.1,
+            Self::Metres => 1e-3,
+        }
+    }
+
     fn to_si(self, value: f64) -> f64 {
         match self {
             Self::Degrees => value.to_radians(),

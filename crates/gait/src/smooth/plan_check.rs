@@ -2,7 +2,7 @@
 
 use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
-use crate::measure::measure;
+use crate::measure::{Peak, measure};
 use crate::request::pace::tidy;
 use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
@@ -18,10 +18,11 @@ use solaris_model::{Contact, Figure, Motion};
 pub const FRICTION: (f64, f64) = (0.5, 0.6);
 /// The most by which a knee may be hyperextended before a walk is refused (rad).
 const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
-/// How far outside of a foot's rounded edges its pressure may lie (m).
-const OUTSIDE: f64 = 1e-3;
-/// The same on ground that is not level (m).
-const OUTSIDE_ON_GROUND: f64 = 5e-3;
+/// How far outside of a foot's rounded edges its pressure may lie (m): where a walk changes on the way, and where options of the style
+/// are given or the ground is not level.
+const OUTSIDE: (f64, f64) = (1e-3, 5e-3);
+/// How far the soles may sink (m).
+const SUNK: f64 = 1e-3;
 /// How far a joint may be beyond its range (rad), and above which step frequency (steps/min) how far.
 const BEYOND: (f64, f64) = (0.5 * std::f64::consts::PI / 180.0, 3.0 * std::f64::consts::PI / 180.0);
 const FAST: f64 = 118.0;
@@ -29,11 +30,12 @@ const FAST: f64 = 118.0;
 const RATE: f64 = 120.0;
 
 /// Judges plans of a route.
+#[derive(Clone, Copy)]
 pub(crate) struct PlanCheck<'a> {
     pub(crate) figure: &'a Figure,
     pub(crate) route: &'a Route,
     /// What to try where the ground is too steep.
-    pub(crate) nearest: String,
+    pub(crate) nearest: &'static str,
     /// Whether it is another walk than an adult's of even steps in no manner.
     pub(crate) deviates: bool,
     /// Its step frequencies over adults'.
@@ -41,13 +43,15 @@ pub(crate) struct PlanCheck<'a> {
 }
 
 impl PlanCheck<'_> {
-    /// Whether the plan holds. One whose parts differ is held against its own inverse dynamics too: what steps of one pace are
-    /// known to keep, a sudden change may not.
+    /// Whether what the plan prescribes holds.
     pub(crate) fn check(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         self.check_forces(plan)?;
-        self.check_legs(plan)?;
-        let plain = self.route.is_even() && self.route.is_level() && !self.deviates;
-        if plain { Ok(()) } else { self.check_motion(plan) }
+        self.check_legs(plan)
+    }
+
+    /// What friction asks for.
+    pub(crate) fn friction(whose: &str, friction: f64, limit: f64) -> String {
+        format!("{whose} friction would have to be {friction:.2}, and soles hold {limit}")
     }
 
     /// The prescribed forces press, and need no more friction than soles have.
@@ -93,7 +97,7 @@ impl PlanCheck<'_> {
                     longest: String::new(),
                 }
                 .into();
-                let what = format!("{whose} friction would have to be {friction:.2}, and soles hold {limit}");
+                let what = Self::friction(whose, friction, limit);
                 return Err(if self.route.is_even() && self.route.is_level() {
                     error
                 } else {
@@ -117,7 +121,7 @@ impl PlanCheck<'_> {
             format!("a knee would be hyperextended by {:.1}°", -knee.to_degrees()),
         )?;
         fails(
-            lowest.is_nan() || lowest < -1e-3,
+            lowest.is_nan() || lowest < -SUNK,
             sunk,
             format!("a foot would sink {:.1} mm into the ground", -lowest * 1e3),
         )?;
@@ -128,20 +132,33 @@ impl PlanCheck<'_> {
         )
     }
 
-    /// The forces that the motion itself needs press inside of the feet, and where it deviates no joint leaves its range.
-    fn check_motion(&self, plan: &WalkPlan) -> Result<(), GaitError> {
+    /// Holds the motion against its own inverse dynamics: what steps of one pace in people's style are known to keep, a sudden change or
+    /// an option may not. Where it deviates no joint leaves its range.
+    pub(crate) fn check_motion(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let mut motion = plan.motion(self.figure, RATE)?;
         ground_reactions(self.figure, &mut motion, FEET, plan)?;
         if self.deviates {
             self.check_ranges(plan, &motion)?;
         }
-        let outside = measure(self.figure, &motion)?.extremes.cop_outside;
-        let most = if self.route.is_level() { OUTSIDE } else { OUTSIDE_ON_GROUND };
-        if outside.value <= most {
-            return Ok(());
+        let found = measure(self.figure, &motion)?.extremes;
+        let fails = |bad: bool, peak: Peak, what: String| {
+            if bad { Err(self.refusal(plan, plan.clock_at(peak.time), what)) } else { Ok(()) }
+        };
+        let outside = found.cop_outside;
+        let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
+        let beside = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
+        fails(outside.value.is_nan() || outside.value > edge, outside, beside)?;
+        // Where the ground leans, friction is that of the forces that are prescribed, by its normals.
+        let frictions = [("the", found.friction, FRICTION.0), ("a foot's", found.foot_friction, FRICTION.1)];
+        for (whose, peak, limit) in frictions.into_iter().filter(|_| self.route.is_level()) {
+            let what = Self::friction(whose, peak.value, limit);
+            fails(peak.value.is_nan() || peak.value > limit, peak, what)?;
         }
-        let what = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);
-        Err(self.refusal(plan, plan.clock_at(outside.time), what))
+        let (knee, sink) = (found.least_knee, found.sink);
+        let bent = format!("a knee would be hyperextended by {:.1}°", -knee.value.to_degrees());
+        fails(knee.value.is_nan() || knee.value < -HYPEREXTENSION, knee, bent)?;
+        let sunk = format!("a foot would sink {:.1} mm into the ground", sink.value * 1e3);
+        fails(sink.value.is_nan() || sink.value > SUNK, sink, sunk)
     }
 
     /// No joint is farther beyond its range than those of the plain walk are.
@@ -163,7 +180,7 @@ impl PlanCheck<'_> {
     fn refusal(&self, plan: &WalkPlan, clock: f64, what: String) -> GaitError {
         if !self.route.is_level() {
             let step = ((2.0 * clock).floor().max(0.0) as usize + 1).min(plan.steps());
-            let nearest = self.nearest.clone();
+            let nearest = self.nearest.to_owned();
             return PlanError::TooSteep { step, time: plan.time(clock), what, nearest }.into();
         }
         if self.route.is_even() {

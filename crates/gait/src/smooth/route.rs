@@ -27,6 +27,9 @@ const LOSS: f64 = 10.0;
 
 /// The step frequency of short steps that turn, where none is given (steps/min).
 const TURNING_STEP_FREQUENCY: f64 = 90.0;
+/// As many steps of one pace as decide whether it holds: the shifts at the ends are the worst, and a fast walk has gained its speed
+/// after eight.
+const DECIDE: usize = 14;
 
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
@@ -194,6 +197,16 @@ impl Route {
         Self { parts, ground: self.ground.clone() }
     }
 
+    /// The same with no more steps than decide whether it holds: those of its beginning and its end, and some between.
+    pub(crate) fn shortened(&self) -> Self {
+        if self.is_even() { self.with_step_length(self.pace().step_length, DECIDE) } else { self.clone() }
+    }
+
+    /// Whether it has more steps than [`Self::shortened`].
+    pub(crate) fn is_long(&self) -> bool {
+        self.is_even() && self.parts[0].steps > DECIDE
+    }
+
     /// Whether there is only one part, straight on.
     pub(crate) fn is_even(&self) -> bool {
         matches!(self.parts[..], [Part { turn, .. }] if turn == 0.0)
@@ -205,12 +218,12 @@ impl Route {
     }
 
     /// What to try where the ground asks too much.
-    pub(crate) fn easier(&self) -> String {
+    pub(crate) fn easier(&self) -> &'static str {
         match &self.ground {
-            WalkGround::Level => String::new(),
-            WalkGround::Slope(_) => "take a gentler slope, or walk slower".to_owned(),
-            WalkGround::Stairs(_) => "take lower stairs or deeper treads, or walk slower".to_owned(),
-            WalkGround::Relief(_) => "smooth the ground there, or walk slower".to_owned(),
+            WalkGround::Level => "",
+            WalkGround::Slope(_) => "take a gentler slope, or walk slower",
+            WalkGround::Stairs(_) => "take lower stairs or deeper treads, or walk slower",
+            WalkGround::Relief(_) => "smooth the ground there, or walk slower",
         }
     }
 

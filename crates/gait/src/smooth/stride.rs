@@ -223,6 +223,11 @@ impl StridePlan {
         self.place(u).1.map(|pose| (pose.pitch, pose.toes))
     }
 
+    /// Knee flexion (rad), left and right, at the clock `u`.
+    pub fn knees(&self, u: f64) -> [f64; 2] {
+        self.place(u).1.map(|pose| pose.knee)
+    }
+
     /// How far a stride goes, upward and forward (m).
     fn advance(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.style.rise(), self.style.step_length) * 2.0

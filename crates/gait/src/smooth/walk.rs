@@ -5,6 +5,7 @@ mod course;
 mod feet;
 mod gaits;
 mod grounded;
+mod heights;
 mod laws;
 mod numbers;
 mod passes;

@@ -3,7 +3,8 @@
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError, RequestError};
-use crate::request::{STEP_FREQUENCY, Variability, WalkRequest};
+use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
+use crate::smooth::options;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::styling::Styling;
@@ -15,7 +16,8 @@ use solaris_model::Figure;
 /// # Errors
 ///
 /// [`GaitError`] for a figure that the walker does not know, for values out of range (with the range), for a walk that
-/// needs more friction than soles have (with the longest step that holds), for one that the legs cannot do, and for a change on
+/// needs more friction than soles have (with the longest step that holds), for one that the legs cannot do, for options of the style with which it does not hold (with the
+/// nearest that do), and for a change on
 /// the way that is too sudden (with where and why).
 #[doc(alias = "gait")]
 #[doc(alias = "locomotion")]
@@ -49,20 +51,38 @@ pub(crate) fn walk_from(
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
     request.variability.map_or(Ok(()), Variability::check)?;
-    let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
+    let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
         let styling = Styling::of(request, body, part)?;
-        let route = Route::of(request, body, &styling.law, heading)?;
-        let plan = |route: &Route| {
-            let plan = route.plan(body, standing, &styling, request.left_first, request.resolution)?;
-            let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
-            PlanCheck { figure, route, deviates, tempo, nearest }.check(&plan)?;
-            Ok(plan)
-        };
-        let found = plan(&route);
-        if request.deviates() || request.path.is_some() {
+        let planned =
+            |route: &Route| route.plan(body, standing, &styling, request.left_first, request.resolution);
+        let plan = planned(route)?;
+        let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
+        let check = PlanCheck { figure, route, deviates, tempo, nearest };
+        check.check(&plan)?;
+        if deviates || !route.is_even() || !route.is_level() {
+            check.check_motion(&plan)?;
+        } else if !request.parameters.is_empty() {
+            // A few of many steps decide.
+            let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
+            check.check_motion(short.as_ref().unwrap_or(&plan))?;
+        }
+        Ok(plan)
+    };
+    let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
+        let law = Styling::of(request, body, part)?.law;
+        let route = Route::of(request, body, &law, heading)?;
+        let found = planned_on(request, part, &route);
+        if request.deviates() || request.path.is_some() || request.ground != WalkGround::Level {
             return found;
         }
-        found.map_err(|error| advise(error, &route, |route| plan(route).is_ok()))
+        let holds = |route: &Route, options: &[(&'static str, f64)]| {
+            let request = WalkRequest { parameters: options.to_vec(), ..request.clone() };
+            planned_on(&request, part, route).is_ok()
+        };
+        found.map_err(|error| match options::advise(error, &route, body, &request.parameters, holds) {
+            error @ GaitError::Plan(PlanError::Options { .. }) => error,
+            error => advise(error, &route, |route| planned_on(request, part, route).is_ok()),
+        })
     };
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {

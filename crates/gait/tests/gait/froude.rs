@@ -62,7 +62,8 @@ fn smooth_walks_of_one_froude_number_are_similar() {
     let figure = figure();
     // More passes than usual: the first guess of the centre of mass is 5 cm above anybody's pelvis, and a pass lowers heights
     // by no more than 1 cm; both are forgotten as the passes go on.
-    let resolution = Resolution { nodes: 40, stride_passes: 40, walk_passes: 50 };
+    // A stride's 50 nodes resolve the knots of the height, a twentieth of a stride apart.
+    let resolution = Resolution { nodes: 50, stride_passes: 40, walk_passes: 50 };
     for step_frequency in [80.0, 110.0] {
         let asked = WalkRequest {
             step_frequency: Some(step_frequency),

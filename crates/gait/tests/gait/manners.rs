@@ -38,24 +38,19 @@ fn range(samples: &[(f64, Vec<f64>)], k: usize, from: f64, to: f64) -> (f64, f64
     inside.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
 }
 
-/// Except that at 130 steps/min a foot that leaves before the last, shorter steps points up to 2.8° farther down than the ankle's 30°.
 #[test]
 fn no_joint_leaves_its_range() {
-    let mut fastest = 0.0_f64;
     for (height, mass) in [(1.5, 50.0), (1.75, 73.0), (1.95, 92.0)] {
         let figure = human(height, mass).expect("a person");
         for step_frequency in [60.0, 70.0, 80.0, 95.0, 110.0, 120.0, 130.0] {
             for (t, q) in samples(&figure, &planned(&figure, step_frequency)) {
-                for beyond in figure.limit_excess(&q) {
-                    let name = &figure.layout().v_names()[beyond.dof];
-                    let excused = step_frequency > 125.0 && name == "left_ankle.rx";
-                    assert!(excused, "{height} m, {step_frequency}/min at {t} s: {name} by {}", beyond.by);
-                    fastest = fastest.max(beyond.by.to_degrees());
-                }
+                let names = figure.layout().v_names();
+                let beyond: Vec<_> =
+                    figure.limit_excess(&q).iter().map(|excess| (&names[excess.dof], excess.by)).collect();
+                assert!(beyond.is_empty(), "{height} m, {step_frequency}/min at {t} s: {beyond:?}");
             }
         }
     }
-    assert!(fastest < 2.8, "{fastest}°");
 }
 
 /// They are bent up in the push-off and come back to the foot without clawing; in mid-swing they are a little extended.

@@ -33,7 +33,9 @@ fn walk_or_are_told_why_not(cases: &[Case]) {
                 worst.merge(&case.name, &found);
             }
             Outcome::Refused(
-                error @ GaitError::Plan(PlanError::Friction { .. } | PlanError::NotWalkable { .. }),
+                error @ GaitError::Plan(
+                    PlanError::Friction { .. } | PlanError::NotWalkable { .. } | PlanError::Options { .. },
+                ),
             ) => {
                 println!("{}: refused: {error}", case.name);
             }

@@ -1,6 +1,6 @@
 //! The course of a walk: where and in which order its feet stand.
 
-use super::numbers::{BEGIN, OPENED, SETTLE};
+use super::numbers::{OPENED, SETTLE};
 use crate::body::foot::{mirror, turned};
 use nalgebra::Vector3;
 
@@ -121,8 +121,9 @@ pub(crate) struct Course {
 }
 
 impl Course {
-    /// Of steps of feet on lines `beside` the way (m), from feet that stand on ground of this pitch (rad).
-    pub(super) fn new(steps: &[Step], beside: f64, standing: f64) -> Self {
+    /// Of steps of feet on lines `beside` the way (m), from feet that stand on ground of this pitch (rad); the body begins to move at the
+    /// clock `begin`.
+    pub(super) fn new(steps: &[Step], beside: f64, standing: f64, begin: f64) -> Self {
         let mut print = Print { tilt: standing, ..Print::default() };
         let mut prints = vec![print];
         for step in steps {
@@ -138,7 +139,7 @@ impl Course {
         let n = steps.len();
         let feet =
             prints.iter().enumerate().map(|(k, way)| way.opened(k % 2, opened(steps, k), beside)).collect();
-        Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints, feet }
+        Self { steps: n, begin, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints, feet }
     }
 
     /// Whether it turns at contact `k` or two steps before or after it.
@@ -252,7 +253,7 @@ mod tests {
     fn an_even_turn_goes_round_a_circle_and_faces_along_it() {
         let turn = 0.3;
         let steps = [Step::along_an_arc(0, 0.6, turn); 20];
-        let course = Course::new(&steps, 0.05, 0.0);
+        let course = Course::new(&steps, 0.05, 0.0, -0.75);
         // Chords of 0.6 m that turn by 0.3: a circle of radius 0.3 m / sin 0.15 to the left.
         let radius = 0.3 / (0.5 * turn).sin();
         for print in &course.prints {

@@ -2,13 +2,15 @@
 
 use super::course::{Episode, Kind};
 use super::gaits::LandingLaw;
+use super::heights::Needs;
 use super::laws::WalkLaws;
 use super::numbers::{
-    CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, FLAT_UNTIL_CHANGE, INSTANTS,
-    KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST,
-    LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, PEAK_FOLLOWS, STANDING_FROM, STANDING_HEEL_LATER,
-    STANDING_HEEL_OFF, STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS, TURNED_CLOSING, TURNING_STEEPEST,
-    TURNING_UNTIL,
+    CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, FLAT_UNTIL_CHANGE,
+    INSTANTS, KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_STANDING, KNEE_START, KNEE_TURNING,
+    LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS, LAST_STRAIGHTENS, LEAST_FLAT,
+    LEAST_HEIGHT, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_FOLLOWS, STANDING_FROM,
+    STANDING_HEEL_LATER, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING,
+    TURNING_STEEPEST, TURNING_UNTIL,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -20,7 +22,7 @@ use crate::limbs::stance::{Footing, Landing, Stance};
 use crate::limbs::swing::sideways;
 use crate::smooth::legs::Aim;
 use nalgebra::Vector3;
-use solaris_profiles::{Boundary, ProfileError, UniformSpline};
+use solaris_profiles::{Boundary, ProfileError, UniformSpline, step};
 
 /// One foot over a walk. Each print is a left foot's, see [`super::course::Print::local`].
 pub(super) struct Foot {
@@ -38,13 +40,13 @@ pub(super) struct Hip<'a> {
 }
 
 impl Foot {
-    /// All prints of a foot for a given hip. `need` takes, by contact, how far the body is too high for the legs.
+    /// All prints of a foot for a given hip. `needs` take how far the body is too high for the legs.
     pub(super) fn new(
         laws: &WalkLaws,
         leg: &LegGeometry,
         side: usize,
         hip: &Hip<'_>,
-        need: &mut [f64],
+        needs: &mut Needs,
     ) -> Result<Self, ProfileError> {
         let (course, tempo) = (&laws.course, &laws.gaits.tempo);
         let count = course.episode_count(side);
@@ -60,14 +62,18 @@ impl Foot {
         for j in 0..count {
             let episode = course.episode(side, j);
             let (stance, contact) = stance(laws, leg, side, &episode, seen(episode))?;
-            note_need(laws, leg, &episode, &stance, seen(episode), need);
+            note_need(laws, leg, &episode, &stance, seen(episode), needs);
             contacts.push(contact);
             stances.push(stance);
         }
         let mut swings = Vec::with_capacity(count - 1);
         for j in 0..count - 1 {
             let (from, to) = (course.episode(side, j), course.episode(side, j + 1));
-            let style = laws.gaits.swing(&from, &to);
+            let mut style = laws.gaits.swing(&from, &to);
+            if from.kind == Kind::First {
+                let after = style.toe_off() + laws.numbers.first_peak_after;
+                style.knee_peak_at = style.knee_peak_at.max(after);
+            }
             let end = &contacts[j + 1];
             let start = stances[j].toe_off_jet(seen(from));
             let leans = |episode: &Episode, v: f64, jet: &LegJet| {
@@ -178,14 +184,14 @@ fn stance(
         (Kind::First, 0) => {
             push.rounding = 0.0;
             let uphill = (episode.print.tilt / STANDING_HEEL_LATER.0).clamp(0.0, 1.0);
-            push.heel_off = STANDING_HEEL_OFF + STANDING_HEEL_LATER.1 * uphill;
+            push.heel_off = laws.standing_heel_off() + STANDING_HEEL_LATER.1 * uphill;
             push.waypoint = Some((STANDING_WAYPOINT.0, style.knee_push.max(STANDING_WAYPOINT.1)));
-            push.knee_toe_off.position -= STANDING_TOE_OFF.0;
-            push.knee_toe_off.velocity -= STANDING_TOE_OFF.1;
+            push.knee_toe_off.position -= laws.numbers.standing_toe_off;
+            push.knee_toe_off.velocity -= STANDING_TOE_OFF_RATE;
         }
         (Kind::First, _) => {
             push.rounding = 0.0;
-            push.heel_off = style.toe_off() - FIRST_HEEL_OFF;
+            push.heel_off = style.toe_off() - laws.first_heel_off();
             push.waypoint = None;
             push.tip_roll_at = style.toe_off() - FIRST_TIP_ROLL;
             push.toe_roll = FIRST_TOE_ROLL;
@@ -242,14 +248,41 @@ fn note_need(
     episode: &Episode,
     stance: &Stance,
     hip: impl Fn(f64) -> Vector3<f64>,
-    need: &mut [f64],
+    needs: &mut Needs,
 ) {
     let shortest = (LEAST_HEIGHT * (leg.thigh + leg.shank)).powi(2);
-    let mut note = |v: f64, ankle: Vector3<f64>, knee: f64| {
+    let above = |v: f64, ankle: Vector3<f64>, knee: f64| {
         let d = hip(v) - ankle;
-        let level = (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt();
-        let weight = laws.correction(episode.contact + v, episode.index).max(LEAST_WEIGHT);
-        need[episode.index] = need[episode.index].max((d.y - level) / weight);
+        d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
+    };
+    let Needs { told: need, least, weight } = needs;
+    let lands = matches!(episode.kind, Kind::Step | Kind::Last);
+    for (knot, clock) in laws.heights.knots() {
+        let v = clock - episode.contact;
+        if lands && v.abs() <= NEXT_TO * laws.heights.spacing() {
+            // The first landing tells the knot next to it; later ones only that a leg must reach.
+            let ankle = stance.ankle_on_heel(-contact_pitch(laws, episode));
+            if episode.index == 1 {
+                need[knot] = need[knot].max(above(0.0, ankle, FIRST_LANDING));
+            } else {
+                least[knot] = least[knot].max(above(0.0, ankle, LEAST_LANDING));
+            }
+        } else if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
+            need[knot] = need[knot].max(above(v, ankle, knee));
+            if !stance.pushes() || v <= stance.heel_off() {
+                least[knot] = least[knot].max(above(v, ankle, LEAST_FLAT));
+            }
+            if lands && episode.index > 1 && v < LOADING.0 {
+                weight[knot] = LOADING.1;
+            }
+        }
+    }
+    if !laws.heights.has(episode.index) {
+        return;
+    }
+    let mut note = |v: f64, ankle: Vector3<f64>, knee: f64| {
+        let weight = laws.heights.weight(episode.contact + v, episode.index).max(LEAST_WEIGHT);
+        need[episode.index] = need[episode.index].max(above(v, ankle, knee) / weight);
     };
     let spread = |from: f64, to: f64, count: i32| {
         (0..count).map(move |i| from + (to - from) * f64::from(i) / f64::from(count - 1))
@@ -277,12 +310,11 @@ fn note_need(
                     .for_each(|v| note(v, ankle, knee));
             }
         }
-        Kind::First => spread(
-            STANDING_FROM,
-            if episode.side == 0 { stance.heel_off() } else { STANDING_HEEL_OFF },
-            INSTANTS[3],
-        )
-        .for_each(|u| note(u - episode.contact, ankle, KNEE_START)),
+        Kind::First => {
+            let until = if episode.side == 0 { stance.heel_off() } else { laws.standing_heel_off() };
+            spread(STANDING_FROM, until, INSTANTS[3])
+                .for_each(|u| note(u - episode.contact, ankle, KNEE_START));
+        }
         Kind::Close => {}
     }
     // Round a turn the hip is farther from the foot behind it than straight on: it is looked at until the push.
@@ -292,7 +324,39 @@ fn note_need(
     let flexion = laws.style(episode.index).flexion;
     if flexion > 0.0 && episode.kind == Kind::Step {
         let (midstance, above) = above_flexion(leg, stance, flexion, (flat, stance.heel_off()), hip);
-        let weight = laws.correction(episode.contact + midstance, episode.index).max(LEAST_WEIGHT);
+        let weight = laws.heights.weight(episode.contact + midstance, episode.index).max(LEAST_WEIGHT);
         need[episode.index] = need[episode.index].max(above / weight);
     }
+}
+
+/// Where a leg has its ankle on the ground, and how bent its knee should be there, at the clock `v` of the foot.
+fn wanted(laws: &WalkLaws, episode: &Episode, stance: &Stance, v: f64) -> Option<(Vector3<f64>, f64)> {
+    let style = laws.style(episode.index);
+    let steady = |v: f64| laws.gaits.of_contact(episode.index).stance_knee(v);
+    let settled = |v: f64| {
+        let straighter = mix(steady(v), LAST_KNEE, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
+        mix(straighter, KNEE_STANDING, (v - LAST_STANDS.0) / LAST_STANDS.1)
+    };
+    let flat = match episode.kind {
+        Kind::First => f64::NEG_INFINITY,
+        // A knot may fall on its landing.
+        Kind::Close => -1e-9,
+        Kind::Step | Kind::Last => style.foot_flat,
+    };
+    let until = if stance.pushes() { stance.heel_off() + TOLD_AFTER } else { f64::INFINITY };
+    if v < flat || v > until {
+        return None;
+    }
+    let knee = match episode.kind {
+        Kind::First => mix(KNEE_STANDING, FIRST_KNEE, (v - laws.course.begin) / (until - laws.course.begin)),
+        Kind::Step => steady(v.min(stance.heel_off())),
+        Kind::Last => settled(v),
+        Kind::Close => KNEE_STANDING,
+    };
+    Some((stance.flat_ankle(), knee))
+}
+
+/// From `a` to `b` as `t` goes from 0 to 1.
+fn mix(a: f64, b: f64, t: f64) -> f64 {
+    a + (b - a) * step::quintic(t).position
 }

@@ -27,11 +27,14 @@ pub(crate) struct Gait {
     /// Rate of the angular momentum and centre of mass against the pelvis, by node.
     momentum_rate: Vec<Vector3<f64>>,
     com_offset: Vec<Vector3<f64>>,
+    /// Flexion of the left knee, by node.
+    knee: Vec<f64>,
 }
 
 impl Gait {
     pub(super) fn of(stride: &StridePlan) -> Self {
-        let nodes = 0..stride.node_count();
+        let count = stride.node_count();
+        let nodes = 0..count;
         Self {
             style: stride.style,
             mean_height: stride.mean_height(),
@@ -40,6 +43,7 @@ impl Gait {
             standing: Standing::new(&stride.body, &stride.style, 0.0),
             momentum_rate: nodes.map(|node| stride.momentum_rate(node)).collect(),
             com_offset: stride.com_offset.clone(),
+            knee: (0..count).map(|node| stride.knees(node as f64 / count as f64)[0]).collect(),
         }
     }
 
@@ -56,7 +60,14 @@ impl Gait {
             standing: self.standing,
             momentum_rate: all(&self.momentum_rate, &other.momentum_rate),
             com_offset: all(&self.com_offset, &other.com_offset),
+            knee: self.knee.iter().zip(&other.knee).map(|(a, b)| mix(*a, *b)).collect(),
         }
+    }
+
+    /// Flexion of a knee in a steady stride, at the node next to a clock of its foot.
+    pub(super) fn stance_knee(&self, v: f64) -> f64 {
+        let count = self.knee.len();
+        self.knee[((v * count as f64).round() as isize).rem_euclid(count as isize) as usize]
     }
 
     /// Rate of the angular momentum and centre of mass against the pelvis in a steady stride, at the node next to a clock.

@@ -3,9 +3,10 @@
 use super::course::{Course, Episode, Kind, Print, Step};
 use super::gaits::Gaits;
 use super::grounded::Grounded;
+use super::heights::Heights;
 use super::numbers::{
-    CORRECTION_IN, COUNTS_AHEAD, EDGES, FIRST_COP, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL, LAST_SHIFT,
-    LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STANDING_COP_UNTIL, WalkNumbers,
+    BEGIN, COUNTS_AHEAD, EDGES, FIRST_COP, FIRST_FREED, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL,
+    LAST_SHIFT, LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, WalkNumbers,
 };
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
@@ -38,12 +39,15 @@ pub(crate) struct WalkLaws {
     /// Ground that is not level.
     pub(crate) relief: Option<Relief>,
     pub(super) gaits: Gaits,
+    pub(super) heights: Heights,
     pub(super) numbers: WalkNumbers,
     pub(super) amplitudes: Amplitudes,
     /// The plane of the left foot on its print.
     pub(super) plane: FootPlane,
     leg_length: f64,
     foot_length: f64,
+    /// Of the first stride, in seconds of somebody of the reference height: as long as a pendulum's.
+    first_stride: f64,
 }
 
 impl WalkLaws {
@@ -53,25 +57,29 @@ impl WalkLaws {
         strides: &[StridePlan],
         standing: usize,
         steps: &[Step],
-        numbers: WalkNumbers,
+        numbers: &WalkNumbers,
         ground: Option<&Grounded>,
     ) -> Result<Self, GaitError> {
+        let gaits = match ground {
+            Some(ground) => Gaits::on_ground(ground)?,
+            None => Gaits::new(strides, standing, steps)?,
+        };
+        let style = &gaits.of_contact(0).style;
+        let first_stride = style.stride_time / body.scale().sqrt();
+        let begin = numbers.start_time.map_or(BEGIN, |time| style.double_support - time / first_stride);
+        let beside = 0.5 * strides[standing].style.step_width;
+        let course = Course::new(steps, beside, ground.map_or(0.0, |ground| ground.standing), begin);
         Ok(Self {
-            course: Course::new(
-                steps,
-                0.5 * strides[standing].style.step_width,
-                ground.map_or(0.0, |ground| ground.standing),
-            ),
+            heights: Heights::new(&course, numbers, first_stride),
+            course,
             relief: ground.map(|ground| ground.relief.clone()),
-            gaits: match ground {
-                Some(ground) => Gaits::on_ground(ground)?,
-                None => Gaits::new(strides, standing, steps)?,
-            },
-            numbers,
+            gaits,
+            numbers: *numbers,
             amplitudes: Amplitudes::default(),
             plane: FootPlane::new(strides[standing].style.foot_yaw),
             leg_length: body.leg.length(),
             foot_length: body.leg.foot_length(),
+            first_stride,
         })
     }
 
@@ -82,7 +90,9 @@ impl WalkLaws {
 
     /// 0 while standing, 1 while walking.
     pub(super) fn walking(&self, u: f64) -> f64 {
-        fade(u, self.course.finish(u), self.numbers.height_in, self.numbers.height_out)
+        let (from, time) = self.numbers.height_in;
+        let rise = (from.max(self.course.begin), time);
+        fade(u, self.course.finish(u), rise, self.numbers.height_out)
     }
 
     /// The envelope of something that swings until a fade on the finish clock.
@@ -151,22 +161,16 @@ impl WalkLaws {
         self.gaits.number(u, |pace| pace.style.pivot)
     }
 
-    /// How much the correction of contact `k` lowers the body: a partition of unity.
-    pub(super) fn correction(&self, u: f64, k: usize) -> f64 {
-        let at = self.numbers.correction_at;
-        if k == 0 && u < at {
-            return step::quintic((u - self.course.begin) / CORRECTION_IN).position;
-        }
-        let x = 2.0 * (u - 0.5 * k as f64 - at);
-        if x < 0.0 { step::quintic(x + 1.0).position } else { 1.0 - step::quintic(x).position }
+    /// When the heel of the foot that stands rises while the other makes the first step.
+    pub(super) fn standing_heel_off(&self) -> f64 {
+        let (at, later) = self.numbers.standing_heel_off;
+        at + later * self.style(0).double_support
     }
 
-    /// The corrections that are not zero anywhere in `u ± reach`.
-    pub(super) fn corrections_near(&self, u: f64, reach: f64) -> std::ops::RangeInclusive<usize> {
-        let steps = self.course.steps;
-        let number = |u: f64| (2.0 * (u - self.numbers.correction_at)).floor().clamp(-1.0, steps as f64);
-        let (from, to) = (number(u - reach).max(0.0), number(u + reach) + 1.0);
-        from as usize..=(to as usize).min(steps)
+    /// How long before toe-off the heel of the foot that makes the first step rises.
+    pub(super) fn first_heel_off(&self) -> f64 {
+        let (clock, time) = self.numbers.first_heel_off;
+        clock.min(time / self.first_stride)
     }
 
     /// Where a foot lifts off a print, on its own clock.
@@ -258,9 +262,10 @@ impl WalkLaws {
         let mix = |s: f64, a: f64, b: f64| a + (b - a) * step::quintic(s).position;
         let (flat, toe_off) = (stance.style.foot_flat, stance.style.toe_off());
         let (from, to) = if side == 0 {
-            (course.begin, STANDING_COP_UNTIL)
+            (course.begin, self.numbers.standing_cop_until)
         } else {
-            (toe_off - FIRST_COP.0, toe_off - FIRST_COP.1)
+            let faster = self.first_heel_off() / self.numbers.first_heel_off.0;
+            (toe_off - FIRST_COP.0 * faster, toe_off - FIRST_COP.1 * faster)
         };
         let fraction = match episode.kind {
             Kind::Step => law(v),
@@ -305,14 +310,17 @@ impl WalkLaws {
     /// Shapes of the shifts: fore and aft at the start and the end, sideways at the start and the end (m).
     pub(super) fn shifts(&self, u: f64) -> [f64; 4] {
         let (n, begin, f) = (self.course.steps, self.course.begin, self.course.finish(u));
-        let (first, last) = (self.style(0), self.style(n));
-        let (d, e) = (first.double_support, last.double_support);
+        let (standing, last) = (self.style(0), self.style(n));
+        let (d, e) = (standing.double_support, last.double_support);
         let bump = |x: f64| step::bump(x).position;
+        let ramp = self.numbers.first_shift_ramp;
+        let plateau = |x: f64| step::quintic(x / ramp).position * step::quintic((1.0 - x) / ramp).position;
+        let first = |x: f64| if ramp > 0.0 { plateau(x) } else { bump(x) };
         let towards_last = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         [
-            -bump((u - begin) / (d + FIRST_SHIFTS.0 - begin)),
+            -first((u - begin) / (d + FIRST_SHIFTS.0 - begin)),
             bump((f - 0.5 - 0.5 * e) / (0.5 + LAST_SHIFT * SETTLE - 0.5 * e)),
-            -bump((u - begin) / (d - begin - FIRST_SHIFTS.1)) * first.step_width,
+            -bump((u - begin) / (d - begin - FIRST_SHIFTS.1)) * standing.step_width,
             -towards_last * bump((f - 1.0) / SETTLE) * last.step_width,
         ]
     }
@@ -354,6 +362,14 @@ impl WalkLaws {
         let shift = solved - centre(&feet);
         for foot in &mut feet {
             foot.cop += shift;
+        }
+        if starting && self.numbers.first_shift_ramp > 0.0 {
+            // Once its heel rises the foot that is about to lift is pressed where a step's is; the other one takes the shift.
+            let heel_off = self.style(0).double_support - self.first_heel_off();
+            let part = step::quintic((u - heel_off - FIRST_FREED.0) / FIRST_FREED.1).position;
+            feet[1].cop -= (start + shift) * part;
+            let share = feet[0].share.max(LEAST_SHARE);
+            feet[0].cop = (solved - feet[1].cop * feet[1].share) / share;
         }
         feet
     }

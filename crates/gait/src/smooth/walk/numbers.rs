@@ -7,7 +7,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Rest before and after the movement, in strides: longer than any difference formula reaches, and long enough for the
 /// splines to have come to rest (they ring by 0.43 a node).
 pub(super) const REST: f64 = 0.2;
-/// Begin of the movement.
+/// Begin of the movement, where it does not follow [`WalkNumbers::start_time`].
 pub(super) const BEGIN: f64 = -0.75;
 /// From the closing contact to rest.
 pub(super) const SETTLE: f64 = 0.71;
@@ -65,19 +65,51 @@ pub(super) const TURNING_STEEPEST: f64 = 60.0 * DEGREE;
 pub(super) const STANDING_FROM: f64 = -0.6;
 /// Duration of the first height correction's coming in (u).
 pub(super) const CORRECTION_IN: f64 = 0.4;
+/// Until which clock the knots at the beginning of a walk lie, and from which finish clock on those at its end.
+pub(super) const KNOTS: (f64, f64) = (1.0, 0.1);
+/// By how many steps earlier than that: a body that brakes is farther behind its feet than in a steady stride.
+pub(super) const KNOTS_STEPS: usize = 2;
+/// How much their smoothness counts, see [`super::heights::Heights::correct`].
+pub(super) const SMOOTHING: f64 = 0.7;
+/// Until when (u) a leg that has landed after the first step bends under the load as it comes, and how much it counts until then what
+/// a steady stride's would.
+pub(super) const LOADING: (f64, f64) = (0.19, 0.1);
+/// How much a bound counts, how often they are made to keep above it, and what they may miss (m).
+pub(super) const BOUND_WEIGHT: f64 = 2.0;
+pub(super) const BOUND_ATTEMPTS: usize = 3;
+pub(super) const BOUND_MISSED: f64 = 1e-12;
+/// Share of what a leg says there that one pass corrects: the swing of the closing foot answers to it.
+pub(super) const KNOT_SHARE: f64 = 0.7;
+/// How much they lower the body at first (m).
+pub(super) const KNOTS_FROM: f64 = 0.02;
+/// How long after its heel has risen a leg still says how high the body should be (u).
+pub(super) const TOLD_AFTER: f64 = 0.08;
+/// Flexion of a standing knee as its heel rises for the first time (rad).
+pub(super) const FIRST_KNEE: f64 = 8.0 * DEGREE;
+/// Flexion of a knee that lands where knots are (rad).
+pub(super) const FIRST_LANDING: f64 = 21.0 * DEGREE;
+/// A knot this near to a landing, in distances of knots, is told by it: a little more than a half, so that two may be.
+pub(super) const NEXT_TO: f64 = 0.5 + 1e-9;
+/// The least flexion of a knee on a flat foot at a knot (rad).
+pub(super) const LEAST_FLAT: f64 = 3.0 * DEGREE;
+/// The least flexion of a knee that lands at a later knot (rad).
+pub(super) const LEAST_LANDING: f64 = 12.0 * DEGREE;
+/// Flexion of the last leg that lands while the other foot closes (rad), from when on (u after its contact) and over how long it comes
+/// to it, and likewise from there to standing.
+pub(super) const LAST_KNEE: f64 = 6.0 * DEGREE;
+pub(super) const LAST_STANDS: (f64, f64) = (0.45, 0.35);
+pub(super) const LAST_STRAIGHTENS: (f64, f64) = (0.04, 0.28);
 /// How much of what the thigh at contact is ahead of its steady place its swing is, too.
 pub(super) const THIGH_FOLLOWS: f64 = 0.8;
 
-/// The foot that stands while the other makes the first step: when its heel rises (u).
-pub(super) const STANDING_HEEL_OFF: f64 = 0.06;
-/// How much later that is uphill (u), from which slope on (rad).
+/// How much later than on the level the heel of the foot that stands while the other makes the first step rises uphill (u), from which slope on
+/// (rad).
 pub(super) const STANDING_HEEL_LATER: (f64, f64) = (10.0 * DEGREE, 0.20);
-/// Its knee's waypoint: when (u), and how bent at least (rad).
+/// The foot that stands while the other makes the first step: its knee's waypoint: when (u), and how bent at least (rad).
 pub(super) const STANDING_WAYPOINT: (f64, f64) = (0.40, 12.0 * DEGREE);
-/// How much less its knee is bent at toe-off (rad), and how much slower it bends (rad by u).
-pub(super) const STANDING_TOE_OFF: (f64, f64) = (4.0 * DEGREE, 60.0 * DEGREE);
-/// The foot that makes the first step: how long before toe-off its heel rises, and its toes begin to roll (u).
-pub(super) const FIRST_HEEL_OFF: f64 = 0.22;
+/// How much slower it bends at toe-off than a step's (rad by u).
+pub(super) const STANDING_TOE_OFF_RATE: f64 = 60.0 * DEGREE;
+/// The foot that makes the first step: how long before toe-off its toes begin to roll (u).
 pub(super) const FIRST_TIP_ROLL: f64 = 0.06;
 /// Pitch of its toes at toe-off (rad).
 pub(super) const FIRST_TOE_ROLL: f64 = 12.0 * DEGREE;
@@ -99,8 +131,6 @@ pub(super) const MOST_AHEAD: f64 = 25.0 * DEGREE;
 pub(super) const LOAD_SHIFT_FROM: f64 = 0.45;
 /// Part of the settling after which both feet bear half.
 pub(super) const LOAD_SETTLES: f64 = 0.75;
-/// Until when the pressure under the standing foot has come from its place at rest to where a step has it (u).
-pub(super) const STANDING_COP_UNTIL: f64 = 0.30;
 /// From when to when it does under the foot that makes the first step (u before its toe-off).
 pub(super) const FIRST_COP: (f64, f64) = (0.26, 0.06);
 /// Under the last foot: how long it rolls after it is flat (u), how far (over the foot's length), and from when on it goes
@@ -111,6 +141,11 @@ pub(super) const LAST_COP_FROM: f64 = 0.45;
 pub(super) const COUNTS_AHEAD: f64 = 0.15;
 /// How long after the first toe-off the shift of load fore and aft ends, and how long before it the one sideways (u).
 pub(super) const FIRST_SHIFTS: (f64, f64) = (0.05, 0.02);
+/// When, after its heel has risen, the foot that makes the first step begins to be pressed where a step's is, and for how long it does so
+/// (u).
+pub(super) const FIRST_FREED: (f64, f64) = (-0.06, 0.12);
+/// Least share by which is divided.
+pub(super) const LEAST_SHARE: f64 = 0.05;
 /// Part of the settling in which the last shift fore and aft ends.
 pub(super) const LAST_SHIFT: f64 = 0.55;
 
@@ -135,6 +170,23 @@ pub struct WalkNumbers {
     pub thorax_out: (f64, f64),
     /// End of the arms' swings.
     pub arms_out: (f64, f64),
+    /// From the first movement to the first lift (s, of somebody of the reference height; it goes with the root of height); none where the movement begins at [`BEGIN`].
+    pub start_time: Option<f64>,
+    /// Distance of the knots at which height is corrected where a walk begins and ends (s, likewise); 0 for one correction a contact there, too.
+    pub knots: f64,
+    /// The foot that stands while the other makes the first step: when its heel rises (u), and how much later for each first double
+    /// support: short steps take the hip less far ahead of the ankle.
+    pub standing_heel_off: (f64, f64),
+    /// Part of its duration in which the first shift of load comes in, and goes; 0 for a bump.
+    pub first_shift_ramp: f64,
+    /// Until when the pressure under it has come from its place at rest to where a step has it (u).
+    pub standing_cop_until: f64,
+    /// The foot that makes the first step: how long before toe-off its heel rises (u), and how long at most (s, likewise).
+    pub first_heel_off: (f64, f64),
+    /// How much less its knee is bent at toe-off than a step's (rad).
+    pub standing_toe_off: f64,
+    /// How long after toe-off the knee of a foot that has stood since the beginning is bent the most, at least (u).
+    pub first_peak_after: f64,
     /// Middle of a height correction after its contact.
     pub correction_at: f64,
     /// Thigh of the closing foot's swing over that of a step.
@@ -164,6 +216,14 @@ impl WalkNumbers {
             pelvis_out: swing_out,
             thorax_out: swing_out,
             arms_out: swing_out,
+            start_time: None,
+            knots: 0.0,
+            standing_heel_off: (0.06, 0.0),
+            first_shift_ramp: 0.0,
+            standing_cop_until: 0.30,
+            first_heel_off: (0.22, f64::INFINITY),
+            standing_toe_off: 4.0 * DEGREE,
+            first_peak_after: 0.0,
             correction_at: 0.22,
             closing_thigh: 0.85,
             pitch_first: 0.40,
@@ -179,7 +239,18 @@ impl WalkNumbers {
     /// What ships on ground that is not level, where landing legs more often than standing ones decide how low the body must be: its
     /// corrections come earlier.
     pub fn on_ground() -> Self {
-        Self { correction_at: 0.18, ..Self::default() }
+        Self {
+            pelvis_out: (-0.14, 0.84),
+            thorax_out: (0.39, 0.90),
+            arms_out: (0.50, 1.14),
+            correction_at: 0.18,
+            closing_thigh: 0.78,
+            landing_range: LANDING_RANGE,
+            knee_closing: 1.5 * DEGREE,
+            late_clearance: 0.025,
+            arms_in: (-0.05, 0.75),
+            ..Self::recipe()
+        }
     }
 }
 
@@ -191,11 +262,20 @@ impl Default for WalkNumbers {
             pelvis_out: (-0.14, 0.84),
             thorax_out: (0.39, 0.90),
             arms_out: (0.50, 1.14),
+            start_time: Some(0.72),
+            knots: 0.055,
+            standing_heel_off: (0.01, 1.18),
+            first_shift_ramp: 0.28,
+            standing_cop_until: 0.45,
+            first_heel_off: (0.22, 0.24),
+            standing_toe_off: 13.0 * DEGREE,
+            first_peak_after: 0.12,
             correction_at: 0.26,
             closing_thigh: 0.78,
             landing_range: LANDING_RANGE,
             knee_closing: 1.5 * DEGREE,
             late_clearance: 0.025,
+            swing_in: (0.05, 0.70),
             arms_in: (-0.05, 0.75),
             ..Self::recipe()
         }

@@ -1,6 +1,7 @@
 //! The passes in which body and forces come to agree.
 
 use super::feet::{Foot, Hip};
+use super::heights::Needs;
 use super::laws::{Amplitudes, WalkLaws};
 use super::numbers::{
     CORRECTION, GROUND_CORRECTIONS, GROUND_PASSES, GROUND_RELAXATION, KEPT_PASSES, LAST_RAISED, RELAXATION,
@@ -69,11 +70,13 @@ impl Passes {
         let reach = 3.0 / timeline.rate as f64;
         let weights = (0..count)
             .map(|i| {
-                laws.corrections_near(clocks[i], reach)
+                laws.heights
+                    .near(clocks[i], reach)
                     .map(|contact| CorrectionWeight {
                         contact,
-                        weight: laws.correction(clocks[i], contact),
-                        acceleration: timeline.second(|k| laws.correction(timeline.neighbour(i, k), contact)),
+                        weight: laws.heights.weight(clocks[i], contact),
+                        acceleration: timeline
+                            .second(|k| laws.heights.weight(timeline.neighbour(i, k), contact)),
                     })
                     .collect()
             })
@@ -114,7 +117,7 @@ impl Passes {
             solved_tilting: vec![Vector3::zeros(); count],
             momentum_rate,
             offset,
-            corrections: vec![0.0; laws.course.steps + 1],
+            corrections: laws.heights.first_guess(),
             upper,
             body,
             laws,
@@ -149,7 +152,7 @@ impl Passes {
         let (com, vertical) = self.centre_of_mass();
         let pelvis: Vec<Vector3<f64>> =
             com.iter().zip(&self.offset).map(|(com, offset)| com - offset).collect();
-        let mut need = vec![-9.0_f64; self.laws.course.steps + 1];
+        let mut needs = Needs::new(self.laws.heights.count());
         let nodes = [0, 1].map(|side| -> Vec<[f64; 3]> {
             (0..count).map(|i| (pelvis[i] + self.hips[side][i]).into()).collect()
         });
@@ -157,7 +160,7 @@ impl Passes {
             let spacing = 1.0 / self.timeline.rate as f64;
             let spline = UniformSpline::resting(self.timeline.start(), spacing, &nodes[side])?;
             let hip = Hip { spline: &spline, nodes: &nodes[side], timeline: &self.timeline };
-            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut need)?)
+            Ok(Foot::new(&self.laws, &leg, side, &hip, &mut needs)?)
         };
         let feet = [foot(0)?, foot(1)?];
         let pose = |side: usize, i: usize| {
@@ -195,19 +198,15 @@ impl Passes {
             }
         }
         if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
-            let (share, most, lower, upper) = CORRECTION;
-            let (lower, upper) = if uneven { GROUND_CORRECTIONS } else { (lower, upper) };
-            for (k, (correction, need)) in self.corrections.iter_mut().zip(&need).enumerate() {
+            let (laws, ends) = (&self.laws, (CORRECTION.2, CORRECTION.3));
+            let range = |k: usize| match (uneven, laws.on_stairs(k)) {
+                (false, _) => ends,
                 // On stairs the body is never raised: a leg that is bent there may stay bent.
-                let lower = if self.laws.on_stairs(k) {
-                    0.0
-                } else if uneven && k + 1 >= self.laws.course.steps {
-                    LAST_RAISED
-                } else {
-                    lower
-                };
-                *correction = (*correction + (share * need).clamp(-most, most)).clamp(lower, upper);
-            }
+                (true, true) => (0.0, GROUND_CORRECTIONS.1),
+                (true, false) if k + 1 >= laws.course.steps => (LAST_RAISED, GROUND_CORRECTIONS.1),
+                (true, false) => GROUND_CORRECTIONS,
+            };
+            laws.heights.correct(&mut self.corrections, &needs, range);
         }
         Ok(Pass { feet, pelvis, rate, vertical })
     }

@@ -106,7 +106,7 @@ impl WalkPlan {
         let steady = strides[steady].style;
         let repeat = Repeat::new(whole.len(), planned.len(), resolution.nodes, steady.step_length);
         let body = strides[standing].body.clone();
-        let laws = WalkLaws::new(&body, strides, standing, planned, numbers, ground)?;
+        let laws = WalkLaws::new(&body, strides, standing, planned, &numbers, ground)?;
         let timeline = Timeline::new(&laws, resolution.nodes);
         let Solved { body, laws, timeline, feet, pelvis, nodes, corrections } =
             Passes::new(body, laws, timeline).run(resolution.walk_passes)?;
@@ -134,12 +134,13 @@ impl WalkPlan {
             } else {
                 laws.gaits.tempo_of(standing, whole)
             },
-            laws,
             whole: Course::new(
                 whole,
                 0.5 * strides[standing].style.step_width,
                 ground.map_or(0.0, |ground| ground.standing),
+                laws.course.begin,
             ),
+            laws,
             loops: steps.loop_at(repeat.middle()).filter(|_| ground.is_none()),
             steady,
             prints,
