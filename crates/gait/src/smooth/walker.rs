@@ -50,7 +50,7 @@ pub(crate) fn walk_from(
     let heading = before.map_or(0.0, |before| before.destination().1);
     request.variability.map_or(Ok(()), Variability::check)?;
     let planned = |part: f64| -> Result<WalkPlan, GaitError> {
-        let styling = Styling::of(request, body, part)?;
+        let styling = Styling::of(request, body, part);
         let route = Route::of(request, &styling.law, heading)?;
         let plan = |route: &Route| {
             let plan = route.plan(body, standing, &styling, request.left_first, request.resolution)?;
