@@ -26,7 +26,7 @@ pub(super) fn dressed(request: WalkRequest, args: &EveryoneArgs) -> Result<WalkR
     };
     let side = |option: &str, asked: &Option<String>| match asked {
         None => Ok(StyleSheet::default()),
-        Some(path) if path.ends_with(".ron") => of_file(Path::new(path)),
+        Some(path) if input::extension(Path::new(path)) == "ron" => of_file(Path::new(path)),
         Some(blend) => {
             let known = side_sheet_of(&blend.replace('-', "_"));
             known.map_err(|why| CliError::option(option, blend, why.to_string()))

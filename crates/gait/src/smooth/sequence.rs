@@ -17,6 +17,7 @@ pub const LONGEST_STAND: f64 = 3600.0;
 /// One after the other in a [`WalkSequence`].
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "Stage")]
+#[expect(clippy::large_enum_variant, reason = "of segments there are few, and nearly all are walks")]
 pub enum WalkSegment {
     /// A walk from standing to standing.
     Walk(WalkRequest),

@@ -74,17 +74,17 @@ pub(crate) struct Styling<'a> {
 
 impl<'a> Styling<'a> {
     /// Of a request, with a part of its manner and of its variability.
-    pub(crate) fn of(request: &'a WalkRequest, body: &Body, part: f64) -> Result<Self, RequestError> {
+    pub(crate) fn of(request: &'a WalkRequest, body: &Body, part: f64) -> Self {
         let WalkRequest { sheet, sides, variability, .. } =
             if part < 1.0 { request.in_part(part) } else { request.clone() };
-        Ok(Self {
+        Self {
             law: StepLaw::new(request.population, &sheet, body.height, body.mass),
             population: request.population,
             sheet,
             sides,
             parameters: &request.parameters,
             variability: variability.filter(|v| v.scale > 0.0),
-        })
+        }
     }
 
     /// Whether it is more than the style of adults at a pace: another population, a manner, or steps that differ.

@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::body::missing;
-use crate::error::{GaitError, PlanError, RequestError};
+use crate::error::{GaitError, PlanError};
 use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
 use crate::smooth::options;
 use crate::smooth::plan_check::PlanCheck;
@@ -52,7 +52,7 @@ pub(crate) fn walk_from(
     let heading = before.map_or(0.0, |before| before.destination().1);
     request.variability.map_or(Ok(()), Variability::check)?;
     let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
-        let styling = Styling::of(request, body, part)?;
+        let styling = Styling::of(request, body, part);
         let planned =
             |route: &Route| route.plan(body, standing, &styling, request.left_first, request.resolution);
         let plan = planned(route)?;
@@ -69,7 +69,7 @@ pub(crate) fn walk_from(
         Ok(plan)
     };
     let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
-        let law = Styling::of(request, body, part)?.law;
+        let law = Styling::of(request, body, part).law;
         let route = Route::of(request, body, &law, heading)?;
         let found = planned_on(request, part, &route);
         if request.deviates() || request.path.is_some() || request.ground != WalkGround::Level {
@@ -88,10 +88,8 @@ pub(crate) fn walk_from(
         if request.path.is_none() {
             return nearest_part(error, request, |part| planned(request, part));
         }
-        let styling = Styling::of(request, body, 1.0);
-        match styling.and_then(|styling| {
-            Route::of(request, body, &styling.law, heading).map_err(|_| RequestError::NoWalk)
-        }) {
+        let law = Styling::of(request, body, 1.0).law;
+        match Route::of(request, body, &law, heading) {
             Ok(route) => advise_on_path(error, &route, |step_frequency| {
                 let speed = None;
                 let slower = WalkRequest {

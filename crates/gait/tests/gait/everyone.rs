@@ -95,7 +95,8 @@ fn random_people_in_random_manners_obey_the_laws() {
             }
         };
         parts.push(part);
-        let mut motion = plan.motion(&figure, 120.0).expect("sampled");
+        let rate = [120.0, 60.0, 240.0][number % 3];
+        let mut motion = plan.motion(&figure, rate).expect("sampled");
         let report = ground_reactions(&figure, &mut motion, FEET, &plan)
             .unwrap_or_else(|error| panic!("{error}; {of}"));
         let prescribed = report.from_prescribed.expect("prescribed").value / plan.weight();
