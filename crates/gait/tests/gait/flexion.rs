@@ -43,8 +43,8 @@ fn less_than_the_walk_has_anyway_changes_little() {
 fn a_flexed_walk_obeys_the_laws() {
     let figure = human(1.75, 73.0).expect("a person");
     for step_frequency in [80.0, 110.0] {
-        // Three determinants: no pelvic rotation, a tilt and a flexion of one's own.
-        let plan = planned(&figure, step_frequency, &[("flexion", 12.0), ("rotation", 0.0), ("tilt", 5.0)]);
+        // Three determinants: no pelvic rotation, a tilt and a flexion of one's own. At 80 steps/min 11.2° are the most.
+        let plan = planned(&figure, step_frequency, &[("flexion", 11.0), ("rotation", 0.0), ("tilt", 5.0)]);
         let mut motion = plan.motion(&figure, 120.0).expect("sampled");
         let report = ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
         assert!(report.from_prescribed.expect("prescribed").value < 0.05 * plan.weight());
@@ -53,7 +53,7 @@ fn a_flexed_walk_obeys_the_laws() {
         // The last landing, on a leg that is still bent.
         let outside = walked.extremes.cop_outside;
         assert!(
-            outside.value < 6e-3,
+            outside.value <= 5e-3,
             "{step_frequency}/min: {outside:?}, clock {}",
             plan.clock_at(outside.time)
         );
