@@ -4,6 +4,7 @@
 mod changes;
 mod changes_random;
 mod comparison;
+mod curves;
 mod five_determinants;
 mod five_determinants_automatic;
 mod five_determinants_closure;
@@ -30,6 +31,7 @@ mod running;
 mod sequence;
 mod smooth_laws;
 mod stride_loop;
+mod support;
 mod sweep;
 mod thesis;
 mod thesis_random;
