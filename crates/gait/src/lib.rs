@@ -45,8 +45,8 @@ pub use measure::{
 };
 pub use request::{
     CHANGING_STEPS, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, RUN_SPEED, Resolution, RunRequest,
-    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WALK_RATIO, WalkPart, WalkPath,
-    WalkRequest,
+    RunResolution, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WALK_RATIO, WalkPart,
+    WalkPath, WalkRequest,
 };
 pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
 pub use smooth::{

@@ -170,7 +170,15 @@ enum Joints {
 impl Human {
     /// A human of `height` (m) and `mass` (kg).
     pub fn new(height: f64, mass: f64) -> Self {
-        Self { height, mass, age: None, lengths: Vec::new(), limits: Vec::new(), joints: Joints::Angles, root: RootOrder::Zyx }
+        Self {
+            height,
+            mass,
+            age: None,
+            lengths: Vec::new(),
+            limits: Vec::new(),
+            joints: Joints::Angles,
+            root: RootOrder::Zyx,
+        }
     }
 
     /// Gives the human the proportions of a boy or girl of this age (years, 6 to 18): a longer and heavier head, shorter legs.

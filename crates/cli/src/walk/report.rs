@@ -91,8 +91,18 @@ impl Report {
         lone: &[IsolatedPeak],
         nearest_limbs: Option<NearestLimbs>,
     ) -> Self {
-        let Planned { plan, forces, repeats, asked_frequency, changes, beside, running, heading_first, planning, solving } =
-            planned;
+        let Planned {
+            plan,
+            forces,
+            repeats,
+            asked_frequency,
+            changes,
+            beside,
+            running,
+            heading_first,
+            planning,
+            solving,
+        } = planned;
         let (height, step_frequency, step_length) =
             (plan.stature(), plan.step_frequency(), plan.step_length());
         let stands = matches!(plan, StyledPlan::Sequence(_));

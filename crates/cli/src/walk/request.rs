@@ -56,7 +56,11 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     let path = args.changes.path.as_deref().map(path::read).transpose()?;
     let turn = value(args.changes.turn.as_ref()).unwrap_or_default().to_radians();
     // The inner foot opens a turn.
-    let inner = if turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0) { Side::Left } else { Side::Right };
+    let inner = if turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0) {
+        Side::Left
+    } else {
+        Side::Right
+    };
     let first = WalkRequest {
         step_frequency: value(pace.step_frequency.as_ref()),
         step_length: value(pace.step_length.as_ref()),

@@ -33,11 +33,15 @@ pub enum RequestError {
          Human::root(RootOrder::Yzx)"
     )]
     TurnInAll { turned: f64, limit: f64 },
-    #[error("a path with {points} points besides the place where the walker stands; give it 1 to {most}, as x and z in m")]
+    #[error(
+        "a path with {points} points besides the place where the walker stands; give it 1 to {most}, as x and z in m"
+    )]
     PathPoints { points: usize, most: usize },
     #[error("point {number} of the path is ({x}, {z}); both numbers must be finite (m)")]
     PathPoint { number: usize, x: f64, z: f64 },
-    #[error("a path of {length:.1} m needs more than {most} steps, the most of a walk that changes on the way; cut it into parts")]
+    #[error(
+        "a path of {length:.1} m needs more than {most} steps, the most of a walk that changes on the way; cut it into parts"
+    )]
     PathTooLong { length: f64, most: usize },
     #[error(
         "the path bends by {turn:.0}° within a tenth of a step near ({x:.2}, {z:.2}); a step turns by {most:.0}° at most: give \

@@ -126,7 +126,11 @@ impl Run {
                 return (place, heading);
             }
         }
-        if left.is_finite() { (Piece { length: left, curvature: 0.0 }).after((place, heading), left) } else { (place, heading) }
+        if left.is_finite() {
+            (Piece { length: left, curvature: 0.0 }).after((place, heading), left)
+        } else {
+            (place, heading)
+        }
     }
 
     /// By how much it has turned so far along, whichever way (rad).
@@ -182,12 +186,16 @@ fn runs(way: &[[f64; 2]]) -> Vec<Run> {
         let turn = wrapped(after - bearing);
         let half = 0.5 * turn.abs();
         // A corner may take half of the way to the next one, all of it to the end.
-        let room = (if k == 0 { length } else { 0.5 * length }).min(if k + 1 == last { next } else { 0.5 * next });
+        let room =
+            (if k == 0 { length } else { 0.5 * length }).min(if k + 1 == last { next } else { 0.5 * next });
         let widest = room / half.tan();
         if turn.abs() > BACK || (turn.abs() > SHARP.0 && widest < SHARP.1) {
             run.push(length - gone, 0.0);
             heading += turn;
-            runs.push(std::mem::replace(&mut run, Run { turn, from: (way[k + 1], heading), pieces: Vec::new() }));
+            runs.push(std::mem::replace(
+                &mut run,
+                Run { turn, from: (way[k + 1], heading), pieces: Vec::new() },
+            ));
             gone = 0.0;
             continue;
         }

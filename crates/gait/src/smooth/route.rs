@@ -5,7 +5,8 @@ use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
 use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, WALK_RATIO, range, tidy};
 use crate::request::{
-    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkPath, WalkRequest,
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkPath,
+    WalkRequest,
 };
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::parameter::{PARAMETERS, Parameter};
@@ -55,7 +56,13 @@ impl Route {
         };
         let (mut pace, mut length) = match turning_short(&given, height, request.turn) {
             Some(found) => found?,
-            None => (given.settle(height, if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP })?, None),
+            None => (
+                given.settle(
+                    height,
+                    if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP },
+                )?,
+                None,
+            ),
         };
         if let Some(path) = &request.path {
             return Self::along(path, request, pace, body, heading);
@@ -250,11 +257,7 @@ fn check_turned(body: &Body, turned: f64) -> Result<(), RequestError> {
 
 /// The pace of steps that turn and are shorter than any that go straight on, down to none at all: the shortest one's, and their
 /// length (m); nothing for others.
-fn turning_short(
-    given: &Given,
-    height: f64,
-    turn: f64,
-) -> Option<Result<(Pace, Option<f64>), RequestError>> {
+fn turning_short(given: &Given, height: f64, turn: f64) -> Option<Result<(Pace, Option<f64>), RequestError>> {
     let length = given.step_length.filter(|_| turn != 0.0 && given.speed.is_none())?;
     let step_frequency = given.step_frequency.unwrap_or(TURNING_STEP_FREQUENCY);
     let shortest = SHORTEST_STEP * WALK_RATIO * height * step_frequency;

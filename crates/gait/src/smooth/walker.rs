@@ -42,7 +42,12 @@ pub(crate) fn walk_from(
     let plan = plan(&route).map_err(|error| match &request.path {
         Some(_) => advise_on_path(error, &route, |step_frequency| {
             let speed = None;
-            let slower = WalkRequest { step_frequency: Some(step_frequency), step_length: None, speed, ..request.clone() };
+            let slower = WalkRequest {
+                step_frequency: Some(step_frequency),
+                step_length: None,
+                speed,
+                ..request.clone()
+            };
             Route::of(&slower, body, heading).and_then(|route| plan(&route)).is_ok()
         }),
         None => advise(error, &route, |route| plan(route).is_ok()),
@@ -53,9 +58,12 @@ pub(crate) fn walk_from(
 /// Says where on a path the walk does not hold, and the next slower step frequency at which it does.
 fn advise_on_path(error: GaitError, route: &Route, holds: impl Fn(f64) -> bool) -> GaitError {
     let GaitError::Plan(PlanError::AbruptChange { step, time, what, .. }) = error else { return error };
-    let Some([x, z]) = route.place_of(step) else { return PlanError::AbruptChange { part: step, step, time, what }.into() };
+    let Some([x, z]) = route.place_of(step) else {
+        return PlanError::AbruptChange { part: step, step, time, what }.into();
+    };
     let asked = route.pace().step_frequency;
-    let slower = (1..=10).map(|k| asked - 5.0 * f64::from(k)).take_while(|&slower| slower >= STEP_FREQUENCY.0);
+    let slower =
+        (1..=10).map(|k| asked - 5.0 * f64::from(k)).take_while(|&slower| slower >= STEP_FREQUENCY.0);
     let nearest = slower.into_iter().find(|&slower| holds(slower)).map_or_else(
         || "; give its bends more room".to_owned(),
         |slower| format!("; it holds at {slower:.0} steps/min with people's steps"),

@@ -188,3 +188,25 @@ fn what_cannot_be_walked_round_is_refused() {
     assert!(refused(&yzx, &turning(4, 40.0, Some(0.0), 90.0)).to_string().contains("30"));
     assert!(refused(&yzx, &turning(4, 0.0, Some(0.0), 90.0)).to_string().contains("step length"));
 }
+
+#[test]
+fn a_stride_is_measured_alike_whichever_way_the_root_turns() {
+    let request =
+        WalkRequest { step_frequency: Some(100.0), extent: Extent::Steps(12), ..WalkRequest::default() };
+    let [a, b] = [RootOrder::Zyx, RootOrder::Yzx].map(|order| {
+        let figure = Human::new(1.75, 73.0).root(order).build().expect("a person");
+        let plan = walk(&figure, &request).expect("a walk");
+        let mut motion = plan.motion(&figure, 120.0).expect("sampled");
+        ground_reactions(&figure, &mut motion, FEET, &plan).expect("forces");
+        measure(&figure, &motion).expect("measured").steady.expect("a steady stride")
+    });
+    for (one, other) in [
+        (a.pelvic_rotation, b.pelvic_rotation),
+        (a.pelvic_obliquity, b.pelvic_obliquity),
+        (a.pelvic_tilt, b.pelvic_tilt),
+        (a.hip_extensor, b.hip_extensor),
+        (a.second_peak, b.second_peak),
+    ] {
+        assert!((one - other).abs() < 1e-6 * one.abs(), "{one} {other}");
+    }
+}

@@ -14,10 +14,8 @@ fn walker() -> Figure {
 }
 
 fn circle() -> WalkRequest {
-    let points: Vec<[f64; 2]> = (1..=48)
-        .map(|k| f64::from(k) * TAU / 48.0)
-        .map(|angle| [1.0 - angle.cos(), angle.sin()])
-        .collect();
+    let points: Vec<[f64; 2]> =
+        (1..=48).map(|k| f64::from(k) * TAU / 48.0).map(|angle| [1.0 - angle.cos(), angle.sin()]).collect();
     let path = WalkPath::through(&points).expect("a way");
     WalkRequest { step_frequency: Some(95.0), left_first: true, path: Some(path), ..WalkRequest::default() }
 }

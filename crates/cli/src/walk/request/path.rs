@@ -14,7 +14,12 @@ pub(super) fn read(path: &Path) -> Result<WalkPath, CliError> {
     let column = |name: &str| {
         let missing = || {
             let found = table.columns.join(", ");
-            CliError::input(path, &format!("there is no column '{name}'; a way has x (to the left) and z (ahead) in m, and here are {found}"))
+            CliError::input(
+                path,
+                &format!(
+                    "there is no column '{name}'; a way has x (to the left) and z (ahead) in m, and here are {found}"
+                ),
+            )
         };
         table.column(name).ok_or_else(missing)
     };

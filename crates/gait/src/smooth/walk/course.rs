@@ -118,7 +118,8 @@ impl Course {
         }
         prints.push(print);
         let n = steps.len();
-        let feet = prints.iter().enumerate().map(|(k, way)| way.opened(k % 2, opened(steps, k), beside)).collect();
+        let feet =
+            prints.iter().enumerate().map(|(k, way)| way.opened(k % 2, opened(steps, k), beside)).collect();
         Self { steps: n, begin: BEGIN, end: 0.5 * (n as f64 + 1.0) + SETTLE, prints, feet }
     }
 

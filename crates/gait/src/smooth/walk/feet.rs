@@ -4,8 +4,9 @@ use super::course::{Episode, Kind};
 use super::laws::WalkLaws;
 use super::numbers::{
     CLOSING, FIRST_HEEL_OFF, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, INSTANTS, KNEE_CONTACT,
-    KNEE_FLAT, KNEE_START, LAST_FLAT_UNTIL, LEAST_HEIGHT, LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF,
-    STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST, TURNED_CLOSING, TURNING_STEEPEST, TURNING_UNTIL,
+    KNEE_FLAT, KNEE_START, KNEE_TURNING, LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LEAST_HEIGHT,
+    LEAST_WEIGHT, STANDING_FROM, STANDING_HEEL_OFF, STANDING_TOE_OFF, STANDING_WAYPOINT, THIGH_FOLLOWS,
+    TURNED_CLOSING, TURNING_STEEPEST, TURNING_UNTIL,
 };
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
@@ -220,7 +221,8 @@ fn note_need(
             let turns = laws.course.turns_near(episode.index);
             let knee = laws.numbers.knee_closing.max(if turns { KNEE_TURNING } else { 0.0 });
             if knee > 0.0 {
-                spread(CLOSING.0, if turns { TURNED_CLOSING } else { CLOSING.1 }, INSTANTS[2]).for_each(|v| note(v, ankle, knee));
+                spread(CLOSING.0, if turns { TURNED_CLOSING } else { CLOSING.1 }, INSTANTS[2])
+                    .for_each(|v| note(v, ankle, knee));
             }
         }
         Kind::First => spread(STANDING_FROM, STANDING_HEEL_OFF, INSTANTS[3])
