@@ -6,7 +6,7 @@ use crate::worst::Worst;
 use solaris::dynamics::{Tree, Workspace, forward_kinematics};
 use solaris::gait::{Extent, WalkPath, WalkRequest};
 use solaris::io::bvh::{self, ReadOptions, Unit};
-use solaris::model::{Figure, Human, Motion, RootOrder, Vector3};
+use solaris::model::{Figure, Human, Link, Motion, RootOrder, Vector3};
 use std::f64::consts::TAU;
 
 fn walker() -> Figure {
@@ -66,7 +66,7 @@ fn a_bvh_file_of_a_circle_gives_the_same_places_again() {
     let clip = bvh::read(&text, &ReadOptions::default()).expect("a clip");
     assert_eq!(clip.motion.len(), motion.len());
     // A file has its links child by child.
-    let names: Vec<&str> = figure.links().iter().map(|link| link.name()).collect();
+    let names: Vec<&str> = figure.links().iter().map(Link::name).collect();
     let (written, read) = (places(&figure, &motion, &names), places(&clip.figure, &clip.motion, &names));
     assert_eq!(written.len(), read.len());
     let apart = written.iter().zip(&read).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
