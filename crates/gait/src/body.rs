@@ -11,4 +11,4 @@ mod segments;
 pub use leg::LegGeometry;
 pub use missing::missing_for_walking;
 pub use roles::FEET;
-pub(crate) use segments::{Body, REFERENCE_HEIGHT, Segment};
+pub(crate) use segments::{Body, REFERENCE_HEIGHT, Segment, root_order};

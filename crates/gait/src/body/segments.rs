@@ -88,11 +88,23 @@ impl Body {
     }
 }
 
-/// The order in which the root turns: by its heading first where its first rotation is about y.
-fn root_order(figure: &Figure) -> RootOrder {
+/// The order in which the root turns: by its heading first where its joint has those very axes.
+pub(crate) fn root_order(figure: &Figure) -> RootOrder {
     let axes = figure.links()[0].joint().kind().axes();
-    let first = axes.iter().map(|dof| dof.axis).find(|axis| axis.kind == AxisKind::Rotation);
-    if first.is_some_and(|axis| axis.direction == V3::y()) { RootOrder::Yzx } else { RootOrder::Zyx }
+    let wanted = root_axes(RootOrder::Yzx);
+    let same = axes.iter().map(|dof| (dof.axis.kind, dof.axis.direction)).eq(wanted);
+    if same { RootOrder::Yzx } else { RootOrder::Zyx }
+}
+
+fn root_axes(order: RootOrder) -> [(AxisKind, V3<f64>); 6] {
+    let turns = match order {
+        RootOrder::Yzx => [V3::y(), V3::z(), V3::x()],
+        RootOrder::Zyx => [V3::z(), V3::y(), V3::x()],
+    };
+    let slides = [V3::x(), V3::y(), V3::z()];
+    std::array::from_fn(|k| {
+        if k < 3 { (AxisKind::Translation, slides[k]) } else { (AxisKind::Rotation, turns[k - 3]) }
+    })
 }
 
 pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Result<Segment, BodyError> {
@@ -104,18 +116,8 @@ pub(crate) fn segment(figure: &Figure, name: &str, parent: Option<&str>) -> Resu
         let show = |parent: Option<&str>| parent.unwrap_or("the world").to_owned();
         return Err(BodyError::OtherParent { link: name.into(), parent: show(found), wanted: show(parent) });
     }
-    let [first, second] = match root_order(figure) {
-        RootOrder::Yzx if parent.is_none() => [V3::y(), V3::z()],
-        _ => [V3::z(), V3::y()],
-    };
-    let wanted: &[(AxisKind, V3<f64>)] = &[
-        (AxisKind::Translation, V3::x()),
-        (AxisKind::Translation, V3::y()),
-        (AxisKind::Translation, V3::z()),
-        (AxisKind::Rotation, first),
-        (AxisKind::Rotation, second),
-        (AxisKind::Rotation, V3::x()),
-    ];
+    let order = if parent.is_none() { root_order(figure) } else { RootOrder::Zyx };
+    let wanted = &root_axes(order)[..];
     let wanted = if parent.is_none() { wanted } else { &wanted[3..] };
     let axes = link.joint().kind().axes();
     let same = axes.len() == wanted.len()

@@ -2,10 +2,11 @@
 
 use super::{JointPeaks, Peak};
 use crate::body::roles::{FEET, PELVIS_ANGLES, SIDED_ANGLES};
+use crate::body::{root_order, rotations};
 use crate::error::{BodyError, GaitError, MeasureError};
 use nalgebra::Vector3;
 use solaris_dynamics::{Pose, Tree, Workspace, center_of_mass};
-use solaris_model::{Figure, Motion};
+use solaris_model::{Figure, Motion, RootOrder};
 
 /// Joints of the leg whose moments are told, with their anatomical flexion.
 pub(super) const JOINTS: [(&str, &str); 3] =
@@ -52,7 +53,20 @@ impl<'a> Series<'a> {
         let sided = |name: &str| -> Result<[Vec<f64>; 2], GaitError> {
             Ok([angle(format!("left_{name}"))?, angle(format!("right_{name}"))?])
         };
-        let pelvis = |name: &str| angle(format!("pelvis.{name}"));
+        // About z, y, x in the world, whichever order the root turns in.
+        let seen = root_order(figure) == RootOrder::Yzx;
+        let pelvis = |axis: usize| -> Result<Vec<f64>, GaitError> {
+            let name = format!("pelvis.{}", PELVIS_ANGLES[axis]);
+            let Some(own) = figure.anatomical_angle(&name).filter(|_| seen) else { return angle(name) };
+            let first = figure.layout().joints()[0].q + 3;
+            let of = |q: &[f64]| {
+                let [y, z, x] = [0, 1, 2].map(|k| q[first + k]);
+                let turned = rotations::about_y(y) * rotations::about_z(z) * rotations::about_x(x);
+                let [z, y, x] = rotations::euler(&turned);
+                [x, z, y][axis]
+            };
+            Ok((0..motion.len()).map(|i| own.sign * of(motion.q(i))).collect())
+        };
         let tree = Tree::<f64>::new(figure, motion.info.gravity)?;
         let mut workspace = Workspace::new(&tree);
         let (mut com, mut poses) = (Vec::new(), Vec::new());
@@ -93,7 +107,7 @@ impl<'a> Series<'a> {
             hip: sided(SIDED_ANGLES[0])?,
             knee: sided(SIDED_ANGLES[1])?,
             ankle: sided(SIDED_ANGLES[2])?,
-            pelvis: [pelvis(PELVIS_ANGLES[0])?, pelvis(PELVIS_ANGLES[1])?, pelvis(PELVIS_ANGLES[2])?],
+            pelvis: [pelvis(0)?, pelvis(1)?, pelvis(2)?],
             moments,
             powers,
         })

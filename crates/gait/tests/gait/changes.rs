@@ -233,7 +233,7 @@ fn what_cannot_be_walked_is_refused_with_its_part() {
         refused(&request(100.0, 9_000, &[more(2_000)])),
         refused(&distance),
         refused(&request(100.0, 600, &[more(401), paced(2, 90.0)])),
-        refused(&request(110.0, 5, &[WalkPart { turn: 0.52, ..paced(4, 110.0) }, paced(5, 110.0)])),
+        refused(&request(120.0, 5, &[WalkPart { turn: 0.52, ..paced(2, 120.0) }, paced(5, 120.0)])),
     ];
     insta::assert_snapshot!(answers.join("\n"));
     let error = walk(&figure, &request(100.0, 3, &[paced(3, 10.0)])).err().expect("a refusal");

@@ -4,6 +4,7 @@
 mod changes;
 mod changes_random;
 mod comparison;
+mod curves;
 mod everyone;
 mod five_determinants;
 mod five_determinants_automatic;
@@ -34,6 +35,7 @@ mod running;
 mod sequence;
 mod smooth_laws;
 mod stride_loop;
+mod support;
 mod sweep;
 mod terrain;
 mod thesis;

@@ -7,6 +7,7 @@ mod body;
 mod broken;
 mod cases;
 mod criteria;
+mod curves;
 mod derivatives;
 mod examples;
 mod figures;

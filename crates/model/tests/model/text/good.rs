@@ -91,6 +91,11 @@ fn a_body_is_one_word() {
     let wanted = solaris_model::Human::new(1.65, 58.0).limp().build().expect("a human");
     assert_eq!(limp("Limp").links(), wanted.links());
     assert_eq!(limp("Angles").layout().nq(), 66);
+    let root =
+        |order: &str| figure(&format!("(version: 1, body: Human(height: 1.65, mass: 58, root: {order}))"));
+    let names = |order: &str| root(order).layout().q_names()[..6].join(" ");
+    assert_eq!(names("Yzx"), "root.tx root.ty root.tz root.ry root.rz root.rx");
+    assert_eq!(names("Zyx"), "root.tx root.ty root.tz root.rz root.ry root.rx");
 }
 
 #[test]
