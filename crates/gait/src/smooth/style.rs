@@ -1,13 +1,18 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
-use super::footfall::{Footfall, planned_double_support};
+use super::footfall::Footfall;
 use super::manner::Manner;
 use crate::body::LegGeometry;
 use crate::error::RequestError;
 use crate::request::WALK_RATIO;
+use crate::walking::G;
+use std::f64::consts::TAU;
 
 /// Middle and spread of S/leg over the speeds that the table was fitted to.
 const SIGMA: (f64, f64) = (0.7586, 0.138);
+
+/// Mass over squared height of a person of average build (kg/m²), whose weight a plate's threshold is held against.
+const BUILD: f64 = 23.84;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -134,85 +139,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [20.42, 3.51, 0.18, 14.31];
+    heel_strike_angle: DEGREE, [21.10, 2.92, -0.24, 17.34];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01743, -0.00013, -0.00056, 0.00620];
+    height1: 1.0, [0.01738, -0.00020, -0.00066, 0.00532];
     /// Its phase.
-    height1_phase: 1.0, [0.0237, -0.0207, 0.0045, 0.0903];
+    height1_phase: 1.0, [0.0230, -0.0220, 0.0051, 0.1122];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00096, 0.00087, -0.00016, -0.00199];
+    height2_cos: 1.0, [-0.00100, 0.00089, -0.00005, -0.00208];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00155, 0.00102, -0.00029, -0.00485];
+    height2_sin: 1.0, [0.00157, 0.00092, -0.00012, -0.00316];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00043, -0.00024, 0.00031, 0.00091];
+    height3_cos: 1.0, [-0.00039, -0.00024, 0.00022, 0.00119];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [-0.00002, 0.00029, -0.00000, -0.00069];
+    height3_sin: 1.0, [0.00000, 0.00026, -0.00000, -0.00048];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [4.18, 1.02, 0.33, 2.49];
+    pelvic_obliquity: DEGREE, [4.12, 1.05, 0.38, 1.67];
     /// Its phase.
-    obliquity_phase: 1.0, [0.1235, -0.0014, -0.0127, -0.3650];
+    obliquity_phase: 1.0, [0.1367, -0.0070, -0.0136, -0.3659];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0693, -0.0085, 0.0093, 0.0158];
+    foot_flat: 1.0, [0.0678, -0.0043, 0.0001, 0.0154];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [8.06, -0.47, -1.27, -19.44];
+    knee_contact: DEGREE, [7.59, 0.02, -1.64, -16.33];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [131.8, -27.5, -57.1, -397.6];
+    knee_contact_rate: DEGREE, [89.9, -46.2, -57.6, -401.3];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [3564.0, 4353.0, 2988.0, 4226.0];
+    knee_contact_acc: DEGREE, [4755.0, 3316.0, 4247.0, 2055.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [8.57, 7.31, 5.65, 2.43];
+    knee_push: DEGREE, [7.60, 7.37, 6.86, 4.03];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [41.74, -5.73, 1.15, -20.69];
+    knee_toe_off: DEGREE, [42.01, -5.75, 1.54, -2.82];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [343.0, -51.7, -14.3, -410.0];
+    knee_toe_off_rate: DEGREE, [339.4, -56.5, -24.8, -454.9];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-2870.0, 341.0, 25.0, 6330.0];
+    knee_toe_off_acc: DEGREE, [-2813.0, 372.0, 311.0, 8686.0];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [40.19, 3.11, -0.22, 5.87];
+    toe_roll: DEGREE, [39.26, 2.61, 0.15, 18.01];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [62.56, -6.45, -1.29, 3.21];
+    knee_peak: DEGREE, [60.49, -7.05, -1.86, 31.60];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7800, 0.0352, 0.0181, 0.0383];
+    knee_peak_at: 1.0, [0.7864, 0.0170, 0.0094, -0.0128];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [28.99, 1.89, 1.69, -16.69];
+    thigh_swing: DEGREE, [28.89, 0.51, 1.74, -9.26];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [6.84, 0.60, 0.94, -1.41];
+    ankle_swing: DEGREE, [6.71, 2.49, 0.05, -10.05];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [0.7303, 0.2467, -0.0381, -1.3348];
+    cop_forward: 1.0, [0.6703, 0.3017, -0.0589, -1.4406];
     /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7995, 0.0532, 0.0065, -0.0385];
+    cop_heel_off: 1.0, [0.7935, 0.0500, 0.0071, 0.0168];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.8031, 0.0526, 0.0060, -0.0343];
+    cop_40: 1.0, [0.7972, 0.0496, 0.0066, 0.0242];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.8066, 0.0518, 0.0056, -0.0295];
+    cop_50: 1.0, [0.8006, 0.0488, 0.0061, 0.0324];
     /// When the heel rises.
-    heel_off: 1.0, [0.3070, 0.0436, 0.0035, -0.1258];
+    heel_off: 1.0, [0.3105, 0.0387, 0.0077, -0.1668];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-2.91, -1.03, 1.78, -0.02];
+    thorax_lean: DEGREE, [-2.75, -1.40, 1.55, -0.50];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [5.54, 4.40, 3.74, 0.91];
+    knee_late_swing: DEGREE, [7.01, 4.38, 4.63, -0.49];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [-1.57, 0.56, 0.03, -1.96];
+    thorax_bend_sin: DEGREE, [-0.54, 0.57, -0.07, -2.10];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-6.18, -0.35, -0.04, 2.11];
+    thorax_bend_cos: DEGREE, [-3.73, -0.54, -0.14, -0.61];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [3.05, 0.02, -0.01, 0.24];
+    thorax_yaw: DEGREE, [3.04, 0.04, 0.02, -0.08];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [17.07, 4.78, -0.81, -22.50];
+    arm_swing: DEGREE, [17.04, 4.74, -0.82, -22.03];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.7506, -0.4180, 0.1694, -0.8758];
+    share_exponent: 1.0, [0.6539, -0.6483, 0.3252, -0.9477];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.0985, -0.0002, 0.0009, -0.0110];
+    step_width: 1.0, [0.0983, -0.0018, -0.0004, -0.0145];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.3620, -0.1838, -0.0057, 0.2793];
+    tip_roll: 1.0, [0.3215, -0.1887, -0.0149, 0.4930];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [6.77, 0.79, -0.83, 1.76];
+    pelvic_rotation: DEGREE, [6.77, 0.77, -0.87, 1.85];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4971, -0.6126, 0.4369, 1.7713];
+    pivot: 1.0, [1.4952, -0.6256, 0.4504, 2.1508];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0482, 0.0397, -0.0334, -0.0172];
+    arm_lag: 1.0, [-0.0528, 0.0343, -0.0377, 0.0082];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [-0.0366, 0.0467, 0.0108, -0.0443];
+    thorax_yaw_phase: 1.0, [-0.0296, -0.0327, 0.0390, -0.0554];
 }
 
 impl Style {
@@ -258,7 +263,9 @@ impl Style {
             }
         }
         style.step_width *= height / 1.75;
-        style.double_support = planned_double_support(style.double_support, &style, leg.length(), height);
+        let vertical = |u: f64| BUILD * height * height * (G + style.height(leg.length(), u).1);
+        style.double_support =
+            style.footfall.planned_double_support(style.double_support, style.share_exponent, vertical);
         style
     }
 
@@ -290,6 +297,29 @@ impl Style {
     /// their ends.
     pub fn is_extrapolated(&self, leg: &LegGeometry) -> bool {
         self.step_length / leg.length() < SIGMA.0 - 1.6 * SIGMA.1
+    }
+
+    /// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).
+    ///
+    /// ```text
+    /// y(u) = −leg·[a₁ cos 4π(u − u₁) + a₂ cos 8πu + b₂ sin 8πu + a₃ cos 12πu + b₃ sin 12πu]
+    /// ```
+    pub(super) fn height(&self, leg: f64, u: f64) -> (f64, f64) {
+        let omega = TAU / self.stride_time;
+        let phase = 2.0 * TAU * self.height1_phase;
+        let terms = [
+            (2.0, self.height1 * phase.cos(), self.height1 * phase.sin()),
+            (4.0, self.height2_cos, self.height2_sin),
+            (6.0, self.height3_cos, self.height3_sin),
+        ];
+        let (mut y, mut acceleration) = (0.0, 0.0);
+        for (n, c, s) in terms {
+            let (sin, cos) = (TAU * u * n).sin_cos();
+            let q = leg * (c * cos + s * sin);
+            y -= q;
+            acceleration += (n * omega).powi(2) * q;
+        }
+        (y, acceleration)
     }
 
     /// Toe-off of the left foot, in u.
