@@ -78,7 +78,7 @@ impl Footfall {
     /// s(x₀) F_y(x₀ d) = T      (1 − s(x₁)) F_y(x₁ d) = T      seen = (x₁ − x₀)·d
     /// ```
     ///
-    /// F_y hardly changes over a correction of `d`, so that a few suffice.
+    /// The force hardly changes over a correction of `d`, so that a few suffice.
     pub(super) fn planned_double_support(
         &self,
         seen: f64,
