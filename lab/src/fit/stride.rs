@@ -151,27 +151,6 @@ impl Found {
             let loaded = [force(0, i), force(1, i)].into_iter().filter(|f| f.y > 0.05 * weight);
             loaded.map(ratio).fold(0.0, f64::max)
         };
-        if std::env::var("WHERE").is_ok() {
-            let heights = sole_heights(figure, &motion)?;
-            let late = (0..n).filter(|&i| {
-                (i as f64 / n as f64) > walk.0.style().toe_off() + LATE_SWING.0
-                    && (i as f64 / n as f64) < LATE_SWING.1
-            });
-            let lowest = late.min_by(|a, b| heights[*a].total_cmp(&heights[*b])).unwrap_or(0);
-            let no = |i: usize| {
-                let z = |k: usize| total(i + n + k - 2).z;
-                (z(2) - (4.0 * (z(1) + z(3)) - z(0) - z(4)) / 6.0).abs() * 100.0 / weight
-            };
-            let mut order: Vec<usize> = (0..n).collect();
-            order.sort_by(|a, b| no(*b).total_cmp(&no(*a)));
-            eprintln!(
-                "{} toe-off {:.3} lowest at {} notch {:?}",
-                case.step_frequency,
-                walk.0.style().toe_off(),
-                lowest as f64 / n as f64,
-                order.iter().take(6).map(|&i| (i, (no(i) * 100.0).round() / 100.0)).collect::<Vec<_>>()
-            );
-        }
         let notch = |i: usize| {
             let z = |k: usize| total(i + n + k - 2).z;
             (z(2) - (4.0 * (z(1) + z(3)) - z(0) - z(4)) / 6.0).abs() * 100.0 / weight

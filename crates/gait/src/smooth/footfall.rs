@@ -29,6 +29,8 @@ pub struct Footfall {
     pub soft_landing: Option<f64>,
     /// Until when its clearance is asked for in full, and over how long it comes to be no more: parts of the swing.
     pub clear_until: (f64, f64),
+    /// When a heel rises at the latest (u): the leg of a flat foot is too short for later in fast walks' first steps.
+    pub latest_heel_off: f64,
 }
 
 impl Footfall {
@@ -40,6 +42,7 @@ impl Footfall {
         softness: 0.0,
         soft_landing: None,
         clear_until: (0.80, 0.2),
+        latest_heel_off: f64::MAX,
     };
 
     /// Of people: plates see a foot from 20 N on; the pressure begins a little outside of the heel's middle, goes outward under the
@@ -51,6 +54,7 @@ impl Footfall {
         softness: 0.5 * DEGREE,
         soft_landing: Some(0.022),
         clear_until: (0.86, 0.2),
+        latest_heel_off: 0.316,
     };
 
     /// How far outward of the foot's axis its centre of pressure is, in parts of the foot's length, `v` after contact.
@@ -125,6 +129,7 @@ impl Footfall {
             ("softness", self.softness),
             ("soft_landing", self.soft_landing.unwrap_or_default()),
             ("clear_until", self.clear_until.0 + self.clear_until.1),
+            ("latest_heel_off", self.latest_heel_off),
         ]
         .into_iter()
     }

@@ -263,6 +263,7 @@ impl Style {
             }
         }
         style.step_width *= height / 1.75;
+        style.heel_off = style.heel_off.min(style.footfall.latest_heel_off);
         let vertical = |u: f64| BUILD * height * height * (G + style.height(leg.length(), u).1);
         style.double_support =
             style.footfall.planned_double_support(style.double_support, style.share_exponent, vertical);
