@@ -1,6 +1,7 @@
 //! The numbers of the smooth style: what they come to, and their fit to people's walking.
 
 mod baseline;
+mod measured;
 mod solve;
 pub(crate) mod stride;
 mod targets;
@@ -8,7 +9,7 @@ mod walk;
 
 use crate::workspace;
 use serde_json::Value;
-use solaris_gait::StyleTable;
+use solaris_gait::{Footfall, StyleTable};
 use std::fmt::Write;
 use std::fs;
 
@@ -16,28 +17,39 @@ use std::fs;
 const RECIPE: &str = "fixtures/reference/smooth/golden.json";
 
 /// Steps of the fit.
-const ITERATIONS: usize = 40;
+const ITERATIONS: usize = 60;
+/// Steps at each of the thresholds on the way, in parts of the last one.
+const SOME: usize = 10;
+const STAGES: [f64; 6] = [0.002, 0.02, 0.1, 0.3, 0.6, 1.0];
 
 /// What is asked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Options {
     measure_only: bool,
     from_recipe: bool,
+    in_stages: bool,
 }
 
 impl Options {
     pub(crate) fn parse(options: &[&str]) -> Result<Self, String> {
-        let mut parsed = Self { measure_only: false, from_recipe: false };
+        let mut parsed = Self { measure_only: false, from_recipe: false, in_stages: false };
         for option in options {
             match *option {
                 "--measure" => parsed.measure_only = true,
+                "--stages" => parsed.in_stages = true,
                 "--recipe" => parsed.from_recipe = true,
                 other => {
-                    return Err(format!("fit: unknown option '{other}'; there are --measure and --recipe"));
+                    return Err(format!(
+                        "fit: unknown option '{other}'; there are --measure, --recipe and --stages"
+                    ));
                 }
             }
         }
         Ok(parsed)
+    }
+
+    fn stages(&self) -> &'static [f64] {
+        if self.in_stages { &STAGES } else { &STAGES[STAGES.len() - 1..] }
     }
 }
 
@@ -46,7 +58,15 @@ pub(crate) fn run(options: &Options) -> Result<(), String> {
     let mut table = if options.from_recipe { recipe()? } else { StyleTable::default() };
     if !options.measure_only {
         let recipe = recipe()?;
-        table = rounded(&solve::fit(&recipe, &table, &targets::targets(&recipe)?, ITERATIONS)?);
+        let targets = targets::targets(&recipe)?;
+        // What plates see of a stance changes all of it: the force from which on they do comes to be by and by.
+        for &part in options.stages() {
+            table.footfall.threshold = part * Footfall::PEOPLE.threshold;
+            eprintln!("fit: threshold {} N", table.footfall.threshold);
+            let start = table.clone();
+            table = solve::fit(&start, &table, &targets, if part < 1.0 { SOME } else { ITERATIONS })?;
+        }
+        table = rounded(&table);
         println!("{}", rows(&table));
     }
     baseline::print(&table)
@@ -63,7 +83,7 @@ pub(crate) fn recipe() -> Result<StyleTable, String> {
     let text =
         fs::read_to_string(workspace::root().join(RECIPE)).map_err(|error| format!("{RECIPE}: {error}"))?;
     let file: Value = serde_json::from_str(&text).map_err(|error| format!("{RECIPE}: {error}"))?;
-    let mut table = StyleTable::default();
+    let mut table = StyleTable { footfall: Footfall::RECIPE, ..StyleTable::default() };
     for (row, name) in table.rows.iter_mut().zip(NAMES) {
         for (k, c) in row.iter_mut().enumerate() {
             *c = file["style_table"][name][k].as_f64().ok_or_else(|| format!("{RECIPE}: no {name}[{k}]"))?;

@@ -1,19 +1,41 @@
 //! The numbers by which tables of style numbers are compared.
 
+use super::measured::{Measured, apart};
 use super::stride::{self, Case};
 use super::walk;
 use rayon::prelude::*;
-use solaris_gait::{RECIPE_BANDS, StyleTable, check_bands};
+use solaris_gait::{StyleTable, TEXTBOOK_BANDS, check_bands};
 
-const HEIGHTS: [f64; 3] = [1.5, 1.75, 1.95];
+const HEIGHTS: [f64; 4] = [1.5, 1.6, 1.75, 1.9];
 const STRETCHES: [f64; 3] = [0.9, 1.0, 1.1];
 const STEPS: [usize; 5] = [1, 2, 3, 4, 10];
 const FAST: [f64; 3] = [120.0, 125.0, 130.0];
 
 /// Prints steady strides of all bodies and speeds, then whole walks.
 pub(crate) fn print(table: &StyleTable) -> Result<(), String> {
+    measured(table)?;
     strides(table)?;
     walks(table)
+}
+
+/// Prints how far a stride is from that of a measured person who walks as fast with as long steps.
+fn measured(table: &StyleTable) -> Result<(), String> {
+    let Some(measured) = Measured::read()? else { return Ok(()) };
+    let found = stride::Found::of(&measured.case, table)?;
+    let angles = measured.differences(&found.curves);
+    let [hip, knee, ankle] = [0, 1, 2].map(|k| apart(&angles[20 * k..20 * k + 20]));
+    let offset = (0..20).map(|k| found.curves[k] - measured.curves[k]).sum::<f64>() / 20.0;
+    let loads = found.vertical.iter().zip(&measured.vertical).map(|(ours, theirs)| ours - theirs);
+    let load = apart(&loads.collect::<Vec<_>>());
+    println!(
+        "measured person: hip {hip:.1} (and {offset:.1} in its mean), knee {knee:.1}, ankle {ankle:.1} °, \
+         vertical force {load:.1} %BW rms\n"
+    );
+    for (ours, theirs) in found.curves.chunks(20).zip(measured.curves.chunks(20)) {
+        let row = |values: &[f64]| values.iter().map(|x| format!("{x:5.0}")).collect::<String>();
+        println!("{}\n{}", row(ours), row(theirs));
+    }
+    Ok(())
 }
 
 fn strides(table: &StyleTable) -> Result<(), String> {
@@ -22,7 +44,7 @@ fn strides(table: &StyleTable) -> Result<(), String> {
         "maxima of the vertical force in a stance and its detour %BW, least knee °, friction of both and of one foot, notch %BW"
     );
     println!(
-        "height  S/S0 steps/min bands facts  twist clear lowest humps detour  knee  friction    notch  outside"
+        "height  S/S0 steps/min bands facts  twist clear lowest humps detour  knee  friction    notch  early inward mid, most  toes outside"
     );
     let mut cases = Vec::new();
     for height in HEIGHTS {
@@ -50,13 +72,13 @@ fn strides(table: &StyleTable) -> Result<(), String> {
 }
 
 fn stride_line(found: &stride::Found) -> String {
-    let outside: Vec<String> = check_bands(RECIPE_BANDS, &found.steady)
+    let outside: Vec<String> = check_bands(TEXTBOOK_BANDS, &found.steady)
         .iter()
         .filter(|check| !check.inside)
         .map(|check| format!("{} {:.2}", check.name, check.value))
         .collect();
     format!(
-        "{:5} {:5} {:6.1} {:5.1} {:6.1} {:5} {:6.1} {:5.1} {:.3}/{:.3} {:6.2} {:6.3}  {}",
+        "{:5} {:5} {:6.1} {:5.1} {:6.1} {:5} {:6.1} {:5.1} {:.3}/{:.3} {:6.2} {:6.3} {:5.1} {:5.1} {:5.1}  {}",
         found.bands,
         found.facts,
         found.free_moment,
@@ -69,6 +91,9 @@ fn stride_line(found: &stride::Found) -> String {
         found.friction.1,
         found.notch,
         found.early,
+        found.inward.0,
+        found.inward.1,
+        found.toes,
         outside.join(", "),
     )
 }

@@ -47,7 +47,7 @@ pub(crate) fn fit(
         Ok(State { table, residuals, cost })
     };
     let mut now = state(start.clone())?;
-    let (mut damping, mut tried, mut failed) = (1e-2, 0, 0);
+    let (mut damping, mut tried, mut failed, mut slow) = (1e-2, 0, 0, 0);
     eprintln!("fit: cost {:.2}", now.cost);
     for iteration in 1..=iterations {
         let (matrix, gradient) =
@@ -82,6 +82,9 @@ pub(crate) fn fit(
         failed = 0;
         if next.cost > 0.998 * now.cost {
             tried += 1;
+            slow += 1;
+        } else {
+            slow = 0;
         }
         eprintln!(
             "fit: iteration {iteration}, cost {:.2}, damping {damping:.1e}, differences {}",
@@ -89,9 +92,31 @@ pub(crate) fn fit(
             STEPS[tried % 4]
         );
         now = next;
+        if slow > 2 * STEPS.len() {
+            break;
+        }
         damping = (damping / 3.0).max(1e-6);
     }
+    explain(&now, targets);
     Ok(now.table)
+}
+
+/// Prints what costs most in each target.
+fn explain(state: &State, targets: &[Target]) {
+    for (target, residuals) in targets.iter().zip(&state.residuals) {
+        let mut most: Vec<(usize, f64)> = residuals.iter().map(|r| r * r).enumerate().collect();
+        most.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let most: Vec<String> =
+            most.iter().take(8).map(|(i, r)| format!("{} {r:.1}", target.name(*i))).collect();
+        let case = target.case();
+        eprintln!(
+            "{:.2} m {:5.1} /min {:8.1}: {}",
+            case.height,
+            case.step_frequency,
+            square(residuals),
+            most.join(", ")
+        );
+    }
 }
 
 /// `JᵀJ` and `Jᵀr` by coefficients in their rows' scales. A number is a sum over its row, so its derivative serves all four.
@@ -110,7 +135,10 @@ fn normal(
         .map(|&(target, number)| {
             let mut table = now.table.clone();
             table.rows[number][0] += step * scales[number];
-            let moved = targets[target].residuals(&table)?;
+            // A stride that does not close says nothing about the slope.
+            let Ok(moved) = targets[target].residuals(&table) else {
+                return Ok(vec![0.0; now.residuals[target].len()]);
+            };
             Ok(moved.iter().zip(&now.residuals[target]).map(|(a, b)| (a - b) / step).collect())
         })
         .collect::<Result<_, String>>()?;

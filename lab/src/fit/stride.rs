@@ -5,13 +5,16 @@ use solaris_analysis::{Support, SupportLaw, balance_momentum, ground_reactions};
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_gait::people::{FACTS, Fact, Person};
 use solaris_gait::{
-    FEET, LegGeometry, RECIPE_BANDS, Resolution, SteadyStride, StridePlan, Style, StyleTable, WALK_RATIO,
+    FEET, LegGeometry, Resolution, SteadyStride, StridePlan, Style, StyleTable, TEXTBOOK_BANDS, WALK_RATIO,
     check_bands, free_moment, measure_stride,
 };
 use solaris_model::{Event, EventKind, Figure, Motion, MotionInfo, Trajectory};
 
-/// Late swing, in which the toes pass over the ground (u).
-const LATE_SWING: (f64, f64) = (0.70, 0.93);
+/// Late swing, in which the toes pass over the ground: from so long after toe-off until when (u).
+const LATE_SWING: (f64, f64) = (0.07, 0.93);
+
+/// Mid-stance, in which the force to the side is looked at (u).
+const LATERAL: (f64, f64) = (0.20, 0.42);
 
 /// Parts of a stride in which the vertical force has its first peak, and in which it is lower (u).
 const FIRST_PEAK: (f64, f64) = (0.05, 0.21);
@@ -32,10 +35,19 @@ pub(crate) struct Case {
 impl Case {
     /// A person of this height (m) at this step frequency, with a step so many times people's.
     pub(crate) fn new(height: f64, step_frequency: f64, stretch: f64) -> Result<Self, String> {
-        let mass = 23.84 * height * height;
+        let step_length = WALK_RATIO * height * step_frequency * stretch;
+        Self::of_person(height, 23.84 * height * height, step_frequency, step_length)
+    }
+
+    /// A person of this height (m) and mass (kg) with steps so long (m).
+    pub(crate) fn of_person(
+        height: f64,
+        mass: f64,
+        step_frequency: f64,
+        step_length: f64,
+    ) -> Result<Self, String> {
         let figure = solaris_model::human(height, mass).map_err(|error| error.to_string())?;
         let leg = LegGeometry::of(&figure).map_err(|error| error.to_string())?;
-        let step_length = WALK_RATIO * height * step_frequency * stretch;
         Ok(Self { figure, height, leg, step_frequency, step_length })
     }
 
@@ -92,7 +104,7 @@ impl SupportLaw for Endless {
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub(crate) steady: SteadyStride,
-    /// Of the 22 bands, and of all facts of people.
+    /// Of the 21 bands of textbooks, and of all facts of people.
     pub(crate) bands: usize,
     pub(crate) facts: usize,
     /// By how much the foot lands with less pitch than the style's (°): whole walks land with the style's.
@@ -117,6 +129,12 @@ pub(crate) struct Found {
     pub(crate) notch: f64,
     /// Hip flexion, knee flexion, ankle dorsiflexion of the left leg at 0, 5, …, 95 % of the stride (°).
     pub(crate) curves: Vec<f64>,
+    /// Vertical force of the left foot at 0, 2, … 98 % of the stride (%BW).
+    pub(crate) vertical: Vec<f64>,
+    /// Force of a foot towards the middle: least in mid-stance and greatest at all (%BW).
+    pub(crate) inward: (f64, f64),
+    /// Greatest extension of the toes while the foot stands (°).
+    pub(crate) toes: f64,
 }
 
 impl Found {
@@ -146,11 +164,18 @@ impl Found {
         let stance = (walk.0.style().toe_off() * n as f64) as usize;
         let (humps, detour) = humps(&vertical[..=stance]);
         let heights = sole_heights(figure, &motion)?;
-        let late = |i: &usize| (LATE_SWING.0..=LATE_SWING.1).contains(&(*i as f64 / n as f64));
+        let swinging = walk.0.style().toe_off() + LATE_SWING.0;
+        let late = |i: &usize| (swinging..=LATE_SWING.1).contains(&(*i as f64 / n as f64));
         let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
         let most = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
+        let inward = |i: usize| -force(0, i).x * 100.0 / weight;
+        let middle = |i: &usize| (LATERAL.0..=LATERAL.1).contains(&(*i as f64 / n as f64));
+        let toes = |i: usize| {
+            let (foot, toes) = walk.0.foot_pitches(i as f64 / n as f64)[0];
+            (foot - toes).to_degrees()
+        };
         Ok(Self {
-            bands: check_bands(RECIPE_BANDS, &steady).iter().filter(|check| check.inside).count(),
+            bands: check_bands(TEXTBOOK_BANDS, &steady).iter().filter(|check| check.inside).count(),
             facts: facts(case, &steady),
             pitch: (walk.0.style().heel_strike_angle + walk.0.foot_pitches(0.0)[0].0).to_degrees(),
             early: early(&walk.0),
@@ -168,6 +193,9 @@ impl Found {
                 .flat_map(|name| (0..20).map(move |k| (name, k)))
                 .map(|(name, k)| angle(name, k * n / 20))
                 .collect(),
+            vertical: (0..50).map(|k| vertical[k * n / 50]).collect(),
+            inward: (least(&mut (0..n).filter(middle).map(inward)), most(&mut (0..n).map(inward))),
+            toes: most(&mut (0..=stance).map(toes)),
             steady,
         })
     }

@@ -1,8 +1,9 @@
 //! Targets of the fit: people's bands and what the bands do not see, as residuals that are zero inside.
 
+use super::measured::Measured;
 use super::stride::{Case, Found};
 use super::walk;
-use solaris_gait::{Band, RECIPE_BANDS, Style, StyleTable};
+use solaris_gait::{Band, RECIPE_BANDS, Style, StyleTable, TEXTBOOK_BANDS};
 
 /// Heights of the fit's person (m), step frequencies with their weights, and the same for steps a tenth shorter and longer.
 const HEIGHT: f64 = 1.75;
@@ -20,12 +21,35 @@ const NORMAL: [(f64, f64); 12] = [
     (122.0, 0.8),
     (127.0, 0.4),
 ];
+/// The same for other heights.
+const OTHERS: [(f64, f64, f64); 8] = [
+    (1.60, 80.0, 1.0),
+    (1.60, 95.0, 1.5),
+    (1.60, 110.0, 2.0),
+    (1.60, 120.0, 1.0),
+    (1.90, 80.0, 1.0),
+    (1.90, 95.0, 1.5),
+    (1.90, 110.0, 2.0),
+    (1.90, 120.0, 0.7),
+];
+/// Weight of the measured person.
+const MEASURED: f64 = 6.0;
 const STRETCHED: [(f64, f64); 4] = [(76.0, 0.4), (90.0, 0.5), (105.0, 0.5), (116.0, 0.4)];
 /// The longest of the fast steps that are taken, with its stretch and weight.
 const FASTEST: (f64, f64, f64) = (122.0, 1.08, 0.5);
 /// Walks of so many steps at a step frequency, with what their friction, that of one foot, and their least knee (°) should keep.
-const WALKS: [(f64, usize, [f64; 3]); 3] =
-    [(80.0, 4, [0.18, 0.21, 2.0]), (117.0, 4, [0.36, 0.41, 2.5]), (124.0, 4, [0.43, 0.48, 2.0])];
+const WALKS: [(f64, usize, [f64; 3]); 8] = [
+    (74.0, 4, [0.18, 0.21, 2.5]),
+    (80.0, 4, [0.18, 0.21, 2.5]),
+    (80.0, 5, [0.18, 0.21, 2.5]),
+    (95.0, 4, [0.23, 0.24, 3.0]),
+    (118.0, 4, [0.36, 0.41, 4.5]),
+    (121.0, 4, [0.40, 0.45, 4.0]),
+    (122.5, 4, [0.40, 0.45, 3.5]),
+    (124.0, 4, [0.40, 0.45, 3.5]),
+];
+/// Weight of the walks.
+const OF_WALKS: f64 = 4.0;
 
 /// A stride or a walk of the fit.
 pub(crate) enum Target {
@@ -37,6 +61,7 @@ pub(crate) enum Target {
 pub(crate) struct Stride {
     case: Case,
     weight: f64,
+    measured: Option<Measured>,
     /// What the recipe's numbers come to.
     recipe: Found,
 }
@@ -47,12 +72,21 @@ pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Target>, String> {
     let stretched = STRETCHED
         .iter()
         .flat_map(|(frequency, weight)| [0.9, 1.1].map(|stretch| (*frequency, stretch, *weight)));
-    let cases: Vec<(f64, f64, f64)> = normal.chain(stretched).chain([FASTEST]).collect();
-    let strides = cases.iter().map(|&(frequency, stretch, weight)| {
-        let case = Case::new(HEIGHT, frequency, stretch)?;
+    let own = normal.chain(stretched).chain([FASTEST]);
+    let own = own.map(|(frequency, stretch, weight)| (HEIGHT, frequency, stretch, weight));
+    let others = OTHERS.iter().map(|&(height, frequency, weight)| (height, frequency, 1.0, weight));
+    let mut strides = Vec::new();
+    for (height, frequency, stretch, weight) in own.chain(others) {
+        let case = Case::new(height, frequency, stretch)?;
         let recipe = Found::of(&case, recipe)?;
-        Ok(Target::Stride(Box::new(Stride { case, weight, recipe })))
-    });
+        strides.push(Ok(Target::Stride(Box::new(Stride { case, weight, measured: None, recipe }))));
+    }
+    if let Some(measured) = Measured::read()? {
+        let case = measured.case.clone();
+        let recipe = Found::of(&case, recipe)?;
+        let (weight, measured) = (MEASURED, Some(measured));
+        strides.push(Ok(Target::Stride(Box::new(Stride { case, weight, measured, recipe }))));
+    }
     let walks = WALKS.iter().map(|&(frequency, steps, limits)| {
         Ok(Target::Walk(Box::new(Case::new(HEIGHT, frequency, 1.0)?), steps, limits))
     });
@@ -71,11 +105,66 @@ fn huber(distance: f64, bound: f64) -> f64 {
     if distance.abs() <= bound { distance } else { (bound * (2.0 * distance.abs() - bound)).sqrt() }
 }
 
+/// The bands of the fit: textbooks' but for double support, which is a law's, and those of the recipe besides.
+fn textbook() -> impl Iterator<Item = &'static Band> {
+    let inner = RECIPE_BANDS.iter().filter(|band| TEXTBOOK_BANDS.iter().all(|other| other.name != band.name));
+    TEXTBOOK_BANDS.iter().filter(|band| band.name != "one double support").chain(inner)
+}
+
 impl Target {
     pub(crate) fn case(&self) -> &Case {
         match self {
             Self::Stride(stride) => &stride.case,
             Self::Walk(case, ..) => case,
+        }
+    }
+
+    /// What residual `i` is about.
+    pub(crate) fn name(&self, i: usize) -> String {
+        const OTHERS: [&str; 17] = [
+            "pitch",
+            "early",
+            "free moment",
+            "clearance",
+            "detour",
+            "flank",
+            "knee",
+            "friction",
+            "foot's friction",
+            "notch",
+            "lowest",
+            "inward mid",
+            "inward most",
+            "toes",
+            "F1",
+            "valley",
+            "F2",
+        ];
+        const BOUNDS: [&str; 14] = [
+            "arm",
+            "yaw",
+            "bend",
+            "lean",
+            "lean back",
+            "pitch bound",
+            "narrow",
+            "wide",
+            "cop",
+            "cop",
+            "cop",
+            "cop",
+            "ball",
+            "",
+        ];
+        let bands = textbook().count();
+        match self {
+            Self::Walk(..) => format!("walk {i}"),
+            Self::Stride(stride) if stride.measured.is_some() => format!("curve {i}"),
+            Self::Stride(_) => textbook().nth(i).map(|band| band.name.to_owned()).unwrap_or_else(|| {
+                let i = i - bands;
+                let others = OTHERS.get(i).or_else(|| BOUNDS.get(i.wrapping_sub(OTHERS.len())));
+                others.map_or_else(|| format!("other {i}"), |name| (*name).to_owned())
+            }),
         }
     }
 
@@ -87,7 +176,7 @@ impl Target {
                 let found = walk::needs(case, table, *steps)?;
                 let all =
                     [above(found[0], *both, 0.02), above(found[1], *one, 0.02), above(*knee, found[2], 1.0)];
-                all.map(|residual| huber(residual, 1.0)).to_vec()
+                all.map(|residual| OF_WALKS * huber(residual, 3.0)).to_vec()
             }
         };
         if let Some(i) = all.iter().position(|x| !x.is_finite()) {
@@ -101,12 +190,20 @@ impl Stride {
     fn residuals(&self, table: &StyleTable) -> Result<Vec<f64>, String> {
         let found = Found::of(&self.case, table)?;
         let limit = |limits: [f64; 3]| self.limit(limits);
-        let mut all: Vec<f64> = RECIPE_BANDS.iter().map(|band| self.outside(band, &found)).collect();
+        let root = self.weight.sqrt();
+        if let Some(measured) = &self.measured {
+            let angles = measured.differences(&found.curves);
+            let angles = angles.iter().map(|difference| difference / 4.0);
+            let loads =
+                found.vertical.iter().zip(&measured.vertical).map(|(ours, theirs)| (ours - theirs) / 7.0);
+            return Ok(angles.chain(loads).map(|residual| root * 0.5 * huber(residual, 2.0)).collect());
+        }
+        let mut all: Vec<f64> = textbook().map(|band| self.outside(band, &found)).collect();
         let others = [
             found.pitch.abs() / 0.5,
             above(found.early, 6e-3, 2e-3),
             above(found.free_moment, limit([9.5, 11.3, 16.0]), 0.8),
-            above(12.6e-3, found.clearance, 1e-3),
+            above(12.6e-3 * self.case.height / HEIGHT, found.clearance, 1e-3),
             above(found.detour, limit([3.0, 0.5, 0.5]), 1.0),
             above(found.flank, limit([-4.0, -8.0, -12.0]), 1.5),
             above(3.5, found.knee, 0.7),
@@ -114,11 +211,16 @@ impl Stride {
             above(found.friction.1, limit([0.19, 0.25, 0.36]), 0.01),
             above(found.notch, 0.8, 0.3),
             above(-1e-4, found.lowest, 1e-4),
+            above(4.2, found.inward.0, 0.5),
+            above(found.inward.1, 7.0, 0.5),
+            above(found.toes, limit([36.0, 37.0, 42.0]), 2.0),
+            (found.steady.first_peak - limit([101.5, 107.0, 119.0])) / 3.0,
+            (found.steady.valley - limit([84.0, 77.0, 66.0])) / 3.0,
+            (found.steady.second_peak - limit([102.0, 108.5, 117.0])) / 3.0,
         ];
         all.extend(others.map(|residual| huber(residual, 2.0)));
         all.extend(self.bounds(&self.case.style(table)));
-        all.extend(found.curves.iter().zip(&self.recipe.curves).map(|(now, before)| (now - before) / 12.0));
-        let root = self.weight.sqrt();
+        all.extend(found.curves.iter().zip(&self.recipe.curves).map(|(now, before)| (now - before) / 30.0));
         Ok(all.into_iter().map(|residual| root * residual).collect())
     }
 
@@ -134,26 +236,21 @@ impl Stride {
 
     /// Distance outside a band that is a little narrower, in parts of its width.
     ///
-    /// A band that the recipe's stride lies in is to be kept; any other may stay out.
     fn outside(&self, band: &Band, found: &Found) -> f64 {
         let (lower, upper) = band.range;
         let (width, value) = (upper - lower, band.value(&found.steady));
         let inner = 0.04 * width;
         let distance = above(value, upper - inner, 0.05 * width) + above(lower + inner, value, 0.05 * width);
-        if (lower..=upper).contains(&band.value(&self.recipe.steady)) {
-            1.5 * huber(distance, 3.0)
-        } else {
-            weight(band, self.case.step_frequency) * huber(distance, 1.0)
-        }
+        weight(band, self.case.step_frequency) * huber(distance, 2.0)
     }
 
     /// What the style's own numbers must keep: trunk and arms as people move them, toes up at contact, and a centre of pressure that goes forward.
     fn bounds(&self, style: &Style) -> Vec<f64> {
         let bend = style.thorax_bend_sin.hypot(style.thorax_bend_cos);
         let upper = [
-            (style.arm_swing, self.limit([11.0, 24.0, 29.0])),
-            (style.thorax_yaw, 7.0),
-            (bend, 6.2),
+            (style.arm_swing, self.limit([9.0, 17.0, 21.0])),
+            (style.thorax_yaw, 3.0),
+            (bend, 3.5),
             (style.thorax_lean, 3.0),
             (-style.thorax_lean, 3.0),
             (-style.heel_strike_angle, -self.limit([13.0, 15.5, 18.0])),
@@ -172,9 +269,9 @@ impl Stride {
 /// People who walk slowly rise less than the band says, and press less.
 fn weight(band: &Band, frequency: f64) -> f64 {
     match band.name {
-        "CoM rise" if frequency < 90.0 => 0.3,
-        "CoM rise" => 3.0,
-        "first vertical peak" if frequency < 82.0 => 0.6,
-        _ => 0.8,
+        "CoM rise" if frequency < 79.0 => 0.3,
+        "CoM rise" => 2.0,
+        "first vertical peak" if frequency < 79.0 => 0.6,
+        _ => 1.2,
     }
 }

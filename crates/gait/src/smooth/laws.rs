@@ -5,7 +5,7 @@
 use crate::body::rotations::Euler;
 use crate::smooth::style::Style;
 use solaris_profiles::spline::CubicSpline;
-use solaris_profiles::{Clip, ProfileError, step};
+use solaris_profiles::{Clip, ProfileError};
 use std::f64::consts::TAU;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -37,39 +37,14 @@ const HALFWAY: f64 = 0.5;
 /// Lag of the elbows after the shoulders (u).
 const ELBOW_LAG: f64 = 0.05;
 
-/// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).
-///
-/// ```text
-/// y(u) = −leg·[a₁ cos 4π(u − u₁) + a₂ cos 8πu + b₂ sin 8πu + a₃ cos 12πu + b₃ sin 12πu]
-/// ```
+/// See [`Style::height`].
 pub(crate) fn height(style: &Style, leg: f64, u: f64) -> (f64, f64) {
-    let omega = TAU / style.stride_time;
-    let phase = 2.0 * TAU * style.height1_phase;
-    let terms = [
-        (2.0, style.height1 * phase.cos(), style.height1 * phase.sin()),
-        (4.0, style.height2_cos, style.height2_sin),
-        (6.0, style.height3_cos, style.height3_sin),
-    ];
-    let (mut y, mut acceleration) = (0.0, 0.0);
-    for (n, c, s) in terms {
-        let (sin, cos) = (TAU * u * n).sin_cos();
-        let q = leg * (c * cos + s * sin);
-        y -= q;
-        acceleration += (n * omega).powi(2) * q;
-    }
-    (y, acceleration)
+    style.height(leg, u)
 }
 
-/// Rise of the load share after a contact, `v` after it: see [`share_risen`].
+/// Rise of the load share after a contact, `v` after it: see [`crate::Footfall`].
 pub(crate) fn share_rise(style: &Style, v: f64) -> f64 {
-    share_risen(style, v / style.double_support)
-}
-
-/// Rise of the load share when the part `x` of double support is over: `(1 − λ) S3(x^se) + λ x`.
-pub(crate) fn share_risen(style: &Style, x: f64) -> f64 {
-    let (x, even) = (x.clamp(0.0, 1.0), style.footfall.even_share);
-    let rounded = step::cubic(x.powf(style.share_exponent)).position;
-    rounded + even * (x - rounded)
+    style.footfall.share_risen(v / style.double_support, style.share_exponent)
 }
 
 /// Share of the foot whose contact is at 0, over one stance.

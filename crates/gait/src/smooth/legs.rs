@@ -120,6 +120,6 @@ impl Style {
 
     /// How its foot is kept off the ground; `late` is the part that is kept until shortly before contact.
     pub(crate) fn ground_clearance(&self, late: f64) -> Clearance {
-        Clearance { height: self.clearance, late, ..CLEARANCE }
+        Clearance { height: self.clearance, late, until: self.footfall.clear_until, ..CLEARANCE }
     }
 }

@@ -12,8 +12,7 @@ use crate::smooth::laid::{Laid, lay};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::Styling;
-use crate::smooth::terrain::{LEAD, StepKind, Terrain};
-use crate::smooth::walk::{Grounded, Step, Steps, WalkNumbers, WalkPlan, steps};
+use crate::smooth::walk::{Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, steps};
 use solaris_model::RootOrder;
 
 /// The fastest first and last step (steps/min).
@@ -212,6 +211,14 @@ impl Route {
         matches!(self.parts[..], [Part { turn, .. }] if turn == 0.0)
     }
 
+    /// Whether it begins or ends in a turn, or goes along a path.
+    fn ends_in_a_turn(&self) -> bool {
+        [self.parts.first(), self.parts.last()]
+            .into_iter()
+            .flatten()
+            .any(|part| part.turn != 0.0 || part.laid.is_some())
+    }
+
     /// Whether all goes over a horizontal plane.
     pub(crate) fn is_level(&self) -> bool {
         self.ground == WalkGround::Level
@@ -327,7 +334,7 @@ impl Route {
             strides: &strides,
             standing,
             steady,
-            numbers: WalkNumbers::default(),
+            numbers: if self.ends_in_a_turn() { WalkNumbers::by_contact() } else { WalkNumbers::default() },
             whole: &whole,
             planned: planned.as_deref(),
             ground: None,

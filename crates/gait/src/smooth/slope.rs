@@ -96,54 +96,9 @@ impl Style {
     }
 }
 
-/// The table that the changes on slopes and stairs were fitted to: level strides of the recipe, in the order of [`StyleTable::NUMBERS`].
-#[rustfmt::skip]
-const TABLE: [[f64; 4]; 40] = [
-    [17.42, 3.32, 0.23, 0.55], // heel_strike_angle
-    [0.01687, 0.00139, 0.00032, 0.00029], // height1
-    [0.0121, -0.0059, 0.0129, 0.0406], // height1_phase
-    [-0.00118, 0.00093, 0.00004, -0.00024], // height2_cos
-    [0.00079, -0.00097, -0.00001, -0.00075], // height2_sin
-    [-0.00012, -0.00015, -0.00011, -0.00003], // height3_cos
-    [0.00014, 0.00037, -0.00010, -0.00025], // height3_sin
-    [3.90, 0.39, 0.02, 0.56], // pelvic_obliquity
-    [0.0346, 0.0178, -0.0005, 0.0255], // obliquity_phase
-    [0.0796, -0.0116, -0.0005, 0.0114], // foot_flat
-    [7.38, 0.91, 1.02, -3.24], // knee_contact
-    [120.5, 39.5, 13.0, -4.9], // knee_contact_rate
-    [2215.0, 3049.0, 1997.0, 2120.0], // knee_contact_acc
-    [11.90, -3.54, -0.39, 6.65], // knee_push
-    [41.50, -4.82, 1.23, -19.37], // knee_toe_off
-    [363.1, 20.1, 26.2, -174.8], // knee_toe_off_rate
-    [-656.4, 672.9, 80.0, 784.4], // knee_toe_off_acc
-    [34.78, -0.96, -0.14, 36.22], // toe_roll
-    [65.17, -4.87, -1.53, -0.55], // knee_peak
-    [0.7503, -0.0027, -0.0026, 0.0436], // knee_peak_at
-    [28.80, -0.61, 1.24, -1.67], // thigh_swing
-    [6.17, -0.31, -0.41, 1.66], // ankle_swing
-    [1.0609, 0.2194, -0.0662, 0.6133], // cop_forward
-    [0.7494, 0.0063, -0.0016, 0.0387], // cop_heel_off
-    [0.7914, 0.0187, -0.0087, 0.0759], // cop_40
-    [0.7964, 0.0360, 0.0230, 0.0912], // cop_50
-    [0.3248, 0.0146, -0.0038, 0.0421], // heel_off
-    [-0.36, -1.55, 0.08, 0.69], // thorax_lean
-    [4.48, 0.21, 1.76, 1.09], // knee_late_swing
-    [5.31, -0.03, 0.17, -0.79], // thorax_bend_sin
-    [-2.65, -1.71, 0.88, -0.58], // thorax_bend_cos
-    [7.06, 0.15, 0.08, -0.44], // thorax_yaw
-    [23.80, 7.65, -2.74, -31.84], // arm_swing
-    [0.7408, -0.0568, 0.0354, -0.2458], // share_exponent
-    [0.1117, -0.0016, -0.0056, -0.0858], // step_width
-    [0.4268, -0.1015, 0.0126, 0.2992], // tip_roll
-    [5.82, 1.43, -0.18, -0.59], // pelvic_rotation
-    [1.4592, -0.0340, -0.0140, 1.8694], // pivot
-    [-0.0213, 0.0353, -0.0045, 0.0037], // arm_lag
-    [-0.0076, 0.0293, 0.0768, -0.0143], // thorax_yaw_phase
-];
-
 impl StyleTable {
-    /// The level style that walks over other ground are made of: what it changes on slopes and stairs was fitted to this one.
+    /// The level style that walks over other ground are made of: their changes were fitted with the recipe's footfall.
     pub fn on_ground() -> Self {
-        Self { rows: TABLE, manner: None, footfall: Footfall::RECIPE }
+        Self { footfall: Footfall::RECIPE, ..Self::default() }
     }
 }

@@ -1,15 +1,20 @@
 //! The numbers of a walking style: from a step frequency and a step length, for any figure.
 
-use super::footfall::{Footfall, planned_double_support};
+use super::footfall::Footfall;
 use super::manner::Manner;
-use super::stairs::StairNumbers;
+use super::stair_numbers::StairNumbers;
 use crate::body::LegGeometry;
 use crate::error::RequestError;
 use crate::limbs::numbers::MOST_KNEE_TOE_OFF;
 use crate::request::WALK_RATIO;
+use crate::walking::G;
+use std::f64::consts::TAU;
 
 /// Middle and spread of S/leg over the speeds that the table was fitted to.
 const SIGMA: (f64, f64) = (0.7586, 0.138);
+
+/// Mass over squared height of a person of average build (kg/m²), whose weight a plate's threshold is held against.
+const BUILD: f64 = 23.84;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Least flexion of a knee on a flat foot.
@@ -113,7 +118,7 @@ macro_rules! style_numbers {
         impl Default for StyleTable {
             /// What ships.
             fn default() -> Self {
-                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE }
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::SMOOTH }
             }
         }
 
@@ -168,85 +173,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [20.42, 3.51, 0.18, 14.31];
+    heel_strike_angle: DEGREE, [17.42, 3.32, 0.23, 0.55];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01743, -0.00013, -0.00056, 0.00620];
+    height1: 1.0, [0.01687, 0.00139, 0.00032, 0.00029];
     /// Its phase.
-    height1_phase: 1.0, [0.0237, -0.0207, 0.0045, 0.0903];
+    height1_phase: 1.0, [0.0121, -0.0059, 0.0129, 0.0406];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00096, 0.00087, -0.00016, -0.00199];
+    height2_cos: 1.0, [-0.00118, 0.00093, 0.00004, -0.00024];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00155, 0.00102, -0.00029, -0.00485];
+    height2_sin: 1.0, [0.00079, -0.00097, -0.00001, -0.00075];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00043, -0.00024, 0.00031, 0.00091];
+    height3_cos: 1.0, [-0.00012, -0.00015, -0.00011, -0.00003];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [-0.00002, 0.00029, -0.00000, -0.00069];
+    height3_sin: 1.0, [0.00014, 0.00037, -0.00010, -0.00025];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [4.18, 1.02, 0.33, 2.49];
+    pelvic_obliquity: DEGREE, [3.90, 0.39, 0.02, 0.56];
     /// Its phase.
-    obliquity_phase: 1.0, [0.1235, -0.0014, -0.0127, -0.3650];
+    obliquity_phase: 1.0, [0.0346, 0.0178, -0.0005, 0.0255];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0693, -0.0085, 0.0093, 0.0158];
+    foot_flat: 1.0, [0.0796, -0.0116, -0.0005, 0.0114];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [8.06, -0.47, -1.27, -19.44];
+    knee_contact: DEGREE, [7.38, 0.91, 1.02, -3.24];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [131.8, -27.5, -57.1, -397.6];
+    knee_contact_rate: DEGREE, [120.5, 39.5, 13.0, -4.9];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [3564.0, 4353.0, 2988.0, 4226.0];
+    knee_contact_acc: DEGREE, [2215.0, 3049.0, 1997.0, 2120.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [8.57, 7.31, 5.65, 2.43];
+    knee_push: DEGREE, [11.90, -3.54, -0.39, 6.65];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [41.74, -5.73, 1.15, -20.69];
+    knee_toe_off: DEGREE, [41.50, -4.82, 1.23, -19.37];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [343.0, -51.7, -14.3, -410.0];
+    knee_toe_off_rate: DEGREE, [363.1, 20.1, 26.2, -174.8];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-2870.0, 341.0, 25.0, 6330.0];
+    knee_toe_off_acc: DEGREE, [-656.4, 672.9, 80.0, 784.4];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [40.19, 3.11, -0.22, 5.87];
+    toe_roll: DEGREE, [34.78, -0.96, -0.14, 36.22];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [62.56, -6.45, -1.29, 3.21];
+    knee_peak: DEGREE, [65.17, -4.87, -1.53, -0.55];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7800, 0.0352, 0.0181, 0.0383];
+    knee_peak_at: 1.0, [0.7503, -0.0027, -0.0026, 0.0436];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [28.99, 1.89, 1.69, -16.69];
+    thigh_swing: DEGREE, [28.80, -0.61, 1.24, -1.67];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [6.84, 0.60, 0.94, -1.41];
+    ankle_swing: DEGREE, [6.17, -0.31, -0.41, 1.66];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [0.7303, 0.2467, -0.0381, -1.3348];
+    cop_forward: 1.0, [1.0609, 0.2194, -0.0662, 0.6133];
     /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7995, 0.0532, 0.0065, -0.0385];
+    cop_heel_off: 1.0, [0.7494, 0.0063, -0.0016, 0.0387];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.8031, 0.0526, 0.0060, -0.0343];
+    cop_40: 1.0, [0.7914, 0.0187, -0.0087, 0.0759];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.8066, 0.0518, 0.0056, -0.0295];
+    cop_50: 1.0, [0.7964, 0.0360, 0.0230, 0.0912];
     /// When the heel rises.
-    heel_off: 1.0, [0.3070, 0.0436, 0.0035, -0.1258];
+    heel_off: 1.0, [0.3248, 0.0146, -0.0038, 0.0421];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-2.91, -1.03, 1.78, -0.02];
+    thorax_lean: DEGREE, [-0.36, -1.55, 0.08, 0.69];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [5.54, 4.40, 3.74, 0.91];
+    knee_late_swing: DEGREE, [4.48, 0.21, 1.76, 1.09];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [-1.57, 0.56, 0.03, -1.96];
+    thorax_bend_sin: DEGREE, [5.31, -0.03, 0.17, -0.79];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-6.18, -0.35, -0.04, 2.11];
+    thorax_bend_cos: DEGREE, [-2.65, -1.71, 0.88, -0.58];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [3.05, 0.02, -0.01, 0.24];
+    thorax_yaw: DEGREE, [7.06, 0.15, 0.08, -0.44];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [17.07, 4.78, -0.81, -22.50];
+    arm_swing: DEGREE, [23.80, 7.65, -2.74, -31.84];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.7506, -0.4180, 0.1694, -0.8758];
+    share_exponent: 1.0, [0.7408, -0.0568, 0.0354, -0.2458];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.0985, -0.0002, 0.0009, -0.0110];
+    step_width: 1.0, [0.1117, -0.0016, -0.0056, -0.0858];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.3620, -0.1838, -0.0057, 0.2793];
+    tip_roll: 1.0, [0.4268, -0.1015, 0.0126, 0.2992];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [6.77, 0.79, -0.83, 1.76];
+    pelvic_rotation: DEGREE, [5.82, 1.43, -0.18, -0.59];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4971, -0.6126, 0.4369, 1.7713];
+    pivot: 1.0, [1.4592, -0.0340, -0.0140, 1.8694];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0482, 0.0397, -0.0334, -0.0172];
+    arm_lag: 1.0, [-0.0213, 0.0353, -0.0045, 0.0037];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [-0.0366, 0.0467, 0.0108, -0.0443];
+    thorax_yaw_phase: 1.0, [-0.0076, 0.0293, 0.0768, -0.0143];
 }
 
 impl Style {
@@ -292,7 +297,10 @@ impl Style {
             }
         }
         style.step_width *= height / 1.75;
-        style.double_support = planned_double_support(style.double_support, &style, leg.length(), height);
+        style.heel_off = style.heel_off.min(style.footfall.latest_heel_off);
+        let vertical = |u: f64| BUILD * height * height * (G + style.height(leg.length(), u).1);
+        style.double_support =
+            style.footfall.planned_double_support(style.double_support, style.share_exponent, vertical);
         style
     }
 
@@ -329,6 +337,29 @@ impl Style {
     /// their ends.
     pub fn is_extrapolated(&self, leg: &LegGeometry) -> bool {
         self.step_length / leg.length() < SIGMA.0 - 1.6 * SIGMA.1
+    }
+
+    /// Height harmonics of the centre of mass about its mean (m) and their second derivative in time (m/s²).
+    ///
+    /// ```text
+    /// y(u) = −leg·[a₁ cos 4π(u − u₁) + a₂ cos 8πu + b₂ sin 8πu + a₃ cos 12πu + b₃ sin 12πu]
+    /// ```
+    pub(super) fn height(&self, leg: f64, u: f64) -> (f64, f64) {
+        let omega = TAU / self.stride_time;
+        let phase = 2.0 * TAU * self.height1_phase;
+        let terms = [
+            (2.0, self.height1 * phase.cos(), self.height1 * phase.sin()),
+            (4.0, self.height2_cos, self.height2_sin),
+            (6.0, self.height3_cos, self.height3_sin),
+        ];
+        let (mut y, mut acceleration) = (0.0, 0.0);
+        for (n, c, s) in terms {
+            let (sin, cos) = (TAU * u * n).sin_cos();
+            let q = leg * (c * cos + s * sin);
+            y -= q;
+            acceleration += (n * omega).powi(2) * q;
+        }
+        (y, acceleration)
     }
 
     /// Toe-off of the left foot, in u.

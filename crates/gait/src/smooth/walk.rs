@@ -16,6 +16,7 @@ mod solve;
 mod standing;
 pub(crate) mod steps;
 mod tempo;
+mod terrain;
 mod timeline;
 
 pub(crate) use course::Step;
@@ -23,3 +24,4 @@ pub(crate) use grounded::Grounded;
 pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;
 pub(crate) use steps::Steps;
+pub(crate) use terrain::{LEAD, StepKind, Terrain};

@@ -242,7 +242,9 @@ fn steps_differ_as_peoples_do() {
             extent: Extent::Steps(26),
             ..request(Population::Adult, StyleSheet::default(), variability)
         };
-        let plan = walk(&figure, &asked).expect("a walk");
+        // Where a step asks too much of a joint, what is left of the differences is nearly all.
+        let (plan, part) = walk_in_part(&figure, &asked).expect("a walk");
+        assert!(part > 0.95, "{seed}: {part}");
         let steps = steps_of(&figure, &plan);
         for step in &steps[3..steps.len() - 4] {
             for (values, value) in all.iter_mut().zip(step) {

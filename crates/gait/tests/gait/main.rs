@@ -11,6 +11,7 @@ mod five_determinants_automatic;
 mod five_determinants_closure;
 mod five_determinants_tables;
 mod flexion;
+mod footfall;
 mod froude;
 mod golden;
 mod golden_slopes;

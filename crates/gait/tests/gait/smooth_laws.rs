@@ -41,8 +41,11 @@ fn feet_touch_a_step_time_apart() {
             );
             assert_eq!(*foot, ["right_foot", "left_foot"][k % 2]);
         }
-        // Two feet stand from each contact on for the double support that people have, 29.4 − 0.149·sf % of a stride.
-        let both = (29.4 - 0.149 * step_frequency) / 100.0 * 120.0 / step_frequency;
+        // Two feet stand from each contact on for a little longer than a plate sees of people's double support, 29.4 − 0.15·sf % of a
+        // stride.
+        let seen = (29.4 - 0.15 * step_frequency) / 100.0 * 120.0 / step_frequency;
+        let both = plan.style().double_support * 120.0 / step_frequency;
+        assert!((1.0..1.2).contains(&(both / seen)), "{step_frequency}: {both} of {seen} s");
         for ((touch, landed), (lift, left)) in touches.iter().zip(&lifts[1..]) {
             assert!((lift - touch - both).abs() < 1e-12, "{step_frequency}: {touch} to {lift} s");
             assert_ne!(landed, left);

@@ -1,7 +1,6 @@
 //! The paces of a walk, and which of them a clock belongs to.
 
 use super::course::{Episode, Step};
-use super::grounded::Grounded;
 use super::standing::Standing;
 use super::tempo::{Tempo, smooth_step};
 use crate::error::GaitError;
@@ -13,6 +12,9 @@ use crate::smooth::style::Style;
 use nalgebra::Vector3;
 use solaris_profiles::Clip;
 use solaris_profiles::spline::CubicSpline;
+
+/// Least flexion of a knee in the push on ground that is not level (rad).
+const LEAST_PUSH_KNEE: f64 = 2.0 * std::f64::consts::PI / 180.0;
 
 /// A pace: its style, and what its steady stride says.
 #[derive(Clone)]
@@ -90,8 +92,22 @@ pub(super) struct StanceLaw {
 
 impl StanceLaw {
     /// In this style, landing as `landing`.
-    pub(super) fn of(style: Style, landing: &Style, least_knee: f64) -> Result<Self, GaitError> {
-        Ok(Self { landing: landing.landing(), least_knee, cop: laws::cop_of(landing, &style)?, style })
+    fn of(style: &Style, landing: &Style, least_knee: f64) -> Result<Self, GaitError> {
+        Ok(Self { landing: landing.landing(), least_knee, cop: laws::cop_of(landing, style)?, style: *style })
+    }
+
+    /// Lands as `landing`, then stands and pushes off as `push`.
+    fn merged(landing: &Style, push: &Style, double_support: f64) -> Result<Self, GaitError> {
+        let style = Style {
+            heel_strike_angle: landing.heel_strike_angle,
+            knee_contact: landing.knee_contact,
+            knee_contact_rate: landing.knee_contact_rate,
+            knee_contact_acc: landing.knee_contact_acc,
+            foot_flat: landing.foot_flat,
+            double_support,
+            ..*push
+        };
+        Self::of(&style, landing, LEAST_PUSH_KNEE)
     }
 }
 
@@ -111,6 +127,15 @@ pub(super) struct SwingLaw {
     pub(super) style: Style,
     /// Edges that it passes, if any: then its path is the law.
     pub(super) passings: Vec<Passing>,
+}
+
+/// A contact on ground that is not level.
+#[derive(Clone)]
+pub(super) struct Contact {
+    pub(super) gait: Gait,
+    pub(super) landing: LandingLaw,
+    /// The style in which the foot then stands and pushes off.
+    pub(super) push: Style,
 }
 
 /// The paces of a walk.
@@ -142,7 +167,7 @@ impl Gaits {
                 let style_of = |contact: usize| &paces[of_contact[contact.min(of_contact.len() - 1)]].style;
                 let double_support = style_of(next).double_support;
                 let style = Style { double_support, ..*style_of(next.saturating_sub(1)) };
-                StanceLaw::of(style, &style, f64::NEG_INFINITY)
+                StanceLaw::of(&style, &style, f64::NEG_INFINITY)
             })
             .collect::<Result<_, GaitError>>()?;
         let tempo = tempo(&paces, stride_time, standing, steps);
@@ -157,9 +182,8 @@ impl Gaits {
         Ok(Self { paces, of_contact, stances, landings, swings, tempo, stride_time })
     }
 
-    /// On ground that is not level, where every contact has a pace of its own.
-    pub(super) fn on_ground(grounded: &Grounded) -> Result<Self, GaitError> {
-        let contacts = &grounded.contacts;
+    /// On ground that is not level, where every contact has a pace of its own; a swing for the contact that it ends in.
+    pub(super) fn on_ground(contacts: &[Contact], swings: &[SwingLaw]) -> Result<Self, GaitError> {
         let last = contacts.len() - 1;
         let stances = (0..=contacts.len())
             .map(|next| {
@@ -174,7 +198,7 @@ impl Gaits {
             of_contact: (0..contacts.len()).collect(),
             stances,
             landings: contacts.iter().map(|contact| contact.landing).collect(),
-            swings: grounded.swings.clone(),
+            swings: swings.to_vec(),
             tempo: Tempo::new(vec![1.0; contacts.len() - 1], std::iter::empty()),
             stride_time,
         })

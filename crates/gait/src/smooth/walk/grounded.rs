@@ -3,20 +3,17 @@
 //! A foot lands as on the slope of the step in, and stands and pushes off as on that of the step out; the body between them is that of
 //! the mean of both.
 
-use super::gaits::{Gait, LandingLaw, SwingLaw};
+use super::gaits::{Contact, Gait, LandingLaw, SwingLaw};
 use super::standing::Standing;
+use super::terrain::{StepKind, Terrain};
 use crate::body::Body;
 use crate::error::GaitError;
 use crate::limbs::path::Passing;
 use crate::request::Resolution;
-use crate::smooth::stairs::{HEEL_OVERHANGS, StairNumbers, TOES_OVERHANG};
+use crate::smooth::stair_numbers::{HEEL_OVERHANGS, StairNumbers, TOES_OVERHANG};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
-use crate::smooth::terrain::{StepKind, Terrain};
 use solaris_model::Relief;
-
-/// Least flexion of a knee in the push (rad).
-const LEAST_PUSH_KNEE: f64 = 2.0 * std::f64::consts::PI / 180.0;
 
 /// A walk's ground, and what is done on it.
 pub(crate) struct Grounded {
@@ -27,14 +24,6 @@ pub(crate) struct Grounded {
     pub(super) contacts: Vec<Contact>,
     /// By the contact that a swing ends in.
     pub(super) swings: Vec<SwingLaw>,
-}
-
-/// A contact.
-#[derive(Clone)]
-pub(super) struct Contact {
-    pub(super) gait: Gait,
-    pub(super) landing: LandingLaw,
-    pub(super) push: Style,
 }
 
 /// Strides that were planned already.
@@ -163,20 +152,4 @@ fn passings(
         Passing { at, end: stairs.end(), pitch, place: [y - from[1] + above, z - from[0] + nosing] }
     });
     passed.collect()
-}
-
-impl super::gaits::StanceLaw {
-    /// Lands as `landing`, then stands and pushes off as `push`.
-    pub(super) fn merged(landing: &Style, push: &Style, double_support: f64) -> Result<Self, GaitError> {
-        let style = Style {
-            heel_strike_angle: landing.heel_strike_angle,
-            knee_contact: landing.knee_contact,
-            knee_contact_rate: landing.knee_contact_rate,
-            knee_contact_acc: landing.knee_contact_acc,
-            foot_flat: landing.foot_flat,
-            double_support,
-            ..*push
-        };
-        Self::of(style, landing, LEAST_PUSH_KNEE)
-    }
 }

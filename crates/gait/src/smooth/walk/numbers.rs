@@ -236,14 +236,14 @@ impl WalkNumbers {
 }
 
 impl WalkNumbers {
-    /// What ships on ground that is not level, where landing legs more often than standing ones decide how low the body must be: its
-    /// corrections come earlier.
-    pub fn on_ground() -> Self {
+    /// With one correction of height a contact where a walk begins and ends, too: what ships for walks that begin or end in a turn,
+    /// where knots would hold the outer leg too straight.
+    pub fn by_contact() -> Self {
         Self {
             pelvis_out: (-0.14, 0.84),
             thorax_out: (0.39, 0.90),
             arms_out: (0.50, 1.14),
-            correction_at: 0.18,
+            correction_at: 0.26,
             closing_thigh: 0.78,
             landing_range: LANDING_RANGE,
             knee_closing: 1.5 * DEGREE,
@@ -252,6 +252,12 @@ impl WalkNumbers {
             ..Self::recipe()
         }
     }
+
+    /// What ships on ground that is not level, where landing legs more often than standing ones decide how low the body must be: its
+    /// corrections come earlier.
+    pub fn on_ground() -> Self {
+        Self { correction_at: 0.18, ..Self::by_contact() }
+    }
 }
 
 impl Default for WalkNumbers {
@@ -259,9 +265,6 @@ impl Default for WalkNumbers {
     /// swing before the first foot has landed.
     fn default() -> Self {
         Self {
-            pelvis_out: (-0.14, 0.84),
-            thorax_out: (0.39, 0.90),
-            arms_out: (0.50, 1.14),
             start_time: Some(0.72),
             knots: 0.055,
             standing_heel_off: (0.01, 1.18),
@@ -270,14 +273,8 @@ impl Default for WalkNumbers {
             first_heel_off: (0.22, 0.24),
             standing_toe_off: 13.0 * DEGREE,
             first_peak_after: 0.12,
-            correction_at: 0.26,
-            closing_thigh: 0.78,
-            landing_range: LANDING_RANGE,
-            knee_closing: 1.5 * DEGREE,
-            late_clearance: 0.025,
             swing_in: (0.05, 0.70),
-            arms_in: (-0.05, 0.75),
-            ..Self::recipe()
+            ..Self::by_contact()
         }
     }
 }
