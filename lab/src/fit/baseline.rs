@@ -32,7 +32,7 @@ fn measured(table: &StyleTable) -> Result<(), String> {
          vertical force {load:.1} %BW rms\n"
     );
     for (ours, theirs) in found.curves.chunks(20).zip(measured.curves.chunks(20)) {
-        let row = |values: &[f64]| values.iter().map(|x| format!("{x:5.0}")).collect::<String>();
+        let row = |values: &[f64]| values.iter().map(|x| format!("{x:5.0}")).collect::<Vec<_>>().concat();
         println!("{}\n{}", row(ours), row(theirs));
     }
     Ok(())

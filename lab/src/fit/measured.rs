@@ -1,4 +1,4 @@
-//! A measured stride: a person on a treadmill between force plates, of `shared/data`, which is no part of the project.
+//! A measured stride: a person on a treadmill between force plates; the recording is no part of the project.
 //!
 //! Angles of joints are those of the three-dimensional model, whose record covers a whole stride only in parts of two: what is
 //! known of a clock is its mean over both legs and all strides. The treadmill's person leans back by 20°; only legs and loads are taken.
@@ -7,7 +7,7 @@ use super::stride::Case;
 use crate::workspace;
 use solaris_io::{Table, sto};
 use std::fs;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// Height (m) and mass (kg), step frequency (1/min) and step length (m): of `reference_facts.json`.
 const PERSON: [f64; 4] = [1.803, 72.6, 97.8, 0.696];
@@ -37,8 +37,8 @@ impl Measured {
         }
         let [height, mass, step_frequency, step_length] = PERSON;
         let case = Case::of_person(height, mass, step_frequency, step_length)?;
-        let joints = read(folder.join("subject01_walk_ik_3d23.mot"))?;
-        let forces = read(folder.join("subject01_walk_grf.mot"))?;
+        let joints = read(&folder.join("subject01_walk_ik_3d23.mot"))?;
+        let forces = read(&folder.join("subject01_walk_grf.mot"))?;
         let mut curves = Vec::new();
         for (name, sign) in [("hip_flexion", 1.0), ("knee_angle", -1.0), ("ankle_angle", 1.0)] {
             for k in 0..20 {
@@ -80,7 +80,7 @@ impl Measured {
     }
 }
 
-fn read(path: PathBuf) -> Result<Table, String> {
+fn read(path: &Path) -> Result<Table, String> {
     let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     sto::read(&text).map_err(|error| format!("{}: {error}", path.display()))
 }

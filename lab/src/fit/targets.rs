@@ -160,11 +160,14 @@ impl Target {
         match self {
             Self::Walk(..) => format!("walk {i}"),
             Self::Stride(stride) if stride.measured.is_some() => format!("curve {i}"),
-            Self::Stride(_) => textbook().nth(i).map(|band| band.name.to_owned()).unwrap_or_else(|| {
-                let i = i - bands;
-                let others = OTHERS.get(i).or_else(|| BOUNDS.get(i.wrapping_sub(OTHERS.len())));
-                others.map_or_else(|| format!("other {i}"), |name| (*name).to_owned())
-            }),
+            Self::Stride(_) => textbook().nth(i).map_or_else(
+                || {
+                    let i = i - bands;
+                    let others = OTHERS.get(i).or_else(|| BOUNDS.get(i.wrapping_sub(OTHERS.len())));
+                    others.map_or_else(|| format!("other {i}"), |name| (*name).to_owned())
+                },
+                |band| band.name.to_owned(),
+            ),
         }
     }
 

@@ -239,7 +239,7 @@ impl Swing {
         let straightened = OUTWARD * (before + (after - before) * x) * part;
         let side = self.side.position(v) - straightened - self.outward * hump(x);
         let [tilt, after] = self.tilt;
-        let tilt = if tilt == after { tilt } else { tilt + (after - tilt) * step::quintic(x).position };
+        let tilt = tilt + (after - tilt) * step::quintic(x).position;
         LegPose { side, thigh, knee, pitch, toes: pitch - extension, tilt }
     }
 

@@ -67,28 +67,22 @@ pub(crate) fn cop(style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
 pub(crate) fn cop_of(landing: &Style, style: &Style) -> Result<Clip<CubicSpline>, ProfileError> {
     let (flat, forward) = (landing.foot_flat, style.cop_forward);
     let mut keys = Vec::with_capacity(10);
-    match &landing.stairs {
-        Some(stairs) => keys.extend([(0.0, stairs.cop_contact), (flat, stairs.cop_flat)]),
-        None => keys.extend([
-            (0.0, 0.0),
-            (COP_LOADING.0 * flat, COP_LOADING.1),
-            (flat, COP_FLAT),
-            (flat + COP_QUICK.0, COP_QUICK.1 * forward),
-        ]),
+    if let Some(stairs) = &landing.stairs {
+        keys.extend([(0.0, stairs.cop_contact), (flat, stairs.cop_flat)]);
+    } else {
+        keys.extend([(0.0, 0.0), (COP_LOADING.0 * flat, COP_LOADING.1), (flat, COP_FLAT)]);
+        keys.push((flat + COP_QUICK.0, COP_QUICK.1 * forward));
     }
     let at_toe_off = |before: f64, end: f64| [(style.tip_roll_at(), before), (style.toe_off(), end)];
-    match &style.stairs {
-        Some(stairs) => {
-            // On the way down the toes do not roll.
-            let before = if stairs.cop_end > 0.9 { COP_BEFORE_END.0 } else { COP_BEFORE_END.1 };
-            keys.extend([stairs.cop_middle, (style.heel_off, style.cop_heel_off), (0.50, style.cop_50)]);
-            keys.extend(at_toe_off(stairs.cop_end - before, stairs.cop_end));
-        }
-        None => {
-            keys.extend([(COP_SINGLE.0, COP_SINGLE.1 * forward), (style.heel_off, style.cop_heel_off)]);
-            keys.extend([(0.40, style.cop_40), (0.50, style.cop_50)]);
-            keys.extend(at_toe_off(COP_TIP_ROLL, 1.0));
-        }
+    if let Some(stairs) = &style.stairs {
+        // On the way down the toes do not roll.
+        let before = if stairs.cop_end > 0.9 { COP_BEFORE_END.0 } else { COP_BEFORE_END.1 };
+        keys.extend([stairs.cop_middle, (style.heel_off, style.cop_heel_off), (0.50, style.cop_50)]);
+        keys.extend(at_toe_off(stairs.cop_end - before, stairs.cop_end));
+    } else {
+        keys.extend([(COP_SINGLE.0, COP_SINGLE.1 * forward), (style.heel_off, style.cop_heel_off)]);
+        keys.extend([(0.40, style.cop_40), (0.50, style.cop_50)]);
+        keys.extend(at_toe_off(COP_TIP_ROLL, 1.0));
     }
     Ok(CubicSpline::monotone(&keys)?.into_clip())
 }

@@ -62,12 +62,11 @@ impl Route {
             step_length: request.step_length,
             speed: request.speed,
         };
-        let (mut pace, mut length) = match turning_short(&given, law, request.turn) {
-            Some(found) => found?,
-            None => {
-                let shortest = if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP };
-                (given.settle(law, shortest)?, None)
-            }
+        let (mut pace, mut length) = if let Some(found) = turning_short(&given, law, request.turn) {
+            found?
+        } else {
+            let shortest = if request.turn == 0.0 { 1.0 - STEP_LENGTH_MARGIN } else { SHORTEST_STEP };
+            (given.settle(law, shortest)?, None)
         };
         if let Some(path) = &request.path {
             return Self::along(path, request, pace, body, heading);

@@ -1,5 +1,6 @@
 //! One periodic stride: two steps of steady walking.
 
+mod leg;
 mod nodes;
 
 use crate::body::Body;
@@ -11,28 +12,21 @@ use crate::body::rotations;
 use crate::error::GaitError;
 use crate::grid::{Ends, Grid};
 use crate::limbs::jet::LegJet;
-use crate::limbs::midstance::above_flexion;
-use crate::limbs::numbers::LANDING_RANGE;
-use crate::limbs::path::{Air, PathSwing};
-use crate::limbs::stance::{Landing, Stance};
+use crate::limbs::path::Air;
+use crate::limbs::stance::Stance;
 use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
 use crate::request::Resolution;
 use crate::smooth::laws::{self, Swings};
-use crate::smooth::legs::Aim;
 use crate::smooth::prescribed::PrescribedNode;
 use crate::smooth::style::Style;
+use leg::{StrideLeg, spare_height};
 use nalgebra::Vector3;
 use nodes::Laws;
 use solaris_analysis::FootSupport;
 use solaris_model::{Contact, Figure};
-use solaris_profiles::{Boundary, UniformSpline, step};
+use solaris_profiles::UniformSpline;
 
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// The slope from which on the landing knee is as bent as the leg needs it (rad).
-const UPHILL: f64 = 5.0 * DEGREE;
-/// Instants at which a flat foot's leg is looked at for it.
-const INSTANTS: i32 = 30;
 /// Part of the way to the momentum found that each pass goes but the first, which goes all of it.
 const RELAXATION: f64 = 0.8;
 
@@ -80,8 +74,7 @@ impl StridePlan {
         let mut kernel = MomentumKernel::new(&body, &grid, &upper, plane, |_, _| 0.0, |_, _| style.slope);
         let hips: Vec<Vector3<f64>> = (0..n).map(|i| upper.pelvis(i) * leg.hip).collect();
         let toe_off = style.toe_off();
-        let swinging = (0..n).filter(|&i| clock(i) > toe_off);
-        let swinging: Vec<usize> = swinging.collect();
+        let swinging: Vec<f64> = (0..n).map(clock).filter(|&u| u > toe_off).collect();
 
         let mut com: Vec<Vector3<f64>> =
             (0..n).map(|i| Vector3::new(0.0, laws.height[i] + leg.length() * 1.026, 0.0)).collect();
@@ -97,64 +90,13 @@ impl StridePlan {
             let spline = UniformSpline::periodic(0.0, 1.0 / n as f64, &hip_nodes)?;
             let hip_at =
                 |u: f64, rise: f64| Vector3::from(spline.position(u)) + Vector3::y() * rise + stride * u;
-            let mut stance = Stance::new(&leg, &style.footing(), style.landing(), style.push());
+            let stance = Stance::new(&leg, &style.footing(), style.landing(), style.push());
             let rise = spare_height(&stance, style, &leg, |u| hip_at(u, 0.0));
             for com in &mut com {
                 com.y += rise;
             }
             let hip = |u: f64| hip_at(u, rise);
-            let (knee, lowered) = if style.flexion > 0.0 {
-                let pitch = -style.heel_strike_angle;
-                let knee = stance.landing_knee(
-                    style.contact_knee(),
-                    style.knee_contact,
-                    pitch,
-                    LANDING_RANGE,
-                    &hip(0.0),
-                );
-                (knee, knee.position - style.knee_contact)
-            } else {
-                // Uphill the standing leg, not the landing one, limits the height: the pitch is kept, and the knee follows.
-                let ankle = stance.ankle_on_heel(-style.heel_strike_angle);
-                let bent = leg.knee_for((hip(0.0) - ankle).norm_squared()) - style.knee_contact;
-                let part = step::cubic((style.slope / UPHILL).clamp(0.0, 1.0)).position;
-                let knee = style.contact_knee();
-                (Boundary { position: knee.position + part * bent.max(0.0), ..knee }, 0.0)
-            };
-            let knee = (style.landing() == Landing::Heel).then_some(knee);
-            if let Some(knee) = knee {
-                stance.set_contact(knee, hip)?;
-            }
-            stance.set_push(hip)?;
-            let contact = stance.contact_jet(knee, hip);
-            let aim = Aim {
-                thigh: style.thigh_swing,
-                late_knee: style.knee_late_swing + lowered,
-                beside: false,
-                tilt: [style.slope; 2],
-                sideways: [0.0; 2],
-            };
-            let start = stance.toe_off_jet(hip);
-            let swing = if let Some(stairs) = &style.stairs {
-                let (start, end) = (stance.toe_off_path(hip), stance.contact_path(hip));
-                let passings = stairs.passings(style.step_length, leg.foot_length());
-                Air::Path(PathSwing::new(&leg, toe_off, &passings, &start, &end, &stride)?)
-            } else {
-                let mut swing = style.swing(&start, &contact, &aim)?;
-                if style.slope == 0.0 {
-                    let heights: Vec<(f64, f64)> =
-                        swinging.iter().map(|&i| (clock(i), hip_nodes[i][1] + rise)).collect();
-                    swing.clear_ground(&leg, &style.ground_clearance(0.0), &heights);
-                } else {
-                    let hips: Vec<(f64, Vector3<f64>)> =
-                        swinging.iter().map(|&i| (clock(i), hip(clock(i)))).collect();
-                    let slope = style.slope.tan();
-                    swing.clear_terrain(&leg, &plane, &style.ground_clearance(0.0), &hips, |p| {
-                        p.y - slope * p.z
-                    });
-                }
-                Air::Joints(swing)
-            };
+            let StrideLeg { stance, swing, contact } = StrideLeg::new(style, &leg, stance, hip, &swinging)?;
             let poses: Vec<LegPose> = (0..n)
                 .map(|i| match clock(i) {
                     u if u <= toe_off => stance.pose(u, &hip(u)),
@@ -277,33 +219,4 @@ impl StridePlan {
 /// Angles of trunk and both arms at the clock `u`.
 fn angles(style: &Style, u: f64) -> ([rotations::Euler; 5], [[f64; 2]; 2]) {
     (laws::trunk(style, u, Swings::ALL), laws::arms(style, u, Swings::ALL))
-}
-
-/// How far the body must rise until the first leg, at contact or on a flat foot, is as straight as it may be.
-fn spare_height(
-    stance: &Stance,
-    style: &Style,
-    leg: &crate::body::leg::LegGeometry,
-    hip: impl Fn(f64) -> Vector3<f64>,
-) -> f64 {
-    let spare = |u: f64, ankle: Vector3<f64>, knee: f64| {
-        let d = hip(u) - ankle;
-        (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(1e-6).sqrt() - d.y
-    };
-    let contact = spare(0.0, stance.landing_ankle(-style.heel_strike_angle), style.knee_contact);
-    let (from, to) = (style.foot_flat, style.heel_off);
-    let flexed = if style.flexion > 0.0 {
-        -above_flexion(leg, stance, style.flexion, (from, to), &hip).1
-    } else {
-        f64::INFINITY
-    };
-    (0..INSTANTS)
-        .map(|i| {
-            spare(
-                from + (to - from) * f64::from(i) / f64::from(INSTANTS - 1),
-                stance.flat_ankle(),
-                style.least_knee,
-            )
-        })
-        .fold(contact.min(flexed), f64::min)
 }

@@ -57,7 +57,7 @@ pub(crate) fn walk_from(
             |route: &Route| route.plan(body, standing, &styling, request.left_first, request.resolution);
         let plan = planned(route)?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
-        let check = PlanCheck { figure, route, deviates, tempo, nearest };
+        let check = PlanCheck { figure, route, nearest, deviates, tempo };
         check.check(&plan)?;
         if deviates || !route.is_even() || !route.is_level() {
             check.check_motion(&plan)?;

@@ -70,6 +70,5 @@ fn a_bvh_file_of_a_circle_gives_the_same_places_again() {
     let (written, read) = (places(&figure, &motion, &names), places(&clip.figure, &clip.motion, &names));
     assert_eq!(written.len(), read.len());
     let apart = written.iter().zip(&read).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
-    println!("places of the file are {apart:.1e} m apart");
     assert!(apart < 1e-6);
 }

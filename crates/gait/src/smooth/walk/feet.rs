@@ -111,7 +111,6 @@ impl Foot {
                 swings.push(Air::Path(path));
                 continue;
             }
-            let mut style = style;
             if laws.relief.is_some() && to.kind != Kind::Close {
                 // A foot that lands with a bent leg swings with a more bent one.
                 let bent = end.knee.position - laws.gaits.landing(to.index).knee - PEAK_FOLLOWS.0;
