@@ -81,7 +81,7 @@ impl Measured {
 }
 
 fn read(path: &Path) -> Result<Table, String> {
-    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     sto::read(&text).map_err(|error| format!("{}: {error}", path.display()))
 }
 

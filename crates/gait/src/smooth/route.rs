@@ -211,7 +211,7 @@ impl Route {
     }
 
     /// Whether it begins or ends in a turn, or goes along a path.
-    fn ends_in_a_turn(&self) -> bool {
+    pub(crate) fn ends_in_a_turn(&self) -> bool {
         [self.parts.first(), self.parts.last()]
             .into_iter()
             .flatten()
@@ -281,12 +281,13 @@ impl Route {
     }
 
     /// Plans the walk. `standing` is the style in which the feet stand before it, that of the first step where there is none;
-    /// `mirrored` turns everything the other way.
+    /// `mirrored` turns everything the other way. Ground that is not level has numbers of its own.
     pub(crate) fn plan(
         &self,
         body: &Body,
         standing: Option<&Style>,
         styling: &Styling<'_>,
+        numbers: &WalkNumbers,
         mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
@@ -333,7 +334,7 @@ impl Route {
             strides: &strides,
             standing,
             steady,
-            numbers: if self.ends_in_a_turn() { WalkNumbers::by_contact() } else { WalkNumbers::default() },
+            numbers: *numbers,
             whole: &whole,
             planned: planned.as_deref(),
             ground: None,

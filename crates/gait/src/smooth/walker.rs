@@ -8,7 +8,7 @@ use crate::smooth::options;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
 use crate::smooth::styling::Styling;
-use crate::smooth::walk::WalkPlan;
+use crate::smooth::walk::{WalkNumbers, WalkPlan};
 use solaris_model::Figure;
 
 /// Plans a walk, from standing to standing.
@@ -51,10 +51,11 @@ pub(crate) fn walk_from(
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
     request.variability.map_or(Ok(()), Variability::check)?;
-    let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
+    let planned_with = |request: &WalkRequest, part: f64, route: &Route, numbers: &WalkNumbers| {
         let styling = Styling::of(request, body, part);
-        let planned =
-            |route: &Route| route.plan(body, standing, &styling, request.left_first, request.resolution);
+        let planned = |route: &Route| {
+            route.plan(body, standing, &styling, numbers, request.left_first, request.resolution)
+        };
         let plan = planned(route)?;
         let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
         let check = PlanCheck { figure, route, nearest, deviates, tempo };
@@ -67,6 +68,20 @@ pub(crate) fn walk_from(
             check.check_motion(short.as_ref().unwrap_or(&plan))?;
         }
         Ok(plan)
+    };
+    let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
+        if route.ends_in_a_turn() {
+            return planned_with(request, part, route, &WalkNumbers::by_contact());
+        }
+        let found = planned_with(request, part, route, &WalkNumbers::default());
+        let coarser = request.parameters.is_empty() && route.is_level();
+        match found {
+            // Between a start and a stop that are near to each other knots may hold a leg too straight.
+            Err(error @ GaitError::Plan(_)) if coarser => {
+                planned_with(request, part, route, &WalkNumbers::by_contact()).map_err(|_| error)
+            }
+            found => found,
+        }
     };
     let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
         let law = Styling::of(request, body, part).law;

@@ -27,7 +27,7 @@ fn walked(figure: &Figure, request: &WalkRequest) -> (Motion, ReactionReport, Wa
 fn judge(name: &str, figure: &Figure, request: &WalkRequest) {
     let (motion, report, measures) = walked(figure, request);
     let most = |what: &str, value: f64, limit: f64| {
-        assert!(value <= limit, "{name}: {what} is {value}, not within {limit}")
+        assert!(value <= limit, "{name}: {what} is {value}, not within {limit}");
     };
     most("slide, m", measures.slide.value, 1e-4);
     most("sink, m", measures.sink.value, 1e-3);
