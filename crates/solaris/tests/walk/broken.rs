@@ -66,13 +66,15 @@ impl Good {
         judge(&self.figure, &self.plan, motion)
     }
 
-    /// A sample at which the left foot stands alone, and the right one swings.
+    /// A sample at which the left foot stands alone and flat, and the right knee bends: a fifth into a single support from the middle.
     fn single(&self) -> usize {
         let [left, right] =
             ["left_foot", "right_foot"].map(|foot| self.motion.contact(foot).expect("a track"));
         let alone = |i: &usize| left.samples[*i].force.y > 0.0 && right.samples[*i].force.y <= 0.0;
         let alone: Vec<usize> = (0..self.motion.len()).filter(alone).collect();
-        alone[alone.len() / 2]
+        let supports: Vec<&[usize]> = alone.chunk_by(|a, b| a + 1 == *b).collect();
+        let support = supports[supports.len() / 2];
+        support[support.len() / 5]
     }
 }
 
