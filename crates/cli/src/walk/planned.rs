@@ -72,9 +72,9 @@ impl Planned {
         let start = Instant::now();
         progress.stage("planning the walk");
         let mut in_part = None;
-        let mut plan_of = |figure: &Figure, request: &StyledRequest| {
+        let mut in_part_of = |figure: &Figure, request: &StyledRequest, found: Result<_, GaitError>| {
             let refuse = |error| asked.refuse(error, args);
-            match (StyledPlan::of(figure, request), request) {
+            match (found, request) {
                 (Err(GaitError::Plan(PlanError::OnlyPart { part, why })), StyledRequest::Smooth(walk)) => {
                     in_part = Some((part, why.to_string()));
                     let request = StyledRequest::Smooth(walk.in_part(part));
@@ -88,15 +88,15 @@ impl Planned {
             Err(error) if error.turns_too_far() && args.who.figure.is_none() => {
                 *figure = super::heading_first(&args.who.person)?;
                 heading_first = true;
-                plan_of(figure, &asked.request)?
+                in_part_of(figure, &asked.request, StyledPlan::of(figure, &asked.request))?
             }
-            plan => plan.map_err(|error| asked.refuse(error, args))?,
+            found => in_part_of(figure, &asked.request, found)?,
         };
         let figure = &*figure;
         let asked_frequency = plan.step_frequency();
         let in_step = || looped::in_step(&asked.request, asked_frequency, rate);
         if let Some(request) = looped.and(args.extent.rate).and_then(|_| in_step()) {
-            plan = plan_of(figure, &request)?;
+            plan = in_part_of(figure, &request, StyledPlan::of(figure, &request))?;
         }
         let planning = start.elapsed();
         super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;

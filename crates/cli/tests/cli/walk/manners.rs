@@ -83,10 +83,12 @@ fn every_example_of_the_help_runs() {
         .filter(|example| example.starts_with("walk "))
         .collect();
     assert!(examples.len() >= 4, "{examples:?}");
+    std::fs::write(folder.path().join("way.csv"), "x,z\n0,3\n2,3\n").expect("written");
     for example in examples {
         succeeded(&solaris(folder.path(), &example.split(' ').collect::<Vec<_>>()));
     }
     let written = [
+        "about.html",
         "child.csv",
         "child.html",
         "corner.html",
@@ -97,6 +99,8 @@ fn every_example_of_the_help_runs() {
         "stiff.json",
         "thesis.html",
         "walk.html",
+        "way.csv",
+        "way.html",
     ];
     assert_eq!(names(folder.path()), written);
 }

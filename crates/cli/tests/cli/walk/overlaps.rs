@@ -17,7 +17,7 @@ fn told(report: &Value) -> Vec<&str> {
 
 #[test]
 fn a_walk_whose_limbs_overlap_says_which_how_deep_when_and_how_long() {
-    let sharp = report(&["--turn", "25", "--steps", "3"]);
+    let sharp = report(&["--turn", "30", "--first", "right", "--step-width", "0.06", "--steps", "3"]);
     let overlap = &sharp["whole_walk"]["nearest_limbs"]["overlaps"][0];
     assert_eq!(overlap["links"], serde_json::json!(["left_thigh", "right_thigh"]));
     let number = |key: &str| overlap[key].as_f64().expect(key);
