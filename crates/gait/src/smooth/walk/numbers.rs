@@ -170,7 +170,7 @@ pub struct WalkNumbers {
     pub thorax_out: (f64, f64),
     /// End of the arms' swings.
     pub arms_out: (f64, f64),
-    /// From the first movement to the first lift (s, of somebody of the reference height; it goes with the root of height); none where the movement begins at [`BEGIN`].
+    /// From the first movement to the first lift (s, of somebody of the reference height; it goes with the root of height); none where the movement begins at u = −0.75.
     pub start_time: Option<f64>,
     /// Distance of the knots at which height is corrected where a walk begins and ends (s, likewise); 0 for one correction a contact there, too.
     pub knots: f64,
