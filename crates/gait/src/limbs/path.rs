@@ -1,14 +1,11 @@
 //! One foot in the air over edges: the ankle's path is the law, and the leg follows.
 
 use super::numbers::LACK;
-use super::swing::{Bump, Swing};
+use super::swing::{Bump, Swing, Toes};
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose};
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError};
-
-/// When the toes have come back to the foot (u).
-const TOES_STRAIGHT_AT: f64 = 0.80;
 
 /// How a path is kept off the ground: how often it is raised, half the width of a rise (parts of the swing), the least part of a rise's height
 /// that its worst sample may have of it, from which part of the swing on the clearance is asked for in full, and how near to its ends not.
@@ -76,6 +73,7 @@ impl PathSwing {
     pub(crate) fn new(
         leg: &LegGeometry,
         toe_off: f64,
+        toes: Toes,
         passings: &[Passing],
         start: &FootJet,
         end: &FootJet,
@@ -102,13 +100,7 @@ impl PathSwing {
                 through(&|passing| passing.ankle(leg)[1], start.ankle[2], landed(2))?,
             ],
             pitch: through(&|passing| passing.pitch, start.pitch, end.pitch)?,
-            extension: Piecewise::quintic_spline(
-                &[toe_off, TOES_STRAIGHT_AT, 1.0],
-                &[0.0],
-                start.extension,
-                end.extension,
-            )?
-            .outside(Outside::Extrapolate),
+            extension: toes.spline(toe_off, start.extension, end.extension)?.outside(Outside::Extrapolate),
             toe_off,
             bumps: Vec::new(),
         })

@@ -42,11 +42,18 @@ pub enum Toes {
 }
 
 impl Toes {
-    /// Their extension over the swing, from its jet at toe-off.
-    fn spline(self, toe_off: f64, start: Boundary) -> Result<Piecewise, ProfileError> {
-        let rest = Boundary::rest(0.0);
+    /// Their extension over the swing, from its jet at toe-off to that at the contact (u = 1).
+    pub(super) fn spline(
+        self,
+        toe_off: f64,
+        start: Boundary,
+        end: Boundary,
+    ) -> Result<Piecewise, ProfileError> {
         match self {
-            Self::StraightAt(at) => Piecewise::quintic_spline(&[toe_off, at], &[], start, rest),
+            Self::StraightAt(at) if end == Boundary::rest(0.0) => {
+                Piecewise::quintic_spline(&[toe_off, at], &[], start, end)
+            }
+            Self::StraightAt(at) => Piecewise::quintic_spline(&[toe_off, at, 1.0], &[0.0], start, end),
             Self::Extended(extension) => {
                 let (v, a) = (-start.velocity.min(0.0), -start.acceleration.min(0.0));
                 // How far they turn until they rest, and when they do: the quintic from a rest at D below to (0, −v, −a) is
@@ -58,7 +65,7 @@ impl Toes {
                 let knots = [toe_off, still, 0.5 * (still + 1.0), 1.0];
                 Piecewise::quintic_hermite(
                     &knots,
-                    &[start, Boundary::rest(settled), Boundary::rest(extension), rest],
+                    &[start, Boundary::rest(settled), Boundary::rest(extension), end],
                 )
             }
         }
@@ -199,7 +206,7 @@ impl Swing {
             thigh,
             knee,
             dorsiflexion: spline(way.ankle, landed_from, after, before)?,
-            toes: way.toes.spline(toe_off, extension)?,
+            toes: way.toes.spline(toe_off, extension, Boundary::rest(0.0))?,
             tilt: way.tilt,
             sideways: way.sideways,
             outward: way.outward,

@@ -44,7 +44,8 @@ impl StrideLeg {
             let (start, end) = (stance.toe_off_path(hip), stance.contact_path(hip));
             let passings = stairs.passings(style.step_length, leg.foot_length());
             let stride = Vector3::new(0.0, style.rise(), style.step_length) * 2.0;
-            let swing = PathSwing::new(leg, style.toe_off(), &passings, &start, &end, &stride)?;
+            let swing =
+                PathSwing::new(leg, style.toe_off(), style.manner.toes, &passings, &start, &end, &stride)?;
             return Ok(Self { stance, swing: Air::Path(swing), contact });
         }
         let aim = Aim {

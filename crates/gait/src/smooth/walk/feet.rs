@@ -102,7 +102,8 @@ impl Foot {
                 let (lifted, landed) = (&stances[j], &stances[j + 1]);
                 let (start, end) = (lifted.toe_off_path(seen(from)), landed.contact_path(seen(to)));
                 let ahead = from.local(&to.print.place) - from.local(&from.print.place);
-                let mut path = PathSwing::new(leg, style.toe_off(), passings, &start, &end, &ahead)?;
+                let mut path =
+                    PathSwing::new(leg, style.toe_off(), style.manner.toes, passings, &start, &end, &ahead)?;
                 let nodes = hip.timeline.between(from.contact + style.toe_off(), to.contact);
                 let hips: Vec<(f64, Vector3<f64>)> =
                     nodes.map(|(node, u)| (u - from.contact, from.local(&hip.nodes[node].into()))).collect();
