@@ -18,4 +18,5 @@ pub use resolution::Resolution;
 pub use run::{DEFAULT_RUN_SPEED, RUN_SPEED, RunRequest, RunResolution};
 pub use sheet::{Change, StyleSheet};
 pub use variability::{MOST_VARIABILITY, Variability};
+pub(crate) use walk::check_turned;
 pub use walk::{CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEPS, TURN, TURN_IN_ALL, WalkPart, WalkRequest};

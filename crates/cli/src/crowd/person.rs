@@ -3,7 +3,7 @@
 use super::table::People;
 use crate::args::{CrowdArgs, CrowdFormat, Number, PLACES, WalkArgs, parse, walk_options};
 use crate::error::CliError;
-use crate::walk::{asked, figure};
+use crate::walk::{asked, figure, heading_first};
 use clap::Command;
 use solaris::analysis::ground_reactions;
 use solaris::gait::crowd::{Somebody, seed_of};
@@ -11,8 +11,8 @@ use solaris::gait::{FEET, GaitError, StyledRequest, walk_in_part};
 use solaris::io::csv::number_text;
 use solaris::model::{Figure, Motion, Vector3};
 
-/// How far to the left or right a person may face (degrees): at a quarter turn the root's three angles are singular.
-const HEADING: f64 = 60.0;
+/// How far to the left or right a person may face (degrees).
+const HEADING: f64 = 360.0;
 /// The farthest place (m).
 const FARTHEST: f64 = 1e4;
 
@@ -144,7 +144,12 @@ impl<'a> Crowd<'a> {
         words.extend(drawn);
         let args: WalkArgs = parse(&self.options, words).map_err(of_clap)?;
         let walked = || -> Result<_, CliError> {
-            let (asked, figure) = (asked(&args)?, figure(&args.who)?);
+            let asked = asked(&args)?;
+            // People of a crowd face any way.
+            let figure = match args.who.figure {
+                Some(_) => figure(&args.who)?,
+                None => heading_first(&args.who.person)?,
+            };
             let StyledRequest::Smooth(request) = &asked.request else {
                 return Err(CliError::option(
                     "style",
@@ -155,7 +160,11 @@ impl<'a> Crowd<'a> {
             let request = somebody.dress(request);
             let refuse = |error: GaitError| asked.refuse(error, &args);
             let (plan, part) = walk_in_part(&figure, &request).map_err(refuse)?;
-            let plan = plan.moved(Vector3::new(x, 0.0, z), heading.to_radians());
+            let place = Vector3::new(x, 0.0, z);
+            let plan = plan.moved(place, heading.to_radians()).map_err(|error| {
+                let place = format!("({x}, {z}) m, heading {heading}");
+                CliError::option("heading", place, error.to_string())
+            })?;
             let mut motion = plan.motion(&figure, self.args.rate).map_err(CliError::other)?;
             if self.args.format == CrowdFormat::Csv {
                 ground_reactions(&figure, &mut motion, FEET, &plan).map_err(CliError::other)?;

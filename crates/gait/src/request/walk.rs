@@ -1,11 +1,14 @@
 //! The request for a smooth walk, with its ranges.
 
 use super::ground::WalkGround;
+use super::pace::tidy;
 use super::path::WalkPath;
 use super::population::Population;
 use super::resolution::Resolution;
 use super::sheet::StyleSheet;
 use super::variability::Variability;
+use crate::error::RequestError;
+use solaris_model::RootOrder;
 
 /// Numbers of steps.
 pub const STEPS: (usize, usize) = (1, 10_000);
@@ -18,6 +21,16 @@ pub const TURN: f64 = 30.0 * std::f64::consts::PI / 180.0;
 pub const TURN_IN_ALL: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Steps of a walk that changes on the way: it is planned whole.
 pub const CHANGING_STEPS: usize = 1000;
+
+/// Refuses a turn (rad) before which the angles of the body's root are singular.
+pub(crate) fn check_turned(root: RootOrder, turned: f64) -> Result<(), RequestError> {
+    let limit = TURN_IN_ALL;
+    if root == RootOrder::Zyx && turned.abs() > limit + 1e-12 {
+        let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
+        return Err(RequestError::TurnInAll { turned, limit });
+    }
+    Ok(())
+}
 
 /// How far to walk.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,15 +5,14 @@ use crate::error::{GaitError, RequestError};
 use crate::request::Resolution;
 use crate::request::pace::{Given, Pace, SHORTEST_STEP, STEP_LENGTH_MARGIN, StepLaw, range, tidy};
 use crate::request::{
-    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, TURN_IN_ALL, WalkGround,
-    WalkPath, WalkRequest,
+    CHANGING_STEPS, Extent, SHORTEST_DISTANCE, STEP_FREQUENCY, STEPS, TURN, WalkGround, WalkPath,
+    WalkRequest, check_turned,
 };
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
 use crate::smooth::styling::Styling;
 use crate::smooth::walk::{Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, steps};
-use solaris_model::RootOrder;
 
 /// The fastest first and last step (steps/min).
 const ENDS: f64 = 110.0;
@@ -121,7 +120,7 @@ impl Route {
             })?;
             (steps, pace, length) = (part.steps, part.pace, part.length);
             turned += part.turn * part.steps as f64;
-            check_turned(body, turned)?;
+            check_turned(body.root_order, turned)?;
             parts.push(part);
         }
         let all = parts.iter().fold(0_usize, |all, part| all.saturating_add(part.steps));
@@ -156,7 +155,7 @@ impl Route {
         range("step frequency", pace.step_frequency, " steps/min", (STEP_FREQUENCY.0, ENDS), || {
             " along a path".to_owned()
         })?;
-        check_turned(body, path.widest().max((heading + path.turns()).abs()))?;
+        check_turned(body.root_order, path.widest().max((heading + path.turns()).abs()))?;
         let parts = lay(path, pace, 0.5 * body.leg.foot_length())?.into_iter().map(|laid| Part {
             steps: 1,
             pace: laid.pace,
@@ -341,16 +340,6 @@ impl Route {
         };
         WalkPlan::of_steps(&steps, resolution)
     }
-}
-
-/// Refuses a turn (rad) before which the angles of the body's root are singular.
-fn check_turned(body: &Body, turned: f64) -> Result<(), RequestError> {
-    let limit = TURN_IN_ALL;
-    if body.root_order == RootOrder::Zyx && turned.abs() > limit + 1e-12 {
-        let (turned, limit) = (turned.to_degrees(), tidy(limit.to_degrees()));
-        return Err(RequestError::TurnInAll { turned, limit });
-    }
-    Ok(())
 }
 
 /// The pace of steps that turn and are shorter than any that go straight on, down to none at all: the shortest one's, and their

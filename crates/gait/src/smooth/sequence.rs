@@ -73,7 +73,7 @@ impl WalkSequence {
                     let mut plan = walk_from(figure, &body, before, request).map_err(of)?;
                     if let Some(before) = before {
                         let (place, heading) = before.destination();
-                        plan = plan.moved(place, heading);
+                        plan = plan.moved(place, heading).map_err(|why| of(why.into()))?;
                     }
                     let lasts = plan.duration();
                     walks.push((duration, plan));

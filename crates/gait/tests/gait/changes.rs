@@ -1,7 +1,9 @@
 //! Walks that change on the way: pace, step length, direction.
 
 use solaris_analysis::ground_reactions;
-use solaris_gait::{Extent, FEET, FRICTION, GaitError, WalkPart, WalkPlan, WalkRequest, measure, walk};
+use solaris_gait::{
+    Extent, FEET, FRICTION, GaitError, RequestError, WalkPart, WalkPlan, WalkRequest, measure, walk,
+};
 use solaris_model::{EventKind, Figure, Trajectory, Vector3, human};
 
 fn more(steps: usize) -> WalkPart {
@@ -204,7 +206,10 @@ fn only_what_repeats_itself_has_a_loop() {
     assert!(!stride(&request(100.0, 22, &[turning(20, 2.0)])));
     let turned =
         walk(&figure, &request(100.0, 42, &[])).expect("it can be walked").moved(Vector3::zeros(), 1.0);
-    assert!(turned.stride_loop().is_none());
+    assert!(turned.expect("a person who faces to the side").stride_loop().is_none());
+    // A root that turns about z first cannot face back.
+    let back = walk(&figure, &request(100.0, 4, &[])).expect("it can be walked").moved(Vector3::x(), 3.0);
+    assert!(matches!(back, Err(RequestError::TurnInAll { .. })));
 }
 
 #[test]

@@ -8,13 +8,13 @@ use std::fs;
 use std::path::Path;
 
 const PEOPLE: &str = "name,height,mass,age,cadence,manner,seed,x,z,heading,steps
-Ann,1.65,58,34,,happy:0.8,,0,0,10,2
+Ann,1.65,58,34,,happy:0.8,,0,0,170,2
 Bo,,,71,,older,5,1.5,0,,2
 ,,,9,,,,3,-1,,2
 Cy,1.8,110,,200,,,1,1,,2
 Di,1.8,80,,,sadd,,1,1,,2
 Ed,1.8,80,,,sad,,abc,1,,2
-Ann,1.72,,,,,,,,100,2
+Ann,1.72,,,,,,,,400,2
 ann,1.72,,,,,,,,,2
 Gus,1.72
 ";
@@ -38,7 +38,7 @@ fn bad_rows_are_told_with_line_and_column_and_the_others_walk() {
         (3, "line 5, column 5: --step-frequency 200: it must be 60 to 130 steps/min"),
         (4, "line 6, column 6: --manner sadd: there is no manner 'sadd'; did you mean 'sad'?"),
         (5, "line 7, column 8: x abc: it must be a number"),
-        (6, "line 8, column 10: heading 100: it must be -60 to 60"),
+        (6, "line 8, column 10: heading 400: it must be -360 to 360"),
         (8, "line 10: it has 2 fields, the header has 11"),
     ] {
         assert_eq!((field(&table, row, "refusal"), field(&table, row, "file")), (why, ""));

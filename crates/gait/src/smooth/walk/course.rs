@@ -168,6 +168,11 @@ impl Course {
         self.prints[0]
     }
 
+    /// Which way its prints point (rad, to the left of z).
+    pub(super) fn headings(&self) -> impl Iterator<Item = f64> {
+        self.prints.iter().map(|print| print.heading)
+    }
+
     /// Where the walk ends.
     pub(super) fn last(&self) -> Print {
         self.prints[self.steps]

@@ -14,8 +14,8 @@ use crate::body::foot::{mirror, turned};
 use crate::body::leg::LegPose;
 use crate::body::posture::Posture;
 use crate::body::rotations::{self, Euler};
-use crate::error::GaitError;
-use crate::request::Resolution;
+use crate::error::{GaitError, RequestError};
+use crate::request::{Resolution, check_turned};
 use crate::smooth::prescribed::PrescribedNode;
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
@@ -160,10 +160,23 @@ impl WalkPlan {
     }
 
     /// The same walk from another place on, turned to the left of where it pointed (m, rad).
-    #[must_use]
-    pub fn moved(self, place: Vector3<f64>, turn: f64) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// A root that turns in the order Z-Y-X and would face across, and a way along ground that is not level: that does not move.
+    pub fn moved(self, place: Vector3<f64>, turn: f64) -> Result<Self, RequestError> {
+        if !self.is_level() && (turn != 0.0 || place.y != 0.0 || place.z != 0.0) {
+            return Err(RequestError::NotOnTerrain { what: "another place along it, or another heading," });
+        }
         let Print { place: from, heading, tilt } = self.from;
-        Self { from: Print { place: place + turned(turn, &from), heading: heading + turn, tilt }, ..self }
+        let heading = heading + turn;
+        let turns = self.whole.headings().map(|turn| if self.left_first { -turn } else { turn });
+        let widest = turns.fold(0.0, |widest: f64, turn| widest.max((heading + turn).abs()));
+        check_turned(self.body.root_order, widest)?;
+        Ok(Self {
+            from: Print { place: place + turned(heading - self.from.heading, &from), heading, tilt },
+            ..self
+        })
     }
 
     /// Of a pair, the left foot's first.
