@@ -26,7 +26,8 @@ cargo lab CHORE
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
                                     or measures the numbers that ship; --recipe: begins with the recipe's
-  gaits                             walks a million random requests in the thesis's style, or says why not: about ten minutes
+  gaits [--walks N]                 walks a million random requests in the thesis's style, or says why not, and 3000 smooth ones over all grounds
+                                    and in all manners, each held against the laws: about twenty minutes; --walks: so many smooth ones alone
   models FOLDER [--write]           reads the model files of a folder that other engines open (lab/models/opened.py lists them), prints
                                     why those are refused that are, and writes the counts into docs/bodies.md
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
@@ -55,7 +56,9 @@ fn main() -> ExitCode {
         ["docs", ref options @ ..] => docs::Options::parse(options).and_then(docs::run),
         ["falls"] => falls::run(),
         ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),
-        ["gaits"] => gaits::run(),
+        ["gaits", ref options @ ..] => {
+            gaits::Options::parse(options).and_then(|options| gaits::run(&options))
+        }
         ["models", ref options @ ..] => {
             models::Options::parse(options).and_then(|options| models::run(&options))
         }

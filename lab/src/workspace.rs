@@ -11,7 +11,13 @@ pub(crate) fn root() -> &'static Path {
 
 /// Runs cargo in the workspace's folder, to its end.
 pub(crate) fn cargo(args: &[&str]) -> Result<(), String> {
+    cargo_with(args, &[])
+}
+
+/// The same with some variables of the environment.
+pub(crate) fn cargo_with(args: &[&str], variables: &[(&str, String)]) -> Result<(), String> {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.envs(variables.iter().map(|(name, value)| (name, value)));
     match command.current_dir(root()).args(args).status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("`cargo {}` failed ({status})", args.join(" "))),

@@ -1,28 +1,11 @@
 //! Random walks that change on the way: what is not refused obeys the laws.
 
+use crate::random::Random;
 use solaris_analysis::ground_reactions;
 use solaris_gait::{
     Extent, FEET, FRICTION, GaitError, PlanError, WALK_RATIO, WalkPart, WalkRequest, measure, walk,
 };
 use solaris_model::human;
-
-/// Equally distributed numbers from 0 to 1, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / f64::from(1_u32 << 31)
-    }
-
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * self.next()
-    }
-
-    fn often(&mut self, part: f64) -> bool {
-        self.next() < part
-    }
-}
 
 /// Some steps of any pace, now and then short ones, now and then round a corner.
 fn request(random: &mut Random, height: f64) -> WalkRequest {

@@ -1,6 +1,7 @@
 //! Everyone walks: random people, populations, manners and seeds, held against Newton, soles, friction, ranges and planted points.
 
 use crate::posed::Posed;
+use crate::random::Random;
 use solaris_analysis::ground_reactions;
 use solaris_gait::{
     Change, Extent, FEET, FRICTION, MANNERS, Population, SHEET_NUMBERS, SIDE_MANNERS, StyleSheet,
@@ -8,24 +9,6 @@ use solaris_gait::{
     walk_in_part,
 };
 use solaris_model::{EventKind, Figure, Motion, Trajectory, Vector3, human};
-
-/// Equally distributed numbers from 0 to 1, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / f64::from(1_u32 << 31)
-    }
-
-    fn within(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * self.next()
-    }
-
-    fn pick(&mut self, count: usize) -> usize {
-        (self.next() * count as f64) as usize
-    }
-}
 
 fn person(height: f64, index: f64) -> Figure {
     human(height, index * height * height).expect("a person")

@@ -1,6 +1,7 @@
 //! What walks are held against: closed forms, golden numbers, the thesis's tables, and laws that every walk keeps.
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
+mod anywhere;
 mod changes;
 mod changes_random;
 mod comparison;
@@ -29,6 +30,7 @@ mod mirror;
 mod options;
 mod people;
 mod posed;
+mod random;
 mod refusals;
 #[cfg(feature = "serde")]
 mod reports;
