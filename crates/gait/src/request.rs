@@ -10,7 +10,7 @@ pub(crate) mod sheet;
 pub(crate) mod variability;
 mod walk;
 
-pub use ground::{STAIR_COUNT, Stairs, WalkGround};
+pub use ground::{Foothold, STAIR_COUNT, Stairs, WalkGround};
 pub use pace::{DEFAULT_STEP_FREQUENCY, STEP_FREQUENCY, WALK_RATIO};
 pub use path::WalkPath;
 pub use population::Population;

@@ -73,6 +73,8 @@ pub enum RequestError {
     StyleNotFinite { name: &'static str, value: f64 },
     #[error(transparent)]
     Relief(solaris_model::ReliefError),
+    #[error("foothold {number}: {why}")]
+    Foothold { number: usize, why: String },
     #[error("{what} on ground that is not level: not planned yet; walk one part straight on there")]
     NotOnTerrain { what: &'static str },
     #[error("a sequence without a walk; give it one, if only of a single step")]

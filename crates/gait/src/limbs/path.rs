@@ -143,9 +143,15 @@ impl PathSwing {
         }
     }
 
-    fn pose(&self, plane: &FootPlane, leg: &LegGeometry, v: f64, hip: &Vector3<f64>) -> LegPose {
+    /// The ankle at the foot's clock `v`, in the frame of the print that it has left.
+    pub(crate) fn ankle(&self, v: f64) -> Vector3<f64> {
         let mut ankle = Vector3::from([0, 1, 2].map(|axis| self.ankle[axis].position(v)));
         ankle.y += self.bumps.iter().map(|bump| bump.at(self.phase(v))).sum::<f64>();
+        ankle
+    }
+
+    fn pose(&self, plane: &FootPlane, leg: &LegGeometry, v: f64, hip: &Vector3<f64>) -> LegPose {
+        let ankle = self.ankle(v);
         let pitch = self.pitch.position(v);
         plane.pose(leg, &(hip - ankle), pitch, pitch - self.extension.position(v))
     }

@@ -360,7 +360,7 @@ impl Stance {
         self.leg.knee_for(distance.min(self.leg.almost_straight_squared()))
     }
 
-    fn flat_knee_jet(&self, u: f64, hip: &impl Fn(f64) -> Vector3<f64>) -> Boundary {
+    pub(crate) fn flat_knee_jet(&self, u: f64, hip: &impl Fn(f64) -> Vector3<f64>) -> Boundary {
         let [distance] = jets(u, JET_STEP, |u| [(hip(u) - self.flat_ankle).norm_squared()]);
         self.knee_jet(&distance)
     }

@@ -17,6 +17,26 @@ pub enum WalkGround {
     Stairs(Stairs),
     /// Ground of this shape; feet are set down where a whole sole finds place.
     Relief(Relief),
+    /// A place for each foot, one after the other: stepping stones. They say how many steps there are.
+    Footholds(Vec<Foothold>),
+}
+
+/// A place for one foot. Both feet stand on level ground at first, heels at z = 0 and y = 0; the first foothold is the first foot's, the last one that of the
+/// last step, and the other foot closes beside it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[doc(alias = "stepping stone")]
+#[doc(alias = "footstep")]
+pub struct Foothold {
+    /// Place of the heel to the left of the middle between the standing feet (m); half a step width on the foot's own side for `None`.
+    pub x: Option<f64>,
+    /// Place of the heel ahead of where it stands at first (m).
+    pub z: f64,
+    /// Height there (m).
+    pub height: f64,
+    /// Pitch of the ground under the sole, uphill positive (rad).
+    pub pitch: f64,
+    /// Which way the foot points besides its usual turn outward, to the left of z (rad); the body goes along.
+    pub heading: f64,
 }
 
 /// A flight of stairs.

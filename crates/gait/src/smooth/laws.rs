@@ -17,6 +17,8 @@ const COP_LOADING: (f64, f64) = (0.6, 0.012);
 const COP_FLAT: f64 = 0.035;
 /// Its quick way forward: so long after the flat foot (u), and so far (parts of the foot's length, times the style's factor).
 const COP_QUICK: (f64, f64) = (0.035, 0.33);
+/// How long two places are apart at least (u).
+const COP_APART: f64 = 0.01;
 /// When (u) and where it is in single support, likewise.
 const COP_SINGLE: (f64, f64) = (0.20, 0.56);
 /// Where it is (parts of the foot's length) as the roll over the tip begins.
@@ -80,7 +82,9 @@ pub(crate) fn cop_of(landing: &Style, style: &Style) -> Result<Clip<CubicSpline>
         keys.extend([stairs.cop_middle, (style.heel_off, style.cop_heel_off), (0.50, style.cop_50)]);
         keys.extend(at_toe_off(stairs.cop_end - before, stairs.cop_end));
     } else {
-        keys.extend([(COP_SINGLE.0, COP_SINGLE.1 * forward), (style.heel_off, style.cop_heel_off)]);
+        // Where a foot is flat late, no sooner than after that.
+        let single = COP_SINGLE.0.max(keys[keys.len() - 1].0 + COP_APART);
+        keys.extend([(single, COP_SINGLE.1 * forward), (style.heel_off, style.cop_heel_off)]);
         keys.extend([(0.40, style.cop_40), (0.50, style.cop_50)]);
         keys.extend(at_toe_off(COP_TIP_ROLL, 1.0));
     }

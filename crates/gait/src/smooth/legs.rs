@@ -6,7 +6,7 @@ use crate::limbs::numbers::STEEPEST_PITCH;
 use crate::limbs::push::Push;
 use crate::limbs::stance::{Footing, Landing};
 use crate::limbs::swing::{Clearance, Swing, Way};
-use solaris_profiles::{Boundary, ProfileError};
+use solaris_profiles::{Boundary, Piecewise, ProfileError};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -45,6 +45,8 @@ pub(crate) struct Aim {
     pub(crate) thigh: f64,
     /// Knee at u = .945.
     pub(crate) late_knee: f64,
+    /// By which part it is instead where the knee goes by itself between its peak and contact: a leg that lands bent is not stretched first.
+    pub(crate) unstretched: f64,
     /// Whether the foot closes beside the other one, where the walk ends.
     pub(crate) beside: bool,
     /// See [`Way`].
@@ -98,10 +100,16 @@ impl Style {
     /// The swing between two ends.
     pub(crate) fn swing(&self, start: &LegJet, end: &LegJet, aim: &Aim) -> Result<Swing, ProfileError> {
         let peak = (self.knee_peak_at, self.knee_peak);
+        let mut late = [peak, (LATE_KNEE_AT, aim.late_knee)];
+        if aim.unstretched > 0.0 && !aim.beside {
+            let knots = [self.toe_off(), peak.0, 1.0];
+            let free = Piecewise::quintic_spline(&knots, &[peak.1], start.knee, end.knee)?;
+            late[1].1 += aim.unstretched * (free.position(LATE_KNEE_AT) - aim.late_knee);
+        }
         let (thigh_at, knee, ankle): (f64, &[(f64, f64)], f64) = if aim.beside {
             (CLOSING_THIGH_AT, &[(peak.0 + CLOSING_KNEE_LATER, peak.1)], CLOSING_ANKLE)
         } else {
-            (THIGH_AT, &[peak, (LATE_KNEE_AT, aim.late_knee)], 0.0)
+            (THIGH_AT, &late, 0.0)
         };
         let way = Way {
             toe_off: self.toe_off(),

@@ -229,6 +229,7 @@ impl Route {
             WalkGround::Slope(_) => "take a gentler slope, or walk slower",
             WalkGround::Stairs(_) => "take lower stairs or deeper treads, or walk slower",
             WalkGround::Relief(_) => "smooth the ground there, or walk slower",
+            WalkGround::Footholds(_) => "make the footholds there more alike, or walk slower",
         }
     }
 
@@ -237,32 +238,38 @@ impl Route {
         &self,
         body: &Body,
         styling: &Styling<'_>,
+        mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         let part = self.parts[0];
         let count = match &self.ground {
             WalkGround::Stairs(stairs) => stairs.count + 2 * LEAD,
+            WalkGround::Footholds(footholds) => footholds.len(),
             _ => part.steps,
         };
         let levels: Vec<Step> = steps::factors(count)
             .map(|factor| Step::along_an_arc(0, factor * part.pace.step_length, 0.0))
             .collect();
-        let Some(terrain) = Terrain::of(&self.ground, &body.leg, part.pace.step_length, &levels)? else {
+        let table = StyleTable::on_ground();
+        // Feet stay as far apart as the pace has them, however long a step is.
+        let width = styling.style_from(&table, body, &part.pace)?.step_width;
+        let usual = (part.pace.step_length, width);
+        let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, mirrored)? else {
             unreachable!("ground that is not level")
         };
         let tread = match &self.ground {
             WalkGround::Stairs(stairs) => stairs.tread,
             _ => part.pace.step_length,
         };
-        let table = StyleTable::on_ground();
         let on_tread = Style::from_table(&table, &body.leg, body.height, part.pace.step_frequency, tread);
         let style = |kind: StepKind| {
             Ok(match kind {
                 StepKind::Slope(slope, step_length) => {
                     let pace = Pace { step_length, ..part.pace };
-                    styling.style_from(&table, body, &pace)?.on_slope(&body.leg, body.height, slope)
+                    let style = Style { step_width: width, ..styling.style_from(&table, body, &pace)? };
+                    style.on_slope(&body.leg, body.height, slope)
                 }
-                StepKind::Stairs(rise) => on_tread.on_stairs(body.height, rise),
+                StepKind::Stairs(rise) => on_tread.on_stairs(&body.leg, body.height, rise),
             })
         };
         let grounded = Grounded::new(body, &terrain, part.pace.step_length, &style, resolution)?;
@@ -291,7 +298,7 @@ impl Route {
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         if !self.is_level() {
-            return self.plan_on_ground(body, styling, resolution);
+            return self.plan_on_ground(body, styling, mirrored, resolution);
         }
         let mut paces = Vec::new();
         let mut steps_of = |parts: &[Part]| steps_of(parts, styling.law.tempo, mirrored, &mut paces);

@@ -2,10 +2,21 @@
 
 use crate::limbs::path::{Passing, SoleEnd};
 
-/// How far a heel print overhangs the nosing of its tread on the way up (m), and the part of the foot's length by which its toes do on the
-/// way down (people's: 17 ± 7 %).
-pub(crate) const HEEL_OVERHANGS: f64 = 0.02;
-pub(crate) const TOES_OVERHANG: f64 = 0.17;
+/// How far a heel print overhangs the nosing of its tread on the way up at least, and how far its tip stays behind the next riser (m).
+const HEEL_OVERHANGS: f64 = 0.02;
+const BEFORE_RISER: f64 = 0.01;
+/// The part of the foot's length by which its toes overhang on the way down (people's: 17 ± 7 %).
+const TOES_OVERHANG: f64 = 0.17;
+
+/// How far the nosing of a foot's tread is ahead of its heel (m): on the way up the heel overhangs, the more the longer the foot is for the
+/// tread; on the way down the toes do.
+pub(crate) fn nosing(rise: f64, tread: f64, foot_length: f64) -> f64 {
+    if rise > 0.0 {
+        HEEL_OVERHANGS.max(foot_length + BEFORE_RISER - tread)
+    } else {
+        (1.0 - TOES_OVERHANG) * foot_length
+    }
+}
 
 /// What a stride on stairs has besides the style of level ground: the foot lands on its ball, and swings over the nosings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,16 +45,12 @@ impl StairNumbers {
     pub(crate) fn passings(&self, tread: f64, foot_length: f64) -> [Passing; 2] {
         std::array::from_fn(|i| {
             let (at, above, pitch) = self.passings[i];
-            let (nosing, number) = if self.rise > 0.0 {
-                (HEEL_OVERHANGS, i as f64 + 1.0)
-            } else {
-                ((1.0 - TOES_OVERHANG) * foot_length, i as f64)
-            };
+            let number = if self.rise > 0.0 { i as f64 + 1.0 } else { i as f64 };
             Passing {
                 at,
                 end: self.end(),
                 pitch,
-                place: [number * self.rise + above, nosing + number * tread],
+                place: [number * self.rise + above, nosing(self.rise, tread, foot_length) + number * tread],
             }
         })
     }

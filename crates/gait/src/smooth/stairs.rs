@@ -2,20 +2,32 @@
 
 use super::stair_numbers::StairNumbers;
 use super::style::Style;
+use crate::body::LegGeometry;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// Stairs that strides were tried on: rise and tread of a step (m).
 pub const STAIRS: ((f64, f64), (f64, f64)) = ((0.10, 0.20), (0.25, 0.35));
 
+/// The rise that was fitted to (m).
+const FITTED_RISE: f64 = 0.17;
+
 impl Style {
-    /// The style on stairs whose steps rise by `rise` (m, negative on the way down), for a figure of this height (m); the step length is the
-    /// tread.
+    /// The style on stairs whose steps rise by `rise` (m, negative on the way down), for a figure of this height (m) with this leg; the step
+    /// length is the tread.
     ///
-    /// Fitted offline to what people do on stairs of 0.17 m over 0.29 m (docs/slopes.md).
+    /// Fitted offline to what people do on stairs of 0.17 m over 0.29 m (docs/slopes.md). The leg on the higher tread, ahead on the way up and
+    /// behind on the way down, is bent by how far the body is below its height there: on lower stairs it is as much longer as they are lower.
     #[must_use]
-    pub fn on_stairs(&self, height: f64, rise: f64) -> Self {
+    pub fn on_stairs(&self, leg: &LegGeometry, height: f64, rise: f64) -> Self {
         let up = rise > 0.0;
+        // A leg that lands on a higher stair than the fitted ones bends by itself.
+        let longer = if up { (FITTED_RISE - rise).max(0.0) } else { FITTED_RISE + rise };
+        let stretched = |knee: f64| {
+            if longer == 0.0 { knee } else { leg.knee_for((leg.reach_squared(knee).sqrt() + longer).powi(2)) }
+        };
+        let ahead = if up { stretched(60.0 * DEGREE) } else { 16.13 * DEGREE };
+        let behind = |knee: f64| if up { knee } else { stretched(knee) };
         let of = |numbers: (f64, f64)| if up { numbers.0 } else { numbers.1 };
         let angle = |numbers: (f64, f64)| of(numbers) * DEGREE;
         Self {
@@ -31,9 +43,9 @@ impl Style {
             pelvic_rotation: 3.0 * DEGREE,
             foot_flat: of((0.042_98, 0.1566)),
             heel_strike_angle: 0.0,
-            knee_contact: angle((60.0, 16.13)),
-            knee_push: angle((12.25, 54.24)),
-            knee_toe_off: angle((34.25, 81.06)),
+            knee_contact: ahead,
+            knee_push: behind(angle((12.25, 54.24))),
+            knee_toe_off: behind(angle((34.25, 81.06))),
             knee_toe_off_rate: angle((249.27, 277.66)),
             knee_toe_off_acc: angle((-1112.91, 881.23)),
             toe_roll: angle((30.62, 0.0)),

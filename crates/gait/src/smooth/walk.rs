@@ -3,6 +3,7 @@
 mod check;
 mod course;
 mod feet;
+mod footholds;
 mod gaits;
 mod grounded;
 mod heights;

@@ -77,7 +77,7 @@ fn strides_on_stairs() {
     let leg = LegGeometry::of(&figure).expect("legs");
     for (name, step_frequency, rise) in [("stairs_up", 88.0, 0.17), ("stairs_down", 100.0, -0.17)] {
         let style = Style::from_table(&recipe_table(&golden()), &leg, 1.75, step_frequency, 0.29);
-        let style = style.on_stairs(1.75, rise);
+        let style = style.on_stairs(&leg, 1.75, rise);
         let resolution = Resolution { nodes: 200, stride_passes: 10, ..Resolution::default() };
         let plan = StridePlan::new(&figure, &style, resolution).expect("a stride");
         let mut differences = Differences::default();

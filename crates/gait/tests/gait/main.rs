@@ -13,6 +13,7 @@ mod five_determinants_closure;
 mod five_determinants_tables;
 mod flexion;
 mod footfall;
+mod footholds;
 mod froude;
 mod golden;
 mod golden_slopes;

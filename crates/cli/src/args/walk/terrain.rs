@@ -38,6 +38,14 @@ pub(crate) struct TerrainArgs {
          after; two points at one place are a kerb [default: level]"
     ))]
     pub(crate) ground: Option<PathBuf>,
+    #[arg(
+        long, value_name = "FILE.csv",
+        conflicts_with_all = ["slope", "stairs", "ground", "turn", "path", "then", "repeats", "steps", "distance"],
+        help = wrap(
+            "Set each foot down where a table says: a row for each step, with the columns z (ahead, of the heel) in m and, where there are any,              x (to the left) and height in m, pitch (uphill) and heading (to the left) in degrees [default: level]"
+        )
+    )]
+    pub(crate) footholds: Option<PathBuf>,
 }
 
 impl TerrainArgs {
@@ -46,6 +54,7 @@ impl TerrainArgs {
         let slope = self.slope.as_ref().map(|slope| ("slope", slope.typed.clone()));
         let stairs = || Some(("stairs", self.stairs?.to_string()));
         let ground = || Some(("ground", self.ground.as_ref()?.display().to_string()));
-        slope.or_else(stairs).or_else(ground)
+        let footholds = || Some(("footholds", self.footholds.as_ref()?.display().to_string()));
+        slope.or_else(stairs).or_else(ground).or_else(footholds)
     }
 }

@@ -3,7 +3,7 @@
 use crate::args::TerrainArgs;
 use crate::error::CliError;
 use crate::input;
-use solaris::gait::{Stairs, WalkGround};
+use solaris::gait::{Foothold, Stairs, WalkGround};
 use solaris::model::Relief;
 use std::path::Path;
 
@@ -25,10 +25,40 @@ pub(super) fn of(args: &TerrainArgs) -> Result<(WalkGround, Option<f64>), CliErr
         let step_frequency = if rise > 0.0 { UP } else { STEP_FREQUENCY };
         return Ok((WalkGround::Stairs(Stairs { count, rise, tread }), Some(step_frequency)));
     }
+    if let Some(path) = &args.footholds {
+        return Ok((WalkGround::Footholds(footholds(path)?), Some(STEP_FREQUENCY)));
+    }
     match &args.ground {
         Some(path) => Ok((WalkGround::Relief(read(path)?), Some(STEP_FREQUENCY))),
         None => Ok((WalkGround::Level, None)),
     }
+}
+
+/// Reads footholds: only z must be there.
+fn footholds(path: &Path) -> Result<Vec<Foothold>, CliError> {
+    let table = input::table(path)?;
+    let known = ["x", "z", "height", "pitch", "heading"];
+    if let Some(strange) = table.columns.iter().find(|name| !known.contains(&name.as_str())) {
+        let why = format!("a foothold has no '{strange}'; its columns are {}", known.join(", "));
+        return Err(CliError::input(path, &why));
+    }
+    let [x, z, height, pitch, heading] = known.map(|name| table.column(name));
+    let Some(z) = z else {
+        let found = table.columns.join(", ");
+        let why = format!("there is no column 'z'; footholds have z (ahead) in m, and here are {found}");
+        return Err(CliError::input(path, &why));
+    };
+    let row = |row: usize| {
+        let of = |column: Option<usize>| column.map(|column| table.row(row)[column]);
+        Foothold {
+            x: of(x),
+            z: table.row(row)[z],
+            height: of(height).unwrap_or_default(),
+            pitch: of(pitch).unwrap_or_default().to_radians(),
+            heading: of(heading).unwrap_or_default().to_radians(),
+        }
+    };
+    Ok((0..table.len()).map(row).collect())
 }
 
 /// Reads the points of a relief.

@@ -51,6 +51,7 @@ impl StrideLeg {
         let aim = Aim {
             thigh: style.thigh_swing,
             late_knee: style.knee_late_swing + lowered,
+            unstretched: 0.0,
             beside: false,
             tilt: [style.slope; 2],
             sideways: [0.0; 2],

@@ -5,13 +5,14 @@ use super::gaits::LandingLaw;
 use super::heights::Needs;
 use super::laws::WalkLaws;
 use super::numbers::{
-    CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL, FLAT_UNTIL_CHANGE,
-    INSTANTS, KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_STANDING, KNEE_START, KNEE_TURNING,
-    LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS, LAST_STRAIGHTENS, LEAST_FLAT,
-    LEAST_HEIGHT, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_FOLLOWS, STANDING_FROM,
-    STANDING_HEEL_LATER, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING,
-    TURNING_STEEPEST, TURNING_UNTIL,
+    CLOSING, FIRST_KNEE, FIRST_LANDING, FIRST_MORE_BENT, FIRST_TIP_ROLL, FIRST_TOE_OFF, FIRST_TOE_ROLL,
+    GROUND_LEAST_FLAT, INSTANTS, KNEE_CONTACT, KNEE_FLAT, KNEE_FLAT_BELOW, KNEE_START, KNEE_TURNING,
+    LANDS_AS_FLAT, LANDS_FLATTER, LANDS_LEAST, LAST_FLAT_UNTIL, LAST_KNEE, LAST_STANDS, LAST_STRAIGHTENS,
+    LEAST_FLAT, LEAST_HEIGHT, LEAST_IN_AIR, LEAST_LANDING, LEAST_WEIGHT, LOADING, NEXT_TO, PEAK_FOLLOWS,
+    STANDING_FROM, STANDING_TOE_OFF_RATE, STANDING_WAYPOINT, THIGH_FOLLOWS, TOLD_AFTER, TURNED_CLOSING,
+    TURNING_STEEPEST, TURNING_UNTIL, UNSTRETCHED,
 };
+use super::standing::knee_standing;
 use super::timeline::Timeline;
 use crate::body::leg::{LegGeometry, LegPose};
 use crate::limbs::jet::LegJet;
@@ -86,6 +87,7 @@ impl Foot {
                 Aim {
                     thigh: style.thigh_swing * laws.numbers.closing_thigh,
                     late_knee: 0.0,
+                    unstretched: 0.0,
                     beside: true,
                     tilt,
                     sideways,
@@ -95,7 +97,10 @@ impl Foot {
                 let thigh = style.thigh_swing + THIGH_FOLLOWS * (end.thigh.position - steady.thigh);
                 let late_knee = style.knee_late_swing + end.knee.position - steady.knee;
                 let beside = shortened(laws, to.index) < LANDS_FLATTER;
-                Aim { thigh, late_knee, beside, tilt, sideways }
+                let more = end.knee.position - steady.knee;
+                let unstretched =
+                    if laws.relief.is_some() { step::quintic(more / UNSTRETCHED).position } else { 0.0 };
+                Aim { thigh, late_knee, unstretched, beside, tilt, sideways }
             };
             let passings = laws.gaits.passings(&to);
             if !passings.is_empty() {
@@ -109,6 +114,7 @@ impl Foot {
                     nodes.map(|(node, u)| (u - from.contact, from.local(&hip.nodes[node].into()))).collect();
                 let gap = |point: &Vector3<f64>| laws.above_ground(&from.print.world(side, point));
                 path.clear_terrain(leg, &laws.plane, style.clearance, &hips, gap);
+                note_air(laws, leg, &from, style.toe_off(), &path, seen(from), needs);
                 swings.push(Air::Path(path));
                 continue;
             }
@@ -183,8 +189,7 @@ fn stance(
     match (episode.kind, side) {
         (Kind::First, 0) => {
             push.rounding = 0.0;
-            let uphill = (episode.print.tilt / STANDING_HEEL_LATER.0).clamp(0.0, 1.0);
-            push.heel_off = laws.standing_heel_off() + STANDING_HEEL_LATER.1 * uphill;
+            push.heel_off = laws.standing_heel_off();
             push.waypoint = Some((STANDING_WAYPOINT.0, style.knee_push.max(STANDING_WAYPOINT.1)));
             push.knee_toe_off.position -= laws.numbers.standing_toe_off;
             push.knee_toe_off.velocity -= STANDING_TOE_OFF_RATE;
@@ -209,7 +214,13 @@ fn stance(
         let (pitch, range) = (-contact_pitch(laws, episode), laws.numbers.landing_range);
         let LandingLaw { knee, straightest, .. } = *laws.gaits.landing(episode.index);
         let wanted = Boundary { position: knee, ..style.contact_knee() };
-        let jet = stance.landing_knee(wanted, straightest, pitch, range, &hip(0.0));
+        let mut jet = stance.landing_knee(wanted, straightest, pitch, range, &hip(0.0));
+        let part = lands_as_flat(laws, episode, jet.position - knee);
+        if part > 0.0 {
+            let flat = stance.flat_knee_jet(0.0, &hip);
+            jet.velocity += (flat.velocity - jet.velocity) * part;
+            jet.acceleration += (flat.acceleration - jet.acceleration) * part;
+        }
         stance.set_contact(jet, &hip)?;
         contact_knee = Some(jet);
     }
@@ -218,6 +229,17 @@ fn stance(
     }
     let contact = stance.contact_jet(contact_knee, &hip);
     Ok((stance, contact))
+}
+
+/// By which part the knee of a foot that lands goes as it does on a flat foot: uphill the first foot and the last one land hardly pitched, on a
+/// knee that is so much more bent than in a stride (rad), and would turn toe up again if it bent on.
+fn lands_as_flat(laws: &WalkLaws, episode: &Episode, more_bent: f64) -> f64 {
+    let hardly_pitched = episode.index == 1 || episode.kind == Kind::Last;
+    if laws.relief.is_none() || !hardly_pitched {
+        return 0.0;
+    }
+    let part = |value: f64, (from, range): (f64, f64)| step::quintic((value - from) / range).position;
+    part(more_bent, LANDS_AS_FLAT[0]) * part(episode.print.tilt, LANDS_AS_FLAT[1])
 }
 
 /// Length of a turning step over its pace's; 1 straight on.
@@ -250,27 +272,34 @@ fn note_need(
     hip: impl Fn(f64) -> Vector3<f64>,
     needs: &mut Needs,
 ) {
-    let shortest = (LEAST_HEIGHT * (leg.thigh + leg.shank)).powi(2);
-    let above = |v: f64, ankle: Vector3<f64>, knee: f64| {
-        let d = hip(v) - ankle;
-        d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
-    };
+    let above = |v: f64, ankle: Vector3<f64>, knee: f64| height_above(leg, &(hip(v) - ankle), knee);
     let Needs { told: need, least, weight } = needs;
     let lands = matches!(episode.kind, Kind::Step | Kind::Last);
+    let (least_flat, flat_until) = if laws.relief.is_some() { GROUND_LEAST_FLAT } else { (LEAST_FLAT, 0.0) };
     for (knot, clock) in laws.heights.knots() {
         let v = clock - episode.contact;
         if lands && v.abs() <= NEXT_TO * laws.heights.spacing() {
             // The first landing tells the knot next to it; later ones only that a leg must reach.
-            let ankle = stance.ankle_on_heel(-contact_pitch(laws, episode));
+            let ankle = stance.landing_ankle(-contact_pitch(laws, episode));
             if episode.index == 1 {
-                need[knot] = need[knot].max(above(0.0, ankle, FIRST_LANDING));
+                let knee = if laws.relief.is_some() {
+                    FIRST_LANDING.max(laws.gaits.landing(1).knee + FIRST_MORE_BENT)
+                } else {
+                    FIRST_LANDING
+                };
+                need[knot] = need[knot].max(above(0.0, ankle, knee));
             } else {
-                least[knot] = least[knot].max(above(0.0, ankle, LEAST_LANDING));
+                let knee = if stance.lands_on_ball() {
+                    LEAST_LANDING.max(laws.gaits.landing(episode.index).knee)
+                } else {
+                    LEAST_LANDING
+                };
+                least[knot] = least[knot].max(above(0.0, ankle, knee));
             }
         } else if let Some((ankle, knee)) = wanted(laws, episode, stance, v) {
             need[knot] = need[knot].max(above(v, ankle, knee));
-            if !stance.pushes() || v <= stance.heel_off() {
-                least[knot] = least[knot].max(above(v, ankle, LEAST_FLAT));
+            if !stance.pushes() || v <= stance.heel_off() + flat_until {
+                least[knot] = least[knot].max(above(v, ankle, least_flat));
             }
             if lands && episode.index > 1 && v < LOADING.0 {
                 weight[knot] = LOADING.1;
@@ -288,18 +317,14 @@ fn note_need(
         (0..count).map(move |i| from + (to - from) * f64::from(i) / f64::from(count - 1))
     };
     if matches!(episode.kind, Kind::Step | Kind::Last) {
-        let landing = laws.gaits.landing(episode.index);
-        let knee = if landing.style.stairs.is_some() { landing.style.knee_contact } else { KNEE_CONTACT };
-        note(0.0, stance.landing_ankle(-contact_pitch(laws, episode)), knee);
+        note(0.0, stance.landing_ankle(-contact_pitch(laws, episode)), KNEE_CONTACT);
     }
     let law = &laws.gaits.stance(episode).style;
     let (flat, ankle) = (law.foot_flat, stance.flat_ankle());
     match episode.kind {
         Kind::Step => {
-            let changes = laws.slope_changes(episode.index);
-            let until = if changes { stance.heel_off().max(FLAT_UNTIL_CHANGE) } else { stance.heel_off() };
             let knee = law.least_knee - KNEE_FLAT_BELOW;
-            spread(flat, until, INSTANTS[0]).for_each(|v| note(v, ankle, knee));
+            spread(flat, stance.heel_off(), INSTANTS[0]).for_each(|v| note(v, ankle, knee));
         }
         Kind::Last => {
             spread(flat, LAST_FLAT_UNTIL, INSTANTS[1]).for_each(|v| note(v, ankle, KNEE_FLAT));
@@ -329,13 +354,41 @@ fn note_need(
     }
 }
 
+/// How far the body is above what a leg in the air reaches whose ankle's path is the law.
+fn note_air(
+    laws: &WalkLaws,
+    leg: &LegGeometry,
+    from: &Episode,
+    toe_off: f64,
+    path: &PathSwing,
+    hip: impl Fn(f64) -> Vector3<f64>,
+    needs: &mut Needs,
+) {
+    for (knot, clock) in laws.heights.knots() {
+        let v = clock - from.contact;
+        if v <= toe_off || v >= 1.0 {
+            continue;
+        }
+        let above = height_above(leg, &(hip(v) - path.ankle(v)), LEAST_IN_AIR);
+        needs.least[knot] = needs.least[knot].max(above);
+    }
+}
+
+/// By how much a hip at `d` from its ankle is higher than one whose knee is bent by `knee` (m).
+fn height_above(leg: &LegGeometry, d: &Vector3<f64>, knee: f64) -> f64 {
+    let shortest = (LEAST_HEIGHT * (leg.thigh + leg.shank)).powi(2);
+    d.y - (leg.reach_squared(knee) - d.x * d.x - d.z * d.z).max(shortest).sqrt()
+}
+
 /// Where a leg has its ankle on the ground, and how bent its knee should be there, at the clock `v` of the foot.
 fn wanted(laws: &WalkLaws, episode: &Episode, stance: &Stance, v: f64) -> Option<(Vector3<f64>, f64)> {
     let style = laws.style(episode.index);
     let steady = |v: f64| laws.gaits.of_contact(episode.index).stance_knee(v);
+    let standing = knee_standing(episode.print.tilt);
     let settled = |v: f64| {
-        let straighter = mix(steady(v), LAST_KNEE, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
-        mix(straighter, KNEE_STANDING, (v - LAST_STANDS.0) / LAST_STANDS.1)
+        let last = LAST_KNEE.max(standing);
+        let straighter = mix(steady(v), last, (v - LAST_STRAIGHTENS.0) / LAST_STRAIGHTENS.1);
+        mix(straighter, standing, (v - LAST_STANDS.0) / LAST_STANDS.1)
     };
     let flat = match episode.kind {
         Kind::First => f64::NEG_INFINITY,
@@ -348,10 +401,13 @@ fn wanted(laws: &WalkLaws, episode: &Episode, stance: &Stance, v: f64) -> Option
         return None;
     }
     let knee = match episode.kind {
-        Kind::First => mix(KNEE_STANDING, FIRST_KNEE, (v - laws.course.begin) / (until - laws.course.begin)),
+        Kind::First => {
+            let rising = (v - laws.course.begin) / (until - laws.course.begin);
+            mix(standing, FIRST_KNEE.max(standing), rising)
+        }
         Kind::Step => steady(v.min(stance.heel_off())),
         Kind::Last => settled(v),
-        Kind::Close => KNEE_STANDING,
+        Kind::Close => standing,
     };
     Some((stance.flat_ankle(), knee))
 }

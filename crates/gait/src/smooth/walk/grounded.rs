@@ -10,10 +10,13 @@ use crate::body::Body;
 use crate::error::GaitError;
 use crate::limbs::path::Passing;
 use crate::request::Resolution;
-use crate::smooth::stair_numbers::{HEEL_OVERHANGS, StairNumbers, TOES_OVERHANG};
+use crate::smooth::stair_numbers::{StairNumbers, nosing};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::Style;
 use solaris_model::Relief;
+
+/// How much the body is that of stairs over the print before they lead down.
+const DOWN_FROM: f64 = 0.75;
 
 /// A walk's ground, and what is done on it.
 pub(crate) struct Grounded {
@@ -53,6 +56,10 @@ impl Strides<'_> {
             }
             // At the top of stairs the body stands as on them: it rises to its height on the level after that.
             (StepKind::Stairs(rise), StepKind::Slope(..)) if rise > 0.0 => self.of(before),
+            // Over the last level print before they lead down the knee bends as on stairs.
+            (StepKind::Slope(..), StepKind::Stairs(rise)) if rise < 0.0 => {
+                Ok(self.of(before)?.mixed(&self.of(after)?, DOWN_FROM))
+            }
             _ if before == after => self.of(before),
             _ => Ok(self.of(before)?.mixed(&self.of(after)?, 0.5)),
         }
@@ -127,7 +134,7 @@ impl Grounded {
                     [into(k.saturating_sub(1)), into(k)].map(|kind| matches!(kind, StepKind::Stairs(_)));
                 let passings = style.stairs.map_or_else(Vec::new, |stairs| {
                     let at = [from, k.saturating_sub(1), k].map(|k| places[k.min(n)]);
-                    passings(&stairs, stepped, at, body)
+                    passings(&stairs, stepped, at, style.step_length, body)
                 });
                 Ok(SwingLaw { style, passings })
             })
@@ -142,10 +149,10 @@ fn passings(
     stairs: &StairNumbers,
     stepped: [bool; 2],
     [from, beside, to]: [[f64; 2]; 3],
+    tread: f64,
     body: &Body,
 ) -> Vec<Passing> {
-    let nosing =
-        if stairs.rise > 0.0 { HEEL_OVERHANGS } else { (1.0 - TOES_OVERHANG) * body.leg.foot_length() };
+    let nosing = nosing(stairs.rise, tread, body.leg.foot_length());
     let edges = if stairs.rise > 0.0 { [beside, to] } else { [from, beside] };
     let passed = (0..2).filter(|&i| stepped[i]).map(|i| {
         let ([z, y], (at, above, pitch)) = (edges[i], stairs.passings[i]);

@@ -1,12 +1,13 @@
 //! Corrections of the body's height: how much each of them lowers the body, and when.
 //!
 //! One a contact in the middle of a walk, a partition of unity. Where a walk begins and ends a leg that stands goes through an arc that
-//! no law of a steady stride has: there knots lie so near to each other that the body follows it, as cubic B-splines.
+//! no law of a steady stride has: there knots lie so near to each other that the body follows it, as cubic B-splines. On ground that is not
+//! level they lie all along.
 
 use super::course::Course;
 use super::numbers::{
-    BOUND_ATTEMPTS, BOUND_MISSED, BOUND_WEIGHT, CORRECTION, CORRECTION_IN, KNOT_SHARE, KNOTS, KNOTS_FROM,
-    KNOTS_STEPS, SMOOTHING, WalkNumbers,
+    BOUND_ATTEMPTS, BOUND_MISSED, BOUND_WEIGHT, CORRECTION, CORRECTION_IN, GROUND_BOUNDS, GROUND_CORRECTIONS,
+    KNOT_SHARE, KNOTS, KNOTS_FROM, KNOTS_STEPS, SMOOTHING, WalkNumbers,
 };
 use crate::smooth::band::Band;
 use solaris_profiles::step;
@@ -22,6 +23,10 @@ pub(super) struct Heights {
     /// Clocks of the knots, and their distance.
     knots: Vec<f64>,
     spacing: f64,
+    /// Where a correction at a knot may lie (m).
+    knot_range: (f64, f64),
+    /// How often bounds are made to hold, each time so many times as much.
+    bounds: (usize, f64),
 }
 
 impl Heights {
@@ -33,7 +38,7 @@ impl Heights {
             // A knot's spline reaches over two distances on either side. Knots fall on the first contact, and on the last one.
             let (start, end) = (0.5, 0.5 * steps as f64);
             let end_begins = end - 0.5 * (1.0 + KNOTS_STEPS as f64) + KNOTS.1;
-            let meet = end_begins < KNOTS.0 + spacing;
+            let meet = numbers.knots_throughout || end_begins < KNOTS.0 + spacing;
             if meet && steps > 1 {
                 spacing = (end - start) / ((end - start) / spacing).round();
             }
@@ -45,9 +50,16 @@ impl Heights {
             knots.extend((first..).map(|j| start + j as f64 * spacing).take_while(|&u| u <= until));
             let back = ((end - from) / spacing).floor() as isize;
             knots.extend((-back..=last).map(|j| end + j as f64 * spacing));
-            contacts = (2, steps.saturating_sub(1 + KNOTS_STEPS));
+            contacts =
+                if numbers.knots_throughout { (1, 0) } else { (2, steps.saturating_sub(1 + KNOTS_STEPS)) };
         }
-        Self { begin, at: numbers.correction_at, contacts, count: steps + 1, knots, spacing }
+        let (knot_range, bounds) = if numbers.knots_throughout {
+            (GROUND_CORRECTIONS, GROUND_BOUNDS)
+        } else {
+            ((CORRECTION.2, CORRECTION.3), BOUND_ATTEMPTS)
+        };
+        let at = numbers.correction_at;
+        Self { begin, at, contacts, count: steps + 1, knots, spacing, knot_range, bounds }
     }
 
     /// How many corrections there are.
@@ -111,27 +123,22 @@ impl Heights {
     /// ```
     ///
     /// where a leg says `tᵢ` (w up to 1) or nothing (w 0), and must reach where it lands (l).
-    ///
-    /// `range` is where a contact's own may lie (m).
-    pub(super) fn correct(
-        &self,
-        corrections: &mut [f64],
-        needs: &Needs,
-        range: impl Fn(usize) -> (f64, f64),
-    ) {
+    pub(super) fn correct(&self, corrections: &mut [f64], needs: &Needs) {
         let (share, most, lower, upper) = CORRECTION;
         let corrected = |correction: f64, need: f64, share: f64, (lower, upper): (f64, f64)| {
             (correction + (share * need).clamp(-most, most)).clamp(lower, upper)
         };
         for contact in (0..self.count).filter(|&contact| self.has(contact)) {
             corrections[contact] =
-                corrected(corrections[contact], needs.told[contact], share, range(contact));
+                corrected(corrections[contact], needs.told[contact], share, (lower, upper));
         }
         let before = corrections[self.count..].to_vec();
         let wanted = |needs: &[f64]| -> Vec<Option<f64>> {
             let needs = needs[self.count..].iter().zip(&before);
             needs
-                .map(|(need, at)| need.is_finite().then(|| corrected(*at, *need, KNOT_SHARE, (lower, upper))))
+                .map(|(need, at)| {
+                    need.is_finite().then(|| corrected(*at, *need, KNOT_SHARE, self.knot_range))
+                })
                 .collect()
         };
         let least = wanted(&needs.least);
@@ -142,7 +149,9 @@ impl Heights {
             .map(|(told, weight)| told.map_or((0.0, 0.0), |told| (told, *weight)))
             .collect();
         let wishes = told.clone();
-        for _ in 0..BOUND_ATTEMPTS {
+        let (attempts, growth) = self.bounds;
+        let mut bound = BOUND_WEIGHT;
+        for _ in 0..attempts {
             let smooth = self.smooth(&told);
             let mut held = true;
             for (knot, (value, least)) in smooth.iter().zip(&least).enumerate() {
@@ -150,11 +159,12 @@ impl Heights {
                 if let Some(least) = least.filter(|least| *value < least - BOUND_MISSED) {
                     // Beside what is told: where the bound is just met, it changes nothing.
                     let (target, weight) = wishes[knot];
-                    let sum = weight + BOUND_WEIGHT;
-                    told[knot] = ((target * weight + least * BOUND_WEIGHT) / sum, sum);
+                    let sum = weight + bound;
+                    told[knot] = ((target * weight + least * bound) / sum, sum);
                     held = false;
                 }
             }
+            bound *= growth;
             if held {
                 break;
             }

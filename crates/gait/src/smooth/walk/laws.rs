@@ -6,7 +6,8 @@ use super::grounded::Grounded;
 use super::heights::Heights;
 use super::numbers::{
     BEGIN, COUNTS_AHEAD, EDGES, FIRST_COP, FIRST_FREED, FIRST_SHIFTS, LAST_COP_FROM, LAST_COP_ROLL,
-    LAST_SHIFT, LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, WalkNumbers,
+    LAST_SHIFT, LEAST_SHARE, LOAD_SETTLES, LOAD_SHIFT_FROM, LOOKS_AHEAD, MOST_AHEAD, SETTLE, STAIR_EDGES,
+    WalkNumbers,
 };
 use crate::body::Body;
 use crate::body::foot::{FootPlane, turned};
@@ -20,9 +21,6 @@ use nalgebra::Vector3;
 use solaris_analysis::FootSupport;
 use solaris_model::Relief;
 use solaris_profiles::step;
-
-/// Slopes that differ by no more are one (rad).
-const SAME_SLOPE: f64 = std::f64::consts::PI / 180.0;
 
 /// Amplitudes of the shifts of load at both ends, from the solve.
 #[derive(Clone, Copy, Debug, Default)]
@@ -38,6 +36,8 @@ pub(crate) struct WalkLaws {
     pub(crate) course: Course,
     /// Ground that is not level.
     pub(crate) relief: Option<Relief>,
+    /// How near to an edge of it the ground counts as high as the edge for a foot in the air (m).
+    edges: f64,
     pub(super) gaits: Gaits,
     pub(super) heights: Heights,
     pub(super) numbers: WalkNumbers,
@@ -69,7 +69,9 @@ impl WalkLaws {
         let begin = numbers.start_time.map_or(BEGIN, |time| style.double_support - time / first_stride);
         let beside = 0.5 * strides[standing].style.step_width;
         let course = Course::new(steps, beside, ground.map_or(0.0, |ground| ground.standing), begin);
+        let stairs = (0..=steps.len()).any(|k| gaits.landing(k).style.stairs.is_some());
         Ok(Self {
+            edges: if stairs { STAIR_EDGES } else { EDGES.0 },
             heights: Heights::new(&course, numbers, first_stride),
             course,
             relief: ground.map(|ground| ground.relief.clone()),
@@ -205,29 +207,10 @@ impl WalkLaws {
         from.print.tilt + (to - from.print.tilt) * step::quintic((v - toe_off) / (1.0 - toe_off)).position
     }
 
-    /// Whether a foot lands as on stairs at contact `k`.
-    pub(super) fn on_stairs(&self, k: usize) -> bool {
-        self.gaits.landing(k).style.stairs.is_some()
-    }
-
-    /// Whether the ground's slope changes about contact `k`.
-    pub(super) fn slope_changes(&self, k: usize) -> bool {
-        let slopes = |from: usize, to: usize| (from..=to).map(|k| self.gaits.landing(k).style.slope);
-        if self.relief.is_none() {
-            return false;
-        }
-        let (least, most) = slopes(k.saturating_sub(1), k + 2)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), slope| {
-                (least.min(slope), most.max(slope))
-            });
-        let stairs = |k: usize| self.on_stairs(k);
-        most - least > SAME_SLOPE || (!stairs(k) && (k + 1..=k + 2).any(stairs))
-    }
-
     /// Height of a point of the world over the ground (m), whose edges reach a little farther.
     pub(super) fn above_ground(&self, point: &Vector3<f64>) -> f64 {
         let Some(relief) = &self.relief else { return point.y };
-        let (here, near) = (relief.height(point.z), relief.highest_near(point.z, EDGES.0));
+        let (here, near) = (relief.height(point.z), relief.highest_near(point.z, self.edges));
         point.y - if near - here > EDGES.1 { near } else { here }
     }
 

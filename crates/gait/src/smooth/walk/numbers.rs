@@ -33,16 +33,29 @@ pub(super) const RELAXATION: (f64, usize, f64) = (0.5, 3, 0.8);
 /// The same on ground that is not level, the passes that a walk takes there at least, and the range of its corrections (m).
 pub(super) const GROUND_RELAXATION: (f64, usize, f64) = (0.4, 6, 0.7);
 pub(super) const GROUND_PASSES: usize = 18;
-pub(super) const GROUND_CORRECTIONS: (f64, f64) = (-0.06, 0.08);
-/// The most by which the last two contacts raise the body there (m): it comes to rest beside them.
-pub(super) const LAST_RAISED: f64 = -0.02;
+pub(super) const GROUND_CORRECTIONS: (f64, f64) = (-0.12, 0.12);
+/// The attempts there.
+pub(super) const GROUND_BOUNDS: (usize, f64) = (6, 2.0);
 /// How near to an edge the ground counts as high as the edge for a foot in the air, and how much higher an edge is at least (m).
 pub(super) const EDGES: (f64, f64) = (0.02, 0.012);
-/// How much straighter than the style's a knee on a flat foot may be (rad), and until when a foot is looked at where the slope changes (u).
+/// How near on stairs, where soles reach nearly to the next riser.
+pub(super) const STAIR_EDGES: f64 = 0.008;
+/// How much straighter than the style's a knee on a flat foot may be (rad).
 pub(super) const KNEE_FLAT_BELOW: f64 = 0.2 * DEGREE;
-pub(super) const FLAT_UNTIL_CHANGE: f64 = 0.40;
 /// On ground that is not level a knee that lands so much more bent than in a steady stride (rad) is more bent in swing, too, by a part of it.
 pub(super) const PEAK_FOLLOWS: (f64, f64) = (8.0 * DEGREE, 0.7);
+/// A knee that lands so much more bent than in a stride is not stretched before (rad), one less so in part.
+pub(super) const UNSTRETCHED: f64 = 6.0 * DEGREE;
+/// A foot that lands flatter than in a stride, first or last up a slope: how much more bent than in a stride its knee is from where on it goes as
+/// that of the flat foot does, and over which range (rad); from which slope on, and over which range (rad).
+pub(super) const LANDS_AS_FLAT: [(f64, f64); 2] =
+    [(3.0 * DEGREE, 9.0 * DEGREE), (5.0 * DEGREE, 5.0 * DEGREE)];
+/// How much more bent than in a stride the knee of the first foot to land may stay (rad): the body has not come far yet.
+pub(super) const FIRST_MORE_BENT: f64 = 10.0 * DEGREE;
+/// The least flexion of a knee on a flat foot (rad), and until when after its heel has begun to rise (u).
+pub(super) const GROUND_LEAST_FLAT: (f64, f64) = (6.0 * DEGREE, 0.02);
+/// The least flexion of a knee whose foot goes through the air on a path (rad).
+pub(super) const LEAST_IN_AIR: f64 = 16.0 * DEGREE;
 /// Least weight by which a need is divided: where a correction hardly lowers the body it is not asked for more than twice.
 pub(super) const LEAST_WEIGHT: f64 = 0.5;
 /// Least height of a hip over its ankle that is reckoned with, over the length of thigh and shank.
@@ -74,9 +87,9 @@ pub(super) const SMOOTHING: f64 = 0.7;
 /// Until when (u) a leg that has landed after the first step bends under the load as it comes, and how much it counts until then what
 /// a steady stride's would.
 pub(super) const LOADING: (f64, f64) = (0.19, 0.1);
-/// How much a bound counts, how often they are made to keep above it, and what they may miss (m).
+/// How much a bound counts, how often they are made to keep above it and how many times as much each time, and what they may miss (m).
 pub(super) const BOUND_WEIGHT: f64 = 2.0;
-pub(super) const BOUND_ATTEMPTS: usize = 3;
+pub(super) const BOUND_ATTEMPTS: (usize, f64) = (3, 1.0);
 pub(super) const BOUND_MISSED: f64 = 1e-12;
 /// Share of what a leg says there that one pass corrects: the swing of the closing foot answers to it.
 pub(super) const KNOT_SHARE: f64 = 0.7;
@@ -102,9 +115,6 @@ pub(super) const LAST_STRAIGHTENS: (f64, f64) = (0.04, 0.28);
 /// How much of what the thigh at contact is ahead of its steady place its swing is, too.
 pub(super) const THIGH_FOLLOWS: f64 = 0.8;
 
-/// How much later than on the level the heel of the foot that stands while the other makes the first step rises uphill (u), from which slope on
-/// (rad).
-pub(super) const STANDING_HEEL_LATER: (f64, f64) = (10.0 * DEGREE, 0.20);
 /// The foot that stands while the other makes the first step: its knee's waypoint: when (u), and how bent at least (rad).
 pub(super) const STANDING_WAYPOINT: (f64, f64) = (0.40, 12.0 * DEGREE);
 /// How much slower it bends at toe-off than a step's (rad by u).
@@ -174,6 +184,8 @@ pub struct WalkNumbers {
     pub start_time: Option<f64>,
     /// Distance of the knots at which height is corrected where a walk begins and ends (s, likewise); 0 for one correction a contact there, too.
     pub knots: f64,
+    /// Whether knots lie all along the walk, as where no two steps are alike.
+    pub knots_throughout: bool,
     /// The foot that stands while the other makes the first step: when its heel rises (u), and how much later for each first double
     /// support: short steps take the hip less far ahead of the ankle.
     pub standing_heel_off: (f64, f64),
@@ -218,6 +230,7 @@ impl WalkNumbers {
             arms_out: swing_out,
             start_time: None,
             knots: 0.0,
+            knots_throughout: false,
             standing_heel_off: (0.06, 0.0),
             first_shift_ramp: 0.0,
             standing_cop_until: 0.30,
@@ -253,10 +266,21 @@ impl WalkNumbers {
         }
     }
 
-    /// What ships on ground that is not level, where landing legs more often than standing ones decide how low the body must be: its
-    /// corrections come earlier.
+    /// What ships on ground that is not level: no two steps are alike there, so that the body follows the legs all along.
     pub fn on_ground() -> Self {
-        Self { correction_at: 0.18, ..Self::by_contact() }
+        Self {
+            start_time: Some(0.72),
+            knots: 0.055,
+            knots_throughout: true,
+            standing_heel_off: (0.01, 1.18),
+            first_shift_ramp: 0.28,
+            standing_cop_until: 0.45,
+            first_heel_off: (0.22, 0.24),
+            standing_toe_off: 13.0 * DEGREE,
+            first_peak_after: 0.12,
+            swing_in: (0.05, 0.70),
+            ..Self::by_contact()
+        }
     }
 }
 

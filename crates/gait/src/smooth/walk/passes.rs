@@ -3,9 +3,7 @@
 use super::feet::{Foot, Hip};
 use super::heights::Needs;
 use super::laws::{Amplitudes, WalkLaws};
-use super::numbers::{
-    CORRECTION, GROUND_CORRECTIONS, GROUND_PASSES, GROUND_RELAXATION, KEPT_PASSES, LAST_RAISED, RELAXATION,
-};
+use super::numbers::{GROUND_PASSES, GROUND_RELAXATION, KEPT_PASSES, RELAXATION};
 use super::solve::{Way, factor, rest_to_rest};
 use super::timeline::Timeline;
 use crate::body::Body;
@@ -198,15 +196,7 @@ impl Passes {
             }
         }
         if pass >= KEPT_PASSES.0 && pass + KEPT_PASSES.1 < passes {
-            let (laws, ends) = (&self.laws, (CORRECTION.2, CORRECTION.3));
-            let range = |k: usize| match (uneven, laws.on_stairs(k)) {
-                (false, _) => ends,
-                // On stairs the body is never raised: a leg that is bent there may stay bent.
-                (true, true) => (0.0, GROUND_CORRECTIONS.1),
-                (true, false) if k + 1 >= laws.course.steps => (LAST_RAISED, GROUND_CORRECTIONS.1),
-                (true, false) => GROUND_CORRECTIONS,
-            };
-            laws.heights.correct(&mut self.corrections, &needs, range);
+            self.laws.heights.correct(&mut self.corrections, &needs);
         }
         Ok(Pass { feet, pelvis, rate, vertical })
     }

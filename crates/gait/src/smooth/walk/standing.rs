@@ -11,6 +11,11 @@ use crate::smooth::laws::{self, Swings};
 use crate::smooth::style::Style;
 use nalgebra::Vector3;
 
+/// Flexion of the knees when standing on ground of this pitch (rad).
+pub(super) fn knee_standing(tilt: f64) -> f64 {
+    KNEE_STANDING + KNEE_BY_SLOPE * tilt.abs()
+}
+
 /// Pelvis and centre of mass when standing with both heels at z = 0 (m).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Standing {
@@ -41,7 +46,7 @@ impl Standing {
         let mut com = pelvis;
         for _ in 0..25 {
             let hip = pelvis + hip_offset;
-            let level = leg.reach_squared(KNEE_STANDING + KNEE_BY_SLOPE * tilt.abs())
+            let level = leg.reach_squared(knee_standing(tilt))
                 - (hip.x - ankle.x).powi(2)
                 - (hip.z - ankle.z).powi(2);
             pelvis.y += ankle.y + level.max(0.0).sqrt() - hip.y;

@@ -6,7 +6,7 @@ use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::{range, tidy};
 use crate::request::{STAIR_COUNT, Stairs, WalkGround};
 use crate::smooth::slope::{SLOPES, step_length_on_slope};
-use crate::smooth::stair_numbers::{HEEL_OVERHANGS, TOES_OVERHANG};
+use crate::smooth::stair_numbers::nosing;
 use crate::smooth::stairs::STAIRS;
 use solaris_model::Relief;
 
@@ -36,10 +36,12 @@ pub(crate) const LEAD: usize = 3;
 const BEFORE_UP: [f64; LEAD] = [0.85, 0.75, 0.65];
 const BEFORE_DOWN: [f64; LEAD] = [0.85, 0.68, 0.50];
 const AFTER_STAIRS: [f64; LEAD] = [0.60, 0.85, 0.85];
-/// How much shorter the first step and the last two are on a slope, over the slope (1/rad): soles hold less there.
-const SHORTER_ENDS: (f64, f64) = (1.5, 0.8);
+/// How much shorter the first steps are up a slope and down one, over the slope (1/rad), and the last ones, from the last one on: soles
+/// hold less there, and uphill people gain their speed in a few steps.
+const SHORTER_FIRST: [[f64; 4]; 2] = [[1.8, 1.5, 1.0, 0.5], [1.5, 0.0, 0.0, 0.0]];
+const SHORTER_LAST: [[f64; 4]; 2] = [[0.5, 0.8, 0.6, 0.3], [0.8, 0.8, 0.0, 0.0]];
 /// How far a slope's ground is known before the walk and after it (m).
-const AROUND: f64 = 3.0;
+pub(super) const AROUND: f64 = 3.0;
 /// The most by which the ground may stand above the line from heel to tip, and below it (m).
 const BUMP: f64 = 5e-4;
 const HOLLOW: f64 = 0.02;
@@ -57,12 +59,14 @@ const STRETCHED_ALONE: (f64, f64) = (0.5, 1.06);
 const LOOKS_BY: f64 = 0.005;
 
 impl Terrain {
-    /// Over `ground`, for level steps `levels` of a pace whose steps are `usual` long (m); `None` on level ground.
+    /// Over `ground`, for level steps `levels` of a pace whose steps are `usual` long and whose feet are `width` apart (m); `None` on level ground.
+    /// `mirrored`: the left foot goes first, and all is planned the other way.
     pub(crate) fn of(
         ground: &WalkGround,
         leg: &LegGeometry,
-        usual: f64,
+        (usual, width): (f64, f64),
         levels: &[Step],
+        mirrored: bool,
     ) -> Result<Option<Self>, GaitError> {
         match ground {
             WalkGround::Level => Ok(None),
@@ -74,6 +78,9 @@ impl Terrain {
             }
             WalkGround::Stairs(stairs) => Self::on_stairs(stairs, leg, usual, levels).map(Some),
             WalkGround::Relief(relief) => Self::on_relief(relief, leg, usual, levels).map(Some),
+            WalkGround::Footholds(footholds) => {
+                Self::on_footholds(footholds, leg, (usual, width), mirrored).map(Some)
+            }
         }
     }
 
@@ -82,12 +89,11 @@ impl Terrain {
             .iter()
             .enumerate()
             .map(|(i, step)| {
-                let end = match i {
-                    0 => 1.0 - SHORTER_ENDS.0 * slope.abs(),
-                    i if i + 2 >= levels.len() => 1.0 - SHORTER_ENDS.1 * slope.abs(),
-                    _ => 1.0,
-                };
-                let length = step.length * step_length_on_slope(slope) * end;
+                let down = usize::from(slope < 0.0);
+                let shorter =
+                    |by: &[[f64; 4]; 2], i: usize| by[down].get(i).map_or(0.0, |by| by * slope.abs());
+                let end = shorter(&SHORTER_FIRST, i).max(shorter(&SHORTER_LAST, levels.len() - 1 - i));
+                let length = step.length * step_length_on_slope(slope) * (1.0 - end);
                 Step { length, rise: length * slope.tan(), tilt: slope, ..*step }
             })
             .collect();
@@ -114,11 +120,8 @@ impl Terrain {
             };
             if on_stairs {
                 let above = (i - LEAD) as f64 * rise;
-                let nosing = if rise > 0.0 {
-                    z + length + HEEL_OVERHANGS
-                } else {
-                    z + (1.0 - TOES_OVERHANG) * leg.foot_length()
-                };
+                let print = if rise > 0.0 { z + length } else { z };
+                let nosing = print + nosing(rise, tread, leg.foot_length());
                 points.extend([[nosing, above], [nosing, above + rise]]);
             }
             z += length;
