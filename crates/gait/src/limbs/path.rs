@@ -1,11 +1,15 @@
 //! One foot in the air over edges: the ankle's path is the law, and the leg follows.
 
-use super::numbers::LACK;
+use super::numbers::{LACK, SETTLED};
 use super::swing::{Bump, Swing, Toes};
 use crate::body::foot::FootPlane;
 use crate::body::leg::{LegGeometry, LegPose};
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Outside, Piecewise, ProfileError};
+use std::f64::consts::PI;
+
+/// Where toes first come to rest that have a riser close before them (rad): bent, so that the tip does not go through it.
+const BEFORE_A_RISER: f64 = -20.0 * PI / 180.0;
 
 /// How a path is kept off the ground: how often it is raised, half the width of a rise (parts of the swing), the least part of a rise's height
 /// that its worst sample may have of it, from which part of the swing on the clearance is asked for in full, and how near to its ends not.
@@ -30,22 +34,23 @@ pub(crate) struct Passing {
     pub(crate) end: SoleEnd,
     /// Pitch of the foot then (rad, toe down).
     pub(crate) pitch: f64,
-    /// Where the end is then: up and forward in the print's frame (m).
-    pub(crate) place: [f64; 2],
+    /// Where the end is then: up and forward in the print's frame (m); nowhere in particular where there is no edge.
+    pub(crate) place: Option<[f64; 2]>,
 }
 
 impl Passing {
-    /// Height and way forward of the ankle then.
-    fn ankle(&self, leg: &LegGeometry) -> [f64; 2] {
+    /// Height and way forward of the ankle then, where there is an edge.
+    fn ankle(&self, leg: &LegGeometry) -> Option<[f64; 2]> {
+        let place = self.place?;
         let (sin, cos) = self.pitch.sin_cos();
         let along = match self.end {
             SoleEnd::Tip => leg.ball_ahead + leg.toe,
             SoleEnd::Heel => -leg.heel_behind,
         };
-        [
-            self.place[0] + leg.ankle_height * cos + along * sin,
-            self.place[1] - along * cos + leg.ankle_height * sin,
-        ]
+        Some([
+            place[0] + leg.ankle_height * cos + along * sin,
+            place[1] - along * cos + leg.ankle_height * sin,
+        ])
     }
 }
 
@@ -79,28 +84,34 @@ impl PathSwing {
         end: &FootJet,
         ahead: &Vector3<f64>,
     ) -> Result<Self, ProfileError> {
-        let mut knots = vec![toe_off];
-        knots.extend(passings.iter().map(|passing| passing.at));
-        knots.push(1.0);
-        let through = |of: &dyn Fn(&Passing) -> f64, start, end| {
-            let values: Vec<f64> = passings.iter().map(of).collect();
+        let through = |points: &[(f64, f64)], start, end| {
+            let (at, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
+            let knots = [&[toe_off][..], &at, &[1.0]].concat();
             Ok::<_, ProfileError>(
                 Piecewise::quintic_spline(&knots, &values, start, end)?.outside(Outside::Extrapolate),
             )
         };
+        let edges = |axis: usize| -> Vec<(f64, f64)> {
+            let at = |passing: &Passing| Some((passing.at, passing.ankle(leg)?[axis]));
+            passings.iter().filter_map(at).collect()
+        };
+        let pitches: Vec<(f64, f64)> = passings.iter().map(|passing| (passing.at, passing.pitch)).collect();
+        let climbs = passings.iter().any(|passing| passing.end == SoleEnd::Tip);
+        let settled = if climbs { BEFORE_A_RISER } else { SETTLED };
         let landed = |axis: usize| {
             let jet = end.ankle[axis];
             Boundary { position: jet.position + ahead[axis], ..jet }
         };
         Ok(Self {
             ankle: [
-                Piecewise::quintic_spline(&[toe_off, 1.0], &[], start.ankle[0], landed(0))?
-                    .outside(Outside::Extrapolate),
-                through(&|passing| passing.ankle(leg)[0], start.ankle[1], landed(1))?,
-                through(&|passing| passing.ankle(leg)[1], start.ankle[2], landed(2))?,
+                through(&[], start.ankle[0], landed(0))?,
+                through(&edges(0), start.ankle[1], landed(1))?,
+                through(&edges(1), start.ankle[2], landed(2))?,
             ],
-            pitch: through(&|passing| passing.pitch, start.pitch, end.pitch)?,
-            extension: toes.spline(toe_off, start.extension, end.extension)?.outside(Outside::Extrapolate),
+            pitch: through(&pitches, start.pitch, end.pitch)?,
+            extension: toes
+                .spline(toe_off, settled, start.extension, Some(end.extension))?
+                .outside(Outside::Extrapolate),
             toe_off,
             bumps: Vec::new(),
         })

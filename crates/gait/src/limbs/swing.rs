@@ -42,30 +42,33 @@ pub enum Toes {
 }
 
 impl Toes {
-    /// Their extension over the swing, from its jet at toe-off to that at the contact (u = 1).
+    /// Their extension over the swing, from its jet at toe-off to that at the contact (u = 1), if they are not straight there; they come
+    /// to rest at `settled` first.
     pub(super) fn spline(
         self,
         toe_off: f64,
+        settled: f64,
         start: Boundary,
-        end: Boundary,
+        end: Option<Boundary>,
     ) -> Result<Piecewise, ProfileError> {
+        let rest = Boundary::rest(0.0);
         match self {
-            Self::StraightAt(at) if end == Boundary::rest(0.0) => {
-                Piecewise::quintic_spline(&[toe_off, at], &[], start, end)
-            }
-            Self::StraightAt(at) => Piecewise::quintic_spline(&[toe_off, at, 1.0], &[0.0], start, end),
+            Self::StraightAt(at) => match end {
+                None => Piecewise::quintic_spline(&[toe_off, at], &[], start, rest),
+                Some(end) => Piecewise::quintic_spline(&[toe_off, at, 1.0], &[0.0], start, end),
+            },
             Self::Extended(extension) => {
                 let (v, a) = (-start.velocity.min(0.0), -start.acceleration.min(0.0));
                 // How far they turn until they rest, and when they do: the quintic from a rest at D below to (0, −v, −a) is
                 // (1 − t)³·(D(1 + 3t + 6t²) − V·t(1 + 3t) − ½A·t²) with V = v·t₁ and A = a·t₁²; it goes below D nowhere if
                 // 10·D ≥ 4·V + ½·A.
-                let turned = (start.position - SETTLED).max(v * v / (2.0 * MOST_SLOWED)).max(LEAST_TURNED);
+                let turned = (start.position - settled).max(v * v / (2.0 * MOST_SLOWED)).max(LEAST_TURNED);
                 let within = 20.0 * turned / (4.0 * v + (16.0 * v * v + 20.0 * a * turned).sqrt());
-                let (settled, still) = (start.position - turned, toe_off + within.min(LONGEST_SETTLING));
+                let (rests, still) = (start.position - turned, toe_off + within.min(LONGEST_SETTLING));
                 let knots = [toe_off, still, 0.5 * (still + 1.0), 1.0];
                 Piecewise::quintic_hermite(
                     &knots,
-                    &[start, Boundary::rest(settled), Boundary::rest(extension), end],
+                    &[start, Boundary::rest(rests), Boundary::rest(extension), end.unwrap_or(rest)],
                 )
             }
         }
@@ -206,7 +209,7 @@ impl Swing {
             thigh,
             knee,
             dorsiflexion: spline(way.ankle, landed_from, after, before)?,
-            toes: way.toes.spline(toe_off, extension, Boundary::rest(0.0))?,
+            toes: way.toes.spline(toe_off, SETTLED, extension, None)?,
             tilt: way.tilt,
             sideways: way.sideways,
             outward: way.outward,

@@ -50,7 +50,10 @@ impl StairNumbers {
                 at,
                 end: self.end(),
                 pitch,
-                place: [number * self.rise + above, nosing(self.rise, tread, foot_length) + number * tread],
+                place: Some([
+                    number * self.rise + above,
+                    nosing(self.rise, tread, foot_length) + number * tread,
+                ]),
             }
         })
     }

@@ -154,9 +154,10 @@ fn passings(
 ) -> Vec<Passing> {
     let nosing = nosing(stairs.rise, tread, body.leg.foot_length());
     let edges = if stairs.rise > 0.0 { [beside, to] } else { [from, beside] };
-    let passed = (0..2).filter(|&i| stepped[i]).map(|i| {
+    let passed = (0..2).map(|i| {
         let ([z, y], (at, above, pitch)) = (edges[i], stairs.passings[i]);
-        Passing { at, end: stairs.end(), pitch, place: [y - from[1] + above, z - from[0] + nosing] }
+        let place = stepped[i].then_some([y - from[1] + above, z - from[0] + nosing]);
+        Passing { at, end: stairs.end(), pitch, place }
     });
     passed.collect()
 }
