@@ -273,8 +273,14 @@ mod tests {
     fn a_foot_does_not_stand_across_a_kerb() {
         let kerb = Relief::new(vec![[1.0, 0.0], [1.0, 0.1]]).expect("a relief");
         assert!(Foothold::at(&kerb, 0.9, 0.26).is_rough());
-        assert!(!Foothold::at(&kerb, 1.002, 0.26).is_rough() && !Foothold::at(&kerb, 0.6, 0.26).is_rough());
+        assert!(!Foothold::at(&kerb, 1.07, 0.26).is_rough() && !Foothold::at(&kerb, 0.6, 0.26).is_rough());
         assert!(Foothold::at(&kerb, 0.7, 0.26).is_rough());
+        // Nor with its heel at the edge, above or below.
+        assert!(Foothold::at(&kerb, 1.02, 0.26).is_rough());
+        let down = Relief::new(vec![[1.0, 0.1], [1.0, 0.0]]).expect("a relief");
+        assert!(Foothold::at(&down, 1.15, 0.26).is_rough() && !Foothold::at(&down, 1.19, 0.26).is_rough());
+        let low = Relief::new(vec![[1.0, 0.02], [1.0, 0.0]]).expect("a relief");
+        assert!(Foothold::at(&low, 1.06, 0.26).is_rough() && !Foothold::at(&low, 1.09, 0.26).is_rough());
         let ramp = Relief::new(vec![[0.0, 0.0], [2.0, 0.2]]).expect("a relief");
         let foothold = Foothold::at(&ramp, 0.5, 0.26);
         assert!((foothold.tilt - 0.1_f64.atan()).abs() < 1e-12 && (foothold.height - 0.05).abs() < 1e-12);
