@@ -8,7 +8,7 @@ use crate::smooth::prescribed::{friction, friction_on};
 use crate::smooth::route::Route;
 use crate::smooth::walk::WalkPlan;
 use nalgebra::Vector3;
-use solaris_analysis::ground_reactions;
+use solaris_analysis::{ReactionError, ground_reactions};
 use solaris_model::{Contact, Figure, Motion};
 
 /// Friction that a plan may need: in total, and of one foot that bears more than 5 % of the weight.
@@ -21,6 +21,10 @@ const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
 /// How far outside of a foot's rounded edges its pressure may lie (m): where a walk changes on the way, and where options of the style
 /// are given or the ground is not level.
 const OUTSIDE: (f64, f64) = (1e-3, 5e-3);
+/// What a person presses with at most over the weight where the ground is not level: people on steep stairs do (A. Stacoff et al., *Gait & Posture*
+/// 21 (2005) 24–38); and how far the force may be from the prescribed one, over the weight.
+const PRESSED: f64 = 1.6;
+const BESIDE: f64 = 0.05;
 /// How far the soles may sink (m).
 const SUNK: f64 = 1e-3;
 /// How far a joint may be beyond its range (rad), and above which step frequency (steps/min) how far.
@@ -139,7 +143,15 @@ impl PlanCheck<'_> {
     pub(crate) fn check_motion(&self, plan: &WalkPlan) -> Result<(), GaitError> {
         let rate = if self.deviates { FINE_RATE } else { RATE };
         let mut motion = plan.motion(self.figure, rate)?;
-        ground_reactions(self.figure, &mut motion, FEET, plan)?;
+        let reactions = ground_reactions(self.figure, &mut motion, FEET, plan);
+        let reactions = reactions.map_err(|error| match error {
+            ReactionError::Pulls { time, .. } if !self.route.is_level() => self.refusal(
+                plan,
+                plan.clock_at(time),
+                "the ground would have to pull at the feet".to_owned(),
+            ),
+            error => error.into(),
+        })?;
         if self.deviates {
             self.check_ranges(plan, &motion)?;
         }
@@ -147,6 +159,18 @@ impl PlanCheck<'_> {
         let fails = |bad: bool, peak: Peak, what: String| {
             if bad { Err(self.refusal(plan, plan.clock_at(peak.time), what)) } else { Ok(()) }
         };
+        if !self.route.is_level() {
+            let (pressed, weight) = (found.vertical, 100.0);
+            let heavy = format!("a person would press with {:.1} times the weight", pressed.value / weight);
+            fails(pressed.value.is_nan() || pressed.value > PRESSED * weight, pressed, heavy)?;
+            let beside = reactions.from_prescribed.map_or(0.0, |peak| peak.value / plan.weight());
+            let peak = Peak { value: beside, time: reactions.from_prescribed.map_or(0.0, |peak| peak.time) };
+            let what = format!(
+                "the body would not move as its forces have it, by {:.0} % of the weight",
+                100.0 * beside
+            );
+            fails(beside.is_nan() || beside > BESIDE, peak, what)?;
+        }
         let outside = found.cop_outside;
         let edge = if self.route.is_even() { OUTSIDE.1 } else { OUTSIDE.0 };
         let beside = format!("the ground would have to press {:.0} mm beside a foot", outside.value * 1e3);

@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError};
-use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
+use crate::request::{Extent, STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
 use crate::smooth::options;
 use crate::smooth::plan_check::PlanCheck;
 use crate::smooth::route::Route;
@@ -86,7 +86,15 @@ pub(crate) fn walk_from(
     let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
         let law = Styling::of(request, body, part).law;
         let route = Route::of(request, body, &law, heading)?;
-        let found = planned_on(request, part, &route);
+        let found = match planned_on(request, part, &route) {
+            Err(error @ GaitError::Plan(_)) if may_step_otherwise(request) => {
+                let usual = route.pace().step_length;
+                let other = OTHER_STEPS.iter().map(|part| route.with_step_length(part * usual, usize::MAX));
+                let mut plans = other.map(|route| planned_on(request, part, &route));
+                plans.find_map(Result::ok).ok_or(error)
+            }
+            found => found,
+        };
         if request.deviates() || request.path.is_some() || request.ground != WalkGround::Level {
             return found;
         }
@@ -101,7 +109,8 @@ pub(crate) fn walk_from(
     };
     let plan = planned(request, 1.0).map_err(|error| {
         if request.path.is_none() {
-            return nearest_part(error, request, |part| planned(request, part));
+            let error = nearest_part(error, request, |part| planned(request, part));
+            return advise_on_ground(error, request, |request| planned(request, 1.0).is_ok());
         }
         let law = Styling::of(request, body, 1.0).law;
         match Route::of(request, body, &law, heading) {
@@ -119,6 +128,48 @@ pub(crate) fn walk_from(
         }
     })?;
     Ok(if request.left_first { plan.mirrored() } else { plan })
+}
+
+/// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
+const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
+/// By how much a slope is made gentler (rad), and a pace slower or faster (steps/min), to find one that holds, and how often.
+const GENTLER: (f64, i32) = (std::f64::consts::PI / 180.0, 6);
+const OTHER_PACE: (f64, i32) = (5.0, 4);
+
+/// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
+fn may_step_otherwise(request: &WalkRequest) -> bool {
+    matches!(request.ground, WalkGround::Relief(_))
+        && matches!(request.extent, Extent::Steps(_))
+        && request.step_length.is_none()
+        && request.speed.is_none()
+}
+
+/// Says which gentler slope holds, or at which pace other ground does, where the ground asks too much.
+fn advise_on_ground(
+    error: GaitError,
+    request: &WalkRequest,
+    holds: impl Fn(&WalkRequest) -> bool,
+) -> GaitError {
+    let GaitError::Plan(PlanError::TooSteep { step, time, what, nearest }) = error else { return error };
+    let gentler = || match request.ground {
+        WalkGround::Slope(slope) => (1..=GENTLER.1).find_map(|k| {
+            let gentler = slope.signum() * (slope.abs() - f64::from(k) * GENTLER.0).max(0.0);
+            let tried = WalkRequest { ground: WalkGround::Slope(gentler), ..request.clone() };
+            holds(&tried).then(|| format!("the nearest slope that holds is {:.1}°", gentler.to_degrees()))
+        }),
+        _ => None,
+    };
+    let paced = || {
+        let asked =
+            request.step_frequency.filter(|_| request.step_length.is_none() && request.speed.is_none())?;
+        let paces = (1..=OTHER_PACE.1).flat_map(|k| [-k, k]).map(|k| asked + f64::from(k) * OTHER_PACE.0);
+        let mut paces = paces.filter(|pace| (STEP_FREQUENCY.0..=STEP_FREQUENCY.1).contains(pace));
+        let found =
+            paces.find(|&pace| holds(&WalkRequest { step_frequency: Some(pace), ..request.clone() }))?;
+        Some(format!("it holds at {found:.0} steps/min"))
+    };
+    let nearest = gentler().or_else(paced).unwrap_or(nearest);
+    PlanError::TooSteep { step, time, what, nearest }.into()
 }
 
 /// Says where on a path the walk does not hold, and the next slower step frequency at which it does.

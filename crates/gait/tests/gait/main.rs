@@ -42,6 +42,7 @@ mod stride_loop;
 mod support;
 mod sweep;
 mod terrain;
+mod terrain_random;
 mod thesis;
 mod thesis_random;
 mod thesis_refusals;

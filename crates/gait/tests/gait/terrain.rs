@@ -29,7 +29,7 @@ pub(crate) fn judge(name: &str, figure: &Figure, request: &WalkRequest) {
 }
 
 /// The same with another greatest vertical force (%BW).
-fn judge_loaded(name: &str, figure: &Figure, request: &WalkRequest, vertical: f64) {
+pub(crate) fn judge_loaded(name: &str, figure: &Figure, request: &WalkRequest, vertical: f64) {
     let (motion, report, measures) = walked(figure, request);
     let most = |what: &str, value: f64, limit: f64| {
         assert!(value <= limit, "{name}: {what} is {value}, not within {limit}");
@@ -183,6 +183,9 @@ fn what_cannot_be_walked_on_is_refused_by_what_it_is() {
     assert!(why(WalkGround::Slope(f64::NAN)).contains("slope"));
     assert!(why(WalkGround::Stairs(Stairs { rise: 0.4, ..Stairs::default() })).contains("rise"));
     assert!(why(WalkGround::Stairs(Stairs { count: 0, ..Stairs::default() })).contains("stairs"));
+    // What nearly holds is refused with what does.
+    let steep = why(WalkGround::Slope(15f64.to_radians()));
+    assert!(steep.contains("the nearest slope that holds is 13.0°"), "{steep}");
     // A ditch that no foot finds a place in, and a wall.
     assert!(why(relief(&[[2.0, 0.0], [2.0, 1.0]])).contains("step"));
 }

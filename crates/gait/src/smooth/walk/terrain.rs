@@ -49,6 +49,10 @@ const HOLLOW: f64 = 0.02;
 const EDGE: f64 = 1e-3;
 /// So far before and behind a sole the ground may stand no more than so much above its line (m): feet swing low there.
 const CLEAR: (f64, f64) = (0.08, 0.03);
+/// So far behind a heel the ground may lie no more than so much below its line (m): it comes in low over the edge.
+const FROM_EDGE: (f64, f64) = (0.06, 0.03);
+/// How far behind a heel edges stand: so far (m) and so many times their height, lower ones than this do not matter (m), nor those farther off (m).
+const FROM_RISER: (f64, f64, f64, f64) = (0.05, 1.2, 0.008, 0.30);
 /// The steepest ground that a foot is set on (rad), and the steepest step (rad).
 const STEEPEST_PRINT: f64 = 16.0 * std::f64::consts::PI / 180.0;
 const STEEPEST_STEP: f64 = 16.0 * std::f64::consts::PI / 180.0;
@@ -217,7 +221,7 @@ struct Foothold {
     /// The most by which the ground stands above it and lies below it (m).
     above: f64,
     below: f64,
-    /// Whether something stands close before it or behind it.
+    /// Whether something stands close before it or behind it, or it begins at an edge.
     blocked: bool,
 }
 
@@ -240,8 +244,15 @@ impl Foothold {
             (above.max(gap), below.max(-gap))
         });
         let ends = [(z - 0.5 * CLEAR.0, z), (z + reach + 0.5 * CLEAR.0, z + reach)];
-        let blocked =
-            ends.iter().any(|&(at, end)| relief.highest_near(at, 0.5 * CLEAR.0) > line(end) + CLEAR.1);
+        let stands = |&(at, end): &(f64, f64)| relief.highest_near(at, 0.5 * CLEAR.0) > line(end) + CLEAR.1;
+        let (from_edge, drop) = FROM_EDGE;
+        let falls = relief.lowest_near(z - 0.5 * from_edge, 0.5 * from_edge) < heel - drop;
+        let (near, times, least, far) = FROM_RISER;
+        let passed = |&[at, height]: &[f64; 2]| {
+            let above = height - heel - (at - z) * tilt.tan();
+            at > z - far && at < z - EDGE && above > least && z - at < near + times * above
+        };
+        let blocked = falls || ends.iter().any(stands) || relief.points().iter().any(passed);
         Self { height: heel, tilt, above, below, blocked }
     }
 
@@ -262,8 +273,14 @@ mod tests {
     fn a_foot_does_not_stand_across_a_kerb() {
         let kerb = Relief::new(vec![[1.0, 0.0], [1.0, 0.1]]).expect("a relief");
         assert!(Foothold::at(&kerb, 0.9, 0.26).is_rough());
-        assert!(!Foothold::at(&kerb, 1.002, 0.26).is_rough() && !Foothold::at(&kerb, 0.6, 0.26).is_rough());
+        assert!(!Foothold::at(&kerb, 1.07, 0.26).is_rough() && !Foothold::at(&kerb, 0.6, 0.26).is_rough());
         assert!(Foothold::at(&kerb, 0.7, 0.26).is_rough());
+        // Nor with its heel at the edge, above or below.
+        assert!(Foothold::at(&kerb, 1.02, 0.26).is_rough());
+        let down = Relief::new(vec![[1.0, 0.1], [1.0, 0.0]]).expect("a relief");
+        assert!(Foothold::at(&down, 1.15, 0.26).is_rough() && !Foothold::at(&down, 1.19, 0.26).is_rough());
+        let low = Relief::new(vec![[1.0, 0.02], [1.0, 0.0]]).expect("a relief");
+        assert!(Foothold::at(&low, 1.06, 0.26).is_rough() && !Foothold::at(&low, 1.09, 0.26).is_rough());
         let ramp = Relief::new(vec![[0.0, 0.0], [2.0, 0.2]]).expect("a relief");
         let foothold = Foothold::at(&ramp, 0.5, 0.26);
         assert!((foothold.tilt - 0.1_f64.atan()).abs() < 1e-12 && (foothold.height - 0.05).abs() < 1e-12);

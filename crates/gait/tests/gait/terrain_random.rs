@@ -1,0 +1,69 @@
+//! Walks over ground by chance, within limits: mixtures of slopes, kerbs and flats.
+
+use crate::terrain::{judge_loaded, request};
+use solaris_gait::{WalkGround, walk};
+use solaris_model::{Relief, human};
+
+/// How many, and how many of them must be walked over.
+const PROFILES: u32 = 100;
+const LEAST: usize = 95;
+
+/// Chance that repeats itself (the constants are Knuth's).
+struct Chance(u64);
+
+impl Chance {
+    /// Between two numbers.
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+}
+
+/// From 1.2 m on slopes of up to 9°, kerbs of 2 to 8 cm and flats, one after the other.
+fn profile(number: u32) -> Relief {
+    let mut chance = Chance(u64::from(number) + 1);
+    for _ in 0..4 {
+        chance.between(0.0, 1.0);
+    }
+    let (mut z, mut height) = (1.2 + chance.between(0.0, 0.6), 0.0);
+    let mut points = vec![[z, height]];
+    while z < 8.0 {
+        match chance.between(0.0, 3.0) as u32 {
+            0 => {
+                let length = chance.between(1.0, 2.5);
+                height += length * chance.between(-9.0, 9.0).to_radians().tan();
+                z += length;
+            }
+            1 => {
+                let up = if chance.between(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 };
+                height += up * chance.between(0.02, 0.08);
+                points.push([z, height]);
+                z += chance.between(0.7, 1.5);
+            }
+            _ => z += chance.between(0.5, 1.5),
+        }
+        points.push([z, height]);
+    }
+    Relief::new(points).expect("a relief")
+}
+
+#[test]
+fn ground_by_chance_is_walked_over_or_refused_by_what_is_wrong() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let mut walked = 0;
+    for number in 0..PROFILES {
+        let ask = request(WalkGround::Relief(profile(number)), 95.0);
+        match walk(&ann, &ask) {
+            Ok(_) => {
+                walked += 1;
+                judge_loaded(&format!("profile {number}"), &ann, &ask, 160.0);
+            }
+            Err(error) => {
+                println!("profile {number}: {error}");
+                assert!(error.to_string().contains("step"), "{error}");
+            }
+        }
+    }
+    println!("{walked} of {PROFILES}");
+    assert!(walked >= LEAST, "{walked} of {PROFILES} were walked over");
+}
