@@ -92,7 +92,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
     let mut links = draw::links(figure);
     draw::add_lines(&mut links, figure, &options.lines)?;
     let frames = Frames::new(figure, motion, &samples, &world, &links)?;
-    let camera = frames.camera();
+    let camera = frames.camera(motion.relief.is_some());
     // Adding zero turns -0 into 0.
     let origin = camera.aim[0].trunc() + DVec3::ZERO;
     let weight = Some(figure.mass() * motion.info.gravity.norm()).filter(|weight| *weight > 0.0);
