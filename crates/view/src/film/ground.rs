@@ -74,10 +74,12 @@ impl<'a> Ground<'a> {
             let line: Vec<Point> = profile.iter().map(|[z, y]| at(CELL * x as f64, *y, *z)).collect();
             picture.line("grid", &line);
         }
-        for z in cells(middle.z) {
-            let z = CELL * z as f64;
-            let line = [middle.x - reach, middle.x + reach].map(|x| at(x, self.height(z), z));
-            picture.line("grid", &line);
+        let sides = [middle.x - reach, middle.x + reach];
+        let even = cells(middle.z).map(|z| [CELL * z as f64, self.height(CELL * z as f64)]);
+        // Edges of steps, too.
+        let corners = profile.iter().copied().filter(|point| point[0] > ends.0 && point[0] < ends.1);
+        for [z, y] in even.chain(corners) {
+            picture.line("grid", &sides.map(|x| at(x, y, z)));
         }
     }
 }

@@ -96,6 +96,14 @@ fn it_is_seen_from_elsewhere_with_a_grid() {
         assert_eq!(svg.matches("class=\"left\"").count(), 12, "{seen:?}");
         assert!(svg.matches("class=\"grid\"").count() > 12 * 8, "{seen:?}");
     }
+    // The kerb's two edges are drawn across in the stills that reach it.
+    let edges = |motion: &Motion| {
+        let corner = FilmOptions { seen: Seen::Corner, ..FilmOptions::default() };
+        film(&figure, motion, &corner).expect("a strip").matches("class=\"grid\"").count()
+    };
+    let mut level = motion.clone();
+    level.relief = None;
+    assert!(edges(&motion) > edges(&level), "{} {}", edges(&motion), edges(&level));
     let above = FilmOptions { seen: Seen::Above, ..FilmOptions::default() };
     let svg = film(&figure, &motion, &above).expect("a strip");
     // From above the pressure is under the middle of the ball.
