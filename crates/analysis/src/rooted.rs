@@ -87,7 +87,9 @@ pub fn reactions_from_feet(
         let first = tau.len();
         tau.resize(first + tree.nv(), 0.0);
         let base = view.solve((motion.q(row), motion.v(row), motion.a(row)), other, &mut tau[first..])?;
-        let cop = base.center_of_pressure(&up, level).unwrap_or(contacts[on].cop);
+        // Ground that is not level is no plane; its point stays where it was, as the wrench does but for rounding.
+        let plane = motion.relief.is_none().then(|| base.center_of_pressure(&up, level)).flatten();
+        let cop = plane.unwrap_or(contacts[on].cop);
         new[on][row] = Contact { force: base.force, moment: base.moment, cop };
         report.compare(&contacts[on], &base, motion.tau(row), &tau[first..]);
     }

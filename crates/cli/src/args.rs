@@ -40,8 +40,8 @@ pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
-    DeterminantCount, DoubleSupportLaw, EveryoneArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs, RootLink,
-    Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WhoArgs,
+    DeterminantCount, DoubleSupportLaw, EveryoneArgs, FilmArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs,
+    RootLink, Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};

@@ -10,8 +10,8 @@ mod request;
 mod summary;
 mod told;
 
-use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
-use crate::error::CliError;
+use crate::args::{BODY_MASS_INDEX, FilmArgs, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
+use crate::error::{CliError, UsageError};
 use crate::input;
 use crate::limbs;
 use crate::output::{Formats, Outputs};
@@ -22,7 +22,7 @@ use report::Report;
 pub(crate) use request::asked;
 use solaris::gait::{isolated_peaks, measure, missing_for_walking};
 use solaris::model::{Figure, Human, Motion, RootOrder};
-use solaris::view::{PageOptions, page};
+use solaris::view::{FilmOptions, PageOptions, Seen, film, page};
 use std::io::Write;
 
 /// What a file of a walk holds.
@@ -32,9 +32,11 @@ enum Format {
     Csv,
     Bvh,
     Json,
+    Svg,
 }
 
-const MOTION: Formats<Format> = &[("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh)];
+const MOTION: Formats<Format> =
+    &[("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh), ("svg", Format::Svg)];
 const REPORT: Formats<Format> = &[("json", Format::Json)];
 
 /// The most samples of a motion: the longest walk at the default rate has 1.2 million, some 6 GB.
@@ -46,6 +48,10 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let motions = files.outputs.iter().map(|path| ("-o", path, MOTION));
     let outputs = Outputs::new(motions.chain(files.report.iter().map(|path| ("--report", path, REPORT))))?;
     outputs.keep_off(args.who.figure.as_deref())?;
+    let drawn = outputs.paths().any(|path| input::extension(path) == "svg");
+    if let Some(option) = files.film.given().filter(|_| !drawn) {
+        return Err(UsageError::NoStrip { option }.into());
+    }
     let asked = asked(args)?;
     let mut figure = figure(&args.who)?;
 
@@ -61,8 +67,8 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let report = Report::new(figure.mass(), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
-        let motion = if matches!(format, Format::Html) { &motion } else { frames };
-        write(format, writer, &figure, motion, &report)
+        let motion = if matches!(format, Format::Html | Format::Svg) { &motion } else { frames };
+        write(format, writer, &figure, motion, &report, &files.film)
     })?;
     drop(progress);
 
@@ -124,6 +130,7 @@ fn write(
     figure: &Figure,
     motion: &Motion,
     report: &Report,
+    strip: &FilmArgs,
 ) -> Result<(), CliError> {
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
@@ -141,5 +148,11 @@ fn write(
             writer.write_all(html.as_bytes()).map_err(CliError::other)
         }
         Format::Json => report.write(writer).map_err(CliError::other),
+        Format::Svg => {
+            let seen = strip.seen.map_or_else(Seen::default, Seen::from);
+            let options = FilmOptions { title: summary::title(report), between: strip.between, seen };
+            let svg = film(figure, motion, &options).map_err(CliError::other)?;
+            writer.write_all(svg.as_bytes()).map_err(CliError::other)
+        }
     }
 }

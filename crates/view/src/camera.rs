@@ -44,8 +44,10 @@ pub(crate) struct Camera {
     pub(crate) half: DVec3,
 }
 
-/// A camera that stands still may frame up to so many times the figure's own greatest edge more than one that follows.
+/// A camera that stands still may frame up to so many times the figure's own greatest edge more than one that follows; up and down
+/// over ground that is not level, which shows how the camera moves.
 const WORTH_FOLLOWING: f64 = 0.5;
+const WORTH_CLIMBING: f64 = 0.2;
 /// The aim is calm unless the figure then fills less of the box than one part in this many.
 const FILLED: f64 = 4.0;
 /// Half of the edge of a box around nothing (m).
@@ -53,16 +55,18 @@ const LEAST_HALF: f64 = 1e-6;
 
 impl Camera {
     /// For `boxes`, the figure's in each frame (m), and `carrier`, a point that goes calmly where the figure goes: its
-    /// centre of mass, or its root.
+    /// centre of mass, or its root; `climbs`: whether the ground is not level.
     ///
     /// Along each axis the aim is the calmest of these three: it rests, it moves with the carrier, or it keeps to the
-    /// middle of the box. The first is taken unless following spares half of the figure's size.
-    pub(crate) fn new(boxes: &[Bounds], carrier: &[DVec3]) -> Self {
+    /// middle of the box. The first is taken unless following spares half of the figure's size, up or down a slope a fifth.
+    pub(crate) fn new(boxes: &[Bounds], carrier: &[DVec3], climbs: bool) -> Self {
         let still = joined(boxes.iter().copied());
         let carried = joined(boxes.iter().zip(carrier).map(|(bounds, at)| bounds.seen_from(*at)));
         let own = boxes.iter().map(|bounds| bounds.edges()).fold(DVec3::ZERO, DVec3::max);
         let size = own.max_element();
-        let rests = still.edges().cmple(carried.edges() + WORTH_FOLLOWING * size)
+        let worth =
+            DVec3::splat(WORTH_FOLLOWING).with_y(if climbs { WORTH_CLIMBING } else { WORTH_FOLLOWING });
+        let rests = still.edges().cmple(carried.edges() + worth * size)
             & still.edges().cmple(DVec3::splat(FILLED * size));
         let goes_along = carried.edges().cmple(DVec3::splat(FILLED * size));
         let aim = |(bounds, at): (&Bounds, &DVec3)| {
@@ -110,7 +114,7 @@ mod tests {
     #[test]
     fn it_follows_down_as_well_as_along() {
         let path = line(DVec3::new(0.0, -20.0, 30.0));
-        let camera = Camera::new(&cubes(&path), &path);
+        let camera = Camera::new(&cubes(&path), &path, false);
         assert!(holds(&camera, &cubes(&path)));
         assert!((camera.size() - 1.0).abs() < 1e-12, "{}", camera.size());
         assert!((camera.aim[20] - camera.aim[0]).distance(path[20]) < 1e-12);
@@ -119,15 +123,23 @@ mod tests {
     #[test]
     fn it_rests_where_little_moves() {
         let path = line(DVec3::new(0.0, 0.4, 0.0));
-        let camera = Camera::new(&cubes(&path), &path);
+        let camera = Camera::new(&cubes(&path), &path, false);
         assert!(holds(&camera, &cubes(&path)));
         assert_eq!((camera.aim[0], camera.half.y), (camera.aim[20], 0.7));
     }
 
     #[test]
+    fn it_follows_sooner_where_the_ground_goes_up() {
+        let path = line(DVec3::new(0.0, 0.4, 3.0));
+        let camera = Camera::new(&cubes(&path), &path, true);
+        assert!(holds(&camera, &cubes(&path)));
+        assert!((camera.half.y - 0.5).abs() < 1e-12, "{}", camera.half);
+    }
+
+    #[test]
     fn a_carrier_that_stays_behind_loses_nobody() {
         let path = line(DVec3::new(0.0, -20.0, 0.0));
-        let camera = Camera::new(&cubes(&path), &[DVec3::ZERO; 21]);
+        let camera = Camera::new(&cubes(&path), &[DVec3::ZERO; 21], false);
         assert!(holds(&camera, &cubes(&path)));
         assert!((camera.size() - 1.0).abs() < 1e-12, "{}", camera.size());
     }
@@ -138,7 +150,7 @@ mod tests {
         let path: Vec<DVec3> = (0..21).map(bob).collect();
         let boxes: Vec<Bounds> =
             path.iter().map(|end| Bounds { low: end.min(DVec3::ZERO), high: end.max(DVec3::ZERO) }).collect();
-        let camera = Camera::new(&boxes, &path);
+        let camera = Camera::new(&boxes, &path, false);
         assert!(holds(&camera, &boxes));
         assert!(camera.aim.iter().all(|aim| *aim == camera.aim[0]));
     }
@@ -146,7 +158,7 @@ mod tests {
     #[test]
     fn a_point_that_rests_is_seen_from_somewhere() {
         let nothing = Bounds { low: DVec3::ONE, high: DVec3::ONE };
-        let camera = Camera::new(&[nothing], &[DVec3::ZERO]);
+        let camera = Camera::new(&[nothing], &[DVec3::ZERO], false);
         assert!(camera.size() > 0.0 && camera.aim == [DVec3::ONE]);
     }
 }

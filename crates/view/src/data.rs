@@ -18,6 +18,9 @@ struct Floor {
     /// m, relative to the origin.
     height: f64,
     solid: bool,
+    /// Where it is not level: places along z and heights (m), relative to the origin.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    relief: Option<Vec<[f64; 2]>>,
 }
 
 /// What the camera has in view.
@@ -89,7 +92,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
     let mut links = draw::links(figure);
     draw::add_lines(&mut links, figure, &options.lines)?;
     let frames = Frames::new(figure, motion, &samples, &world, &links)?;
-    let camera = frames.camera();
+    let camera = frames.camera(motion.relief.is_some());
     // Adding zero turns -0 into 0.
     let origin = camera.aim[0].trunc() + DVec3::ZERO;
     let weight = Some(figure.mass() * motion.info.gravity.norm()).filter(|weight| *weight > 0.0);
@@ -106,6 +109,9 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
         ground: Floor {
             height: motion.info.ground.map_or(frames.lowest(), |ground| ground.height) - origin.y,
             solid: motion.info.ground.is_some(),
+            relief: motion.relief.as_ref().filter(|_| world.is_identity()).map(|relief| {
+                relief.points().iter().map(|[z, height]| [z - origin.z, height - origin.y]).collect()
+            }),
         },
         sided: links.iter().any(Drawn::is_sided),
         links,
@@ -143,7 +149,7 @@ fn foot(track: &ContactTrack, samples: &[usize], world: &World, origin: DVec3) -
     }
 }
 
-fn check_contacts(figure: &Figure, motion: &Motion) -> Result<(), ViewError> {
+pub(crate) fn check_contacts(figure: &Figure, motion: &Motion) -> Result<(), ViewError> {
     for track in &motion.contacts {
         let link = || track.link.clone();
         if figure.link_index(&track.link).is_none() {

@@ -44,12 +44,12 @@ impl Side {
 /// A solid in its link's frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Part {
-    kind: &'static str,
+    pub(crate) kind: &'static str,
     /// Box: edges; cylinder: radius, length; ellipsoid: semi-axes; capsule: radius at −y, radius at +y, distance of the
     /// centres; sphere: radius (m).
-    size: Vec<f64>,
-    at: [f64; 3],
-    turn: [f64; 4],
+    pub(crate) size: Vec<f64>,
+    pub(crate) at: [f64; 3],
+    pub(crate) turn: [f64; 4],
 }
 
 impl Part {
@@ -83,8 +83,8 @@ impl Part {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Drawn {
     name: String,
-    side: Side,
-    parts: Vec<Part>,
+    pub(crate) side: Side,
+    pub(crate) parts: Vec<Part>,
 }
 
 impl Drawn {

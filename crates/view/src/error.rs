@@ -1,5 +1,6 @@
 //! Errors of showing a motion.
 
+use crate::chart::number;
 use solaris_dynamics::DynamicsError;
 use solaris_model::MotionError;
 
@@ -18,6 +19,21 @@ pub enum ViewError {
     Empty {
         /// The figure's name.
         figure: String,
+    },
+    /// A span of time that is none, or that the motion does not have.
+    #[error(
+        "from {from} to {to} s: the motion goes from {} to {} s; name a span of it, its beginning first",
+        number(*.first, 5), number(*.last, 5)
+    )]
+    Span {
+        /// Its beginning (s).
+        from: f64,
+        /// Its end (s).
+        to: f64,
+        /// When the motion begins (s).
+        first: f64,
+        /// When it ends (s).
+        last: f64,
     },
     /// A contact track names a link that the figure does not have.
     #[error(

@@ -85,11 +85,11 @@ impl Frames {
         self.turns.push(if flip { -turn } else { turn });
     }
 
-    /// The camera that has all of it in view.
-    pub(crate) fn camera(&self) -> Camera {
+    /// The camera that has all of it in view; `climbs`: whether the ground is not level.
+    pub(crate) fn camera(&self, climbs: bool) -> Camera {
         let com: Option<Vec<DVec3>> =
             self.com.as_ref().map(|com| com.iter().zip(&self.root).map(|(com, root)| *com + *root).collect());
-        Camera::new(&self.boxes, com.as_ref().unwrap_or(&self.root))
+        Camera::new(&self.boxes, com.as_ref().unwrap_or(&self.root), climbs)
     }
 
     /// Height of the lowest point at any time (m).

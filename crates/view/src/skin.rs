@@ -7,8 +7,8 @@ use solaris_model::{Figure, Link, ShapeKind};
 /// A skin between two ellipsoids that follow each other, such as those of the trunk.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Skin {
-    parent: usize,
-    child: usize,
+    pub(crate) parent: usize,
+    pub(crate) child: usize,
     /// The child's joint in the parent's frame (m).
     offset: [f64; 3],
 }

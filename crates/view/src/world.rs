@@ -39,8 +39,7 @@ impl World {
     }
 
     /// Whether up is the motion's y and forward its z, so that numbers are the motion's own.
-    #[cfg(test)]
-    fn is_identity(&self) -> bool {
+    pub(crate) fn is_identity(&self) -> bool {
         self.turn.angle_between(DQuat::IDENTITY) < 1e-12
     }
 }

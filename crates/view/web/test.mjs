@@ -2,7 +2,7 @@
 //
 //     node test.mjs [--shots FOLDER] PAGE.html...
 //
-// The first page is tried in full, the others for whether the figure is in view and nothing overlaps. Exit code 1 where
+// The first page is tried in full, the others for whether the figure is in view, the ground under its feet, and nothing overlaps. Exit code 1 where
 // something fails; without a Chromium nothing is tested (name one in the variable CHROMIUM).
 
 import { basename, join } from 'node:path';
@@ -11,6 +11,7 @@ import assert from 'node:assert/strict';
 import { bands } from './test/bands.mjs';
 import { launch, open, stop } from './test/browser.mjs';
 import { inside, moves, painted } from './test/framing.mjs';
+import { carries } from './test/ground.mjs';
 import { fits, folds, named } from './test/layout.mjs';
 import { plays, seeks } from './test/playing.mjs';
 
@@ -48,6 +49,7 @@ async function shows(browser, judge, path) {
   const { page, faults } = await open(browser, path, { viewport: WIDE, colorScheme: 'dark', reducedMotion: 'reduce' });
   await look(page, name, WIDE);
   const cover = await painted(page, judge, 0.55, name);
+  await carries(page, judge, name);
   await bands(page, name);
   await look(page, name, PHONE);
   await folds(page, name);

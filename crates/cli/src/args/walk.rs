@@ -1,10 +1,12 @@
 //! The request of `solaris walk`.
 
 mod everyone;
+mod film;
 mod terrain;
 mod then;
 
 pub(crate) use everyone::EveryoneArgs;
+pub(crate) use film::FilmArgs;
 pub(crate) use terrain::TerrainArgs;
 pub(crate) use then::{Then, Travel};
 
@@ -39,7 +41,9 @@ const EXAMPLES: &str = "Examples:
   solaris walk --manner sad:0.7 --variability --seed 3 -o sad.html
       rather sad, and no step like another
   solaris walk --gait run --speed 3.5 -o run.html
-      ten steps of a run, with its flights";
+      ten steps of a run, with its flights
+  solaris walk --between 2.3:3.4 -o strip.svg
+      a stride of it in twelve pictures";
 
 /// A walk, and what to make of it.
 #[derive(Debug, Args)]
@@ -69,13 +73,15 @@ pub(crate) struct WalkArgs {
 #[derive(Debug, Args)]
 pub(crate) struct WalkFiles {
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the motion: .html page, .csv table, .bvh motion capture; several -o are allowed [default: none]"
+        "Write the motion: .html page, .csv table, .bvh motion capture, .svg film strip of twelve pictures; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "FILE.json", help = "Write the numbers of the walk as JSON [default: none]")]
     pub(crate) report: Option<PathBuf>,
     #[arg(long, help = "Print the numbers of the walk as JSON instead of a table")]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) film: FilmArgs,
 }
 
 /// Who walks.

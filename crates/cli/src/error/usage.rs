@@ -51,6 +51,8 @@ pub(crate) enum UsageError {
     FreeHasNoValue,
     #[error("the following required arguments were not provided:\n  {}", .options.join("\n  "))]
     Missing { options: Vec<String> },
+    #[error("--{option} says what a film strip shows, and none is written; add -o strip.svg")]
+    NoStrip { option: &'static str },
     #[error("--curve is given {found} times; a blend has two curves")]
     Curves { found: usize },
 }

@@ -1,4 +1,5 @@
-//! The commands of docs/profiles.md and docs/determinants.md make their pictures, and every kind of profile has one.
+//! The commands of docs/profiles.md, docs/determinants.md and of the pages of walks make their pictures, and every kind of
+//! profile has one.
 //!
 //! `UPDATE_PICTURES=1 cargo test -p solaris-cli --test cli pictures` writes them anew.
 
@@ -65,6 +66,13 @@ fn the_pictures_of_the_determinants_are_what_the_commands_make() {
     let commands = made_and_kept("determinants.md", "walking");
     for asked in ["explain", "map"] {
         assert!(commands.iter().any(|words| words[1] == asked), "gait {asked} has no picture");
+    }
+}
+
+#[test]
+fn the_film_strips_are_what_the_commands_make() {
+    for (page, count) in [("walking.md", 7), ("slopes.md", 3), ("running.md", 1)] {
+        assert_eq!(made_and_kept(page, "strips").len(), count, "{page}");
     }
 }
 

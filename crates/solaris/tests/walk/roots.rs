@@ -2,7 +2,7 @@
 
 use crate::cases::{person, steps, walked};
 use solaris::analysis::{ReactionError, reactions_from_feet};
-use solaris::gait::FEET;
+use solaris::gait::{FEET, Stairs, WalkGround, WalkRequest};
 use solaris::model::EventKind;
 
 /// What rounding leaves, of the greatest force of its kind.
@@ -58,6 +58,29 @@ fn forces_do_not_depend_on_the_root_through_every_change_of_support() {
             })
             .collect();
         assert_eq!(changes, report.roots[1..]);
+    }
+}
+
+/// Centres of pressure lay at y = 0 on stairs before, up to a storey below the foot.
+#[test]
+fn on_stairs_and_slopes_pressure_stays_under_the_foot() {
+    let figure = person(1.75);
+    let stairs = WalkGround::Stairs(Stairs { count: 3, ..Stairs::default() });
+    for (ground, frequency) in [(stairs, 88.0), (WalkGround::Slope(-0.1), 100.0)] {
+        let request = WalkRequest { ground, ..steps(frequency, 9) };
+        let (_, mut motion) = walked(&figure, &request, 60.0);
+        let before = motion.contacts.clone();
+        reactions_from_feet(&figure, &mut motion, FEET).expect("a walk on two feet");
+        for (was, is) in before.iter().zip(&motion.contacts) {
+            for (row, (was, is)) in was.samples.iter().zip(&is.samples).enumerate() {
+                let (off, scale) = ((was.force - is.force).norm(), 10.0 * figure.mass());
+                assert!(off < ROUNDING * scale, "{row}: {off:e}");
+                let apart = (was.cop - is.cop).norm();
+                assert!(was.force.norm() < 0.01 * scale || apart < 1e-9, "{row}: {apart} m");
+            }
+        }
+        let heights = motion.contacts.iter().flat_map(|track| track.samples.iter().map(|at| at.cop.y.abs()));
+        assert!(heights.fold(0.0, f64::max) > 0.2, "it goes up or down");
     }
 }
 

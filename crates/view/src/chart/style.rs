@@ -60,6 +60,10 @@ const RULES: &[Rule] = &[
     ("f3", "fill:#cc79a7", ""),
     ("f4", "fill:#e69f00", ""),
     ("f5", "fill:#56b4e9", ""),
+    // Bodies.
+    ("left", "fill:#7fb2d6", "fill:#5b93ba"),
+    ("right", "fill:#e8a57c", "fill:#cc835a"),
+    ("trunk", "fill:#cbc4b8", "fill:#a39c92"),
     ("area", "fill-opacity:.25", "fill-opacity:.4"),
     ("ink", "fill:#222;stroke:#fff", "fill:#e8ebee;stroke:#171a1e"),
     ("peak", "fill:#555", "fill:#9aa4ad"),

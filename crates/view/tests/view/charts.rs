@@ -9,12 +9,12 @@ use solaris_view::{
 use std::path::{Path, PathBuf};
 
 /// The value of an attribute.
-fn attribute<'a>(element: &'a str, name: &str) -> &'a str {
+pub(crate) fn attribute<'a>(element: &'a str, name: &str) -> &'a str {
     element.split(&format!(" {name}=\"")).nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default()
 }
 
 /// The numbers of a text.
-fn numbers(text: &str) -> Vec<f64> {
+pub(crate) fn numbers(text: &str) -> Vec<f64> {
     text.split(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-')))
         .filter_map(|n| n.parse().ok())
         .collect()
@@ -65,7 +65,7 @@ fn texts(svg: &str) -> Vec<Word> {
 }
 
 /// What is wrong with the texts of a picture.
-fn faults(svg: &str) -> Vec<String> {
+pub(crate) fn faults(svg: &str) -> Vec<String> {
     let height: f64 = attribute(svg.lines().next().expect("a line"), "height").parse().expect("a height");
     let texts = texts(svg);
     let mut faults = Vec::new();

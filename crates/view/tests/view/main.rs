@@ -2,6 +2,7 @@
 
 mod charts;
 mod denavit_hartenberg;
+mod film;
 mod page;
 mod precision;
 mod profile;

@@ -4,8 +4,8 @@ use base64::{Engine as _, engine::general_purpose::STANDARD};
 use serde_json::Value;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{
-    Contact, ContactTrack, Figure, FigureBuilder, Ground, Joint, LinkSpec, Motion, MotionInfo, Trajectory,
-    Vector3, human,
+    Contact, ContactTrack, Figure, FigureBuilder, Ground, Joint, LinkSpec, Motion, MotionInfo, Relief,
+    Trajectory, Vector3, human,
 };
 use solaris_view::{PageOptions, TableRow, ViewError, page};
 
@@ -163,6 +163,26 @@ fn positions_and_turns_come_back_within_the_resolution_however_far_away() {
     assert!(worst < 2e-5, "{worst} m");
     assert!(worst_point < 1e-4, "{worst_point} m at half a metre from a link's origin");
     assert!(worst > 1e-7, "a test of integers, not of floats: {worst}");
+}
+
+#[test]
+fn the_ground_s_heights_are_told_from_where_everything_is_told() {
+    let (figure, mut motion) = sampled(&Wave { duration: 1.0, speed: 1.3, start: 900.0 });
+    let page_of = |motion: &Motion| data(&page(&figure, motion, &options()).expect("a page"));
+    assert!(page_of(&motion)["ground"].get("relief").is_none(), "a floor is a plane");
+    let kerb = [[-3.0, 0.25], [901.5, 0.25], [901.5, 0.4]];
+    motion.relief = Some(Relief::new(kerb.to_vec()).expect("a relief"));
+    let data = page_of(&motion);
+    let [_, up, ahead] = [0, 1, 2].map(|i| data["origin"][i].as_f64().expect("metres"));
+    assert!(ahead > 890.0, "{ahead}");
+    for (point, [z, height]) in data["ground"]["relief"].as_array().expect("points").iter().zip(kerb) {
+        let [at, above] = [0, 1].map(|i| point[i].as_f64().expect("metres"));
+        assert!((at + ahead - z).abs() < 1e-12 && (above + up - height).abs() < 1e-12, "{point}");
+    }
+    // A profile along z says nothing of a world whose forward is another one.
+    let options = PageOptions { forward: Some(Vector3::x()), ..options() };
+    let html = page(&figure, &motion, &options).expect("a page");
+    assert!(self::data(&html)["ground"].get("relief").is_none());
 }
 
 /// Two turns and a bit about x in a second.

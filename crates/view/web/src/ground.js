@@ -88,6 +88,7 @@ export function makeGround(data) {
       shadow.material.opacity = theme.dark ? 0.55 : 0.26;
       numbers.paint(theme);
     },
+    height: () => group.position.y,
     // The patch is where the camera looks; the numbers lie on the side of the path that the camera is on, turned towards it.
     face(camera, target) {
       grid.position.set(snap(target.x, 'x', step), 0, snap(target.z, 'z', step));

@@ -24,7 +24,7 @@ export function makeHeights(data) {
   const { aim, half } = data.camera;
   let [low, high] = [Infinity, -Infinity];
   for (let i = 1; i < aim.length; i += 3) [low, high] = [Math.min(low, aim[i]), Math.max(high, aim[i])];
-  if (high - low <= FOLLOWED * data.size) return { group, paint() {}, face() {} };
+  if (data.ground.relief || high - low <= FOLLOWED * data.size) return { group, paint() {}, face() {} };
 
   const { strong: step, parts } = spacing(data.size);
   const width = 0.07 * data.size;

@@ -54,5 +54,7 @@ window.solaris = {
   frame: () => clock.frame().index,
   // Least and greatest x and y of the figure in the picture, from 0 to 1; null without a picture.
   outline: () => picture?.outline() ?? null,
+  // Height of the drawn ground at a place, in the data's coordinates (m); null without a picture.
+  ground: (x, z) => picture?.ground(x, z) ?? null,
   show: (part, visible) => picture?.show(part, visible),
 };

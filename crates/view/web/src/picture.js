@@ -5,13 +5,37 @@ import { makeBody, mixAt } from './body.js';
 import { makeForces } from './forces.js';
 import { makeGround } from './ground.js';
 import { makeHeights } from './heights.js';
+import { makeRelief } from './relief.js';
 import { makeStage } from './stage.js';
 import { makeTrail } from './trail.js';
 
+// How many times of the motion, and how many places between figure and camera, are tried for whether the ground is in between.
+const TIMES = 24;
+const PLACES = 24;
+
+// Whether the place under the figure is in sight at any time from so far from what the camera looks at.
+function sight({ aim }, height) {
+  const frames = aim.length / 3;
+  const [at, way] = [new Vector3(), new Vector3()];
+  return (offset) =>
+    Array.from({ length: TIMES }, (_, i) => Math.round((i * (frames - 1)) / (TIMES - 1))).every((frame) => {
+      at.fromArray(aim, 3 * frame);
+      way.copy(offset).add(at);
+      at.y = height(at.x, at.z);
+      way.sub(at);
+      return Array.from({ length: PLACES }, (_, i) => (i + 1) / PLACES).every((share) => {
+        const [x, y, z] = at.toArray().map((from, axis) => from + share * way.getComponent(axis));
+        return y >= (height(x, z) ?? -Infinity);
+      });
+    });
+}
+
 export function makePicture(holder, data, clock) {
-  const stage = makeStage(holder, { size: data.size, half: data.camera.half });
+  const ground = data.ground.relief ? makeRelief(data) : makeGround(data);
+  const sees = data.ground.relief ? sight(data.camera, ground.height) : () => true;
+  const stage = makeStage(holder, { size: data.size, half: data.camera.half, climbs: ground.climbs, sees });
   const parts = {
-    ground: makeGround(data),
+    ground,
     heights: makeHeights(data),
     body: makeBody(data),
     forces: makeForces(data, holder),
@@ -64,6 +88,8 @@ export function makePicture(holder, data, clock) {
       stage.camera.updateMatrixWorld();
       return parts.body.outline(stage.camera);
     },
+    // Height of the drawn ground at a place, in the data's coordinates.
+    ground: ground.height,
     draw() {
       if (!stale) return;
       stale = false;

@@ -25,11 +25,16 @@ const VIEWS = {
 const ACROSS = [-1.1, 0.4, 1.95];
 // Share of the picture's height and width that the figure may take.
 const FILLED = 0.8;
+// By how much a view is raised, and how often, until nothing hides the figure.
+const RAISE = 0.15;
+const RAISES = 20;
 // Size of a figure to which the lengths below belong (m).
 const PERSON = 1.75;
 
-// `framed`: half of the edges of the box that is to be in view; `size`: the greatest edge. Throws where there is no WebGL.
-export function makeStage(holder, { size, half: framed }) {
+// `framed`: half of the edges of the box that is to be in view; `size`: the greatest edge; `climbs`: whether the figure goes up, and is
+// seen from behind; `sees(offset)`: whether the ground hides nothing from a camera so far from what it looks at. Throws where
+// there is no WebGL.
+export function makeStage(holder, { size, half: framed, climbs, sees }) {
   const renderer = new WebGLRenderer({ antialias: true });
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
@@ -93,7 +98,11 @@ export function makeStage(holder, { size, half: framed }) {
     view(name) {
       named = name;
       shift.fromArray(name === 'angle' && half.x > 1.5 * half.z ? ACROSS : VIEWS[name]);
-      camera.position.copy(shift.setLength(distance(shift))).add(controls.target);
+      // Stairs show their risers.
+      if (name === 'angle' && climbs) shift.z = -shift.z;
+      const place = () => camera.position.copy(shift).setLength(distance(shift));
+      for (let i = 0; i < RAISES && !sees(place()); i += 1) shift.y += RAISE;
+      place().add(controls.target);
       controls.update();
     },
     // Light and, if wanted, the camera move along with `point`.

@@ -54,15 +54,15 @@ const differing = (judge, shots) =>
 
 const picture = async (page) => (await page.locator('#picture').screenshot()).toString('base64');
 
-// The figure is painted: without it the picture is another one.
-export async function painted(page, judge, share, name) {
+// The figure, or another part, is painted: without it the picture is another one.
+export async function painted(page, judge, share, name, { part = 'body', least = LEAST_COVER } = {}) {
   await stop(page, share);
   const shot = await picture(page);
-  await page.evaluate(() => window.solaris.show('body', false));
+  await page.evaluate((part) => window.solaris.show(part, false), part);
   await settle(page);
   const covered = await differing(judge, [shot, await picture(page)]);
-  await page.evaluate(() => window.solaris.show('body', true));
-  assert(covered > LEAST_COVER, `${name}: at ${share} of its time the figure covers ${covered} of the picture`);
+  await page.evaluate((part) => window.solaris.show(part, true), part);
+  assert(covered > least, `${name}: at ${share} of its time the ${part} covers ${covered} of the picture`);
   return covered;
 }
 

@@ -97,6 +97,7 @@ fn every_example_of_the_help_runs() {
         "sad.html",
         "stiff.bvh",
         "stiff.json",
+        "strip.svg",
         "thesis.html",
         "walk.html",
         "way.csv",
