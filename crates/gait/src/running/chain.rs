@@ -1,5 +1,6 @@
 //! A chain of running steps that are not all alike, from a given state to another one.
 
+mod basis;
 mod carry;
 mod fit;
 mod footstep;
@@ -54,6 +55,14 @@ pub(super) struct Chain {
     excess: Vec<Vector3<f64>>,
 }
 
+/// Where the body is: of each leg the hip (as that of a left leg), the pose, and by how much it is too short (m).
+struct Place {
+    pelvis: Vector3<f64>,
+    trunk: [Euler; 5],
+    legs: [(Vector3<f64>, LegPose, f64); 2],
+}
+
+/// What a pass found.
 struct Pass {
     forces: Vec<StepForces>,
     legs: [Leg; 2],
@@ -62,6 +71,10 @@ struct Pass {
     rate: Vec<Vector3<f64>>,
     turn: Option<Vec<Euler>>,
     thorax: Vec<Euler>,
+}
+
+fn rows(all: &[Vector3<f64>]) -> Vec<[f64; 3]> {
+    all.iter().map(|&row| row.into()).collect()
 }
 
 impl Chain {
@@ -113,58 +126,32 @@ impl Chain {
                 thorax: &thorax,
                 drawn: &drawn,
             });
-            // In flight it is faster than on average; before the first step it is, or stands.
-            let mut flights: Vec<f64> = (0..steps.len())
-                .map(|k| schedule.speeds[k] + lost_before[k] / (0.5 * steps[k].style.stride_time))
-                .collect();
-            if schedule.stands.first {
-                flights[0] = schedule.speeds[0];
-            }
-            if schedule.stands.last {
-                flights[steps.len() - 1] = 0.0;
-            }
-            let speed = if schedule.stands.first { 0.0 } else { flights[0] };
-            let gains: Vec<f64> = (0..steps.len())
-                .map(|k| flights[k] - k.checked_sub(1).map_or(speed, |before| flights[before]))
-                .collect();
+            let (speed, gains) = schedule.gains(&lost_before);
             let carried = laws
                 .lift(&heights, standing)
                 .and_then(|(height, lifts)| laws.carry(&height, &lifts, (speed, &gains), before.as_ref()));
             let Carried { forces, com, lost, rate, turn } = carried.ok_or(PlanError::NoPath)?;
             lost_before.clone_from(&lost);
             let pelvis: Vec<Vector3<f64>> = (0..n).map(|i| com[i] - offset[i]).collect();
-            let mut found = Vec::with_capacity(2);
-            for side in [0, 1] {
-                let hip: Vec<[f64; 3]> = (0..n)
-                    .map(|i| {
-                        let hip = pelvis[i] + hips[side][i];
-                        (if side == 0 { hip } else { mirror(&hip) }).into()
-                    })
-                    .collect();
-                let spline = UniformSpline::resting(start, step, &hip)?;
-                let (leg, needs) = Leg::plan(
-                    &body,
-                    side,
-                    steps,
-                    &forces,
-                    &|t| Vector3::from(spline.position(t)),
-                    (start, step, n),
-                )?;
-                for (k, need) in needs {
-                    let height = heights.get_mut(k).unwrap_or(&mut standing);
-                    if pass > 0 {
-                        *height -= (HEIGHT_GAIN * need).clamp(-MOST_HEIGHT, MOST_HEIGHT);
-                    }
-                }
-                found.push((leg, hip));
-            }
-            let [(left, left_hip), (right, right_hip)] =
-                <[_; 2]>::try_from(found).unwrap_or_else(|_| unreachable!("two legs"));
-            let legs = [left, right];
-            let hip = [left_hip, right_hip];
-            let momentum = kernel.momentum(&upper, |i| {
-                [0, 1].map(|side| legs[side].pose(&leg, time(i), &Vector3::from(hip[side][i])))
+            let hip: [Vec<Vector3<f64>>; 2] = [0, 1].map(|side| {
+                let hip = |i: usize| pelvis[i] + hips[side][i];
+                (0..n).map(|i| if side == 0 { hip(i) } else { mirror(&hip(i)) }).collect()
             });
+            let plan = |side: usize| {
+                let spline = UniformSpline::resting(start, step, &rows(&hip[side]))?;
+                let at = |t: f64| Vector3::from(spline.position(t));
+                Leg::plan(&body, side, steps, &forces, &at, (start, step, n))
+            };
+            let ((left, left_needs), (right, right_needs)) = (plan(0)?, plan(1)?);
+            for (k, need) in left_needs.into_iter().chain(right_needs) {
+                let height = heights.get_mut(k).unwrap_or(&mut standing);
+                if pass > 0 {
+                    *height -= (HEIGHT_GAIN * need).clamp(-MOST_HEIGHT, MOST_HEIGHT);
+                }
+            }
+            let legs = [left, right];
+            let momentum =
+                kernel.momentum(&upper, |i| [0, 1].map(|side| legs[side].pose(&leg, time(i), &hip[side][i])));
             offset = momentum.com;
             last = Some(Pass {
                 forces,
@@ -182,7 +169,6 @@ impl Chain {
         pass.forces.iter_mut().for_each(|forces| forces.along -= first);
         pass.pelvis.iter_mut().for_each(|pelvis| pelvis.z -= first);
         pass.legs.iter_mut().for_each(|leg| leg.back(first));
-        let rows = |all: &[Vector3<f64>]| all.iter().map(|&row| row.into()).collect::<Vec<[f64; 3]>>();
         let excess = (0..n).map(|i| grid.first(i, |j| pass.momentum[j]) - pass.rate[i]);
         Ok(Self {
             pelvis: UniformSpline::resting(start, step, &rows(&pass.pelvis))?,
@@ -198,8 +184,7 @@ impl Chain {
         })
     }
 
-    /// Pelvis, trunk and of each leg the hip (as that of a left leg), the pose, and by how much it is too short (m).
-    fn place(&self, time: f64) -> (Vector3<f64>, [Euler; 5], [(Vector3<f64>, LegPose, f64); 2]) {
+    fn place(&self, time: f64) -> Place {
         let pelvis = Vector3::from(self.pelvis.position(time));
         let (style, u) = self.schedule.trunk(time);
         let trunk = trunk::trunk(&style, u, self.thorax.position(time));
@@ -209,13 +194,13 @@ impl Chain {
             let hip = if side == 0 { hip } else { mirror(&hip) };
             (hip, self.legs[side].pose(&self.body.leg, time, &hip), self.legs[side].short(time, &hip))
         });
-        (pelvis, trunk, legs)
+        Place { pelvis, trunk, legs }
     }
 
     /// The posture at a time (s).
     pub(super) fn configuration(&self, time: f64, q: &mut [f64]) {
         let time = time + self.schedule.shown.0;
-        let (pelvis, trunk, legs) = self.place(time);
+        let Place { pelvis, trunk, legs } = self.place(time);
         let legs = legs.map(|(_, pose, _)| pose);
         let (style, u) = self.schedule.trunk(time);
         let posture = Posture {
@@ -267,7 +252,7 @@ impl Chain {
         let mut found = RunExtremes::none();
         for i in 0..=nodes {
             let time = self.step * i as f64;
-            let (.., legs) = self.place(time + self.schedule.shown.0);
+            let Place { legs, .. } = self.place(time + self.schedule.shown.0);
             for (hip, pose, short) in legs {
                 let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
                 found.note_leg(pose.knee, -leg.lowest(toe, ankle, pose.pitch, pose.toes), short);

@@ -9,9 +9,9 @@ use crate::walking::{G, Prescribing, Stood, StrideLoop, Walking, sampled};
 use solaris_analysis::ReactionError;
 use solaris_model::{Contact, Event, EventKind, Figure, Interval, Motion, Trajectory};
 
-/// A planned run, from a contact to a contact, in full run at both ends.
+/// A planned run: from a contact to a contact in full run, or from standing, or to a stop.
 ///
-/// It goes on before it begins and after it has ended, so that velocities and accelerations at its ends are those of a run that
+/// In full run it goes on before it begins and after it has ended, so that velocities and accelerations at its ends are those of a run that
 /// never ends. The first print's heel stands at z = 0. Left and right feet are 0 and 1.
 #[doc(alias = "gait")]
 #[doc(alias = "locomotion")]

@@ -55,7 +55,7 @@ fn the_body_needs_the_prescribed_forces() {
     for (request, limit) in cases {
         let plan = planned(&figure, &request);
         let [stance, flight] = off(&figure, &plan).map(|force| force / plan.weight());
-        println!("{:?}: {:.4} and in flight {:.4} of the weight", request, stance, flight);
+        println!("{request:?}: {stance:.4} and in flight {flight:.4} of the weight");
         assert!(stance < limit && flight < limit, "{request:?}: {stance} {flight}");
     }
 }

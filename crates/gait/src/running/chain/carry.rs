@@ -1,7 +1,8 @@
 //! The whole force over a chain of steps and the way of the centre of mass under it.
 
+use super::basis::{Basis, Expected, LIFTS, Priors, ROLLS, WAVES};
 use super::fit::Fit;
-use super::footstep::{Basis, Expected, Footstep, LIFTS, Priors, ROLLS, WAVES};
+use super::footstep::Footstep;
 use super::stood::STANDING_PRESSURE;
 use crate::body::Body;
 use crate::body::foot::{FootPlane, mirror};
@@ -270,15 +271,41 @@ impl<'a> Laws<'a> {
         (speed, gains): (f64, &[f64]),
         before: Option<&Before<'_>>,
     ) -> Option<Carried> {
-        let (nodes, count) = (self.nodes(), self.steps.len());
-        let (weight, foot) = (self.weight(), self.body.leg.foot_length());
-        let mut forces: Vec<StepForces> = (0..count)
-            .map(|k| StepForces { lifts: lifts[k], gain: gains[k], ..StepForces::default() })
+        let nodes = self.nodes();
+        let mut forces: Vec<StepForces> = lifts
+            .iter()
+            .zip(gains)
+            .map(|(&lifts, &gain)| StepForces { lifts, gain, ..StepForces::default() })
             .collect();
-        let vertical = self.each(|k, basis| weight * forces[k].vertical(basis));
-        let faster = self.each(|k, basis| self.body.mass * gains[k] * basis.faster);
+        let vertical = self.each(|k, basis| self.weight() * forces[k].vertical(basis));
+        let (com_z, lost, along) = self.along(height, &vertical, speed, &mut forces, before)?;
+        let (com_x, aside) = self.sideways(height, &vertical, &mut forces, before)?;
+        let about = self.about(&com_x, &com_z, &mut forces, before)?;
+        let turn = match (along.turn, about.turn, aside.turn) {
+            (Some(x), Some(y), Some(z)) => Some((0..nodes).map(|i| [z[i], y[i], x[i]]).collect()),
+            _ => None,
+        };
+        Some(Carried {
+            forces,
+            lost,
+            com: (0..nodes).map(|i| Vector3::new(com_x[i], height[i], com_z[i])).collect(),
+            rate: (0..nodes).map(|i| Vector3::new(along.rate[i], about.rate[i], aside.rate[i])).collect(),
+            turn,
+        })
+    }
 
-        // Along: the print of each step lies so far ahead of where the centre of mass is at its contact as the trunk asks for.
+    /// The way of the centre of mass along, how much less far each step goes for its braking and pushing, and the moments: the print of each
+    /// step lies so far ahead of where the centre of mass is at its contact as the trunk asks for.
+    fn along(
+        &self,
+        height: &[f64],
+        vertical: &[f64],
+        speed: f64,
+        forces: &mut [StepForces],
+        before: Option<&Before<'_>>,
+    ) -> Option<(Vec<f64>, Vec<f64>, Fitted)> {
+        let (nodes, count, foot) = (self.nodes(), self.steps.len(), self.body.leg.foot_length());
+        let faster = self.each(|k, basis| self.body.mass * forces[k].gain * basis.faster);
         let mut com_z: Vec<f64> =
             self.moved(&faster).iter().enumerate().map(|(i, way)| way + speed * self.time(i)).collect();
         let contact = |k: usize| self.steps[k].time.max(self.start);
@@ -329,14 +356,29 @@ impl<'a> Laws<'a> {
             forces[k].fore_aft[n] = a;
             com_z.iter_mut().zip(&wave.way).for_each(|(z, way)| *z += a * way);
         }
-        rolls.iter().for_each(|&(k, n, at)| forces[k].rolls[n] = along.amplitudes[at]);
+        for (k, n, at) in rolls {
+            forces[k].rolls[n] = along.amplitudes[at];
+        }
         for k in 0..count {
             forces[k].along = self.value(&com_z, contact(k)) + along.amplitudes[prints[k]];
         }
         let mut lost = vec![0.0; count];
-        waves.iter().for_each(|&(k, _, at, ref wave)| lost[k] -= along.amplitudes[at] * wave.way[nodes - 1]);
+        for (k, _, at, wave) in &waves {
+            lost[*k] -= along.amplitudes[*at] * wave.way[nodes - 1];
+        }
+        Some((com_z, lost, along))
+    }
 
-        // Sideways.
+    /// The way of the centre of mass to the side, and the moments.
+    fn sideways(
+        &self,
+        height: &[f64],
+        vertical: &[f64],
+        forces: &mut [StepForces],
+        before: Option<&Before<'_>>,
+    ) -> Option<(Vec<f64>, Fitted)> {
+        let (nodes, count) = (self.nodes(), self.steps.len());
+        let (weight, foot) = (self.weight(), self.body.leg.foot_length());
         let sides: Vec<f64> = self.steps.iter().map(|footstep| sign(footstep.side)).collect();
         let base = self.each(|k, basis| {
             let pressed = forces[k].pressure(basis) * foot * self.plane.forward.x;
@@ -390,7 +432,9 @@ impl<'a> Laws<'a> {
             // In the end it is at rest.
             let mut row = vec![0.0; columns.len()];
             let rate = |way: &[f64]| (way[nodes - 1] - way[nodes - 2]) / self.step;
-            waves.iter().for_each(|(_, _, at, wave)| row[*at] = rate(&wave.way));
+            for (_, _, at, wave) in &waves {
+                row[*at] = rate(&wave.way);
+            }
             row[begin + 1] = 1.0;
             rows.push((row, 0.0));
         }
@@ -410,8 +454,18 @@ impl<'a> Laws<'a> {
                 forces[k].shift = aside.amplitudes[shift];
             }
         }
+        Some((com_x, aside))
+    }
 
-        // About the vertical.
+    /// The free moments.
+    fn about(
+        &self,
+        com_x: &[f64],
+        com_z: &[f64],
+        forces: &mut [StepForces],
+        before: Option<&Before<'_>>,
+    ) -> Option<Fitted> {
+        let (nodes, count, weight) = (self.nodes(), self.steps.len(), self.weight());
         let base: Vec<f64> = (0..nodes)
             .map(|i| {
                 let Some((k, basis)) = &self.at[i] else { return 0.0 };
@@ -423,8 +477,9 @@ impl<'a> Laws<'a> {
         let mut columns = Vec::new();
         for k in 0..count {
             let (from, to) = self.spans[k];
+            let side = sign(self.steps[k].side);
             for n in 0..TWIST {
-                let law = |i: usize| self.at[i].as_ref().map_or(0.0, |(_, basis)| sides[k] * basis.twist[n]);
+                let law = |i: usize| self.at[i].as_ref().map_or(0.0, |(_, basis)| side * basis.twist[n]);
                 let moment = (from..to).map(law).collect();
                 columns.push(Column { from, moment, expected: Some(self.priors[k].twist[n]) });
             }
@@ -433,17 +488,7 @@ impl<'a> Laws<'a> {
         for (k, forces) in forces.iter_mut().enumerate() {
             forces.twist = std::array::from_fn(|n| about.amplitudes[TWIST * k + n]);
         }
-        let turn = match (along.turn, about.turn, aside.turn) {
-            (Some(x), Some(y), Some(z)) => Some((0..nodes).map(|i| [z[i], y[i], x[i]]).collect()),
-            _ => None,
-        };
-        Some(Carried {
-            forces,
-            lost,
-            com: (0..nodes).map(|i| Vector3::new(com_x[i], height[i], com_z[i])).collect(),
-            rate: (0..nodes).map(|i| Vector3::new(along.rate[i], about.rate[i], aside.rate[i])).collect(),
-            turn,
-        })
+        Some(about)
     }
 
     /// Where both feet together press.

@@ -1,51 +1,11 @@
 //! One stance in a chain of steps, and the laws of its forces: of one foot in full run, of both feet where the run begins or ends.
 
+use super::basis::{Basis, Priors};
 use super::stood::{Begin, Finish};
 use crate::running::forces::{FORE_AFT_SPREAD, LATERAL, LATERAL_SPREAD, TWIST_SPREAD};
-use crate::running::laws::{ForceLaws, TWIST, on_ground};
+use crate::running::laws::{ForceLaws, on_ground};
 use crate::running::style::RunStyle;
 use solaris_profiles::ProfileError;
-
-/// How many amplitudes a stance has at most: of the vertical force, of the fore-aft and the lateral one, of the way of the pressure.
-pub(super) const LIFTS: usize = 2;
-pub(super) const WAVES: usize = 5;
-pub(super) const ROLLS: usize = 3;
-
-/// A value and by how much it is expected to differ from it; an amplitude that does not differ at all is none.
-pub(super) type Expected = (f64, f64);
-
-/// What amplitudes are expected to be.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Priors {
-    pub(super) lifts: [Expected; LIFTS],
-    pub(super) fore_aft: [Expected; WAVES],
-    pub(super) lateral: [Expected; WAVES],
-    pub(super) twist: [Expected; TWIST],
-    pub(super) rolls: [Expected; ROLLS],
-    pub(super) shift: Expected,
-    /// Distance of the heel from the run's line (m).
-    pub(super) aside: Expected,
-}
-
-/// The laws of a stance at one instant, in body weights but for what is said otherwise.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Basis {
-    /// Vertical force without amplitude.
-    pub(super) fixed: f64,
-    pub(super) lifts: [f64; LIFTS],
-    /// Fore-aft force of an impulse of 1 (1/s).
-    pub(super) faster: f64,
-    pub(super) fore_aft: [f64; WAVES],
-    pub(super) lateral: [f64; WAVES],
-    /// N m.
-    pub(super) twist: [f64; TWIST],
-    /// Centre of pressure from the heel over the foot's length, and what amplitudes add.
-    pub(super) pressure: f64,
-    pub(super) rolls: [f64; ROLLS],
-    /// Part of the force that the other foot has, and vertical force that an amplitude brings to it.
-    pub(super) other: f64,
-    pub(super) shift: f64,
-}
 
 /// How a stance's forces are made.
 #[derive(Clone, Debug)]
@@ -101,12 +61,12 @@ impl Footstep {
     pub(super) fn running(
         side: usize,
         time: f64,
-        style: RunStyle,
+        style: &RunStyle,
         around: f64,
         beside: f64,
         nodes: usize,
     ) -> Result<Self, ProfileError> {
-        let laws = ForceLaws::new(&style, nodes)?;
+        let laws = ForceLaws::new(style, nodes)?;
         let part = |i: u32| (f64::from(i) + 0.5) / f64::from(SUMMED);
         let mean = (0..SUMMED).map(|i| -laws.at(part(i)).lateral[0]).sum::<f64>() / f64::from(SUMMED);
         let share = around / (0.5 * style.stride_time);
@@ -116,17 +76,17 @@ impl Footstep {
             half_wave: mean * style.contact_time(),
             aside: beside.max(ASIDE_SPREAD),
         };
-        Ok(Self { side, time, style, kind })
+        Ok(Self { side, time, style: *style, kind })
     }
 
     /// Both feet stand, and the one on `side` leaves last.
-    pub(super) fn begin(side: usize, style: RunStyle, begin: Begin) -> Self {
-        Self { side, time: 0.0, style, kind: Kind::Begin(begin) }
+    pub(super) fn begin(side: usize, style: &RunStyle, begin: Begin) -> Self {
+        Self { side, time: 0.0, style: *style, kind: Kind::Begin(begin) }
     }
 
     /// The foot on `side` lands, and the other beside it.
-    pub(super) fn finish(side: usize, time: f64, style: RunStyle, finish: Finish) -> Self {
-        Self { side, time, style, kind: Kind::Finish(finish) }
+    pub(super) fn finish(side: usize, time: f64, style: &RunStyle, finish: Finish) -> Self {
+        Self { side, time, style: *style, kind: Kind::Finish(finish) }
     }
 
     /// When the body is in the air again, or at rest (s).

@@ -131,7 +131,7 @@ impl Leg {
                 }
                 match role {
                     Role::LeavesLast => {
-                        needs.push((k, above(local(0.0), stance.flat_ankle(), KNEE_STANDING)))
+                        needs.push((k, above(local(0.0), stance.flat_ankle(), KNEE_STANDING)));
                     }
                     Role::Stops => {
                         let end = hip(start + step * (nodes - 1) as f64) - print;
@@ -270,7 +270,7 @@ impl Shape {
             };
         let standing = Footing { flat: 0.0, toe_off: end, ..footing };
         match role {
-            Role::Runs => running,
+            Role::Runs | Role::Stops => running,
             Role::LeavesFirst => Self {
                 footing: standing,
                 landing: Landing::Flat,
@@ -289,7 +289,6 @@ impl Shape {
                 push: leaving(push.knee_toe_off, 0.26, Some((0.11, style.knee_push)), 0.12, push.toe_roll),
                 ..running
             },
-            Role::Stops => running,
             Role::Closes => Self {
                 heel_strike_angle: 6.0 * DEGREE,
                 contact_knee: Boundary::new(14.0 * DEGREE, 200.0 * DEGREE, 2000.0 * DEGREE),

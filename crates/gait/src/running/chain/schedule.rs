@@ -42,7 +42,7 @@ pub(in crate::running) struct Schedule {
     pub(super) shown: (f64, f64),
     pub(super) stands: Stands,
     /// Between which times trunk and arms come to move, and come to rest.
-    moves: (Option<(f64, f64)>, Option<(f64, f64)>),
+    moves: [Option<(f64, f64)>; 2],
     /// Clock of trunk and arms: whole at left contacts.
     clock: NaturalSpline,
 }
@@ -90,21 +90,21 @@ impl Schedule {
             times.push(time);
             time = at_node(time + 0.5 * style.stride_time);
         }
-        let side = |k: usize| if (k % 2 == lead % 2) == left_first { 0 } else { 1 };
+        let side = |k: usize| usize::from((k % 2 == lead % 2) != left_first);
         let flight = |k: usize| styles[k].flight_time();
         let (mut steps, mut means) = (Vec::new(), Vec::new());
         if stands.first {
-            steps.push(Footstep::begin(1 - side(0), styles[0], begin.clone()));
+            steps.push(Footstep::begin(1 - side(0), &styles[0], begin.clone()));
             means.push(PUSHED);
         }
         for k in 0..n {
             let around = styles[k].contact_time() + 0.5 * (flight(k) + flight(k.saturating_sub(1)));
             let beside = if stands.first { ASIDE.get(k).copied().unwrap_or(0.0) } else { 0.0 };
-            steps.push(Footstep::running(side(k), times[k], styles[k], around, beside, resolution.nodes)?);
+            steps.push(Footstep::running(side(k), times[k], &styles[k], around, beside, resolution.nodes)?);
             means.push(0.5 * (run[k] + run[(k + 1).min(n - 1)]));
         }
         if stands.last {
-            steps.push(Footstep::finish(side(n), time, styles[n - 1], Finish::new(height)));
+            steps.push(Footstep::finish(side(n), time, &styles[n - 1], Finish::new(height)));
             means.push(0.0);
         }
         let shown_steps = if stands.first { 0 } else { lead }..=if stands.last {
@@ -122,10 +122,10 @@ impl Schedule {
         let phase = 0.5 * (lead % 2) as f64 + if left_first { 0.0 } else { 0.5 };
         let clocks: Vec<f64> = (0..=n).map(|k| phase + 0.5 * k as f64).collect();
         times.push(time);
-        let moves = (
+        let moves = [
             if stands.first { Some((begin.still, times[0])) } else { None },
             if stands.last { Some((time, time + MOVING_ON)) } else { None },
-        );
+        ];
         Ok(Self {
             steps,
             start,
@@ -137,6 +137,23 @@ impl Schedule {
             moves,
             clock: NaturalSpline::new(&times, &clocks)?,
         })
+    }
+
+    /// The speed at first, and by how much each step makes the body faster (m/s), for what it loses of its way (m): in flight it is faster
+    /// than on average.
+    pub(super) fn gains(&self, lost: &[f64]) -> (f64, Vec<f64>) {
+        let count = self.steps.len();
+        let mut flights: Vec<f64> =
+            (0..count).map(|k| self.speeds[k] + lost[k] / (0.5 * self.steps[k].style.stride_time)).collect();
+        if self.stands.first {
+            flights[0] = self.speeds[0];
+        }
+        if self.stands.last {
+            flights[count - 1] = 0.0;
+        }
+        let speed = if self.stands.first { 0.0 } else { flights[0] };
+        let before = |k: usize| k.checked_sub(1).map_or(speed, |before| flights[before]);
+        (speed, (0..count).map(|k| flights[k] - before(k)).collect())
     }
 
     /// The style of trunk and arms at a time, and their clock.
@@ -152,7 +169,7 @@ impl Schedule {
             _ => before.style,
         };
         let part = |(from, to): (f64, f64)| step::quintic((time - from) / (to - from)).position;
-        let (begin, end) = self.moves;
+        let [begin, end] = self.moves;
         let running = begin.map_or(1.0, part) * (1.0 - end.map_or(0.0, part));
         let mut style = if running < 1.0 { style.standing().mixed(&style, running) } else { style };
         if let Some((from, to)) = begin {

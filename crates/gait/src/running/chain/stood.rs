@@ -1,6 +1,6 @@
 //! The first and the last stance of a run that begins or ends in standing: both feet are on the ground, and the laws are of both.
 
-use super::footstep::{Basis, Expected, Priors, ROLLS, WAVES};
+use super::basis::{Basis, Expected, Priors, ROLLS, WAVES};
 use solaris_profiles::step;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -45,6 +45,10 @@ fn ramp(x: f64) -> f64 {
     step::cubic(x / RAMP).position * step::cubic((1.0 - x) / RAMP).position
 }
 
+fn wave(n: usize, x: f64) -> f64 {
+    (n as f64 * PI * x).sin() * ramp(x)
+}
+
 /// Laws over the moving time that both ends have.
 #[derive(Clone, Debug)]
 struct Moving {
@@ -65,19 +69,15 @@ impl Moving {
         let mean = |of: &dyn Fn(f64) -> f64| {
             (0..SUMMED).map(|i| of((f64::from(i) + 0.5) / f64::from(SUMMED))).sum::<f64>() / f64::from(SUMMED)
         };
-        let half = mean(&|x| moving.wave(1, x));
-        let even = std::array::from_fn(|n| mean(&|x| moving.wave(n + 2, x)) / half);
+        let half = mean(&|x| wave(1, x));
+        let even = std::array::from_fn(|n| mean(&|x| wave(n + 2, x)) / half);
         let faster = mean(&|x| moving.getting_faster(x)) * lasts;
         (moving.even, moving.faster) = (even, faster);
         moving
     }
 
-    fn wave(&self, n: usize, x: f64) -> f64 {
-        (n as f64 * PI * x).sin() * ramp(x)
-    }
-
     fn getting_faster(&self, x: f64) -> f64 {
-        self.wave(1, x) * if self.late { x * x } else { 1.0 - x }
+        wave(1, x) * if self.late { x * x } else { 1.0 - x }
     }
 
     fn horizontal(&self, time: f64, basis: &mut Basis) {
@@ -86,9 +86,9 @@ impl Moving {
             return;
         }
         basis.faster = self.getting_faster(x) / self.faster;
-        basis.fore_aft = std::array::from_fn(|n| self.wave(n + 2, x) - self.even[n] * self.wave(1, x));
-        basis.lateral = std::array::from_fn(|n| -self.wave(n + 1, x));
-        basis.twist = [self.wave(1, x), self.wave(2, x)];
+        basis.fore_aft = std::array::from_fn(|n| wave(n + 2, x) - self.even[n] * wave(1, x));
+        basis.lateral = std::array::from_fn(|n| -wave(n + 1, x));
+        basis.twist = [wave(1, x), wave(2, x)];
     }
 
     fn priors(lifts: [Expected; 2], aside: Expected) -> Priors {
