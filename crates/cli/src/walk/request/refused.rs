@@ -20,7 +20,7 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
         if let Some((option, end)) =
             ends(args).find(|(_, end)| *end == RunBound::Standing && args.manner.repeats.is_some())
         {
-            return Err(CliError::option(option, &name(&end), "a stride that repeats is one of full run"));
+            return Err(CliError::option(option, name(&end), "a stride that repeats is one of full run"));
         }
         return of_walks(args).map_or(Ok(()), |(option, typed)| {
             Err(CliError::option(
@@ -33,7 +33,7 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
     if let Some((option, end)) = ends(args).next() {
         return Err(CliError::option(
             option,
-            &name(&end),
+            name(&end),
             "only --gait run has this; a walk begins and ends in standing",
         ));
     }

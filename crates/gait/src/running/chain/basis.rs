@@ -7,7 +7,7 @@ pub(super) const LIFTS: usize = 2;
 pub(super) const WAVES: usize = 5;
 pub(super) const ROLLS: usize = 3;
 
-/// A value and by how much it is expected to differ from it; an amplitude that does not differ at all is none.
+/// A value and by how much it is expected to differ from it; an amplitude that does not differ at all is none, nor are those after it.
 pub(super) type Expected = (f64, f64);
 
 /// What amplitudes are expected to be.

@@ -96,6 +96,8 @@ pub(super) struct Laws<'a> {
     at: Vec<Option<(usize, Basis)>>,
     /// The nodes of each step: from the first to after the last.
     spans: Vec<(usize, usize)>,
+    /// Of each step.
+    waves: Vec<Waves>,
     /// Of the trunk: pitch, yaw, roll.
     inertia: Vector3<f64>,
 }
@@ -132,6 +134,14 @@ struct Wave {
     way: Vec<f64>,
 }
 
+/// The waves of a step's forces that have an amplitude.
+#[derive(Default)]
+struct Waves {
+    lifts: Vec<Wave>,
+    fore_aft: Vec<Wave>,
+    lateral: Vec<Wave>,
+}
+
 impl<'a> Laws<'a> {
     pub(super) fn new(
         body: &'a Body,
@@ -153,7 +163,8 @@ impl<'a> Laws<'a> {
             let from = (0..nodes).find(|&i| stood(i, k)).unwrap_or(0);
             (from, (from..nodes).rfind(|&i| stood(i, k)).map_or(from, |last| last + 1))
         });
-        Self {
+        let mut laws = Self {
+            waves: Vec::new(),
             spans: spans.collect(),
             at,
             plane: FootPlane::new(steps[0].style.foot_yaw),
@@ -165,7 +176,25 @@ impl<'a> Laws<'a> {
             stands,
             start,
             step,
-        }
+        };
+        // No pass changes them.
+        laws.waves = (0..steps.len())
+            .map(|k| {
+                let some =
+                    |expected: &[Expected]| expected.iter().take_while(|(_, spread)| *spread > 0.0).count();
+                let (side, priors) = (sign(steps[k].side), &laws.priors[k]);
+                Waves {
+                    lifts: (0..some(&priors.lifts)).map(|n| laws.wave(k, |basis| basis.lifts[n])).collect(),
+                    fore_aft: (0..some(&priors.fore_aft))
+                        .map(|n| laws.wave(k, |basis| basis.fore_aft[n]))
+                        .collect(),
+                    lateral: (0..some(&priors.lateral))
+                        .map(|n| laws.wave(k, |basis| side * basis.lateral[n]))
+                        .collect(),
+                }
+            })
+            .collect();
+        laws
     }
 
     fn nodes(&self) -> usize {
@@ -211,7 +240,7 @@ impl<'a> Laws<'a> {
         for k in 0..count {
             for (n, &(value, spread)) in self.priors[k].lifts.iter().enumerate() {
                 if spread > 0.0 {
-                    waves.push((k, n, value, spread, self.wave(k, |basis| basis.lifts[n]).way));
+                    waves.push((k, n, value, spread, &self.waves[k].lifts[n].way));
                 }
             }
         }
@@ -322,7 +351,7 @@ impl<'a> Laws<'a> {
             let (from, to) = self.spans[k];
             for (n, &expected) in self.priors[k].fore_aft.iter().enumerate() {
                 if expected.1 > 0.0 {
-                    let wave = self.wave(k, |basis| basis.fore_aft[n]);
+                    let wave = &self.waves[k].fore_aft[n];
                     // It has no impulse: afterwards it has only moved where the prints are.
                     let moment =
                         (from..to).map(|i| wave.way[i] * vertical[i] - height[i] * wave.force[i]).collect();
@@ -351,7 +380,7 @@ impl<'a> Laws<'a> {
             columns.push(Column { from, moment: (from..to).map(|i| -vertical[i]).collect(), expected });
         }
         let along = self.fit(0, base, &columns, &[], before)?;
-        for &(k, n, at, ref wave) in &waves {
+        for &(k, n, at, wave) in &waves {
             let a = along.amplitudes[at];
             forces[k].fore_aft[n] = a;
             com_z.iter_mut().zip(&wave.way).for_each(|(z, way)| *z += a * way);
@@ -363,8 +392,8 @@ impl<'a> Laws<'a> {
             forces[k].along = self.value(&com_z, contact(k)) + along.amplitudes[prints[k]];
         }
         let mut lost = vec![0.0; count];
-        for (k, _, at, wave) in &waves {
-            lost[*k] -= along.amplitudes[*at] * wave.way[nodes - 1];
+        for &(k, _, at, wave) in &waves {
+            lost[k] -= along.amplitudes[at] * wave.way[nodes - 1];
         }
         Some((com_z, lost, along))
     }
@@ -391,7 +420,7 @@ impl<'a> Laws<'a> {
             let (from, to) = self.spans[k];
             for (n, &expected) in self.priors[k].lateral.iter().enumerate() {
                 if expected.1 > 0.0 {
-                    let wave = self.wave(k, |basis| sides[k] * basis.lateral[n]);
+                    let wave = &self.waves[k].lateral[n];
                     let moment = (from..nodes)
                         .map(|i| height[i] * wave.force[i] - wave.way[i] * vertical[i])
                         .collect();
@@ -441,7 +470,7 @@ impl<'a> Laws<'a> {
         let aside = self.fit(2, base, &columns, &rows, before)?;
         let (x0, v0) = (aside.amplitudes[begin], aside.amplitudes[begin + 1]);
         let mut com_x: Vec<f64> = (0..nodes).map(|i| x0 + v0 * self.time(i)).collect();
-        for &(k, n, at, ref wave) in &waves {
+        for &(k, n, at, wave) in &waves {
             let a = aside.amplitudes[at];
             forces[k].lateral[n] = a;
             com_x.iter_mut().zip(&wave.way).for_each(|(x, way)| *x += a * way);
