@@ -9,6 +9,8 @@ pub(crate) enum Ends {
     Periodic,
     /// The first and last node are at rest.
     Resting,
+    /// Nothing is known: the rates of the three nodes at either end are those of the fourth.
+    Open,
 }
 
 /// First-derivative weights over 60.
@@ -32,8 +34,14 @@ impl Grid {
         match self.ends {
             _ if (0..n).contains(&j) => j as usize,
             Ends::Periodic => j.rem_euclid(n) as usize,
-            Ends::Resting => j.clamp(0, n - 1) as usize,
+            Ends::Resting | Ends::Open => j.clamp(0, n - 1) as usize,
         }
+    }
+
+    /// The node whose rate node `i` has.
+    #[inline]
+    fn differenced(&self, i: usize) -> usize {
+        if self.ends == Ends::Open && self.count > 6 { i.clamp(3, self.count - 4) } else { i }
     }
 
     /// First derivative at node `i` of the values that `f` gives for nodes.
@@ -42,6 +50,7 @@ impl Grid {
     where
         T: Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
     {
+        let i = self.differenced(i);
         let pair = |k: isize| f(self.at(i, k)) - f(self.at(i, -k));
         let unit = 1.0 / (60.0 * self.step);
         pair(1) * (45.0 * unit) - pair(2) * (9.0 * unit) + pair(3) * unit
@@ -54,6 +63,7 @@ impl Grid {
         i: usize,
         f: impl Fn(usize) -> &'a [f64; D],
     ) -> [f64; D] {
+        let i = self.differenced(i);
         let unit = 1.0 / (60.0 * self.step);
         let mut rates = [0.0; D];
         for (k, weight) in [(1, 45.0 * unit), (2, -9.0 * unit), (3, unit)] {

@@ -45,12 +45,12 @@ pub use measure::{
     free_moment, isolated_peaks, measure, measure_run, measure_stride, run_bands,
 };
 pub use request::{
-    CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, Foothold, MOST_VARIABILITY,
-    Population, RUN_SPEED, Resolution, RunRequest, RunResolution, SHORTEST_DISTANCE, STAIR_COUNT,
-    STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL, Variability, WALK_RATIO, WalkGround,
-    WalkPart, WalkPath, WalkRequest,
+    CHANGING_RUN_STEPS, CHANGING_STEPS, Change, DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, Foothold,
+    MOST_VARIABILITY, Population, RUN_SPEED, Resolution, RunEnd, RunPart, RunRequest, RunResolution,
+    SHORTEST_DISTANCE, STAIR_COUNT, STEP_FREQUENCY, STEPS, Stairs, StyleSheet, TURN, TURN_IN_ALL,
+    Variability, WALK_RATIO, WalkGround, WalkPart, WalkPath, WalkRequest,
 };
-pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, run};
+pub use running::{RUN_FRICTION, RunExtremes, RunPlan, RunStride, RunStyle, least_run_steps, run};
 pub use smooth::{
     FRICTION, Footfall, LONGEST_STAND, MANNERS, Manner, PARAMETERS, Parameter, SHEET_NUMBERS, SIDE_MANNERS,
     SLOPES, STAIRS, SheetNumber, SheetUnit, ShippedManner, StairNumbers, StridePlan, Style, StyleTable, Toes,

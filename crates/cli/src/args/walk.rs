@@ -43,7 +43,9 @@ const EXAMPLES: &str = "Examples:
   solaris walk --gait run --speed 3.5 -o run.html
       ten steps of a run, with its flights
   solaris walk --between 2.3:3.4 -o strip.svg
-      a stride of it in twelve pictures";
+      a stride of it in twelve pictures
+  solaris walk --gait run --speed 3 --from standing --to standing --steps 16 -o start.html
+      from standing into a run, and to a stop";
 
 /// A walk, and what to make of it.
 #[derive(Debug, Args)]
@@ -169,11 +171,19 @@ pub(crate) type Count = usize;
 #[derive(Debug, Args)]
 pub(crate) struct MannerArgs {
     #[arg(long, value_name = "GAIT", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(&format!(
-        "walk, or run: --speed is {} to {} m/s then, and as many steps as are asked for go by in full run, from a contact to a contact, \
-         without a start or a stop [default: walk]",
+        "walk, or run: --speed is {} to {} m/s then, and as many steps as are asked for go by in full run, from a contact to a contact; \
+         --from and --to let it begin and end in standing, --then change its speed [default: walk]",
         RUN_SPEED.0, RUN_SPEED.1
     )))]
     pub(crate) gait: Gait,
+    #[arg(long, value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
+        "Gait run: how it begins, in full run (running) or in standing; from standing it takes some steps to reach its speed [default: running]"
+    ))]
+    pub(crate) from: Option<RunBound>,
+    #[arg(long, value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
+        "Gait run: how it ends, running or standing [default: running]"
+    ))]
+    pub(crate) to: Option<RunBound>,
     #[arg(long, value_name = "LINK", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(
         "What the forces are computed from: the pelvis outwards, or the foot that stands, as the thesis does; no force \
          depends on it [default: pelvis]"
@@ -225,6 +235,14 @@ pub(crate) enum Gait {
     #[default]
     Walk,
     Run,
+}
+
+/// How a run begins or ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RunBound {
+    #[default]
+    Running,
+    Standing,
 }
 
 /// Out of which link the forces are computed.
@@ -316,7 +334,7 @@ pub(crate) struct ChangeArgs {
     #[arg(long, value_name = "WHAT", value_parser = then::parse, help = wrap(
         "What comes next; several are allowed. steps=4,step-frequency=95,step-length=0.6,speed=1,turn=15: steps of another \
          pace or direction (with neither frequency, length nor speed the pace stays; else what is left out is people's); a short \
-         step-length is a half step. stand=2: stop and \
+         step-length is a half step. Of a run: steps=10,speed=4. stand=2: stop and \
          stand for 2 s; what follows starts anew, and may be distance=3 instead of steps [default: nothing]"
     ))]
     pub(crate) then: Vec<Then>,

@@ -14,6 +14,10 @@ pub(crate) enum UsageError {
     )]
     Duration { typed: String, step_frequency: f64, steps: usize },
     #[error(
+        "--then {typed}: of a run it says how many steps and at which speed, as in steps=10,speed=4, and nothing else"
+    )]
+    NotOfRuns { typed: String },
+    #[error(
         "--then {typed}: a distance is met from standing to standing; say --then stand=1 before it, or count steps"
     )]
     DistanceOnTheWay { typed: String },

@@ -137,7 +137,8 @@ impl Planned {
             changes: match &asked.request {
                 StyledRequest::Smooth(walk) => !walk.then.is_empty() || walk.path.is_some(),
                 StyledRequest::Sequence(_) => true,
-                StyledRequest::Thesis(_) | StyledRequest::Run(_) => false,
+                StyledRequest::Run(run) => !run.then.is_empty(),
+                StyledRequest::Thesis(_) => false,
             },
             beside,
             in_part,

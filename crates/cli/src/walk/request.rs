@@ -6,15 +6,15 @@ mod terrain;
 
 use super::everyone::dressed;
 use crate::args::{
-    DEFAULT_STEPS, DoubleSupportLaw, Gait, InBetweens, Loop, Number, PaceArgs, PersonArgs, Side, StyleName,
-    Then, Travel, WalkArgs,
+    DEFAULT_STEPS, DoubleSupportLaw, Gait, InBetweens, Loop, Number, PaceArgs, PersonArgs, RunBound, Side,
+    StyleName, Then, Travel, WalkArgs,
 };
 use crate::error::{CliError, Typed, UsageError};
 use refused::refuse_others;
 use solaris::gait::determinants::{Determinants, DoubleSupport};
 use solaris::gait::{
-    DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, PARAMETERS, RunRequest, STEPS,
-    StyledRequest, ThesisRequest, WalkPart, WalkRequest, WalkSegment,
+    DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, PARAMETERS, RunEnd, RunPart,
+    RunRequest, STEPS, StyledRequest, ThesisRequest, WalkPart, WalkRequest, WalkSegment, least_run_steps,
 };
 
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
@@ -40,13 +40,7 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
         return Ok(Asked { request, origins: Vec::new() });
     }
     if args.manner.gait == Gait::Run {
-        let request = RunRequest {
-            speed: value(args.pace.speed.as_ref()).unwrap_or(DEFAULT_RUN_SPEED),
-            extent: extent(args, LOOPED_RUN),
-            left_first: args.manner.first == Some(Side::Left),
-            ..RunRequest::default()
-        };
-        return Ok(Asked { request: StyledRequest::Run(request), origins: Vec::new() });
+        return running(args);
     }
     let pace = &args.pace;
     let mut parameters: Vec<(&'static str, f64)> =
@@ -134,6 +128,45 @@ fn thesis(args: &WalkArgs, determinants: Determinants) -> ThesisRequest {
         sway: value(manner.sway.as_ref()).unwrap_or_default(),
         left_first: manner.first == Some(Side::Left),
     }
+}
+
+/// A run, and the speeds that come next.
+fn running(args: &WalkArgs) -> Result<Asked, CliError> {
+    let bound = |end: Option<RunBound>| match end {
+        Some(RunBound::Standing) => RunEnd::Standing,
+        Some(RunBound::Running) | None => RunEnd::Running,
+    };
+    let (from, to) = (bound(args.manner.from), bound(args.manner.to));
+    let speed = value(args.pace.speed.as_ref()).unwrap_or(DEFAULT_RUN_SPEED);
+    let (mut parts, mut origins) = (Vec::new(), vec![None]);
+    for Then { what, typed } in &args.changes.then {
+        let Travel::Steps(WalkPart {
+            steps,
+            step_frequency: None,
+            step_length: None,
+            speed: Some(speed),
+            turn,
+        }) = *what
+        else {
+            return Err(UsageError::NotOfRuns { typed: typed.clone() }.into());
+        };
+        if turn != 0.0 {
+            return Err(UsageError::NotOfRuns { typed: typed.clone() }.into());
+        }
+        parts.push(RunPart { steps, speed });
+        origins.push(Some(typed.clone()));
+    }
+    let extent = match extent(args, LOOPED_RUN) {
+        // As many as it takes to reach its speed, where it is not said how many.
+        Extent::Steps(steps) if args.extent.steps.is_none() && args.manner.repeats.is_none() => {
+            let to = if parts.is_empty() { to } else { RunEnd::Running };
+            Extent::Steps(steps.max(least_run_steps(speed, from, to)))
+        }
+        extent => extent,
+    };
+    let left_first = args.manner.first == Some(Side::Left);
+    let request = RunRequest { speed, extent, then: parts, from, to, left_first, ..RunRequest::default() };
+    Ok(Asked { request: StyledRequest::Run(request), origins: vec![origins] })
 }
 
 /// A walk and what comes next: one walk, or several with standing still in between.

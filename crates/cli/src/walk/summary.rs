@@ -28,12 +28,16 @@ pub(super) fn title(report: &Report) -> String {
     let (person, walk) = (&report.person, &report.walk);
     let plural = if walk.steps == 1 { "" } else { "s" };
     let [height, mass, pace] = [person.height_m, person.mass_kg, walk.step_frequency_per_min].map(short);
+    let first = if walk.changes { ", at first" } else { "" };
     if walk.style == "run" {
         let (speed, what) = (short(walk.speed_m_s), format!("a person of {height} m and {mass} kg"));
         return if walk.repeats {
             format!("A stride of a run that repeats itself, of {what} at {speed} m/s")
         } else {
-            format!("A person of {height} m and {mass} kg runs {} step{plural} at {speed} m/s", walk.steps)
+            format!(
+                "A person of {height} m and {mass} kg runs {} step{plural}{first} at {speed} m/s",
+                walk.steps
+            )
         };
     }
     if walk.repeats {
@@ -41,7 +45,6 @@ pub(super) fn title(report: &Report) -> String {
             "A stride that repeats itself, of a person of {height} m and {mass} kg at {pace} steps/min"
         );
     }
-    let first = if walk.changes { ", at first" } else { "" };
     format!(
         "A person of {height} m and {mass} kg walks {} step{plural}{first} at {pace} steps/min",
         walk.steps

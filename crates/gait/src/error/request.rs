@@ -65,6 +65,20 @@ pub enum RequestError {
     RunNodes { nodes: usize, lower: usize, upper: usize },
     #[error("{passes} passes for a run: the planner makes {lower} to {upper}")]
     RunPasses { passes: usize, lower: usize, upper: usize },
+    #[error("{steps} steps to change from {from} to {to} m/s: it takes {least} at least; give it as many")]
+    RunChange { steps: usize, from: f64, to: f64, least: usize },
+    #[error(
+        "{steps} steps: to come to {speed} m/s from standing, and to stand again, takes {least} at least; give it as many, or run slower"
+    )]
+    RunSteps { steps: usize, speed: f64, least: usize },
+    #[error(
+        "a run of {steps} steps that changes its speed: it is planned whole, and has {most} at most; run on in full run with another"
+    )]
+    RunTooLong { steps: usize, most: usize },
+    #[error(
+        "a run of {distance} m that changes its speed: how far its steps go is found with them; say how many they are"
+    )]
+    RunDistance { distance: f64 },
     #[error("there is no manner '{name}'; {known}")]
     UnknownManner { name: String, known: String },
     #[error("{part:?} of the manner '{manner}': it must be a number from 0 to {most}, as in sad:0.6")]

@@ -270,6 +270,11 @@ impl Stance {
         }
     }
 
+    /// The ankle at toe-off of a foot with this pitch.
+    pub(crate) fn ankle_at_toe_off(&self, pitch: f64) -> Vector3<f64> {
+        self.ankle_on_ball(&self.ball(self.toe_off), pitch)
+    }
+
     /// The ball joint while the toes are flat.
     fn flat_ball(&self) -> Vector3<f64> {
         self.tip - self.sole.forward * self.leg.toe + self.sole.normal * self.leg.ball_height

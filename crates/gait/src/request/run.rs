@@ -9,6 +9,9 @@ pub const RUN_SPEED: (f64, f64) = (1.0, 6.0);
 /// The speed when none is asked (m/s).
 pub const DEFAULT_RUN_SPEED: f64 = 3.5;
 
+/// The most steps of a run that changes its speed, or begins or ends in standing: it is planned whole.
+pub const CHANGING_RUN_STEPS: usize = 60;
+
 /// Speeds that the numbers of running are known at (m/s).
 const COLUMNS: [f64; 3] = [2.5, 3.5, 4.5];
 
@@ -42,6 +45,12 @@ pub struct RunRequest {
     pub speed: f64,
     /// How far: so many steps, or as many whole steps as it takes to go at least so far.
     pub extent: Extent,
+    /// What is run next, at other speeds: up to 60 steps in all, as where it stands before or after it.
+    pub then: Vec<RunPart>,
+    /// How it begins.
+    pub from: RunEnd,
+    /// How it ends.
+    pub to: RunEnd,
     /// Whether the left foot touches first; else the right one.
     pub left_first: bool,
     /// How finely to plan.
@@ -53,10 +62,33 @@ impl Default for RunRequest {
         Self {
             speed: DEFAULT_RUN_SPEED,
             extent: Extent::Steps(10),
+            then: Vec::new(),
+            from: RunEnd::Running,
+            to: RunEnd::Running,
             left_first: false,
             resolution: RunResolution::default(),
         }
     }
+}
+
+/// How a run begins or ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum RunEnd {
+    /// In full run, with a contact.
+    #[default]
+    Running,
+    /// In standing.
+    Standing,
+}
+
+/// Some more steps of a run. Its speed changes from its first step on, as fast as a run's may; what steps are left then go on at it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunPart {
+    /// How many.
+    pub steps: usize,
+    /// Speed (m/s).
+    #[doc(alias = "velocity")]
+    pub speed: f64,
 }
 
 /// How finely a run is planned.

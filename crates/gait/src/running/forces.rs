@@ -10,16 +10,21 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 /// By how much amplitudes are expected to differ from their priors: of the fore-aft force (body weights), of the lateral one, of the
 /// free moment (N m).
-const FORE_AFT_SPREAD: [f64; FORCE] = [0.05, 0.04, 0.04];
-const LATERAL_SPREAD: [f64; FORCE] = [0.03; FORCE];
-const TWIST_SPREAD: [f64; TWIST] = [6.0; TWIST];
+pub(super) const FORE_AFT_SPREAD: [f64; FORCE] = [0.05, 0.04, 0.04];
+pub(super) const LATERAL_SPREAD: [f64; FORCE] = [0.03; FORCE];
+pub(super) const TWIST_SPREAD: [f64; TWIST] = [6.0; TWIST];
 /// What the lateral force's amplitudes are expected to be (body weights).
-const LATERAL: [f64; FORCE] = [0.06, 0.0, 0.0];
+pub(super) const LATERAL: [f64; FORCE] = [0.06, 0.0, 0.0];
 /// By how much the trunk's angles are expected to differ from what they are drawn to (rad).
-const TRUNK_SPREAD: f64 = 2.0 * std::f64::consts::PI / 180.0;
+pub(super) const TRUNK_SPREAD: f64 = 2.0 * std::f64::consts::PI / 180.0;
 /// Moments of inertia of what turns with the trunk (kg m²; pitch, yaw, roll), and the mass and height of whom they belong to.
 const INERTIA: [f64; 3] = [3.3, 0.65, 3.3];
 const INERTIA_OF: (f64, f64) = (73.0, 1.75);
+
+/// Moments of inertia of what turns with the trunk (kg m²): pitch, yaw, roll.
+pub(super) fn trunk_inertia(body: &Body) -> Vector3<f64> {
+    Vector3::from(INERTIA) * (body.mass / INERTIA_OF.0 * (body.height / INERTIA_OF.1).powi(2))
+}
 
 /// One harmonic of the horizontal force over the nodes (N), and the way that it moves the centre of mass (m).
 struct Harmonic {
@@ -85,7 +90,6 @@ impl Prescribed {
                 feet.iter().map(|print| print.pressure[axis] * weight * print.laws.vertical).sum()
             })
         });
-        let scale = body.mass / INERTIA_OF.0 * (body.height / INERTIA_OF.1).powi(2);
         Self {
             height: moved(&vertical),
             pressed: pressed.collect(),
@@ -95,7 +99,7 @@ impl Prescribed {
             prior: Amplitudes { fore_aft: [style.braking, 0.0, 0.0], lateral: LATERAL, twist: [0.0; TWIST] },
             integral: Circulant::integral(nodes, step),
             double_integral: Circulant::double_integral(nodes, step),
-            inertia: Vector3::from(INERTIA) * scale,
+            inertia: trunk_inertia(body),
             vertical,
             prints,
         }

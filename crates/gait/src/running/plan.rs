@@ -1,5 +1,6 @@
 //! A run of some steps: its posture and the ground's force at any time.
 
+use super::chain::Chain;
 use super::stride::RunStride;
 use super::style::RunStyle;
 use crate::body::FEET;
@@ -8,9 +9,9 @@ use crate::walking::{G, Prescribing, Stood, StrideLoop, Walking, sampled};
 use solaris_analysis::ReactionError;
 use solaris_model::{Contact, Event, EventKind, Figure, Interval, Motion, Trajectory};
 
-/// A planned run: some steps of a steady stride, from a contact to a contact, in full run at both ends.
+/// A planned run: from a contact to a contact in full run, or from standing, or to a stop.
 ///
-/// It goes on before it begins and after it has ended, so that velocities and accelerations at its ends are those of a run that
+/// In full run it goes on before it begins and after it has ended, so that velocities and accelerations at its ends are those of a run that
 /// never ends. The first print's heel stands at z = 0. Left and right feet are 0 and 1.
 #[doc(alias = "gait")]
 #[doc(alias = "locomotion")]
@@ -20,20 +21,27 @@ pub struct RunPlan {
     stride: RunStride,
     steps: usize,
     left_first: bool,
+    /// Steps that are not all alike; none where the stride repeats.
+    chain: Option<Box<Chain>>,
 }
 
 impl RunPlan {
     /// So many steps of a stride, of which the left foot's comes first or the right one's.
     pub fn new(stride: RunStride, steps: usize, left_first: bool) -> Self {
-        Self { stride, steps, left_first }
+        Self { stride, steps, left_first, chain: None }
     }
 
-    /// The stride that is repeated; in it the left foot touches first.
+    /// Steps that are not all alike; `stride` is that of the first speed.
+    pub(super) fn changing(stride: RunStride, chain: Chain, steps: usize, left_first: bool) -> Self {
+        Self { stride, steps, left_first, chain: Some(Box::new(chain)) }
+    }
+
+    /// The stride that is repeated, that of the first speed; in it the left foot touches first.
     pub fn stride(&self) -> &RunStride {
         &self.stride
     }
 
-    /// The style that was planned.
+    /// The style that was planned, at the first speed.
     pub fn style(&self) -> &RunStyle {
         self.stride.style()
     }
@@ -41,6 +49,11 @@ impl RunPlan {
     /// Number of steps.
     pub fn steps(&self) -> usize {
         self.steps
+    }
+
+    /// Whether its steps are not all alike.
+    pub fn changes(&self) -> bool {
+        self.chain.is_some()
     }
 
     /// The standing height that the laws scale with (m): the figure's own, or what its legs suggest.
@@ -56,7 +69,11 @@ impl RunPlan {
     /// How far along z heels are set down (m): each step, and the next one's.
     pub fn prints(&self) -> impl Iterator<Item = f64> + use<> {
         let step = self.style().step_length;
-        (0..=self.steps).map(move |k| step * k as f64)
+        let prints: Vec<f64> = match &self.chain {
+            Some(chain) => chain.prints().collect(),
+            None => (0..=self.steps).map(|k| step * k as f64).collect(),
+        };
+        prints.into_iter()
     }
 
     /// The run sampled `rate` times a second, with its events and planted points, without forces
@@ -69,9 +86,9 @@ impl RunPlan {
         sampled(figure, self, self.stride.body.fingerprint, rate)
     }
 
-    /// The first stride, to be repeated; none of a single step.
+    /// The first stride, to be repeated; none of a single step, and of steps that are not alike.
     pub fn stride_loop(&self) -> Option<StrideLoop<'_, Self>> {
-        if self.steps < 2 {
+        if self.steps < 2 || self.changes() {
             return None;
         }
         let (body, style) = (&self.stride.body, self.style());
@@ -84,23 +101,43 @@ impl RunPlan {
         time / self.style().stride_time
     }
 
-    /// When the step's foot touches (s); steps count from 0.
-    fn contact_time(&self, step: usize) -> f64 {
-        0.5 * step as f64 * self.style().stride_time
-    }
-
-    /// The foot that a step is made with.
-    fn side(&self, step: usize) -> usize {
-        if self.left_first { step % 2 } else { (step + 1) % 2 }
+    /// When feet stand, from the first step to the one with which it ends, by side.
+    fn stood(&self) -> Vec<(usize, Stood)> {
+        let style = self.style();
+        let steady = |step: usize| {
+            let touch_down = 0.5 * step as f64 * style.stride_time;
+            let after = |part: f64| touch_down + part * style.contact_time();
+            let stood = Stood {
+                landed: after(0.0),
+                flat: after(style.foot_flat),
+                on_ball: false,
+                heel_off: after(style.heel_off),
+                tip_roll: after(style.tip_roll),
+                toe_off: after(1.0),
+            };
+            (if self.left_first { step % 2 } else { (step + 1) % 2 }, stood)
+        };
+        let mut stood: Vec<(usize, Stood)> = match &self.chain {
+            Some(chain) => chain.stood().collect(),
+            None => (0..=self.steps).map(steady).collect(),
+        };
+        stood.sort_by(|a, b| a.1.landed.total_cmp(&b.1.landed));
+        stood
     }
 }
 
 impl Trajectory for RunPlan {
     fn duration(&self) -> f64 {
-        self.contact_time(self.steps)
+        match &self.chain {
+            Some(chain) => chain.duration(),
+            None => 0.5 * self.steps as f64 * self.style().stride_time,
+        }
     }
 
     fn configuration(&self, t: f64, q: &mut [f64]) {
+        if let Some(chain) = &self.chain {
+            return chain.configuration(t, q);
+        }
         let u = self.clock(t);
         if self.left_first {
             self.stride.configuration(u, q);
@@ -111,45 +148,51 @@ impl Trajectory for RunPlan {
 
     /// The distance of the nodes (s).
     fn resolution(&self) -> f64 {
-        self.style().stride_time / self.stride.node_count() as f64
+        match &self.chain {
+            Some(chain) => chain.resolution(),
+            None => self.style().stride_time / self.stride.node_count() as f64,
+        }
     }
 }
 
 impl Walking for RunPlan {
-    /// The last touch-down is the one with which it ends.
+    /// In full run the last touch-down is the one with which it ends.
     fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
-        for step in 0..=self.steps {
-            let (link, time) = (FEET[self.side(step)].to_owned(), self.contact_time(step));
-            events.push(Event { time, kind: EventKind::TouchDown { link: link.clone() } });
-            if step < self.steps {
-                let time = time + self.style().contact_time();
-                events.push(Event { time, kind: EventKind::LiftOff { link } });
+        let end = self.duration();
+        for (side, Stood { landed, toe_off, .. }) in self.stood() {
+            let link = FEET[side].to_owned();
+            if landed >= 0.0 {
+                events.push(Event { time: landed, kind: EventKind::TouchDown { link: link.clone() } });
+            }
+            if toe_off < end {
+                events.push(Event { time: toe_off, kind: EventKind::LiftOff { link } });
             }
         }
+        events.sort_by(|a, b| a.time.total_cmp(&b.time));
         events
     }
 
     fn planted(&self, figure: &Figure) -> Vec<Interval> {
-        let style = self.style();
-        let stance = |step: usize| {
-            let after = |part: f64| self.contact_time(step) + part * style.contact_time();
-            let stood = Stood {
-                landed: after(0.0),
-                flat: after(style.foot_flat),
-                on_ball: false,
-                heel_off: after(style.heel_off),
-                tip_roll: after(style.tip_roll),
-                toe_off: after(1.0),
-            };
-            stood.planted(figure, self.side(step))
-        };
-        (0..self.steps).flat_map(stance).collect()
+        let end = self.duration();
+        let planted = self
+            .stood()
+            .into_iter()
+            .flat_map(|(side, stood)| stood.planted(figure, side).collect::<Vec<_>>());
+        let within = planted.map(|planted| Interval {
+            start: planted.start.max(0.0),
+            end: planted.end.min(end),
+            ..planted
+        });
+        within.filter(|planted| planted.start < planted.end).collect()
     }
 }
 
 impl Prescribing for RunPlan {
     fn contacts(&self, t: f64) -> [Contact; 2] {
+        if let Some(chain) = &self.chain {
+            return chain.forces(t);
+        }
         let feet = self.stride.forces(self.clock(t));
         if self.left_first {
             return feet;

@@ -1,12 +1,15 @@
 //! The runner: it plans a run that holds.
 
+use super::chain::{Chain, Schedule};
+use super::extremes::RunExtremes;
 use super::plan::RunPlan;
-use super::stride::{RunExtremes, RunStride};
+use super::stride::RunStride;
 use super::style::RunStyle;
+use super::tempo;
 use crate::body::{Body, missing};
 use crate::error::{GaitError, PlanError, RequestError};
 use crate::request::pace::range;
-use crate::request::{Extent, RUN_SPEED, RunRequest, RunResolution, SHORTEST_DISTANCE, STEPS};
+use crate::request::{Extent, RUN_SPEED, RunEnd, RunRequest, RunResolution, SHORTEST_DISTANCE, STEPS};
 use solaris_model::Figure;
 
 /// Friction that a run may need.
@@ -18,14 +21,16 @@ const SINK: f64 = 1e-3;
 const SHORT: f64 = 1e-4;
 /// The most by which the rate of the angular momentum may miss the law's, over weight times height.
 const EXCESS: f64 = 1e-2;
+/// The same of a run that changes.
+const MORE_EXCESS: f64 = 3e-2;
 /// Instants of a stride that are looked at.
 const INSTANTS: usize = 400;
 /// By how much speeds are tried apart where one does not hold (m/s), and how often the way between is halved.
 const TRIED: f64 = 0.25;
 const HALVED: usize = 5;
 
-/// Plans a run: some steps of a steady stride, from a contact to a contact, in full run at both ends. Starting and stopping are not
-/// part of it.
+/// Plans a run: some steps of a steady stride, from a contact to a contact, in full run at both ends; or a chain of steps that changes its
+/// speed, or begins or ends in standing.
 ///
 /// # Errors
 ///
@@ -41,11 +46,29 @@ pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> 
     let style = RunStyle::of(body.height, speed);
     let steps = steps(request.extent, style.step_length)?;
     let stride = RunStride::plan(body.clone(), &style, request.resolution)?;
-    if let Some(what) = fault(&stride.extremes(INSTANTS), &body) {
+    if let Some(what) = fault(&stride.extremes(INSTANTS), EXCESS, &body) {
         let nearest = nearest(&body, speed, request.resolution);
         return Err(PlanError::NotRunnable { speed, what, nearest }.into());
     }
-    Ok(RunPlan::new(stride, steps, request.left_first))
+    let ends = (request.from, request.to);
+    if request.then.is_empty() && ends == (RunEnd::Running, RunEnd::Running) {
+        return Ok(RunPlan::new(stride, steps, request.left_first));
+    }
+    if let Extent::Distance(distance) = request.extent {
+        return Err(RequestError::RunDistance { distance }.into());
+    }
+    let all = tempo::tempo(speed, steps, &request.then, ends)?;
+    let schedule = Schedule::new(body.height, &all, ends, request.left_first, request.resolution)?;
+    let chain = Chain::plan(body.clone(), schedule, request.resolution, stride.com(0).y)?;
+    if let Some(what) = fault(&chain.extremes(), MORE_EXCESS, &body) {
+        return Err(PlanError::NotRunnable {
+            speed,
+            what,
+            nearest: "change the speed by less, or more slowly".to_owned(),
+        }
+        .into());
+    }
+    Ok(RunPlan::changing(stride, chain, all.len(), request.left_first))
 }
 
 /// The number of steps that is asked for.
@@ -65,9 +88,9 @@ fn steps(extent: Extent, step_length: f64) -> Result<usize, RequestError> {
 }
 
 /// What soles or legs cannot do.
-fn fault(found: &RunExtremes, body: &Body) -> Option<String> {
+fn fault(found: &RunExtremes, excess: f64, body: &Body) -> Option<String> {
     let RunExtremes { friction, least_knee, sink, short, momentum_excess } = *found;
-    let excess = EXCESS * body.mass * crate::walking::G * body.height;
+    let excess = excess * body.mass * crate::walking::G * body.height;
     // Written so that no number is a fault.
     let within = |value: f64, limit: f64| value <= limit;
     if !within(friction, RUN_FRICTION) {
@@ -92,7 +115,7 @@ fn nearest(body: &Body, speed: f64, resolution: RunResolution) -> String {
     let holds = |speed: f64| {
         (RUN_SPEED.0..=RUN_SPEED.1).contains(&speed)
             && RunStride::plan(body.clone(), &RunStyle::of(body.height, speed), resolution)
-                .is_ok_and(|stride| fault(&stride.extremes(INSTANTS), body).is_none())
+                .is_ok_and(|stride| fault(&stride.extremes(INSTANTS), EXCESS, body).is_none())
     };
     let tries = ((RUN_SPEED.1 - RUN_SPEED.0) / TRIED).ceil() as usize;
     let away = (1..=tries).flat_map(|k| [-TRIED * k as f64, TRIED * k as f64]);

@@ -1,5 +1,6 @@
 //! One periodic stride of a run.
 
+use super::extremes::{RunExtremes, greatest};
 use super::forces::{Before, Carried, Prescribed};
 use super::laws::{Amplitudes, ForceLaws};
 use super::prints::left_pressure;
@@ -25,8 +26,6 @@ use solaris_profiles::UniformSpline;
 /// Part of the way that the trunk turns in a pass to where the angular momentum asks for it: with more, roll and yaw take each other
 /// away.
 const RELAXATION: f64 = 0.45;
-/// Part of the body's weight from which on a foot counts as loaded.
-const LOADED: f64 = 0.05;
 /// Centre of mass against the pelvis' origin before anything is known (m).
 const OFFSET: Vector3<f64> = Vector3::new(0.0, 0.06, 0.0);
 
@@ -52,26 +51,6 @@ pub struct RunStride {
     com: Vec<Vector3<f64>>,
     momentum: Vec<Vector3<f64>>,
     excess: Vec<Vector3<f64>>,
-}
-
-/// The greatest and least values that a run must keep within what soles and legs can do.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RunExtremes {
-    /// Greatest friction ratio of a foot that bears more than 5 % of the weight.
-    pub friction: f64,
-    /// Least knee flexion (rad); negative is hyperextended.
-    pub least_knee: f64,
-    /// Greatest depth of a point of the soles below the ground (m).
-    pub sink: f64,
-    /// Greatest distance by which a leg is too short for its planted foot (m).
-    pub short: f64,
-    /// By how much the rate of the body's angular momentum differs from the law's at most (N m).
-    pub momentum_excess: f64,
-}
-
-/// The greatest value; NaN where there is one, so that it is found.
-fn greatest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(f64::NEG_INFINITY, |a, b| if a >= b || a.is_nan() { a } else { b })
 }
 
 /// Where the body is.
@@ -285,27 +264,16 @@ impl RunStride {
     pub fn extremes(&self, instants: usize) -> RunExtremes {
         let leg = &self.body.leg;
         let toe = leg.toe_polar();
-        let mut found = RunExtremes {
-            friction: 0.0,
-            least_knee: f64::INFINITY,
-            sink: f64::NEG_INFINITY,
-            short: 0.0,
-            momentum_excess: greatest(self.excess.iter().map(Vector3::amax)),
-        };
+        let mut found = RunExtremes::none();
+        found.momentum_excess = greatest(self.excess.iter().map(Vector3::amax));
         for i in 0..instants {
             // Left and right are mirror images: one leg says it all.
             let u = i as f64 / instants as f64;
             let (hip, pose) = self.place(u).legs[0];
-            found.least_knee = -greatest([-found.least_knee, -pose.knee]);
             let ankle = hip.y - leg.ankle_below_hip(&pose) * pose.side.cos();
-            found.sink = greatest([found.sink, -leg.lowest(toe, ankle, pose.pitch, pose.toes)]);
-            if u <= self.style.duty {
-                found.short = greatest([found.short, self.stance.short(u, &hip)]);
-            }
-            let force = self.forces(u)[0].force;
-            if force.y > LOADED * self.body.mass * G {
-                found.friction = greatest([found.friction, force.x.hypot(force.z) / force.y]);
-            }
+            let short = if u <= self.style.duty { self.stance.short(u, &hip) } else { 0.0 };
+            found.note_leg(pose.knee, -leg.lowest(toe, ankle, pose.pitch, pose.toes), short);
+            found.note_force(&self.forces(u)[0].force, self.body.mass * G);
         }
         found
     }

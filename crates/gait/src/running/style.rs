@@ -11,6 +11,10 @@ const TABLE_HEIGHT: f64 = 1.76;
 /// Speeds between which the table is read (m/s): above, the step keeps its length, below, its time.
 const READ: (f64, f64) = (2.0, 6.0);
 
+/// Lean of the thorax and flexion of the elbows in standing.
+const STANDING_LEAN: f64 = 1.0 * DEGREE;
+const STANDING_ELBOW: f64 = 12.0 * DEGREE;
+
 /// Names the numbers of a style once: as fields, and as rows of the table with columns at 2.5, 3.5 and 4.5 m/s.
 macro_rules! run_numbers {
     ($($(#[$doc:meta])* $name:ident: $unit:expr, [$slow:expr, $middle:expr, $fast:expr];)*) => {
@@ -47,6 +51,20 @@ macro_rules! run_numbers {
                     arm_abduction: 20.0 * DEGREE,
                     arm_inward: 10.0 * DEGREE,
                     $($name: at_speed([$slow, $middle, $fast], at) * $unit,)*
+                }
+            }
+
+            /// Between this style and another one: `part` of the way.
+            pub(super) fn mixed(&self, other: &Self, part: f64) -> Self {
+                let mix = |a: f64, b: f64| a + (b - a) * part;
+                Self {
+                    speed: mix(self.speed, other.speed),
+                    step_length: mix(self.step_length, other.step_length),
+                    foot_yaw: mix(self.foot_yaw, other.foot_yaw),
+                    clearance: mix(self.clearance, other.clearance),
+                    arm_abduction: mix(self.arm_abduction, other.arm_abduction),
+                    arm_inward: mix(self.arm_inward, other.arm_inward),
+                    $($name: mix(self.$name, other.$name),)*
                 }
             }
 
@@ -166,6 +184,22 @@ impl RunStyle {
         style.step_width *= height / 1.75;
         style.step_length = 0.5 * speed * style.stride_time;
         style
+    }
+
+    /// The same with trunk and arms at rest, as in standing.
+    pub(super) fn standing(&self) -> Self {
+        Self {
+            tilt_swing: 0.0,
+            pelvic_rotation: 0.0,
+            pelvic_obliquity: 0.0,
+            thorax_lean: STANDING_LEAN,
+            arm_swing: 0.0,
+            arm_mean: 0.0,
+            elbow: STANDING_ELBOW,
+            elbow_swing: 0.0,
+            thorax_yaw: 0.0,
+            ..*self
+        }
     }
 
     /// Refuses numbers that are none.

@@ -36,6 +36,7 @@ mod refusals;
 #[cfg(feature = "serde")]
 mod reports;
 mod running;
+mod running_changes;
 mod sequence;
 mod smooth_laws;
 mod stride_loop;

@@ -1,6 +1,6 @@
 //! Options of the other style, and of the other number of determinants.
 
-use crate::args::{DeterminantCount, Gait, RootLink, StyleName, WalkArgs, key_options};
+use crate::args::{DeterminantCount, Gait, RootLink, RunBound, StyleName, WalkArgs, key_options};
 use crate::error::CliError;
 use clap::ValueEnum;
 use solaris::gait::Parameter;
@@ -17,13 +17,25 @@ pub(super) fn key_parameters(determinants: Determinants) -> &'static [KeyParamet
 /// Refuses options of the other style and of the other number of determinants.
 pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Result<(), CliError> {
     if args.manner.gait == Gait::Run {
+        if let Some((option, end)) =
+            ends(args).find(|(_, end)| *end == RunBound::Standing && args.manner.repeats.is_some())
+        {
+            return Err(CliError::option(option, name(&end), "a stride that repeats is one of full run"));
+        }
         return of_walks(args).map_or(Ok(()), |(option, typed)| {
             Err(CliError::option(
                 option,
                 &typed,
-                "a run has no such option: it has --speed, --steps or --distance, --first and --loop",
+                "a run has no such option: it has --speed, --steps or --distance, --from, --to, --then, --first and --loop",
             ))
         });
+    }
+    if let Some((option, end)) = ends(args).next() {
+        return Err(CliError::option(
+            option,
+            name(&end),
+            "only --gait run has this; a walk begins and ends in standing",
+        ));
     }
     let style = args.manner.style;
     let has = |name: &str| match style {
@@ -54,6 +66,12 @@ pub(super) fn refuse_others(args: &WalkArgs, determinants: Determinants) -> Resu
     Err(CliError::option(option, typed, format!("only --style {} has this", other.name())))
 }
 
+/// How a run is to begin and to end, where that is said.
+fn ends(args: &WalkArgs) -> impl Iterator<Item = (&'static str, RunBound)> {
+    let ends = [("from", args.manner.from), ("to", args.manner.to)];
+    ends.into_iter().filter_map(|(option, end)| Some((option, end?)))
+}
+
 /// What was given that only walks have.
 fn of_walks(args: &WalkArgs) -> Option<(&'static str, String)> {
     let manner = &args.manner;
@@ -63,17 +81,32 @@ fn of_walks(args: &WalkArgs) -> Option<(&'static str, String)> {
     let thesis = (manner.style == StyleName::Thesis).then(|| ("style", manner.style.name().to_owned()));
     let three = (manner.determinants == DeterminantCount::Three).then(|| ("determinants", "3".to_owned()));
     let foot = (manner.root == RootLink::Foot).then(|| ("root", "foot".to_owned()));
-    pace.or(style).or(thesis).or(three).or(foot).or_else(|| changes(args)).or_else(|| key_postures(args))
+    pace.or(style)
+        .or(thesis)
+        .or(three)
+        .or(foot)
+        .or_else(|| turns(args))
+        .or_else(|| others(args))
+        .or_else(|| key_postures(args))
 }
 
 /// What was given that the smooth style alone has.
 fn changes(args: &WalkArgs) -> Option<(&'static str, String)> {
+    turns(args)
+        .or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
+        .or_else(|| others(args))
+}
+
+/// A turn or a way.
+fn turns(args: &WalkArgs) -> Option<(&'static str, String)> {
     let turn = args.changes.turn.as_ref().map(|turn| ("turn", turn.typed.clone()));
     let path = args.changes.path.as_ref().map(|path| ("path", path.display().to_string()));
     turn.or(path)
-        .or_else(|| args.changes.then.first().map(|then| ("then", then.typed.clone())))
-        .or_else(|| args.everyone.given())
-        .or_else(|| args.ground.given())
+}
+
+/// Whose walk, and on which ground.
+fn others(args: &WalkArgs) -> Option<(&'static str, String)> {
+    args.everyone.given().or_else(|| args.ground.given())
 }
 
 /// What was given that the thesis's style alone has.

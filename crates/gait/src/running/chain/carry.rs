@@ -1,0 +1,665 @@
+//! The whole force over a chain of steps and the way of the centre of mass under it.
+
+use super::basis::{Basis, Expected, LIFTS, Priors, ROLLS, WAVES};
+use super::fit::Fit;
+use super::footstep::Footstep;
+use super::stood::STANDING_PRESSURE;
+use crate::body::Body;
+use crate::body::foot::{FootPlane, mirror};
+use crate::body::rotations::Euler;
+use crate::running::forces::{TRUNK_SPREAD, trunk_inertia};
+use crate::running::laws::TWIST;
+use crate::running::open::Open;
+use crate::walking::G;
+use nalgebra::Vector3;
+
+/// How exactly the centre of mass is as high at a contact as the leg wants it (m).
+const HEIGHT_SPREAD: f64 = 0.004;
+/// What is not to differ at all does so by this (m, m/s, rad, N m and N m s over the trunk's inertia).
+const EXACT: f64 = 1e-6;
+/// Every how many nodes the trunk is looked at.
+const LOOKED_AT: usize = 6;
+
+/// What the amplitudes of one step's forces are.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct StepForces {
+    /// Of the vertical force.
+    pub(super) lifts: [f64; LIFTS],
+    /// By how much it makes the body faster (m/s).
+    pub(super) gain: f64,
+    pub(super) fore_aft: [f64; WAVES],
+    pub(super) lateral: [f64; WAVES],
+    pub(super) twist: [f64; TWIST],
+    pub(super) rolls: [f64; ROLLS],
+    pub(super) shift: f64,
+    /// Where the print's heel is, and that of the other foot: to the left of the line for a left foot, to the right for a right one, and along (m).
+    pub(super) aside: f64,
+    pub(super) other_aside: f64,
+    pub(super) along: f64,
+}
+
+fn sum(laws: &[f64], by: &[f64]) -> f64 {
+    laws.iter().zip(by).map(|(law, a)| law * a).sum()
+}
+
+impl StepForces {
+    /// Vertical force over the weight.
+    pub(super) fn vertical(&self, basis: &Basis) -> f64 {
+        basis.fixed + sum(&basis.lifts, &self.lifts)
+    }
+
+    /// Centre of pressure from the heel over the foot's length.
+    pub(super) fn pressure(&self, basis: &Basis) -> f64 {
+        basis.pressure + sum(&basis.rolls, &self.rolls)
+    }
+
+    /// The part of the force that the other foot has.
+    pub(super) fn other(&self, basis: &Basis) -> f64 {
+        let vertical = self.vertical(basis);
+        if basis.shift == 0.0 { basis.other } else { basis.other + basis.shift * self.shift / vertical }
+    }
+
+    /// Force over the weight (but for the gain: N for the mass 1 and gravity 1), and free moment (N m).
+    pub(super) fn force(&self, side: usize, basis: &Basis) -> (Vector3<f64>, f64) {
+        let sign = sign(side);
+        let force = Vector3::new(
+            sign * sum(&basis.lateral, &self.lateral),
+            self.vertical(basis),
+            sum(&basis.fore_aft, &self.fore_aft) + self.gain * basis.faster / G,
+        );
+        (force, sign * sum(&basis.twist, &self.twist))
+    }
+}
+
+pub(super) fn sign(side: usize) -> f64 {
+    if side == 0 { 1.0 } else { -1.0 }
+}
+
+/// Whether the chain begins and ends in standing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stands {
+    pub(super) first: bool,
+    pub(super) last: bool,
+}
+
+/// The laws over the nodes of a chain, for amplitudes that are still open.
+pub(super) struct Laws<'a> {
+    body: &'a Body,
+    steps: &'a [Footstep],
+    stands: Stands,
+    priors: Vec<Priors>,
+    start: f64,
+    step: f64,
+    open: Open,
+    plane: FootPlane,
+    /// Which step stands at a node, with its laws there.
+    at: Vec<Option<(usize, Basis)>>,
+    /// The nodes of each step: from the first to after the last.
+    spans: Vec<(usize, usize)>,
+    /// Of each step.
+    waves: Vec<Waves>,
+    /// Of the trunk: pitch, yaw, roll.
+    inertia: Vector3<f64>,
+}
+
+/// The motion under forces.
+pub(super) struct Carried {
+    pub(super) forces: Vec<StepForces>,
+    pub(super) com: Vec<Vector3<f64>>,
+    /// How much less far each step goes than at the speed of the flight after it, by its braking and pushing (m).
+    pub(super) lost: Vec<f64>,
+    /// Rate of the angular momentum about it (N m).
+    pub(super) rate: Vec<Vector3<f64>>,
+    /// By how much the trunk turns (rad) to where that asks for it, about z, y, x.
+    pub(super) turn: Option<Vec<Euler>>,
+}
+
+/// The body as the pass before left it.
+pub(super) struct Before<'a> {
+    pub(super) momentum: &'a [Vector3<f64>],
+    pub(super) thorax: &'a [Euler],
+    pub(super) drawn: &'a [Euler],
+}
+
+/// A moment (N m) for an amplitude of 1: over the nodes from the first on.
+struct Column {
+    from: usize,
+    moment: Vec<f64>,
+    expected: Option<Expected>,
+}
+
+/// A force (N) for an amplitude of 1 over a step's nodes, and the way (m) that it makes from there on.
+struct Wave {
+    force: Vec<f64>,
+    way: Vec<f64>,
+}
+
+/// The waves of a step's forces that have an amplitude.
+#[derive(Default)]
+struct Waves {
+    lifts: Vec<Wave>,
+    fore_aft: Vec<Wave>,
+    lateral: Vec<Wave>,
+}
+
+impl<'a> Laws<'a> {
+    pub(super) fn new(
+        body: &'a Body,
+        steps: &'a [Footstep],
+        stands: Stands,
+        start: f64,
+        step: f64,
+        nodes: usize,
+    ) -> Self {
+        let at: Vec<Option<(usize, Basis)>> = (0..nodes)
+            .map(|i| {
+                let time = start + step * i as f64;
+                let found = steps.iter().position(|footstep| footstep.stands(time))?;
+                Some((found, steps[found].basis(time)))
+            })
+            .collect();
+        let stood = |i: usize, k: usize| at[i].as_ref().is_some_and(|(at, _)| *at == k);
+        let spans = (0..steps.len()).map(|k| {
+            let from = (0..nodes).find(|&i| stood(i, k)).unwrap_or(0);
+            (from, (from..nodes).rfind(|&i| stood(i, k)).map_or(from, |last| last + 1))
+        });
+        let mut laws = Self {
+            waves: Vec::new(),
+            spans: spans.collect(),
+            at,
+            plane: FootPlane::new(steps[0].style.foot_yaw),
+            open: Open::new(step),
+            inertia: trunk_inertia(body),
+            priors: steps.iter().map(Footstep::priors).collect(),
+            body,
+            steps,
+            stands,
+            start,
+            step,
+        };
+        // No pass changes them.
+        laws.waves = (0..steps.len())
+            .map(|k| {
+                let some =
+                    |expected: &[Expected]| expected.iter().take_while(|(_, spread)| *spread > 0.0).count();
+                let (side, priors) = (sign(steps[k].side), &laws.priors[k]);
+                Waves {
+                    lifts: (0..some(&priors.lifts)).map(|n| laws.wave(k, |basis| basis.lifts[n])).collect(),
+                    fore_aft: (0..some(&priors.fore_aft))
+                        .map(|n| laws.wave(k, |basis| basis.fore_aft[n]))
+                        .collect(),
+                    lateral: (0..some(&priors.lateral))
+                        .map(|n| laws.wave(k, |basis| side * basis.lateral[n]))
+                        .collect(),
+                }
+            })
+            .collect();
+        laws
+    }
+
+    fn nodes(&self) -> usize {
+        self.at.len()
+    }
+
+    fn weight(&self) -> f64 {
+        self.body.mass * G
+    }
+
+    /// A value by node from each stance's laws.
+    fn each(&self, of: impl Fn(usize, &Basis) -> f64) -> Vec<f64> {
+        self.at.iter().map(|at| at.as_ref().map_or(0.0, |(k, basis)| of(*k, basis))).collect()
+    }
+
+    fn moved(&self, force: &[f64]) -> Vec<f64> {
+        self.open.of_second(&force.iter().map(|force| force / self.body.mass).collect::<Vec<f64>>())
+    }
+
+    /// The wave of one step's law.
+    fn wave(&self, k: usize, of: impl Fn(&Basis) -> f64) -> Wave {
+        let weight = self.weight();
+        let force = self.each(|at, basis| if at == k { weight * of(basis) } else { 0.0 });
+        Wave { way: self.moved(&force), force }
+    }
+
+    /// A value by node at any time within.
+    fn value(&self, values: &[f64], time: f64) -> f64 {
+        let x = ((time - self.start) / self.step).clamp(0.0, (values.len() - 1) as f64);
+        let i = (x as usize).min(values.len() - 2);
+        values[i] + (values[i + 1] - values[i]) * (x - i as f64)
+    }
+
+    fn time(&self, node: usize) -> f64 {
+        self.step * node as f64
+    }
+
+    /// Amplitudes of the vertical force, and the height of the centre of mass: at each contact as near as can be to `heights`, and
+    /// standing at the first and the last of these.
+    pub(super) fn lift(&self, heights: &[f64], last: f64) -> Option<(Vec<f64>, Vec<[f64; LIFTS]>)> {
+        let (count, nodes) = (self.steps.len(), self.nodes());
+        let mut waves = Vec::new();
+        for k in 0..count {
+            for (n, &(value, spread)) in self.priors[k].lifts.iter().enumerate() {
+                if spread > 0.0 {
+                    waves.push((k, n, value, spread, &self.waves[k].lifts[n].way));
+                }
+            }
+        }
+        let fixed = self.each(|_, basis| self.weight() * basis.fixed);
+        let fall: Vec<f64> =
+            self.open.of_second(&fixed.iter().map(|f| f / self.body.mass - G).collect::<Vec<f64>>());
+        // Amplitudes, then the height and its rate at the first node.
+        let unknowns = waves.len();
+        let mut fit = Fit::new(unknowns + 2);
+        let row = |time: f64| {
+            let mut row: Vec<f64> = waves.iter().map(|(.., way)| self.value(way, time)).collect();
+            row.extend([1.0, time - self.start]);
+            (row, self.value(&fall, time))
+        };
+        for (k, footstep) in self.steps.iter().enumerate() {
+            if k == 0 && self.stands.first {
+                continue;
+            }
+            let (row, fall) = row(footstep.time);
+            fit.row(&row, heights[k] - fall, HEIGHT_SPREAD);
+        }
+        for (k, (_, _, value, spread, _)) in waves.iter().enumerate() {
+            fit.expect(k, *value, *spread);
+        }
+        if self.stands.first {
+            let only =
+                |at: usize| (0..unknowns + 2).map(|k| if k == at { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+            fit.exactly(&only(unknowns), heights[0]);
+            fit.exactly(&only(unknowns + 1), 0.0);
+            // Which keeps them determined.
+            fit.expect(unknowns, heights[0], 1.0);
+            fit.expect(unknowns + 1, 0.0, 1.0);
+        }
+        if self.stands.last {
+            let end = self.start + self.time(nodes - 1);
+            let ((at, fallen), (before, fallen_before)) = (row(end), row(end - 10.0 * self.step));
+            fit.exactly(&at, last - fallen);
+            fit.exactly(&before, last - fallen_before);
+        }
+        let found = fit.solve()?;
+        let height = |i: usize| {
+            let risen: f64 = waves.iter().zip(&found).map(|((.., way), lift)| lift * way[i]).sum();
+            fall[i] + risen + found[unknowns] + found[unknowns + 1] * self.time(i)
+        };
+        let mut lifts = vec![[0.0; LIFTS]; count];
+        for ((k, n, ..), lift) in waves.iter().zip(&found) {
+            lifts[*k][*n] = *lift;
+        }
+        Some(((0..nodes).map(height).collect(), lifts))
+    }
+
+    /// The motion under the laws: their amplitudes, and the prints, so that the trunk stays near to what it is drawn to.
+    pub(super) fn carry(
+        &self,
+        height: &[f64],
+        lifts: &[[f64; LIFTS]],
+        (speed, gains): (f64, &[f64]),
+        before: Option<&Before<'_>>,
+    ) -> Option<Carried> {
+        let nodes = self.nodes();
+        let mut forces: Vec<StepForces> = lifts
+            .iter()
+            .zip(gains)
+            .map(|(&lifts, &gain)| StepForces { lifts, gain, ..StepForces::default() })
+            .collect();
+        let vertical = self.each(|k, basis| self.weight() * forces[k].vertical(basis));
+        let (com_z, lost, along) = self.along(height, &vertical, speed, &mut forces, before)?;
+        let (com_x, aside) = self.sideways(height, &vertical, &mut forces, before)?;
+        let about = self.about(&com_x, &com_z, &mut forces, before)?;
+        let turn = match (along.turn, about.turn, aside.turn) {
+            (Some(x), Some(y), Some(z)) => Some((0..nodes).map(|i| [z[i], y[i], x[i]]).collect()),
+            _ => None,
+        };
+        Some(Carried {
+            forces,
+            lost,
+            com: (0..nodes).map(|i| Vector3::new(com_x[i], height[i], com_z[i])).collect(),
+            rate: (0..nodes).map(|i| Vector3::new(along.rate[i], about.rate[i], aside.rate[i])).collect(),
+            turn,
+        })
+    }
+
+    /// The way of the centre of mass along, how much less far each step goes for its braking and pushing, and the moments: the print of each
+    /// step lies so far ahead of where the centre of mass is at its contact as the trunk asks for.
+    fn along(
+        &self,
+        height: &[f64],
+        vertical: &[f64],
+        speed: f64,
+        forces: &mut [StepForces],
+        before: Option<&Before<'_>>,
+    ) -> Option<(Vec<f64>, Vec<f64>, Fitted)> {
+        let (nodes, count, foot) = (self.nodes(), self.steps.len(), self.body.leg.foot_length());
+        let faster = self.each(|k, basis| self.body.mass * forces[k].gain * basis.faster);
+        let mut com_z: Vec<f64> =
+            self.moved(&faster).iter().enumerate().map(|(i, way)| way + speed * self.time(i)).collect();
+        let contact = |k: usize| self.steps[k].time.max(self.start);
+        let at_contact: Vec<f64> = (0..count).map(|k| self.value(&com_z, contact(k))).collect();
+        let base: Vec<f64> = (0..nodes)
+            .map(|i| {
+                let Some((k, basis)) = &self.at[i] else { return 0.0 };
+                let pressed = basis.pressure * foot * self.plane.forward.z;
+                (com_z[i] - at_contact[*k] - pressed) * vertical[i] - height[i] * faster[i]
+            })
+            .collect();
+        let (mut columns, mut waves) = (Vec::new(), Vec::new());
+        for k in 0..count {
+            let (from, to) = self.spans[k];
+            for (n, &expected) in self.priors[k].fore_aft.iter().enumerate() {
+                if expected.1 > 0.0 {
+                    let wave = &self.waves[k].fore_aft[n];
+                    // It has no impulse: afterwards it has only moved where the prints are.
+                    let moment =
+                        (from..to).map(|i| wave.way[i] * vertical[i] - height[i] * wave.force[i]).collect();
+                    columns.push(Column { from, moment, expected: Some(expected) });
+                    waves.push((k, n, columns.len() - 1, wave));
+                }
+            }
+        }
+        let mut rolls = Vec::new();
+        let mut prints = Vec::new();
+        for k in 0..count {
+            let (from, to) = self.spans[k];
+            for (n, &expected) in self.priors[k].rolls.iter().enumerate() {
+                if expected.1 > 0.0 {
+                    let along = foot * self.plane.forward.z;
+                    let roll = |i: usize| self.at[i].as_ref().map_or(0.0, |(_, basis)| basis.rolls[n]);
+                    let moment = (from..to).map(|i| -along * roll(i) * vertical[i]).collect();
+                    rolls.push((k, n, columns.len()));
+                    columns.push(Column { from, moment, expected: Some(expected) });
+                }
+            }
+            prints.push(columns.len());
+            let stands = k == 0 && self.stands.first;
+            // Standing, it presses under the centre of mass.
+            let expected = stands.then_some((-STANDING_PRESSURE * foot * self.plane.forward.z, EXACT));
+            columns.push(Column { from, moment: (from..to).map(|i| -vertical[i]).collect(), expected });
+        }
+        let along = self.fit(0, base, &columns, &[], before)?;
+        for &(k, n, at, wave) in &waves {
+            let a = along.amplitudes[at];
+            forces[k].fore_aft[n] = a;
+            com_z.iter_mut().zip(&wave.way).for_each(|(z, way)| *z += a * way);
+        }
+        for (k, n, at) in rolls {
+            forces[k].rolls[n] = along.amplitudes[at];
+        }
+        for k in 0..count {
+            forces[k].along = self.value(&com_z, contact(k)) + along.amplitudes[prints[k]];
+        }
+        let mut lost = vec![0.0; count];
+        for &(k, _, at, wave) in &waves {
+            lost[k] -= along.amplitudes[at] * wave.way[nodes - 1];
+        }
+        Some((com_z, lost, along))
+    }
+
+    /// The way of the centre of mass to the side, and the moments.
+    fn sideways(
+        &self,
+        height: &[f64],
+        vertical: &[f64],
+        forces: &mut [StepForces],
+        before: Option<&Before<'_>>,
+    ) -> Option<(Vec<f64>, Fitted)> {
+        let (nodes, count) = (self.nodes(), self.steps.len());
+        let (weight, foot) = (self.weight(), self.body.leg.foot_length());
+        let sides: Vec<f64> = self.steps.iter().map(|footstep| sign(footstep.side)).collect();
+        let base = self.each(|k, basis| {
+            let pressed = forces[k].pressure(basis) * foot * self.plane.forward.x;
+            let own = 1.0 - basis.other;
+            let out = own * pressed - basis.other * (pressed + 2.0 * self.priors[k].aside.0);
+            weight * forces[k].vertical(basis) * sides[k] * out
+        });
+        let (mut columns, mut waves, mut others) = (Vec::new(), Vec::new(), Vec::new());
+        for k in 0..count {
+            let (from, to) = self.spans[k];
+            for (n, &expected) in self.priors[k].lateral.iter().enumerate() {
+                if expected.1 > 0.0 {
+                    let wave = &self.waves[k].lateral[n];
+                    let moment = (from..nodes)
+                        .map(|i| height[i] * wave.force[i] - wave.way[i] * vertical[i])
+                        .collect();
+                    waves.push((k, n, columns.len(), wave));
+                    columns.push(Column { from, moment, expected: Some(expected) });
+                }
+            }
+            let of = |i: usize, of: &dyn Fn(&Basis) -> f64| {
+                self.at[i].as_ref().map_or(0.0, |(_, basis)| of(basis))
+            };
+            // The other foot moves with it: they stand as far apart.
+            let moment = (from..to).map(|i| sides[k] * vertical[i]).collect();
+            let aside = columns.len();
+            columns.push(Column { from, moment, expected: Some(self.priors[k].aside) });
+            let shift = columns.len();
+            if self.priors[k].shift.1 > 0.0 {
+                let apart = |i: usize| {
+                    let pressed = of(i, &|basis| forces[k].pressure(basis)) * foot * self.plane.forward.x;
+                    -sides[k] * 2.0 * (self.priors[k].aside.0 + pressed)
+                };
+                let moment = (from..to).map(|i| weight * of(i, &|basis| basis.shift) * apart(i)).collect();
+                columns.push(Column { from, moment, expected: Some(self.priors[k].shift) });
+            }
+            others.push((aside, shift));
+        }
+        // Where the centre of mass begins, and how fast.
+        let begin = columns.len();
+        let known = self.stands.first.then_some((0.0, EXACT));
+        columns.push(Column {
+            from: 0,
+            moment: vertical.iter().map(|force| -force).collect(),
+            expected: known,
+        });
+        let moment = (0..nodes).map(|i| -self.time(i) * vertical[i]).collect();
+        columns.push(Column { from: 0, moment, expected: known });
+        let mut rows = Vec::new();
+        if self.stands.last {
+            // In the end it is at rest.
+            let mut row = vec![0.0; columns.len()];
+            let rate = |way: &[f64]| (way[nodes - 1] - way[nodes - 2]) / self.step;
+            for (_, _, at, wave) in &waves {
+                row[*at] = rate(&wave.way);
+            }
+            row[begin + 1] = 1.0;
+            rows.push((row, 0.0));
+        }
+        let aside = self.fit(2, base, &columns, &rows, before)?;
+        let (x0, v0) = (aside.amplitudes[begin], aside.amplitudes[begin + 1]);
+        let mut com_x: Vec<f64> = (0..nodes).map(|i| x0 + v0 * self.time(i)).collect();
+        for &(k, n, at, wave) in &waves {
+            let a = aside.amplitudes[at];
+            forces[k].lateral[n] = a;
+            com_x.iter_mut().zip(&wave.way).for_each(|(x, way)| *x += a * way);
+        }
+        for k in 0..count {
+            let (out, shift) = others[k];
+            forces[k].aside = aside.amplitudes[out];
+            forces[k].other_aside = 2.0 * self.priors[k].aside.0 - forces[k].aside;
+            if self.priors[k].shift.1 > 0.0 {
+                forces[k].shift = aside.amplitudes[shift];
+            }
+        }
+        Some((com_x, aside))
+    }
+
+    /// The free moments.
+    fn about(
+        &self,
+        com_x: &[f64],
+        com_z: &[f64],
+        forces: &mut [StepForces],
+        before: Option<&Before<'_>>,
+    ) -> Option<Fitted> {
+        let (nodes, count, weight) = (self.nodes(), self.steps.len(), self.weight());
+        let base: Vec<f64> = (0..nodes)
+            .map(|i| {
+                let Some((k, basis)) = &self.at[i] else { return 0.0 };
+                let (force, _) = forces[*k].force(self.steps[*k].side, basis);
+                let cop = self.pressure(*k, &forces[*k], basis);
+                weight * ((cop.z - com_z[i]) * force.x - (cop.x - com_x[i]) * force.z)
+            })
+            .collect();
+        let mut columns = Vec::new();
+        for k in 0..count {
+            let (from, to) = self.spans[k];
+            let side = sign(self.steps[k].side);
+            for n in 0..TWIST {
+                let law = |i: usize| self.at[i].as_ref().map_or(0.0, |(_, basis)| side * basis.twist[n]);
+                let moment = (from..to).map(law).collect();
+                columns.push(Column { from, moment, expected: Some(self.priors[k].twist[n]) });
+            }
+        }
+        let about = self.fit(1, base, &columns, &[], before)?;
+        for (k, forces) in forces.iter_mut().enumerate() {
+            forces.twist = std::array::from_fn(|n| about.amplitudes[TWIST * k + n]);
+        }
+        Some(about)
+    }
+
+    /// Where both feet together press.
+    fn pressure(&self, k: usize, forces: &StepForces, basis: &Basis) -> Vector3<f64> {
+        let (side, foot) = (self.steps[k].side, self.body.leg.foot_length());
+        let [own, other] = pressures(&self.plane, foot, side, forces, basis);
+        own + (other - own) * forces.other(basis)
+    }
+
+    /// Amplitudes of moments about an axis (x, y, z) that keep the trunk's angle about it near to what it is drawn to, and by how much
+    /// the trunk then turns.
+    fn fit(
+        &self,
+        axis: usize,
+        base: Vec<f64>,
+        columns: &[Column],
+        rows: &[(Vec<f64>, f64)],
+        before: Option<&Before<'_>>,
+    ) -> Option<Fitted> {
+        let nodes = self.nodes();
+        let inertia = self.inertia[axis];
+        let angle = 2 - axis;
+        let unknowns = columns.len();
+        let responses: Vec<Response> = columns.iter().map(|column| self.response(column, inertia)).collect();
+        let momentum: Vec<f64> = before.map_or_else(
+            || vec![0.0; nodes],
+            |before| before.momentum.iter().map(|h| h[axis] / inertia).collect(),
+        );
+        let bodily = self.open.integral(&momentum);
+        let rates = self.open.integral(&base.iter().map(|m| m / inertia).collect::<Vec<f64>>());
+        let mut base_turn = self.open.integral(&rates);
+        base_turn.iter_mut().zip(&bodily).for_each(|(turn, h)| *turn -= h);
+        // Amplitudes, then the trunk's angle and rate at the first node.
+        let mut fit = Fit::new(unknowns + 2);
+        let spread = TRUNK_SPREAD * (self.steps[0].style.stride_time / self.step / LOOKED_AT as f64).sqrt();
+        let row = |i: usize| {
+            let mut row: Vec<f64> = responses.iter().map(|response| response.at(i, self.step)).collect();
+            row.extend([1.0, self.time(i)]);
+            row
+        };
+        let wanted = |i: usize| before.map_or(0.0, |before| before.drawn[i][angle] - before.thorax[i][angle]);
+        for i in (0..nodes).step_by(LOOKED_AT) {
+            fit.row(&row(i), wanted(i) - base_turn[i], spread);
+        }
+        if self.stands.last {
+            // At rest as it is drawn to, and balanced.
+            let end = nodes - 1;
+            fit.exactly(&row(end), wanted(end) - base_turn[end]);
+            let mut rate: Vec<f64> = responses.iter().map(|response| response.rate_after).collect();
+            rate.extend([0.0, 1.0]);
+            fit.exactly(&rate, momentum[end] - rates[end]);
+            let mut moment: Vec<f64> = columns
+                .iter()
+                .map(|column| {
+                    end.checked_sub(column.from).and_then(|i| column.moment.get(i)).copied().unwrap_or(0.0)
+                })
+                .collect();
+            moment.extend([0.0, 0.0]);
+            if moment.iter().any(|moment| *moment != 0.0) {
+                fit.exactly(&moment, -base[end]);
+            }
+        }
+        if self.stands.first {
+            fit.expect(unknowns, 0.0, EXACT);
+            fit.expect(unknowns + 1, 0.0, EXACT);
+        }
+        for (row, value) in rows {
+            let row = [row, &[0.0, 0.0][..]].concat();
+            fit.exactly(&row, *value);
+        }
+        for (k, column) in columns.iter().enumerate() {
+            if let Some((value, spread)) = column.expected {
+                fit.expect(k, value, spread);
+            }
+        }
+        let found = fit.solve()?;
+        let mut rate = base;
+        for (column, a) in columns.iter().zip(&found) {
+            rate[column.from..].iter_mut().zip(&column.moment).for_each(|(rate, moment)| *rate += a * moment);
+        }
+        let turn = before.map(|_| {
+            let rates = self.open.integral(&rate.iter().map(|m| m / inertia).collect::<Vec<f64>>());
+            let turned = self.open.integral(&rates);
+            (0..nodes)
+                .map(|i| turned[i] - bodily[i] + found[unknowns] + found[unknowns + 1] * self.time(i))
+                .collect()
+        });
+        Some(Fitted { amplitudes: found[..unknowns].to_vec(), rate, turn })
+    }
+
+    /// How far a moment turns the trunk.
+    fn response(&self, column: &Column, inertia: f64) -> Response {
+        // Some nodes before and after, where there is nothing, for the formula's sake.
+        const MARGIN: usize = 4;
+        let nodes = self.nodes();
+        let before = column.from.min(MARGIN);
+        let after = (nodes - column.from - column.moment.len()).min(MARGIN);
+        let mut moment = vec![0.0; before + column.moment.len() + after];
+        moment[before..before + column.moment.len()]
+            .iter_mut()
+            .zip(&column.moment)
+            .for_each(|(to, from)| *to = from / inertia);
+        let rates = self.open.integral(&moment);
+        let turns = self.open.integral(&rates);
+        Response { from: column.from - before, rate_after: rates[rates.len() - 1], turns }
+    }
+}
+
+/// Where the own and the other foot press, which stand as `forces` say.
+pub(super) fn pressures(
+    plane: &FootPlane,
+    foot: f64,
+    side: usize,
+    forces: &StepForces,
+    basis: &Basis,
+) -> [Vector3<f64>; 2] {
+    let along = Vector3::z() * forces.along;
+    let pressed = plane.forward * (forces.pressure(basis) * foot);
+    let at = |side: usize, aside: f64| {
+        let left = Vector3::x() * aside + pressed;
+        along + if side == 0 { left } else { mirror(&left) }
+    };
+    [at(side, forces.aside), at(1 - side, forces.other_aside)]
+}
+
+/// How far a moment has turned the trunk by node.
+struct Response {
+    from: usize,
+    turns: Vec<f64>,
+    rate_after: f64,
+}
+
+impl Response {
+    fn at(&self, node: usize, step: f64) -> f64 {
+        let Some(i) = node.checked_sub(self.from) else { return 0.0 };
+        let last = self.turns.len() - 1;
+        if i <= last { self.turns[i] } else { self.turns[last] + self.rate_after * step * (i - last) as f64 }
+    }
+}
+
+struct Fitted {
+    amplitudes: Vec<f64>,
+    rate: Vec<f64>,
+    turn: Option<Vec<f64>>,
+}
