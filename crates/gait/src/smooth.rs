@@ -20,6 +20,7 @@ mod stairs;
 mod stride;
 mod style;
 mod styling;
+mod unsteady;
 mod walk;
 mod walker;
 

@@ -11,7 +11,7 @@ const FREQUENCIES: [f64; 6] = [70.0, 80.0, 95.0, 110.0, 120.0, 130.0];
 /// Steady strides in the recipe's numbers and in those that ship.
 pub(super) fn fit() -> Result<String, String> {
     let tables = [fit::recipe()?, StyleTable::default()];
-    let mut text = "| steps/min | bands of 22 | free moment, N m | clearance late in swing, mm | force beside two peaks and a \
+    let mut text = "| steps/min | textbook bands of 21 | free moment, N m | clearance late in swing, mm | force beside two peaks and a \
                     valley, %BW | friction, one foot's |\n|---|---|---|---|---|---|"
         .to_owned();
     for frequency in FREQUENCIES {

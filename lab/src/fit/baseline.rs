@@ -11,11 +11,11 @@ const STRETCHES: [f64; 3] = [0.9, 1.0, 1.1];
 const STEPS: [usize; 5] = [1, 2, 3, 4, 10];
 const FAST: [f64; 3] = [120.0, 125.0, 130.0];
 
-/// Prints steady strides of all bodies and speeds, then whole walks.
+/// Prints steady strides of all bodies and speeds, then whole walks that ship.
 pub(crate) fn print(table: &StyleTable) -> Result<(), String> {
     measured(table)?;
     strides(table)?;
-    walks(table)
+    walks()
 }
 
 /// Prints how far a stride is from that of a measured person who walks as fast with as long steps.
@@ -98,9 +98,9 @@ fn stride_line(found: &stride::Found) -> String {
     )
 }
 
-fn walks(table: &StyleTable) -> Result<(), String> {
+fn walks() -> Result<(), String> {
     println!(
-        "\nwalks: friction of both and of one foot and when (u after the closing contact), free moment N m and when, greatest knee"
+        "\nwalks that ship: friction of both and of one foot and when (u after the closing contact), free moment N m and when, greatest knee"
     );
     println!(
         "after the first contact and in any stance °, least knee °, sink mm, vertical and fore-and-aft force % of the weight"
@@ -115,8 +115,7 @@ fn walks(table: &StyleTable) -> Result<(), String> {
         .par_iter()
         .map(|&(frequency, steps)| {
             let case = Case::new(1.75, frequency, 1.0)?;
-            let line =
-                walk::Found::of(&case, table, steps).map_or_else(|error| error, |found| walk_line(&found));
+            let line = walk::Found::of(&case, steps).map_or_else(|error| error, |found| walk_line(&found));
             Ok(format!("{frequency:9.0} {steps:2}  {line}"))
         })
         .collect();

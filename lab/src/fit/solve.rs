@@ -1,6 +1,6 @@
 //! Damped Gauss–Newton steps (Levenberg, Marquardt) on the coefficients of all style numbers at once.
 
-use super::targets::Target;
+use super::targets::Stride;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use solaris_gait::StyleTable;
@@ -31,7 +31,7 @@ fn square(values: &[f64]) -> f64 {
 pub(crate) fn fit(
     recipe: &StyleTable,
     start: &StyleTable,
-    targets: &[Target],
+    targets: &[Stride],
     iterations: usize,
 ) -> Result<StyleTable, String> {
     let scales: Vec<f64> = recipe.rows.iter().map(scale).collect();
@@ -102,7 +102,7 @@ pub(crate) fn fit(
 }
 
 /// Prints what costs most in each target.
-fn explain(state: &State, targets: &[Target]) {
+fn explain(state: &State, targets: &[Stride]) {
     for (target, residuals) in targets.iter().zip(&state.residuals) {
         let mut most: Vec<(usize, f64)> = residuals.iter().map(|r| r * r).enumerate().collect();
         most.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -122,7 +122,7 @@ fn explain(state: &State, targets: &[Target]) {
 /// `JᵀJ` and `Jᵀr` by coefficients in their rows' scales. A number is a sum over its row, so its derivative serves all four.
 fn normal(
     now: &State,
-    targets: &[Target],
+    targets: &[Stride],
     scales: &[f64],
     pull: &[f64],
     step: f64,

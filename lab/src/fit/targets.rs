@@ -2,61 +2,45 @@
 
 use super::measured::Measured;
 use super::stride::{Case, Found};
-use super::walk;
 use solaris_gait::{Band, RECIPE_BANDS, Style, StyleTable, TEXTBOOK_BANDS};
 
 /// Heights of the fit's person (m), step frequencies with their weights, and the same for steps a tenth shorter and longer.
 const HEIGHT: f64 = 1.75;
-const NORMAL: [(f64, f64); 12] = [
-    (70.0, 0.3),
-    (75.0, 0.5),
+const NORMAL: [(f64, f64); 13] = [
+    (70.0, 0.5),
+    (75.0, 0.8),
     (80.0, 6.0),
-    (85.0, 1.5),
+    (85.0, 2.0),
     (90.0, 2.0),
     (95.0, 5.0),
-    (102.0, 1.0),
-    (110.0, 8.0),
-    (115.0, 2.0),
-    (118.0, 1.5),
-    (122.0, 0.8),
-    (127.0, 0.4),
+    (102.0, 1.5),
+    (110.0, 6.0),
+    (115.0, 3.0),
+    (118.0, 3.0),
+    (120.0, 3.0),
+    (125.0, 0.6),
+    (130.0, 0.5),
 ];
 /// The same for other heights.
-const OTHERS: [(f64, f64, f64); 8] = [
-    (1.60, 80.0, 1.0),
-    (1.60, 95.0, 1.5),
-    (1.60, 110.0, 2.0),
-    (1.60, 120.0, 1.0),
-    (1.90, 80.0, 1.0),
-    (1.90, 95.0, 1.5),
-    (1.90, 110.0, 2.0),
-    (1.90, 120.0, 0.7),
+const OTHERS: [(f64, f64, f64); 12] = [
+    (1.55, 80.0, 3.0),
+    (1.55, 90.0, 3.0),
+    (1.55, 100.0, 3.0),
+    (1.55, 110.0, 4.0),
+    (1.55, 120.0, 3.0),
+    (1.55, 130.0, 0.6),
+    (1.90, 80.0, 3.0),
+    (1.90, 90.0, 3.0),
+    (1.90, 100.0, 3.0),
+    (1.90, 110.0, 4.0),
+    (1.90, 115.0, 3.0),
+    (1.90, 120.0, 3.0),
 ];
 /// Weight of the measured person.
-const MEASURED: f64 = 6.0;
+const MEASURED: f64 = 18.0;
 const STRETCHED: [(f64, f64); 4] = [(76.0, 0.4), (90.0, 0.5), (105.0, 0.5), (116.0, 0.4)];
 /// The longest of the fast steps that are taken, with its stretch and weight.
 const FASTEST: (f64, f64, f64) = (122.0, 1.08, 0.5);
-/// Walks of so many steps at a step frequency, with what their friction, that of one foot, and their least knee (°) should keep.
-const WALKS: [(f64, usize, [f64; 3]); 8] = [
-    (74.0, 4, [0.18, 0.21, 2.5]),
-    (80.0, 4, [0.18, 0.21, 2.5]),
-    (80.0, 5, [0.18, 0.21, 2.5]),
-    (95.0, 4, [0.23, 0.24, 3.0]),
-    (118.0, 4, [0.36, 0.41, 4.5]),
-    (121.0, 4, [0.40, 0.45, 4.0]),
-    (122.5, 4, [0.40, 0.45, 3.5]),
-    (124.0, 4, [0.40, 0.45, 3.5]),
-];
-/// Weight of the walks.
-const OF_WALKS: f64 = 4.0;
-
-/// A stride or a walk of the fit.
-pub(crate) enum Target {
-    Stride(Box<Stride>),
-    Walk(Box<Case>, usize, [f64; 3]),
-}
-
 /// A stride of the fit.
 pub(crate) struct Stride {
     case: Case,
@@ -66,8 +50,8 @@ pub(crate) struct Stride {
     recipe: Found,
 }
 
-/// All strides and walks of the fit.
-pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Target>, String> {
+/// All strides of the fit.
+pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Stride>, String> {
     let normal = NORMAL.map(|(frequency, weight)| (frequency, 1.0, weight)).into_iter();
     let stretched = STRETCHED
         .iter()
@@ -79,19 +63,15 @@ pub(crate) fn targets(recipe: &StyleTable) -> Result<Vec<Target>, String> {
     for (height, frequency, stretch, weight) in own.chain(others) {
         let case = Case::new(height, frequency, stretch)?;
         let recipe = Found::of(&case, recipe)?;
-        strides.push(Ok(Target::Stride(Box::new(Stride { case, weight, measured: None, recipe }))));
+        strides.push(Stride { case, weight, measured: None, recipe });
     }
     if let Some(measured) = Measured::read()? {
         let case = measured.case.clone();
         let recipe = Found::of(&case, recipe)?;
         let (weight, measured) = (MEASURED, Some(measured));
-        strides.push(Ok(Target::Stride(Box::new(Stride { case, weight, measured, recipe }))));
+        strides.push(Stride { case, weight, measured, recipe });
     }
-    let walks = WALKS.iter().map(|&(frequency, steps, limits)| {
-        Ok(Target::Walk(Box::new(Case::new(HEIGHT, frequency, 1.0)?), steps, limits))
-    });
-    // Walks take longest: they begin first.
-    walks.chain(strides).collect()
+    Ok(strides)
 }
 
 /// By how much a value is above a limit, in units of `one`.
@@ -111,12 +91,9 @@ fn textbook() -> impl Iterator<Item = &'static Band> {
     TEXTBOOK_BANDS.iter().filter(|band| band.name != "one double support").chain(inner)
 }
 
-impl Target {
+impl Stride {
     pub(crate) fn case(&self) -> &Case {
-        match self {
-            Self::Stride(stride) => &stride.case,
-            Self::Walk(case, ..) => case,
-        }
+        &self.case
     }
 
     /// What residual `i` is about.
@@ -157,40 +134,29 @@ impl Target {
             "",
         ];
         let bands = textbook().count();
-        match self {
-            Self::Walk(..) => format!("walk {i}"),
-            Self::Stride(stride) if stride.measured.is_some() => format!("curve {i}"),
-            Self::Stride(_) => textbook().nth(i).map_or_else(
-                || {
-                    let i = i - bands;
-                    let others = OTHERS.get(i).or_else(|| BOUNDS.get(i.wrapping_sub(OTHERS.len())));
-                    others.map_or_else(|| format!("other {i}"), |name| (*name).to_owned())
-                },
-                |band| band.name.to_owned(),
-            ),
+        if self.measured.is_some() {
+            return format!("curve {i}");
         }
+        textbook().nth(i).map_or_else(
+            || {
+                let i = i - bands;
+                let others = OTHERS.get(i).or_else(|| BOUNDS.get(i.wrapping_sub(OTHERS.len())));
+                others.map_or_else(|| format!("other {i}"), |name| (*name).to_owned())
+            },
+            |band| band.name.to_owned(),
+        )
     }
 
     /// What is not as it should be.
     pub(crate) fn residuals(&self, table: &StyleTable) -> Result<Vec<f64>, String> {
-        let all = match self {
-            Self::Stride(stride) => stride.residuals(table)?,
-            Self::Walk(case, steps, [both, one, knee]) => {
-                let found = walk::needs(case, table, *steps)?;
-                let all =
-                    [above(found[0], *both, 0.02), above(found[1], *one, 0.02), above(*knee, found[2], 1.0)];
-                all.map(|residual| OF_WALKS * huber(residual, 3.0)).to_vec()
-            }
-        };
+        let all = self.distances(table)?;
         if let Some(i) = all.iter().position(|x| !x.is_finite()) {
-            return Err(format!("residual {i} at {} steps/min is not a number", self.case().step_frequency));
+            return Err(format!("residual {i} at {} steps/min is not a number", self.case.step_frequency));
         }
         Ok(all)
     }
-}
 
-impl Stride {
-    fn residuals(&self, table: &StyleTable) -> Result<Vec<f64>, String> {
+    fn distances(&self, table: &StyleTable) -> Result<Vec<f64>, String> {
         let found = Found::of(&self.case, table)?;
         let limit = |limits: [f64; 3]| self.limit(limits);
         let root = self.weight.sqrt();
@@ -203,9 +169,9 @@ impl Stride {
         }
         let mut all: Vec<f64> = textbook().map(|band| self.outside(band, &found)).collect();
         let others = [
-            found.pitch.abs() / 0.5,
+            found.pitch.abs(),
             above(found.early, 6e-3, 2e-3),
-            above(found.free_moment, limit([9.5, 11.3, 16.0]), 0.8),
+            above(found.free_moment, limit([9.5, 11.3, 16.0]), 1.6),
             above(12.6e-3 * self.case.height / HEIGHT, found.clearance, 1e-3),
             above(found.detour, limit([3.0, 0.5, 0.5]), 1.0),
             above(found.flank, limit([-4.0, -8.0, -12.0]), 1.5),
@@ -215,8 +181,8 @@ impl Stride {
             above(found.notch, 0.8, 0.3),
             above(-1e-4, found.lowest, 1e-4),
             above(4.2, found.inward.0, 0.5),
-            above(found.inward.1, 7.0, 0.5),
-            above(found.toes, limit([36.0, 37.0, 42.0]), 2.0),
+            above(found.inward.1, 6.6, 0.5),
+            above(found.toes, limit([36.0, 37.0, 42.0]), 4.0),
             (found.steady.first_peak - limit([101.5, 107.0, 119.0])) / 3.0,
             (found.steady.valley - limit([84.0, 77.0, 66.0])) / 3.0,
             (found.steady.second_peak - limit([102.0, 108.5, 117.0])) / 3.0,
@@ -273,8 +239,13 @@ impl Stride {
 fn weight(band: &Band, frequency: f64) -> f64 {
     match band.name {
         "CoM rise" if frequency < 79.0 => 0.3,
-        "CoM rise" => 2.0,
-        "first vertical peak" if frequency < 79.0 => 0.6,
+        "CoM rise" => 2.6,
+        "first vertical peak" if frequency < 79.0 => 0.9,
+        "first vertical peak"
+        | "knee in stance"
+        | "ankle plantarflexor moment"
+        | "hip flexor moment"
+        | "hip abductor moment" => 1.8,
         _ => 1.2,
     }
 }

@@ -1,9 +1,8 @@
-//! A whole walk from standing to standing, planned in the numbers of a table and measured as a motion.
+//! A whole walk from standing to standing as it ships, measured as a motion.
 
 use super::stride::{Case, facts};
-use nalgebra::Vector3;
 use solaris_analysis::ground_reactions;
-use solaris_gait::{FEET, RECIPE_BANDS, Resolution, StyleTable, WalkPlan, check_bands, free_moment, measure};
+use solaris_gait::{Extent, FEET, RECIPE_BANDS, WalkRequest, check_bands, free_moment, measure};
 
 /// Samples a second.
 const RATE: f64 = 200.0;
@@ -31,9 +30,14 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    pub(crate) fn of(case: &Case, table: &StyleTable, steps: usize) -> Result<Self, String> {
-        let stride = case.plan(table)?;
-        let plan = WalkPlan::new(&stride, steps, Resolution::default()).map_err(|error| error.to_string())?;
+    pub(crate) fn of(case: &Case, steps: usize) -> Result<Self, String> {
+        let request = WalkRequest {
+            step_frequency: Some(case.step_frequency),
+            step_length: Some(case.step_length),
+            extent: Extent::Steps(steps),
+            ..WalkRequest::default()
+        };
+        let plan = solaris_gait::walk(&case.figure, &request).map_err(|error| error.to_string())?;
         let figure = &case.figure;
         let mut motion = plan.motion(figure, RATE).map_err(|error| error.to_string())?;
         ground_reactions(figure, &mut motion, FEET, &plan).map_err(|error| error.to_string())?;
@@ -71,24 +75,4 @@ impl Found {
             }),
         })
     }
-}
-
-/// What the plan of a walk needs, without its motion: friction of both feet and of one that bears more than 5 % of the weight,
-/// and the least knee flexion (°).
-pub(crate) fn needs(case: &Case, table: &StyleTable, steps: usize) -> Result<[f64; 3], String> {
-    let stride = case.plan(table)?;
-    let plan = WalkPlan::new(&stride, steps, Resolution::default()).map_err(|error| error.to_string())?;
-    let ratio = |force: Vector3<f64>| force.x.hypot(force.z) / force.y;
-    let (_, (first, last)) = plan.nodes();
-    let mut needs = [0.0, 0.0, f64::INFINITY];
-    for node in first..=last {
-        let feet = plan.forces(node);
-        needs[0] = ratio(feet[0].force + feet[1].force).max(needs[0]);
-        for foot in feet.iter().filter(|foot| foot.force.y > 0.05 * plan.weight()) {
-            needs[1] = ratio(foot.force).max(needs[1]);
-        }
-        let [left, right] = plan.knees(plan.clock(node));
-        needs[2] = left.min(right).to_degrees().min(needs[2]);
-    }
-    Ok(needs)
 }

@@ -53,7 +53,7 @@ impl Footfall {
     pub const PEOPLE: Self = Self {
         threshold: 20.0,
         even_share: 0.7,
-        cop_outward: [0.015, 0.055, -0.05],
+        cop_outward: [0.015, 0.07, -0.06],
         softness: 0.5 * DEGREE,
         soft_landing: Some(0.022),
         clear_until: (0.86, 0.2),

@@ -16,6 +16,8 @@ use solaris_model::{Contact, Figure, Motion};
 #[doc(alias = "required coefficient of friction")]
 #[doc(alias = "rcof")]
 pub const FRICTION: (f64, f64) = (0.5, 0.6);
+/// The least flexion of a knee where steps have the style of a steady gait (rad): a leg that passes straight presses beside its foot.
+const NOT_STRAIGHT: f64 = 0.2 * std::f64::consts::PI / 180.0;
 /// The most by which a knee may be hyperextended before a walk is refused (rad).
 const HYPEREXTENSION: f64 = 1.0 * std::f64::consts::PI / 180.0;
 /// How far outside of a foot's rounded edges its pressure may lie (m): where a walk changes on the way, and where options of the style
@@ -46,6 +48,8 @@ pub(crate) struct PlanCheck<'a> {
     pub(crate) deviates: bool,
     /// Its step frequencies over adults'.
     pub(crate) tempo: f64,
+    /// Whether steps have the style of a steady gait.
+    pub(crate) has_steady: bool,
 }
 
 impl PlanCheck<'_> {
@@ -122,7 +126,7 @@ impl PlanCheck<'_> {
         };
         let ((knee, bent), (lowest, sunk), (short, reaching)) = (legs.least_knee, legs.lowest, legs.short);
         fails(
-            knee.is_nan() || knee < -HYPEREXTENSION,
+            knee.is_nan() || knee < if self.has_steady { NOT_STRAIGHT } else { -HYPEREXTENSION },
             bent,
             format!("a knee would be hyperextended by {:.1}°", -knee.to_degrees()),
         )?;

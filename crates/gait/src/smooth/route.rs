@@ -11,7 +11,7 @@ use crate::request::{
 use crate::smooth::laid::{Laid, lay};
 use crate::smooth::stride::StridePlan;
 use crate::smooth::style::{Style, StyleTable};
-use crate::smooth::styling::Styling;
+use crate::smooth::styling::{Gone, Styling};
 use crate::smooth::walk::{Grounded, LEAD, Step, StepKind, Steps, Terrain, WalkNumbers, WalkPlan, steps};
 
 /// The fastest first and last step (steps/min).
@@ -28,6 +28,15 @@ const TURNING_STEP_FREQUENCY: f64 = 90.0;
 /// As many steps of one pace as decide whether it holds: the shifts at the ends are the worst, and a fast walk has gained its speed
 /// after eight.
 const DECIDE: usize = 14;
+
+/// As many steps begin a walk, and end it, in a style of their own, and as many before and after one that turns; walks of fewer steps than the last
+/// have no other.
+const FIRST_STEPS: usize = 2;
+const LAST_STEPS: usize = 3;
+const NEAR_A_TURN: usize = 2;
+const LEAST_STEPS: usize = 8;
+/// The fastest steps that have the style of a steady gait (steps/min): faster ones' passes do not come to agree in it.
+const FASTEST_STEADY: f64 = 115.5;
 
 /// Some steps of one pace.
 #[derive(Clone, Copy, Debug)]
@@ -300,8 +309,8 @@ impl Route {
         if !self.is_level() {
             return self.plan_on_ground(body, styling, mirrored, resolution);
         }
-        let mut paces = Vec::new();
-        let mut steps_of = |parts: &[Part]| steps_of(parts, styling.law.tempo, mirrored, &mut paces);
+        let mut gone = Vec::new();
+        let mut steps_of = |parts: &[Part]| steps_of(parts, styling, mirrored, &mut gone);
         let whole = steps_of(&self.parts);
         let repeats = self.is_even() && !styling.is_uneven();
         let planned = Steps::repeated(whole.len()).filter(|_| repeats).map(|steps| {
@@ -309,8 +318,8 @@ impl Route {
             steps_of(&[part])
         });
         let mut strides = Vec::new();
-        for pace in &paces {
-            let style = styling.style(body, pace)?;
+        for gone in &gone {
+            let style = styling.style(body, gone)?;
             strides.push(StridePlan::plan(body.clone(), &style, resolution)?);
         }
         // The middle of the first part is what it is called after.
@@ -332,7 +341,7 @@ impl Route {
             }
             None => first,
         };
-        let (whole, varied) = styling.varied(body, (&whole, &paces), strides.len(), mirrored)?;
+        let (whole, varied) = styling.varied(body, (&whole, &gone), strides.len(), mirrored)?;
         for style in &varied {
             strides.push(StridePlan::plan(body.clone(), style, resolution)?);
         }
@@ -366,14 +375,23 @@ fn turning_short(
     Some(given.settle(law, SHORTEST_STEP).map(|pace| (pace, Some(length))))
 }
 
-/// The steps of some parts; paces that are new are added to `paces`.
-fn steps_of(parts: &[Part], tempo: f64, mirrored: bool, paces: &mut Vec<Pace>) -> Vec<Step> {
+/// The steps of some parts; ways to go one that are new are added to `ways`.
+fn steps_of(parts: &[Part], styling: &Styling<'_>, mirrored: bool, ways: &mut Vec<Gone>) -> Vec<Step> {
     let asked: Vec<&Part> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.steps)).collect();
-    let walked = eased(asked.iter().map(|part| part.pace).collect(), tempo);
-    let steps = asked.iter().zip(walked).zip(steps::factors(asked.len())).map(|((part, pace), factor)| {
-        let index = paces.iter().position(|known| *known == pace).unwrap_or_else(|| {
-            paces.push(pace);
-            paces.len() - 1
+    let walked = eased(asked.iter().map(|part| part.pace).collect(), styling.law.tempo);
+    let steady: Vec<bool> = (0..asked.len())
+        .map(|i| {
+            styling.has_steady
+                && walked[i].step_frequency <= FASTEST_STEADY * styling.law.tempo
+                && is_steady(&asked, &walked, i)
+        })
+        .collect();
+    let steps = asked.iter().zip(walked).zip(steps::factors(asked.len())).zip(steady);
+    let steps = steps.map(|(((part, pace), factor), steady)| {
+        let gone = Gone { pace, steady };
+        let index = ways.iter().position(|known| *known == gone).unwrap_or_else(|| {
+            ways.push(gone);
+            ways.len() - 1
         });
         let turn = if mirrored { -part.turn } else { part.turn };
         if let Some(Laid { length, bearing, .. }) = part.laid {
@@ -384,6 +402,18 @@ fn steps_of(parts: &[Part], tempo: f64, mirrored: bool, paces: &mut Vec<Pace>) -
         Step::along_an_arc(index, length, turn)
     });
     steps.collect()
+}
+
+/// Whether a step, counted from 0, is one of a steady gait: of enough steps, not of the first or last ones, nor near to one that turns or
+/// beside one of another pace.
+fn is_steady(steps: &[&Part], paces: &[Pace], i: usize) -> bool {
+    let turns = |part: &&Part| part.turn != 0.0 || part.laid.is_some();
+    let within = |reach: usize| i.saturating_sub(reach)..(i + reach + 1).min(steps.len());
+    steps.len() >= LEAST_STEPS
+        && i >= FIRST_STEPS
+        && i + LAST_STEPS < steps.len()
+        && !steps[within(NEAR_A_TURN)].iter().any(turns)
+        && paces[within(1)].iter().all(|pace| *pace == paces[i])
 }
 
 /// The paces of steps that gain and lose no more than they may, for step frequencies of this `tempo`; a step that is slower is shorter

@@ -53,6 +53,8 @@ enum Place {
     /// A parameter of the style by its own name.
     Parameter(&'static str),
     DoubleSupport,
+    /// Of the thorax to the side.
+    Bend,
     Number(fn(&mut Style) -> &mut f64),
 }
 
@@ -128,13 +130,13 @@ pub const SHEET_NUMBERS: &[SheetNumber] = &[
     parameter("arm_swing", "arm-swing", Degrees, (0.0, 45.0), "amplitude of the shoulders' flexion"),
     parameter("thorax_rotation", "thorax-rotation", Degrees, (0.0, 12.0), "turn of the thorax"),
     number("thorax_lean", Degrees, (-8.0, 18.0), "forward lean of the thorax", |s| &mut s.thorax_lean),
-    number(
-        "thorax_bend",
-        Degrees,
-        (0.0, 12.0),
-        "side bend of the thorax, the part in time with the feet",
-        |s| &mut s.thorax_bend_sin,
-    ),
+    SheetNumber {
+        name: "thorax_bend",
+        help: "amplitude of the thorax' side bend",
+        unit: Degrees,
+        range: (0.0, 12.0),
+        place: Place::Bend,
+    },
     number(
         "bounce",
         Part,
@@ -192,6 +194,7 @@ impl SheetNumber {
         match self.place {
             Place::Pace => 1.0,
             Place::DoubleSupport => style.double_support,
+            Place::Bend => style.thorax_bend_sin.hypot(style.thorax_bend_cos) / DEGREE,
             Place::Parameter(name) => {
                 Parameter::named(name).map_or(f64::NAN, |parameter| parameter.get(style))
             }
@@ -214,6 +217,15 @@ impl SheetNumber {
         match self.place {
             Place::Pace => {}
             Place::DoubleSupport => stand_longer(style, value - style.double_support),
+            Place::Bend => {
+                let before = self.get(style);
+                if before > 0.0 {
+                    style.thorax_bend_sin *= value / before;
+                    style.thorax_bend_cos *= value / before;
+                } else {
+                    style.thorax_bend_sin = value * DEGREE;
+                }
+            }
             Place::Parameter(name) => {
                 if let Some(parameter) = Parameter::named(name) {
                     parameter.set(style, value)?;

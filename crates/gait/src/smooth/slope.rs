@@ -99,6 +99,6 @@ impl Style {
 impl StyleTable {
     /// The level style that walks over other ground are made of: their changes were fitted with the recipe's footfall.
     pub fn on_ground() -> Self {
-        Self { footfall: Footfall::RECIPE, ..Self::default() }
+        Self { footfall: Footfall::RECIPE, ..Self::unsteady() }
     }
 }

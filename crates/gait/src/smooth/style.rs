@@ -116,9 +116,9 @@ macro_rules! style_numbers {
         }
 
         impl Default for StyleTable {
-            /// What ships.
+            /// What ships, of a steady gait.
             fn default() -> Self {
-                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::SMOOTH }
+                Self { rows: [$([$c0, $c1, $c2, $c3],)*], manner: None, footfall: Footfall::PEOPLE }
             }
         }
 
@@ -173,85 +173,85 @@ struct Common {
 // One offline least-squares fit over all speeds at once (docs/walking.md).
 style_numbers! {
     /// Foot pitch at contact, toe up (θ).
-    heel_strike_angle: DEGREE, [17.42, 3.32, 0.23, 0.55];
+    heel_strike_angle: DEGREE, [21.54, 2.36, -0.19, 22.06];
     /// First harmonic of the centre of mass' height over the leg's length.
-    height1: 1.0, [0.01687, 0.00139, 0.00032, 0.00029];
+    height1: 1.0, [0.01743, -0.00034, -0.00011, 0.01330];
     /// Its phase.
-    height1_phase: 1.0, [0.0121, -0.0059, 0.0129, 0.0406];
+    height1_phase: 1.0, [0.0281, -0.0232, 0.0032, 0.1228];
     /// Second harmonic, cosine.
-    height2_cos: 1.0, [-0.00118, 0.00093, 0.00004, -0.00024];
+    height2_cos: 1.0, [-0.00109, 0.00105, 0.00004, -0.00001];
     /// Second harmonic, sine.
-    height2_sin: 1.0, [0.00079, -0.00097, -0.00001, -0.00075];
+    height2_sin: 1.0, [0.00185, 0.00085, -0.00032, -0.00672];
     /// Third harmonic, cosine.
-    height3_cos: 1.0, [-0.00012, -0.00015, -0.00011, -0.00003];
+    height3_cos: 1.0, [-0.00040, -0.00023, 0.00024, 0.00033];
     /// Third harmonic, sine.
-    height3_sin: 1.0, [0.00014, 0.00037, -0.00010, -0.00025];
+    height3_sin: 1.0, [0.00001, 0.00029, 0.00003, -0.00023];
     /// Amplitude of the pelvis' obliquity (δ).
-    pelvic_obliquity: DEGREE, [3.90, 0.39, 0.02, 0.56];
+    pelvic_obliquity: DEGREE, [3.73, 0.73, 0.34, 2.04];
     /// Its phase.
-    obliquity_phase: 1.0, [0.0346, 0.0178, -0.0005, 0.0255];
+    obliquity_phase: 1.0, [0.1283, -0.0072, -0.0188, -0.4580];
     /// When the foot is flat.
-    foot_flat: 1.0, [0.0796, -0.0116, -0.0005, 0.0114];
+    foot_flat: 1.0, [0.0710, -0.0036, -0.0009, 0.0753];
     /// Knee flexion at contact.
-    knee_contact: DEGREE, [7.38, 0.91, 1.02, -3.24];
+    knee_contact: DEGREE, [6.66, 0.00, -1.32, -12.92];
     /// Its rate, by u.
-    knee_contact_rate: DEGREE, [120.5, 39.5, 13.0, -4.9];
+    knee_contact_rate: DEGREE, [54.4, -33.2, -24.3, -379.0];
     /// Its second derivative, by u.
-    knee_contact_acc: DEGREE, [2215.0, 3049.0, 1997.0, 2120.0];
+    knee_contact_acc: DEGREE, [4938.0, 2636.0, 3990.0, -860.0];
     /// Knee flexion in the push, at u = .46.
-    knee_push: DEGREE, [11.90, -3.54, -0.39, 6.65];
+    knee_push: DEGREE, [8.31, 11.03, 7.08, 1.37];
     /// Knee flexion at toe-off.
-    knee_toe_off: DEGREE, [41.50, -4.82, 1.23, -19.37];
+    knee_toe_off: DEGREE, [41.92, -5.73, 1.40, 10.53];
     /// Its rate.
-    knee_toe_off_rate: DEGREE, [363.1, 20.1, 26.2, -174.8];
+    knee_toe_off_rate: DEGREE, [334.4, -58.6, -26.0, -390.3];
     /// Its second derivative.
-    knee_toe_off_acc: DEGREE, [-656.4, 672.9, 80.0, 784.4];
+    knee_toe_off_acc: DEGREE, [-2501.0, 119.0, 108.0, 12489.0];
     /// Pitch of the toes at toe-off.
-    toe_roll: DEGREE, [34.78, -0.96, -0.14, 36.22];
+    toe_roll: DEGREE, [40.28, 3.51, -0.90, 4.55];
     /// Greatest knee flexion in swing.
-    knee_peak: DEGREE, [65.17, -4.87, -1.53, -0.55];
+    knee_peak: DEGREE, [59.95, -7.74, -1.66, 15.77];
     /// When it is reached.
-    knee_peak_at: 1.0, [0.7503, -0.0027, -0.0026, 0.0436];
+    knee_peak_at: 1.0, [0.7978, 0.0121, 0.0008, 0.0645];
     /// Forward angle of the thigh at u = .84.
-    thigh_swing: DEGREE, [28.80, -0.61, 1.24, -1.67];
+    thigh_swing: DEGREE, [27.76, -0.92, 1.62, 11.19];
     /// Dorsiflexion at u = .83.
-    ankle_swing: DEGREE, [6.17, -0.31, -0.41, 1.66];
+    ankle_swing: DEGREE, [4.24, 0.16, -1.63, 2.16];
     /// Factor of the centre of pressure's way forward.
-    cop_forward: 1.0, [1.0609, 0.2194, -0.0662, 0.6133];
+    cop_forward: 1.0, [0.6749, 0.3436, -0.0402, -1.0971];
     /// Centre of pressure when the heel rises, as a fraction of the foot's length.
-    cop_heel_off: 1.0, [0.7494, 0.0063, -0.0016, 0.0387];
+    cop_heel_off: 1.0, [0.7881, 0.0481, 0.0077, 0.0154];
     /// Centre of pressure at u = .40.
-    cop_40: 1.0, [0.7914, 0.0187, -0.0087, 0.0759];
+    cop_40: 1.0, [0.7912, 0.0477, 0.0074, 0.0224];
     /// Centre of pressure at u = .50.
-    cop_50: 1.0, [0.7964, 0.0360, 0.0230, 0.0912];
+    cop_50: 1.0, [0.7935, 0.0475, 0.0081, 0.0244];
     /// When the heel rises.
-    heel_off: 1.0, [0.3248, 0.0146, -0.0038, 0.0421];
+    heel_off: 1.0, [0.3005, 0.0422, 0.0086, -0.1358];
     /// Forward lean of the thorax.
-    thorax_lean: DEGREE, [-0.36, -1.55, 0.08, 0.69];
+    thorax_lean: DEGREE, [-2.07, -1.46, 1.29, -0.43];
     /// Knee flexion at u = .945.
-    knee_late_swing: DEGREE, [4.48, 0.21, 1.76, 1.09];
+    knee_late_swing: DEGREE, [8.56, 4.72, 3.89, -12.00];
     /// Side bend of the thorax, sine.
-    thorax_bend_sin: DEGREE, [5.31, -0.03, 0.17, -0.79];
+    thorax_bend_sin: DEGREE, [-0.05, 0.00, 0.08, -1.36];
     /// Side bend of the thorax, cosine.
-    thorax_bend_cos: DEGREE, [-2.65, -1.71, 0.88, -0.58];
+    thorax_bend_cos: DEGREE, [-3.79, -0.27, -0.11, -0.98];
     /// Turn of the thorax.
-    thorax_yaw: DEGREE, [7.06, 0.15, 0.08, -0.44];
+    thorax_yaw: DEGREE, [3.01, 0.02, -0.02, -0.05];
     /// Amplitude of the shoulder's flexion.
-    arm_swing: DEGREE, [23.80, 7.65, -2.74, -31.84];
+    arm_swing: DEGREE, [16.92, 4.69, -0.55, -21.34];
     /// Exponent of the load share.
-    share_exponent: 1.0, [0.7408, -0.0568, 0.0354, -0.2458];
+    share_exponent: 1.0, [0.5400, -0.5200, 0.3200, -0.2019];
     /// Distance of the heel prints' lines (for a height of 1.75 m).
-    step_width: 1.0, [0.1117, -0.0016, -0.0056, -0.0858];
+    step_width: 1.0, [0.0983, 0.0002, 0.0002, -0.0118];
     /// Begin of the roll over the toes' tip, as a fraction of double support.
-    tip_roll: 1.0, [0.4268, -0.1015, 0.0126, 0.2992];
+    tip_roll: 1.0, [0.3412, -0.1890, -0.0295, 0.9465];
     /// Turn of the pelvis at contact (τ).
-    pelvic_rotation: DEGREE, [5.82, 1.43, -0.18, -0.59];
+    pelvic_rotation: DEGREE, [6.64, 0.97, -0.75, 1.70];
     /// Height of the point that the feet's forces point at, over the height of the centre of mass.
-    pivot: 1.0, [1.4592, -0.0340, -0.0140, 1.8694];
+    pivot: 1.0, [1.4253, -0.5878, 0.4237, 2.2761];
     /// Lag of the arms.
-    arm_lag: 1.0, [-0.0213, 0.0353, -0.0045, 0.0037];
+    arm_lag: 1.0, [-0.0709, 0.0463, -0.0342, 0.0175];
     /// Phase of the thorax' turn.
-    thorax_yaw_phase: 1.0, [-0.0076, 0.0293, 0.0768, -0.0143];
+    thorax_yaw_phase: 1.0, [0.1173, 0.1092, 0.1865, -0.0492];
 }
 
 impl Style {

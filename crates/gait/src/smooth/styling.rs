@@ -61,10 +61,23 @@ struct Spread {
     clearance: f64,
 }
 
+/// When the hip has passed the foot that stands (u).
+const PASSED: f64 = 0.29;
+
+/// How a step is gone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Gone {
+    pub(crate) pace: Pace,
+    /// Whether in the style of a steady stride, or in that of steps that begin, end or turn, see [`StyleTable::unsteady`].
+    pub(crate) steady: bool,
+}
+
 /// How the styles of a request are made.
 #[derive(Clone, Debug)]
 pub(crate) struct Styling<'a> {
     pub(crate) law: StepLaw,
+    /// Whether steps of a steady gait have the style of one.
+    pub(crate) has_steady: bool,
     population: Population,
     sheet: StyleSheet,
     sides: [StyleSheet; 2],
@@ -79,6 +92,7 @@ impl<'a> Styling<'a> {
             if part < 1.0 { request.in_part(part) } else { request.clone() };
         Self {
             law: StepLaw::new(request.population, &sheet, body.height, body.mass),
+            has_steady: true,
             population: request.population,
             sheet,
             sides,
@@ -97,9 +111,10 @@ impl<'a> Styling<'a> {
         self.variability.is_some() || self.sides.iter().any(|sheet| !sheet.is_empty())
     }
 
-    /// The style of a pace.
-    pub(crate) fn style(&self, body: &Body, pace: &Pace) -> Result<Style, RequestError> {
-        self.style_from(&StyleTable::default(), body, pace)
+    /// The style of a step.
+    pub(crate) fn style(&self, body: &Body, gone: &Gone) -> Result<Style, RequestError> {
+        let table = if gone.steady { StyleTable::default() } else { StyleTable::unsteady() };
+        self.style_from(&table, body, &gone.pace)
     }
 
     /// The same, made of other coefficients than those that ship.
@@ -132,6 +147,10 @@ impl<'a> Styling<'a> {
             })?;
             parameter.set(&mut style, *value)?;
         }
+        if style.flexion > 0.0 {
+            // The foot is flat until the hip has passed it.
+            style.heel_off = style.heel_off.max(PASSED);
+        }
         Ok(style)
     }
 
@@ -152,7 +171,7 @@ impl<'a> Styling<'a> {
     pub(crate) fn varied(
         &self,
         body: &Body,
-        (steps, paces): (&[Step], &[Pace]),
+        (steps, gone): (&[Step], &[Gone]),
         first: usize,
         mirrored: bool,
     ) -> Result<(Vec<Step>, Vec<Style>), RequestError> {
@@ -166,7 +185,7 @@ impl<'a> Styling<'a> {
         let arm_side = side(2, SIDES.2);
         let (mut varied, mut styles) = (Vec::new(), Vec::new());
         for (k, step) in steps.iter().enumerate() {
-            let pace = paces[step.pace];
+            let Gone { pace, steady } = gone[step.pace];
             let at_end = k == 0 || k + 2 >= steps.len();
             let scale = if at_end { AT_ENDS * scale } else { scale };
             // Odd steps are planned as right ones.
@@ -179,7 +198,7 @@ impl<'a> Styling<'a> {
             let slower = 1.0 + by(1, STEPS.time);
             let other =
                 Pace { step_frequency: pace.step_frequency / slower, step_length: pace.step_length * longer };
-            let mut style = self.style(body, &other)?;
+            let mut style = self.style(body, &Gone { pace: other, steady })?;
             sheet_numbers::apply(&own.without(&[STEP_LENGTH, CADENCE, ARM_SWING]), &mut style)?;
             // A width is the mean of what two prints have.
             let width = style.step_width + by(2, std::f64::consts::SQRT_2 * STEPS.width) * body.height;

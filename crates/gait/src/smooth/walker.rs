@@ -51,34 +51,41 @@ pub(crate) fn walk_from(
     let standing = before.map(WalkPlan::last_style);
     let heading = before.map_or(0.0, |before| before.destination().1);
     request.variability.map_or(Ok(()), Variability::check)?;
-    let planned_with = |request: &WalkRequest, part: f64, route: &Route, numbers: &WalkNumbers| {
-        let styling = Styling::of(request, body, part);
-        let planned = |route: &Route| {
-            route.plan(body, standing, &styling, numbers, request.left_first, request.resolution)
+    let planned_with =
+        |request: &WalkRequest, part: f64, route: &Route, numbers: &WalkNumbers, has_steady: bool| {
+            let mut styling = Styling::of(request, body, part);
+            styling.has_steady = has_steady;
+            let planned = |route: &Route| {
+                route.plan(body, standing, &styling, numbers, request.left_first, request.resolution)
+            };
+            let plan = planned(route)?;
+            let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
+            let has_steady = has_steady && route.is_level();
+            let check = PlanCheck { figure, route, nearest, deviates, tempo, has_steady };
+            check.check(&plan)?;
+            if deviates || !route.is_even() || !route.is_level() {
+                check.check_motion(&plan)?;
+            } else if !request.parameters.is_empty() {
+                // A few of many steps decide.
+                let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
+                check.check_motion(short.as_ref().unwrap_or(&plan))?;
+            }
+            Ok(plan)
         };
-        let plan = planned(route)?;
-        let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
-        let check = PlanCheck { figure, route, nearest, deviates, tempo };
-        check.check(&plan)?;
-        if deviates || !route.is_even() || !route.is_level() {
-            check.check_motion(&plan)?;
-        } else if !request.parameters.is_empty() {
-            // A few of many steps decide.
-            let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
-            check.check_motion(short.as_ref().unwrap_or(&plan))?;
-        }
-        Ok(plan)
-    };
     let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
-        if route.ends_in_a_turn() {
-            return planned_with(request, part, route, &WalkNumbers::by_contact());
+        let turns = route.ends_in_a_turn();
+        let numbers = if turns { WalkNumbers::by_contact() } else { WalkNumbers::default() };
+        let steady = planned_with(request, part, route, &numbers, true);
+        if !matches!(steady, Err(GaitError::Plan(_))) || !route.is_level() {
+            return steady;
         }
-        let found = planned_with(request, part, route, &WalkNumbers::default());
-        let coarser = request.parameters.is_empty() && route.is_level();
+        // What does not hold in the style of a steady gait may do so in that of first and last steps throughout.
+        let found = planned_with(request, part, route, &numbers, false);
+        let coarser = !turns && request.parameters.is_empty();
         match found {
             // Between a start and a stop that are near to each other knots may hold a leg too straight.
             Err(error @ GaitError::Plan(_)) if coarser => {
-                planned_with(request, part, route, &WalkNumbers::by_contact()).map_err(|_| error)
+                planned_with(request, part, route, &WalkNumbers::by_contact(), false).map_err(|_| error)
             }
             found => found,
         }

@@ -36,7 +36,8 @@ fn the_shank_passes_with_the_pitch_that_is_asked() {
 fn less_than_the_walk_has_anyway_changes_little() {
     let figure = human(1.75, 73.0).expect("a person");
     let (plain, asked) = (planned(&figure, 110.0, &[]), planned(&figure, 110.0, &[("flexion", 2.0)]));
-    assert!(shank(&plain) > 6.0 && (shank(&asked) - shank(&plain)).abs() < 0.3);
+    let [plain, asked] = [shank(&plain), shank(&asked)];
+    assert!(plain > 4.0 && (asked - plain).abs() < 0.3, "{plain}° and {asked}°");
 }
 
 #[test]
