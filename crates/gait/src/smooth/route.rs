@@ -261,7 +261,8 @@ impl Route {
             .collect();
         let table = StyleTable::on_ground();
         // Feet stay as far apart as the pace has them, however long a step is.
-        let width = styling.style_from(&table, body, &part.pace)?.step_width;
+        let level = styling.style_from(&table, body, &part.pace)?;
+        let width = level.step_width;
         let usual = (part.pace.step_length, width);
         let Some(terrain) = Terrain::of(&self.ground, &body.leg, usual, &levels, mirrored)? else {
             unreachable!("ground that is not level")
@@ -278,7 +279,12 @@ impl Route {
                     let style = Style { step_width: width, ..styling.style_from(&table, body, &pace)? };
                     style.on_slope(&body.leg, body.height, slope)
                 }
-                StepKind::Stairs(rise) => on_tread.on_stairs(&body.leg, body.height, rise),
+                // Planted feet do not turn: they point as on the level.
+                StepKind::Stairs(rise) => Style {
+                    foot_yaw: level.foot_yaw,
+                    manner: level.manner,
+                    ..on_tread.on_stairs(&body.leg, body.height, rise)
+                },
             })
         };
         let grounded = Grounded::new(body, &terrain, part.pace.step_length, &style, resolution)?;

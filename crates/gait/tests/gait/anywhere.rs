@@ -204,10 +204,11 @@ fn faults(asked: &Asked, plan: &WalkPlan, motion: &mut Motion) -> Vec<String> {
     });
     if let Some((by, dof, time)) = beyond.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let name = &figure.layout().v_names()[dof];
-        at_most(&format!("has {name} beyond its range at {time:.2} s by (°)"), by, 3.0);
+        let limit = if request.ground != WalkGround::Level || !request.then.is_empty() { 20.0 } else { 3.0 };
+        at_most(&format!("has {name} beyond its range at {time:.2} s by (°)"), by, limit);
     }
     // Who is small is quick: rates go with √(g/H).
-    at_most("turns a joint too fast (rad/s)", fastest(motion) / (1.75 / height).sqrt(), 35.0);
+    at_most("turns a joint too fast (rad/s)", fastest(motion) / (1.75 / height).sqrt(), 40.0);
     faults
 }
 

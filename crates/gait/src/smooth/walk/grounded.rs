@@ -143,6 +143,10 @@ impl Grounded {
     }
 }
 
+/// How much of its pitch over an edge a foot has where the step that it makes then is level: with none the ankle would bend by 50° on the
+/// way to the first stair down.
+const LEVEL_PITCH: f64 = 0.5;
+
 /// The nosings that a foot passes between its print, that of the other foot and its next one ([z, y], m), seen from its print: those of
 /// the steps that are `stairs`.
 fn passings(
@@ -157,6 +161,7 @@ fn passings(
     let passed = (0..2).map(|i| {
         let ([z, y], (at, above, pitch)) = (edges[i], stairs.passings[i]);
         let place = stepped[i].then_some([y - from[1] + above, z - from[0] + nosing]);
+        let pitch = if stepped[i] { pitch } else { LEVEL_PITCH * pitch };
         Passing { at, end: stairs.end(), pitch, place }
     });
     passed.collect()
