@@ -95,6 +95,7 @@ fn every_example_of_the_help_runs() {
         "loop.bvh",
         "run.html",
         "sad.html",
+        "start.html",
         "stiff.bvh",
         "stiff.json",
         "strip.svg",
