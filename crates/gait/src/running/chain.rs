@@ -6,6 +6,7 @@ mod fit;
 mod footstep;
 mod legs;
 mod schedule;
+mod step_forces;
 mod stood;
 
 use super::extremes::{RunExtremes, greatest};
@@ -22,12 +23,13 @@ use crate::momentum::MomentumKernel;
 use crate::momentum::upper::UpperBody;
 use crate::request::RunResolution;
 use crate::walking::{G, Stood};
-use carry::{Before, Carried, Laws, StepForces, pressures};
+use carry::{Before, Carried, Laws};
 use legs::Leg;
 use nalgebra::Vector3;
 pub(super) use schedule::Schedule;
 use solaris_model::Contact;
 use solaris_profiles::UniformSpline;
+use step_forces::{StepForces, pressures};
 
 /// Passes in which legs and forces come to terms before the trunk turns, and by which part of its way it turns in a pass then.
 const WARM: usize = 8;

@@ -1,79 +1,26 @@
 //! The whole force over a chain of steps and the way of the centre of mass under it.
 
-use super::basis::{Basis, Expected, LIFTS, Priors, ROLLS, WAVES};
+mod trunk;
+
+use super::basis::{Basis, Expected, LIFTS, Priors};
 use super::fit::Fit;
 use super::footstep::Footstep;
+use super::step_forces::{StepForces, pressures, sign};
 use super::stood::STANDING_PRESSURE;
 use crate::body::Body;
-use crate::body::foot::{FootPlane, mirror};
+use crate::body::foot::FootPlane;
 use crate::body::rotations::Euler;
-use crate::running::forces::{TRUNK_SPREAD, trunk_inertia};
+use crate::running::forces::trunk_inertia;
 use crate::running::laws::TWIST;
 use crate::running::open::Open;
 use crate::walking::G;
 use nalgebra::Vector3;
+use trunk::{Column, Fitted};
 
 /// How exactly the centre of mass is as high at a contact as the leg wants it (m).
 const HEIGHT_SPREAD: f64 = 0.004;
 /// What is not to differ at all does so by this (m, m/s, rad, N m and N m s over the trunk's inertia).
 const EXACT: f64 = 1e-6;
-/// Every how many nodes the trunk is looked at.
-const LOOKED_AT: usize = 6;
-
-/// What the amplitudes of one step's forces are.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct StepForces {
-    /// Of the vertical force.
-    pub(super) lifts: [f64; LIFTS],
-    /// By how much it makes the body faster (m/s).
-    pub(super) gain: f64,
-    pub(super) fore_aft: [f64; WAVES],
-    pub(super) lateral: [f64; WAVES],
-    pub(super) twist: [f64; TWIST],
-    pub(super) rolls: [f64; ROLLS],
-    pub(super) shift: f64,
-    /// Where the print's heel is, and that of the other foot: to the left of the line for a left foot, to the right for a right one, and along (m).
-    pub(super) aside: f64,
-    pub(super) other_aside: f64,
-    pub(super) along: f64,
-}
-
-fn sum(laws: &[f64], by: &[f64]) -> f64 {
-    laws.iter().zip(by).map(|(law, a)| law * a).sum()
-}
-
-impl StepForces {
-    /// Vertical force over the weight.
-    pub(super) fn vertical(&self, basis: &Basis) -> f64 {
-        basis.fixed + sum(&basis.lifts, &self.lifts)
-    }
-
-    /// Centre of pressure from the heel over the foot's length.
-    pub(super) fn pressure(&self, basis: &Basis) -> f64 {
-        basis.pressure + sum(&basis.rolls, &self.rolls)
-    }
-
-    /// The part of the force that the other foot has.
-    pub(super) fn other(&self, basis: &Basis) -> f64 {
-        let vertical = self.vertical(basis);
-        if basis.shift == 0.0 { basis.other } else { basis.other + basis.shift * self.shift / vertical }
-    }
-
-    /// Force over the weight (but for the gain: N for the mass 1 and gravity 1), and free moment (N m).
-    pub(super) fn force(&self, side: usize, basis: &Basis) -> (Vector3<f64>, f64) {
-        let sign = sign(side);
-        let force = Vector3::new(
-            sign * sum(&basis.lateral, &self.lateral),
-            self.vertical(basis),
-            sum(&basis.fore_aft, &self.fore_aft) + self.gain * basis.faster / G,
-        );
-        (force, sign * sum(&basis.twist, &self.twist))
-    }
-}
-
-pub(super) fn sign(side: usize) -> f64 {
-    if side == 0 { 1.0 } else { -1.0 }
-}
 
 /// Whether the chain begins and ends in standing.
 #[derive(Clone, Copy, Debug)]
@@ -119,13 +66,6 @@ pub(super) struct Before<'a> {
     pub(super) momentum: &'a [Vector3<f64>],
     pub(super) thorax: &'a [Euler],
     pub(super) drawn: &'a [Euler],
-}
-
-/// A moment (N m) for an amplitude of 1: over the nodes from the first on.
-struct Column {
-    from: usize,
-    moment: Vec<f64>,
-    expected: Option<Expected>,
 }
 
 /// A force (N) for an amplitude of 1 over a step's nodes, and the way (m) that it makes from there on.
@@ -526,140 +466,4 @@ impl<'a> Laws<'a> {
         let [own, other] = pressures(&self.plane, foot, side, forces, basis);
         own + (other - own) * forces.other(basis)
     }
-
-    /// Amplitudes of moments about an axis (x, y, z) that keep the trunk's angle about it near to what it is drawn to, and by how much
-    /// the trunk then turns.
-    fn fit(
-        &self,
-        axis: usize,
-        base: Vec<f64>,
-        columns: &[Column],
-        rows: &[(Vec<f64>, f64)],
-        before: Option<&Before<'_>>,
-    ) -> Option<Fitted> {
-        let nodes = self.nodes();
-        let inertia = self.inertia[axis];
-        let angle = 2 - axis;
-        let unknowns = columns.len();
-        let responses: Vec<Response> = columns.iter().map(|column| self.response(column, inertia)).collect();
-        let momentum: Vec<f64> = before.map_or_else(
-            || vec![0.0; nodes],
-            |before| before.momentum.iter().map(|h| h[axis] / inertia).collect(),
-        );
-        let bodily = self.open.integral(&momentum);
-        let rates = self.open.integral(&base.iter().map(|m| m / inertia).collect::<Vec<f64>>());
-        let mut base_turn = self.open.integral(&rates);
-        base_turn.iter_mut().zip(&bodily).for_each(|(turn, h)| *turn -= h);
-        // Amplitudes, then the trunk's angle and rate at the first node.
-        let mut fit = Fit::new(unknowns + 2);
-        let spread = TRUNK_SPREAD * (self.steps[0].style.stride_time / self.step / LOOKED_AT as f64).sqrt();
-        let row = |i: usize| {
-            let mut row: Vec<f64> = responses.iter().map(|response| response.at(i, self.step)).collect();
-            row.extend([1.0, self.time(i)]);
-            row
-        };
-        let wanted = |i: usize| before.map_or(0.0, |before| before.drawn[i][angle] - before.thorax[i][angle]);
-        for i in (0..nodes).step_by(LOOKED_AT) {
-            fit.row(&row(i), wanted(i) - base_turn[i], spread);
-        }
-        if self.stands.last {
-            // At rest as it is drawn to, and balanced.
-            let end = nodes - 1;
-            fit.exactly(&row(end), wanted(end) - base_turn[end]);
-            let mut rate: Vec<f64> = responses.iter().map(|response| response.rate_after).collect();
-            rate.extend([0.0, 1.0]);
-            fit.exactly(&rate, momentum[end] - rates[end]);
-            let mut moment: Vec<f64> = columns
-                .iter()
-                .map(|column| {
-                    end.checked_sub(column.from).and_then(|i| column.moment.get(i)).copied().unwrap_or(0.0)
-                })
-                .collect();
-            moment.extend([0.0, 0.0]);
-            if moment.iter().any(|moment| *moment != 0.0) {
-                fit.exactly(&moment, -base[end]);
-            }
-        }
-        if self.stands.first {
-            fit.expect(unknowns, 0.0, EXACT);
-            fit.expect(unknowns + 1, 0.0, EXACT);
-        }
-        for (row, value) in rows {
-            let row = [row, &[0.0, 0.0][..]].concat();
-            fit.exactly(&row, *value);
-        }
-        for (k, column) in columns.iter().enumerate() {
-            if let Some((value, spread)) = column.expected {
-                fit.expect(k, value, spread);
-            }
-        }
-        let found = fit.solve()?;
-        let mut rate = base;
-        for (column, a) in columns.iter().zip(&found) {
-            rate[column.from..].iter_mut().zip(&column.moment).for_each(|(rate, moment)| *rate += a * moment);
-        }
-        let turn = before.map(|_| {
-            let rates = self.open.integral(&rate.iter().map(|m| m / inertia).collect::<Vec<f64>>());
-            let turned = self.open.integral(&rates);
-            (0..nodes)
-                .map(|i| turned[i] - bodily[i] + found[unknowns] + found[unknowns + 1] * self.time(i))
-                .collect()
-        });
-        Some(Fitted { amplitudes: found[..unknowns].to_vec(), rate, turn })
-    }
-
-    /// How far a moment turns the trunk.
-    fn response(&self, column: &Column, inertia: f64) -> Response {
-        // Some nodes before and after, where there is nothing, for the formula's sake.
-        const MARGIN: usize = 4;
-        let nodes = self.nodes();
-        let before = column.from.min(MARGIN);
-        let after = (nodes - column.from - column.moment.len()).min(MARGIN);
-        let mut moment = vec![0.0; before + column.moment.len() + after];
-        moment[before..before + column.moment.len()]
-            .iter_mut()
-            .zip(&column.moment)
-            .for_each(|(to, from)| *to = from / inertia);
-        let rates = self.open.integral(&moment);
-        let turns = self.open.integral(&rates);
-        Response { from: column.from - before, rate_after: rates[rates.len() - 1], turns }
-    }
-}
-
-/// Where the own and the other foot press, which stand as `forces` say.
-pub(super) fn pressures(
-    plane: &FootPlane,
-    foot: f64,
-    side: usize,
-    forces: &StepForces,
-    basis: &Basis,
-) -> [Vector3<f64>; 2] {
-    let along = Vector3::z() * forces.along;
-    let pressed = plane.forward * (forces.pressure(basis) * foot);
-    let at = |side: usize, aside: f64| {
-        let left = Vector3::x() * aside + pressed;
-        along + if side == 0 { left } else { mirror(&left) }
-    };
-    [at(side, forces.aside), at(1 - side, forces.other_aside)]
-}
-
-/// How far a moment has turned the trunk by node.
-struct Response {
-    from: usize,
-    turns: Vec<f64>,
-    rate_after: f64,
-}
-
-impl Response {
-    fn at(&self, node: usize, step: f64) -> f64 {
-        let Some(i) = node.checked_sub(self.from) else { return 0.0 };
-        let last = self.turns.len() - 1;
-        if i <= last { self.turns[i] } else { self.turns[last] + self.rate_after * step * (i - last) as f64 }
-    }
-}
-
-struct Fitted {
-    amplitudes: Vec<f64>,
-    rate: Vec<f64>,
-    turn: Option<Vec<f64>>,
 }

@@ -1,7 +1,7 @@
 //! One leg over a chain of steps: its stances, and the swings between them.
 
-use super::carry::StepForces;
 use super::footstep::{Footstep, Role};
+use super::step_forces::StepForces;
 use crate::body::Body;
 use crate::body::leg::{LegGeometry, LegPose};
 use crate::limbs::jet::LegJet;
