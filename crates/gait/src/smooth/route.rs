@@ -247,6 +247,7 @@ impl Route {
         &self,
         body: &Body,
         styling: &Styling<'_>,
+        numbers: &WalkNumbers,
         mirrored: bool,
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
@@ -293,7 +294,7 @@ impl Route {
             strides: std::slice::from_ref(&stride),
             standing: 0,
             steady: 0,
-            numbers: WalkNumbers::on_ground(),
+            numbers: *numbers,
             whole: &terrain.steps,
             planned: None,
             ground: Some(&grounded),
@@ -302,7 +303,7 @@ impl Route {
     }
 
     /// Plans the walk. `standing` is the style in which the feet stand before it, that of the first step where there is none;
-    /// `mirrored` turns everything the other way. Ground that is not level has numbers of its own.
+    /// `mirrored` turns everything the other way.
     pub(crate) fn plan(
         &self,
         body: &Body,
@@ -313,7 +314,7 @@ impl Route {
         resolution: Resolution,
     ) -> Result<WalkPlan, GaitError> {
         if !self.is_level() {
-            return self.plan_on_ground(body, styling, mirrored, resolution);
+            return self.plan_on_ground(body, styling, numbers, mirrored, resolution);
         }
         let mut gone = Vec::new();
         let mut steps_of = |parts: &[Part]| steps_of(parts, styling, mirrored, &mut gone);

@@ -73,10 +73,17 @@ pub(crate) fn walk_from(
             Ok(plan)
         };
     let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
+        if !route.is_level() {
+            let on = |numbers: WalkNumbers| planned_with(request, part, route, &numbers, true);
+            return match on(WalkNumbers::on_ground()) {
+                Err(error @ GaitError::Plan(_)) => on(WalkNumbers::low_on_ground()).map_err(|_| error),
+                found => found,
+            };
+        }
         let turns = route.ends_in_a_turn();
         let numbers = if turns { WalkNumbers::by_contact() } else { WalkNumbers::default() };
         let steady = planned_with(request, part, route, &numbers, true);
-        if !matches!(steady, Err(GaitError::Plan(_))) || !route.is_level() {
+        if !matches!(steady, Err(GaitError::Plan(_))) {
             return steady;
         }
         // What does not hold in the style of a steady gait may do so in that of first and last steps throughout.

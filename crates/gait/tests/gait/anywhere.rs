@@ -204,8 +204,12 @@ fn faults(asked: &Asked, plan: &WalkPlan, motion: &mut Motion) -> Vec<String> {
     });
     if let Some((by, dof, time)) = beyond.max_by(|a, b| a.0.total_cmp(&b.0)) {
         let name = &figure.layout().v_names()[dof];
-        // An ankle under a bent leg gives way farther, and so it does in the first step at another pace.
-        let limit = match (&request.ground, request.then.is_empty()) {
+        // An ankle under a bent leg gives way farther, and so it does with options and in the first step at another pace.
+        let is_plain = request.then.is_empty()
+            && request.turn == 0.0
+            && request.path.is_none()
+            && request.parameters.is_empty();
+        let limit = match (&request.ground, is_plain) {
             (WalkGround::Level, true) => 3.0,
             (WalkGround::Level, false) => 25.0,
             _ => 20.0,

@@ -276,8 +276,18 @@ fn note_need(
     let Needs { told: need, least, weight } = needs;
     let lands = matches!(episode.kind, Kind::Step | Kind::Last);
     let (least_flat, flat_until) = if laws.relief.is_some() { GROUND_LEAST_FLAT } else { (LEAST_FLAT, 0.0) };
+    // A foot that is left below a body that rises would stand on its tip, and its ankle point ever farther in the air.
+    let style = &laws.gaits.stance(episode).style;
+    let steepest =
+        laws.numbers.toe_off_pitch.filter(|_| episode.kind == Kind::Step && style.stairs.is_none());
+    let toe_off = laws.toe_off(episode);
     for (knot, clock) in laws.heights.knots() {
         let v = clock - episode.contact;
+        let lifts = steepest.filter(|_| (v - toe_off).abs() <= NEXT_TO * laws.heights.spacing());
+        if let Some(pitch) = lifts {
+            let ankle = stance.ankle_at_toe_off(pitch);
+            least[knot] = least[knot].max(above(toe_off, ankle, style.knee_toe_off));
+        }
         if lands && v.abs() <= NEXT_TO * laws.heights.spacing() {
             // The first landing tells the knot next to it; later ones only that a leg must reach.
             let ankle = stance.landing_ankle(-contact_pitch(laws, episode));

@@ -186,6 +186,8 @@ pub struct WalkNumbers {
     pub knots: f64,
     /// Whether knots lie all along the walk, as where no two steps are alike.
     pub knots_throughout: bool,
+    /// The steepest pitch of a foot at toe-off on ground that is not level (rad), for which the body stays low; none if it is not told.
+    pub toe_off_pitch: Option<f64>,
     /// The foot that stands while the other makes the first step: when its heel rises (u), and how much later for each first double
     /// support: short steps take the hip less far ahead of the ankle.
     pub standing_heel_off: (f64, f64),
@@ -231,6 +233,7 @@ impl WalkNumbers {
             start_time: None,
             knots: 0.0,
             knots_throughout: false,
+            toe_off_pitch: None,
             standing_heel_off: (0.06, 0.0),
             first_shift_ramp: 0.0,
             standing_cop_until: 0.30,
@@ -281,6 +284,11 @@ impl WalkNumbers {
             swing_in: (0.05, 0.70),
             ..Self::by_contact()
         }
+    }
+
+    /// What is tried next there: the body stays low where it would leave a foot on its tip, at the price of greater forces.
+    pub fn low_on_ground() -> Self {
+        Self { toe_off_pitch: Some(65.0 * DEGREE), ..Self::on_ground() }
     }
 }
 
