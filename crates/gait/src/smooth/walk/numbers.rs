@@ -271,19 +271,7 @@ impl WalkNumbers {
 
     /// What ships on ground that is not level: no two steps are alike there, so that the body follows the legs all along.
     pub fn on_ground() -> Self {
-        Self {
-            start_time: Some(0.72),
-            knots: 0.055,
-            knots_throughout: true,
-            standing_heel_off: (0.01, 1.18),
-            first_shift_ramp: 0.28,
-            standing_cop_until: 0.45,
-            first_heel_off: (0.22, 0.24),
-            standing_toe_off: 13.0 * DEGREE,
-            first_peak_after: 0.12,
-            swing_in: (0.05, 0.70),
-            ..Self::by_contact()
-        }
+        Self { knots_throughout: true, ..Self::default() }
     }
 
     /// What is tried next there: the body stays low where it would leave a foot on its tip, at the price of greater forces.
