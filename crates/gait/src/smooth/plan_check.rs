@@ -19,7 +19,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 #[doc(alias = "rcof")]
 pub const FRICTION: (f64, f64) = (0.5, 0.6);
 /// The least flexion of a knee where steps have the style of a steady gait (rad): a leg that passes straight presses beside its foot.
-const NOT_STRAIGHT: f64 = 0.2 * std::f64::consts::PI / 180.0;
+const NOT_STRAIGHT: f64 = 0.2 * DEGREE;
 /// The most by which a knee may be hyperextended before a walk is refused (rad).
 const HYPEREXTENSION: f64 = DEGREE;
 /// How far outside of a foot's rounded edges its pressure may lie (m): where a walk changes on the way, and where options of the style
@@ -33,7 +33,8 @@ const BESIDE: f64 = 0.05;
 const SUNK: f64 = 1e-3;
 /// How far a joint may be beyond its range (rad): in a manner; above a step frequency (steps/min), where the ankle of the plain walk
 /// leaves it by 2.8°; where the ground is not level: there an ankle bends under a bent leg, which lets it by up to 20° farther than the 30°
-/// of its range (standing lunges: 38 to 50°, from memory); and in the first step at another pace. The report names what is beyond.
+/// of its range (standing lunges: 38 to 50°, from memory); and with options and in the first step at another pace.
+/// The report names what is beyond.
 const BEYOND: [f64; 4] = [0.5 * DEGREE, 3.0 * DEGREE, 20.0 * DEGREE, 25.0 * DEGREE];
 const FAST: f64 = 118.0;
 /// How often a walk that changes on the way is looked at (1/s).
@@ -169,7 +170,7 @@ impl PlanCheck<'_> {
             let (pressed, weight) = (found.vertical, 100.0);
             let heavy = format!("a person would press with {:.2} times the weight", pressed.value / weight);
             fails(pressed.value.is_nan() || pressed.value > PRESSED * weight, pressed, heavy)?;
-            let beside = reactions.from_prescribed.map_or(0.0, |peak| peak.value / plan.weight());
+            let beside = reactions.from_prescribed.map_or(f64::NAN, |peak| peak.value / plan.weight());
             let peak = Peak { value: beside, time: reactions.from_prescribed.map_or(0.0, |peak| peak.time) };
             let what = format!(
                 "the body would not move as its forces have it, by {:.0} % of the weight",
