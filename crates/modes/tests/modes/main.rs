@@ -5,6 +5,7 @@ mod contact;
 mod drives;
 mod governor;
 mod limits;
+mod limits_random;
 mod plan;
 #[cfg(feature = "serde")]
 mod reports;
