@@ -8,6 +8,7 @@ mod small;
 mod state;
 mod watched;
 
+use crate::body::Pushing;
 use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
@@ -110,6 +111,13 @@ impl Phase {
     /// The motion of a prescribed degree of freedom; where nothing was said it stands where it stood.
     pub(crate) fn set_path(&mut self, dof: usize, path: Path) {
         self.prescribed.set(dof, path);
+    }
+
+    /// Until the next call the limits of a degree of freedom, where they push back, do this.
+    pub(crate) fn hold_limit(&mut self, dof: usize, pushing: Pushing) {
+        if let Some(small) = &mut self.small {
+            small.hold_limit(dof, pushing);
+        }
     }
 
     /// From now on these stand on the ground, with links that dynamics move.

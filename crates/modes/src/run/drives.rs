@@ -42,7 +42,9 @@ impl Pass<'_> {
         self.take_over(&[])?;
         self.settle(&[])?;
         self.find_contacts(&[])?;
-        self.leap()
+        self.leap()?;
+        self.note_pushes(&[]);
+        Ok(())
     }
 
     /// Drives that waited for a velocity which an impact has leapt over.
@@ -63,7 +65,9 @@ impl Pass<'_> {
         self.take_over(events)?;
         self.settle(events)?;
         self.find_contacts(events)?;
-        self.leap()
+        self.leap()?;
+        self.note_pushes(events);
+        Ok(())
     }
 
     /// Drives that are over, and those that come after them, until none is due.
