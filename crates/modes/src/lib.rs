@@ -11,6 +11,7 @@ mod range;
 mod recorded;
 mod report;
 mod run;
+mod running;
 mod settings;
 mod simulation;
 pub mod study;
@@ -25,5 +26,6 @@ pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
     Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
+pub use running::{Happened, Running};
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;

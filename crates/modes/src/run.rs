@@ -13,6 +13,7 @@ mod ledger;
 mod outcomes;
 mod pass;
 mod record;
+mod running;
 mod tracks;
 mod watching;
 
@@ -24,9 +25,12 @@ use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
 use crate::{Drive, LimitLaw, Step};
+pub(crate) use pass::Pass;
 use pass::{Passed, pass};
+pub(crate) use running::Progress;
 use solaris_dynamics::Wrench;
 use solaris_model::Motion;
+use std::sync::Arc;
 
 /// Whether the methods that choose their steps are built in.
 const IS_STIFF: bool = cfg!(feature = "stiff");
@@ -82,6 +86,7 @@ impl Simulation {
 fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer) -> Result<Run, RunError> {
     check_settings(settings)?;
     check_work(settings)?;
+    let simulation = &Arc::new(simulation.clone());
     let begun = observer.now();
     let chosen = match settings.method {
         Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, observer)?,
@@ -203,7 +208,7 @@ fn describe(stepping: Stepping, rate: f64) -> String {
 ///
 /// for a step short enough. Whether it is, two runs do not tell, so nothing is divided by what order `p` promises.
 fn named(
-    simulation: &Simulation,
+    simulation: &Arc<Simulation>,
     settings: &Settings,
     stepping: Stepping,
     observer: &mut dyn Observer,

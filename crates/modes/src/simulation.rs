@@ -251,7 +251,7 @@ impl Simulation {
     }
 
     /// The degrees of freedom that a name means.
-    fn dofs(&self, name: &str) -> Result<Vec<usize>, SetupError> {
+    pub(crate) fn dofs(&self, name: &str) -> Result<Vec<usize>, SetupError> {
         let layout = self.figure.layout();
         if let Some(dof) = layout.dof_index(name) {
             return Ok(vec![dof]);

@@ -9,6 +9,7 @@ mod limits_random;
 mod plan;
 #[cfg(feature = "serde")]
 mod reports;
+mod running;
 mod steppers;
 #[cfg(feature = "stiff")]
 mod steppers_stiff;
