@@ -17,13 +17,17 @@ use nalgebra::{DMatrix, Vector3};
 use planted::Planted;
 use points::PointElement;
 use solaris_dynamics::{
-    DynamicsError, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
-    hybrid_dynamics, inverse_dynamics, kinetic_energy, mass_matrix, potential_energy, velocities,
+    DynamicsError, Frame, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
+    hybrid_dynamics, inverse_dynamics, joint_jacobians, kinetic_energy, mass_matrix, point_columns,
+    potential_energy, velocities,
 };
 use solaris_model::Figure;
 use solaris_profiles::Elementary;
 use touching::GroundElement;
 pub(crate) use touching::{Pressed, Pressure};
+
+/// How near to the ground (m) a sphere may touch it within a step, whatever its velocity.
+const CLOSE: f64 = 2e-3;
 
 /// A figure with everything that acts in it by itself, for one scalar: what the drives' forces come on top of.
 ///
@@ -58,6 +62,8 @@ pub(crate) struct Body<T> {
     heat: T,
     /// What the ground did in the state of the last call.
     pressure: Pressure<T>,
+    /// Whether the ground acts by impulses, and not by forces of its own.
+    by_impulses: bool,
     total: Vec<T>,
     zeros: Vec<T>,
 }
@@ -96,6 +102,7 @@ impl<T: Elementary> Body<T> {
             ground: None,
             planted: None,
             pressure: Pressure::none(),
+            by_impulses: false,
             total: zeros.clone(),
             zeros,
             tree,
@@ -107,6 +114,11 @@ impl<T: Elementary> Body<T> {
         self.ground = surface.map(GroundElement::of).filter(|ground| ground.len() > 0);
         self.external.reserve(self.ground.as_ref().map_or(0, GroundElement::len));
         self
+    }
+
+    /// From now on the ground has no forces of its own: impulses of whoever steps take their place.
+    pub(crate) fn touch_by_impulses(&mut self, by_impulses: bool) {
+        self.by_impulses = by_impulses;
     }
 
     /// From now on these stand on the ground and stay where they are, until others take their place.
@@ -250,6 +262,62 @@ impl<T: Elementary> Body<T> {
         forward_kinematics(&self.tree, &mut self.workspace, q)
     }
 
+    /// The spheres that come to the ground within a time `within` (s) at their velocities, or nearly: index, how far off the ground (m)
+    /// and the lowest point.
+    pub(crate) fn nearly_touching(
+        &mut self,
+        (q, v): (&[T], &[T]),
+        within: f64,
+        near: &mut Vec<(usize, f64, Vector3<T>)>,
+    ) -> Result<(), DynamicsError> {
+        near.clear();
+        let Some(ground) = &self.ground else { return Ok(()) };
+        velocities(&self.tree, &mut self.workspace, q, v)?;
+        for (index, sphere) in ground.spheres().iter().enumerate() {
+            let (gap, material) =
+                (ground.gap(index, &self.workspace).value(), sphere.material(&self.workspace));
+            if gap < CLOSE + within * material.velocity.dot(&material.velocity).sqrt().value() {
+                near.push((index, gap, material.point));
+            }
+        }
+        Ok(())
+    }
+
+    /// How joints and limits that push back hold each degree of freedom back in a state, at this moment: `d` (N m s/rad) and `k`
+    /// (N m/rad) of a force `−d·v − k·q`.
+    pub(crate) fn holds_back(&self, q: &[T], v: &[T], damping: &mut [T], stiffness: &mut [T]) {
+        damping.fill(T::zero());
+        stiffness.fill(T::zero());
+        let mut add = |dof: usize, d: T, k: T| {
+            damping[dof] += d;
+            stiffness[dof] += k;
+        };
+        self.joints.holds_back(v, &mut add);
+        for stop in &self.stops {
+            stop.holds_back(q, v, &mut add);
+        }
+    }
+
+    /// Prepares [`columns`](Self::columns) at `q`.
+    pub(crate) fn joint_jacobians(&mut self, q: &[T]) -> Result<(), DynamicsError> {
+        joint_jacobians(&self.tree, &mut self.workspace, q)
+    }
+
+    /// The velocity of the material at a point of the world on a sphere's link, for a unit rate of each degree of freedom on which it
+    /// depends.
+    pub(crate) fn columns(
+        &self,
+        sphere: usize,
+        point: &Vector3<T>,
+        mut visit: impl FnMut(usize, Vector3<T>),
+    ) {
+        let Some(ground) = &self.ground else { return };
+        let link = ground.spheres()[sphere].link;
+        let pose = self.workspace.pose(link);
+        let frame = Frame::at(link, pose.rotation.tr_mul(&(point - pose.translation)));
+        point_columns(&self.tree, &self.workspace, &frame, |dof, column| visit(dof, column.linear));
+    }
+
     /// The accelerations (m/s²) of the lowest points of all spheres that can touch the ground, away from it.
     pub(crate) fn rises(
         &mut self,
@@ -277,7 +345,8 @@ impl<T: Elementary> Body<T> {
         let potential = potential_energy(&self.tree, &mut self.workspace, q)?.value();
         let stops = self.stops.iter().map(|stop| stop.energy(q).value());
         let points = self.points.iter().map(|spring| spring.energy(&self.workspace).value());
-        let ground = self.ground.as_ref().map_or(0.0, |ground| ground.energy(&self.workspace).value());
+        let ground = self.ground.as_ref().filter(|_| !self.by_impulses);
+        let ground = ground.map_or(0.0, |ground| ground.energy(&self.workspace).value());
         let elastic = self.joints.energy(q).value() + stops.sum::<f64>() + points.sum::<f64>() + ground;
         Ok(Energy { kinetic, potential, elastic })
     }
@@ -301,13 +370,13 @@ impl<T: Elementary> Body<T> {
         }
         self.external.clear();
         self.pressure = Pressure::none();
-        if !self.points.is_empty() || self.ground.is_some() {
+        if !self.points.is_empty() || (self.ground.is_some() && !self.by_impulses) {
             velocities(&self.tree, &mut self.workspace, q, v)?;
         }
         for spring in &self.points {
             self.heat += spring.act(&self.workspace, &mut self.external);
         }
-        if let Some(ground) = &self.ground {
+        if let Some(ground) = self.ground.as_ref().filter(|_| !self.by_impulses) {
             self.pressure = ground.act(&self.workspace, &mut self.external);
             self.heat += self.pressure.damping + self.pressure.friction;
         }

@@ -2,6 +2,7 @@
 
 mod body;
 mod contact;
+mod convex;
 mod drive;
 mod element;
 mod failure;

@@ -1,6 +1,7 @@
 //! A stretch of time in which every degree of freedom keeps its role: the equations of motion of what is left of the figure.
 
 mod condition;
+mod impulses;
 mod plan;
 mod prescribed;
 mod reduction;
@@ -61,6 +62,8 @@ pub(crate) struct Phase {
     held: Vec<(usize, Force)>,
     /// What stands on the ground and stays there.
     planted: Vec<ContactPatch>,
+    /// Where the ground and hard limits act by impulses, the length of a whole step (s).
+    by_impulses: Option<f64>,
     small: Option<Small>,
 }
 
@@ -89,6 +92,7 @@ impl Phase {
             sides: Vec::new(),
             held: Vec::new(),
             planted: Vec::new(),
+            by_impulses: None,
             small: None,
             source,
             weight,
@@ -129,6 +133,25 @@ impl Phase {
                 small.plant(&self.planted);
             }
         }
+    }
+
+    /// From now on the ground and hard limits act by impulses, in steps of this length (s).
+    pub(crate) fn step_by_impulses_of(&mut self, step: f64) {
+        self.by_impulses = Some(step);
+        if let Some(small) = &mut self.small {
+            small.act_by_impulses(&self.source, &self.state, step);
+        }
+    }
+
+    /// What the ground does to links (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were found last;
+    /// `standing` are the links of what is [planted](Self::plant).
+    pub(crate) fn pressed<'a>(
+        &'a self,
+        standing: &'a [usize],
+    ) -> impl Iterator<Item = (usize, Wrench<f64>)> + 'a {
+        let impulses = self.small.iter().filter_map(|small| small.impulses.as_ref());
+        let by_impulses = impulses.flat_map(|impulses| impulses.wrenches().iter().copied());
+        standing.iter().copied().zip(self.patch_wrenches()).chain(by_impulses)
     }
 
     /// What the ground does to each of them (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were
@@ -190,7 +213,11 @@ impl Phase {
     pub(crate) fn accelerations(&mut self, t: f64, y: &[f64], a: &mut [f64]) -> Result<(), RateError> {
         self.prescribed.write_accelerations(t, a);
         if let Some(small) = &mut self.small {
-            small.solve(&self.prescribed, t, y)?;
+            if self.by_impulses.is_some() {
+                small.find_impulses(&self.prescribed, (t, y), None)?;
+            } else {
+                small.solve(&self.prescribed, t, y)?;
+            }
             small.write_accelerations(a);
         }
         Ok(())
@@ -246,6 +273,9 @@ impl Phase {
         self.small = small.transpose()?;
         if let Some(small) = &mut self.small {
             small.plant(&self.planted);
+            if let Some(step) = self.by_impulses {
+                small.act_by_impulses(&self.source, &self.state, step);
+            }
         }
         Ok(())
     }
@@ -277,6 +307,14 @@ impl System for Phase {
     fn position_rate(&self, y: &[f64], rate: &mut [f64]) -> bool {
         self.state.position_rates(y, rate);
         true
+    }
+
+    fn step_by_impulses(&mut self, t: f64, h: f64, y: &[f64], next: &mut [f64]) -> Result<bool, RateError> {
+        next.copy_from_slice(y);
+        if let Some(small) = &mut self.small {
+            small.step_by_impulses(&self.state, &self.prescribed, (t, h), y, next)?;
+        }
+        Ok(self.by_impulses.is_some())
     }
 
     fn events(&self) -> usize {

@@ -95,6 +95,10 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
             let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
             named(simulation, settings, Stepping::Fixed { rule, step }, observer)?
         }
+        Method::Impulses { step } => {
+            let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
+            named(simulation, settings, Stepping::Impulses { step }, observer)?
+        }
         Method::Adaptive { tolerance } => {
             named(simulation, settings, Stepping::Adaptive { tolerance }, observer)?
         }
@@ -107,12 +111,13 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
-    let mut ground = contacts::add(simulation, &mut motion, &ground, &planted)?;
+    let by_impulses = matches!(settings.method, Method::Impulses { .. });
+    let mut ground = contacts::add(simulation, &mut motion, &ground, &planted, by_impulses)?;
     if let Some(ground) = &mut ground {
         ground.landings = landings;
     }
     if settings.forces {
-        add_forces(simulation, &mut motion, &planted)?;
+        add_forces(simulation, &mut motion, &planted, by_impulses)?;
     } else {
         let omitted = "forces of the drives: nobody asked for them";
         for phase in &mut phases {
@@ -138,7 +143,7 @@ fn check_settings(settings: &Settings) -> Result<(), SetupError> {
         return Err(SetupError::Range { what, value: rate * duration, range: "at most 1e7" });
     }
     match *method {
-        Method::Fixed { step, .. } if !(step.is_finite() && step > 0.0) => {
+        Method::Fixed { step, .. } | Method::Impulses { step } if !(step.is_finite() && step > 0.0) => {
             let what = "the step".to_owned();
             Err(SetupError::Range { what, value: step, range: "a finite time above zero (s)" })
         }
@@ -155,13 +160,17 @@ fn check_settings(settings: &Settings) -> Result<(), SetupError> {
 
 /// Refuses steps so short that the run cannot come to its end.
 fn check_work(settings: &Settings) -> Result<(), Box<RunFailure>> {
-    let Method::Fixed { rule, step } = settings.method else { return Ok(()) };
-    let evaluations = settings.duration / step * rule.evaluations() as f64;
+    let (step, each) = match settings.method {
+        Method::Fixed { rule, step } => (step, rule.evaluations()),
+        Method::Impulses { step } => (step, 1),
+        _ => return Ok(()),
+    };
+    let evaluations = settings.duration / step * each as f64;
     if evaluations <= settings.guard.evaluations as f64 {
         return Ok(());
     }
     let most = settings.guard.evaluations;
-    let longer = settings.duration * rule.evaluations() as f64 / most as f64;
+    let longer = settings.duration * each as f64 / most as f64;
     let cause = FailureKind::Evaluations { evaluations: most };
     let remedies = vec![Remedy::StepAbove { step: longer, evaluations }, Remedy::MoreEvaluations];
     Err(Box::new(RunFailure { time: 0.0, dof: None, cause, remedies }))
@@ -194,6 +203,10 @@ fn describe(stepping: Stepping, rate: f64) -> String {
         Stepping::Fixed { rule, step } => {
             let step = (rate * steps_in_frame(step, rate)).recip();
             format!("{rule}, step {step:.3e} s")
+        }
+        Stepping::Impulses { step } => {
+            let step = (rate * steps_in_frame(step, rate)).recip();
+            format!("impulses, step {step:.3e} s")
         }
         Stepping::Adaptive { tolerance } => format!("adaptive explicit, tolerance {tolerance:e}"),
         Stepping::Stiff { tolerance } => format!("stiff implicit, tolerance {tolerance:e}"),
@@ -263,6 +276,10 @@ fn coarser(stepping: Stepping, rate: f64) -> Option<Stepping> {
             let count = (0.5 * steps_in_frame(step, rate)).floor();
             (count > 0.0).then(|| Stepping::Fixed { rule, step: (rate * count).recip() })
         }
+        Stepping::Impulses { step } => {
+            let count = (0.5 * steps_in_frame(step, rate)).floor();
+            (count > 0.0).then(|| Stepping::Impulses { step: (rate * count).recip() })
+        }
         Stepping::Adaptive { tolerance } => Some(Stepping::Adaptive { tolerance: 10.0 * tolerance }),
         Stepping::Stiff { tolerance } => Some(Stepping::Stiff { tolerance: 10.0 * tolerance }),
     }
@@ -273,6 +290,9 @@ fn finer(stepping: Stepping, rate: f64) -> Stepping {
     match stepping {
         Stepping::Fixed { rule, step } => {
             Stepping::Fixed { rule, step: (2.0 * rate * steps_in_frame(step, rate)).recip() }
+        }
+        Stepping::Impulses { step } => {
+            Stepping::Impulses { step: (2.0 * rate * steps_in_frame(step, rate)).recip() }
         }
         Stepping::Adaptive { tolerance } => Stepping::Adaptive { tolerance: 0.1 * tolerance },
         Stepping::Stiff { tolerance } => Stepping::Stiff { tolerance: 0.1 * tolerance },
@@ -290,10 +310,12 @@ fn add_forces(
     simulation: &Simulation,
     motion: &mut Motion,
     planted: &[(usize, usize, Wrench<f64>)],
+    by_impulses: bool,
 ) -> Result<(), RunError> {
     let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
     let nv = figure.layout().nv();
     let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
+    body.touch_by_impulses(by_impulses);
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
         let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];

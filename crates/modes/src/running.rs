@@ -71,7 +71,7 @@ impl Simulation {
     /// for the stiffness of what begins.
     pub fn start(&self, stepping: Stepping) -> Result<Running, RunError> {
         let (what, value) = match stepping {
-            Stepping::Fixed { step, .. } => ("the step", step),
+            Stepping::Fixed { step, .. } | Stepping::Impulses { step } => ("the step", step),
             Stepping::Adaptive { tolerance } | Stepping::Stiff { tolerance } => ("the tolerance", tolerance),
         };
         check_positive(|| what.to_owned(), value)?;
@@ -112,7 +112,7 @@ impl Running {
     }
 
     fn go_to(&mut self, time: f64) -> Result<(), RunError> {
-        if let Stepping::Fixed { step, .. } = self.progress.pass.stepping
+        if let Stepping::Fixed { step, .. } | Stepping::Impulses { step } = self.progress.pass.stepping
             && time - self.time() > MOST_STEPS * step
         {
             let (what, value) = ("the time to step on by".to_owned(), time - self.time());

@@ -57,6 +57,17 @@ pub enum Method {
         /// The longest step (s).
         step: f64,
     },
+    /// Steps in which contact, friction and hard limits act by the impulses that they need: never refused, whatever touches and
+    /// however it is held, and of order one. What falls does not bounce, and limits have no restitution.
+    ///
+    /// Every step solves one convex problem, with Coulomb's friction and the figure's whole inertia. A ground that is
+    /// [`Rigid`](crate::ContactLaw::Rigid) gives way by a fraction of what gravity moves in a step; one that is
+    /// [`Compliant`](crate::ContactLaw::Compliant) by its stiffness, its damping and slip not being asked. Joints with hard limits
+    /// are held by the same problem. What slides at `v` does so `μ·v·h` above the ground.
+    Impulses {
+        /// The longest step (s).
+        step: f64,
+    },
     /// An explicit method that chooses its steps; feature `stiff`.
     Adaptive {
         /// Relative and absolute tolerance of a step.

@@ -6,9 +6,12 @@
 )]
 
 use nalgebra::Vector3;
-use solaris_model::human;
+use solaris_model::{Human, human};
 use solaris_modes::time::Stepping;
-use solaris_modes::{Anchor, Drive, LimitLaw, Method, PointSpring, Rule, Settings, Shape, Simulation};
+use solaris_modes::{
+    Anchor, ContactLaw, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Settings, Shape, Simulation,
+    contact_points,
+};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -84,8 +87,9 @@ fn ten_times_as_many_steps_allocate_as_much() {
 
 #[test]
 fn a_step_of_a_running_simulation_allocates_nothing() {
-    for rule in Rule::ALL {
-        let mut running = scene().start(Stepping::Fixed { rule, step: 1e-3 }).expect("begins");
+    let rules = Rule::ALL.map(|rule| Stepping::Fixed { rule, step: 1e-3 });
+    for stepping in rules.into_iter().chain([Stepping::Impulses { step: 1e-3 }]) {
+        let mut running = scene().start(stepping).expect("begins");
         // Within the curves' one second nothing happens but touches of limits, which are events.
         running.step(0.01).expect("goes on");
         let mut quiet = 0;
@@ -94,6 +98,25 @@ fn a_step_of_a_running_simulation_allocates_nothing() {
             running.step(1.0 / 240.0).expect("goes on");
             quiet += usize::from(ALLOCATIONS.get() == before);
         }
-        assert!(quiet >= 45, "{rule}: {quiet} of 50 steps without an allocation");
+        assert!(quiet >= 45, "{stepping:?}: {quiet} of 50 steps without an allocation");
     }
+}
+
+/// A person who falls and lies, every step with contacts.
+#[test]
+fn a_step_by_impulses_allocates_nothing() {
+    let figure = Human::new(1.75, 73.0).limp().build().expect("within range");
+    let gravity = Vector3::new(0.0, -9.81, 0.0);
+    let mut simulation = Simulation::new(&figure, gravity);
+    let mut plane = GroundPlane::under(&figure, &gravity, 0.8).expect("gravity");
+    plane.law = ContactLaw::Rigid;
+    simulation.set_ground(plane, contact_points(&figure)).expect("valid");
+    simulation.stand().expect("a free root");
+    let mut running = simulation.start(Stepping::Impulses { step: 1e-3 }).expect("begins");
+    running.step(0.01).expect("goes on");
+    let before = ALLOCATIONS.get();
+    for _ in 0..120 {
+        running.step(1.0 / 60.0).expect("goes on");
+    }
+    assert_eq!(ALLOCATIONS.get(), before);
 }

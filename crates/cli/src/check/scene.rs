@@ -228,6 +228,7 @@ fn law(law: LimitLaw) -> String {
 fn method(method: Method) -> String {
     match method {
         Method::Fixed { rule, step } => format!("{rule}, step at most {step} s"),
+        Method::Impulses { step } => format!("impulses, step at most {step} s"),
         Method::Adaptive { tolerance } => format!("adaptive explicit, tolerance {tolerance:e}"),
         Method::Stiff { tolerance } => format!("stiff implicit, tolerance {tolerance:e}"),
         Method::Automatic { tolerance } => format!("whichever meets the tolerance {tolerance:e} rad or m"),

@@ -104,6 +104,22 @@ impl<T: Elementary> JointElements<T> {
         heat
     }
 
+    /// How each degree of freedom is held back: `each(dof, d, k)` for a force `−d·v − k·q`, dry friction with the `d` that it has at
+    /// this velocity, `f/√(v² + v₀²)`.
+    pub(super) fn holds_back(&self, v: &[T], mut each: impl FnMut(usize, T, T)) {
+        for DofElement { dof, spring, damping, friction } in &self.dofs {
+            let (rate, slow) = (v[*dof], T::from_f64(SLOW));
+            let mut damping = *damping;
+            if let Some(friction) = friction {
+                damping += *friction / (rate * rate + slow * slow).sqrt();
+            }
+            each(*dof, damping, spring.as_ref().map_or_else(T::zero, |spring| spring.stiffness));
+        }
+        for BallSpring { dof, stiffness, .. } in &self.balls {
+            (*dof..*dof + 3).for_each(|dof| each(dof, T::zero(), *stiffness));
+        }
+    }
+
     /// What is in the springs (J).
     pub(super) fn energy(&self, q: &[T]) -> T {
         let mut twice = T::zero();

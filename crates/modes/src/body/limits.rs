@@ -89,6 +89,17 @@ impl<T: Elementary> Stop<T> {
         (push - spring) * rate
     }
 
+    /// How it holds back where it pushes: `each(dof, c, k)`.
+    pub(super) fn holds_back(&self, q: &[T], v: &[T], mut each: impl FnMut(usize, T, T)) {
+        let Some(side) = pushing(self.limits, q[self.coordinate].value(), v[self.dof].value()) else {
+            return;
+        };
+        let (depth, outwards) = self.depth(q, side);
+        if (self.stiffness * depth + self.damping * v[self.dof] * outwards).value() > 0.0 {
+            each(self.dof, self.damping, self.stiffness);
+        }
+    }
+
     /// What is in the spring (J).
     pub(super) fn energy(&self, q: &[T]) -> T {
         let Some(side) = pushing(self.limits, q[self.coordinate].value(), 0.0) else { return T::zero() };

@@ -1,6 +1,7 @@
 //! The dynamics of what is left of a figure, between the state and its rates.
 
 use super::Role;
+use super::impulses::Impulses;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{StateMap, unit};
@@ -21,47 +22,49 @@ const COLUMNS: usize = 8;
 #[derive(Clone)]
 pub(super) struct Small {
     reduction: Reduction,
-    maps: Maps,
-    numbers: Side<f64>,
+    pub(super) maps: Maps,
+    pub(super) numbers: Side<f64>,
     /// With derivatives; made when the first Jacobian is asked for.
     duals: Option<Box<Side<Dual<COLUMNS>>>>,
     /// What stands on the ground, with the contact points of the small figure.
     planted: Vec<ContactPatch>,
+    /// Where the ground and hard limits act by impulses.
+    pub(super) impulses: Option<Box<Impulses>>,
 }
 
 /// Where the entries of the state are in the small figure.
 #[derive(Clone)]
-struct Maps {
+pub(super) struct Maps {
     /// By degree of freedom of the small figure.
     prescribed: Vec<bool>,
     /// For each position of the state, its index in the small `q`.
     positions: Vec<usize>,
     /// For each velocity of the state, its index in the small `v`.
-    velocities: Vec<usize>,
+    pub(super) velocities: Vec<usize>,
     /// The first entries of quaternions in the state.
     quaternions: Vec<usize>,
-    moving: Vec<Moving>,
+    pub(super) moving: Vec<Moving>,
 }
 
 /// A degree of freedom that has a motion of its own.
 #[derive(Clone)]
-struct Moving {
+pub(super) struct Moving {
     /// In the full figure.
-    dof: usize,
+    pub(super) dof: usize,
     /// In the small figure.
-    k: usize,
+    pub(super) k: usize,
     /// In the small figure.
     coordinate: usize,
 }
 
 /// The small figure in one scalar.
 #[derive(Clone)]
-struct Side<T> {
-    body: Body<T>,
-    q: Vec<T>,
-    v: Vec<T>,
-    a: Vec<T>,
-    tau: Vec<T>,
+pub(super) struct Side<T> {
+    pub(super) body: Body<T>,
+    pub(super) q: Vec<T>,
+    pub(super) v: Vec<T>,
+    pub(super) a: Vec<T>,
+    pub(super) tau: Vec<T>,
     /// The state, and its rate.
     y: Vec<T>,
     rate: Vec<T>,
@@ -81,7 +84,14 @@ impl Small {
         for (q, full) in numbers.q.iter_mut().zip(&reduction.kept_q) {
             *q = prescribed.standing()[*full];
         }
-        Ok(Self { reduction, maps, numbers, duals: None, planted: Vec::new() })
+        Ok(Self { reduction, maps, numbers, duals: None, planted: Vec::new(), impulses: None })
+    }
+
+    /// From now on the ground and hard limits act by impulses, in steps of this length (s).
+    pub(super) fn act_by_impulses(&mut self, source: &Source, state: &StateMap, step: f64) {
+        self.numbers.body.touch_by_impulses(true);
+        let impulses = Impulses::new(source, &self.reduction, &self.maps, state, step);
+        self.impulses = Some(Box::new(impulses));
     }
 
     /// From now on these stand on the ground; contact points are those of the full figure, on links that dynamics move.
@@ -238,7 +248,7 @@ impl Small {
     }
 
     /// Takes in a state, what has a motion of its own, and the forces of the drives.
-    fn load(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) {
+    pub(super) fn load(&mut self, prescribed: &Prescribed, t: f64, y: &[f64]) {
         let numbers = &mut self.numbers;
         for &Moving { dof, k, coordinate } in &self.maps.moving {
             let [position, velocity, acceleration] = prescribed.at(dof, t);
@@ -312,7 +322,7 @@ impl<T: Elementary> Side<T> {
         }
     }
 
-    fn solve(&mut self, maps: &Maps) -> Result<(), DynamicsError> {
+    pub(super) fn solve(&mut self, maps: &Maps) -> Result<(), DynamicsError> {
         self.body.hybrid(&self.q, &self.v, &maps.prescribed, &mut self.a, &mut self.tau)
     }
 

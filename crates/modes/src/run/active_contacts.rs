@@ -63,7 +63,9 @@ impl Pass {
     /// is let go.
     pub(crate) fn find_contacts(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let simulation = Arc::clone(&self.simulation);
-        let Some(surface) = simulation.surface.as_ref().filter(|surface| surface.plants()) else {
+        let Some(surface) =
+            simulation.surface.as_ref().filter(|surface| surface.plants() && !self.by_impulses())
+        else {
             return Ok(());
         };
         let before = std::mem::take(&mut self.active.holds);

@@ -38,16 +38,18 @@ struct State {
 
 /// Adds to the motion the contacts of every link that ever touches, with the events of touching; what there is to say of the
 /// ground, if there is one. `sums` are the ground's accounts, as in the state of a phase; `planted` is what it does to what stands
-/// on it: frame, link and wrench, in the order of the frames, where the events are known already.
+/// on it: frame, link and wrench, in the order of the frames, where the events are known already, or those are not, `by_impulses`.
 pub(super) fn add(
     simulation: &Simulation,
     motion: &mut Motion,
     sums: &[f64; GROUND],
     planted: &[(usize, usize, Wrench<f64>)],
+    by_impulses: bool,
 ) -> Result<Option<ContactReport>, RunError> {
     let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
     let Some(ground @ Surface { plane, contact_points }) = surface else { return Ok(None) };
-    let surface_plants = ground.plants();
+    let surface_plants = ground.plants() && !by_impulses;
+    let is_found = surface_plants || by_impulses;
     let mut body = Body::<f64>::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
     let mut feet: Vec<Foot> = Vec::new();
     for (link, spec) in figure.links().iter().enumerate() {
@@ -68,7 +70,7 @@ pub(super) fn add(
         for foot in &mut feet {
             let own = pressed.iter().filter(|(link, _)| *link == foot.link).map(|(_, pressed)| pressed);
             let mut state = State::of(own.clone(), &plane.up);
-            if surface_plants {
+            if is_found {
                 // What stands does not slip, but for what slides without friction.
                 state.slip =
                     own.fold(

@@ -141,6 +141,8 @@ impl Pass {
         let Simulation { figure, gravity, springs, limits, surface, .. } = &*self.simulation;
         self.body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
         self.body.plant(&self.active.holds);
+        let by_impulses = self.by_impulses();
+        self.body.touch_by_impulses(by_impulses);
         self.compiled = None;
         for (driven, law) in self.driven.iter_mut().zip(limits) {
             driven.held = driven.held.filter(|_| matches!(law, LimitLaw::Hard { .. }));

@@ -52,7 +52,7 @@ pub(crate) fn look(
     // A share that is NaN is failure too.
     if share.partial_cmp(&guard.energy).is_none_or(std::cmp::Ordering::is_gt) {
         let remedies = match stepping {
-            Stepping::Fixed { step, .. } => {
+            Stepping::Fixed { step, .. } | Stepping::Impulses { step } => {
                 vec![Remedy::StepOf { step: 0.1 * step }, Remedy::ToleranceForStep]
             }
             Stepping::Adaptive { tolerance } | Stepping::Stiff { tolerance } => {
@@ -222,7 +222,7 @@ pub(crate) fn of_time(error: TimeError) -> Result<RunFailure, RunError> {
             ];
             RunFailure { time, dof: None, cause: FailureKind::Evaluations { evaluations }, remedies }
         }
-        error @ (TimeError::NoPositions { .. } | TimeError::Range { .. }) => {
+        error @ (TimeError::NoPositions { .. } | TimeError::NoImpulses | TimeError::Range { .. }) => {
             let (why, method) = (error.to_string(), "the stepper".to_owned());
             let cause = FailureKind::Stuck { method, why };
             RunFailure { time: 0.0, dof: None, cause, remedies: vec![Remedy::OtherMethod] }

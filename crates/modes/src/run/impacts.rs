@@ -101,6 +101,7 @@ impl Pass {
         }
         if self.driven[dof].role() != Role::Dynamic
             || self.simulation.figure.follows(dof)
+            || self.by_impulses()
             || !matches!(self.simulation.limits[dof], LimitLaw::Hard { .. })
         {
             return None;

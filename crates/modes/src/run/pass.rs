@@ -112,6 +112,8 @@ impl Pass {
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
+        let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
+        body.touch_by_impulses(matches!(stepping, Stepping::Impulses { .. }));
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
             simulation: Arc::clone(simulation),
@@ -122,7 +124,7 @@ impl Pass {
             q,
             v,
             a,
-            body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()),
+            body,
             cap: f64::INFINITY,
             until: f64::INFINITY,
             active: ActiveContacts::default(),
@@ -152,6 +154,11 @@ impl Pass {
         let result = self.step(&mut compiled.phase, end, observer);
         self.compiled = Some(compiled);
         self.close(&result?, &meanings)
+    }
+
+    /// Whether contact, friction and hard limits act by impulses in each step, and are no events.
+    pub(crate) fn by_impulses(&self) -> bool {
+        matches!(self.stepping, Stepping::Impulses { .. })
     }
 
     /// What is to be stepped from now on, what its events mean, and when it ends (s).
@@ -187,7 +194,7 @@ impl Pass {
             phase.accelerations(*t, &y, a).map_err(at)?;
             passed.counts.evaluations += 1;
             passed.record.push(q, v, a);
-            passed.record.press(active.links.iter().copied().zip(phase.patch_wrenches()));
+            passed.record.press(phase.pressed(&active.links));
         }
         let dynamic = phase.is_dynamic();
         let (work, heat) = (phase.accounts(), phase.accounts() + 1);
@@ -211,7 +218,7 @@ impl Pass {
             phase.accelerations(time, y, a)?;
             spent += 1;
             record.push(q, v, a);
-            record.press(active.links.iter().copied().zip(phase.patch_wrenches()));
+            record.press(phase.pressed(&active.links));
             observer.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
@@ -269,7 +276,10 @@ impl Pass {
             return Ok(compiled);
         }
         self.end_phase();
-        let phase = Phase::with(&self.simulation, &roles, &self.q, self.settings.leave_out)?;
+        let mut phase = Phase::with(&self.simulation, &roles, &self.q, self.settings.leave_out)?;
+        if let Stepping::Impulses { step } = self.stepping {
+            phase.step_by_impulses_of(step);
+        }
         let mut compiled = Compiled { phase, roles, q: self.q.clone() };
         // What is watched for may bring back what was left out.
         self.load(&mut compiled.phase, self.next_stop())?;
@@ -374,7 +384,7 @@ impl Pass {
             let found = compiled.phase.accelerations(self.t, &y, &mut self.a);
             found.map_err(|error| guard::of_rate(self.t, error))?;
             self.passed.record.push(&self.q, &self.v, &self.a);
-            self.passed.record.press(self.active.links.iter().copied().zip(compiled.phase.patch_wrenches()));
+            self.passed.record.press(compiled.phase.pressed(&self.active.links));
         }
         self.end_phase();
         self.note_unfinished();

@@ -8,7 +8,7 @@ use crate::drive::force::Force;
 use crate::failure::RunError;
 use crate::phase::Phase;
 use crate::settings::Rule;
-use crate::time::{March, Stepping, Stopped, TimeError, advance};
+use crate::time::{March, Stepping, Stopped, TimeError, Way, advance};
 
 /// A stretch that has been begun.
 #[derive(Clone)]
@@ -109,15 +109,20 @@ impl Pass {
             self.passed.ledger.begin(energy, y[phase.accounts()], y[phase.accounts() + 1]);
         }
         let stepping = self.stepping_of(phase);
-        let march = match stepping {
-            Stepping::Fixed { rule, .. } => {
-                let begun = March::begin(phase, rule, (self.t, end), &y, &mut self.passed.counts);
+        let way = match stepping {
+            Stepping::Fixed { rule, .. } => Some(Way::Rule(rule)),
+            Stepping::Impulses { .. } => Some(Way::Impulses),
+            _ => None,
+        };
+        let march = match way {
+            Some(way) => {
+                let begun = March::begin(phase, way, (self.t, end), &y, &mut self.passed.counts);
                 Some(
                     begun
                         .map_err(|error| guard::of_time(error).map_or_else(|error| error, RunError::from))?,
                 )
             }
-            _ => None,
+            None => None,
         };
         Ok(Stretch { compiled, meanings, y, end, march })
     }
@@ -138,7 +143,7 @@ impl Pass {
         let result = match (self.stepping, march) {
             (_, Some(march)) => {
                 let longest = match self.stepping {
-                    Stepping::Fixed { step, .. } if phase.is_dynamic() => step,
+                    Stepping::Fixed { step, .. } | Stepping::Impulses { step } if phase.is_dynamic() => step,
                     _ => f64::INFINITY,
                 };
                 march.go_on(phase, longest, (stop, *end), y, counts)

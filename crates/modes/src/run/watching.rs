@@ -109,6 +109,9 @@ impl Pass {
 
     fn watch_limits(&self, dof: usize, watch: &mut impl FnMut(Watched, Meaning)) {
         let law = self.simulation.limits[dof];
+        if self.by_impulses() && matches!(law, LimitLaw::Hard { .. }) {
+            return;
+        }
         let Some(limits) = self.limits_of(dof).filter(|_| law != LimitLaw::Ignore) else { return };
         for (side, value) in [(Side::Lower, limits.lower), (Side::Upper, limits.upper)] {
             if value.is_finite() {

@@ -37,6 +37,7 @@ pub fn method_name(method: Method) -> String {
     match method {
         Method::Automatic { .. } => "automatic".to_owned(),
         Method::Fixed { rule, .. } => rule.to_string(),
+        Method::Impulses { .. } => "impulses".to_owned(),
         Method::Adaptive { .. } => "adaptive".to_owned(),
         Method::Stiff { .. } => "stiff".to_owned(),
     }
@@ -45,7 +46,7 @@ pub fn method_name(method: Method) -> String {
 /// The step or tolerance of a method: `1e-3 s`, `1e-6`.
 pub fn setting(method: Method) -> String {
     match method {
-        Method::Fixed { step, .. } => format!("{} s", short(step)),
+        Method::Fixed { step, .. } | Method::Impulses { step } => format!("{} s", short(step)),
         Method::Automatic { tolerance } | Method::Adaptive { tolerance } | Method::Stiff { tolerance } => {
             short(tolerance)
         }
@@ -84,7 +85,7 @@ mod tests {
     #[test]
     fn each_method_goes_from_coarse_to_fine() {
         let size = |method: &Method| match *method {
-            Method::Fixed { step, .. } => step,
+            Method::Fixed { step, .. } | Method::Impulses { step } => step,
             Method::Automatic { tolerance }
             | Method::Adaptive { tolerance }
             | Method::Stiff { tolerance } => tolerance,

@@ -1,6 +1,7 @@
 //! One stretch of time, by any method.
 
 use super::evaluate::{Evaluator, finite};
+use super::fixed::Way;
 #[cfg(feature = "stiff")]
 use super::solver;
 use super::stepping::Course;
@@ -44,7 +45,8 @@ pub fn advance<S: System + ?Sized>(
     let evaluator = Evaluator::new(system, counts, most, span);
     let course = Course { span, frames, frame };
     match stepping {
-        Stepping::Fixed { rule, step } => fixed::advance(evaluator, rule, step, y, course),
+        Stepping::Fixed { rule, step } => fixed::advance(evaluator, Way::Rule(rule), step, y, course),
+        Stepping::Impulses { step } => fixed::advance(evaluator, Way::Impulses, step, y, course),
         #[cfg(not(feature = "stiff"))]
         Stepping::Adaptive { .. } => Err(TimeError::NotBuiltIn { method: "adaptive" }),
         #[cfg(not(feature = "stiff"))]
@@ -62,7 +64,7 @@ pub fn advance<S: System + ?Sized>(
 
 fn check(stepping: Stepping, span: (f64, f64)) -> Result<(), TimeError> {
     let (what, value) = match stepping {
-        Stepping::Fixed { step, .. } => ("the step", step),
+        Stepping::Fixed { step, .. } | Stepping::Impulses { step } => ("the step", step),
         Stepping::Adaptive { tolerance } | Stepping::Stiff { tolerance } => ("the tolerance", tolerance),
     };
     if !(value > 0.0 && value.is_finite()) {

@@ -33,6 +33,25 @@ impl<'a, S: System + ?Sized> Evaluator<'a, S> {
             .map_err(|source| TimeError::Rate { time: t, source })
     }
 
+    /// Writes the state a step of `h` (s) after `y`, by impulses.
+    pub(super) fn step_by_impulses(
+        &mut self,
+        t: f64,
+        h: f64,
+        y: &[f64],
+        next: &mut [f64],
+    ) -> Result<(), TimeError> {
+        if self.counts.evaluations >= self.most {
+            return Err(TimeError::Evaluations { time: t, evaluations: self.counts.evaluations });
+        }
+        self.counts.evaluations += 1;
+        match self.system.step_by_impulses(t, h, y, next) {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(TimeError::NoImpulses),
+            Err(source) => Err(TimeError::Rate { time: t, source }),
+        }
+    }
+
     /// Writes the Jacobian at `t` (s).
     #[cfg(feature = "stiff")]
     pub(super) fn jacobian(

@@ -7,19 +7,28 @@ use super::{Stopped, System, TimeError};
 use crate::report::Counts;
 use crate::settings::Rule;
 
+/// What a step is taken by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Way {
+    /// A rule for rates.
+    Rule(Rule),
+    /// The system's own impulses.
+    Impulses,
+}
+
 /// The part of a step by which a gap may be longer than a whole number of steps, for times are rounded.
 const ROUNDED: f64 = 1e-9;
 
 /// Steps `y` through a stretch: from frame to frame in equal steps, at most `longest` (s).
 pub(super) fn advance<S: System + ?Sized>(
     mut evaluator: Evaluator<'_, S>,
-    rule: Rule,
+    way: Way,
     longest: f64,
     y: &mut [f64],
     mut course: Course<'_, S>,
 ) -> Result<Stopped, TimeError> {
     let (from, to) = course.span;
-    let mut march = March::new(&mut evaluator, rule, from, y)?;
+    let mut march = March::new(&mut evaluator, way, from, y)?;
     let mut index = 0;
     while march.time < to {
         let (next, frame) = course.next(index, march.time);
@@ -48,12 +57,12 @@ impl March {
     /// A stretch of `system` over a span of time (s), from a state on.
     pub(crate) fn begin<S: System + ?Sized>(
         system: &mut S,
-        rule: Rule,
+        way: Way,
         span: (f64, f64),
         y: &[f64],
         counts: &mut Counts,
     ) -> Result<Self, TimeError> {
-        Self::new(&mut Evaluator::new(system, counts, u64::MAX, span), rule, span.0, y)
+        Self::new(&mut Evaluator::new(system, counts, u64::MAX, span), way, span.0, y)
     }
 
     /// On to the time `stop` (s) within the span, in equal steps of at most `longest` (s), or to the first event. Nothing is
@@ -72,11 +81,11 @@ impl March {
     /// From a time (s) and a state on.
     fn new<S: System + ?Sized>(
         evaluator: &mut Evaluator<'_, S>,
-        rule: Rule,
+        way: Way,
         time: f64,
         y: &[f64],
     ) -> Result<Self, TimeError> {
-        let stepper = Stepper::new(rule, &*evaluator.system, y)?;
+        let stepper = Stepper::new(way, &*evaluator.system, y)?;
         let detector = EventDetector::new(evaluator, time, y)?;
         Ok(Self { stepper, detector, time })
     }
@@ -117,7 +126,7 @@ impl March {
 /// The room that a rule needs for its steps.
 #[derive(Clone, Debug)]
 struct Stepper {
-    rule: Rule,
+    way: Way,
     /// Which entries of the state are positions, for the rules that treat them apart.
     positions: Vec<bool>,
     /// The rate at the beginning of the step.
@@ -130,10 +139,10 @@ struct Stepper {
 }
 
 impl Stepper {
-    fn new<S: System + ?Sized>(rule: Rule, system: &S, y: &[f64]) -> Result<Self, TimeError> {
+    fn new<S: System + ?Sized>(way: Way, system: &S, y: &[f64]) -> Result<Self, TimeError> {
         let n = y.len();
         let mut positions = Vec::new();
-        if matches!(rule, Rule::SemiImplicitEuler | Rule::ConstantAcceleration) {
+        if let Way::Rule(rule @ (Rule::SemiImplicitEuler | Rule::ConstantAcceleration)) = way {
             // What is written over are positions.
             let mut rate = vec![f64::NAN; n];
             if !system.position_rate(y, &mut rate) {
@@ -143,7 +152,7 @@ impl Stepper {
         }
         let zeros = || vec![0.0; n];
         Ok(Self {
-            rule,
+            way,
             positions,
             first: zeros(),
             rate: zeros(),
@@ -160,7 +169,7 @@ impl Stepper {
         t: f64,
         y: &[f64],
     ) -> Result<(), TimeError> {
-        evaluator.rate(t, y, &mut self.first)
+        if self.way == Way::Impulses { Ok(()) } else { evaluator.rate(t, y, &mut self.first) }
     }
 
     /// The state `next`, a step of length `h` (s) after `y`.
@@ -171,11 +180,12 @@ impl Stepper {
         h: f64,
         y: &[f64],
     ) -> Result<(), TimeError> {
-        match self.rule {
-            Rule::ExplicitEuler => after(y, h, &self.first, &mut self.next),
-            Rule::SemiImplicitEuler => self.kick_then_drift(evaluator.system, h, h, y),
-            Rule::ConstantAcceleration => self.kick_then_drift(evaluator.system, h, 0.5 * h, y),
-            Rule::RungeKutta4 => self.runge_kutta(evaluator, t, h, y)?,
+        match self.way {
+            Way::Rule(Rule::ExplicitEuler) => after(y, h, &self.first, &mut self.next),
+            Way::Rule(Rule::SemiImplicitEuler) => self.kick_then_drift(evaluator.system, h, h, y),
+            Way::Rule(Rule::ConstantAcceleration) => self.kick_then_drift(evaluator.system, h, 0.5 * h, y),
+            Way::Rule(Rule::RungeKutta4) => self.runge_kutta(evaluator, t, h, y)?,
+            Way::Impulses => evaluator.step_by_impulses(t, h, y, &mut self.next)?,
         }
         evaluator.system.settle(&mut self.next);
         finite(&self.next).map_err(|source| TimeError::Rate { time: t + h, source })

@@ -13,6 +13,11 @@ pub enum Stepping {
         /// The longest step (s).
         step: f64,
     },
+    /// Equal steps, at most this long (s), each with the impulses that contact, friction and hard limits need in it.
+    Impulses {
+        /// The longest step (s).
+        step: f64,
+    },
     /// An explicit method that chooses its steps; feature `stiff`.
     Adaptive {
         /// Relative and absolute tolerance of a step.
@@ -70,6 +75,9 @@ pub enum TimeError {
         /// The rule.
         rule: Rule,
     },
+    /// A method for what has contacts and limits, and a system without any.
+    #[error("impulses are for figures, and this system is none")]
+    NoImpulses,
     /// A number out of its range.
     #[error("{what} is {value}; it must be {range}")]
     Range {

@@ -36,6 +36,17 @@ pub trait System {
         false
     }
 
+    /// Writes to `next` the state a step of `h` (s) after `y`, found with the impulses that the step needs. `false`, without a
+    /// change, for a system that knows of none.
+    ///
+    /// # Errors
+    ///
+    /// [`RateError`] for a state that has no rate.
+    fn step_by_impulses(&mut self, t: f64, h: f64, y: &[f64], next: &mut [f64]) -> Result<bool, RateError> {
+        let _ = (t, h, y, next);
+        Ok(false)
+    }
+
     /// Number of event functions.
     fn events(&self) -> usize {
         0

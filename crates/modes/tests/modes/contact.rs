@@ -1,5 +1,6 @@
 //! The ground in simulation: springs, dampers and friction.
 mod friction;
+mod impulses;
 mod leaping;
 mod momentum;
 mod people;

@@ -92,11 +92,21 @@ fn what_is_stepped_is_what_is_run_to_the_bit() {
         ("on springs", falling(None), 0.3),
         ("on rigid ground", falling(Some(ContactLaw::Rigid)), 0.3),
     ];
-    for (name, simulation, duration) in scenes {
-        let method = Method::Fixed { rule: Rule::RungeKutta4, step: STEP };
+    let fixed = scenes.map(|(name, simulation, duration)| (name, simulation, duration, FIXED));
+    let by_impulses = Stepping::Impulses { step: STEP };
+    let others = [
+        ("bouncing, by impulses", bouncing(), 1.0, by_impulses),
+        ("driven, by impulses", driven(), 1.5, by_impulses),
+        ("falling, by impulses", falling(Some(ContactLaw::Rigid)), 1.0, by_impulses),
+    ];
+    for (name, simulation, duration, stepping) in fixed.into_iter().chain(others) {
+        let method = match stepping {
+            Stepping::Impulses { step } => Method::Impulses { step },
+            _ => Method::Fixed { rule: Rule::RungeKutta4, step: STEP },
+        };
         let settings = Settings { method, estimate: false, ..Settings::new(duration, RATE) };
         let run = simulation.run(&settings).expect("runs");
-        let mut running = simulation.start(FIXED).expect("begins");
+        let mut running = simulation.start(stepping).expect("begins");
         let (mut impacts, mut outcomes, mut events) = (Vec::new(), Vec::new(), Vec::new());
         for (frame, time) in run.motion.time().iter().enumerate() {
             running.advance_to(*time).expect("goes on");

@@ -6,8 +6,9 @@ use solaris_modes::{Guard, Method, Rule, Settings};
 
 /// Frames a second where the scene says nothing.
 const RATE: f64 = 120.0;
-const METHODS: [&str; 7] = [
+const METHODS: [&str; 8] = [
     "Automatic",
+    "Impulses",
     "RungeKutta4",
     "ExplicitEuler",
     "SemiImplicitEuler",
@@ -54,6 +55,11 @@ impl SceneReader<'_> {
             "ExplicitEuler" => Rule::ExplicitEuler,
             "SemiImplicitEuler" => Rule::SemiImplicitEuler,
             "ConstantAcceleration" => Rule::ConstantAcceleration,
+            "Impulses" => {
+                let fields = self.reader.fields(node, &METHODS, &["step"])?;
+                let step = self.reader.required(&fields, "step", "1e-3")?;
+                return Some(Method::Impulses { step: self.reader.positive(step, "the step", "s")? });
+            }
             _ => {
                 let fields = self.reader.fields(node, &METHODS, &["tolerance"])?;
                 let tolerance = self.reader.required(&fields, "tolerance", "1e-8")?;

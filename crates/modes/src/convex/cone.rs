@@ -1,0 +1,173 @@
+//! What can push, and how much: limits and Coulomb's cone, each with a small compliance.
+
+use std::f64::consts::PI;
+
+/// `β`: what is as stiff as a step allows has a natural period of `β` steps with the mass that it meets.
+const NEAR_RIGID: f64 = 1.0;
+
+/// Compliance of friction beside that of the push: how much of the velocity that friction stops is left.
+const CREEP: f64 = 1e-3;
+
+/// The law of one condition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Law {
+    /// A limit, along the third number: `γ = max(0, (û − u)·w)`.
+    Limit {
+        /// `w = 1/R`.
+        weight: f64,
+        /// `û`.
+        target: f64,
+    },
+    /// A contact whose friction is bound by its own push: a cone.
+    Contact {
+        /// `1/R` along the ground and out of it.
+        weight: [f64; 2],
+        /// `û` out of the ground.
+        target: f64,
+        friction: f64,
+    },
+    /// A contact whose friction is bound by a push that is known: a cylinder.
+    Bound {
+        /// `1/R` along the ground and out of it.
+        weight: [f64; 2],
+        /// `û` out of the ground.
+        target: f64,
+        friction: f64,
+        /// The greatest impulse of friction.
+        most: f64,
+    },
+}
+
+/// An impulse, and how it falls with the velocity: `G = −∂γ/∂u`; none where nothing pushes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Pushed {
+    pub(super) impulse: [f64; 3],
+    pub(super) stiffness: Option<[[f64; 3]; 3]>,
+}
+
+impl Law {
+    /// `lightness` is the inverse mass along and out of the ground.
+    ///
+    /// ```text
+    /// R_n = max(w·β²/4π², 1/(h·k·(h + τ)))        û_n = −φ/(h + τ)        R_t = σ·w
+    /// ```
+    pub(super) fn contact(
+        [along, out]: [f64; 2],
+        friction: f64,
+        gap: f64,
+        (stiffness, relaxation): (f64, f64),
+        h: f64,
+    ) -> Self {
+        if out.is_nan() || out <= 0.0 {
+            // What cannot move is not pushed.
+            return Self::Limit { weight: 0.0, target: 0.0 };
+        }
+        let time = h + relaxation;
+        let rigid = NEAR_RIGID * NEAR_RIGID / (4.0 * PI * PI) * out;
+        let compliance = rigid.max((h * stiffness * time).recip());
+        let weight = [(CREEP * along.max(1e-6 * out)).recip(), compliance.recip()];
+        // Off the ground it may come as near as it is within the step.
+        let target = if gap > 0.0 { -gap / h } else { -gap / time };
+        Self::Contact { weight, target, friction }
+    }
+
+    /// The same for a limit, as stiff as a step allows.
+    pub(super) fn limit(lightness: f64, gap: f64, h: f64) -> Self {
+        let weight = if lightness > 0.0 {
+            (NEAR_RIGID * NEAR_RIGID / (4.0 * PI * PI) * lightness).recip()
+        } else {
+            0.0
+        };
+        Self::Limit { weight, target: -gap / h }
+    }
+
+    /// The same with friction bound by what pushes by now, and by how much that changes the bound.
+    pub(super) fn bound(&self, pushed: &Pushed) -> (Self, f64) {
+        let new = |friction: f64| friction * pushed.impulse[2];
+        match *self {
+            Self::Contact { weight, target, friction } => {
+                let most = new(friction);
+                // On the cone the push is the bound's already, and only what slides changes.
+                (Self::Bound { weight, target, friction, most }, f64::INFINITY)
+            }
+            Self::Bound { weight, target, friction, most: before } => {
+                let most = new(friction);
+                let slides = pushed.impulse[0].hypot(pushed.impulse[1]) >= before * (1.0 - 1e-12);
+                let change = if slides || most < before { (most - before).abs() } else { 0.0 };
+                (Self::Bound { weight, target, friction, most }, change)
+            }
+            Self::Limit { .. } => (*self, 0.0),
+        }
+    }
+
+    /// What it does at a velocity: the projection of `y = R⁻¹(û − u)` onto what can push, in the norm of `R`.
+    ///
+    /// ```text
+    /// stick   μ·y_n ≥ |y_t|             γ = y
+    /// slide   else, y_n > −μ̂·|y_t|      γ_n = (y_n + μ̂·|y_t|)/(1 + μ·μ̂), γ_t = μ·γ_n·y_t/|y_t|        μ̂ = μ·R_t/R_n
+    /// part    else                      γ = 0
+    /// ```
+    pub(super) fn push(&self, u: [f64; 3]) -> Pushed {
+        match *self {
+            Self::Limit { weight, target } => {
+                let push = weight * (target - u[2]);
+                if push > 0.0 {
+                    let mut stiffness = [[0.0; 3]; 3];
+                    stiffness[2][2] = weight;
+                    Pushed { impulse: [0.0, 0.0, push], stiffness: Some(stiffness) }
+                } else {
+                    Pushed::default()
+                }
+            }
+            Self::Bound { weight: [along, out], target, most, .. } => {
+                let mut stiffness = [[0.0; 3]; 3];
+                let normal = (out * (target - u[2])).max(0.0);
+                if normal > 0.0 {
+                    stiffness[2][2] = out;
+                }
+                let (y, tangent) = ([-along * u[0], -along * u[1]], along * u[0].hypot(u[1]));
+                // Inside of the bound it sticks, beyond it the bound is all there is.
+                let share = if tangent <= most { 1.0 } else { most / tangent };
+                for i in 0..2 {
+                    for j in 0..2 {
+                        let whole = f64::from(u8::from(i == j));
+                        let kept = if share < 1.0 { y[i] * y[j] / (tangent * tangent) } else { 0.0 };
+                        stiffness[i][j] = along * share * (whole - kept);
+                    }
+                }
+                let stiffness = (normal > 0.0 || most > 0.0).then_some(stiffness);
+                Pushed { impulse: [y[0] * share, y[1] * share, normal], stiffness }
+            }
+            Self::Contact { weight: [along, out], target, friction } => {
+                let y = [-along * u[0], -along * u[1], out * (target - u[2])];
+                let tangent = y[0].hypot(y[1]);
+                if tangent <= friction * y[2] {
+                    let stiffness = [[along, 0.0, 0.0], [0.0, along, 0.0], [0.0, 0.0, out]];
+                    return Pushed { impulse: y, stiffness: Some(stiffness) };
+                }
+                // R_t/R_n is the inverse ratio of the weights.
+                let scaled = friction * out / along;
+                if y[2] <= -scaled * tangent {
+                    return Pushed::default();
+                }
+                let share = (1.0 + friction * scaled).recip();
+                let normal = (y[2] + scaled * tangent) * share;
+                let t = [y[0] / tangent, y[1] / tangent];
+                let drag = friction * normal;
+                // ∂γ/∂y, times R⁻¹.
+                let mut stiffness = [[0.0; 3]; 3];
+                for i in 0..2 {
+                    for j in 0..2 {
+                        let across = f64::from(u8::from(i == j)) - t[i] * t[j];
+                        stiffness[i][j] =
+                            along * (friction * scaled * share * t[i] * t[j] + drag / tangent * across);
+                    }
+                    stiffness[i][2] = out * friction * share * t[i];
+                    stiffness[2][i] = stiffness[i][2];
+                }
+                stiffness[2][2] = out * share;
+                Pushed { impulse: [drag * t[0], drag * t[1], normal], stiffness: Some(stiffness) }
+            }
+        }
+    }
+}

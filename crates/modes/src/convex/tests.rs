@@ -1,0 +1,118 @@
+use super::*;
+use approx::assert_abs_diff_eq;
+
+const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
+
+/// A block of mass `m` on a plane: its three velocities are the contact's own.
+fn block(m: f64, free: [f64; 3], friction: f64, gap: f64) -> ([f64; 3], [f64; 3]) {
+    let mut convex = Convex::new(3, 1);
+    convex.begin(&DMatrix::from_diagonal_element(3, 3, m), &[0, 1, 2], &free, [0.0; 3].into_iter(), |_| {
+        (0.0, 0.0)
+    });
+    convex.condition();
+    for i in 0..3 {
+        let mut rows = [0.0; 3];
+        rows[i] = 1.0;
+        convex.entry(i, rows);
+    }
+    convex.contact([0.0; 3], friction, gap, RIGID, 1e-3);
+    assert!(convex.solve() < 10);
+    let impulse = convex.impulses(&free).next().expect("one").0;
+    ([convex.v[0], convex.v[1], convex.v[2]], impulse)
+}
+
+#[test]
+fn a_block_sticks_within_the_cone_slides_at_it_and_parts() {
+    for mass in [1e-6, 1.0, 1e6] {
+        // Down at 1, aside at 0.3 with friction 0.5: it stays, but for the compliance.
+        let (v, impulse) = block(mass, [0.3, 0.0, -1.0], 0.5, 0.0);
+        assert!(v[0].abs() < 4e-4 && v[2].abs() < 0.03, "{v:?}");
+        assert_abs_diff_eq!(impulse[0] / mass, -0.3, epsilon = 4e-4);
+        // Aside at 2: friction takes half of what the ground pushes.
+        let (v, impulse) = block(mass, [0.0, 2.0, -1.0], 0.5, 0.0);
+        assert_abs_diff_eq!(impulse[1], -0.5 * impulse[2], epsilon = 1e-9 * mass);
+        assert_abs_diff_eq!(v[1], 2.0 + impulse[1] / mass, epsilon = 1e-9);
+        // Away, or not near enough to be reached within the step.
+        assert_eq!(block(mass, [3.0, 0.0, 0.1], 0.5, 0.0).1, [0.0; 3]);
+        assert_eq!(block(mass, [0.0, 0.0, -1.0], 0.5, 1.1e-3).1, [0.0; 3]);
+    }
+}
+
+/// The gradient vanishes, whoever computes it, and no other velocity has a smaller value.
+#[test]
+fn random_problems_are_at_their_minimum() {
+    let random = &mut crate::body::random::Random(7);
+    let (mut all_contacts, mut off_the_cone) = (0, 0);
+    for _ in 0..200 {
+        let (n, count) = (2 + random.below(10), 1 + random.below(8));
+        let root = DMatrix::from_fn(n, n, |_, _| random.between(-1.0, 1.0));
+        let mass = &root * root.transpose() + DMatrix::identity(n, n) * 0.05;
+        let free = random.numbers(n, 3.0);
+        let all: Vec<usize> = (0..n).collect();
+        let mut convex = Convex::new(n, count);
+        convex.begin(&mass, &all, &free, std::iter::repeat(0.0), |_| (0.0, 0.0));
+        for _ in 0..count {
+            convex.condition();
+            for column in 0..n {
+                if random.chance(0.7) {
+                    convex.entry(column, random.vector(1.0).into());
+                }
+            }
+            if random.chance(0.7) {
+                let (friction, gap) = (random.between(0.0, 1.5), random.between(-1e-3, 1e-3));
+                convex.contact(random.vector(0.5).into(), friction, gap, RIGID, 1e-3);
+            } else {
+                convex.limit(random.between(-1e-3, 1e-3), 1e-3);
+            }
+        }
+        let steps = convex.solve();
+        assert!(steps < 1000, "{steps}");
+        // M·(v − v*) = Jᵀγ.
+        let off = nalgebra::DVector::from_iterator(n, convex.v.iter().zip(&free).map(|(v, free)| v - free));
+        let mut left = &mass * off;
+        let scale = 1.0 + left.amax();
+        for condition in &convex.conditions {
+            for (column, rows) in &convex.entries[condition.first..][..condition.count] {
+                left[*column] -= (0..3).map(|i| rows[i] * condition.pushed.impulse[i]).sum::<f64>();
+            }
+        }
+        assert!(left.amax() < 1e-8 * scale, "{} of {scale}", left.amax());
+        for condition in &convex.conditions {
+            let [x, y, z] = condition.pushed.impulse;
+            let Law::Bound { friction, most, .. } = condition.law else { continue };
+            assert!(z >= 0.0 && x.hypot(y) <= most * (1.0 + 1e-12), "{condition:?}");
+            all_contacts += 1;
+            off_the_cone += usize::from(x.hypot(y) > friction * z * (1.0 + 1e-3) + 1e-4 * scale);
+        }
+    }
+    // Rows that no figure has couple friction and push so that the bound is not always found.
+    assert!(6 * off_the_cone < all_contacts, "{off_the_cone} of {all_contacts}");
+}
+
+/// `G` is how the impulse falls with the velocity.
+#[test]
+fn the_stiffness_is_the_slope_of_the_impulse() {
+    let random = &mut crate::body::random::Random(3);
+    for _ in 0..500 {
+        let lightness = [random.between(0.1, 2.0), random.between(0.1, 2.0)];
+        let law = Law::contact(lightness, random.between(0.0, 1.2), random.between(-1e-2, 1e-2), RIGID, 1e-2);
+        // Both laws, the second with the bound of the first at another velocity.
+        let other = law.push(random.vector(0.7).into());
+        let law = if random.chance(0.5) { law } else { law.bound(&other).0 };
+        let u: [f64; 3] = random.vector(0.7).into();
+        let Some(stiffness) = law.push(u).stiffness else { continue };
+        for j in 0..3 {
+            let at = |by: f64| {
+                let mut u = u;
+                u[j] += by;
+                law.push(u).impulse
+            };
+            let (before, after) = (at(-1e-7), at(1e-7));
+            for i in 0..3 {
+                let slope = (before[i] - after[i]) / 2e-7;
+                let scale = 1.0 + stiffness.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+                assert_abs_diff_eq!(slope, stiffness[i][j], epsilon = 1e-5 * scale);
+            }
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! A step by impulses: contact, friction and hard limits of what is left of the figure as one convex problem.
+
+use super::prescribed::Prescribed;
+use super::reduction::{Reduction, Source};
+use super::small::{Maps, Moving, Side, Small};
+use super::state::StateMap;
+use crate::contact::ContactLaw;
+use crate::convex::Convex;
+use crate::element::LimitLaw;
+use nalgebra::{DMatrix, Vector3};
+use solaris_dynamics::{DynamicsError, Wrench};
+
+/// A limit this near (rad or m) may be come to within a step, whatever the velocity.
+const CLOSE: f64 = 1e-3;
+
+/// What a step by impulses needs, kept from step to step.
+#[derive(Clone)]
+pub(super) struct Impulses {
+    convex: Convex,
+    /// Of a whole step (s).
+    step: f64,
+    matrix: DMatrix<f64>,
+    /// By degree of freedom of the small figure, its place among those that dynamics move.
+    places: Vec<Option<usize>>,
+    limits: Vec<Limited>,
+    ground: Option<Ground>,
+    /// Spheres that may touch within the step: index, gap (m), lowest point.
+    near: Vec<(usize, f64, Vector3<f64>)>,
+    /// Velocities of the small figure after the step, without impulses.
+    free: Vec<f64>,
+    /// How joints hold each of its degrees of freedom back.
+    damping: Vec<f64>,
+    stiffness: Vec<f64>,
+    /// Of what dynamics move, before the step.
+    before: Vec<f64>,
+    /// What the ground does to links (N, N m, about the world's origin), by sphere.
+    wrenches: Vec<(usize, Wrench<f64>)>,
+    /// The same by the links of the small figure.
+    on_links: Vec<(usize, Wrench<f64>)>,
+    tau: Vec<f64>,
+    rate: Vec<f64>,
+    /// What the ground does: impulse (N s), and what its push and its friction take (J).
+    ground_sums: [f64; 5],
+    /// What limits take (J).
+    limit_loss: f64,
+}
+
+/// A degree of freedom with hard limits that dynamics move.
+#[derive(Clone, Copy)]
+struct Limited {
+    place: usize,
+    coordinate: usize,
+    lower: f64,
+    upper: f64,
+}
+
+/// The ground, and two directions along it.
+#[derive(Clone)]
+struct Ground {
+    axes: [Vector3<f64>; 3],
+    friction: f64,
+    /// Stiffness (N/m) and relaxation (s).
+    spring: (f64, f64),
+    /// By sphere of the small figure: its link there, and in the full figure.
+    links: Vec<(usize, usize)>,
+}
+
+impl Impulses {
+    pub(super) fn new(
+        source: &Source,
+        reduction: &Reduction,
+        maps: &Maps,
+        state: &StateMap,
+        step: f64,
+    ) -> Self {
+        let nv = reduction.kept_v.len();
+        let mut places = vec![None; nv];
+        for (place, k) in maps.velocities.iter().enumerate() {
+            places[*k] = Some(place);
+        }
+        let mut limits = Vec::new();
+        for (link, at) in reduction.figure.links().iter().zip(reduction.figure.layout().joints()) {
+            for (i, axis) in link.joint().kind().axes().iter().enumerate() {
+                let is_hard = matches!(reduction.limits[at.v + i], LimitLaw::Hard { .. });
+                // Ball joints have none.
+                let coordinate = reduction.figure.layout().coordinate(at.v + i).filter(|_| is_hard);
+                if let (Some(range), Some(place), Some(coordinate)) =
+                    (axis.limits, places[at.v + i], coordinate)
+                {
+                    let (lower, upper) = (range.lower, range.upper);
+                    limits.push(Limited { place, coordinate, lower, upper });
+                }
+            }
+        }
+        let ground = reduction.surface.as_ref().map(|surface| {
+            let up = surface.plane.up.into_inner();
+            let aside = up.cross(&Vector3::ith(up.iamin(), 1.0)).normalize();
+            let stiffness = match surface.plane.law {
+                ContactLaw::Compliant { stiffness, .. } => stiffness,
+                ContactLaw::Rigid => f64::INFINITY,
+            };
+            let full = source.surface.as_ref().map_or(&[][..], |full| &full.contact_points);
+            let spheres = surface.contact_points.iter().zip(&reduction.kept_touches);
+            Ground {
+                axes: [aside, up.cross(&aside), up],
+                friction: surface.plane.friction,
+                spring: (stiffness, 0.0),
+                links: spheres.map(|(small, index)| (small.link, full[*index].link)).collect(),
+            }
+        });
+        let spheres = ground.as_ref().map_or(0, |ground| ground.links.len());
+        let dofs = maps.velocities.len();
+        Self {
+            convex: Convex::new(dofs, spheres + 2 * limits.len()),
+            step,
+            matrix: DMatrix::zeros(nv, nv),
+            places,
+            limits,
+            ground,
+            near: Vec::with_capacity(spheres),
+            free: vec![0.0; nv],
+            damping: vec![0.0; nv],
+            stiffness: vec![0.0; nv],
+            before: vec![0.0; dofs],
+            wrenches: Vec::with_capacity(spheres),
+            on_links: Vec::with_capacity(spheres),
+            tau: vec![0.0; nv],
+            rate: vec![0.0; state.len()],
+            ground_sums: [0.0; 5],
+            limit_loss: 0.0,
+        }
+    }
+
+    /// What the ground does to links of the full figure, in the step that was found last.
+    pub(super) fn wrenches(&self) -> &[(usize, Wrench<f64>)] {
+        &self.wrenches
+    }
+
+    /// Finds the velocities after a step of `h` (s) and the impulses in it.
+    fn find(&mut self, side: &mut Side<f64>, maps: &Maps, h: f64) -> Result<(), DynamicsError> {
+        side.solve(maps)?;
+        for (free, (v, a)) in self.free.iter_mut().zip(side.v.iter().zip(&side.a)) {
+            *free = v + h * a;
+        }
+        for (before, k) in self.before.iter_mut().zip(&maps.velocities) {
+            *before = side.v[*k];
+        }
+        side.body.mass_matrix(&side.q, &mut self.matrix)?;
+        side.body.holds_back(&side.q, &side.v, &mut self.damping, &mut self.stiffness);
+        let (change, held) = (maps.velocities.iter().map(|k| h * side.a[*k]), |k: usize| {
+            (h * self.damping[k], h * h * self.stiffness[k])
+        });
+        self.convex.begin(&self.matrix, &maps.velocities, &self.before, change, held);
+        if let Some(ground) = &self.ground {
+            side.body.nearly_touching((&side.q, &side.v), 2.0 * h, &mut self.near)?;
+            side.body.joint_jacobians(&side.q)?;
+            for (sphere, gap, point) in &self.near {
+                self.convex.condition();
+                let mut bias = [0.0; 3];
+                side.body.columns(*sphere, point, |k, velocity| {
+                    let rows = [0, 1, 2].map(|i| ground.axes[i].dot(&velocity));
+                    if let Some(place) = self.places[k] {
+                        self.convex.entry(place, rows);
+                    } else {
+                        bias.iter_mut().zip(rows).for_each(|(bias, row)| *bias += row * self.free[k]);
+                    }
+                });
+                self.convex.contact(bias, ground.friction, *gap, ground.spring, h);
+            }
+        }
+        for &Limited { place, coordinate, lower, upper } in &self.limits {
+            let (q, reach) = (side.q[coordinate], CLOSE + 2.0 * h * self.before[place].abs());
+            for (gap, row) in [(q - lower, 1.0), (upper - q, -1.0)] {
+                if gap < reach {
+                    self.convex.condition();
+                    self.convex.entry(place, [0.0, 0.0, row]);
+                    self.convex.limit(gap, h);
+                }
+            }
+        }
+        self.convex.solve();
+        self.account(h);
+        for (k, a) in side.a.iter_mut().enumerate() {
+            if let Some(place) = self.places[k] {
+                *a = (self.convex.v[place] - self.before[place]) / h;
+            }
+        }
+        Ok(())
+    }
+
+    /// Forces and losses of the impulses that were found.
+    fn account(&mut self, h: f64) {
+        self.wrenches.clear();
+        self.on_links.clear();
+        (self.ground_sums, self.limit_loss) = ([0.0; 5], 0.0);
+        for (index, (impulse, mean)) in self.convex.impulses(&self.before).enumerate() {
+            let power: [f64; 3] = [0, 1, 2].map(|i| impulse[i] * mean[i]);
+            let (Some((sphere, _, point)), Some(ground)) = (self.near.get(index), &self.ground) else {
+                self.limit_loss -= power[2];
+                continue;
+            };
+            if impulse[2] <= 0.0 {
+                continue;
+            }
+            let total: Vector3<f64> = (0..3).map(|i| ground.axes[i] * impulse[i]).sum();
+            let wrench = Wrench::at(point, total / h, Vector3::zeros());
+            let (small, full) = ground.links[*sphere];
+            add(&mut self.wrenches, full, &wrench);
+            add(&mut self.on_links, small, &wrench);
+            for (sum, part) in self
+                .ground_sums
+                .iter_mut()
+                .zip(total.iter().copied().chain([-power[2], -power[0] - power[1]]))
+            {
+                *sum += part;
+            }
+        }
+    }
+}
+
+/// Adds what acts on a link to what acts on it already.
+fn add(all: &mut Vec<(usize, Wrench<f64>)>, link: usize, wrench: &Wrench<f64>) {
+    if let Some((_, sum)) = all.iter_mut().find(|(other, _)| *other == link) {
+        sum.force += wrench.force;
+        sum.moment += wrench.moment;
+    } else {
+        all.push((link, *wrench));
+    }
+}
+
+impl Small {
+    /// Finds the accelerations of what dynamics move over a step of `h` (s), impulses and all, and the impulses; of a whole step where
+    /// nothing is said.
+    pub(super) fn find_impulses(
+        &mut self,
+        prescribed: &Prescribed,
+        (t, y): (f64, &[f64]),
+        h: Option<f64>,
+    ) -> Result<(), DynamicsError> {
+        self.load(prescribed, t, y);
+        let Self { maps, numbers, impulses, .. } = self;
+        let Some(impulses) = impulses else { return Ok(()) };
+        let h = h.unwrap_or(impulses.step);
+        for &Moving { dof, k, .. } in &maps.moving {
+            numbers.a[k] = (prescribed.at(dof, t + h)[1] - numbers.v[k]) / h;
+        }
+        impulses.find(numbers, maps, h)
+    }
+
+    /// Writes the state a step of `h` (s) after `y`.
+    ///
+    /// ```text
+    /// v⁺ = v + h·a + M⁻¹Jᵀγ        q⁺ = q + h·q̇(q, v⁺)
+    /// ```
+    pub(super) fn step_by_impulses(
+        &mut self,
+        state: &StateMap,
+        prescribed: &Prescribed,
+        (t, h): (f64, f64),
+        y: &[f64],
+        next: &mut [f64],
+    ) -> Result<(), DynamicsError> {
+        self.find_impulses(prescribed, (t, y), Some(h))?;
+        let Self { maps, numbers, impulses, .. } = self;
+        let Some(impulses) = impulses else { return Ok(()) };
+        let (positions, accounts) = (state.positions(), state.accounts());
+        next.copy_from_slice(y);
+        next[positions..accounts].copy_from_slice(&impulses.convex.v);
+        state.position_rates(next, &mut impulses.rate);
+        for (next, rate) in next[..positions].iter_mut().zip(&impulses.rate) {
+            *next += h * rate;
+        }
+        if !maps.moving.is_empty() {
+            // What moves as prescribed bears what the ground does to it.
+            let Side { body, q, v, a, .. } = &mut *numbers;
+            body.inverse(q, v, a, &impulses.on_links, &mut impulses.tau)?;
+        }
+        // Dampers with the velocity at the end of the step, over the way of the step.
+        let (mut work, mut heat) = (0.0, 0.0);
+        for (k, force) in numbers.tau.iter().enumerate() {
+            let force = if impulses.places[k].is_some() { *force } else { impulses.tau[k] };
+            let (mean, end) = (numbers.v[k] + 0.5 * h * numbers.a[k], numbers.v[k] + h * numbers.a[k]);
+            work += force * h * mean;
+            if impulses.places[k].is_some() {
+                heat += impulses.damping[k] * end * h * mean;
+            }
+        }
+        let [.., push, friction] = impulses.ground_sums;
+        next[accounts] += work;
+        next[accounts + 1] += heat + push + friction + impulses.limit_loss;
+        for (next, part) in next[accounts + 2..].iter_mut().zip(impulses.ground_sums) {
+            *next += part;
+        }
+        Ok(())
+    }
+}
