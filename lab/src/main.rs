@@ -6,6 +6,7 @@ mod docs;
 mod falls;
 mod fit;
 mod gaits;
+mod live;
 mod mjcf;
 mod models;
 mod peers;
@@ -28,6 +29,7 @@ cargo lab CHORE
                                     or measures the numbers that ship; --recipe: begins with the recipe's
   gaits [--walks N]                 walks a million random requests in the thesis's style, or says why not, and 3000 smooth ones over all grounds
                                     and in all manners, each held against the laws: about twenty minutes; --walks: so many smooth ones alone
+  live                              times the frames of a walker that is steered into docs/live.md, and draws docs/strips/live.svg
   models FOLDER [--write]           reads the model files of a folder that other engines open (lab/models/opened.py lists them), prints
                                     why those are refused that are, and writes the counts into docs/bodies.md
   peers --model FILE.txt --states PREFIX [--ms MS] [--rounds N] [--dump FILE.f64] [--dump-fd FILE.f64]
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         ["gaits", ref options @ ..] => {
             gaits::Options::parse(options).and_then(|options| gaits::run(&options))
         }
+        ["live"] => live::run(),
         ["models", ref options @ ..] => {
             models::Options::parse(options).and_then(|options| models::run(&options))
         }

@@ -1,6 +1,7 @@
 //! Errors, one enum a concern: the figure, the request, the plan, the postures, the map, the measuring.
 
 mod body;
+mod live;
 mod map;
 mod measure;
 mod plan;
@@ -8,6 +9,7 @@ mod posture;
 mod request;
 
 pub use body::BodyError;
+pub use live::LiveError;
 pub use map::MapError;
 pub use measure::MeasureError;
 pub use plan::PlanError;
@@ -29,6 +31,8 @@ pub enum GaitError {
     Body(#[from] BodyError),
     #[error(transparent)]
     Request(#[from] RequestError),
+    #[error(transparent)]
+    Live(#[from] LiveError),
     #[error(transparent)]
     Plan(#[from] PlanError),
     #[error(transparent)]

@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < comparison < styled < people < sweep < crowd
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < live < comparison < styled < people < sweep < crowd
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -15,6 +15,7 @@
 //! - `measure`, `metrics`: numbers of a finished walk of ours, and of any motion of any figure with feet.
 //! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
 //! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
+//! - `live`: a walker that is steered while it walks.
 //! - `comparison`, `styled`, `people`, `sweep`, `crowd`: what needs both walkers or all of this.
 
 mod body;
@@ -24,6 +25,7 @@ pub mod crowd;
 mod error;
 mod grid;
 mod limbs;
+mod live;
 mod measure;
 pub mod metrics;
 mod momentum;
@@ -38,7 +40,10 @@ mod walking;
 
 pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;
-pub use error::{BodyError, GaitError, MapError, MeasureError, PlanError, PostureError, RequestError};
+pub use error::{
+    BodyError, GaitError, LiveError, MapError, MeasureError, PlanError, PostureError, RequestError,
+};
+pub use live::{Bent, Command, Walker};
 pub use measure::{
     Band, BandCheck, BandReport, BeyondRange, IsolatedPeak, JointPeaks, Peak, RECIPE_BANDS, RUN_BANDS,
     RunBand, SteadyRun, SteadyStride, TEXTBOOK_BANDS, WalkExtremes, WalkMeasures, band_reports, check_bands,

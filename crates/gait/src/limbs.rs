@@ -5,5 +5,6 @@ pub(crate) mod midstance;
 pub(crate) mod numbers;
 pub(crate) mod path;
 pub(crate) mod push;
+pub(crate) mod sole;
 pub(crate) mod stance;
 pub(crate) mod swing;

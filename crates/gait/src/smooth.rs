@@ -3,7 +3,7 @@
 mod band;
 mod footfall;
 mod laid;
-mod laws;
+pub(crate) mod laws;
 mod legs;
 mod manner;
 mod options;
@@ -37,5 +37,6 @@ pub use stair_numbers::StairNumbers;
 pub use stairs::STAIRS;
 pub use stride::StridePlan;
 pub use style::{Style, StyleTable};
+pub(crate) use walk::Standing;
 pub use walk::{WalkNumbers, WalkPlan};
 pub use walker::{walk, walk_in_part};

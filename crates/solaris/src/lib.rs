@@ -25,10 +25,10 @@ pub mod prelude {
         contact_dynamics, coriolis_matrix, forward_dynamics, forward_kinematics, hybrid_dynamics,
         inverse_dynamics, inverse_mass_matrix, jacobian, mass_matrix, velocities,
     };
-    pub use solaris_gait::{Extent, StrideLoop, WalkPlan, WalkRequest, measure, walk};
+    pub use solaris_gait::{Command, Extent, StrideLoop, WalkPlan, WalkRequest, Walker, measure, walk};
     pub use solaris_model::{
         Figure, FigureBuilder, Human, Inertia, Joint, Known, LinkSpec, Motion, MotionInfo, Placement, RootAt,
-        Trajectory, Vector3, human,
+        RootOrder, Trajectory, Vector3, human,
     };
     pub use solaris_modes::{
         ContactLaw, Course, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Run, Settings,

@@ -11,8 +11,9 @@ use super::numbers::{
 };
 use super::path::FootJet;
 use super::push::Push;
+use super::sole::{Sole, not_below_zero};
 use crate::body::foot::FootPlane;
-use crate::body::leg::{LegGeometry, LegPose, Polar};
+use crate::body::leg::{LegGeometry, LegPose};
 use nalgebra::Vector3;
 use solaris_profiles::{Boundary, Curve, Outside, Piecewise, ProfileError, Quintic, step};
 
@@ -48,22 +49,6 @@ pub(crate) struct Footing {
     pub(crate) tilt: f64,
 }
 
-/// Axes of the ground under a foot: to the left, normal, forward.
-#[derive(Clone, Copy, Debug)]
-struct Sole {
-    left: Vector3<f64>,
-    normal: Vector3<f64>,
-    forward: Vector3<f64>,
-}
-
-impl Sole {
-    /// Left, up, forward.
-    #[inline]
-    fn split(&self, v: &Vector3<f64>) -> [f64; 3] {
-        [v.dot(&self.left), v.dot(&self.normal), v.dot(&self.forward)]
-    }
-}
-
 /// The left foot on the ground; its print's heel stands at y = z = 0 (the right foot's world is mirrored).
 ///
 /// The ground may be pitched. The closed forms of a foot that turns on it are those of level ground in the ground's axes; the leg's
@@ -78,12 +63,6 @@ pub(crate) struct Stance {
     foot_flat: f64,
     toe_off: f64,
     push: Push,
-    pub(crate) heel: Vector3<f64>,
-    flat_ankle: Vector3<f64>,
-    tip: Vector3<f64>,
-    heel_polar: Polar,
-    ball_polar: Polar,
-    toe_polar: Polar,
     contact_knee: Option<Quintic>,
     push_knee: Option<Piecewise>,
 }
@@ -92,24 +71,15 @@ impl Stance {
     pub(crate) fn new(leg: &LegGeometry, footing: &Footing, landing: Landing, push: Push) -> Self {
         let plane = FootPlane::new(footing.yaw);
         let heel = Vector3::new(footing.width / 2.0, 0.0, 0.0);
-        let axes = plane.tilted(footing.tilt);
-        let [left, normal, forward] = [0, 1, 2].map(|i| axes.column(i).into());
-        let sole = Sole { left, normal, forward };
         Self {
             leg: *leg,
             plane,
-            sole,
+            sole: Sole::new(leg, &plane, footing.tilt, heel),
             tilt: footing.tilt,
             landing,
             foot_flat: footing.flat,
             toe_off: footing.toe_off,
             push,
-            heel,
-            flat_ankle: heel + sole.forward * leg.heel_behind + sole.normal * leg.ankle_height,
-            tip: heel + sole.forward * leg.foot_length(),
-            heel_polar: leg.heel_polar(),
-            ball_polar: leg.ball_polar(),
-            toe_polar: leg.toe_polar(),
             contact_knee: None,
             push_knee: None,
         }
@@ -117,7 +87,7 @@ impl Stance {
 
     /// The ankle of the flat foot.
     pub(crate) fn flat_ankle(&self) -> Vector3<f64> {
-        self.flat_ankle
+        self.sole.flat_ankle()
     }
 
     /// Whether the foot has a push-off, so that its stance ends.
@@ -169,7 +139,7 @@ impl Stance {
         let (heel_off, toe_off) = (self.push.heel_off, self.toe_off);
         let start = self.flat_knee_jet(heel_off, &hip);
         let steepest =
-            (hip(toe_off) - self.ankle_on_ball(&self.ball(toe_off), self.push.steepest)).norm_squared();
+            (hip(toe_off) - self.sole.ankle_on_ball(&self.ball(toe_off), self.push.steepest)).norm_squared();
         let mut end = self.push.knee_toe_off;
         end.position = end.position.min(self.leg.knee_for(steepest.min(self.leg.almost_straight_squared())));
         let most = self.push.most_knee.max(end.position);
@@ -239,7 +209,7 @@ impl Stance {
         } else if u < self.foot_flat {
             self.landing_foot(u, hip)
         } else {
-            (self.flat_ankle, 0.0, 0.0)
+            (self.sole.flat_ankle(), 0.0, 0.0)
         }
     }
 
@@ -255,9 +225,9 @@ impl Stance {
                 let t = u / self.foot_flat;
                 let left = 1.0 + t * (3.0 + 6.0 * t) - rate * t * (1.0 + 3.0 * t);
                 let pitch = pitch * (1.0 - t).powi(3) * left;
-                (self.ankle_on_ball(&self.flat_ball(), pitch), pitch, 0.0)
+                (self.sole.ankle_on_ball(&self.sole.flat_ball(), pitch), pitch, 0.0)
             }
-            Landing::Flat => (self.flat_ankle, 0.0, 0.0),
+            Landing::Flat => (self.sole.flat_ankle(), 0.0, 0.0),
         }
     }
 
@@ -265,19 +235,14 @@ impl Stance {
     pub(crate) fn landing_ankle(&self, heel_pitch: f64) -> Vector3<f64> {
         match self.landing {
             Landing::Heel => self.ankle_on_heel(heel_pitch),
-            Landing::Ball { pitch, .. } => self.ankle_on_ball(&self.flat_ball(), pitch),
-            Landing::Flat => self.flat_ankle,
+            Landing::Ball { pitch, .. } => self.sole.ankle_on_ball(&self.sole.flat_ball(), pitch),
+            Landing::Flat => self.sole.flat_ankle(),
         }
     }
 
     /// The ankle at toe-off of a foot with this pitch.
     pub(crate) fn ankle_at_toe_off(&self, pitch: f64) -> Vector3<f64> {
-        self.ankle_on_ball(&self.ball(self.toe_off), pitch)
-    }
-
-    /// The ball joint while the toes are flat.
-    fn flat_ball(&self) -> Vector3<f64> {
-        self.tip - self.sole.forward * self.leg.toe + self.sole.normal * self.leg.ball_height
+        self.sole.ankle_on_ball(&self.ball(self.toe_off), pitch)
     }
 
     /// Angles and derivatives at contact; `knee` is the law's jet, or the leg's own where there is none.
@@ -361,27 +326,24 @@ impl Stance {
     }
 
     fn flat_knee(&self, u: f64, hip: &impl Fn(f64) -> Vector3<f64>) -> f64 {
-        let distance = (hip(u) - self.flat_ankle).norm_squared();
+        let distance = (hip(u) - self.sole.flat_ankle()).norm_squared();
         self.leg.knee_for(distance.min(self.leg.almost_straight_squared()))
     }
 
     pub(crate) fn flat_knee_jet(&self, u: f64, hip: &impl Fn(f64) -> Vector3<f64>) -> Boundary {
-        let [distance] = jets(u, JET_STEP, |u| [(hip(u) - self.flat_ankle).norm_squared()]);
+        let [distance] = jets(u, JET_STEP, |u| [(hip(u) - self.sole.flat_ankle()).norm_squared()]);
         self.knee_jet(&distance)
     }
 
     /// The ankle of a foot that turns about the heel, for its pitch against the ground.
     pub(crate) fn ankle_on_heel(&self, pitch: f64) -> Vector3<f64> {
-        let (sin, cos) = pitch.sin_cos();
-        let (hz, ha) = (self.leg.heel_behind, self.leg.ankle_height);
-        self.heel + self.sole.forward * (hz * cos + ha * sin) + self.sole.normal * (ha * cos - hz * sin)
+        self.sole.ankle_on_heel(pitch)
     }
 
     #[inline]
     fn heel_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
         let knee = self.contact_knee.as_ref().map_or(0.0, |law| law.extrapolated(u).position);
-        let hip = self.sole.split(&(hip - self.heel));
-        let law = self.leg.pitch_about(self.heel_polar, hip, knee);
+        let law = self.sole.pitch_on_heel(hip, knee);
         let pitch = -not_below_zero(-law, self.softness(self.foot_flat - u));
         (self.ankle_on_heel(pitch), pitch)
     }
@@ -401,24 +363,14 @@ impl Stance {
     /// The ball joint, carried by the toes that roll about the tip.
     #[inline]
     fn ball(&self, u: f64) -> Vector3<f64> {
-        let (b, r) = self.toe_polar;
-        let (sin, cos) = (b + self.toes(u)).sin_cos();
-        self.tip - self.sole.forward * (r * cos) + self.sole.normal * (r * sin)
-    }
-
-    /// The ankle of a foot that turns about the ball joint, which is at `ball`.
-    fn ankle_on_ball(&self, ball: &Vector3<f64>, pitch: f64) -> Vector3<f64> {
-        let (angle, r) = self.ball_polar;
-        let (sin, cos) = (pitch + angle).sin_cos();
-        ball - self.sole.forward * (r * cos) + self.sole.normal * (r * sin)
+        self.sole.ball(self.toes(u))
     }
 
     #[inline]
     fn push_phase(&self, u: f64, hip: &Vector3<f64>) -> (Vector3<f64>, f64) {
         let knee = self.push_knee.as_ref().map_or(0.0, |law| law.position(u));
         let ball = self.ball(u);
-        let hip = self.sole.split(&(hip - ball));
-        let law = self.leg.pitch_over(self.ball_polar, hip, knee);
+        let law = self.sole.pitch_on_ball(hip, &ball, knee);
         // Not below 0; on slopes it would stay there in mid-push, and where it leaves is rounded off.
         let pitch = if self.push.rounding == 0.0 {
             not_below_zero(law, self.softness(u - self.push.heel_off))
@@ -427,22 +379,6 @@ impl Stance {
             let width = self.push.rounding * part(self.push.heel_off) * (1.0 - part(PUSH_EASES.0));
             0.5 * (law + law.hypot(width))
         };
-        (self.ankle_on_ball(&ball, pitch), pitch)
-    }
-}
-
-/// The greater one of `x` and 0, C² with a width of `soft` to either side:
-///
-/// ```text
-/// 2ε (t³ − t⁴/2)      t = (x + ε)/(2ε) in 0 … 1
-/// ```
-fn not_below_zero(x: f64, soft: f64) -> f64 {
-    if x >= soft {
-        x
-    } else if x <= -soft {
-        0.0
-    } else {
-        let t = 0.5 * (x / soft + 1.0);
-        2.0 * soft * t * t * t * (1.0 - 0.5 * t)
+        (self.sole.ankle_on_ball(&ball, pitch), pitch)
     }
 }

@@ -61,7 +61,7 @@ impl Footfall {
     };
 
     /// How far outward of the foot's axis its centre of pressure is, in parts of the foot's length, `v` after contact.
-    pub(super) fn outward(&self, v: f64, toe_off: f64) -> f64 {
+    pub(crate) fn outward(&self, v: f64, toe_off: f64) -> f64 {
         let [contact, middle, end] = self.cop_outward;
         contact
             + (middle - contact) * step::quintic(v / OUTWARD_UNTIL).position

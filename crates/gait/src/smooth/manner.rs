@@ -65,7 +65,7 @@ impl Manner {
         }
     }
 
-    pub(super) fn carriage(&self) -> ArmCarriage {
+    pub(crate) fn carriage(&self) -> ArmCarriage {
         let Self { clavicle, wrist, arms_out: abduction, arms_in: inward, .. } = *self;
         ArmCarriage { abduction, inward, clavicle, wrist }
     }

@@ -175,7 +175,8 @@ impl StridePlan {
         Vector3::new(0.0, self.style.rise(), self.style.step_length) * 2.0
     }
 
-    fn place(&self, u: f64) -> (Vector3<f64>, [LegPose; 2]) {
+    /// The pelvis and both legs at the clock `u`; each leg's pose is one of a left leg.
+    pub(crate) fn place(&self, u: f64) -> (Vector3<f64>, [LegPose; 2]) {
         let stride = self.advance();
         let pelvis = Vector3::from(self.pelvis.position(u)) + stride * u;
         let (trunk, _) = angles(&self.style, u);

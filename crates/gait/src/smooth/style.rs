@@ -344,7 +344,7 @@ impl Style {
     /// ```text
     /// y(u) = −leg·[a₁ cos 4π(u − u₁) + a₂ cos 8πu + b₂ sin 8πu + a₃ cos 12πu + b₃ sin 12πu]
     /// ```
-    pub(super) fn height(&self, leg: f64, u: f64) -> (f64, f64) {
+    pub(crate) fn height(&self, leg: f64, u: f64) -> (f64, f64) {
         let omega = TAU / self.stride_time;
         let phase = 2.0 * TAU * self.height1_phase;
         let terms = [

@@ -24,5 +24,6 @@ pub(crate) use course::Step;
 pub(crate) use grounded::Grounded;
 pub use numbers::WalkNumbers;
 pub use plan::WalkPlan;
+pub(crate) use standing::Standing;
 pub(crate) use steps::Steps;
 pub(crate) use terrain::{LEAD, StepKind, Terrain};

@@ -6,6 +6,7 @@ mod changes;
 mod changes_random;
 mod comparison;
 mod curves;
+mod driven;
 mod everyone;
 mod five_determinants;
 mod five_determinants_automatic;
@@ -24,6 +25,9 @@ mod initiation;
 mod isolated_peaks;
 mod layers;
 mod leg_closed_forms;
+mod live;
+mod live_random;
+
 mod long_walk;
 mod manners;
 mod metrics;

@@ -1,5 +1,7 @@
 //! The examples run, and come to what they assert.
 
+#[path = "../../examples/driven_walk.rs"]
+mod driven_walk;
 #[path = "../../examples/free_arm.rs"]
 mod free_arm;
 #[path = "../../examples/game_walk.rs"]
@@ -14,7 +16,8 @@ mod subject_moments;
 #[test]
 fn all_examples_run() {
     for (name, run) in [
-        ("free_arm", free_arm::main as fn() -> _),
+        ("driven_walk", driven_walk::main as fn() -> _),
+        ("free_arm", free_arm::main),
         ("game_walk", game_walk::main),
         ("robot_torques", robot_torques::main),
         ("scene_text", scene_text::main),

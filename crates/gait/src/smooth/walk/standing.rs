@@ -18,9 +18,9 @@ pub(super) fn knee_standing(tilt: f64) -> f64 {
 
 /// Pelvis and centre of mass when standing with both heels at z = 0 (m).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Standing {
-    pub(super) pelvis: Vector3<f64>,
-    pub(super) com: Vector3<f64>,
+pub(crate) struct Standing {
+    pub(crate) pelvis: Vector3<f64>,
+    pub(crate) com: Vector3<f64>,
 }
 
 impl Standing {
@@ -28,7 +28,7 @@ impl Standing {
     /// of raising the pelvis to the knees and shifting it under the centre of mass.
     ///
     /// The ground rises by `tilt` (rad) along z.
-    pub(super) fn new(body: &Body, style: &Style, tilt: f64) -> Self {
+    pub(crate) fn new(body: &Body, style: &Style, tilt: f64) -> Self {
         let leg = &body.leg;
         let grid = Grid { count: 1, step: 1.0, ends: Ends::Resting };
         let (trunk, arms) = (laws::trunk(style, 0.0, Swings::NONE), laws::arms(style, 0.0, Swings::NONE));

@@ -1,0 +1,21 @@
+//! Errors of a walker that is steered.
+
+/// Why a live walker does not take what it is given; it stays as it is.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+#[allow(missing_docs, reason = "each message says what its fields are")]
+pub enum LiveError {
+    #[error(
+        "figure '{figure}' turns about z first, and a live walker turns without end: give its root the order Yzx, in a figure's text \
+         Human(..., root: Yzx), in the library Human::root(RootOrder::Yzx)"
+    )]
+    Root { figure: String },
+    #[error("{what} {value}: it must be a number below a million")]
+    NotFinite { what: &'static str, value: f64 },
+    #[error("a frame of {seconds} s: it must last more than 0 and at most {most} s")]
+    Frame { seconds: f64, most: f64 },
+    #[error("there is no coordinate '{dof}' that can be freed; all but those of the root and the legs can")]
+    NotFree { dof: String },
+    #[error("{given} numbers for {wanted} coordinates")]
+    Length { given: usize, wanted: usize },
+}

@@ -1,0 +1,17 @@
+//! A walker that is steered while it walks.
+
+mod balance;
+mod beat;
+mod command;
+mod ease;
+mod footholds;
+mod free;
+mod paces;
+mod print;
+mod step;
+mod tried;
+mod walker;
+
+pub use command::Command;
+pub use footholds::Bent;
+pub use walker::Walker;

@@ -1,0 +1,296 @@
+//! The walker: takes commands, makes steps, gives postures.
+
+use super::beat::Foot;
+use super::command::{Command, ahead};
+use super::ease::{Jets, jets};
+use super::footholds::{Bends, Bent, Course};
+use super::free::Freed;
+use super::paces::Paces;
+use super::print::{Print, sign};
+use super::step::Step;
+use super::tried::Tried;
+use crate::body::Body;
+use crate::body::missing;
+use crate::error::{GaitError, LiveError};
+use nalgebra::Vector3;
+use solaris_model::{Figure, RootOrder};
+use std::sync::Arc;
+
+/// The longest frame (s).
+const LONGEST_FRAME: f64 = 0.25;
+/// Step of the difference formulas for velocities and accelerations (s).
+const DIFFERENCE: f64 = 1e-3;
+/// Parts of a change of speed that are tried.
+const GAINS: [f64; 6] = [1.0, 0.75, 0.5, 0.3, 0.15, 0.0];
+
+/// A figure that walks as it is told while it walks.
+///
+/// Every call of [`Walker::step`] goes on by a frame, under a [`Command`] that may be another one each time; a command takes effect at the next
+/// footfall at the latest. Planted feet are exact at every time, whatever is told; where the feet land, and when, follows from the dynamics
+/// of the centre of mass over the coming footholds. What cannot be walked is bent to the nearest that can, see [`Walker::bent`].
+///
+/// A clone is a snapshot: from the same commands it goes on to the same bits. What was planned when the walker was built is shared by all clones.
+/// Frames do not allocate.
+///
+/// ```
+/// use solaris_gait::{Command, Walker};
+/// use solaris_model::{Human, RootOrder};
+///
+/// let ann = Human::new(1.65, 58.0).root(RootOrder::Yzx).build()?;
+/// let mut walker = Walker::new(&ann)?;
+/// for frame in 0..300 {
+///     let command = if frame < 180 { Command::velocity(0.0, 1.2) } else { Command::stop() };
+///     let q = walker.step(1.0 / 60.0, &command)?;
+///     assert_eq!(q.len(), ann.layout().nq());
+/// }
+/// assert!(walker.place()[1] > 2.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "controller")]
+#[doc(alias = "character")]
+#[derive(Clone)]
+pub struct Walker {
+    paces: Arc<Paces>,
+    step: Step,
+    before: Step,
+    /// Time in the step (s).
+    time: f64,
+    course: Course,
+    bent: Bends,
+    freed: Freed,
+    q: Vec<f64>,
+    /// Room for another posture.
+    scratch: Vec<f64>,
+}
+
+impl Walker {
+    /// A walker that stands at the origin and faces along z.
+    ///
+    /// It plans a few dozens of milliseconds: strides of all speeds.
+    ///
+    /// # Errors
+    ///
+    /// A figure that cannot walk, and one whose root does not turn by its heading first ([`RootOrder::Yzx`]).
+    pub fn new(figure: &Figure) -> Result<Self, GaitError> {
+        missing::check(figure)?;
+        let body = Body::of(figure)?;
+        if body.root_order != RootOrder::Yzx {
+            return Err(LiveError::Root { figure: figure.name().to_owned() }.into());
+        }
+        let nq = body.nq;
+        let freed = Freed::new(figure, &body);
+        let paces = Arc::new(Paces::new(body)?);
+        let half = 0.5 * paces.style(paces.at(0.0)).step_width;
+        let foot = |side: usize| Foot {
+            print: Print { heel: Vector3::new(sign(side) * half, 0.0, 0.0), heading: 0.0 },
+            landed: None,
+        };
+        let course = Course {
+            leading: 0,
+            feet: [foot(0), foot(1)],
+            headings: [0.0; 2],
+            center: Vector3::zeros(),
+            velocity: [0.0; 2],
+            stands: true,
+            closed: false,
+            pace: 0.0,
+            gain: 1.0,
+        };
+        let (beat, course) = course.next(&paces, &Command::stop(), &[[0.0]; 3], &mut Bends::default());
+        let step = Step::standing(&beat);
+        let mut walker = Self {
+            paces,
+            step,
+            before: step,
+            time: beat.time,
+            course,
+            bent: Bends::default(),
+            freed,
+            q: vec![0.0; nq],
+            scratch: vec![0.0; nq],
+        };
+        walker.write();
+        Ok(walker)
+    }
+
+    /// Goes on by `dt` (s) under a command, and gives the figure's coordinates there (`nq` of them, in its own order).
+    ///
+    /// # Errors
+    ///
+    /// A frame that is not longer than nothing or longer than a quarter of a second, and numbers that are none: the walker stays where it is.
+    pub fn step(&mut self, dt: f64, command: &Command) -> Result<&[f64], LiveError> {
+        if !(dt > 0.0 && dt <= LONGEST_FRAME) {
+            return Err(LiveError::Frame { seconds: dt, most: LONGEST_FRAME });
+        }
+        command.check()?;
+        self.time += dt;
+        self.freed.step(dt);
+        if self.step.beat.walks() {
+            if self.time >= self.step.beat.time {
+                self.next(self.step.beat.time, command);
+            }
+        } else if self.may_leave() && self.course.is_moved_by(command) {
+            self.next(self.time, command);
+        }
+        self.write();
+        Ok(&self.q)
+    }
+
+    /// The figure's coordinates (`nq`).
+    pub fn configuration(&self) -> &[f64] {
+        &self.q
+    }
+
+    /// Writes velocities and accelerations of the coordinates (`nv` each; the figure has as many of both): differences backward in time over the
+    /// walker's own motion, to the first and second order of a millisecond. Freed coordinates have those of the walk.
+    ///
+    /// # Errors
+    ///
+    /// Slices of another length.
+    pub fn derivatives(&mut self, v: &mut [f64], a: &mut [f64]) -> Result<(), LiveError> {
+        let n = self.q.len();
+        for given in [v.len(), a.len()] {
+            if given != n {
+                return Err(LiveError::Length { given, wanted: n });
+            }
+        }
+        let mut at = std::mem::take(&mut self.scratch);
+        v.fill(0.0);
+        a.fill(0.0);
+        for (k, (first, second)) in
+            [(11.0 / 6.0, 2.0), (-3.0, -5.0), (1.5, 4.0), (-1.0 / 3.0, -1.0)].into_iter().enumerate()
+        {
+            self.configuration_before(k as f64 * DIFFERENCE, &mut at);
+            for i in 0..n {
+                v[i] += first * at[i] / DIFFERENCE;
+                a[i] += second * at[i] / (DIFFERENCE * DIFFERENCE);
+            }
+        }
+        self.scratch = at;
+        Ok(())
+    }
+
+    /// The coordinates a short time ago (s, within the last step).
+    fn configuration_before(&self, ago: f64, q: &mut [f64]) {
+        let t = self.time - ago;
+        let (step, t) = if t < 0.0 { (&self.before, self.left() + t) } else { (&self.step, t) };
+        step.placed(&self.paces, t).posture.write(&self.paces.body, &self.paces.plane, q);
+    }
+
+    /// When the step before was left, by its own time.
+    fn left(&self) -> f64 {
+        self.before.ended
+    }
+
+    /// Where it is: the middle between its feet's coming prints (x and z, m).
+    pub fn place(&self) -> [f64; 2] {
+        [self.course.center.x, self.course.center.z]
+    }
+
+    /// Which way the body faces (rad, to the left of z, not wrapped).
+    pub fn heading(&self) -> f64 {
+        self.step.beat.heading(self.time)
+    }
+
+    /// The velocity that the present step makes: x and z of the world (m/s).
+    pub fn velocity(&self) -> [f64; 2] {
+        ahead(self.step.beat.faces[0], self.course.velocity)
+    }
+
+    /// Whether both feet stand and no step has begun.
+    pub fn is_standing(&self) -> bool {
+        !self.step.beat.walks()
+    }
+
+    /// In what the command was bent to what can be walked when the present step was decided.
+    pub fn bent(&self) -> impl Iterator<Item = Bent> {
+        self.bent.all()
+    }
+
+    /// The centre of mass (m).
+    pub fn com(&self) -> Vector3<f64> {
+        self.step.placed(&self.paces, self.time).com
+    }
+
+    /// The centre of pressure that the plan asks of the ground: x and z (m).
+    pub fn pressure(&self) -> [f64; 2] {
+        self.step.pressed(&self.paces, self.time)
+    }
+
+    /// Frees a coordinate for the caller, over a fifth of a second: from now on it has the value that [`Walker::set_freed`] gives it. The dofs of the root
+    /// and of the legs cannot be freed, for the feet stand by them.
+    ///
+    /// # Errors
+    ///
+    /// A name that is none of a coordinate that can be freed.
+    #[doc(alias = "mask")]
+    pub fn free(&mut self, dof: &str) -> Result<(), LiveError> {
+        self.freed.free(dof, true)
+    }
+
+    /// Takes a coordinate back into the walk, over a fifth of a second.
+    ///
+    /// # Errors
+    ///
+    /// A name that is none of a coordinate that can be freed.
+    pub fn hold(&mut self, dof: &str) -> Result<(), LiveError> {
+        self.freed.free(dof, false)
+    }
+
+    /// Gives a freed coordinate its value (rad); that it moves smoothly is the caller's.
+    ///
+    /// # Errors
+    ///
+    /// A name that is none of a coordinate that can be freed, and a value that is none.
+    pub fn set_freed(&mut self, dof: &str, value: f64) -> Result<(), LiveError> {
+        self.freed.set(dof, value)
+    }
+
+    fn write(&mut self) {
+        let placed = self.step.placed(&self.paces, self.time);
+        placed.posture.write(&self.paces.body, &self.paces.plane, &mut self.q);
+        self.freed.write(&mut self.q);
+    }
+
+    /// Whether somebody who comes to a stand may go on: both feet are flat.
+    fn may_leave(&self) -> bool {
+        self.step.beat.feet.iter().all(|foot| foot.is_flat(self.time))
+    }
+
+    /// Makes the next step, from the time `t` of this one on.
+    fn next(&mut self, t: f64, command: &Command) {
+        let paces = self.paces.clone();
+        let paces = &*paces;
+        let mut course = self.course;
+        if !self.step.beat.walks() {
+            course.feet = self.step.beat.feet.map(|foot| Foot { landed: None, ..foot });
+        }
+        let beat = &self.step.beat;
+        let heading: Jets<1> = jets(t, |t| [beat.heading(t)]);
+        let before = self.step.before(paces, t);
+        // The whole change of speed at once, or as much of it as footholds and pressure can bear.
+        let mut best: Option<Tried> = None;
+        for gain in GAINS {
+            course.gain = gain;
+            let mut bent = Bends::default();
+            let (beat, after) = course.next(paces, command, &heading, &mut bent);
+            let tried = Tried::new(paces, &beat, after, command, &before, bent);
+            let (is_borne, is_better) =
+                (tried.strain <= 1.0, best.as_ref().is_none_or(|best| tried.strain < best.strain));
+            if is_better {
+                best = Some(tried);
+            }
+            if is_borne || !after.walks_on() {
+                break;
+            }
+        }
+        let Some(tried) = best else { return };
+        let (step, course, bent) = tried.finished(paces, &before);
+        self.bent = bent;
+        self.step.ended = t;
+        self.before = self.step;
+        self.step = step;
+        self.course = course;
+        self.time -= t;
+    }
+}

@@ -1,0 +1,64 @@
+//! Frames of a live walker allocate nothing.
+
+#![allow(
+    unsafe_code,
+    reason = "an allocator cannot be written without; this one passes everything on to the system's"
+)]
+
+use solaris_gait::{Command, Walker};
+use solaris_model::{Human, RootOrder};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+/// The system's allocator, counting on each thread what is asked of it.
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+fn count() {
+    ALLOCATIONS.with(|allocations| allocations.set(allocations.get() + 1));
+}
+
+// SAFETY: every call is passed on to the system's allocator unchanged; counting neither allocates nor unwinds, for the
+// counter is a constant without a destructor.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn frames_allocate_nothing() {
+    let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().expect("a person");
+    let mut walker = Walker::new(&figure).expect("a walker");
+    let (mut v, mut a) = (vec![0.0; figure.layout().nv()], vec![0.0; figure.layout().nv()]);
+    let before = ALLOCATIONS.with(Cell::get);
+    for k in 0..2000 {
+        let angle = 0.01 * f64::from(k);
+        let command = match k / 400 {
+            0 => Command::velocity(0.0, 1.2),
+            1 => Command::velocity(angle.sin(), angle.cos()),
+            2 => Command::own_velocity(0.2, 0.0),
+            3 => Command::to_point(0.0, 0.0, 1.0),
+            _ => Command::stop(),
+        };
+        walker.step(1.0 / 60.0, &command).expect("a frame");
+        walker.derivatives(&mut v, &mut a).expect("slices");
+    }
+    assert_eq!(ALLOCATIONS.with(Cell::get) - before, 0);
+}

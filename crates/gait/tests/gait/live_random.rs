@@ -1,0 +1,60 @@
+//! Walkers under commands at random: planted feet, continuity and limbs at every frame, whatever comes.
+
+use crate::driven::{Driver, person};
+use crate::random::Random;
+use solaris_gait::Command;
+
+/// Any command, and how long it holds (s).
+fn command(random: &mut Random) -> (Command, f64) {
+    let command = match random.pick(8) {
+        0 => Command::stop(),
+        1..=3 => {
+            let (angle, speed) = (random.within(-3.2, 3.2), random.within(0.0, 2.0));
+            Command::velocity(speed * angle.sin(), speed * angle.cos())
+        }
+        4 | 5 => Command::own_velocity(random.within(-0.4, 0.4), random.within(-0.8, 1.6)),
+        6 => Command::to_point(random.within(-4.0, 4.0), random.within(-4.0, 4.0), random.within(0.2, 1.8)),
+        _ => Command::velocity(random.within(-1.0, 1.0), random.within(-1.0, 1.0))
+            .facing(random.within(-4.0, 4.0)),
+    };
+    let faces = random.often(0.15);
+    let command = if faces {
+        command.facing_point(random.within(-3.0, 3.0), random.within(-3.0, 3.0))
+    } else {
+        command
+    };
+    (command, random.within(0.1, 4.0))
+}
+
+/// Drives for some time, and holds every frame against what walks keep.
+fn driven(height: f64, seed: u64, rate: f64, time: f64) {
+    let figure = person(height);
+    let mut driver = Driver::new(&figure, rate);
+    let mut random = Random(seed);
+    while driver.time() < time {
+        let (command, holds) = command(&mut random);
+        driver.go(&command, holds);
+    }
+    let found = &driver.found;
+    println!("{height} m, seed {seed}: {found:.5?}");
+    let name = format!("{height} m, seed {seed}");
+    assert!(found.slide.0 < 1e-4 && found.sink < 1e-6, "{name}: {found:?}");
+    assert!(found.feet.0 > 0.025 * height, "{name}: {found:?}");
+    assert!(found.knees[0] > 0.01 && found.knees[1] < 1.6, "{name}: {found:?}");
+    assert!(found.rate.0 < 35.0 && found.change.0 < 4000.0 && found.root_change < 40.0, "{name}: {found:?}");
+}
+
+#[test]
+fn two_minutes_of_any_commands_hold() {
+    for (height, seed, rate) in [(1.75, 7, 240.0), (1.5, 8, 120.0), (1.95, 9, 60.0), (1.2, 10, 144.0)] {
+        driven(height, seed, rate, 30.0);
+    }
+}
+
+#[test]
+#[ignore = "an hour of walking"]
+fn an_hour_of_any_commands_holds() {
+    for k in 0..60 {
+        driven([1.75, 1.5, 1.95, 1.65, 1.85][k % 5], 100 + k as u64, [240.0, 60.0, 120.0][k % 3], 60.0);
+    }
+}

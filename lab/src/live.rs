@@ -1,0 +1,105 @@
+//! What frames of a walker that is steered cost, and a picture of one.
+
+use crate::table::replace;
+use crate::workspace::{read, write};
+use solaris_gait::{Command, Walker};
+use solaris_model::{Figure, Human, Motion, MotionInfo, RootOrder};
+use solaris_view::{FilmOptions, Seen, film};
+use std::time::Instant;
+
+const PAGE: &str = "docs/live.md";
+const STRIP: &str = "docs/strips/live.svg";
+/// Frames a second, and the seconds that are driven.
+const RATE: f64 = 60.0;
+const DRIVEN: f64 = 600.0;
+/// How often all frames are made.
+const ROUNDS: usize = 4;
+/// Walkers of a crowd, and for how long (s).
+const CROWD: (usize, f64) = (100, 20.0);
+
+/// Writes both.
+pub(crate) fn run() -> Result<(), String> {
+    let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().map_err(|error| error.to_string())?;
+    let table = cost(&figure)?;
+    println!("{table}");
+    write(PAGE, &replace(&read(PAGE)?, "cost", &table)?)?;
+    write(STRIP, &strip(&figure)?)
+}
+
+/// Commands as somebody who plays gives them: another one every 1.3 s.
+fn command(time: f64, who: f64) -> Command {
+    let k = (time / 1.3).floor() + 7.0 * who;
+    let angle = 2.4 * k;
+    match k as usize % 6 {
+        0 => Command::stop(),
+        1 => Command::own_velocity(0.2, 0.3),
+        2 => Command::to_point(3.0 * angle.sin(), 3.0 * angle.cos(), 1.2),
+        _ => Command::velocity(1.3 * angle.sin(), 1.3 * angle.cos()),
+    }
+}
+
+fn cost(figure: &Figure) -> Result<String, String> {
+    let say = |error: &dyn std::fmt::Display| error.to_string();
+    let began = Instant::now();
+    let walker = Walker::new(figure).map_err(|error| say(&error))?;
+    let built = began.elapsed().as_secs_f64();
+    // Each frame is made by several, for others may be at work on the machine: its least time is its own.
+    let mut walkers = vec![walker.clone(); ROUNDS];
+    let mut times = vec![f64::INFINITY; (DRIVEN * RATE) as usize];
+    for walker in &mut walkers {
+        for (frame, least) in times.iter_mut().enumerate() {
+            let command = command(frame as f64 / RATE, 0.0);
+            let began = Instant::now();
+            walker.step(1.0 / RATE, &command).map_err(|error| say(&error))?;
+            *least = least.min(1e6 * began.elapsed().as_secs_f64());
+        }
+    }
+    let mean = times.iter().sum::<f64>() / times.len() as f64;
+    times.sort_by(f64::total_cmp);
+    let [median, hundredth, worst] =
+        [times.len() / 2, times.len() * 99 / 100, times.len() - 1].map(|i| times[i]);
+    let (count, seconds) = CROWD;
+    let mut walkers = vec![walker; count];
+    let began = Instant::now();
+    for frame in 0..(seconds * RATE) as usize {
+        for (who, walker) in walkers.iter_mut().enumerate() {
+            let command = command(frame as f64 / RATE, who as f64);
+            walker.step(1.0 / RATE, &command).map_err(|error| say(&error))?;
+        }
+    }
+    let share = 100.0 * began.elapsed().as_secs_f64() / seconds;
+    Ok(format!(
+        "| | |\n|---|---|\n| `Walker::new`, once for all clones | {:.0} ms |\n| a frame at {RATE} Hz, planning included: mean | {mean:.1} µs |\n\
+         | half of all frames | {median:.1} µs |\n| 99 of 100 | {hundredth:.0} µs |\n| the worst of {:.0} min | {worst:.0} µs |\n\
+         | {count} walkers at {RATE} Hz | {share:.1} % of one core |",
+        1e3 * built,
+        DRIVEN / 60.0
+    ))
+}
+
+/// A film strip of somebody who walks on, turns and stops.
+fn strip(figure: &Figure) -> Result<String, String> {
+    let say = |error: &dyn std::fmt::Display| error.to_string();
+    let mut walker = Walker::new(figure).map_err(|error| say(&error))?;
+    let n = figure.layout().nq();
+    let (mut time, mut columns) = (Vec::new(), [Vec::new(), Vec::new(), Vec::new()]);
+    let (mut v, mut a) = (vec![0.0; n], vec![0.0; n]);
+    for frame in 0..(9.0 * RATE) as usize {
+        let t = frame as f64 / RATE;
+        let command = match t {
+            t if t < 2.5 => Command::velocity(0.0, 1.2),
+            t if t < 5.5 => Command::velocity(1.2, 0.0),
+            _ => Command::stop(),
+        };
+        let q = walker.step(1.0 / RATE, &command).map_err(|error| say(&error))?.to_vec();
+        walker.derivatives(&mut v, &mut a).map_err(|error| say(&error))?;
+        time.push(t);
+        columns[0].extend(q);
+        columns[1].extend(&v);
+        columns[2].extend(&a);
+    }
+    let motion = Motion::new(figure, MotionInfo::on_earth(figure, RATE), time, columns);
+    let motion = motion.map_err(|error| say(&error))?;
+    let options = FilmOptions { between: Some((2.2, 6.6)), seen: Seen::Corner, ..FilmOptions::default() };
+    film(figure, &motion, &options).map_err(|error| say(&error))
+}
