@@ -58,6 +58,16 @@ pub enum SetupError {
         /// The drive.
         drive: &'static str,
     },
+    /// A sum of drives one of which is no force.
+    #[error(
+        "the sum of forces of '{dof}' has the drive '{drive}' in it, which is none; it can be of torques and servos"
+    )]
+    NotAForce {
+        /// The degree of freedom.
+        dof: String,
+        /// The drive.
+        drive: &'static str,
+    },
     /// A drive for a degree of freedom that follows another.
     #[error("'{dof}' follows '{leader}' and has no drive of its own; drive '{leader}'")]
     DrivenFollower {

@@ -17,7 +17,7 @@ pub mod study;
 pub mod time;
 
 pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
-pub use drive::{Course, Drive, EndCondition, Law, Shape, Step, Target};
+pub use drive::{Aim, Course, Drive, EndCondition, Law, Servo, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};
 pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 pub use recorded::RecordedMotion;

@@ -63,9 +63,9 @@ impl Prescribed {
         self.forces[index] = force;
     }
 
-    /// The force (N m or N) on a degree of freedom, by its place among those that dynamics move.
-    pub(super) fn force(&self, index: usize, t: f64) -> f64 {
-        self.forces[index].at(t)
+    /// The force on a degree of freedom, by its place among those that dynamics move.
+    pub(super) fn force(&self, index: usize) -> &Force {
+        &self.forces[index]
     }
 
     /// Position, velocity and acceleration of a degree of freedom that dynamics do not move; of a ball or free joint's, no

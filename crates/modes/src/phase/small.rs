@@ -6,6 +6,7 @@ use super::reduction::{Reduction, Source};
 use super::state::{StateMap, unit};
 use crate::body::{Body, Pressure};
 use crate::contact::{ContactPatch, count};
+use crate::drive::force::Force;
 use crate::failure::SetupError;
 use crate::report::Energy;
 use crate::time::RateError;
@@ -36,6 +37,8 @@ struct Maps {
     positions: Vec<usize>,
     /// For each velocity of the state, its index in the small `v`.
     velocities: Vec<usize>,
+    /// For each velocity of the state, the index in the small `q` of what it is the rate of; none in ball and free joints.
+    rates_of: Vec<Option<usize>>,
     /// The first entries of quaternions in the state.
     quaternions: Vec<usize>,
     moving: Vec<Moving>,
@@ -211,6 +214,9 @@ impl Small {
                 };
             }
             duals.read(&self.maps);
+            for i in (0..self.maps.velocities.len()).filter(|i| prescribed.force(*i).feels()) {
+                duals.drive(&self.maps, i, prescribed.force(i), t);
+            }
             duals.solve(&self.maps)?;
             duals.find_rates(state, &self.maps);
             for (row, rate) in duals.rate.iter().enumerate() {
@@ -233,11 +239,11 @@ impl Small {
             numbers.q[coordinate] = position;
             (numbers.v[k], numbers.a[k]) = (velocity, acceleration);
         }
-        for (i, k) in self.maps.velocities.iter().enumerate() {
-            numbers.tau[*k] = prescribed.force(i, t);
-        }
         numbers.y.copy_from_slice(y);
         numbers.read(&self.maps);
+        for i in 0..self.maps.velocities.len() {
+            numbers.drive(&self.maps, i, prescribed.force(i), t);
+        }
     }
 }
 
@@ -253,6 +259,11 @@ impl Maps {
             prescribed: reduction.kept_v.iter().map(|dof| roles[*dof] != Role::Dynamic).collect(),
             positions: state.coordinates().iter().filter_map(small_q).collect(),
             velocities: state.velocities().iter().filter_map(small_v).collect(),
+            rates_of: state
+                .velocities()
+                .iter()
+                .map(|dof| source.figure.layout().coordinate(*dof).as_ref().and_then(small_q))
+                .collect(),
             quaternions: state.quaternions().collect(),
             moving: reduction.kept_v.iter().enumerate().filter_map(moving).collect(),
         }
@@ -298,6 +309,13 @@ impl<T: Elementary> Side<T> {
             let turn = unit([0, 1, 2, 3].map(|i| self.y[entry + i]));
             self.q[maps.positions[*entry]..][..4].copy_from_slice(&turn);
         }
+    }
+
+    /// Lets a drive act on what the velocity `i` of the state belongs to, in the state that was read.
+    fn drive(&mut self, maps: &Maps, i: usize, force: &Force, t: f64) {
+        let k = maps.velocities[i];
+        let position = maps.rates_of[i].map_or_else(T::zero, |coordinate| self.q[coordinate]);
+        self.tau[k] = force.at(t, (position, self.v[k]));
     }
 
     fn solve(&mut self, maps: &Maps) -> Result<(), DynamicsError> {

@@ -5,11 +5,12 @@ use super::pass::Pass;
 use super::record::near;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
+use crate::drive::servo::ServoForce;
 use crate::drive::simple::{Begun, analyse, begin};
 use crate::drive::tracking::Tracker;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Role;
-use crate::{Drive, EndCondition, OutcomeKind, Target};
+use crate::{Aim, Drive, EndCondition, OutcomeKind, Servo, Target};
 use solaris_model::{Event, EventKind};
 use solaris_profiles::ProfileError;
 use std::sync::Arc;
@@ -109,18 +110,24 @@ impl Pass<'_> {
                 self.outcome(dof, result);
             } else if over && !driven.waits {
                 let lasts = driven.end.is_infinite();
-                self.outcome(dof, if lasts { OutcomeKind::Ended } else { OutcomeKind::Interrupted });
+                let ended = if lasts { self.result_of_lasting(dof) } else { OutcomeKind::Interrupted };
+                self.outcome(dof, ended);
             }
             let until_done =
                 steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
+            // What leads back to a motion holds where that ends, unless something else is to come.
+            let holds = self.driven[dof].feels() && self.driven[dof].step + 1 == steps.len();
+            let until_done = until_done && !holds;
             if over || (done && until_done) {
                 next.push((dof, self.driven[dof].step + 1));
             } else if done {
                 let driven = &mut self.driven[dof];
                 (driven.waits, driven.end) = (true, f64::INFINITY);
-                // A torque goes on as it ended; everything else has arrived.
+                // A force goes on as it ended; everything else has arrived.
                 let step = self.simulation.drives[dof].get(driven.step);
-                if !step.is_some_and(|step| matches!(step.drive, Drive::Torque(_))) {
+                let is_force =
+                    |drive: &Drive| matches!(drive, Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_));
+                if !step.is_some_and(|step| is_force(&step.drive)) {
                     driven.mode = Mode::Still;
                 }
             }
@@ -221,10 +228,13 @@ impl Pass<'_> {
                 self.check_start(dof, (start.position, start.velocity), (position, velocity))?;
                 new(Mode::Path(path), recorded.span().1.max(now))
             }
-            Drive::Torque(profile) => {
-                let path = Path::profile(profile, now).map_err(fault)?;
-                let end = path.end();
-                new(Mode::Force(Force::Along(path)), end)
+            Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_) => {
+                let (force, end) = forced(drive, now).map_err(fault)?;
+                let limited = force.servos().any(|servo| {
+                    let demand = servo.demand(now, (position, velocity));
+                    demand.abs() > servo.limit
+                });
+                Driven { limited, ..new(Mode::Force(force), end) }
             }
             Drive::FreeStyle { duration, .. } => new(Mode::Force(Force::Constant(0.0)), now + duration),
             Drive::Intensive { target, duration, law, .. } => {
@@ -266,6 +276,41 @@ impl Pass<'_> {
         }
         let (mut q, mut v) = (self.q.clone(), self.v.clone());
         figure.follow(&mut q, &mut v, &mut a);
-        (prescribed, a, self.driven.iter().map(|driven| driven.force(self.t)).collect())
+        let state = |dof| (figure.layout().coordinate(dof).map_or(0.0, |x| self.q[x]), self.v[dof]);
+        let forces = self.driven.iter().enumerate().map(|(dof, driven)| driven.force(self.t, state(dof)));
+        (prescribed, a, forces.collect())
     }
+}
+
+/// The force of a drive that begins now, and when it is done by itself: a servo that goes to a place never is.
+fn forced(drive: &Drive, now: f64) -> Result<(Force, f64), ProfileError> {
+    Ok(match drive {
+        Drive::Torque(profile) => {
+            let path = Path::profile(profile, now)?;
+            let end = path.end();
+            (Force::Along(path), end)
+        }
+        Drive::Servo(Servo { aim, stiffness, damping, limit }) => {
+            let aim = match aim {
+                Aim::At(position) => Path::Still(*position),
+                Aim::Along(profile) => Path::profile(profile, now)?,
+            };
+            let (end, limit) = (aim.end(), limit.unwrap_or(f64::INFINITY));
+            let servo = ServoForce { aim, stiffness: *stiffness, damping: *damping, limit };
+            (Force::Servo(Box::new(servo)), end)
+        }
+        Drive::Sum(drives) => {
+            let (mut parts, mut done) = (Vec::new(), f64::NEG_INFINITY);
+            for drive in drives {
+                let (force, end) = forced(drive, now)?;
+                match force {
+                    Force::Sum(inner) => parts.extend(inner),
+                    force => parts.push(force),
+                }
+                done = if end.is_finite() { done.max(end) } else { done };
+            }
+            (Force::Sum(parts), if done.is_finite() { done } else { f64::INFINITY })
+        }
+        _ => (Force::Constant(0.0), f64::INFINITY),
+    })
 }

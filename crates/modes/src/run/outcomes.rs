@@ -1,7 +1,8 @@
 //! Outcomes of drives.
 
-use super::driven::name;
+use super::driven::{Mode, name};
 use super::pass::Pass;
+use crate::drive::force::Force;
 use crate::{Drive, EndCondition, Outcome, OutcomeKind};
 
 /// How near (rad or m) a target counts as reached.
@@ -28,9 +29,32 @@ impl Pass<'_> {
                     () => OutcomeKind::Missed,
                 }
             }
-            Some(Drive::Torque(_) | Drive::FreeStyle { .. }) => OutcomeKind::Ended,
+            Some(Drive::Servo(_)) => {
+                let Some((aim, rate)) = self.aim(dof) else { return OutcomeKind::Ended };
+                match () {
+                    () if (position - aim).abs() <= REACHED => {
+                        let same = (self.v[dof] - rate).abs() <= 10.0 * REACHED;
+                        if same { OutcomeKind::Reached } else { OutcomeKind::ReachedWithVelocity }
+                    }
+                    () if driven.limited => OutcomeKind::LimitedByTorque,
+                    () => OutcomeKind::Missed,
+                }
+            }
+            Some(Drive::Torque(_) | Drive::FreeStyle { .. } | Drive::Sum(_)) => OutcomeKind::Ended,
             _ => OutcomeKind::Reached,
         }
+    }
+
+    /// What came of a drive that would go on, where the next one takes over or the run ends.
+    pub(crate) fn result_of_lasting(&self, dof: usize) -> OutcomeKind {
+        if self.aim(dof).is_some() { self.result(dof) } else { OutcomeKind::Ended }
+    }
+
+    /// Where a servo would have its degree of freedom now, and how fast.
+    fn aim(&self, dof: usize) -> Option<(f64, f64)> {
+        let Mode::Force(Force::Servo(servo)) = &self.driven[dof].mode else { return None };
+        let aim = servo.aim.at(self.t);
+        Some((aim.position, aim.velocity))
     }
 
     /// Writes down how a drive ended.
@@ -52,6 +76,7 @@ impl Pass<'_> {
         let (layout, position) = (self.simulation.figure.layout(), self.position(dof));
         let target = match self.simulation.drives[dof].get(self.driven[dof].step).map(|step| &step.drive) {
             Some(Drive::Intensive { target, .. }) if result == OutcomeKind::Missed => Some(target.position),
+            Some(Drive::Servo(_)) if result == OutcomeKind::Missed => self.aim(dof).map(|(aim, _)| aim),
             _ => None,
         };
         self.passed.outcomes.push(Outcome {
@@ -86,7 +111,9 @@ impl Pass<'_> {
             // A record may go on for as long as it likes.
             let is_recorded = matches!(step.drive, Drive::Recorded(_));
             let lasts = driven.end.is_infinite() && step.until == EndCondition::Done;
-            if !(lasts || driven.waits || is_recorded) {
+            if lasts && !driven.waits && self.aim(dof).is_some() {
+                self.outcome(dof, self.result(dof));
+            } else if !(lasts || driven.waits || is_recorded) {
                 self.outcome(dof, OutcomeKind::Unfinished);
             }
             for step in &steps[at + 1..] {

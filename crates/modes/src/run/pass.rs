@@ -66,6 +66,8 @@ struct Compiled {
     phase: Phase,
     roles: Vec<Role>,
     q: Vec<f64>,
+    /// The drives whose forces depend on the state when steps were last looked at: degree of freedom, and place among its drives.
+    servos: Vec<(usize, usize)>,
 }
 
 /// An energy (J) that is little for the figure: to lift it by a hundredth of its height.
@@ -149,6 +151,11 @@ impl<'a> Pass<'a> {
         self.cap = f64::INFINITY;
         self.passed.jumps |= !stopped.events.is_empty();
         let events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
+        for event in &events {
+            if let Meaning::Saturation(dof) = *event {
+                self.driven[dof].limited = true;
+            }
+        }
         self.change(&events)
     }
 
@@ -246,28 +253,45 @@ impl<'a> Pass<'a> {
             && compiled.roles == roles
             && self.stands_where(&compiled)
         {
-            return Ok(compiled);
+            return self.look_again(compiled);
         }
         self.end_phase();
         let phase = Phase::with(self.simulation, &roles, &self.q, self.settings.leave_out)?;
-        let mut compiled = Compiled { phase, roles, q: self.q.clone() };
+        let mut compiled = Compiled { phase, roles, q: self.q.clone(), servos: self.servos() };
         // What is watched for may bring back what was left out.
         self.load(&mut compiled.phase, self.next_stop())?;
         let phase = &compiled.phase;
         self.passed.phases.push(PhaseReport { start: self.t, ..phase.report.clone() });
         self.passed.is_dynamic |= phase.is_dynamic();
         if phase.is_dynamic() {
-            let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
-            guard::look_before(
-                self.simulation,
-                &self.settings.guard,
-                &mut compiled.phase,
-                self.stepping,
-                self.t,
-                &y,
-            )?;
+            self.look_before(&mut compiled.phase)?;
         }
         Ok(compiled)
+    }
+
+    /// Looks at the equations before the first step.
+    fn look_before(&self, phase: &mut Phase) -> Result<(), RunError> {
+        let y = phase.pack(&self.q, &self.v, self.work, self.heat);
+        guard::look_before(self.simulation, &self.settings.guard, phase, self.stepping, self.t, &y)
+    }
+
+    /// A phase whose servos are other ones now may be stiffer than it was.
+    fn look_again(&self, mut compiled: Compiled) -> Result<Compiled, RunError> {
+        let servos = self.servos();
+        if servos != compiled.servos {
+            if !servos.is_empty() {
+                self.load(&mut compiled.phase, self.next_stop())?;
+                self.look_before(&mut compiled.phase)?;
+            }
+            compiled.servos = servos;
+        }
+        Ok(compiled)
+    }
+
+    /// The drives whose forces depend on the state.
+    fn servos(&self) -> Vec<(usize, usize)> {
+        let feeling = self.driven.iter().enumerate().filter(|(_, driven)| driven.feels());
+        feeling.map(|(dof, driven)| (dof, driven.step)).collect()
     }
 
     /// The roles that the drives give.

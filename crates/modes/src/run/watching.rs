@@ -23,7 +23,7 @@ impl Pass<'_> {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
                 Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
-                Meaning::DriveEnds(_) | Meaning::Kink => 0.0,
+                Meaning::DriveEnds(_) | Meaning::Kink | Meaning::Saturation(_) => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -41,6 +41,7 @@ impl Pass<'_> {
                 watch(Watched::Hold { dof }, Meaning::Release(dof, side));
             } else if driven.role() == Role::Dynamic {
                 self.watch_limits(dof, &mut watch);
+                watch_servos(dof, &driven.mode, &mut watch);
             }
             let steps = &self.simulation.drives[dof];
             match steps.get(driven.step).map(|step| &step.until) {
@@ -88,5 +89,15 @@ impl Pass<'_> {
         let at = figure.layout().joints().partition_point(|at| at.v + at.nv <= dof);
         let joint = figure.layout().joints()[at];
         figure.links()[at].joint().kind().axes().get(dof - joint.v)?.limits
+    }
+}
+
+/// Where a servo's force stops to grow, and where it falls again, it has a kink.
+fn watch_servos(dof: usize, mode: &Mode, watch: &mut impl FnMut(Watched, Meaning)) {
+    let Mode::Force(force) = mode else { return };
+    for (servo, limit) in force.servos().map(|servo| servo.limit).enumerate().filter(|(_, x)| x.is_finite()) {
+        for most in [limit, -limit] {
+            watch(Watched::Saturation { dof, servo, most }, Meaning::Saturation(dof));
+        }
     }
 }
