@@ -273,6 +273,14 @@ pub enum FailureKind {
         /// How many.
         count: usize,
     },
+    /// Drives that come again without any time going on.
+    #[error("what drives {dof} is over and begins again, with '{drive}', without any time going on")]
+    NoTime {
+        /// The degree of freedom.
+        dof: String,
+        /// The drive that begins again.
+        drive: &'static str,
+    },
     /// What stands on the ground cannot stay.
     #[error("{link} cannot stay where it stands: {why}, by {missing:.1e} m/s² or m/s at least")]
     ContactLost {

@@ -23,6 +23,8 @@ pub struct Simulation {
     pub(crate) v: Vec<f64>,
     /// By degree of freedom.
     pub(crate) drives: Vec<Vec<Step>>,
+    /// By degree of freedom: with which of its drives it goes on after the last one.
+    pub(crate) again: Vec<Option<usize>>,
     pub(crate) springs: Vec<PointSpring>,
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
@@ -42,6 +44,7 @@ impl Simulation {
             q,
             v: vec![0.0; nv],
             drives: vec![vec![Drive::Free.into()]; nv],
+            again: vec![None; nv],
             springs: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
@@ -113,8 +116,54 @@ impl Simulation {
         for dof in dofs.into_iter().filter(|dof| !self.figure.follows(*dof)) {
             self.check_steps(dof, &steps)?;
             self.drives[dof].clone_from(&steps);
+            self.again[dof] = None;
         }
         Ok(())
+    }
+
+    /// The same, and after the last of the drives the one of index `first` begins again, and those after it, without end.
+    ///
+    /// ```
+    /// use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
+    /// use solaris_modes::{Drive, Settings, Shape, Simulation};
+    ///
+    /// let link = LinkSpec::root("block", Joint::new("slide").tx()).mass(1.0);
+    /// let mut simulation = Simulation::new(&FigureBuilder::new("f").link(link).build()?, Vector3::zeros());
+    /// // To and fro.
+    /// let to = |to| Drive::Move { to, over: 0.5, along: Shape::MinimumJerk };
+    /// simulation.drive_again("slide", [to(1.0), to(0.0)], 0)?;
+    /// let run = simulation.run(&Settings::new(3.5, 10.0))?;
+    /// assert!((run.motion.q(35)[0] - 1.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`drive`](Self::drive), and for a `first` that there is not. Drives that are all over without any time going on fail
+    /// the run.
+    pub fn drive_again<S: Into<Step>>(
+        &mut self,
+        name: &str,
+        steps: impl IntoIterator<Item = S>,
+        first: usize,
+    ) -> Result<(), SetupError> {
+        let steps: Vec<Step> = steps.into_iter().map(Into::into).collect();
+        if first >= steps.len() {
+            let what = format!("the drive of '{name}' that comes again");
+            let range = "the index of one of its drives";
+            return Err(SetupError::Range { what, value: first as f64, range });
+        }
+        self.drive(name, steps)?;
+        for dof in self.dofs(name)?.into_iter().filter(|dof| !self.figure.follows(*dof)) {
+            self.again[dof] = Some(first);
+        }
+        Ok(())
+    }
+
+    /// The index of the drive that comes after the one of index `step`.
+    pub(crate) fn next_drive(&self, dof: usize, step: usize) -> usize {
+        let next = step + 1;
+        self.again[dof].filter(|_| next >= self.drives[dof].len()).unwrap_or(next)
     }
 
     /// What drives a degree of freedom.

@@ -3,9 +3,11 @@
 mod drive;
 mod drives;
 mod figures;
+mod forces;
 mod ground;
 mod limits;
 mod names;
+mod repeat;
 mod segments;
 mod settings;
 mod springs;
@@ -18,7 +20,7 @@ use crate::scene::Scene;
 use crate::spelled;
 use nalgebra::Vector3;
 use names::Names;
-use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
+use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, Value, parse};
 use solaris_model::{Figure, TextError};
 use solaris_modes::{SetupError, Simulation};
 use solaris_profiles::Profile;
@@ -55,13 +57,15 @@ struct SceneReader<'l> {
     /// The simulation, once there is a figure; the rest is read without one too, for its faults.
     simulation: Option<Simulation>,
     names: Names,
+    /// How long the scene takes (s), where it says so.
+    lasts: Option<f64>,
 }
 
 /// The scene that `text` describes.
 pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
     let tree = parse(text, "scene", "Scene(version: 1, …)")?;
     let reader = Reader::default();
-    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default() };
+    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default(), lasts: None };
     let scene = reader.scene(&tree);
     reader.reader.finish(text)?;
     // Where there is no scene there is a fault.
@@ -76,6 +80,11 @@ impl SceneReader<'_> {
             return None;
         }
         self.reader.only_known(&fields, &FIELDS);
+        // What is wrong with it is said where settings are read.
+        self.lasts = fields.get("duration").and_then(|node| match node.value {
+            Value::Number(seconds) if seconds > 0.0 => Some(seconds),
+            _ => None,
+        });
         let found = self.figures(&fields);
         let gravity = fields.get("gravity").and_then(|node| self.reader.vector(node, "gravity"));
         let (name, figure) = found.unzip();
@@ -112,7 +121,7 @@ impl SceneReader<'_> {
 
     /// A curve of degrees of freedom that turn, or of others.
     fn profile(&mut self, node: &Node<'_>, turns: bool) -> Option<Profile> {
-        solaris_profiles::text::read_node(&mut self.reader, node, turns)
+        solaris_profiles::text::read_node_within(&mut self.reader, node, turns, self.lasts)
     }
 
     /// The entries of a field that is a map.

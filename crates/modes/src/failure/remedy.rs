@@ -69,6 +69,8 @@ pub enum Remedy {
     MoveInstead,
     /// Room between limits or drives that undo each other.
     RoomBetween,
+    /// Drives that take time.
+    TakeTime,
     /// Limits that give way.
     SoftLimits,
     /// Dynamics for what is prescribed.
@@ -117,6 +119,7 @@ impl fmt::Display for Remedy {
             Self::CurveFromThere => "let the curve begin there",
             Self::StartAtCurve => "start the run with that",
             Self::MoveInstead => "take a move, which begins where it is",
+            Self::TakeTime => "let one of the drives that come again take time",
             Self::RoomBetween => "give limits or drives that undo each other room",
             Self::SoftLimits => "make limits soft ones",
             Self::Free => "let dynamics move that",

@@ -71,9 +71,25 @@ impl Pass<'_> {
     fn take_over(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let mut next = self.over(events);
         while !next.is_empty() {
+            self.check_progress(&next)?;
             self.note_changes(&next);
             self.begin(&next)?;
             next = self.over(&[]);
+        }
+        Ok(())
+    }
+
+    /// Refuses drives that come again and again without any time going on.
+    fn check_progress(&mut self, next: &[(usize, usize)]) -> Result<(), RunError> {
+        for &(dof, step) in next.iter().filter(|(dof, step)| *step <= self.driven[*dof].step) {
+            if self.again[dof] >= self.t - near(self.t) {
+                let drive = name(self.simulation.drives[dof].get(step));
+                let dof = self.simulation.name(dof).to_owned();
+                let cause = FailureKind::NoTime { dof: dof.clone(), drive };
+                let remedies = vec![Remedy::TakeTime];
+                return Err(Box::new(RunFailure { time: self.t, dof: Some(dof), cause, remedies }).into());
+            }
+            self.again[dof] = self.t;
         }
         Ok(())
     }
@@ -82,7 +98,7 @@ impl Pass<'_> {
     fn note_changes(&mut self, next: &[(usize, usize)]) {
         for &(dof, step) in next {
             let steps = &self.simulation.drives[dof];
-            let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
+            let (from, to) = (name(steps.get(self.driven[dof].step)), name(steps.get(step)));
             let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
             self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
             self.passed.jumps = true;
@@ -116,10 +132,11 @@ impl Pass<'_> {
             let until_done =
                 steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
             // What leads back to a motion holds where that ends, unless something else is to come.
-            let holds = self.driven[dof].feels() && self.driven[dof].step + 1 == steps.len();
+            let holds = self.driven[dof].feels()
+                && self.simulation.next_drive(dof, self.driven[dof].step) == steps.len();
             let until_done = until_done && !holds;
             if over || (done && until_done) {
-                next.push((dof, self.driven[dof].step + 1));
+                next.push((dof, self.simulation.next_drive(dof, self.driven[dof].step)));
             } else if done {
                 let driven = &mut self.driven[dof];
                 (driven.waits, driven.end) = (true, f64::INFINITY);
@@ -159,9 +176,10 @@ impl Pass<'_> {
             let step = self.driven[dof].step;
             let begins = self.analysed(dof, &target, analysis.force[i], analysis.acceleration[i]);
             if !begins && self.simulation.drives[dof][step].until == EndCondition::Done {
-                next.push((dof, step + 1));
+                next.push((dof, self.simulation.next_drive(dof, step)));
             }
         }
+        self.check_progress(&next)?;
         self.note_changes(&next);
         if next.is_empty() { Ok(()) } else { self.begin(&next) }
     }

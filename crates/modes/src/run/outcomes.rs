@@ -116,7 +116,9 @@ impl Pass<'_> {
             } else if !(lasts || driven.waits || is_recorded) {
                 self.outcome(dof, OutcomeKind::Unfinished);
             }
-            for step in &steps[at + 1..] {
+            // Of what comes again everything has begun, but for the first time round.
+            let is_first = self.again[dof].is_infinite();
+            for step in steps[at + 1..].iter().filter(|_| is_first) {
                 self.note(dof, step.drive.name(), self.t, OutcomeKind::NotBegun, None);
             }
         }

@@ -45,6 +45,8 @@ pub(crate) struct Pass<'a> {
     /// The last accelerations that were found.
     pub(crate) a: Vec<f64>,
     pub(crate) driven: Vec<Driven>,
+    /// By degree of freedom: when its drives began again last (s).
+    pub(crate) again: Vec<f64>,
     /// The whole figure, for analyses and impacts.
     pub(crate) body: Body<f64>,
     /// Where the next stretch has to end at the latest (s).
@@ -111,6 +113,7 @@ impl<'a> Pass<'a> {
             stepping,
             t: 0.0,
             driven: (0..v.len()).map(at_rest).collect(),
+            again: vec![f64::NEG_INFINITY; v.len()],
             q,
             v,
             a,

@@ -99,6 +99,35 @@ fn of_the_start() {
 }
 
 #[test]
+fn of_forces_and_repetitions() {
+    let text = listed(&[
+        "drives: {\"elbow.rx\": Servo(stiffness: 1)}",
+        "drives: {\"elbow.rx\": Servo(to: 1, along: Line(from: 0, to: 1, duration: 1), stiffness: 1)}",
+        "drives: {\"elbow.rx\": Servo(to: deg(3))}",
+        "drives: {\"elbow.rx\": Servo(to: 1, stiffness: -1)}",
+        "drives: {\"elbow.rx\": Servo(to: 1, stiffness: 1, limit: 0)}",
+        "drives: {\"elbow.rx\": Servo(to: 1, stifness: 1)}",
+        "drives: {\"slide.tx\": Servo(to: deg(1), stiffness: 1)}",
+        "drives: {\"shoulder\": Servo(to: 1, stiffness: 1)}",
+        "drives: {\"elbow.rx\": Serv(to: 1, stiffness: 1)}",
+        "drives: {\"elbow.rx\": Sum([])}",
+        "drives: {\"elbow.rx\": Sum(Free)}",
+        "drives: {\"elbow.rx\": Sum([Move(to: 1, over: 1), Torqe(1)])}",
+        "drives: {\"elbow.rx\": Sum([Servo(to: 1, stiffness: 1, until: At(1))])}",
+        "drives: {\"elbow.rx\": Sine(amplitude: deg(3))}",
+        "drives: {\"elbow.rx\": Sine(amplitude: 1, period: 0)}",
+        "drives: {\"elbow.rx\": Repeat([])}",
+        "drives: {\"elbow.rx\": Repeat(of: [Free], times: 1.5)}",
+        "drives: {\"elbow.rx\": Repeat(of: [Move(to: 1, over: 1), Move(to: 0, over: 1)], times: 1e5)}",
+        "drives: {\"elbow.rx\": [Repeat([Move(to: 1, over: 1)]), Free]}",
+        "drives: {\"elbow.rx\": Repeat(of: [Repeat([Free])], times: 2)}",
+        "drives: {\"elbow.rx\": Repeat(of: [Move(to: 1, over: -1)], times: 2)}",
+        "drives: {\"elbow.rx\": MinimumJerk(from: 0, to: 1)}",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_drives() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Fre}",

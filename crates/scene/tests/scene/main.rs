@@ -5,3 +5,4 @@ mod fixtures;
 mod grammar;
 mod runs;
 mod soles;
+mod words;

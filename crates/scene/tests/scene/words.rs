@@ -1,0 +1,90 @@
+//! The words of a scene that lead, repeat, push and carry, against closed forms.
+
+use crate::fixtures::fixture;
+use approx::assert_abs_diff_eq;
+use solaris_modes::OutcomeKind;
+use solaris_scene::Simulated;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+fn simulated(name: &str) -> Simulated {
+    fixture(name).simulate(&mut ()).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// Index in `v`, and in `q` where no joint is a ball, of a name of a fixture.
+fn dof(name: &str, of: &str) -> usize {
+    fixture(of).figure().layout().dof_index(name).expect("a dof")
+}
+
+/// `τ = m·g·l·sin q`, 2 kg at 0.25 m.
+fn load(angle: f64) -> f64 {
+    2.0 * 9.806_65 * 0.25 * angle.sin()
+}
+
+#[test]
+fn servos_come_to_rest_where_their_springs_carry_the_load() {
+    let run = simulated("servos.ron");
+    let last = run.motion.len() - 1;
+    let at = |name: &str| run.motion.q(last)[dof(name, "servos.ron")];
+    let aim = 60_f64.to_radians();
+    // What is left of the swing after 3 s is some tenths of a degree.
+    assert_abs_diff_eq!(60.0 * (aim - at("placed")), load(at("placed")), epsilon = 0.35);
+    // Half of 2·2/(m·g·l) of an undamped weak motor's swing; its force is at its limit all the time.
+    let outcome = |name: &str| {
+        let found = run.report.outcomes.iter().find(|outcome| outcome.name == name);
+        found.expect("an outcome").result
+    };
+    assert_eq!(outcome("weak"), OutcomeKind::LimitedByTorque);
+    assert_eq!(outcome("placed"), OutcomeKind::Missed);
+    for frame in [0, 150, 300] {
+        let carried = dof("carried", "servos.ron");
+        assert_abs_diff_eq!(run.motion.q(frame)[carried], 40_f64.to_radians(), epsilon = 1e-7);
+        assert_abs_diff_eq!(
+            run.motion.tau(frame).expect("forces")[carried],
+            load(40_f64.to_radians()),
+            epsilon = 1e-5
+        );
+    }
+    // The weak one moves by 2 N m alone: ½·I·q̇² = 2·q − m·g·l·(1 − cos q), I = that of its capsule about the pivot.
+    let weak = dof("weak", "servos.ron");
+    let inertia = {
+        let simulation = fixture("servos.ron");
+        let link = &simulation.figure().links()[simulation.figure().link_index("weak").expect("a link")];
+        link.inertia()[(0, 0)] + 2.0 * 0.25 * 0.25
+    };
+    for frame in [40, 90, 200, 300] {
+        let (q, v) = (run.motion.q(frame)[weak], run.motion.v(frame)[weak]);
+        let work = 2.0 * q - 2.0 * 9.806_65 * 0.25 * (1.0 - q.cos());
+        assert_abs_diff_eq!(0.5 * inertia * v * v, work, epsilon = 1e-5);
+    }
+    assert!(run.report.energy.imbalance < 1e-4 * run.report.energy.scale);
+}
+
+#[test]
+fn what_comes_again_is_where_closed_forms_say() {
+    let run = simulated("again.ron");
+    let at = |frame: usize, name: &str| run.motion.q(frame)[dof(name, "again.ron")];
+    for frame in 0..run.motion.len() {
+        let t = frame as f64 / 100.0;
+        assert_abs_diff_eq!(at(frame, "swings"), 0.2 * (TAU * t / 1.6 + FRAC_PI_2).sin(), epsilon = 1e-12);
+        let omega = TAU / 0.8;
+        let drift = 3.0 / (2.0 * omega) * t - 3.0 / (2.0 * omega * omega) * (omega * t).sin();
+        assert_abs_diff_eq!(at(frame, "pushed"), drift, epsilon = 1e-6);
+    }
+    // A round of the shuttle takes 1.3 s: it is as it was a round ago, and stands at its ends in time.
+    for frame in 131..run.motion.len() {
+        assert_abs_diff_eq!(at(frame, "shuttles"), at(frame - 130, "shuttles"), epsilon = 1e-10);
+    }
+    assert_abs_diff_eq!(at(180, "shuttles"), 0.4, epsilon = 1e-12);
+    // One blow is 8·0.25/2 N s on 2 kg in its quarter of a second: its way is ∫∫ of a quintic from 8 to 0 N, 8/2·T²·(1/2 − 1/7).
+    let way = 4.0 * 0.25_f64.powi(2) * (0.5 - 1.0 / 7.0);
+    for blow in 1..=3 {
+        let frame = 75 * (blow - 1) + 25;
+        assert_abs_diff_eq!(at(frame, "knocks"), blow as f64 * way, epsilon = 1e-6);
+    }
+    assert!(
+        run.report
+            .outcomes
+            .iter()
+            .all(|outcome| outcome.name != "swings" || outcome.result == OutcomeKind::Reached)
+    );
+}
