@@ -4,6 +4,7 @@ mod joints;
 mod limits;
 mod planted;
 mod points;
+mod pushes;
 mod touching;
 
 use crate::contact::{ContactPatch, Surface};
@@ -15,6 +16,7 @@ use limits::Stop;
 use nalgebra::{DMatrix, Vector3};
 use planted::Planted;
 use points::PointElement;
+use pushes::PushElement;
 use solaris_dynamics::{
     DynamicsError, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
     hybrid_dynamics, inverse_dynamics, kinetic_energy, mass_matrix, potential_energy, velocities,
@@ -47,6 +49,9 @@ pub(crate) struct Body<T> {
     stops: Vec<Stop<T>>,
     points: Vec<PointElement<T>>,
     ground: Option<GroundElement<T>>,
+    pushes: Vec<PushElement<T>>,
+    /// What the world does in an impact besides.
+    blows: Vec<(usize, Wrench<T>)>,
     /// What stands on the ground and stays there.
     planted: Option<Planted<T>>,
     /// What acts by itself along each degree of freedom, in the state of the last call.
@@ -55,6 +60,8 @@ pub(crate) struct Body<T> {
     external: Vec<(usize, Wrench<T>)>,
     /// What dampers and friction took in the state of the last call, those of the ground among them.
     heat: T,
+    /// What pushes did (W) in the state of the last call.
+    power: T,
     /// What the ground did in the state of the last call.
     pressure: Pressure<T>,
     total: Vec<T>,
@@ -93,6 +100,9 @@ impl<T: Elementary> Body<T> {
             external: Vec::with_capacity(2 * springs.len()),
             heat: T::zero(),
             ground: None,
+            pushes: Vec::new(),
+            blows: Vec::new(),
+            power: T::zero(),
             planted: None,
             pressure: Pressure::none(),
             total: zeros.clone(),
@@ -106,6 +116,53 @@ impl<T: Elementary> Body<T> {
         self.ground = surface.map(GroundElement::of).filter(|ground| ground.len() > 0);
         self.external.reserve(self.ground.as_ref().map_or(0, GroundElement::len));
         self
+    }
+
+    /// The same with pushes on points (m) of these links, without a force until [`set_push`](Self::set_push).
+    pub(crate) fn pushed(mut self, on: &[(usize, Vector3<f64>)]) -> Self {
+        self.pushes = on.iter().map(PushElement::on).collect();
+        self.external.reserve(on.len());
+        self
+    }
+
+    /// From now on the world pushes so (N, world axes), by the index of the push.
+    pub(crate) fn set_push(&mut self, push: usize, force: &Vector3<f64>) {
+        self.pushes[push].set(force);
+    }
+
+    /// Whether the world pushes anything.
+    pub(crate) fn has_pushes(&self) -> bool {
+        !self.pushes.is_empty()
+    }
+
+    /// What pushes do (W) in the state of the last call of [`hybrid`](Self::hybrid).
+    pub(crate) fn power(&self) -> T {
+        self.power
+    }
+
+    /// From now on the world gives these impulses (N s), by the index of the push, in [impacts](Self::impact) from this configuration;
+    /// how much that would do to what moves with `v` (J).
+    pub(crate) fn blow(
+        &mut self,
+        q: &[T],
+        v: &[T],
+        impulses: &[(usize, Vector3<f64>)],
+    ) -> Result<T, DynamicsError> {
+        velocities(&self.tree, &mut self.workspace, q, v)?;
+        self.blows.clear();
+        let mut work = T::zero();
+        for (push, impulse) in impulses {
+            let mut push = self.pushes[*push].clone();
+            push.set(impulse);
+            self.blows.push(push.wrench(&self.workspace));
+            work += push.power(&self.workspace);
+        }
+        Ok(work)
+    }
+
+    /// There is no blow any more.
+    pub(crate) fn no_blow(&mut self) {
+        self.blows.clear();
     }
 
     /// From now on these stand on the ground and stay where they are, until others take their place.
@@ -183,15 +240,16 @@ impl<T: Elementary> Body<T> {
         jump: &mut [T],
         impulse: &mut [T],
     ) -> Result<(), DynamicsError> {
-        let (tree, workspace, zeros) = (&self.weightless, &mut self.workspace, &self.zeros);
+        let (tree, workspace, zeros, blows) =
+            (&self.weightless, &mut self.workspace, &self.zeros, &self.blows);
         match (&mut self.planted, &self.ground) {
             (Some(planted), Some(ground)) => {
                 velocities(&self.tree, workspace, q, v)?;
                 planted.stop(ground, workspace);
                 let contacts = planted.contacts();
-                contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, &[], jump, impulse)?;
+                contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, blows, jump, impulse)?;
             }
-            _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, &[], jump, impulse)?,
+            _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, blows, jump, impulse)?,
         }
         Ok(())
     }
@@ -286,11 +344,16 @@ impl<T: Elementary> Body<T> {
         }
         self.external.clear();
         self.pressure = Pressure::none();
-        if !self.points.is_empty() || self.ground.is_some() {
+        if !self.points.is_empty() || self.ground.is_some() || self.has_pushes() {
             velocities(&self.tree, &mut self.workspace, q, v)?;
         }
         for spring in &self.points {
             self.heat += spring.act(&self.workspace, &mut self.external);
+        }
+        self.power = T::zero();
+        for push in &self.pushes {
+            self.external.push(push.wrench(&self.workspace));
+            self.power += push.power(&self.workspace);
         }
         if let Some(ground) = &self.ground {
             self.pressure = ground.act(&self.workspace, &mut self.external);

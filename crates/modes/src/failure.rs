@@ -108,6 +108,14 @@ pub enum SetupError {
         /// Why.
         source: ProfileError,
     },
+    /// The curve of a push that is none.
+    #[error("the curve of the push on '{link}': {source}")]
+    PushProfile {
+        /// What is pushed.
+        link: String,
+        /// Why.
+        source: ProfileError,
+    },
     /// A state that is none.
     #[error(transparent)]
     State(#[from] ConfigurationError),

@@ -7,6 +7,7 @@ mod element;
 mod failure;
 mod impact;
 mod phase;
+mod push;
 mod range;
 mod recorded;
 mod report;
@@ -20,6 +21,7 @@ pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
 pub use drive::{Aim, Course, Drive, EndCondition, Law, Servo, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};
 pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
+pub use push::{Push, PushLaw};
 pub use recorded::RecordedMotion;
 pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,

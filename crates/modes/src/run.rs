@@ -12,6 +12,7 @@ mod kinks;
 mod ledger;
 mod outcomes;
 mod pass;
+mod pushes;
 mod record;
 mod tracks;
 mod watching;
@@ -97,8 +98,18 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     };
     let Chosen { passed, error, method, why, beside, mut remarks } = chosen;
     remarks.extend(outside(simulation));
-    let Passed { mut record, ledger, mut counts, outcomes, impacts, landings, mut phases, ground, .. } =
-        passed;
+    let Passed {
+        mut record,
+        ledger,
+        mut counts,
+        outcomes,
+        impacts,
+        landings,
+        mut phases,
+        ground,
+        pushed,
+        ..
+    } = passed;
     let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
@@ -115,7 +126,9 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
         }
     }
     let seconds = begun.zip(observer.now()).map(|(begun, ended)| ended - begun);
-    let energy = ledger.report;
+    let mut energy = ledger.report;
+    energy.pushes = pushed;
+    energy.work -= pushed;
     let cost = Cost { counts, seconds };
     let report = RunReport { method, why, error, cost, energy, outcomes, impacts, phases, ground, remarks };
     Ok(Run { motion, report })
@@ -288,12 +301,17 @@ fn add_forces(
 ) -> Result<(), RunError> {
     let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
     let nv = figure.layout().nv();
-    let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
+    let thrusts = pushes::thrusts(simulation)?;
+    let on: Vec<_> = simulation.pushes.iter().map(|push| (push.link, push.point)).collect();
+    let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()).pushed(&on);
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
         let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let own = own.iter().take_while(|(of, ..)| *of == frame);
         let own: Vec<(usize, Wrench<f64>)> = own.map(|(_, link, wrench)| (*link, *wrench)).collect();
+        for (push, force) in pushes::after(&thrusts, motion.time()[frame]) {
+            body.set_push(push, &force);
+        }
         body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), &own, tau)
             .map_err(|error| guard::of_dynamics(motion.time()[frame], error))?;
         figure.fold_forces(motion.q(frame), tau);

@@ -5,6 +5,7 @@ use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::failure::SetupError;
+use crate::push::Push;
 use crate::range::check_not_negative;
 use nalgebra::Vector3;
 use solaris_model::{Figure, nearest};
@@ -29,6 +30,7 @@ pub struct Simulation {
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
     pub(crate) surface: Option<Surface>,
+    pub(crate) pushes: Vec<Push>,
 }
 
 impl Simulation {
@@ -48,6 +50,7 @@ impl Simulation {
             springs: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
+            pushes: Vec::new(),
         }
     }
 
@@ -200,6 +203,26 @@ impl Simulation {
     /// The springs and dampers between points.
     pub fn springs(&self) -> &[PointSpring] {
         &self.springs
+    }
+
+    /// Adds a push of the world on a point of a link.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::UnknownLink`], [`SetupError::Range`], [`SetupError::PushProfile`].
+    pub fn add_push(&mut self, push: Push) -> Result<(), SetupError> {
+        let Some(link) = self.figure.links().get(push.link) else {
+            let (figure, name) = (self.figure.name().to_owned(), format!("number {}", push.link));
+            return Err(SetupError::UnknownLink { figure, name, nearest: None });
+        };
+        push.check(link.name())?;
+        self.pushes.push(push);
+        Ok(())
+    }
+
+    /// The pushes of the world.
+    pub fn pushes(&self) -> &[Push] {
+        &self.pushes
     }
 
     /// Lays a ground under the figure, which `contact_points` can touch, [`contact_points`](crate::contact_points) for all that the figure says of

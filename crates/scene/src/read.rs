@@ -7,6 +7,7 @@ mod forces;
 mod ground;
 mod limits;
 mod names;
+mod pushes;
 mod repeat;
 mod segments;
 mod settings;
@@ -32,7 +33,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 15] = [
+const FIELDS: [&str; 16] = [
     "version",
     "figures",
     "gravity",
@@ -45,6 +46,7 @@ const FIELDS: [&str; 15] = [
     "velocities",
     "drives",
     "springs",
+    "pushes",
     "limits",
     "ground",
     "walk",
@@ -97,6 +99,7 @@ impl SceneReader<'_> {
         let walk = self.walk(&fields, figure.as_ref(), &given);
         self.start(&fields, &given, walk.as_ref());
         self.springs(&fields);
+        self.pushes(&fields);
         self.limits(&fields);
         self.ground(&fields);
         let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));

@@ -3,6 +3,8 @@
 use super::Role;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
+use crate::push::Thrust;
+use nalgebra::Vector3;
 use solaris_model::{Figure, Follower};
 
 /// The motion of the degrees of freedom that have one of their own, of those that follow them, where the others stand, and the
@@ -18,6 +20,8 @@ pub(super) struct Prescribed {
     coordinates: Vec<Option<usize>>,
     /// For each degree of freedom that dynamics move, in their order.
     forces: Vec<Force>,
+    /// What each push of the world does, where it does anything.
+    pushes: Vec<Option<Thrust>>,
 }
 
 #[derive(Clone)]
@@ -32,8 +36,8 @@ enum Motion {
 }
 
 impl Prescribed {
-    /// Everything stands at `q`, and there are no forces.
-    pub(super) fn new(figure: &Figure, roles: &[Role], q: &[f64]) -> Self {
+    /// Everything stands at `q`, and there are no forces, and of so many pushes of the world none.
+    pub(super) fn new(figure: &Figure, roles: &[Role], q: &[f64], pushes: usize) -> Self {
         let (layout, followers) = (figure.layout(), figure.followers().to_vec());
         let role = |role: &Role| if *role == Role::Dynamic { Motion::None } else { Motion::Still };
         let (mut motions, mut standing): (Vec<Motion>, _) = (roles.iter().map(role).collect(), q.to_vec());
@@ -43,7 +47,14 @@ impl Prescribed {
         }
         let coordinates = (0..layout.nv()).map(|dof| layout.coordinate(dof)).collect();
         let dynamic = roles.iter().filter(|role| **role == Role::Dynamic).count();
-        Self { motions, standing, followers, coordinates, forces: vec![Force::Constant(0.0); dynamic] }
+        Self {
+            motions,
+            standing,
+            followers,
+            coordinates,
+            forces: vec![Force::Constant(0.0); dynamic],
+            pushes: vec![None; pushes],
+        }
     }
 
     /// Where everything stood when the phase began.
@@ -61,6 +72,16 @@ impl Prescribed {
     /// Sets the force on a degree of freedom, by its place among those that dynamics move.
     pub(super) fn set_force(&mut self, index: usize, force: Force) {
         self.forces[index] = force;
+    }
+
+    /// Sets what a push of the world does, by its index.
+    pub(super) fn set_push(&mut self, push: usize, thrust: Option<Thrust>) {
+        self.pushes[push] = thrust;
+    }
+
+    /// What a push of the world does (N) at a time of the run.
+    pub(super) fn push(&self, push: usize, t: f64) -> Vector3<f64> {
+        self.pushes[push].as_ref().map_or_else(Vector3::zeros, |thrust| thrust.at(t))
     }
 
     /// The force on a degree of freedom, by its place among those that dynamics move.

@@ -3,7 +3,7 @@
 use super::Role;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
-use super::state::{StateMap, unit};
+use super::state::{GROUND, StateMap, unit};
 use crate::body::{Body, Pressure};
 use crate::contact::{ContactPatch, count};
 use crate::drive::force::Force;
@@ -202,6 +202,9 @@ impl Small {
         };
         let duals = self.duals.insert(duals);
         duals.take_constants(&self.numbers);
+        for (push, full) in self.reduction.kept_pushes.iter().enumerate() {
+            duals.body.set_push(push, &prescribed.push(*full, t));
+        }
         // Nothing depends on the accounts.
         let columns = state.accounts();
         for first in (0..columns).step_by(COLUMNS) {
@@ -239,6 +242,9 @@ impl Small {
             numbers.q[coordinate] = position;
             (numbers.v[k], numbers.a[k]) = (velocity, acceleration);
         }
+        for (push, full) in self.reduction.kept_pushes.iter().enumerate() {
+            numbers.body.set_push(push, &prescribed.push(*full, t));
+        }
         numbers.y.copy_from_slice(y);
         numbers.read(&self.maps);
         for i in 0..self.maps.velocities.len() {
@@ -275,7 +281,9 @@ impl<T: Elementary> Side<T> {
         let Reduction { figure, springs, limits, surface, kept_q, kept_v, .. } = reduction;
         let zeros = |length: usize| vec![T::zero(); length];
         Ok(Self {
-            body: Body::compile(figure, source.gravity, springs, limits)?.on(surface.as_ref()),
+            body: Body::compile(figure, source.gravity, springs, limits)?
+                .on(surface.as_ref())
+                .pushed(&reduction.pushes),
             q: zeros(kept_q.len()),
             v: zeros(kept_v.len()),
             a: zeros(kept_v.len()),
@@ -330,8 +338,15 @@ impl<T: Elementary> Side<T> {
         let work = self.tau.iter().zip(&self.v).fold(T::zero(), |work, (force, rate)| work + *force * *rate);
         let accounts = &mut self.rate[state.accounts()..];
         (accounts[0], accounts[1]) = (work, self.body.heat());
+        if self.body.has_pushes() {
+            let power = self.body.power();
+            accounts[0] += power;
+            if let Some(pushed) = accounts.last_mut() {
+                *pushed = power;
+            }
+        }
         if let [_, _, ground @ ..] = accounts
-            && !ground.is_empty()
+            && ground.len() >= GROUND
         {
             let Pressure { force, damping, friction } = self.body.pressure();
             ground[..3].copy_from_slice(force.as_slice());

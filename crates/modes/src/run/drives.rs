@@ -41,6 +41,7 @@ impl Pass<'_> {
             .collect();
         self.begin(&all)?;
         self.take_over(&[])?;
+        self.push()?;
         self.settle(&[])?;
         self.find_contacts(&[])?;
         self.leap()
@@ -62,6 +63,7 @@ impl Pass<'_> {
             return Ok(());
         }
         self.take_over(events)?;
+        self.push()?;
         self.settle(events)?;
         self.find_contacts(events)?;
         self.leap()

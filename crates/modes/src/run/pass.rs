@@ -4,11 +4,13 @@ use super::active_contacts::state::ActiveContacts;
 use super::driven::{Driven, Meaning, Mode};
 use super::guard;
 use super::ledger::Ledger;
+use super::pushes;
 use super::record::{Record, near};
 use crate::Outcome;
 use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::{GROUND, Phase, Role};
+use crate::push::Thrust;
 use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
@@ -32,6 +34,8 @@ pub(crate) struct Passed {
     pub(crate) jumps: bool,
     /// What the ground did to what dynamics move, as in the state of a phase.
     pub(crate) ground: [f64; GROUND],
+    /// What pushes of the world did (J).
+    pub(crate) pushed: f64,
 }
 
 /// One pass, on its way.
@@ -55,6 +59,9 @@ pub(crate) struct Pass<'a> {
     pub(crate) active: ActiveContacts,
     /// What an impact has leapt over: drives that wait for a velocity.
     pub(crate) leapt: Vec<Meaning>,
+    /// What the world does, by push, and whether a blow has been given.
+    pub(crate) thrusts: Vec<Thrust>,
+    pub(crate) struck: Vec<bool>,
     pub(crate) passed: Passed,
     work: f64,
     heat: f64,
@@ -106,6 +113,7 @@ impl<'a> Pass<'a> {
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
+        let on: Vec<_> = simulation.pushes.iter().map(|push| (push.link, push.point)).collect();
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
             simulation,
@@ -117,10 +125,12 @@ impl<'a> Pass<'a> {
             q,
             v,
             a,
-            body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()),
+            body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()).pushed(&on),
             cap: f64::INFINITY,
             active: ActiveContacts::default(),
             leapt: Vec::new(),
+            thrusts: pushes::thrusts(simulation)?,
+            struck: vec![false; simulation.pushes.len()],
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
                 ledger: Ledger::new(least_energy(simulation)),
@@ -132,6 +142,7 @@ impl<'a> Pass<'a> {
                 is_dynamic: false,
                 jumps: false,
                 ground: [0.0; GROUND],
+                pushed: 0.0,
             },
             work: 0.0,
             heat: 0.0,
@@ -235,6 +246,9 @@ impl<'a> Pass<'a> {
         *t = stopped.time;
         phase.unpack(*t, &y, q, v);
         (self.work, self.heat) = (y[work], y[heat]);
+        if !simulation.pushes.is_empty() {
+            passed.pushed += y[y.len() - 1];
+        }
         for (sum, part) in passed.ground.iter_mut().zip(&y[heat + 1..]) {
             *sum += part;
         }
@@ -297,6 +311,14 @@ impl<'a> Pass<'a> {
         feeling.map(|(dof, driven)| (dof, driven.step)).collect()
     }
 
+    /// The world has done work (J) between two stretches.
+    pub(crate) fn gain(&mut self, work: f64) {
+        self.work += work;
+        self.passed.pushed += work;
+        self.passed.ledger.lose(-work);
+        self.passed.ledger.report.impacts += work;
+    }
+
     /// The roles that the drives give.
     pub(crate) fn roles(&self) -> Vec<Role> {
         let mut roles: Vec<Role> = self.driven.iter().map(Driven::role).collect();
@@ -339,6 +361,7 @@ impl<'a> Pass<'a> {
             let times = driven.breaks().into_iter().chain([driven.ends(steps)]);
             stop = times.filter(|time| later(*time)).fold(stop, f64::min);
         }
+        stop = self.push_breaks().filter(|time| later(*time)).fold(stop, f64::min);
         if self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
             stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop));
         }

@@ -58,6 +58,7 @@ impl Pass<'_> {
                 _ => {}
             }
         }
+        self.load_pushes(phase, end);
         phase.plant(&self.active.holds);
         for (hold, patch) in self.active.holds.iter().enumerate() {
             for lever in 0..patch.levers.len() {

@@ -6,6 +6,7 @@ mod drives;
 mod governor;
 mod limits;
 mod plan;
+mod pushes;
 #[cfg(feature = "serde")]
 mod reports;
 mod steppers;

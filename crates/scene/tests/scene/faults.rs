@@ -99,6 +99,23 @@ fn of_the_start() {
 }
 
 #[test]
+fn of_pushes() {
+    let text = listed(&[
+        "pushes: Push(link: \"tip\", force: (1, 0, 0))",
+        "pushes: [Push(force: (1, 0, 0))]",
+        "pushes: [Push(link: \"tipp\", force: (1, 0, 0))]",
+        "pushes: [Push(link: \"tip\")]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), impulse: (1, 0, 0))]",
+        "pushes: [Push(link: \"tip\", force: 3)]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), over: -1)]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), form: 1)]",
+        "pushes: [Push(link: \"tip\", impulse: (1, 0, 0), along: Line(from: 0, to: 1, duration: 1))]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), over: 1, along: Line(from: 0, to: 1, duration: 1))]",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_forces_and_repetitions() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Servo(stiffness: 1)}",

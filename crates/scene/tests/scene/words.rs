@@ -88,3 +88,21 @@ fn what_comes_again_is_where_closed_forms_say() {
             .all(|outcome| outcome.name != "swings" || outcome.result == OutcomeKind::Reached)
     );
 }
+
+#[test]
+fn pushes_give_their_impulse_and_its_moment() {
+    let run = simulated("pushed.ron");
+    // Of 4 kg: 10 N for 0.1 s along z, 0.6 N s along y, ∫ 2·sin over half of 1 s along x; the last is on the slab's origin.
+    let last = run.motion.len() - 1;
+    let q = run.motion.q(last);
+    let v = &run.motion.v(last)[..3];
+    let turned = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(q[6], q[3], q[4], q[5]));
+    let world = turned * nalgebra::Vector3::new(v[0], v[1], v[2]);
+    // Of a slab with a block at its centre all forces but the first go through the centre.
+    for (found, impulse) in world.iter().zip([2.0 / std::f64::consts::PI, 0.6, 1.0]) {
+        assert_abs_diff_eq!(*found, impulse / 4.0, epsilon = 1e-6);
+    }
+    let energy = &run.report.energy;
+    assert_abs_diff_eq!(energy.end.total(), energy.start.total() + energy.pushes, epsilon = 1e-7);
+    assert!(energy.pushes > 0.1 && energy.work.abs() < 1e-9);
+}
