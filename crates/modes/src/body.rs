@@ -21,7 +21,7 @@ use solaris_dynamics::{
     DynamicsError, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
     hybrid_dynamics, inverse_dynamics, kinetic_energy, mass_matrix, potential_energy, velocities,
 };
-use solaris_model::Figure;
+use solaris_model::{Figure, Load};
 use solaris_profiles::Elementary;
 use touching::GroundElement;
 pub(crate) use touching::{Pressed, Pressure};
@@ -158,6 +158,26 @@ impl<T: Elementary> Body<T> {
             work += push.power(&self.workspace);
         }
         Ok(work)
+    }
+
+    /// From now on these loads, which it carries already, take back in [impacts](Self::impact) from this configuration the momenta that
+    /// they would have with `v`.
+    pub(crate) fn take_up(&mut self, q: &[T], v: &[T], loads: &[&Load]) -> Result<(), DynamicsError> {
+        velocities(&self.tree, &mut self.workspace, q, v)?;
+        self.blows.clear();
+        let number = T::from_f64;
+        for load in loads {
+            let (pose, twist) = (self.workspace.pose(load.link), self.workspace.velocity(load.link));
+            let arm = pose.rotation * load.at.map(number);
+            let velocity = twist.linear + twist.angular.cross(&arm);
+            let inertia = pose.rotation * load.inertia.map(number) * pose.rotation.transpose();
+            let center = pose.transform(&load.at.map(number));
+            self.blows.push((
+                load.link,
+                Wrench::at(&center, velocity * number(-load.mass), -(inertia * twist.angular)),
+            ));
+        }
+        Ok(())
     }
 
     /// There is no blow any more.

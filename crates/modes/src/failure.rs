@@ -5,7 +5,7 @@ mod remedy;
 pub use remedy::Remedy;
 
 use solaris_dynamics::DynamicsError;
-use solaris_model::{ConfigurationError, FuseError, MotionError};
+use solaris_model::{ConfigurationError, FuseError, LoadError, MotionError};
 use solaris_profiles::ProfileError;
 
 /// What is wrong with what was asked; nothing has been computed.
@@ -116,6 +116,9 @@ pub enum SetupError {
         /// Why.
         source: ProfileError,
     },
+    /// A load that cannot be carried.
+    #[error(transparent)]
+    Load(#[from] LoadError),
     /// A state that is none.
     #[error(transparent)]
     State(#[from] ConfigurationError),

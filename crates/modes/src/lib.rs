@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod body;
+mod carry;
 mod contact;
 mod drive;
 mod element;
@@ -17,6 +18,7 @@ mod simulation;
 pub mod study;
 pub mod time;
 
+pub use carry::Carry;
 pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
 pub use drive::{Aim, Course, Drive, EndCondition, Law, Servo, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};

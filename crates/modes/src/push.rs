@@ -3,6 +3,7 @@
 use crate::drive::path::Path;
 use crate::failure::SetupError;
 use crate::range::{check_finite, check_not_negative, check_positive};
+use crate::simulation::Simulation;
 use nalgebra::Vector3;
 use solaris_profiles::{Profile, ProfileError};
 
@@ -99,6 +100,28 @@ impl Push {
                 Thrust { force: *force, path, span }
             }
         })
+    }
+}
+
+impl Simulation {
+    /// Adds a push of the world on a point of a link.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::UnknownLink`], [`SetupError::Range`], [`SetupError::PushProfile`].
+    pub fn add_push(&mut self, push: Push) -> Result<(), SetupError> {
+        let Some(link) = self.figure.links().get(push.link) else {
+            let (figure, name) = (self.figure.name().to_owned(), format!("number {}", push.link));
+            return Err(SetupError::UnknownLink { figure, name, nearest: None });
+        };
+        push.check(link.name())?;
+        self.pushes.push(push);
+        Ok(())
+    }
+
+    /// The pushes of the world.
+    pub fn pushes(&self) -> &[Push] {
+        &self.pushes
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod active_contacts;
 mod automatic;
+mod carries;
 mod compare;
 mod contacts;
 mod driven;
@@ -17,7 +18,6 @@ mod record;
 mod tracks;
 mod watching;
 
-use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
 use crate::report::{Cost, Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
@@ -25,6 +25,7 @@ use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
 use crate::{Drive, LimitLaw, Step};
+use carries::LoadedBody;
 use pass::{Passed, pass};
 use solaris_dynamics::Wrench;
 use solaris_model::Motion;
@@ -299,16 +300,17 @@ fn add_forces(
     motion: &mut Motion,
     planted: &[(usize, usize, Wrench<f64>)],
 ) -> Result<(), RunError> {
-    let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
+    let figure = &simulation.figure;
     let nv = figure.layout().nv();
     let thrusts = pushes::thrusts(simulation)?;
-    let on: Vec<_> = simulation.pushes.iter().map(|push| (push.link, push.point)).collect();
-    let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()).pushed(&on);
+    let mut loaded = LoadedBody::new(simulation)?;
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
         let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let own = own.iter().take_while(|(of, ..)| *of == frame);
         let own: Vec<(usize, Wrench<f64>)> = own.map(|(_, link, wrench)| (*link, *wrench)).collect();
+        loaded.go_to(simulation, motion.time()[frame])?;
+        let body = &mut loaded.body;
         for (push, force) in pushes::after(&thrusts, motion.time()[frame]) {
             body.set_push(push, &force);
         }

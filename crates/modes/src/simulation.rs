@@ -1,6 +1,7 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
 use crate::body::Body;
+use crate::carry::Carry;
 use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
 use crate::element::{Anchor, LimitLaw, PointSpring};
@@ -31,6 +32,7 @@ pub struct Simulation {
     pub(crate) limits: Vec<LimitLaw>,
     pub(crate) surface: Option<Surface>,
     pub(crate) pushes: Vec<Push>,
+    pub(crate) carries: Vec<Carry>,
 }
 
 impl Simulation {
@@ -51,6 +53,7 @@ impl Simulation {
             limits: vec![LimitLaw::default(); nv],
             surface: None,
             pushes: Vec::new(),
+            carries: Vec::new(),
         }
     }
 
@@ -203,26 +206,6 @@ impl Simulation {
     /// The springs and dampers between points.
     pub fn springs(&self) -> &[PointSpring] {
         &self.springs
-    }
-
-    /// Adds a push of the world on a point of a link.
-    ///
-    /// # Errors
-    ///
-    /// [`SetupError::UnknownLink`], [`SetupError::Range`], [`SetupError::PushProfile`].
-    pub fn add_push(&mut self, push: Push) -> Result<(), SetupError> {
-        let Some(link) = self.figure.links().get(push.link) else {
-            let (figure, name) = (self.figure.name().to_owned(), format!("number {}", push.link));
-            return Err(SetupError::UnknownLink { figure, name, nearest: None });
-        };
-        push.check(link.name())?;
-        self.pushes.push(push);
-        Ok(())
-    }
-
-    /// The pushes of the world.
-    pub fn pushes(&self) -> &[Push] {
-        &self.pushes
     }
 
     /// Lays a ground under the figure, which `contact_points` can touch, [`contact_points`](crate::contact_points) for all that the figure says of

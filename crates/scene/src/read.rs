@@ -1,5 +1,6 @@
 //! The reader of scenes, with every fault on the way.
 
+mod carries;
 mod drive;
 mod drives;
 mod figures;
@@ -33,7 +34,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 16] = [
+const FIELDS: [&str; 17] = [
     "version",
     "figures",
     "gravity",
@@ -47,6 +48,7 @@ const FIELDS: [&str; 16] = [
     "drives",
     "springs",
     "pushes",
+    "carries",
     "limits",
     "ground",
     "walk",
@@ -95,6 +97,7 @@ impl SceneReader<'_> {
             self.simulation = Some(Simulation::new(figure, gravity));
             self.names = Names::of(figure);
         }
+        let figure = self.carries(&fields, figure);
         let given = self.drives(&fields);
         let walk = self.walk(&fields, figure.as_ref(), &given);
         self.start(&fields, &given, walk.as_ref());

@@ -39,6 +39,7 @@ impl Pass<'_> {
             .filter(|dof| !self.simulation.figure.follows(*dof))
             .map(|dof| (dof, 0))
             .collect();
+        self.carry()?;
         self.begin(&all)?;
         self.take_over(&[])?;
         self.push()?;

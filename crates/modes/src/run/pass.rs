@@ -1,6 +1,7 @@
 //! One pass through a simulation, by one method.
 
 use super::active_contacts::state::ActiveContacts;
+use super::carries::whole_body;
 use super::driven::{Driven, Meaning, Mode};
 use super::guard;
 use super::ledger::Ledger;
@@ -62,6 +63,9 @@ pub(crate) struct Pass<'a> {
     /// What the world does, by push, and whether a blow has been given.
     pub(crate) thrusts: Vec<Thrust>,
     pub(crate) struck: Vec<bool>,
+    /// Which loads are carried, and the simulation with these; none before the first is looked for.
+    pub(crate) carried: Vec<bool>,
+    pub(crate) loaded: Option<Box<Simulation>>,
     pub(crate) passed: Passed,
     work: f64,
     heat: f64,
@@ -109,11 +113,10 @@ pub(crate) fn pass(
 
 impl<'a> Pass<'a> {
     fn new(simulation: &'a Simulation, settings: &'a Settings, stepping: Stepping) -> Result<Self, RunError> {
-        let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
+        let figure = &simulation.figure;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
-        let on: Vec<_> = simulation.pushes.iter().map(|push| (push.link, push.point)).collect();
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
             simulation,
@@ -125,12 +128,14 @@ impl<'a> Pass<'a> {
             q,
             v,
             a,
-            body: Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref()).pushed(&on),
+            body: whole_body(simulation)?,
             cap: f64::INFINITY,
             active: ActiveContacts::default(),
             leapt: Vec::new(),
             thrusts: pushes::thrusts(simulation)?,
             struck: vec![false; simulation.pushes.len()],
+            carried: Vec::new(),
+            loaded: None,
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
                 ledger: Ledger::new(least_energy(simulation)),
@@ -273,7 +278,8 @@ impl<'a> Pass<'a> {
             return self.look_again(compiled);
         }
         self.end_phase();
-        let phase = Phase::with(self.simulation, &roles, &self.q, self.settings.leave_out)?;
+        let simulation = self.loaded.as_deref().unwrap_or(self.simulation);
+        let phase = Phase::with(simulation, &roles, &self.q, self.settings.leave_out)?;
         let mut compiled = Compiled { phase, roles, q: self.q.clone(), servos: self.servos() };
         // What is watched for may bring back what was left out.
         self.load(&mut compiled.phase, self.next_stop())?;
@@ -309,6 +315,11 @@ impl<'a> Pass<'a> {
     fn servos(&self) -> Vec<(usize, usize)> {
         let feeling = self.driven.iter().enumerate().filter(|(_, driven)| driven.feels());
         feeling.map(|(dof, driven)| (dof, driven.step)).collect()
+    }
+
+    /// What was compiled is of another figure than there is now.
+    pub(crate) fn forget_phase(&mut self) {
+        self.compiled = None;
     }
 
     /// The world has done work (J) between two stretches.
@@ -361,7 +372,7 @@ impl<'a> Pass<'a> {
             let times = driven.breaks().into_iter().chain([driven.ends(steps)]);
             stop = times.filter(|time| later(*time)).fold(stop, f64::min);
         }
-        stop = self.push_breaks().filter(|time| later(*time)).fold(stop, f64::min);
+        stop = self.push_breaks().chain(self.carry_breaks()).filter(|time| later(*time)).fold(stop, f64::min);
         if self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
             stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop));
         }

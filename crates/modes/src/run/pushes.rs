@@ -4,7 +4,7 @@ use super::guard;
 use super::pass::Pass;
 use super::record::near;
 use crate::failure::{RunError, SetupError};
-use crate::impact::strike;
+use crate::impact::{Side, strike};
 use crate::phase::{Phase, Role};
 use crate::push::Thrust;
 use crate::simulation::Simulation;
@@ -42,8 +42,9 @@ impl Pass<'_> {
         self.thrusts.iter().flat_map(Thrust::breaks).chain(blows)
     }
 
-    /// Pushes the whole figure as the world does from now on, and gives it the blows that are due.
+    /// Gives the figure what the world does from now on: loads, pushes, and blows that are due.
     pub(crate) fn push(&mut self) -> Result<(), RunError> {
+        self.carry()?;
         if self.simulation.pushes.is_empty() {
             return Ok(());
         }
@@ -64,20 +65,23 @@ impl Pass<'_> {
         if blows.is_empty() { Ok(()) } else { self.blow(&blows) }
     }
 
+    /// What does not give way in an impact, and what its limits stop.
+    pub(crate) fn given_way(&self) -> (Vec<bool>, Vec<(usize, Side)>) {
+        let fixed = (0..self.driven.len()).map(|dof| {
+            let prescribed = self.driven[dof].role() != Role::Dynamic && self.driven[dof].held.is_none();
+            prescribed || self.simulation.figure.follows(dof)
+        });
+        let held = self.driven.iter().enumerate();
+        (fixed.collect(), held.filter_map(|(dof, driven)| Some((dof, driven.held?.0))).collect())
+    }
+
     /// Blows in an instant: `M·Δv = Jᵀ·p`, with what is prescribed kept on its way and limits that hold.
     ///
     /// What stands on the ground is let go, to be struck by it as what comes down; that comes to the same, since both are the
     /// projection of the velocities that the blow alone would give.
     fn blow(&mut self, blows: &[(usize, Vector3<f64>)]) -> Result<(), RunError> {
         let fault = |t, error| RunError::from(guard::of_dynamics(t, error));
-        let fixed: Vec<bool> = (0..self.driven.len())
-            .map(|dof| {
-                let prescribed = self.driven[dof].role() != Role::Dynamic && self.driven[dof].held.is_none();
-                prescribed || self.simulation.figure.follows(dof)
-            })
-            .collect();
-        let held: Vec<_> =
-            self.driven.iter().enumerate().filter_map(|(dof, driven)| Some((dof, driven.held?.0))).collect();
+        let (fixed, held) = self.given_way();
         self.body.plant(&[]);
         self.active.forget();
         let before = self.body.blow(&self.q, &self.v, blows).map_err(|error| fault(self.t, error))?;

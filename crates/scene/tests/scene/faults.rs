@@ -26,6 +26,11 @@ fn arm(fields: &str) -> String {
     )
 }
 
+/// A scene of a person, with more fields.
+fn person(fields: &str) -> String {
+    format!("Scene(version: 1, figures: {{\"ann\": Human(height: 1.75, mass: 73)}},\n{fields})")
+}
+
 /// Each of these fields, and its faults.
 fn listed(cases: &[&str]) -> String {
     let mut text = String::new();
@@ -112,6 +117,24 @@ fn of_pushes() {
         "pushes: [Push(link: \"tip\", impulse: (1, 0, 0), along: Line(from: 0, to: 1, duration: 1))]",
         "pushes: [Push(link: \"tip\", force: (1, 0, 0), over: 1, along: Line(from: 0, to: 1, duration: 1))]",
     ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn of_carries() {
+    let mut text = listed(&[
+        "carries: [Carry(in: \"tip\")]",
+        "carries: [Carry(mass: 1)]",
+        "carries: [Carry(mass: 1, in: \"tipp\")]",
+        "carries: [Carry(mass: -1, in: \"tip\")]",
+        "carries: [Carry(mass: 1, in: \"tip\", inertia: (1, 1, 3))]",
+        "carries: [Carry(mass: 1, in: \"tip\", from: 2, until: 1)]",
+        "carries: [Carry(mass: 1, in: \"tip\", form: 2)]",
+        "carries: [Carry(mass: -1, in: \"tip\", from: 2)]",
+    ]);
+    let case =
+        "walk: Walk(steps: 2, step_frequency: 110), carries: [Carry(mass: 1, in: \"left_hand\", from: 1)]";
+    let _ = write!(text, "{case}\n{}\n", faults(&person(case)));
     insta::assert_snapshot!(text);
 }
 

@@ -106,3 +106,27 @@ fn pushes_give_their_impulse_and_its_moment() {
     assert_abs_diff_eq!(energy.end.total(), energy.start.total() + energy.pushes, epsilon = 1e-7);
     assert!(energy.pushes > 0.1 && energy.work.abs() < 1e-9);
 }
+
+#[test]
+fn a_load_that_is_taken_up_shares_the_angular_momentum() {
+    let run = simulated("carried.ron");
+    let figure = fixture("carried.ron").figure().clone();
+    // About its pivot: I + m·l² of the arm, and of 0.5 kg at 0.5 m.
+    let arm = &figure.links()[figure.link_index("taker").expect("a link")];
+    let alone = arm.inertia()[(0, 0)] + 2.0 * 0.25 * 0.25;
+    let load = 0.001 + 0.5 * 0.25;
+    let speed = |frame: usize, name: &str| run.motion.v(frame)[dof(name, "carried.ron")];
+    let both = 2.0 * alone / (alone + load);
+    for (frame, expected) in [(49, 2.0), (50, both), (149, both), (151, both), (200, both)] {
+        assert_abs_diff_eq!(speed(frame, "taker"), expected, epsilon = 1e-9);
+    }
+    assert_abs_diff_eq!(run.report.energy.impacts, 0.5 * alone * 2.0 * (2.0 - both), epsilon = 1e-9);
+    // The other one has its load as its own.
+    let keeper = &figure.links()[figure.link_index("keeper").expect("a link")];
+    assert_abs_diff_eq!(keeper.mass(), 2.5, epsilon = 1e-15);
+    let keeper_dof = dof("keeper", "carried.ron");
+    for frame in [110, 150, 190] {
+        let force = (alone + load) * run.motion.a(frame)[keeper_dof];
+        assert_abs_diff_eq!(run.motion.tau(frame).expect("forces")[keeper_dof], force, epsilon = 1e-9);
+    }
+}
