@@ -33,6 +33,9 @@ use solaris_model::Motion;
 /// Whether the methods that choose their steps are built in.
 const IS_STIFF: bool = cfg!(feature = "stiff");
 
+/// The part of the energy at play that may be missing from the balance without a remark.
+const UNBALANCED: f64 = 1e-3;
+
 /// The most frames of a run.
 const MOST_FRAMES: f64 = 1e7;
 
@@ -128,6 +131,10 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     }
     let seconds = begun.zip(observer.now()).map(|(begun, ended)| ended - begun);
     let mut energy = ledger.report;
+    let share = energy.imbalance / energy.scale;
+    if energy.scale > 0.0 && share > UNBALANCED {
+        remarks.push(Remark::Energy { share });
+    }
     energy.pushes = pushed;
     energy.work -= pushed;
     let cost = Cost { counts, seconds };

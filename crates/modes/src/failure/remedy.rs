@@ -40,6 +40,11 @@ pub enum Remedy {
     LargerTolerance,
     /// A method for stiff equations.
     StiffMethod,
+    /// A method with a step such as this, which is not held to a tolerance.
+    NamedMethod {
+        /// The step (s).
+        step: f64,
+    },
     /// Another method or step.
     OtherMethod,
     /// A shorter run.
@@ -86,6 +91,12 @@ impl fmt::Display for Remedy {
         f.write_str(match self {
             Self::StepOf { step } => {
                 return write!(f, "take a shorter step, such as a tenth, {step:.1e} s");
+            }
+            Self::NamedMethod { step } => {
+                return write!(
+                    f,
+                    "name a method with a step, such as Runge-Kutta 4 with {step:.1e} s, and look at its energy balance"
+                );
             }
             Self::StepBelow { step } => return write!(f, "take a step below {step:.1e} s"),
             Self::StepAbove { step, evaluations } => {

@@ -1,6 +1,7 @@
 //! The first level, from outside.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "what was measured")]
 
+mod balance;
 mod carries;
 mod contact;
 mod drives;

@@ -1,8 +1,8 @@
 //! The figure of a scene: a person, a file, or written out.
 
 use super::SceneReader;
-use solaris_model::Figure;
 use solaris_model::text::{Fields, Node, read_node};
+use solaris_model::{Base, Figure};
 
 const EXAMPLE: &str = "{\"ann\": Human(height: 1.75, mass: 73.0)}";
 
@@ -32,12 +32,27 @@ impl SceneReader<'_> {
         if self.reader.kind(node, &["Human", "File", "Figure"])? != "File" {
             return read_node(&mut self.reader, node);
         }
-        let Some([path]) = node.tuple() else {
-            self.reader.fault(node.span.clone(), "File(\"…\") takes the path of one file");
-            return None;
+        let (path, base) = match node.tuple() {
+            Some([path]) => (path, Base::Fixed),
+            Some(_) => {
+                let message = "File(\"…\") takes the path of one file, or File(path: \"…\", base: Free)";
+                self.reader.fault(node.span.clone(), message);
+                return None;
+            }
+            None => {
+                let fields = self.reader.fields(node, &["File"], &["path", "base"])?;
+                let path = self.reader.required(&fields, "path", "\"robot.urdf\"");
+                let base = match self.reader.choice(&fields, "base", &["Fixed", "Floating", "Free"])? {
+                    "Floating" => Base::Floating,
+                    "Free" => Base::Free,
+                    _ => Base::Fixed,
+                };
+                (path?, base)
+            }
         };
         let name = self.reader.name(path, "the path of a figure")?;
-        let loaded = self.loader.figure(name);
-        loaded.map_err(|why| self.reader.fault(path.span.clone(), format!("'{name}': {why}"))).ok()
+        let loaded = self.loader.figure(name).map_err(|why| format!("'{name}': {why}"));
+        let based = loaded.and_then(|figure| figure.on_base(base).map_err(|why| format!("'{name}': {why}")));
+        based.map_err(|why| self.reader.fault(path.span.clone(), why)).ok()
     }
 }

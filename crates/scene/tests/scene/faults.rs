@@ -321,4 +321,20 @@ fn files_come_from_the_loader() {
     assert!((read(text, &mut OneFile).expect("a scene").figure().mass() - 60.0).abs() < 1e-9);
     let error = read(&text.replace("ann", "bob"), &mut OneFile).expect_err("no such file");
     assert_eq!(error.to_string(), "line 1, column 52: 'bob.ron': no such file");
+    // A person floats already; on a free joint it cannot be put.
+    let based = |base: &str| text.replace("\"ann.ron\"", &format!("path: \"ann.ron\", base: {base}"));
+    assert_eq!(
+        read(&based("Floating"), &mut OneFile).expect("a scene").figure().layout().v_names()[0],
+        "root.tx"
+    );
+    for (base, said) in [
+        (
+            "Free",
+            "line 1, column 58: 'ann.ron': joint 'root' moves the root 'pelvis' already, by root.tx, root.ty, root.tz, root.rz, \
+             root.ry, root.rx; leave the base as the figure has it (fixed), or weld that joint first",
+        ),
+        ("Fre", "line 1, column 75: 'Fre' is not known here; did you mean 'Free'?"),
+    ] {
+        assert_eq!(read(&based(base), &mut OneFile).expect_err("refused").to_string(), said);
+    }
 }
