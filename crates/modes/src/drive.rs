@@ -172,6 +172,8 @@ pub enum EndCondition {
     Time(f64),
     /// After a time since it began (s).
     Lasting(f64),
+    /// When a part of a [sequence](crate::Simulation::sequence) is over, by its index; never where there is none.
+    Part(usize),
     /// When a degree of freedom passes through a position (rad or m).
     Position {
         /// Which.

@@ -68,6 +68,15 @@ pub enum SetupError {
         /// The drive.
         drive: &'static str,
     },
+    /// A part of a sequence that has no end.
+    #[error(
+        "part {part} of the sequence never is over, so that nothing comes after it: let something in it come to an end, or wait for a \
+         time or an event"
+    )]
+    Sequence {
+        /// Which, from 1 on.
+        part: usize,
+    },
     /// A drive for a degree of freedom that follows another.
     #[error("'{dof}' follows '{leader}' and has no drive of its own; drive '{leader}'")]
     DrivenFollower {

@@ -13,6 +13,7 @@ mod range;
 mod recorded;
 mod report;
 mod run;
+mod sequence;
 mod settings;
 mod simulation;
 pub mod study;
@@ -29,5 +30,6 @@ pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
     Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
+pub use sequence::Part;
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;

@@ -11,10 +11,12 @@ mod guard;
 mod impacts;
 mod kinks;
 mod ledger;
+mod looks;
 mod outcomes;
 mod pass;
 mod pushes;
 mod record;
+mod stages;
 mod tracks;
 mod watching;
 

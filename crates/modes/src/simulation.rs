@@ -8,6 +8,7 @@ use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::failure::SetupError;
 use crate::push::Push;
 use crate::range::check_not_negative;
+use crate::sequence::Stage;
 use nalgebra::Vector3;
 use solaris_model::{Figure, nearest};
 
@@ -27,6 +28,8 @@ pub struct Simulation {
     pub(crate) drives: Vec<Vec<Step>>,
     /// By degree of freedom: with which of its drives it goes on after the last one.
     pub(crate) again: Vec<Option<usize>>,
+    /// The parts of a sequence.
+    pub(crate) stages: Vec<Stage>,
     pub(crate) springs: Vec<PointSpring>,
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
@@ -49,6 +52,7 @@ impl Simulation {
             v: vec![0.0; nv],
             drives: vec![vec![Drive::Free.into()]; nv],
             again: vec![None; nv],
+            stages: Vec::new(),
             springs: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
@@ -306,7 +310,7 @@ impl Simulation {
     }
 
     /// The degrees of freedom that a name means.
-    fn dofs(&self, name: &str) -> Result<Vec<usize>, SetupError> {
+    pub(crate) fn dofs(&self, name: &str) -> Result<Vec<usize>, SetupError> {
         let layout = self.figure.layout();
         if let Some(dof) = layout.dof_index(name) {
             return Ok(vec![dof]);
@@ -321,7 +325,7 @@ impl Simulation {
         Err(SetupError::UnknownDof { figure: self.figure.name().to_owned(), name: name.to_owned(), nearest })
     }
 
-    fn check_steps(&self, dof: usize, steps: &[Step]) -> Result<(), SetupError> {
+    pub(crate) fn check_steps(&self, dof: usize, steps: &[Step]) -> Result<(), SetupError> {
         let owned = || self.name(dof).to_owned();
         for Step { drive, until } in steps {
             if self.figure.layout().coordinate(dof).is_none() && !drive.fits_ball_joints() {
@@ -334,7 +338,7 @@ impl Simulation {
             }
             drive.check(self.name(dof))?;
             match until {
-                EndCondition::Done => {}
+                EndCondition::Done | EndCondition::Part(_) => {}
                 EndCondition::Time(value) | EndCondition::Lasting(value) => {
                     check_not_negative(|| format!("the time until which '{}' has a drive", owned()), *value)?;
                 }

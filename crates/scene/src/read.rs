@@ -8,6 +8,7 @@ mod forces;
 mod ground;
 mod limits;
 mod names;
+mod parts;
 mod pushes;
 mod repeat;
 mod segments;
@@ -34,7 +35,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 17] = [
+const FIELDS: [&str; 18] = [
     "version",
     "figures",
     "gravity",
@@ -46,6 +47,7 @@ const FIELDS: [&str; 17] = [
     "start",
     "velocities",
     "drives",
+    "sequence",
     "springs",
     "pushes",
     "carries",
@@ -98,7 +100,8 @@ impl SceneReader<'_> {
             self.names = Names::of(figure);
         }
         let figure = self.carries(&fields, figure);
-        let given = self.drives(&fields);
+        let (mut given, named) = self.drives(&fields);
+        self.sequence_of_parts(&fields, &mut given, &named);
         let walk = self.walk(&fields, figure.as_ref(), &given);
         self.start(&fields, &given, walk.as_ref());
         self.springs(&fields);

@@ -33,6 +33,8 @@ pub(crate) enum Meaning {
     Kink,
     /// The servo of a degree of freedom comes to what its motor gives at most, or falls below it.
     Saturation(usize),
+    /// What the part of a sequence that goes on waits for has come.
+    StageEnds,
     /// Something that can touch the ground does, by its index.
     Touch(usize),
     /// A lever of a contact patch gives way, by their indices.

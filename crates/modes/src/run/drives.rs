@@ -112,47 +112,62 @@ impl Pass<'_> {
     fn over(&mut self, events: &[Meaning]) -> Vec<(usize, usize)> {
         let mut next = Vec::new();
         for dof in 0..self.driven.len() {
-            if self.simulation.figure.follows(dof) {
-                continue;
-            }
-            let steps = &self.simulation.drives[dof];
-            let (driven, due) = (&self.driven[dof], self.t + near(self.t));
-            let over = events.contains(&Meaning::DriveEnds(dof))
-                || steps.get(driven.step).is_some_and(|step| match step.until {
-                    EndCondition::Time(time) => time <= due,
-                    EndCondition::Lasting(time) => driven.start + time <= due,
-                    _ => false,
-                });
-            let done = !driven.waits && driven.end <= due;
-            if done {
-                let result = self.result(dof);
-                self.outcome(dof, result);
-            } else if over && !driven.waits {
-                let lasts = driven.end.is_infinite();
-                let ended = if lasts { self.result_of_lasting(dof) } else { OutcomeKind::Interrupted };
-                self.outcome(dof, ended);
-            }
-            let until_done =
-                steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
-            // What leads back to a motion holds where that ends, unless something else is to come.
-            let holds = self.driven[dof].feels()
-                && self.simulation.next_drive(dof, self.driven[dof].step) == steps.len();
-            let until_done = until_done && !holds;
-            if over || (done && until_done) {
-                next.push((dof, self.simulation.next_drive(dof, self.driven[dof].step)));
-            } else if done {
-                let driven = &mut self.driven[dof];
-                (driven.waits, driven.end) = (true, f64::INFINITY);
-                // A force goes on as it ended; everything else has arrived.
-                let step = self.simulation.drives[dof].get(driven.step);
-                let is_force =
-                    |drive: &Drive| matches!(drive, Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_));
-                if !step.is_some_and(|step| is_force(&step.drive)) {
-                    driven.mode = Mode::Still;
+            next.extend(self.over_of(dof, events).map(|step| (dof, step)));
+        }
+        while self.pass_stage(events) {
+            for dof in 0..self.driven.len() {
+                let is_part = |step: &crate::Step| matches!(step.until, EndCondition::Part(_));
+                let waits = self.simulation.drives[dof].get(self.driven[dof].step).is_some_and(is_part);
+                if waits && next.iter().all(|(other, _)| *other != dof) {
+                    next.extend(self.over_of(dof, events).map(|step| (dof, step)));
                 }
             }
         }
         next
+    }
+
+    /// The next drive of a degree of freedom, if the one that it has is over, whose outcome is written down.
+    fn over_of(&mut self, dof: usize, events: &[Meaning]) -> Option<usize> {
+        if self.simulation.figure.follows(dof) {
+            return None;
+        }
+        let steps = &self.simulation.drives[dof];
+        let (driven, due) = (&self.driven[dof], self.t + near(self.t));
+        let over = events.contains(&Meaning::DriveEnds(dof))
+            || steps.get(driven.step).is_some_and(|step| match step.until {
+                EndCondition::Time(time) => time <= due,
+                EndCondition::Lasting(time) => driven.start + time <= due,
+                EndCondition::Part(part) => part < self.stages_over(),
+                _ => false,
+            });
+        let done = !driven.waits && driven.end <= due;
+        if done {
+            let result = self.result(dof);
+            self.outcome(dof, result);
+        } else if over && !driven.waits {
+            let lasts = driven.end.is_infinite();
+            let ended = if lasts { self.result_of_lasting(dof) } else { OutcomeKind::Interrupted };
+            self.outcome(dof, ended);
+        }
+        let until_done = steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
+        let next = self.simulation.next_drive(dof, self.driven[dof].step);
+        // What leads back to a motion holds where that ends, unless something else is to come.
+        let holds = self.driven[dof].feels() && next == steps.len();
+        if over || (done && until_done && !holds) {
+            return Some(next);
+        }
+        if done {
+            let driven = &mut self.driven[dof];
+            (driven.waits, driven.end) = (true, f64::INFINITY);
+            // A force goes on as it ended; everything else has arrived.
+            let step = self.simulation.drives[dof].get(driven.step);
+            let is_force =
+                |drive: &Drive| matches!(drive, Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_));
+            if !step.is_some_and(|step| is_force(&step.drive)) {
+                driven.mode = Mode::Still;
+            }
+        }
+        None
     }
 
     /// Begins drives, all at the same instant, so that one analysis serves those that need one.

@@ -63,12 +63,14 @@ pub(crate) struct Pass<'a> {
     /// What the world does, by push, and whether a blow has been given.
     pub(crate) thrusts: Vec<Thrust>,
     pub(crate) struck: Vec<bool>,
+    /// When each part of the sequence that is over was (s).
+    pub(crate) stages: Vec<f64>,
     /// Which loads are carried, and the simulation with these; none before the first is looked for.
     pub(crate) carried: Vec<bool>,
     pub(crate) loaded: Option<Box<Simulation>>,
     pub(crate) passed: Passed,
-    work: f64,
-    heat: f64,
+    pub(crate) work: f64,
+    pub(crate) heat: f64,
     compiled: Option<Compiled>,
     /// Time and number of changes without time going on.
     rounds: (f64, usize),
@@ -134,6 +136,7 @@ impl<'a> Pass<'a> {
             leapt: Vec::new(),
             thrusts: pushes::thrusts(simulation)?,
             struck: vec![false; simulation.pushes.len()],
+            stages: Vec::new(),
             carried: Vec::new(),
             loaded: None,
             passed: Passed {
@@ -292,12 +295,6 @@ impl<'a> Pass<'a> {
         Ok(compiled)
     }
 
-    /// Looks at the equations before the first step.
-    fn look_before(&self, phase: &mut Phase) -> Result<(), RunError> {
-        let y = phase.pack(&self.q, &self.v, self.work, self.heat);
-        guard::look_before(self.simulation, &self.settings.guard, phase, self.stepping, self.t, &y)
-    }
-
     /// A phase whose servos are other ones now may be stiffer than it was.
     fn look_again(&self, mut compiled: Compiled) -> Result<Compiled, RunError> {
         let servos = self.servos();
@@ -311,23 +308,9 @@ impl<'a> Pass<'a> {
         Ok(compiled)
     }
 
-    /// The drives whose forces depend on the state.
-    fn servos(&self) -> Vec<(usize, usize)> {
-        let feeling = self.driven.iter().enumerate().filter(|(_, driven)| driven.feels());
-        feeling.map(|(dof, driven)| (dof, driven.step)).collect()
-    }
-
     /// What was compiled is of another figure than there is now.
     pub(crate) fn forget_phase(&mut self) {
         self.compiled = None;
-    }
-
-    /// The world has done work (J) between two stretches.
-    pub(crate) fn gain(&mut self, work: f64) {
-        self.work += work;
-        self.passed.pushed += work;
-        self.passed.ledger.lose(-work);
-        self.passed.ledger.report.impacts += work;
     }
 
     /// The roles that the drives give.
@@ -372,7 +355,8 @@ impl<'a> Pass<'a> {
             let times = driven.breaks().into_iter().chain([driven.ends(steps)]);
             stop = times.filter(|time| later(*time)).fold(stop, f64::min);
         }
-        stop = self.push_breaks().chain(self.carry_breaks()).filter(|time| later(*time)).fold(stop, f64::min);
+        let breaks = self.push_breaks().chain(self.carry_breaks()).chain([self.stage_end()]);
+        stop = breaks.filter(|time| later(*time)).fold(stop, f64::min);
         if self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
             stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop));
         }

@@ -23,7 +23,7 @@ impl Pass<'_> {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
                 Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
-                Meaning::DriveEnds(_) | Meaning::Kink | Meaning::Saturation(_) => 0.0,
+                Meaning::DriveEnds(_) | Meaning::StageEnds | Meaning::Kink | Meaning::Saturation(_) => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -57,6 +57,9 @@ impl Pass<'_> {
                 }
                 _ => {}
             }
+        }
+        if let Some(stage) = self.watched_stage() {
+            watch(stage, Meaning::StageEnds);
         }
         self.load_pushes(phase, end);
         phase.plant(&self.active.holds);

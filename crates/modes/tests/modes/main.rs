@@ -11,6 +11,7 @@ mod plan;
 mod pushes;
 #[cfg(feature = "serde")]
 mod reports;
+mod sequence;
 mod steppers;
 #[cfg(feature = "stiff")]
 mod steppers_stiff;

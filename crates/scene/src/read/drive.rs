@@ -7,10 +7,11 @@ use solaris_model::text::{Fields, Node};
 use solaris_modes::{Course, Drive, EndCondition, Law, Shape, Step, Target};
 use solaris_profiles::Profile;
 
-pub(super) const DRIVES: [&str; 15] = [
+pub(super) const DRIVES: [&str; 16] = [
     "Free",
     "Frozen",
     "Wait",
+    "When",
     "Kinematic",
     "Move",
     "Torque",
@@ -67,6 +68,15 @@ impl SceneReader<'_> {
                 };
                 let time = self.reader.number(time, "the time to wait")?;
                 return Some((place, Step { drive: Drive::Frozen, until: EndCondition::Lasting(time) }));
+            }
+            ("When", items) => {
+                let Some([condition]) = items else {
+                    let message =
+                        "When(Passes(\"elbow.rx\", deg(10))) takes what is waited for, an until of a drive";
+                    self.reader.fault(place, message);
+                    return None;
+                };
+                return Some((place, Step { drive: Drive::Frozen, until: self.until(condition)? }));
             }
             ("Sum", Some([list])) => {
                 let drive = self.sum(list, turns)?;
@@ -168,7 +178,7 @@ impl SceneReader<'_> {
         self.reader.number(node, "the duration")
     }
 
-    fn until(&mut self, node: &Node<'_>) -> Option<EndCondition> {
+    pub(super) fn until(&mut self, node: &Node<'_>) -> Option<EndCondition> {
         let kind = self.reader.kind(node, &UNTIL)?;
         match (kind, node.tuple()) {
             ("Done", None) => Some(EndCondition::Done),

@@ -2,6 +2,7 @@
 
 use super::SceneReader;
 use super::names::{Closeness, Meant, in_order};
+use super::parts::Named;
 use solaris_model::text::Fields;
 use solaris_modes::{Drive, Step};
 use std::collections::HashMap;
@@ -19,9 +20,10 @@ pub(super) type Given = HashMap<usize, Vec<Step>>;
 pub(super) type Placed = (Range<usize>, Step);
 
 impl SceneReader<'_> {
-    /// Reads the drives, gives them to the simulation, and tells which degrees of freedom have any.
-    pub(super) fn drives(&mut self, fields: &Fields<'_, '_>) -> Given {
-        let mut entries = Vec::new();
+    /// Reads the drives, gives them to the simulation, and tells which degrees of freedom have any, and which of these are named by
+    /// more than a pattern.
+    pub(super) fn drives(&mut self, fields: &Fields<'_, '_>) -> (Given, Named) {
+        let (mut entries, mut closest) = (Vec::new(), Named::new());
         let mut named: HashMap<(Closeness, usize), String> = HashMap::new();
         for (key, value) in self.map(fields, "drives", EXAMPLE) {
             let before = self.reader.count();
@@ -35,6 +37,9 @@ impl SceneReader<'_> {
                     let message = format!("the drives of '{name}' are given twice; keep one of them");
                     self.reader.fault(key.span.clone(), message);
                 }
+            }
+            if meant.closeness != Closeness::Pattern {
+                closest.extend(meant.dofs.iter().map(|dof| (*dof, key.span.clone())));
             }
             entries.push((meant, steps));
         }
@@ -56,11 +61,11 @@ impl SceneReader<'_> {
                 };
             }
         }
-        given.into_iter().map(|(dof, (steps, _))| (dof, steps)).collect()
+        (given.into_iter().map(|(dof, (steps, _))| (dof, steps)).collect(), closest)
     }
 
     /// What is meant, but for those that follow others: they have no drives. One that is named is kept, to be refused.
-    fn leaders(&self, mut meant: Meant) -> Meant {
+    pub(super) fn leaders(&self, mut meant: Meant) -> Meant {
         if let Some(figure) = self.figure().filter(|_| meant.closeness != Closeness::Dof) {
             meant.dofs.retain(|dof| !figure.follows(*dof));
         }
@@ -68,7 +73,7 @@ impl SceneReader<'_> {
     }
 
     /// Whether these degrees of freedom can have these drives; each that they cannot have is a fault, once.
-    fn can_have(&mut self, dofs: &[usize], steps: &[Placed]) -> bool {
+    pub(super) fn can_have(&mut self, dofs: &[usize], steps: &[Placed]) -> bool {
         let Some(mut trial) = self.simulation.clone() else { return false };
         let mut good = true;
         for (i, (span, step)) in steps.iter().enumerate() {

@@ -139,6 +139,28 @@ fn of_carries() {
 }
 
 #[test]
+fn of_sequences() {
+    let text = listed(&[
+        "sequence: Together({})",
+        "sequence: [Togther({})]",
+        "sequence: [Together([])]",
+        "sequence: [Together({\"elbo.rx\": Free})]",
+        "sequence: [Together({\"elbow.rx\": Move(to: 1)})]",
+        "sequence: [Together({\"elbow.rx\": Move(to: 1, over: -1)})]",
+        "sequence: [Together({\"elbow.rx\": Repeat([Move(to: 1, over: 1)])})]",
+        "sequence: [Together({\"elbow.rx\": Free}), Together({\"elbow.rx\": Move(to: 1, over: 1)})]",
+        "sequence: [Wait]",
+        "sequence: [Wait(-1)]",
+        "sequence: [When(Done)]",
+        "sequence: [When(Passes(\"elbow.ry\", \"x\"))]",
+        "drives: {\"elbow.rx\": Free}, sequence: [Together({\"elbow\": Move(to: 1, over: 1)})]",
+        "drives: {\"elbow.rx\": When(Passes(\"elbow.rz\", 1))}",
+        "drives: {\"elbow.rx\": When}",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_forces_and_repetitions() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Servo(stiffness: 1)}",

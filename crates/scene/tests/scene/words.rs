@@ -130,3 +130,27 @@ fn a_load_that_is_taken_up_shares_the_angular_momentum() {
         assert_abs_diff_eq!(run.motion.tau(frame).expect("forces")[keeper_dof], force, epsilon = 1e-9);
     }
 }
+
+#[test]
+fn parts_begin_when_those_before_are_over() {
+    let run = simulated("sequence.ron");
+    let started = |name: &str, drive: &str| -> Vec<f64> {
+        let own = run.report.outcomes.iter().filter(|outcome| outcome.name == name && outcome.drive == drive);
+        own.map(|outcome| outcome.start).collect()
+    };
+    let ended = |name: &str| {
+        run.report.outcomes.iter().filter(|x| x.name == name).map(|x| x.end).next().expect("one")
+    };
+    // The first part lasts as long as the longer of the two: the arm of simple mode takes what one analysis says.
+    let first = ended("left").max(ended("right"));
+    let left = started("left", "move");
+    for (found, expected) in left.iter().zip([0.0, first + 0.3, first + 0.7, 2.5]) {
+        assert_abs_diff_eq!(*found, expected, epsilon = 1e-9);
+    }
+    assert_eq!(left.len(), 4);
+    assert_abs_diff_eq!(started("right", "move")[0], 2.5, epsilon = 1e-9);
+    let last = run.motion.len() - 1;
+    for name in ["left", "right"] {
+        assert_abs_diff_eq!(run.motion.q(last)[dof(name, "sequence.ron")], 0.0, epsilon = 1e-12);
+    }
+}
