@@ -84,7 +84,7 @@ impl Simulation {
                         match own.last_mut() {
                             // It goes on until the part before this one is over.
                             Some(last) if last.until == EndCondition::Done => {
-                                last.until = EndCondition::Part(before)
+                                last.until = EndCondition::Part(before);
                             }
                             _ => own.push(Step { drive: Drive::Frozen, until: EndCondition::Part(before) }),
                         }
