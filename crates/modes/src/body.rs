@@ -13,6 +13,7 @@ use crate::failure::SetupError;
 use crate::report::Energy;
 use joints::JointElements;
 use limits::Stop;
+pub(crate) use limits::{Pushing, pushing};
 use nalgebra::{DMatrix, Vector3};
 use planted::Planted;
 use points::PointElement;
@@ -189,6 +190,20 @@ impl<T: Elementary> Body<T> {
     pub(crate) fn plant(&mut self, patches: &[ContactPatch]) {
         let ground = self.ground.as_ref().filter(|_| !patches.is_empty());
         self.planted = ground.map(|ground| Planted::new(&self.tree, ground, patches));
+    }
+
+    /// From now on the limits of a degree of freedom, where they push back, do this, whatever the state says.
+    pub(crate) fn hold_limit(&mut self, dof: usize, pushing: Pushing) {
+        for stop in self.stops.iter_mut().filter(|stop| stop.dof() == dof) {
+            stop.hold(Some(pushing));
+        }
+    }
+
+    /// The limits do as those of `other` have been told, which is the same figure in another scalar.
+    pub(crate) fn hold_limits_as<U: Elementary>(&mut self, other: &Body<U>) {
+        for (stop, other) in self.stops.iter_mut().zip(&other.stops) {
+            stop.hold(other.held());
+        }
     }
 
     /// Hybrid dynamics: where `prescribed[k]`, `a[k]` is read and the drive's force `tau[k]` written, else the other way round.

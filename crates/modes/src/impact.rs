@@ -28,25 +28,35 @@ pub(crate) struct Struck {
     pub(crate) impulse: Vec<f64>,
     /// The kinetic energy that was lost (J).
     pub(crate) loss: f64,
-    /// What rested at a limit and is driven off it.
+    /// What is at a limit that does not push it.
     pub(crate) released: Vec<usize>,
 }
 
-/// The velocities after an impact in an instant, in which each degree of freedom in `wanted` takes a velocity.
+/// What an impact is to do to one degree of freedom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Wanted {
+    /// It takes this velocity, whatever impulse that takes.
+    Velocity(f64),
+    /// It is at a limit on this side: it goes out of its range no faster than this velocity, that is, it comes into it at least as
+    /// fast, and the limit pushes inwards only, and only where it is just as fast.
+    Limit(Side, f64),
+}
+
+/// The velocities after an impact in an instant.
 ///
 /// ```text
 /// M·(v⁺ − v⁻) = P
-/// wanted   v⁺ given                       fixed   v⁺ = v⁻                      others   P = 0
-/// held     v⁺ ≤ 0 and P ≤ 0 outwards, one of them zero
+/// Velocity(u)   v⁺ = u                      fixed   v⁺ = v⁻                      others   P = 0
+/// Limit(u)      v⁺ ≤ u and P ≤ 0 outwards, one of them an equality
 /// ```
 ///
-/// `fixed` are degrees of freedom on motions of their own, which do not jump; `held` rest at a limit, on that side: it stops
-/// them but does not hold them back. The energy that is lost is `−½·Pᵀ·(v⁺ + v⁻)`, exactly that of the velocities.
+/// `fixed` are degrees of freedom on motions of their own, which do not jump. The energy that is lost is `−½·Pᵀ·(v⁺ + v⁻)`,
+/// exactly that of the velocities.
 ///
 /// # Source
 ///
 /// R. Featherstone, "Rigid Body Dynamics Algorithms" (2008), §11.7, for impulsive dynamics as dynamics without velocities; the
-/// conditions of what is held are a linear complementarity problem with a positive definite matrix, solved as in K. G. Murty,
+/// conditions of limits are a linear complementarity problem with a positive definite matrix, solved as in K. G. Murty,
 /// "Note on a Bard-type scheme for solving the complementarity problem", Opsearch 11 (1974): always the first violation is
 /// turned round, which ends for every such matrix.
 pub(crate) fn strike(
@@ -54,48 +64,39 @@ pub(crate) fn strike(
     q: &[f64],
     v: &[f64],
     fixed: &[bool],
-    held: &[(usize, Side)],
-    wanted: &[(usize, f64)],
+    wanted: &[(usize, Wanted)],
 ) -> Result<Struck, DynamicsError> {
     let nv = v.len();
     let (mut given, mut jump, mut impulse) = (fixed.to_vec(), vec![0.0; nv], vec![0.0; nv]);
     for &(dof, _) in wanted {
         given[dof] = true;
     }
-    for &(dof, _) in held {
-        given[dof] = true;
-    }
-    // With limits that all hold, the usual case, one pass is enough. The bound is never met but by rounding.
-    for _ in 0..most_passes(held.len()) {
+    // With limits that all push, the usual case, one pass is enough. The bound is never met but by rounding.
+    let limits = wanted.iter().filter(|(_, wanted)| matches!(wanted, Wanted::Limit(..))).count();
+    for _ in 0..most_passes(limits) {
         for dof in 0..nv {
             (jump[dof], impulse[dof]) = (0.0, 0.0);
         }
-        for &(dof, _) in held.iter().filter(|(dof, _)| given[*dof]) {
-            jump[dof] = -v[dof];
-        }
-        for &(dof, velocity) in wanted {
+        for &(dof, what) in wanted.iter().filter(|(dof, _)| given[*dof]) {
+            let (Wanted::Velocity(velocity) | Wanted::Limit(_, velocity)) = what;
             jump[dof] = velocity - v[dof];
         }
         body.impact((q, v), &given, &mut jump, &mut impulse)?;
         let scale = (norm(&jump), norm(&impulse));
-        let violated = |(dof, side): &&(usize, Side)| {
-            let (after, push) = (side.outward() * (v[*dof] + jump[*dof]), side.outward() * impulse[*dof]);
+        let violated = |(dof, what): &&(usize, Wanted)| {
+            let Wanted::Limit(side, most) = *what else { return false };
+            let (beyond, push) =
+                (side.outward() * (v[*dof] + jump[*dof] - most), side.outward() * impulse[*dof]);
             // Beyond rounding: the limit would pull, or would be passed.
-            let is_wanted = wanted.iter().any(|(other, _)| other == dof);
-            !is_wanted
-                && if given[*dof] {
-                    push > 1e-12 * scale.1
-                } else {
-                    after > 1e-12 * (scale.0 + v[*dof].abs())
-                }
+            if given[*dof] { push > 1e-12 * scale.1 } else { beyond > 1e-12 * (scale.0 + v[*dof].abs()) }
         };
-        let Some(&(dof, _)) = held.iter().find(violated) else { break };
+        let Some(&(dof, _)) = wanted.iter().find(violated) else { break };
         given[dof] = !given[dof];
     }
     let after: Vec<f64> = v.iter().zip(&jump).map(|(v, jump)| v + jump).collect();
     let gain: f64 =
         impulse.iter().zip(v.iter().zip(&after)).map(|(p, (v, after))| p * 0.5 * (v + after)).sum();
-    let released = held.iter().map(|(dof, _)| *dof).filter(|dof| !given[*dof]).collect();
+    let released = wanted.iter().map(|(dof, _)| *dof).filter(|dof| !given[*dof]).collect();
     Ok(Struck { v: after, impulse, loss: -gain, released })
 }
 
@@ -138,7 +139,8 @@ mod tests {
         // 1 kg at 3 m/s, on it 2 kg at 3 − 1.5 = 1.5 m/s; the gap's rate is to become +0.5·1.5. Momentum is 6 kg m/s.
         let mut body = train(&[1.0, 2.0]);
         let struck =
-            strike(&mut body, &[0.0, 0.1], &[3.0, -1.5], &[false; 2], &[], &[(1, 0.75)]).expect("finite");
+            strike(&mut body, &[0.0, 0.1], &[3.0, -1.5], &[false; 2], &[(1, Wanted::Velocity(0.75))])
+                .expect("finite");
         assert_abs_diff_eq!(struck.v[0], 1.5, epsilon = 1e-14);
         assert_abs_diff_eq!(struck.v[1], 0.75, epsilon = 1e-14);
         // The impulse on the second block; nothing acts on the pair.
@@ -151,7 +153,8 @@ mod tests {
     #[test]
     fn what_is_fixed_does_not_jump() {
         let mut body = train(&[1.0, 2.0]);
-        let struck = strike(&mut body, &[0.0, 0.1], &[3.0, -1.5], &[true, false], &[], &[(1, 0.75)]);
+        let struck =
+            strike(&mut body, &[0.0, 0.1], &[3.0, -1.5], &[true, false], &[(1, Wanted::Velocity(0.75))]);
         let struck = struck.expect("finite");
         assert_abs_diff_eq!(struck.v[0], 3.0, epsilon = 0.0);
         // Its drive takes the whole impulse: 2 kg from 1.5 to 3.75 m/s.
@@ -165,8 +168,8 @@ mod tests {
         let start = ([0.0; 3], [0.0, -1.0, 0.0]);
         let strike_at = |side| {
             let mut body = train(&[1.0, 2.0, 3.0]);
-            strike(&mut body, &start.0, &start.1, &[true, false, false], &[(2, side)], &[(1, 1.0)])
-                .expect("finite")
+            let wanted = [(1, Wanted::Velocity(1.0)), (2, Wanted::Limit(side, 0.0))];
+            strike(&mut body, &start.0, &start.1, &[true, false, false], &wanted).expect("finite")
         };
         // Thrown forwards by 2 m/s, the second pushes the third where that may not come nearer: 5 kg are thrown.
         let pushed = strike_at(Side::Lower);
@@ -189,7 +192,9 @@ mod tests {
         let mut body = train(&[1.0; 5]);
         let v = [1.0, 0.0, 0.0, 0.0, 0.0];
         let held = [(1, Side::Upper), (2, Side::Upper), (3, Side::Lower), (4, Side::Upper)];
-        let struck = strike(&mut body, &[0.0; 5], &v, &[false; 5], &held, &[(0, 0.0)]).expect("finite");
+        let held = held.map(|(dof, side)| (dof, Wanted::Limit(side, 0.0)));
+        let wanted = [&[(0, Wanted::Velocity(0.0))], &held[..]].concat();
+        let struck = strike(&mut body, &[0.0; 5], &v, &[false; 5], &wanted).expect("finite");
         // The third gap opens: from there on they move on at 1 m/s.
         assert_eq!(struck.released, [3]);
         for (found, expected) in struck.v.iter().zip([0.0, 0.0, 0.0, 1.0, 0.0]) {
@@ -203,8 +208,8 @@ mod tests {
         let masses = [1.0, 2.0, 0.5];
         let mut body = train(&masses);
         let (q, v) = ([0.0; 3], [0.7, -1.1, 2.0]);
-        let held = [(2, Side::Upper)];
-        let struck = strike(&mut body, &q, &v, &[false; 3], &held, &[(0, -0.3)]).expect("finite");
+        let wanted = [(0, Wanted::Velocity(-0.3)), (2, Wanted::Limit(Side::Upper, 0.0))];
+        let struck = strike(&mut body, &q, &v, &[false; 3], &wanted).expect("finite");
         let mut kinetic = |v: &[f64]| body.energy(&q, v).expect("finite").kinetic;
         assert_abs_diff_eq!(struck.loss, kinetic(&v) - kinetic(&struck.v), epsilon = 1e-13);
     }

@@ -8,6 +8,7 @@ mod small;
 mod state;
 mod watched;
 
+use crate::body::Pushing;
 use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
@@ -120,6 +121,13 @@ impl Phase {
     /// What a push of the world does, by its index; none until something was said.
     pub(crate) fn set_push(&mut self, push: usize, thrust: Option<Thrust>) {
         self.prescribed.set_push(push, thrust);
+    }
+
+    /// Until the next call the limits of a degree of freedom, where they push back, do this.
+    pub(crate) fn hold_limit(&mut self, dof: usize, pushing: Pushing) {
+        if let Some(small) = &mut self.small {
+            small.hold_limit(dof, pushing);
+        }
     }
 
     /// From now on these stand on the ground, with links that dynamics move.

@@ -1,6 +1,7 @@
 //! Limits that push back.
 
 use crate::element::LimitLaw;
+use crate::impact::Side;
 use solaris_model::{Figure, Limits};
 use solaris_profiles::Elementary;
 
@@ -11,8 +12,8 @@ use solaris_profiles::Elementary;
 /// ```
 ///
 /// Where the damper would pull, the limit lets go, and what is left in its spring is lost as heat. The damper acts from the
-/// limit on, so that the force jumps there; what is at the limit but for rounding and on its way out is beyond it, or a step
-/// that begins there would have the force of the wrong side.
+/// limit on, so that the force jumps there, and has a kink where the limit lets go. Between such events, which whoever steps
+/// locates, the law is [held](Stop::hold): a step that ends at one and looks a little further finds the force from before.
 #[derive(Clone, Debug)]
 pub(super) struct Stop<T> {
     dof: usize,
@@ -20,9 +21,21 @@ pub(super) struct Stop<T> {
     limits: Limits,
     stiffness: T,
     damping: T,
+    held: Option<Pushing>,
 }
 
-/// How near, of 1 and of the limit, a position is at it.
+/// What a limit that pushes back does until the next event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pushing {
+    /// Nothing: what it limits is inside.
+    Inside,
+    /// It pushes back, by its spring and its damper.
+    Back(Side),
+    /// What it limits is beyond it and comes back so fast that the damper would pull.
+    LetGo(Side),
+}
+
+/// How near, of 1 and of the limit, a position is at it: as near as an event is located.
 const NEAR: f64 = 1e-13;
 
 impl<T: Elementary> Stop<T> {
@@ -36,42 +49,71 @@ impl<T: Elementary> Stop<T> {
                 {
                     let (dof, coordinate) = (at.v + i, at.q + i);
                     let (stiffness, damping) = (number(stiffness), number(damping));
-                    stops.push(Self { dof, coordinate, limits, stiffness, damping });
+                    stops.push(Self { dof, coordinate, limits, stiffness, damping, held: None });
                 }
             }
         }
         stops
     }
 
+    /// Whose limits these are.
+    pub(super) fn dof(&self) -> usize {
+        self.dof
+    }
+
+    /// From now on the limit does this, whatever the state says, until it is told otherwise; with `None`, what the state says.
+    pub(super) fn hold(&mut self, pushing: Option<Pushing>) {
+        self.held = pushing;
+    }
+
+    /// What it has been told to do.
+    pub(super) fn held(&self) -> Option<Pushing> {
+        self.held
+    }
+
     /// Adds the force to `force`; what the damper takes (W).
     pub(super) fn act(&self, q: &[T], v: &[T], force: &mut [T]) -> T {
-        let Some((depth, outwards)) = self.depth(q, v[self.dof].value()) else { return T::zero() };
+        let (side, pushes) = match self.held {
+            None => (pushing(self.limits, q[self.coordinate].value(), v[self.dof].value()), true),
+            Some(Pushing::Inside) => (None, false),
+            Some(Pushing::Back(side)) => (Some(side), true),
+            Some(Pushing::LetGo(side)) => (Some(side), false),
+        };
+        let Some(side) = side else { return T::zero() };
+        let (depth, outwards) = self.depth(q, side);
         let rate = v[self.dof] * outwards;
         let spring = self.stiffness * depth;
         let push = spring + self.damping * rate;
-        let push = if push.value() > 0.0 { push } else { T::zero() };
+        let push = if pushes && (self.held.is_some() || push.value() > 0.0) { push } else { T::zero() };
         force[self.dof] -= push * outwards;
         (push - spring) * rate
     }
 
     /// What is in the spring (J).
     pub(super) fn energy(&self, q: &[T]) -> T {
-        let half = T::from_f64(0.5);
-        self.depth(q, 0.0).map_or_else(T::zero, |(depth, _)| half * self.stiffness * depth * depth)
+        let Some(side) = pushing(self.limits, q[self.coordinate].value(), 0.0) else { return T::zero() };
+        let (depth, _) = self.depth(q, side);
+        T::from_f64(0.5) * self.stiffness * depth * depth
     }
 
-    /// How far beyond a limit, and 1 or −1 for the way out; none inside.
-    fn depth(&self, q: &[T], rate: f64) -> Option<(T, T)> {
+    /// How far beyond the limit on a side, and 1 or −1 for the way out.
+    fn depth(&self, q: &[T], side: Side) -> (T, T) {
         let (q, number) = (q[self.coordinate], T::from_f64);
-        let Limits { lower, upper } = self.limits;
-        // As near as an event is located.
-        let near = |limit: f64| if limit.is_finite() { NEAR * (1.0 + limit.abs()) } else { 0.0 };
-        if q.value() > upper || (rate > 0.0 && q.value() > upper - near(upper)) {
-            Some((q - number(upper), number(1.0)))
-        } else if q.value() < lower || (rate < 0.0 && q.value() < lower + near(lower)) {
-            Some((number(lower) - q, number(-1.0)))
-        } else {
-            None
+        match side {
+            Side::Upper => (q - number(self.limits.upper), number(1.0)),
+            Side::Lower => (number(self.limits.lower) - q, number(-1.0)),
         }
+    }
+}
+
+/// Beyond which limit a position is with its velocity, if beyond any: what is at one but for rounding and on its way out is.
+pub(crate) fn pushing(Limits { lower, upper }: Limits, q: f64, rate: f64) -> Option<Side> {
+    let near = |limit: f64| if limit.is_finite() { NEAR * (1.0 + limit.abs()) } else { 0.0 };
+    if q > upper + near(upper) || (q > upper - near(upper) && rate > 0.0) {
+        Some(Side::Upper)
+    } else if q < lower - near(lower) || (q < lower + near(lower) && rate < 0.0) {
+        Some(Side::Lower)
+    } else {
+        None
     }
 }

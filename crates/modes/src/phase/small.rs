@@ -4,7 +4,7 @@ use super::Role;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::state::{GROUND, StateMap, unit};
-use crate::body::{Body, Pressure};
+use crate::body::{Body, Pressure, Pushing};
 use crate::contact::{ContactPatch, count};
 use crate::drive::force::Force;
 use crate::failure::SetupError;
@@ -96,6 +96,13 @@ impl Small {
         self.numbers.body.plant(&self.planted);
         if let Some(duals) = &mut self.duals {
             duals.body.plant(&self.planted);
+        }
+    }
+
+    /// From now on the limits of a degree of freedom of the full figure, where they push back, do this.
+    pub(super) fn hold_limit(&mut self, dof: usize, pushing: Pushing) {
+        if let Ok(k) = self.reduction.kept_v.binary_search(&dof) {
+            self.numbers.body.hold_limit(k, pushing);
         }
     }
 
@@ -201,6 +208,7 @@ impl Small {
             duals
         };
         let duals = self.duals.insert(duals);
+        duals.body.hold_limits_as(&self.numbers.body);
         duals.take_constants(&self.numbers);
         for (push, full) in self.reduction.kept_pushes.iter().enumerate() {
             duals.body.set_push(push, &prescribed.push(*full, t));

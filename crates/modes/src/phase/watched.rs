@@ -9,6 +9,8 @@ use nalgebra::Vector3;
 pub(crate) enum Watched {
     /// `q[coordinate] − value`, of the full figure.
     Position { dof: usize, value: f64 },
+    /// `outwards·(k·(q[dof] − limit) + c·v[dof])`, of the full figure: the push of a limit's spring and damper.
+    Push { dof: usize, limit: f64, outwards: f64, stiffness: f64, damping: f64 },
     /// `v[dof] − value`, of the full figure.
     Velocity { dof: usize, value: f64 },
     /// The force that holds a prescribed degree of freedom, less that of its drive: where it passes through zero a limit lets go.
@@ -28,14 +30,19 @@ impl Phase {
         let seen = self.see(t, y);
         let small = self.small.as_ref().filter(|_| seen);
         for (value, watched) in values.iter_mut().zip(&self.watched) {
+            let position = |dof: usize| {
+                let entry = self.state.position_of(dof);
+                entry.map_or_else(|| self.prescribed.at(dof, t)[0], |entry| y[entry])
+            };
+            let velocity = |dof: usize| {
+                let entry = self.state.velocity_of(dof);
+                entry.map_or_else(|| self.prescribed.at(dof, t)[1], |entry| y[entry])
+            };
             *value = match *watched {
-                Watched::Position { dof, value } => {
-                    let entry = self.state.position_of(dof);
-                    entry.map_or_else(|| self.prescribed.at(dof, t)[0], |entry| y[entry]) - value
-                }
-                Watched::Velocity { dof, value } => {
-                    let entry = self.state.velocity_of(dof);
-                    entry.map_or_else(|| self.prescribed.at(dof, t)[1], |entry| y[entry]) - value
+                Watched::Position { dof, value } => position(dof) - value,
+                Watched::Velocity { dof, value } => velocity(dof) - value,
+                Watched::Push { dof, limit, outwards, stiffness, damping } => {
+                    outwards * (stiffness * (position(dof) - limit) + damping * velocity(dof))
                 }
                 Watched::Hold { dof } => {
                     let own = self.held.iter().find(|(held, _)| *held == dof);

@@ -5,7 +5,7 @@ use super::pass::Pass;
 use super::record::near;
 use crate::body::Body;
 use crate::failure::{RunError, SetupError};
-use crate::impact::strike;
+use crate::impact::{Struck, strike};
 use crate::simulation::Simulation;
 use solaris_model::{Event, EventKind, Load};
 
@@ -99,16 +99,13 @@ impl Pass<'_> {
         self.active.forget();
         let loads: Vec<&Load> = taken.iter().map(|i| &self.simulation.carries[*i].load).collect();
         self.body.take_up(&self.q, &self.v, &loads).map_err(|error| fault(self.t, error))?;
-        let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &held, &[]);
+        let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &held);
         self.body.no_blow();
         let struck = struck.map_err(|error| fault(self.t, error))?;
         self.passed.counts.evaluations += 1;
-        self.v.copy_from_slice(&struck.v);
-        for dof in struck.released {
-            self.driven[dof].held = None;
-        }
-        let after = self.body.energy(&self.q, &self.v).map_err(|error| fault(self.t, error))?.kinetic;
-        self.passed.ledger.lose(kinetic - after);
+        let after = self.body.energy(&self.q, &struck.v).map_err(|error| fault(self.t, error))?.kinetic;
+        // With the energy of the figure alone before, and of both after.
+        self.take_velocities(Struck { loss: kinetic - after, ..struck });
         Ok(())
     }
 }

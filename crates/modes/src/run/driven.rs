@@ -35,6 +35,8 @@ pub(crate) enum Meaning {
     Saturation(usize),
     /// What the part of a sequence that goes on waits for has come.
     StageEnds,
+    /// The push of a limit's spring and damper passes zero: it lets go, or pushes again.
+    Push(usize),
     /// Something that can touch the ground does, by its index.
     Touch(usize),
     /// A lever of a contact patch gives way, by their indices.
@@ -58,6 +60,8 @@ pub(crate) struct Driven {
     pub(crate) hit: bool,
     /// What the analysis of simple mode gave.
     pub(crate) acceleration: Option<f64>,
+    /// Whether a limit that pushes back, and that it is beyond, has let go.
+    pub(crate) lets_go: bool,
     /// At which limit it rests.
     pub(crate) held: Option<(Side, f64)>,
 }
@@ -65,8 +69,19 @@ pub(crate) struct Driven {
 impl Driven {
     /// A drive that begins.
     pub(crate) fn new(step: usize, start: f64, mode: Mode, end: f64) -> Self {
-        let held = None;
-        Self { step, start, mode, end, waits: false, limited: false, hit: false, acceleration: None, held }
+        let (held, lets_go) = (None, false);
+        Self {
+            step,
+            start,
+            mode,
+            end,
+            waits: false,
+            limited: false,
+            hit: false,
+            acceleration: None,
+            lets_go,
+            held,
+        }
     }
 
     /// What it is to the dynamics.

@@ -45,7 +45,9 @@ impl Pass<'_> {
         self.push()?;
         self.settle(&[])?;
         self.find_contacts(&[])?;
-        self.leap()
+        self.leap()?;
+        self.note_pushes(&[]);
+        Ok(())
     }
 
     /// Drives that waited for a velocity which an impact has leapt over.
@@ -67,7 +69,9 @@ impl Pass<'_> {
         self.push()?;
         self.settle(events)?;
         self.find_contacts(events)?;
-        self.leap()
+        self.leap()?;
+        self.note_pushes(events);
+        Ok(())
     }
 
     /// Drives that are over, and those that come after them, until none is due.

@@ -4,7 +4,7 @@ use super::driven::{Meaning, Mode};
 use super::guard;
 use super::pass::Pass;
 use crate::failure::RunError;
-use crate::impact::{Side, strike};
+use crate::impact::{Side, Struck, Wanted, strike};
 use crate::phase::Role;
 use crate::report::Impact;
 use crate::{EndCondition, LimitLaw, OutcomeKind};
@@ -27,119 +27,116 @@ const MOST_CHOICES: usize = 12;
 /// Positions (rad or m) this near to a limit are at it.
 const AT_LIMIT: f64 = 1e-9;
 
+/// A degree of freedom that is at a limit: which, on which side, and where (rad or m).
+type AtLimit = (usize, Side, f64);
+
 impl Pass<'_> {
     /// Stops what has to stand still, turns back what has hit its limit, and lets go what a limit would have to pull.
     pub(crate) fn settle(&mut self, events: &[Meaning]) -> Result<(), RunError> {
-        let mut wanted: Vec<(usize, f64, &'static str)> = Vec::new();
+        let mut stopped: Vec<usize> = Vec::new();
         for (dof, driven) in self.driven.iter().enumerate() {
             if matches!(driven.mode, Mode::Still)
                 && self.v[dof].abs() > REST
                 && !self.simulation.figure.follows(dof)
             {
-                wanted.push((dof, 0.0, "stop"));
+                stopped.push(dof);
             }
         }
-        let mut hits: Vec<(usize, Side, f64)> = Vec::new();
         for event in events {
             if let Meaning::Release(dof, _) = *event {
                 self.driven[dof].held = None;
                 self.passed.jumps = true;
             }
         }
+        let at_limits = self.at_limits(events);
         // One impact may bring about others: a row of links that meets its end.
         for round in 0..=MOST_IMPACTS {
             let inelastic = round == MOST_IMPACTS;
-            for dof in 0..self.driven.len() {
-                let Some((side, limit)) = self.meets_limit(dof, events) else { continue };
-                if hits.iter().all(|(other, ..)| *other != dof) {
-                    hits.push((dof, side, limit));
-                }
+            let mut strikes: Vec<(usize, Wanted, &'static str)> =
+                stopped.drain(..).map(|dof| (dof, Wanted::Velocity(0.0), "stop")).collect();
+            for &(dof, side, limit) in &at_limits {
                 let least = if round == 0 { 0.0 } else { REST };
-                if self.v[dof] * side.outward() > least {
-                    let LimitLaw::Hard { restitution } = self.simulation.limits[dof] else { continue };
+                let LimitLaw::Hard { restitution } = self.simulation.limits[dof] else { continue };
+                let hits = self.v[dof] * side.outward() > least && self.driven[dof].held.is_none();
+                if hits {
                     let kept = if inelastic { 0.0 } else { restitution };
-                    wanted.push((dof, -kept * self.v[dof], "limit"));
+                    strikes.push((dof, Wanted::Limit(side, -kept * self.v[dof]), "limit"));
                 }
-            }
-            for &(dof, _, limit) in &hits {
-                if let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) {
+                if (hits || self.v[dof] * side.outward() >= 0.0)
+                    && let Some(coordinate) = self.simulation.figure.layout().coordinate(dof)
+                {
                     self.q[coordinate] = limit;
                 }
-                let is_struck = wanted.iter().any(|(other, _, what)| *other == dof && *what == "limit");
-                if is_struck && !self.driven[dof].hit {
+                if hits && !self.driven[dof].hit {
                     self.driven[dof].hit = true;
                     self.outcome(dof, OutcomeKind::LimitHit);
                 }
             }
-            if wanted.is_empty() {
+            if strikes.is_empty() {
                 break;
             }
-            self.strike(&wanted, inelastic, events)?;
-            wanted.clear();
+            // Limits that something rests at stop it, as do those without restitution that it touches.
+            for &(dof, side, _) in &at_limits {
+                let stops = inelastic
+                    || self.driven[dof].held.is_some()
+                    || self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 };
+                if stops && strikes.iter().all(|(other, ..)| *other != dof) {
+                    strikes.push((dof, Wanted::Limit(side, 0.0), "rest"));
+                }
+            }
+            self.strike(&strikes)?;
         }
-        // A drive that has changed may lift off what rests.
-        let rests = self.driven.iter().any(|driven| driven.held.is_some());
-        if hits.is_empty() && !rests { Ok(()) } else { self.rest(&hits, events) }
+        if at_limits.is_empty() { Ok(()) } else { self.rest(events) }
     }
 
-    /// The limit at which a degree of freedom that dynamics move is, if it does not move away from it.
-    fn meets_limit(&self, dof: usize, events: &[Meaning]) -> Option<(Side, f64)> {
+    /// All that dynamics move, or would if it were not held, and that is at a hard limit.
+    fn at_limits(&self, events: &[Meaning]) -> Vec<AtLimit> {
+        (0..self.driven.len()).filter_map(|dof| self.at_limit(dof, events)).collect()
+    }
+
+    /// The limit at which a degree of freedom is.
+    fn at_limit(&self, dof: usize, events: &[Meaning]) -> Option<AtLimit> {
+        if let Some((side, limit)) = self.driven[dof].held {
+            return Some((dof, side, limit));
+        }
         if self.driven[dof].role() != Role::Dynamic
+            || self.simulation.figure.follows(dof)
             || !matches!(self.simulation.limits[dof], LimitLaw::Hard { .. })
         {
             return None;
         }
         let limits = self.limits_of(dof)?;
         let coordinate = self.simulation.figure.layout().coordinate(dof)?;
-        let released = events.iter().any(|event| matches!(event, Meaning::Release(of, _) if *of == dof));
-        [(Side::Lower, limits.lower), (Side::Upper, limits.upper)].into_iter().find(|&(side, limit)| {
+        let sides = [(Side::Lower, limits.lower), (Side::Upper, limits.upper)];
+        sides.into_iter().filter(|(_, limit)| limit.is_finite()).find_map(|(side, limit)| {
             let told = events.contains(&Meaning::Limit(dof, side));
             let there = told || (self.q[coordinate] - limit).abs() <= AT_LIMIT * (1.0 + limit.abs());
-            let outward = self.v[dof] * side.outward();
-            there && limit.is_finite() && !released && outward >= 0.0
+            there.then_some((dof, side, limit))
         })
     }
 
     /// Gives degrees of freedom new velocities, and all others what follows from it.
-    ///
-    /// Limits that something rests at stop it, as do those without restitution that it touches; with `inelastic`, all that it
-    /// touches.
-    fn strike(
-        &mut self,
-        wanted: &[(usize, f64, &'static str)],
-        inelastic: bool,
-        events: &[Meaning],
-    ) -> Result<(), RunError> {
+    fn strike(&mut self, strikes: &[(usize, Wanted, &'static str)]) -> Result<(), RunError> {
         let fixed: Vec<bool> = (0..self.driven.len())
             .map(|dof| {
                 let prescribed = self.driven[dof].role() != Role::Dynamic && self.driven[dof].held.is_none();
                 prescribed || self.simulation.figure.follows(dof)
             })
             .collect();
-        let held: Vec<(usize, Side)> = self
-            .driven
-            .iter()
-            .enumerate()
-            .filter_map(|(dof, driven)| {
-                let stops = inelastic || self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 };
-                let contact_points = || self.meets_limit(dof, events).filter(|_| stops);
-                Some((dof, driven.held.or_else(contact_points)?.0))
-            })
-            .filter(|(dof, _)| wanted.iter().all(|(other, ..)| other != dof))
-            .collect();
-        let mut jumps: Vec<(usize, f64)> = wanted.iter().map(|&(dof, velocity, _)| (dof, velocity)).collect();
+        let mut wanted: Vec<(usize, Wanted)> = strikes.iter().map(|&(dof, what, _)| (dof, what)).collect();
         // What follows a leader that is stopped is stopped with it.
         for follower in self.simulation.figure.followers() {
-            if let Some(&(_, velocity)) = jumps.iter().find(|(dof, _)| *dof == follower.leader) {
+            let leader = wanted.iter().find(|(dof, _)| *dof == follower.leader);
+            if let Some(&(_, Wanted::Velocity(velocity))) = leader {
                 let slope = follower.curve.at(self.q[follower.leader_coordinate])[1];
-                jumps.push((follower.dof, slope * velocity));
+                wanted.push((follower.dof, Wanted::Velocity(slope * velocity)));
             }
         }
-        let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &held, &jumps)
+        let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &wanted)
             .map_err(|error| guard::of_dynamics(self.t, error))?;
         self.passed.counts.evaluations += 1;
         self.passed.jumps = true;
-        for &(dof, _, what) in wanted {
+        for &(dof, _, what) in strikes.iter().filter(|(.., what)| *what != "rest") {
             let (velocity_before, velocity_after) = (self.v[dof], struck.v[dof]);
             let (layout, impulse) = (self.simulation.figure.layout(), struck.impulse[dof]);
             // −½·P·(v⁺ + v⁻): over all degrees of freedom, what the figure loses.
@@ -156,6 +153,12 @@ impl Pass<'_> {
                 loss,
             });
         }
+        self.take_velocities(struck);
+        Ok(())
+    }
+
+    /// Takes the velocities after an impact.
+    pub(crate) fn take_velocities(&mut self, struck: Struck) {
         self.passed.ledger.lose(struck.loss);
         for dof in struck.released {
             self.driven[dof].held = None;
@@ -171,17 +174,34 @@ impl Pass<'_> {
             }
         }
         self.v.copy_from_slice(&struck.v);
-        Ok(())
     }
 
-    /// Of what is at a limit, what stays there: what would go out of its range, and what its limit has not to pull.
+    /// Of what is at a limit, what stays there: what would otherwise go out of its range, at once or after a flight too short to
+    /// be one. With `δ` half of the shortest flight, and outwards positive, each has
     ///
-    /// One that stays may press on others and make them stay, or lift them off, so this is a linear complementarity problem;
-    /// the first that is wrong is turned round until none is, as for [impacts](strike).
-    pub(crate) fn rest(&mut self, hits: &[(usize, Side, f64)], events: &[Meaning]) -> Result<(), RunError> {
-        let count = hits.len() + self.driven.iter().filter(|driven| driven.held.is_some()).count();
-        for _ in 0..1_usize << count.min(MOST_CHOICES) {
+    /// ```text
+    /// v + δ·a ≤ 0 and the limit's force inwards, one of them zero        M·a + h = τ + f
+    /// ```
+    ///
+    /// for from `v < 0` it is back after `−2·v/a`. One that stays may press on others and make them stay, or lift them off: a linear
+    /// complementarity problem with a positive definite matrix, in which the first that is wrong is turned round until none is, as
+    /// for [impacts](strike). What stays with a velocity then loses it by an impulse.
+    pub(crate) fn rest(&mut self, events: &[Meaning]) -> Result<(), RunError> {
+        const DELTA: f64 = 0.5 * SHORTEST_FLIGHT;
+        let released =
+            |dof: usize| events.iter().any(|event| matches!(event, Meaning::Release(of, _) if *of == dof));
+        let candidates: Vec<AtLimit> =
+            self.at_limits(events).into_iter().filter(|(dof, ..)| !released(*dof)).collect();
+        if candidates.is_empty() {
+            return Ok(());
+        }
+        // What was pulled is not taken for still again.
+        let mut pulled: Vec<usize> = Vec::new();
+        for _ in 0..1_usize << candidates.len().min(MOST_CHOICES) {
             let (prescribed, mut a, mut tau) = self.given();
+            for &(dof, ..) in candidates.iter().filter(|(dof, ..)| self.driven[*dof].held.is_some()) {
+                a[dof] = -self.v[dof] / DELTA;
+            }
             let drive = tau.clone();
             self.body
                 .hybrid(&self.q, &self.v, &prescribed, &mut a, &mut tau)
@@ -191,36 +211,58 @@ impl Pass<'_> {
             let (least_force, least) = (rounding(&tau), rounding(&a));
             self.cap = f64::INFINITY;
             let mut wrong = None;
-            for dof in 0..self.driven.len() {
-                if let Some((side, _)) = self.driven[dof].held {
+            for &(dof, side, limit) in &candidates {
+                if self.driven[dof].held.is_some() {
                     // A limit pushes inwards only.
                     if (tau[dof] - drive[dof]) * side.outward() > least_force {
                         wrong = Some((dof, None));
+                        pulled.push(dof);
                         break;
                     }
-                } else if let Some(&(_, side, limit)) = hits.iter().find(|(hit, ..)| *hit == dof) {
-                    let (away, outwards) = (-self.v[dof] * side.outward(), a[dof] * side.outward());
-                    // What is not accelerated and stands still stays until something pulls it away, unless it would
-                    // rather rebound from what strikes it.
-                    let stays = self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 }
-                        || events.contains(&Meaning::Limit(dof, side));
-                    if outwards < -least || (outwards <= least && (away > REST || !stays)) {
-                        continue;
-                    }
-                    let flight = if outwards > least { 2.0 * away.max(0.0) / outwards } else { 0.0 };
-                    if flight < SHORTEST_FLIGHT {
-                        wrong = Some((dof, Some((side, limit))));
-                        break;
-                    }
+                    continue;
+                }
+                let (away, outwards) = (-self.v[dof] * side.outward(), a[dof] * side.outward());
+                // What is not accelerated and stands still stays until something pulls it away, unless it would rather
+                // rebound from what strikes it.
+                let stays = self.simulation.limits[dof] == LimitLaw::Hard { restitution: 0.0 }
+                    || events.contains(&Meaning::Limit(dof, side));
+                let is_still =
+                    outwards.abs() <= least && away.abs() <= REST && stays && !pulled.contains(&dof);
+                if is_still || (outwards > least && DELTA * outwards > away) {
+                    wrong = Some((dof, Some((side, limit))));
+                    break;
+                }
+                if outwards > least {
                     // The next step has to see it off its limit.
-                    self.cap = self.cap.min(self.t + 0.5 * flight);
+                    self.cap = self.cap.min(self.t + away / outwards);
                 }
             }
             let Some((dof, held)) = wrong else { break };
             self.driven[dof].held = held;
-            if held.is_some() {
-                self.v[dof] = 0.0;
-                self.passed.jumps = true;
+            self.passed.jumps |= held.is_some();
+        }
+        self.stop_what_stays(&candidates)
+    }
+
+    /// What stays at its limit, of what is at one, comes to rest there; nothing else goes out of its range for that.
+    fn stop_what_stays(&mut self, candidates: &[AtLimit]) -> Result<(), RunError> {
+        let stays = |dof: usize| self.driven[dof].held.is_some();
+        if candidates.iter().all(|(dof, ..)| !stays(*dof) || self.v[*dof] == 0.0) {
+            return Ok(());
+        }
+        let strikes: Vec<(usize, Wanted, &'static str)> = candidates
+            .iter()
+            .map(|&(dof, side, _)| {
+                let wanted = if stays(dof) { Wanted::Velocity(0.0) } else { Wanted::Limit(side, 0.0) };
+                (dof, wanted, "rest")
+            })
+            .collect();
+        self.strike(&strikes)?;
+        for &(dof, _, limit) in candidates {
+            if let Some(coordinate) = self.simulation.figure.layout().coordinate(dof)
+                && self.driven[dof].held.is_some()
+            {
+                (self.q[coordinate], self.v[dof]) = (limit, 0.0);
             }
         }
         Ok(())

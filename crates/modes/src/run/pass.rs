@@ -340,7 +340,7 @@ impl<'a> Pass<'a> {
         // A force that is new may lift off what rests.
         let tracks = |driven: &Driven| driven.held.is_some() && matches!(driven.mode, Mode::Track(..));
         if self.driven.iter().any(tracks) {
-            self.rest(&[], &[])?;
+            self.rest(&[])?;
         }
         // And make a contact patch give way.
         let is_new = self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..)));

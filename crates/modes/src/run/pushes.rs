@@ -4,7 +4,7 @@ use super::guard;
 use super::pass::Pass;
 use super::record::near;
 use crate::failure::{RunError, SetupError};
-use crate::impact::{Side, strike};
+use crate::impact::{Wanted, strike};
 use crate::phase::{Phase, Role};
 use crate::push::Thrust;
 use crate::simulation::Simulation;
@@ -66,13 +66,16 @@ impl Pass<'_> {
     }
 
     /// What does not give way in an impact, and what its limits stop.
-    pub(crate) fn given_way(&self) -> (Vec<bool>, Vec<(usize, Side)>) {
+    pub(crate) fn given_way(&self) -> (Vec<bool>, Vec<(usize, Wanted)>) {
         let fixed = (0..self.driven.len()).map(|dof| {
             let prescribed = self.driven[dof].role() != Role::Dynamic && self.driven[dof].held.is_none();
             prescribed || self.simulation.figure.follows(dof)
         });
         let held = self.driven.iter().enumerate();
-        (fixed.collect(), held.filter_map(|(dof, driven)| Some((dof, driven.held?.0))).collect())
+        (
+            fixed.collect(),
+            held.filter_map(|(dof, driven)| Some((dof, Wanted::Limit(driven.held?.0, 0.0)))).collect(),
+        )
     }
 
     /// Blows in an instant: `M·Δv = Jᵀ·p`, with what is prescribed kept on its way and limits that hold.
@@ -85,7 +88,7 @@ impl Pass<'_> {
         self.body.plant(&[]);
         self.active.forget();
         let before = self.body.blow(&self.q, &self.v, blows).map_err(|error| fault(self.t, error))?;
-        let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &held, &[]);
+        let struck = strike(&mut self.body, &self.q, &self.v, &fixed, &held);
         self.body.no_blow();
         let struck = struck.map_err(|error| fault(self.t, error))?;
         let after = self.body.blow(&self.q, &struck.v, blows).map_err(|error| fault(self.t, error))?;
@@ -93,12 +96,8 @@ impl Pass<'_> {
         self.passed.counts.evaluations += 1;
         // Of an impulse p on what moves with u: p·(u⁻ + u⁺)/2.
         let work = 0.5 * (before + after);
-        self.v.copy_from_slice(&struck.v);
-        for dof in struck.released {
-            self.driven[dof].held = None;
-        }
         self.gain(work);
-        self.passed.ledger.lose(struck.loss);
+        self.take_velocities(struck);
         self.passed.jumps = true;
         for &(push, _) in blows {
             self.struck[push] = true;

@@ -3,6 +3,7 @@
 use super::active_contacts::SLACK;
 use super::driven::{Meaning, Mode};
 use super::pass::Pass;
+use crate::body::{Pushing, pushing};
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::failure::SetupError;
@@ -23,7 +24,11 @@ impl Pass<'_> {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
                 Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
-                Meaning::DriveEnds(_) | Meaning::StageEnds | Meaning::Kink | Meaning::Saturation(_) => 0.0,
+                Meaning::DriveEnds(_)
+                | Meaning::StageEnds
+                | Meaning::Kink
+                | Meaning::Saturation(_)
+                | Meaning::Push(_) => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -72,7 +77,43 @@ impl Pass<'_> {
             watch(Watched::Gap { touch, below }, Meaning::Touch(touch));
         }
         phase.watch(watched, sides)?;
+        for dof in 0..self.driven.len() {
+            let pushing = match self.passed_limit(dof) {
+                None => Pushing::Inside,
+                Some((side, _)) if self.driven[dof].lets_go => Pushing::LetGo(side),
+                Some((side, _)) => Pushing::Back(side),
+            };
+            phase.hold_limit(dof, pushing);
+        }
         Ok(meanings)
+    }
+
+    /// Notes which limits that push back have let go. At the zero of the push its sign does not say it; the event before does.
+    pub(crate) fn note_pushes(&mut self, events: &[Meaning]) {
+        for dof in 0..self.driven.len() {
+            let Some((side, Watched::Push { limit, stiffness, damping, .. })) = self.passed_limit(dof) else {
+                self.driven[dof].lets_go = false;
+                continue;
+            };
+            let Some(coordinate) = self.simulation.figure.layout().coordinate(dof) else { continue };
+            let (spring, damper) = (stiffness * (self.q[coordinate] - limit), damping * self.v[dof]);
+            let push = side.outward() * (spring + damper);
+            if events.contains(&Meaning::Push(dof)) {
+                self.driven[dof].lets_go = !self.driven[dof].lets_go;
+            } else if push.abs() > 1e-9 * (spring.abs() + damper.abs()) {
+                self.driven[dof].lets_go = push < 0.0;
+            }
+        }
+    }
+
+    /// The limit that pushes back and that a degree of freedom which dynamics move is beyond, with its push.
+    fn passed_limit(&self, dof: usize) -> Option<(Side, Watched)> {
+        let LimitLaw::Spring { stiffness, damping } = self.simulation.limits[dof] else { return None };
+        let coordinate = self.simulation.figure.layout().coordinate(dof)?;
+        let limits = self.limits_of(dof).filter(|_| self.driven[dof].role() == Role::Dynamic)?;
+        let side = pushing(limits, self.q[coordinate], self.v[dof])?;
+        let limit = if side == Side::Upper { limits.upper } else { limits.lower };
+        Some((side, Watched::Push { dof, limit, outwards: side.outward(), stiffness, damping }))
     }
 
     fn watch_limits(&self, dof: usize, watch: &mut impl FnMut(Watched, Meaning)) {
@@ -84,6 +125,11 @@ impl Pass<'_> {
                 let meaning = if is_hard { Meaning::Limit(dof, side) } else { Meaning::Kink };
                 watch(Watched::Position { dof, value }, meaning);
             }
+        }
+        if let Some((_, push @ Watched::Push { damping, .. })) = self.passed_limit(dof)
+            && damping > 0.0
+        {
+            watch(push, Meaning::Push(dof));
         }
     }
 

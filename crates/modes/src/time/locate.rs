@@ -32,6 +32,8 @@ pub(super) struct Sides {
     side: Vec<f64>,
     /// The sign that a function has to have when it leaves zero; 0 where either will do.
     due: Vec<f64>,
+    /// Whether a function leaves zero in the step that is looked at: it may be there, to rounding, at any time in it.
+    leaves: Vec<bool>,
     tolerance: Vec<f64>,
     begin: Vec<f64>,
     low: Vec<f64>,
@@ -48,6 +50,7 @@ impl Sides {
         Self {
             side: zeros.clone(),
             due: (0..values.len()).map(due).collect(),
+            leaves: vec![false; values.len()],
             tolerance: zeros.clone(),
             low: zeros.clone(),
             high: zeros.clone(),
@@ -82,7 +85,7 @@ impl Sides {
         self.high.copy_from_slice(end);
         let (from, to) = self.take_sides(probe)?;
         if !self.any_beyond() {
-            self.note_touching(true);
+            self.note_touching();
             self.begin.copy_from_slice(end);
             return Ok((!self.crossed.is_empty()).then_some(1.0));
         }
@@ -94,12 +97,14 @@ impl Sides {
     /// they leave it. The fractions between which the first zero is, if there is one.
     fn take_sides(&mut self, probe: Probe<'_>) -> Result<(f64, f64), TimeError> {
         let mut leaving = false;
+        self.leaves.fill(false);
         for i in 0..self.side.len() {
             if self.side[i] == 0.0 && self.low[i].abs() > AT_START * self.tolerance[i] {
                 self.side[i] = self.low[i].signum();
             }
             if self.side[i] == 0.0 && self.high[i].abs() > AT_END * self.tolerance[i] {
                 self.side[i] = self.due[i];
+                self.leaves[i] = true;
                 leaving = true;
             }
         }
@@ -107,7 +112,7 @@ impl Sides {
             return Ok((0.0, 1.0));
         }
         probe(PROBE, &mut self.middle)?;
-        let early = (0..self.side.len()).any(|i| self.side[i] * self.middle[i] < 0.0);
+        let early = (0..self.side.len()).any(|i| self.is_past(i, self.middle[i]));
         for i in 0..self.side.len() {
             if self.side[i] == 0.0 && self.high[i].abs() > AT_END * self.tolerance[i] {
                 let left = self.middle[i].abs() > AT_START * self.tolerance[i];
@@ -119,19 +124,34 @@ impl Sides {
             return Ok((0.0, PROBE));
         }
         std::mem::swap(&mut self.low, &mut self.middle);
+        for i in 0..self.side.len() {
+            self.leaves[i] &= self.low[i].abs() <= AT_START * self.tolerance[i];
+        }
         Ok((PROBE, 1.0))
     }
 
     /// Whether a function is beyond zero, or on it, at the upper end of the bracket.
     fn any_beyond(&self) -> bool {
-        self.side.iter().zip(&self.high).any(|(&side, &value)| is_beyond(side, value))
+        (0..self.side.len()).any(|i| self.is_beyond(i, self.high[i]))
     }
 
-    /// Notes the functions that are beyond zero or at it, to rounding, at an end of the bracket.
-    fn note_touching(&mut self, upper: bool) {
-        let values = if upper { &self.high } else { &self.low };
-        for i in 0..values.len() {
-            if self.side[i] != 0.0 && self.side[i] * values[i] <= AT_END * self.tolerance[i] {
+    /// Whether a function with this value is beyond zero.
+    fn is_past(&self, i: usize, value: f64) -> bool {
+        let least = if self.leaves[i] { AT_START * self.tolerance[i] } else { 0.0 };
+        self.side[i] * value < -least
+    }
+
+    /// Whether a function with this value is beyond zero or on it; one that leaves zero has to be beyond.
+    fn is_beyond(&self, i: usize, value: f64) -> bool {
+        self.is_past(i, value) || (value == 0.0 && self.side[i] != 0.0 && !self.leaves[i])
+    }
+
+    /// Notes the functions that are beyond zero or at it, to rounding, at the upper end of the bracket.
+    fn note_touching(&mut self) {
+        for i in 0..self.side.len() {
+            let value = self.high[i];
+            let touches = self.side[i] != 0.0 && self.side[i] * value <= AT_END * self.tolerance[i];
+            if self.is_past(i, value) || (touches && !self.leaves[i]) {
                 self.crossed.push(i);
             }
         }
@@ -168,8 +188,7 @@ impl Sides {
                 break;
             }
             probe(middle, &mut self.middle)?;
-            let beyond = self.side.iter().zip(&self.middle).any(|(&side, &value)| is_beyond(side, value));
-            if beyond {
+            if (0..self.side.len()).any(|i| self.is_beyond(i, self.middle[i])) {
                 b = middle;
                 std::mem::swap(&mut self.high, &mut self.middle);
             } else {
@@ -180,7 +199,7 @@ impl Sides {
         }
         // Those beyond zero at the upper end have passed it within the bracket, and with them those that are at it.
         let exact = self.is_exact();
-        self.note_touching(true);
+        self.note_touching();
         Ok(if exact { b } else { a })
     }
 
@@ -188,7 +207,7 @@ impl Sides {
     fn earliest(&self) -> f64 {
         let mut first = 1.0_f64;
         for i in 0..self.side.len() {
-            if is_beyond(self.side[i], self.high[i]) {
+            if self.is_beyond(i, self.high[i]) {
                 let (low, high) = (self.low[i].abs(), self.high[i].abs());
                 first = first.min(low / (low + high).max(f64::MIN_POSITIVE));
             }
@@ -198,12 +217,8 @@ impl Sides {
 
     /// Whether all that are beyond zero at the upper end are exactly at it.
     fn is_exact(&self) -> bool {
-        let beyond = |(&side, &value): (&f64, &f64)| side * value < 0.0;
-        let on = |(&side, &value): (&f64, &f64)| side != 0.0 && value == 0.0;
-        self.side.iter().zip(&self.high).any(on) && !self.side.iter().zip(&self.high).any(beyond)
+        let all = || (0..self.side.len()).map(|i| (i, self.high[i]));
+        all().any(|(i, value)| value == 0.0 && self.is_beyond(i, value))
+            && !all().any(|(i, value)| self.is_past(i, value))
     }
-}
-
-fn is_beyond(side: f64, value: f64) -> bool {
-    side != 0.0 && side * value <= 0.0
 }

@@ -156,6 +156,50 @@ fn a_soft_limit_throws_back_by_half_a_period_of_its_spring() {
     }
 }
 
+#[test]
+fn a_soft_limit_with_a_damper_is_entered_and_left_as_the_closed_form_says() {
+    // At −1 m/s into k = 200 N/m, c = 8 N s/m: x = −v/ω·exp(−γs)·sin ωs with γ = c/2m and ω² = k/m − γ², until the damper
+    // would pull, x″ = 0: tan ωs = 2γω/(γ² − ω²). From there on it flies.
+    let joint = Joint::new("slide").ty().limited(0.0, 100.0);
+    let figure = FigureBuilder::new("block").link(LinkSpec::root("block", joint).mass(2.0));
+    let mut simulation = Simulation::new(&figure.build().expect("valid"), Vector3::zeros());
+    simulation.set_start(&[0.5], &[-1.0]).expect("valid");
+    simulation.set_limits(LimitLaw::Spring { stiffness: 200.0, damping: 8.0 }).expect("valid");
+    let gamma = 2.0_f64;
+    let omega = (100.0 - gamma * gamma).sqrt();
+    let leaves = (2.0 * gamma * omega).atan2(gamma * gamma - omega * omega) / omega;
+    let within = |s: f64| {
+        let (decay, (sin, cos)) = ((-gamma * s).exp(), (omega * s).sin_cos());
+        [-decay * sin / omega, -decay * (cos - gamma * sin / omega)]
+    };
+    let worst = |step: f64| {
+        let method = Method::Fixed { rule: Rule::RungeKutta4, step };
+        let settings = Settings { method, ..settings(1.2) };
+        let found = simulation.run(&settings).expect("runs");
+        let error = found.motion.time().iter().enumerate().map(|(frame, t)| {
+            let s = t - 0.5;
+            let expected = match s {
+                s if s <= 0.0 => -s,
+                s if s <= leaves => within(s)[0],
+                s => within(leaves)[0] + (s - leaves) * within(leaves)[1],
+            };
+            (found.motion.q(frame)[0] - expected).abs()
+        });
+        error.fold(0.0, f64::max)
+    };
+    // Steps that do not end at the touch by chance.
+    let (coarse, fine) = (worst(0.01 / 3.0), worst(0.01 / 9.0));
+    assert!(fine < 1e-10, "{fine:e}");
+    assert!(coarse > 50.0 * fine, "{coarse:e} and {fine:e}: order four divides by 81");
+    // With gravity it comes to rest within: energy is accounted for.
+    let figure = simulation.figure().clone();
+    let mut heavy = Simulation::new(&figure, Vector3::new(0.0, -G, 0.0));
+    heavy.set_start(&[0.5], &[-1.0]).expect("valid");
+    heavy.set_limits(LimitLaw::Spring { stiffness: 200.0, damping: 8.0 }).expect("valid");
+    let found = run(&heavy, 4.0);
+    assert!(found.report.energy.imbalance < 1e-6 * found.report.energy.scale, "{:?}", found.report.energy);
+}
+
 /// Two blocks of 1 kg and 3 kg on a rail, the second's place told from the first, with a gap of 0 to 2 m.
 fn pair(velocities: [f64; 2], restitution: f64) -> Run {
     let second = Joint::new("gap").tx().limited(0.0, 2.0);

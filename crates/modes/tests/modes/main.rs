@@ -7,6 +7,7 @@ mod contact;
 mod drives;
 mod governor;
 mod limits;
+mod limits_random;
 mod plan;
 mod pushes;
 #[cfg(feature = "serde")]
