@@ -33,6 +33,7 @@ mod scale;
 mod source;
 #[cfg(feature = "ron")]
 pub mod text;
+mod together;
 
 pub use anatomy::AnatomicalAngle;
 pub use base::{Base, BaseError};

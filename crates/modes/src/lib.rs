@@ -16,6 +16,7 @@ mod run;
 mod sequence;
 mod settings;
 mod simulation;
+mod stand;
 pub mod study;
 pub mod time;
 

@@ -1,6 +1,5 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
-use crate::body::Body;
 use crate::carry::Carry;
 use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
@@ -227,41 +226,6 @@ impl Simulation {
     ) -> Result<(), SetupError> {
         self.surface = Some(Surface::new(&self.figure, plane, contact_points)?);
         Ok(())
-    }
-
-    /// Moves the figure along the ground's normal until its lowest point, of those that can touch the ground, is on it; how far (m).
-    ///
-    /// # Errors
-    ///
-    /// [`SetupError::NoWayDown`] where the root does not slide that way, or nothing can touch a ground.
-    pub fn stand(&mut self) -> Result<f64, SetupError> {
-        let root = self.figure.links().first().map(|link| link.joint().name().to_owned()).unwrap_or_default();
-        let none = || SetupError::NoWayDown { joint: root.clone() };
-        let (surface, at) =
-            self.surface.as_ref().zip(self.figure.layout().joints().first()).ok_or_else(none)?;
-        let mut body = Body::<f64>::new(&self.figure, self.gravity, &[], &self.limits)?.on(Some(surface));
-        let mut lowest = |q: &[f64]| {
-            body.place(q)?;
-            let gaps = (0..surface.contact_points.len()).map(|touch| body.gap(touch));
-            Ok::<_, SetupError>(gaps.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(_, gap)| gap))
-        };
-        let gap = lowest(&self.q)?.ok_or_else(none)?;
-        // Slides are linear: how far each one lifts.
-        let mut lifts = Vec::new();
-        let slides = self.figure.links()[0].joint().kind().slides();
-        for coordinate in slides.map(|i| at.q + i) {
-            let mut moved = self.q.clone();
-            moved[coordinate] += 1.0;
-            lifts.push((coordinate, lowest(&moved)?.unwrap_or(gap) - gap));
-        }
-        let squares: f64 = lifts.iter().map(|(_, lift)| lift * lift).sum();
-        if squares < 1e-12 {
-            return Err(none());
-        }
-        for (coordinate, lift) in lifts {
-            self.q[coordinate] -= gap * lift / squares;
-        }
-        Ok(-gap)
     }
 
     /// The ground, if there is one, and what can touch it.

@@ -35,9 +35,10 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 18] = [
+const FIELDS: [&str; 19] = [
     "version",
     "figures",
+    "places",
     "gravity",
     "rate",
     "duration",
@@ -91,8 +92,8 @@ impl SceneReader<'_> {
             Value::Number(seconds) if seconds > 0.0 => Some(seconds),
             _ => None,
         });
-        let found = self.figures(&fields);
         let gravity = fields.get("gravity").and_then(|node| self.reader.vector(node, "gravity"));
+        let found = self.figures(&fields, gravity);
         let (name, figure) = found.unzip();
         if let Some(figure) = &figure {
             let gravity = gravity.or(figure.gravity().copied()).unwrap_or(GRAVITY);
@@ -102,7 +103,9 @@ impl SceneReader<'_> {
         let figure = self.carries(&fields, figure);
         let (mut given, named) = self.drives(&fields);
         self.sequence_of_parts(&fields, &mut given, &named);
-        let walk = self.walk(&fields, figure.as_ref(), &given);
+        // Of several figures none walks, which has been said.
+        let several = fields.get("figures").and_then(Node::entries).is_some_and(|entries| entries.len() > 1);
+        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
         self.start(&fields, &given, walk.as_ref());
         self.springs(&fields);
         self.pushes(&fields);

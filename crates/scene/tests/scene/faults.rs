@@ -161,6 +161,29 @@ fn of_sequences() {
 }
 
 #[test]
+fn of_several_figures() {
+    let scene = |fields: &str| {
+        format!(
+            "Scene(version: 1, duration: 1, figures: {{\"ann\": Human(height: 1.75, mass: 73), \"bob\": Human(height: 1.6, mass: 60)}},\n{fields})"
+        )
+    };
+    let mut text = String::new();
+    for case in [
+        "drives: {\"bob.*\": Frozen, \"ann.left_knee.rx\": Free}, places: {\"bob\": (at: (0, 0, 1), facing: deg(180))}",
+        "drives: {\"left_knee.rx\": Free}",
+        "places: {\"bib\": (at: (0, 0, 1))}",
+        "places: {\"bob\": (at: (0, 0, 1)), \"bob\": (facing: 1)}",
+        "places: {\"bob\": (at: 3, facing: \"x\", side: 1)}",
+        "walk: Walk(steps: 4, step_frequency: 110)",
+    ] {
+        let _ = write!(text, "{case}\n{}\n\n", faults(&scene(case)));
+    }
+    let twice = "Scene(version: 1, duration: 1, figures: {\"ann\": Human(height: 1.75, mass: 73), \"ann\": Human(height: 1.6, mass: 60)})";
+    let _ = write!(text, "{twice}\n{}\n", faults(twice));
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_forces_and_repetitions() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Servo(stiffness: 1)}",
