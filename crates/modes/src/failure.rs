@@ -45,6 +45,14 @@ pub enum SetupError {
         /// The drive.
         drive: &'static str,
     },
+    /// A force for a degree of freedom that something else drives.
+    #[error(
+        "'{dof}' is neither free nor driven by a constant force, so that no force can be set on it: give it `Free` as its drive first"
+    )]
+    NotAForce {
+        /// The degree of freedom.
+        dof: String,
+    },
     /// A follower, or the leader of one, in a drive that it cannot have.
     #[error(
         "'{dof}' and '{leader}', which it follows, can only be frozen, or follow curves or a recorded motion; the drive \
@@ -62,7 +70,7 @@ pub enum SetupError {
     #[error(
         "the sum of forces of '{dof}' has the drive '{drive}' in it, which is none; it can be of torques and servos"
     )]
-    NotAForce {
+    NotInSum {
         /// The degree of freedom.
         dof: String,
         /// The drive.

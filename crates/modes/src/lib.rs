@@ -13,6 +13,7 @@ mod range;
 mod recorded;
 mod report;
 mod run;
+mod running;
 mod sequence;
 mod settings;
 mod simulation;
@@ -31,6 +32,7 @@ pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
     Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
+pub use running::{Happened, Running};
 pub use sequence::Part;
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;

@@ -45,6 +45,7 @@ pub(crate) enum Role {
 /// what. Work, heat and energy are those of what is left. No evaluation allocates.
 ///
 /// A degree of freedom that follows another has the role of its leader, whatever role it is given.
+#[derive(Clone)]
 pub(crate) struct Phase {
     pub(crate) report: PhaseReport,
     source: Source,

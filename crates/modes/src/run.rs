@@ -16,6 +16,7 @@ mod outcomes;
 mod pass;
 mod pushes;
 mod record;
+mod running;
 mod stages;
 mod tracks;
 mod watching;
@@ -28,9 +29,12 @@ use crate::simulation::Simulation;
 use crate::time::Stepping;
 use crate::{Drive, LimitLaw, Step};
 use carries::LoadedBody;
+pub(crate) use pass::Pass;
 use pass::{Passed, pass};
+pub(crate) use running::Progress;
 use solaris_dynamics::Wrench;
 use solaris_model::Motion;
+use std::sync::Arc;
 
 /// Whether the methods that choose their steps are built in.
 const IS_STIFF: bool = cfg!(feature = "stiff");
@@ -89,6 +93,7 @@ impl Simulation {
 fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer) -> Result<Run, RunError> {
     check_settings(settings)?;
     check_work(settings)?;
+    let simulation = &Arc::new(simulation.clone());
     let begun = observer.now();
     let chosen = match settings.method {
         Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, observer)?,
@@ -226,7 +231,7 @@ fn describe(stepping: Stepping, rate: f64) -> String {
 ///
 /// for a step short enough. Whether it is, two runs do not tell, so nothing is divided by what order `p` promises.
 fn named(
-    simulation: &Simulation,
+    simulation: &Arc<Simulation>,
     settings: &Settings,
     stepping: Stepping,
     observer: &mut dyn Observer,

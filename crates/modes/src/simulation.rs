@@ -126,6 +126,8 @@ impl Simulation {
             self.check_steps(dof, &steps)?;
             self.drives[dof].clone_from(&steps);
             self.again[dof] = None;
+            // It takes no part in a sequence any more.
+            self.stages.iter_mut().for_each(|stage| stage.parties.retain(|(party, _)| *party != dof));
         }
         Ok(())
     }

@@ -10,5 +10,6 @@ mod stepping;
 mod system;
 
 pub use advance::advance;
+pub(crate) use fixed::March;
 pub use stepping::{OnFrame, Stepping, Stopped, TimeError};
 pub use system::{RateError, System};

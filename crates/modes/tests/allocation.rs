@@ -7,6 +7,7 @@
 
 use nalgebra::Vector3;
 use solaris_model::human;
+use solaris_modes::time::Stepping;
 use solaris_modes::{Anchor, Drive, LimitLaw, Method, PointSpring, Rule, Settings, Shape, Simulation};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -78,5 +79,21 @@ fn ten_times_as_many_steps_allocate_as_much() {
         let ((few, short), (many, long)) = (run(0.005), run(0.0005));
         assert!(long >= 9 * short && short >= 20, "{short} and {long} evaluations");
         assert_eq!(few, many, "{rule}");
+    }
+}
+
+#[test]
+fn a_step_of_a_running_simulation_allocates_nothing() {
+    for rule in Rule::ALL {
+        let mut running = scene().start(Stepping::Fixed { rule, step: 1e-3 }).expect("begins");
+        // Within the curves' one second nothing happens but touches of limits, which are events.
+        running.step(0.01).expect("goes on");
+        let mut quiet = 0;
+        for _ in 0..50 {
+            let before = ALLOCATIONS.get();
+            running.step(1.0 / 240.0).expect("goes on");
+            quiet += usize::from(ALLOCATIONS.get() == before);
+        }
+        assert!(quiet >= 45, "{rule}: {quiet} of 50 steps without an allocation");
     }
 }

@@ -77,7 +77,7 @@ impl Drive {
             Self::Servo(servo) => servo.check(dof),
             Self::Sum(parts) => parts.iter().try_for_each(|part| match part {
                 Self::Torque(_) | Self::Servo(_) | Self::Sum(_) => part.check(dof),
-                _ => Err(SetupError::NotAForce { dof: dof.to_owned(), drive: part.name() }),
+                _ => Err(SetupError::NotInSum { dof: dof.to_owned(), drive: part.name() }),
             }),
         }
     }

@@ -9,6 +9,7 @@ use solaris_model::{Figure, Follower};
 
 /// The motion of the degrees of freedom that have one of their own, of those that follow them, where the others stand, and the
 /// forces of drives on what dynamics move.
+#[derive(Clone)]
 pub(super) struct Prescribed {
     /// By degree of freedom of the full figure.
     motions: Vec<Motion>,

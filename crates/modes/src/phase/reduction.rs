@@ -10,6 +10,7 @@ use solaris_dynamics::DynamicsError;
 use solaris_model::{Figure, FuseError, LinkPlace};
 
 /// What a phase is made from.
+#[derive(Clone)]
 pub(super) struct Source {
     /// The full figure, no degree of freedom following another.
     pub(super) figure: Figure,
@@ -25,6 +26,7 @@ pub(super) struct Source {
 }
 
 /// What is left of the figure.
+#[derive(Clone)]
 pub(super) struct Reduction {
     pub(super) figure: Figure,
     /// With the links of the small figure.

@@ -19,6 +19,7 @@ use solaris_profiles::Elementary;
 const COLUMNS: usize = 8;
 
 /// What is left of a figure, ready to be evaluated.
+#[derive(Clone)]
 pub(super) struct Small {
     reduction: Reduction,
     maps: Maps,
@@ -30,6 +31,7 @@ pub(super) struct Small {
 }
 
 /// Where the entries of the state are in the small figure.
+#[derive(Clone)]
 struct Maps {
     /// By degree of freedom of the small figure.
     prescribed: Vec<bool>,
@@ -45,6 +47,7 @@ struct Maps {
 }
 
 /// A degree of freedom that has a motion of its own.
+#[derive(Clone)]
 struct Moving {
     /// In the full figure.
     dof: usize,
@@ -55,6 +58,7 @@ struct Moving {
 }
 
 /// The small figure in one scalar.
+#[derive(Clone)]
 struct Side<T> {
     body: Body<T>,
     q: Vec<T>,

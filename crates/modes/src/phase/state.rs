@@ -10,6 +10,7 @@ use solaris_profiles::Elementary;
 ///
 /// Quaternions are plain numbers here: their rate `½ q⊗(ω, 0)` keeps their length but for the error of the steps, and whoever
 /// reads them makes it 1.
+#[derive(Clone)]
 pub(super) struct StateMap {
     pieces: Vec<Piece>,
     /// For each entry that is a position, its index in the full `q`.
@@ -31,6 +32,7 @@ pub(super) struct StateMap {
 pub(crate) const GROUND: usize = 5;
 
 /// How some positions go on; all indices are entries of the state.
+#[derive(Clone)]
 enum Piece {
     /// `q̇ = v`
     Axis { at: usize, rate: usize },

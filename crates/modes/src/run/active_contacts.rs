@@ -14,6 +14,7 @@ use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::Role;
 use solaris_model::{Event, EventKind};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// Touches this near to the ground (m) are on it.
 const NEAR: f64 = 1e-9;
@@ -57,11 +58,12 @@ struct Tried {
     sink: f64,
 }
 
-impl Pass<'_> {
+impl Pass {
     /// Finds what stands on the ground from now on; what comes down loses its velocity, and what the ground would have to pull
     /// is let go.
     pub(crate) fn find_contacts(&mut self, events: &[Meaning]) -> Result<(), RunError> {
-        let Some(surface) = self.simulation.surface.as_ref().filter(|surface| surface.plants()) else {
+        let simulation = Arc::clone(&self.simulation);
+        let Some(surface) = simulation.surface.as_ref().filter(|surface| surface.plants()) else {
             return Ok(());
         };
         let before = std::mem::take(&mut self.active.holds);
@@ -277,7 +279,7 @@ impl Tried {
         &mut self,
         held: &mut Vec<usize>,
         last: Option<usize>,
-        pass: &mut Pass<'_>,
+        pass: &mut Pass,
         (surface, scene): (&Surface, &Scene),
     ) -> Result<(), RunError> {
         held.sort_unstable();

@@ -8,6 +8,7 @@ use crate::report::{Counts, ErrorEstimate, Observer, Remark};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
+use std::sync::Arc;
 
 /// Steps of an explicit rule in a frame that stability may ask for before an implicit method is tried.
 const MANY: f64 = 16.0;
@@ -17,7 +18,7 @@ const MOST_TRIALS: usize = 18;
 
 /// Runs with whichever method meets the tolerance (rad or m).
 pub(super) fn choose(
-    simulation: &Simulation,
+    simulation: &Arc<Simulation>,
     settings: &Settings,
     tolerance: f64,
     observer: &mut dyn Observer,
@@ -58,7 +59,7 @@ pub(super) fn choose(
 
 /// Runge and Kutta's rule with ever shorter steps.
 struct Ladder<'a> {
-    simulation: &'a Simulation,
+    simulation: &'a Arc<Simulation>,
     settings: &'a Settings,
     tolerance: f64,
     /// The step of the last pass (s).
@@ -69,7 +70,7 @@ struct Ladder<'a> {
 
 impl<'a> Ladder<'a> {
     fn new(
-        simulation: &'a Simulation,
+        simulation: &'a Arc<Simulation>,
         settings: &'a Settings,
         tolerance: f64,
         longest: f64,
@@ -177,7 +178,7 @@ fn share(before: f64, difference: f64, jumps: bool) -> f64 {
 
 /// The implicit method with ever smaller tolerances.
 fn stiff(
-    simulation: &Simulation,
+    simulation: &Arc<Simulation>,
     settings: &Settings,
     tolerance: f64,
     eigenvalue: f64,

@@ -50,15 +50,24 @@ impl LoadedBody {
     }
 }
 
-impl Pass<'_> {
+impl Pass {
     /// The times (s) at which a load is taken up or let go.
     pub(crate) fn carry_breaks(&self) -> impl Iterator<Item = f64> {
         self.simulation.carries.iter().flat_map(|carry| [carry.from, carry.until])
     }
 
+    /// Makes the whole figure, with what it carries, anew after other laws were set.
+    pub(crate) fn rebuild(&mut self) -> Result<(), RunError> {
+        if !self.carried.is_empty() {
+            self.loaded = Some(Box::new(self.simulation.carrying(&self.carried)?));
+        }
+        self.body = whole_body(self.loaded.as_deref().unwrap_or(&self.simulation))?;
+        Ok(())
+    }
+
     /// Takes up and lets go what is due.
     pub(crate) fn carry(&mut self) -> Result<(), RunError> {
-        let now = carried(self.simulation, self.t);
+        let now = carried(&self.simulation, self.t);
         if now == self.carried {
             return Ok(());
         }

@@ -9,6 +9,7 @@ use crate::phase::Role;
 pub(crate) use crate::impact::Side;
 
 /// What a drive comes down to while it lasts.
+#[derive(Clone)]
 pub(crate) enum Mode {
     /// It stands still.
     Still,
@@ -44,6 +45,8 @@ pub(crate) enum Meaning {
 }
 
 /// What drives one degree of freedom at the moment.
+#[derive(Clone)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub(crate) struct Driven {
     /// Place of the drive in the sequence; beyond its end the degree of freedom stands still.
     pub(crate) step: usize,

@@ -1,5 +1,6 @@
 //! Drives that begin, go on from frame to frame, and end.
 
+use super::active_contacts::state::ActiveContacts;
 use super::driven::{Driven, Meaning, Mode, name, target};
 use super::pass::Pass;
 use super::record::near;
@@ -10,7 +11,7 @@ use crate::drive::simple::{Begun, analyse, begin};
 use crate::drive::tracking::Tracker;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Role;
-use crate::{Aim, Drive, EndCondition, OutcomeKind, Servo, Target};
+use crate::{Aim, Drive, EndCondition, LimitLaw, OutcomeKind, Servo, Target};
 use solaris_model::{Event, EventKind};
 use solaris_profiles::ProfileError;
 use std::sync::Arc;
@@ -19,7 +20,7 @@ use std::sync::Arc;
 /// numbers written with few digits leave.
 const SAME: f64 = 1e-6;
 
-impl Pass<'_> {
+impl Pass {
     /// All first drives.
     pub(crate) fn begin_all(&mut self) -> Result<(), RunError> {
         for follower in self.simulation.figure.followers() {
@@ -135,7 +136,8 @@ impl Pass<'_> {
         if self.simulation.figure.follows(dof) {
             return None;
         }
-        let steps = &self.simulation.drives[dof];
+        let simulation = Arc::clone(&self.simulation);
+        let steps = &simulation.drives[dof];
         let (driven, due) = (&self.driven[dof], self.t + near(self.t));
         let over = events.contains(&Meaning::DriveEnds(dof))
             || steps.get(driven.step).is_some_and(|step| match step.until {
@@ -172,6 +174,50 @@ impl Pass<'_> {
             }
         }
         None
+    }
+
+    /// The laws of the simulation are others from now on.
+    pub(crate) fn renew(&mut self) -> Result<(), RunError> {
+        self.rebuild()?;
+        self.body.plant(&self.active.holds);
+        self.compiled = None;
+        for (driven, law) in self.driven.iter_mut().zip(&self.simulation.limits) {
+            driven.held = driven.held.filter(|_| matches!(law, LimitLaw::Hard { .. }));
+        }
+        self.change(&[])
+    }
+
+    /// The state is that of the simulation's beginning from now on, and every drive that has not ended begins anew.
+    pub(crate) fn put(&mut self) -> Result<(), RunError> {
+        self.q.clone_from(&self.simulation.q);
+        self.v.clone_from(&self.simulation.v);
+        self.simulation.figure.follow(&mut self.q, &mut self.v, &mut self.a);
+        (self.compiled, self.active) = (None, ActiveContacts::default());
+        self.body.plant(&[]);
+        for driven in &mut self.driven {
+            driven.held = None;
+        }
+        let now: Vec<(usize, usize)> = (0..self.driven.len())
+            .filter(|dof| !self.simulation.figure.follows(*dof))
+            .map(|dof| (dof, self.driven[dof].step))
+            .collect();
+        self.begin(&now)?;
+        self.change(&[])
+    }
+
+    /// The drives of a degree of freedom are others from now on, of which the first begins.
+    pub(crate) fn exchange(&mut self, dofs: &[usize]) -> Result<(), RunError> {
+        for &dof in dofs {
+            if !self.simulation.figure.follows(dof) && !self.driven[dof].waits {
+                let lasts = self.driven[dof].end.is_infinite();
+                self.outcome(dof, if lasts { OutcomeKind::Ended } else { OutcomeKind::Interrupted });
+            }
+        }
+        let follows = |dof: &usize| self.simulation.figure.follows(*dof);
+        let first: Vec<(usize, usize)> =
+            dofs.iter().filter(|dof| !follows(dof)).map(|dof| (*dof, 0)).collect();
+        self.begin(&first)?;
+        self.change(&[])
     }
 
     /// Begins drives, all at the same instant, so that one analysis serves those that need one.

@@ -30,7 +30,7 @@ const AT_LIMIT: f64 = 1e-9;
 /// A degree of freedom that is at a limit: which, on which side, and where (rad or m).
 type AtLimit = (usize, Side, f64);
 
-impl Pass<'_> {
+impl Pass {
     /// Stops what has to stand still, turns back what has hit its limit, and lets go what a limit would have to pull.
     pub(crate) fn settle(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let mut stopped: Vec<usize> = Vec::new();

@@ -5,11 +5,11 @@ use super::pass::Pass;
 use crate::failure::RunError;
 use crate::phase::Phase;
 
-impl Pass<'_> {
+impl Pass {
     /// Looks at the equations before the first step.
     pub(crate) fn look_before(&self, phase: &mut Phase) -> Result<(), RunError> {
         let y = phase.pack(&self.q, &self.v, self.work, self.heat);
-        guard::look_before(self.simulation, &self.settings.guard, phase, self.stepping, self.t, &y)
+        guard::look_before(&self.simulation, &self.settings.guard, phase, self.stepping, self.t, &y)
     }
 
     /// The drives whose forces depend on the state: degree of freedom, and place among its drives.

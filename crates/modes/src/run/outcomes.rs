@@ -4,11 +4,12 @@ use super::driven::{Mode, name};
 use super::pass::Pass;
 use crate::drive::force::Force;
 use crate::{Drive, EndCondition, Outcome, OutcomeKind};
+use std::sync::Arc;
 
 /// How near (rad or m) a target counts as reached.
 const REACHED: f64 = 1e-3;
 
-impl Pass<'_> {
+impl Pass {
     /// What came of a drive that is done by itself.
     pub(crate) fn result(&self, dof: usize) -> OutcomeKind {
         let driven = &self.driven[dof];
@@ -103,7 +104,7 @@ impl Pass<'_> {
     /// Writes down what the end of the run has left undone.
     pub(crate) fn note_unfinished(&mut self) {
         for dof in 0..self.driven.len() {
-            let simulation = self.simulation;
+            let simulation = Arc::clone(&self.simulation);
             let steps = &simulation.drives[dof];
             let (driven, follows) = (&self.driven[dof], simulation.figure.follows(dof));
             let at = driven.step;

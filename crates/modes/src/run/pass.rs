@@ -16,11 +16,13 @@ use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
+use std::sync::Arc;
 
 /// Rounds of changes at one instant that are still believed.
 const MOST_ROUNDS: usize = 1000;
 
 /// What a pass came to.
+#[derive(Clone)]
 pub(crate) struct Passed {
     pub(crate) record: Record,
     pub(crate) ledger: Ledger,
@@ -40,9 +42,10 @@ pub(crate) struct Passed {
 }
 
 /// One pass, on its way.
-pub(crate) struct Pass<'a> {
-    pub(crate) simulation: &'a Simulation,
-    pub(crate) settings: &'a Settings,
+#[derive(Clone)]
+pub(crate) struct Pass {
+    pub(crate) simulation: Arc<Simulation>,
+    pub(crate) settings: Settings,
     pub(crate) stepping: Stepping,
     pub(crate) t: f64,
     pub(crate) q: Vec<f64>,
@@ -56,6 +59,8 @@ pub(crate) struct Pass<'a> {
     pub(crate) body: Body<f64>,
     /// Where the next stretch has to end at the latest (s).
     pub(crate) cap: f64,
+    /// Where whoever steps it wants to look next (s), if that is not at frames.
+    pub(crate) until: f64,
     /// What stands on the ground and stays there.
     pub(crate) active: ActiveContacts,
     /// What an impact has leapt over: drives that wait for a velocity.
@@ -69,16 +74,17 @@ pub(crate) struct Pass<'a> {
     pub(crate) carried: Vec<bool>,
     pub(crate) loaded: Option<Box<Simulation>>,
     pub(crate) passed: Passed,
-    pub(crate) work: f64,
-    pub(crate) heat: f64,
-    compiled: Option<Compiled>,
+    pub(super) work: f64,
+    pub(super) heat: f64,
+    pub(super) compiled: Option<Compiled>,
     /// Time and number of changes without time going on.
     rounds: (f64, usize),
 }
 
 /// A phase, and what it was compiled for.
-struct Compiled {
-    phase: Phase,
+#[derive(Clone)]
+pub(super) struct Compiled {
+    pub(super) phase: Phase,
     roles: Vec<Role>,
     q: Vec<f64>,
     /// The drives whose forces depend on the state when steps were last looked at: degree of freedom, and place among its drives.
@@ -97,7 +103,7 @@ fn least_energy(simulation: &Simulation) -> f64 {
 
 /// Runs through a simulation once.
 pub(crate) fn pass(
-    simulation: &Simulation,
+    simulation: &Arc<Simulation>,
     settings: &Settings,
     stepping: Stepping,
     observer: &mut dyn Observer,
@@ -113,16 +119,20 @@ pub(crate) fn pass(
     pass.finish()
 }
 
-impl<'a> Pass<'a> {
-    fn new(simulation: &'a Simulation, settings: &'a Settings, stepping: Stepping) -> Result<Self, RunError> {
+impl Pass {
+    pub(crate) fn new(
+        simulation: &Arc<Simulation>,
+        settings: &Settings,
+        stepping: Stepping,
+    ) -> Result<Self, RunError> {
         let figure = &simulation.figure;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
-            simulation,
-            settings,
+            simulation: Arc::clone(simulation),
+            settings: settings.clone(),
             stepping,
             t: 0.0,
             driven: (0..v.len()).map(at_rest).collect(),
@@ -132,6 +142,7 @@ impl<'a> Pass<'a> {
             a,
             body: whole_body(simulation)?,
             cap: f64::INFINITY,
+            until: f64::INFINITY,
             active: ActiveContacts::default(),
             leapt: Vec::new(),
             thrusts: pushes::thrusts(simulation)?,
@@ -161,15 +172,25 @@ impl<'a> Pass<'a> {
 
     /// From now to the next change.
     fn stretch(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
+        let (mut compiled, meanings, end) = self.open()?;
+        let result = self.step(&mut compiled.phase, end, observer);
+        self.compiled = Some(compiled);
+        self.close(&result?, &meanings)
+    }
+
+    /// What is to be stepped from now on, what its events mean, and when it ends (s).
+    pub(super) fn open(&mut self) -> Result<(Compiled, Vec<Meaning>, f64), RunError> {
         self.check_rounds()?;
         let end = self.next_stop();
         self.track(end)?;
         let mut compiled = self.compile()?;
         let meanings = self.load(&mut compiled.phase, end)?;
         self.note_phase(&compiled.phase);
-        let result = self.step(&mut compiled.phase, end, observer);
-        self.compiled = Some(compiled);
-        let stopped = result?;
+        Ok((compiled, meanings, end))
+    }
+
+    /// What follows from where a stretch stopped.
+    pub(super) fn close(&mut self, stopped: &Stopped, meanings: &[Meaning]) -> Result<(), RunError> {
         self.cap = f64::INFINITY;
         self.passed.jumps |= !stopped.events.is_empty();
         let events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
@@ -188,8 +209,7 @@ impl<'a> Pass<'a> {
         end: f64,
         observer: &mut dyn Observer,
     ) -> Result<Stopped, RunError> {
-        let (simulation, settings) = (self.simulation, self.settings);
-        let Self { passed, q, v, a, t, active, .. } = self;
+        let Self { passed, q, v, a, t, active, simulation, settings, .. } = self;
         let mut y = phase.pack(q, v, self.work, self.heat);
         let at = |error| guard::of_rate(*t, error);
         if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
@@ -281,7 +301,7 @@ impl<'a> Pass<'a> {
             return self.look_again(compiled);
         }
         self.end_phase();
-        let simulation = self.loaded.as_deref().unwrap_or(self.simulation);
+        let simulation = self.loaded.as_deref().unwrap_or(&self.simulation);
         let phase = Phase::with(simulation, &roles, &self.q, self.settings.leave_out)?;
         let mut compiled = Compiled { phase, roles, q: self.q.clone(), servos: self.servos() };
         // What is watched for may bring back what was left out.
@@ -358,7 +378,7 @@ impl<'a> Pass<'a> {
         let breaks = self.push_breaks().chain(self.carry_breaks()).chain([self.stage_end()]);
         stop = breaks.filter(|time| later(*time)).fold(stop, f64::min);
         if self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
-            stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop));
+            stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop)).min(self.until);
         }
         stop
     }

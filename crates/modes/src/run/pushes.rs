@@ -27,7 +27,7 @@ pub(crate) fn after(thrusts: &[Thrust], time: f64) -> impl Iterator<Item = (usiz
     thrusts.iter().map(force).enumerate()
 }
 
-impl Pass<'_> {
+impl Pass {
     /// Gives the phase the pushes of the stretch that begins now.
     pub(crate) fn load_pushes(&self, phase: &mut Phase, end: f64) {
         for (push, thrust) in self.thrusts.iter().enumerate() {

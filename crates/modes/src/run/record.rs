@@ -23,6 +23,10 @@ pub(crate) struct Record {
 impl Record {
     /// Frames at `rate` (1/s) from 0 to `duration` (s).
     pub(crate) fn new(duration: f64, rate: f64) -> Self {
+        if duration.is_infinite() {
+            // Whoever steps looks for himself.
+            return Self::default();
+        }
         // A duration of whole frames is one in spite of rounding.
         let last = (duration * rate * (1.0 + 1e-12) + 1e-9).floor();
         let times = (0..=last as usize).map(|k| (k as f64 / rate).min(duration)).collect();

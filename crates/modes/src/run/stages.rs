@@ -6,7 +6,7 @@ use super::record::near;
 use crate::EndCondition;
 use crate::phase::Watched;
 
-impl Pass<'_> {
+impl Pass {
     /// How many parts of the sequence are over.
     pub(crate) fn stages_over(&self) -> usize {
         self.stages.len()

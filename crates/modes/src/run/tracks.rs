@@ -7,7 +7,7 @@ use crate::drive::tracking::frame_forces;
 use crate::failure::RunError;
 use crate::{Drive, Law};
 
-impl Pass<'_> {
+impl Pass {
     /// The forces of the next `frame` (s) of all degrees of freedom that track a target.
     pub(crate) fn find_forces(&mut self, frame: f64) -> Result<(), RunError> {
         let tracks: Vec<usize> =

@@ -11,7 +11,7 @@ use crate::impact::Side;
 use crate::phase::{Phase, Role, Watched};
 use crate::{EndCondition, LimitLaw};
 
-impl Pass<'_> {
+impl Pass {
     /// Gives the phase the motions and forces of the drives, and what to watch for; the answer is what each event means.
     pub(crate) fn load(&self, phase: &mut Phase, end: f64) -> Result<Vec<Meaning>, SetupError> {
         let figure = &self.simulation.figure;

@@ -4,6 +4,7 @@ use super::evaluate::{Evaluator, finite};
 use super::locate::{Look, Sides};
 use super::stepping::Course;
 use super::{Stopped, System, TimeError};
+use crate::report::Counts;
 use crate::settings::Rule;
 
 /// The part of a step by which a gap may be longer than a whole number of steps, for times are rounded.
@@ -18,44 +19,103 @@ pub(super) fn advance<S: System + ?Sized>(
     mut course: Course<'_, S>,
 ) -> Result<Stopped, TimeError> {
     let (from, to) = course.span;
-    let mut stepper = Stepper::new(rule, &*evaluator.system, y)?;
-    let mut detector = EventDetector::new(&mut evaluator, from, y)?;
-    let (mut time, mut index) = (from, 0);
-    while time < to {
-        let (next, frame) = course.next(index, time);
+    let mut march = March::new(&mut evaluator, rule, from, y)?;
+    let mut index = 0;
+    while march.time < to {
+        let (next, frame) = course.next(index, march.time);
         index = next;
-        let (start, stop) = (time, frame.unwrap_or(to));
+        let stopped = march.to(&mut evaluator, longest, frame.unwrap_or(to), y)?;
+        if frame.is_some_and(|frame| frame <= march.time) {
+            course.show(evaluator.system, march.time, y)?;
+        }
+        if let Some(stopped) = stopped {
+            return Ok(stopped);
+        }
+    }
+    Ok(Stopped { time: march.time, events: Vec::new() })
+}
+
+/// A stretch on its way, which can be left at any time and gone on with.
+#[derive(Clone, Debug)]
+pub(crate) struct March {
+    stepper: Stepper,
+    detector: Option<EventDetector>,
+    /// How far it has come (s).
+    time: f64,
+}
+
+impl March {
+    /// A stretch of `system` over a span of time (s), from a state on.
+    pub(crate) fn begin<S: System + ?Sized>(
+        system: &mut S,
+        rule: Rule,
+        span: (f64, f64),
+        y: &[f64],
+        counts: &mut Counts,
+    ) -> Result<Self, TimeError> {
+        Self::new(&mut Evaluator::new(system, counts, u64::MAX, span), rule, span.0, y)
+    }
+
+    /// On to the time `stop` (s) within the span, in equal steps of at most `longest` (s), or to the first event. Nothing is
+    /// allocated but for an event.
+    pub(crate) fn go_on<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        longest: f64,
+        (stop, end): (f64, f64),
+        y: &mut [f64],
+        counts: &mut Counts,
+    ) -> Result<Option<Stopped>, TimeError> {
+        self.to(&mut Evaluator::new(system, counts, u64::MAX, (self.time, end)), longest, stop, y)
+    }
+
+    /// From a time (s) and a state on.
+    fn new<S: System + ?Sized>(
+        evaluator: &mut Evaluator<'_, S>,
+        rule: Rule,
+        time: f64,
+        y: &[f64],
+    ) -> Result<Self, TimeError> {
+        let stepper = Stepper::new(rule, &*evaluator.system, y)?;
+        let detector = EventDetector::new(evaluator, time, y)?;
+        Ok(Self { stepper, detector, time })
+    }
+
+    /// On to the time `stop` (s), in equal steps of at most `longest` (s), or to the first event.
+    fn to<S: System + ?Sized>(
+        &mut self,
+        evaluator: &mut Evaluator<'_, S>,
+        longest: f64,
+        stop: f64,
+        y: &mut [f64],
+    ) -> Result<Option<Stopped>, TimeError> {
+        let start = self.time;
         let steps = ((stop - start) / longest - ROUNDED).ceil().max(1.0);
         let mut taken = 0.0;
         while taken < steps {
             taken += 1.0;
             let end = if taken < steps { start + (stop - start) * (taken / steps) } else { stop };
-            let length = end - time;
-            stepper.begin(&mut evaluator, time, y)?;
-            stepper.step(&mut evaluator, time, length, y)?;
+            let length = end - self.time;
+            self.stepper.begin(evaluator, self.time, y)?;
+            self.stepper.step(evaluator, self.time, length, y)?;
             evaluator.counts.steps += 1;
-            if let Some(detector) = &mut detector
-                && let Some(fraction) = detector.look(&mut evaluator, &mut stepper, (time, end), y)?
+            if let Some(detector) = &mut self.detector
+                && let Some(fraction) = detector.look(evaluator, &mut self.stepper, (self.time, end), y)?
             {
-                time = if fraction < 1.0 { (time + length * fraction).min(end) } else { end };
+                self.time = if fraction < 1.0 { (self.time + length * fraction).min(end) } else { end };
                 y.copy_from_slice(&detector.state);
                 evaluator.counts.events += detector.sides.crossed.len() as u64;
-                if frame.is_some_and(|frame| frame <= time) {
-                    course.show(evaluator.system, time, y)?;
-                }
-                return Ok(Stopped { time, events: detector.sides.crossed.clone() });
+                return Ok(Some(Stopped { time: self.time, events: detector.sides.crossed.clone() }));
             }
-            y.copy_from_slice(&stepper.next);
-            time = end;
+            y.copy_from_slice(&self.stepper.next);
+            self.time = end;
         }
-        if frame.is_some() {
-            course.show(evaluator.system, time, y)?;
-        }
+        Ok(None)
     }
-    Ok(Stopped { time, events: Vec::new() })
 }
 
 /// The room that a rule needs for its steps.
+#[derive(Clone, Debug)]
 struct Stepper {
     rule: Rule,
     /// Which entries of the state are positions, for the rules that treat them apart.
@@ -169,6 +229,7 @@ impl Stepper {
 }
 
 /// What is needed to see events.
+#[derive(Clone, Debug)]
 struct EventDetector {
     sides: Sides,
     values: Vec<f64>,

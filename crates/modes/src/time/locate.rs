@@ -27,6 +27,7 @@ pub(super) struct Look {
 }
 
 /// The sides on which event functions are.
+#[derive(Clone, Debug)]
 pub(super) struct Sides {
     /// The sign of each function where it last was not zero; 0 for one that has not left zero yet.
     side: Vec<f64>,

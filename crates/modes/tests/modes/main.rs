@@ -12,6 +12,7 @@ mod plan;
 mod pushes;
 #[cfg(feature = "serde")]
 mod reports;
+mod running;
 mod sequence;
 mod steppers;
 #[cfg(feature = "stiff")]

@@ -19,7 +19,7 @@ enum Obstacle {
     Still,
 }
 
-impl Pass<'_> {
+impl Pass {
     /// Refuses contact patches that the body could not give what they ask for.
     pub(super) fn check_denied(
         &self,

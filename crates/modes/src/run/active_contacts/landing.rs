@@ -9,7 +9,7 @@ use crate::report::Landing;
 use crate::run::guard;
 use crate::run::pass::Pass;
 
-impl Pass<'_> {
+impl Pass {
     /// The impact of these contact points, which are on the ground, as a plastic one: those that the ground would have to pull are let
     /// go, and what would go into it is stopped as well. What stands afterwards.
     ///

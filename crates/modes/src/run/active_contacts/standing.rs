@@ -9,7 +9,7 @@ use crate::run::pass::Pass;
 /// Rounds at one instant after which there is no end to be expected, for each touch.
 const MOST_ROUNDS: usize = 50;
 
-impl Pass<'_> {
+impl Pass {
     /// Of the contact points that are on the ground, those that stay there, beginning with `held` and never again with what was
     /// `tried`: levers that would pull give way, the worst first, and what then would go into the ground is held again.
     pub(super) fn stand(

@@ -3,7 +3,7 @@
 use crate::contact::ContactPatch;
 
 /// What stands on the ground.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct ActiveContacts {
     pub(crate) holds: Vec<ContactPatch>,
     /// For each of them the link that it counts as on: of a rigid part, the one nearest to the root that touches.

@@ -1,0 +1,188 @@
+//! A pass that is gone through bit by bit, by whoever calls.
+
+use super::driven::{Meaning, Mode};
+use super::guard;
+use super::pass::{Compiled, Pass};
+use super::record::near;
+use crate::drive::force::Force;
+use crate::failure::RunError;
+use crate::phase::Phase;
+use crate::settings::Rule;
+use crate::time::{March, Stepping, Stopped, TimeError, advance};
+
+/// A stretch that has been begun.
+#[derive(Clone)]
+pub(crate) struct Stretch {
+    compiled: Compiled,
+    meanings: Vec<Meaning>,
+    y: Vec<f64>,
+    end: f64,
+    /// Where a fixed rule is in it.
+    march: Option<March>,
+}
+
+/// A pass, and the stretch that it is in.
+#[derive(Clone)]
+pub(crate) struct Progress {
+    pub(crate) pass: Pass,
+    stretch: Option<Stretch>,
+}
+
+impl Progress {
+    /// Everything begins.
+    pub(crate) fn begin(mut pass: Pass) -> Result<Self, RunError> {
+        pass.begin_all()?;
+        Ok(Self { pass, stretch: None })
+    }
+
+    /// On to a time (s).
+    ///
+    /// Where that fails, the state is that of the last instant that was reached.
+    pub(crate) fn go_to(&mut self, until: f64) -> Result<(), RunError> {
+        self.pass.until = until;
+        while self.pass.t < until - near(until) {
+            let mut stretch = self.stretch.take().map_or_else(|| self.pass.begin_stretch(), Ok)?;
+            let stop = stretch.end.min(until);
+            let stopped = self.pass.go_on(&mut stretch, stop)?;
+            if stopped.is_some() || self.pass.t >= stretch.end - near(stretch.end) {
+                let stopped = stopped.unwrap_or(Stopped { time: self.pass.t, events: Vec::new() });
+                let meanings = self.leave(stretch)?;
+                self.pass.close(&stopped, &meanings)?;
+            } else {
+                self.stretch = Some(stretch);
+            }
+        }
+        // A force that is found anew for each call.
+        if self.pass.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
+            self.interrupt()?;
+        }
+        Ok(())
+    }
+
+    /// Ends the stretch that it is in, so that anything may change.
+    pub(crate) fn interrupt(&mut self) -> Result<(), RunError> {
+        self.stretch.take().map_or(Ok(()), |stretch| self.leave(stretch).map(|_| ()))
+    }
+
+    /// Ends a stretch; what its events mean.
+    fn leave(&mut self, mut stretch: Stretch) -> Result<Vec<Meaning>, RunError> {
+        self.pass.settle_accounts(&mut stretch)?;
+        self.pass.compiled = Some(stretch.compiled);
+        Ok(stretch.meanings)
+    }
+
+    /// Another constant force (N m or N) on a degree of freedom on which one acts; whether one does.
+    pub(crate) fn set_force(&mut self, dof: usize, force: f64) -> Result<bool, RunError> {
+        let driven = &mut self.pass.driven[dof];
+        let Mode::Force(Force::Constant(now)) = &mut driven.mode else { return Ok(false) };
+        *now = force;
+        if self.pass.driven.iter().any(|driven| driven.held.is_some()) {
+            // What rests at a limit may be lifted off it.
+            self.interrupt()?;
+            self.pass.change(&[])?;
+        } else if let Some(stretch) = &mut self.stretch {
+            stretch.compiled.phase.set_force(dof, Force::Constant(force));
+        }
+        Ok(true)
+    }
+
+    /// The accelerations now (rad/s² or m/s²).
+    pub(crate) fn accelerations(&mut self) -> Result<&[f64], RunError> {
+        if self.stretch.is_none() {
+            self.stretch = Some(self.pass.begin_stretch()?);
+        }
+        if let Some(Stretch { compiled, y, .. }) = &mut self.stretch {
+            let found = compiled.phase.accelerations(self.pass.t, y, &mut self.pass.a);
+            found.map_err(|error| guard::of_rate(self.pass.t, error))?;
+        }
+        Ok(&self.pass.a)
+    }
+}
+
+impl Pass {
+    fn begin_stretch(&mut self) -> Result<Stretch, RunError> {
+        let (mut compiled, meanings, end) = self.open()?;
+        let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
+        let phase = &mut compiled.phase;
+        if phase.is_dynamic() {
+            let energy = phase.energy(self.t, &y).map_err(|error| guard::of_rate(self.t, error.into()))?;
+            self.passed.ledger.begin(energy, y[phase.accounts()], y[phase.accounts() + 1]);
+        }
+        let stepping = self.stepping_of(phase);
+        let march = match stepping {
+            Stepping::Fixed { rule, .. } => {
+                let begun = March::begin(phase, rule, (self.t, end), &y, &mut self.passed.counts);
+                Some(
+                    begun
+                        .map_err(|error| guard::of_time(error).map_or_else(|error| error, RunError::from))?,
+                )
+            }
+            _ => None,
+        };
+        Ok(Stretch { compiled, meanings, y, end, march })
+    }
+
+    /// By what a phase is stepped: where nothing is integrated, events on curves are looked for once a call.
+    fn stepping_of(&self, phase: &Phase) -> Stepping {
+        if phase.is_dynamic() {
+            self.stepping
+        } else {
+            Stepping::Fixed { rule: Rule::ExplicitEuler, step: f64::INFINITY }
+        }
+    }
+
+    /// Goes on in a stretch.
+    fn go_on(&mut self, stretch: &mut Stretch, stop: f64) -> Result<Option<Stopped>, RunError> {
+        let Stretch { compiled: Compiled { phase, .. }, y, end, march, .. } = stretch;
+        let counts = &mut self.passed.counts;
+        let result = match (self.stepping, march) {
+            (_, Some(march)) => {
+                let longest = match self.stepping {
+                    Stepping::Fixed { step, .. } if phase.is_dynamic() => step,
+                    _ => f64::INFINITY,
+                };
+                march.go_on(phase, longest, (stop, *end), y, counts)
+            }
+            (stepping, None) => {
+                let span = (self.t, stop);
+                advance(phase, stepping, span, y, &[], &mut |_, _, _| Ok(()), u64::MAX, counts)
+                    .map(|stopped| Some(stopped).filter(|stopped| !stopped.events.is_empty()))
+            }
+        };
+        let stopped = match result {
+            Ok(stopped) => stopped,
+            Err(error) => return Err(self.explained(phase, y, error)),
+        };
+        let time = stopped.as_ref().map_or(stop, |stopped| stopped.time);
+        phase.unpack(time, y, &mut self.q, &mut self.v);
+        self.t = time;
+        guard::look(&self.simulation, &self.settings.guard, phase, self.stepping, (time, &self.q), 0.0)?;
+        Ok(stopped)
+    }
+
+    fn explained(&self, phase: &mut Phase, y: &[f64], error: TimeError) -> RunError {
+        match guard::of_time(error) {
+            Ok(failure) => guard::explain(&self.simulation, phase, self.stepping, y, failure),
+            Err(error) => error,
+        }
+    }
+
+    /// What the stretch has done to the accounts.
+    fn settle_accounts(&mut self, stretch: &mut Stretch) -> Result<(), RunError> {
+        let Stretch { compiled: Compiled { phase, .. }, y, .. } = stretch;
+        let (work, heat) = (y[phase.accounts()], y[phase.accounts() + 1]);
+        (self.work, self.heat) = (work, heat);
+        if !self.simulation.pushes.is_empty() {
+            self.passed.pushed += y[y.len() - 1];
+        }
+        for (sum, part) in self.passed.ground.iter_mut().zip(&y[phase.accounts() + 2..]) {
+            *sum += part;
+        }
+        if phase.is_dynamic() {
+            let energy = phase.energy(self.t, y).map_err(|error| guard::of_rate(self.t, error.into()))?;
+            self.passed.ledger.check(energy, work, heat);
+            self.passed.ledger.end(energy, work, heat);
+        }
+        Ok(())
+    }
+}
