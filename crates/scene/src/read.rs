@@ -10,6 +10,7 @@ mod limits;
 mod names;
 mod parts;
 mod pushes;
+mod reaches;
 mod repeat;
 mod segments;
 mod settings;
@@ -35,7 +36,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 19] = [
+const FIELDS: [&str; 20] = [
     "version",
     "figures",
     "places",
@@ -49,6 +50,7 @@ const FIELDS: [&str; 19] = [
     "velocities",
     "drives",
     "sequence",
+    "reaches",
     "springs",
     "pushes",
     "carries",
@@ -111,12 +113,14 @@ impl SceneReader<'_> {
         self.pushes(&fields);
         self.limits(&fields);
         self.ground(&fields);
+        let notes = self.reaches(&fields, &named);
         let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
+            notes,
             walk: walk.map(walk::Planned::into_walked),
         })
     }

@@ -117,3 +117,41 @@ fn what_has_no_end_goes_on_until_it_is_named() {
          time or an event"
     );
 }
+
+/// Step by step, as whoever calls asks, it is the run with frames at these times, to the bit: servos, loads, pushes and parts.
+#[test]
+fn step_by_step_it_is_the_same_run() {
+    use solaris_model::Load;
+    use solaris_modes::time::Stepping;
+    use solaris_modes::{Carry, Push, PushLaw};
+
+    let mut simulation = blocks();
+    let servo = Drive::Servo(Servo { aim: Aim::At(1.0), stiffness: 40.0, damping: 4.0, limit: Some(15.0) });
+    simulation
+        .sequence(vec![
+            Part::Together(vec![of("a", vec![servo.into()]), of("b", vec![to(1.0, 0.33)])]),
+            Part::Together(vec![of("b", vec![to(0.0, 0.4)]), of("c", vec![Drive::Free.into()])]),
+        ])
+        .expect("valid");
+    let at = |law| Push { link: 1, point: Vector3::zeros(), from: 0.21, law };
+    simulation.add_push(at(PushLaw::Force { force: Vector3::x() * 7.0, over: 0.1 })).expect("valid");
+    simulation.add_push(at(PushLaw::Impulse { impulse: Vector3::x(), over: 0.0 })).expect("valid");
+    let load = Load { link: 1, at: Vector3::zeros(), mass: 2.0, inertia: nalgebra::Matrix3::zeros() };
+    simulation.add_carry(Carry { load, from: 0.57, until: 0.83 }).expect("valid");
+    let whole = run(&simulation, 1.5);
+    let mut running =
+        simulation.start(Stepping::Fixed { rule: Rule::RungeKutta4, step: 1e-2 }).expect("begins");
+    for frame in 1..=150 {
+        running.advance_to(whole.motion.time()[frame]).expect("goes on");
+        for dof in 0..3 {
+            assert_eq!(running.q()[dof].to_bits(), whole.motion.q(frame)[dof].to_bits(), "frame {frame}");
+        }
+    }
+    // Other drives take one out of the sequence, and what is left of it goes on.
+    let mut other =
+        simulation.start(Stepping::Fixed { rule: Rule::RungeKutta4, step: 1e-2 }).expect("begins");
+    other.step(0.1).expect("goes on");
+    other.drive("b_slide", [Drive::Frozen]).expect("valid");
+    other.step(1.0).expect("goes on");
+    assert!((other.q()[1] - other.simulation().state().0[1]).abs() < 0.3);
+}

@@ -184,6 +184,25 @@ fn of_several_figures() {
 }
 
 #[test]
+fn of_reaches() {
+    let text = listed(&[
+        "reaches: Reach(tip: \"tip\")",
+        "reaches: [Reach(tip: \"tipp\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbo\"], to: (0, 0, 0), over: 1)]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0))]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"])]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, along: [])]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], along: [(0.5, (0, 0, 0)), (0.2, (0, 0, 0)), 3])]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, from: -1)]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+        "drives: {\"elbow.rx\": Free}, reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+        "drives: {\"*\": Frozen}, reaches: [Reach(tip: \"tip\", by: [\"shoulder\"], to: (0, 0, 0), over: 1)]",
+        "drives: {\"*\": Frozen}, reaches: [Reach(tip: \"base\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_forces_and_repetitions() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Servo(stiffness: 1)}",

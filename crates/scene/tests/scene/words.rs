@@ -173,3 +173,47 @@ fn two_figures_on_a_spring_swing_about_their_centre_of_mass() {
     }
     assert!(run.report.energy.imbalance < 1e-6 * run.report.energy.scale);
 }
+
+#[test]
+fn a_hand_is_where_it_is_to_be_and_what_is_too_far_is_said() {
+    let scene = fixture("reach.ron");
+    let run = simulated("reach.ron");
+    let figure = scene.figure();
+    let hand = |side: &str, frame: usize| {
+        let tree = solaris_dynamics::Tree::<f64>::new(figure, nalgebra::Vector3::zeros()).expect("a tree");
+        let mut workspace = solaris_dynamics::Workspace::new(&tree);
+        solaris_dynamics::forward_kinematics(&tree, &mut workspace, run.motion.q(frame)).expect("finite");
+        let link = figure.link_index(&format!("{side}_hand")).expect("a hand");
+        workspace.pose(link).transform(&nalgebra::Vector3::new(0.0, -0.1, 0.0))
+    };
+    // Along a straight line with the least jerk, s = 10u³ − 15u⁴ + 6u⁵, and there to the last digits.
+    let (begin, end) = (hand("right", 0), nalgebra::Vector3::new(-0.25, 1.35, 0.4));
+    for frame in 0..=100 {
+        let u = (frame as f64 / 80.0).min(1.0);
+        let s = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+        assert_abs_diff_eq!(hand("right", frame), begin + (end - begin) * s, epsilon = 1e-6);
+    }
+    assert_abs_diff_eq!(hand("right", 80), end, epsilon = 1e-9);
+    for (frame, place) in [(150, (-0.05, 1.35, 0.4)), (200, (-0.05, 1.15, 0.4)), (300, (-0.25, 1.15, 0.4))] {
+        let place = nalgebra::Vector3::new(place.0, place.1, place.2);
+        assert_abs_diff_eq!(hand("right", frame), place, epsilon = 1e-9);
+    }
+    // The left arm is stretched towards what is too far away.
+    let aim = nalgebra::Vector3::new(0.3, 1.3, 1.2);
+    let shoulder = figure.link_index("left_upper_arm").expect("an arm");
+    let elbow = figure.links()[figure.link_index("left_forearm").expect("an arm")].joint().placement();
+    let wrist = figure.links()[figure.link_index("left_hand").expect("an arm")].joint().placement();
+    let length = elbow.translation.vector.norm() + wrist.translation.vector.norm() + 0.1;
+    let tree = solaris_dynamics::Tree::<f64>::new(figure, nalgebra::Vector3::zeros()).expect("a tree");
+    let mut workspace = solaris_dynamics::Workspace::new(&tree);
+    solaris_dynamics::forward_kinematics(&tree, &mut workspace, run.motion.q(300)).expect("finite");
+    let from = workspace.pose(shoulder).translation;
+    assert_abs_diff_eq!((hand("left", 300) - from).norm(), length, epsilon = 1e-3);
+    assert_abs_diff_eq!((hand("left", 300) - aim).norm(), (aim - from).norm() - length, epsilon = 1e-3);
+    let said = run.report.remarks.iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert!(
+        said.iter().any(|said| said.starts_with("'left_hand' cannot reach all of its way: at ")),
+        "{said:?}"
+    );
+    assert_eq!(scene.notes().len(), 1);
+}
