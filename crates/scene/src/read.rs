@@ -1,6 +1,7 @@
 //! The reader of scenes, with every fault on the way.
 
 mod carries;
+mod clips;
 mod drive;
 mod drives;
 mod figures;
@@ -36,7 +37,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 20] = [
+const FIELDS: [&str; 21] = [
     "version",
     "figures",
     "places",
@@ -51,6 +52,7 @@ const FIELDS: [&str; 20] = [
     "drives",
     "sequence",
     "reaches",
+    "clip",
     "springs",
     "pushes",
     "carries",
@@ -109,6 +111,7 @@ impl SceneReader<'_> {
         let several = fields.get("figures").and_then(Node::entries).is_some_and(|entries| entries.len() > 1);
         let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
         self.start(&fields, &given, walk.as_ref());
+        self.clip(&fields, &mut given);
         self.springs(&fields);
         self.pushes(&fields);
         self.limits(&fields);

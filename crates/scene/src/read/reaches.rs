@@ -53,7 +53,9 @@ impl SceneReader<'_> {
     fn found(&mut self, asked: &[Asked]) -> Vec<String> {
         let Some(simulation) = self.simulation.as_ref() else { return Vec::new() };
         let mut q = simulation.state().0.to_vec();
-        let (mut notes, mut drives): (Vec<String>, BTreeMap<usize, (Vec<Step>, f64)>) = Default::default();
+        let mut notes = Vec::new();
+        // By degree of freedom: what it does, and until when (s).
+        let mut drives: BTreeMap<usize, (Vec<Step>, f64)> = BTreeMap::new();
         for one in asked {
             if !self.stands_still(one, asked) {
                 continue;

@@ -2,8 +2,9 @@
 
 use crate::fixtures::fixture;
 use approx::assert_abs_diff_eq;
+use solaris_model::{Figure, Known, Motion, MotionInfo, Vector3};
 use solaris_modes::OutcomeKind;
-use solaris_scene::Simulated;
+use solaris_scene::{Loader, Simulated, read};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn simulated(name: &str) -> Simulated {
@@ -216,4 +217,83 @@ fn a_hand_is_where_it_is_to_be_and_what_is_too_far_is_said() {
         "{said:?}"
     );
     assert_eq!(scene.notes().len(), 1);
+}
+
+/// A slide that moves as `x = t² + 0.5·t` for 2 s, in a file that knows positions alone.
+struct OneClip;
+
+impl Loader for OneClip {
+    fn figure(&mut self, _path: &str) -> Result<Figure, String> {
+        Err("no figures".to_owned())
+    }
+
+    fn motion(&mut self, path: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
+        if path != "slide.csv" {
+            return Err("there is no such file".to_owned());
+        }
+        let times: Vec<f64> = (0..=200).map(|k| f64::from(k) / 100.0).collect();
+        let q = times.iter().flat_map(|t| [t * t + 0.5 * t, 0.1]).collect();
+        let info = MotionInfo { gravity: *gravity, ..MotionInfo::on_earth(figure, 100.0) };
+        let zeros = vec![0.0; 2 * times.len()];
+        let known = Known { v: vec![false; 2], a: vec![false; 2] };
+        Motion::recorded(figure, info, times, [q, zeros.clone(), zeros], known)
+            .map_err(|error| error.to_string())
+    }
+}
+
+fn clipped(fields: &str) -> Result<solaris_scene::Scene, String> {
+    let text = format!(
+        r#"Scene(version: 1, duration: 3, rate: 100, gravity: (0, 0, 0), figures: {{"b": Figure(name: "b", links: [
+    Link(name: "rail", joint: Joint(name: "bed")),
+    Link(name: "one", parent: "rail", joint: Joint(name: "one_slide", axes: [tx(name: "one")]), mass: 2),
+    Link(name: "two", parent: "rail", joint: Joint(name: "two_slide", axes: [tx(name: "two")]), mass: 2),
+])}}, {fields})"#
+    );
+    read(&text, &mut OneClip).map_err(|error| error.to_string())
+}
+
+#[test]
+fn a_clip_is_followed_in_part_and_blended_in() {
+    // From 0.5 to 1.5 s of its own time, from the beginning: it begins as it is there, and stands where it ends.
+    let scene = clipped("clip: Clip(file: \"slide.csv\", from: 0.5, to: 1.5), drives: {\"two\": Free}")
+        .expect("a scene");
+    let run = scene.simulate(&mut ()).expect("runs");
+    for frame in 0..=100 {
+        let t = 0.5 + frame as f64 / 100.0;
+        assert_abs_diff_eq!(run.motion.q(frame)[0], t * t + 0.5 * t, epsilon = 1e-6);
+        assert_abs_diff_eq!(run.motion.q(frame)[1], 0.0, epsilon = 1e-12);
+    }
+    assert_abs_diff_eq!(run.motion.q(200)[0], 3.0, epsilon = 1e-6);
+    // From 1 s on, from where it stands, in half a second.
+    let scene = clipped(
+        "start: {\"one\": 0.3}, clip: Clip(file: \"slide.csv\", at: 1.0, blend: 0.5, dofs: [\"one\"])",
+    )
+    .expect("a scene");
+    let run = scene.simulate(&mut ()).expect("runs");
+    for frame in 0..=300 {
+        let t = frame as f64 / 100.0 - 1.0;
+        let u = (t / 0.5).clamp(0.0, 1.0);
+        let w = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+        let expected = 0.3 + w * (t * t + 0.5 * t - 0.3);
+        assert_abs_diff_eq!(run.motion.q(frame)[0], expected, epsilon = 1e-5);
+    }
+    for (fields, said) in [
+        ("clip: Clip(file: \"slid.csv\")", "'slid.csv': there is no such file"),
+        (
+            "clip: Clip(file: \"slide.csv\", from: 5)",
+            "'slide.csv': there is nothing of it from 5 to inf s; it goes from 0 to 2 s",
+        ),
+        ("clip: Clip(fil: \"slide.csv\")", "Clip has no field 'fil'; did you mean 'file'?"),
+        (
+            "clip: Clip(file: \"slide.csv\", blend: -1)",
+            "blend is -1; it must be a finite time, zero or more (s)",
+        ),
+        (
+            "clip: Clip(file: \"slide.csv\", dofs: [\"on\"])",
+            "no degree of freedom or joint 'on'; did you mean 'one'?",
+        ),
+    ] {
+        let error = clipped(fields).expect_err("refused");
+        assert!(error.contains(said), "{error}");
+    }
 }
