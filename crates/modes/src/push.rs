@@ -7,6 +7,9 @@ use crate::simulation::Simulation;
 use nalgebra::Vector3;
 use solaris_profiles::{Profile, ProfileError};
 
+/// Times shorter than this (s) cannot be told from none.
+const SHORTEST: f64 = 1e-9;
+
 /// A push of the world on a point of a link, from a time of the run on.
 ///
 /// Its direction stays that of the world's axes however the link turns, and its point moves with the link. What it does to the figure
@@ -61,6 +64,10 @@ impl Push {
         match &self.law {
             PushLaw::Force { force, over } => {
                 force.iter().try_for_each(|value| check_finite(|| of("force"), *value))?;
+                if *over > 0.0 && *over < SHORTEST {
+                    let range = "1e-9 s and more";
+                    return Err(SetupError::Range { what: of("time"), value: *over, range });
+                }
                 if over.is_infinite() && *over > 0.0 { Ok(()) } else { check_positive(|| of("time"), *over) }
             }
             PushLaw::Along { force, profile } => {
@@ -70,6 +77,10 @@ impl Push {
             }
             PushLaw::Impulse { impulse, over } => {
                 impulse.iter().try_for_each(|value| check_finite(|| of("impulse"), *value))?;
+                if *over > 0.0 && *over < SHORTEST {
+                    let range = "0 for a blow, or 1e-9 s and more";
+                    return Err(SetupError::Range { what: of("time"), value: *over, range });
+                }
                 check_not_negative(|| of("time"), *over)
             }
         }

@@ -14,7 +14,7 @@ use crate::range::Range;
 const MOST: f64 = 1e6;
 
 /// Refuses a number of times that is none.
-fn check_times(what: &'static str, times: f64, least: f64) -> Result<(), ProfileError> {
+pub(crate) fn check_times(what: &'static str, times: f64, least: f64) -> Result<(), ProfileError> {
     check_range(what, times, Range::closed(least, MOST))
 }
 

@@ -20,6 +20,9 @@ use std::sync::Arc;
 /// numbers written with few digits leave.
 const SAME: f64 = 1e-6;
 
+/// Drives that come again sooner than this (s) take no time.
+const LEAST_ROUND: f64 = 1e-6;
+
 impl Pass {
     /// All first drives.
     pub(crate) fn begin_all(&mut self) -> Result<(), RunError> {
@@ -90,7 +93,7 @@ impl Pass {
     /// Refuses drives that come again and again without any time going on.
     fn check_progress(&mut self, next: &[(usize, usize)]) -> Result<(), RunError> {
         for &(dof, step) in next.iter().filter(|(dof, step)| *step <= self.driven[*dof].step) {
-            if self.again[dof] >= self.t - near(self.t) {
+            if self.again[dof] >= self.t - LEAST_ROUND {
                 let drive = name(self.simulation.drives[dof].get(step));
                 let dof = self.simulation.name(dof).to_owned();
                 let cause = FailureKind::NoTime { dof: dof.clone(), drive };

@@ -214,6 +214,10 @@ fn what_cannot_be_is_refused_by_name() {
             "the time of the push on 'block' is 0; it must be a finite number above zero",
         ),
         (
+            Push { link: 0, point: Vector3::zeros(), from: 0.0, law: force(1e-12) },
+            "the time of the push on 'block' is 0.000000000001; it must be 1e-9 s and more",
+        ),
+        (
             Push { link: 0, point: Vector3::new(0.0, f64::NAN, 0.0), from: 0.0, law: force(1.0) },
             "the point of the push on 'block' is NaN; it must be a finite number",
         ),

@@ -263,7 +263,10 @@ impl Profile {
             Self::Sine { amplitude, period, cycles, phase, offset } => {
                 cyclic::Sine::new(f(amplitude), f(period), cycles, f(phase), f(offset))?.into()
             }
-            Self::Repeat { ref of, times } => Box::new(cyclic::Repeat::new(of.curve()?, times)?).into(),
+            Self::Repeat { ref of, times } => {
+                cyclic::check_times("times", f64::from(times) * of.laps(), 1.0)?;
+                Box::new(cyclic::Repeat::new(of.curve()?, times)?).into()
+            }
         })
     }
 }
@@ -280,6 +283,17 @@ impl ProfileLayer {
             fade_in: self.fade_in,
             fade_out: self.fade_out,
         })
+    }
+}
+
+impl Profile {
+    /// How often something in it comes again, one in another counted as often as both together.
+    fn laps(&self) -> f64 {
+        match self {
+            Self::Sine { cycles, .. } => cycles.max(1.0),
+            Self::Repeat { of, times } => f64::from(*times) * of.laps(),
+            _ => 1.0,
+        }
     }
 }
 

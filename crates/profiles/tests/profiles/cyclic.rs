@@ -89,6 +89,7 @@ fn what_cannot_be_is_refused_by_its_name() {
         (sine(1.0, 1.0, -1.0), "cycles"),
         (sine(1.0, 1.0, 1e9), "cycles"),
         (Profile::Repeat { of: Box::new(sine(1.0, 1.0, 1.0)), times: 0 }, "times"),
+        (Profile::Repeat { of: Box::new(sine(1.0, 1.0, 1e4)), times: 1000 }, "times is 10000000"),
     ] {
         let error = profile.curve::<f64>().expect_err("refused").to_string();
         assert!(error.contains(said), "{said}: {error}");

@@ -18,6 +18,9 @@ const FIELDS: [&str; 7] = ["tip", "at", "by", "to", "along", "over", "from"];
 /// Samples a second of the motion that is followed; between them it follows curves of degree five.
 const RATE: f64 = 240.0;
 
+/// The longest that a reach may take (s).
+const LONGEST: f64 = 600.0;
+
 /// One that is asked for.
 struct Asked {
     place: Range<usize>,
@@ -127,6 +130,11 @@ impl SceneReader<'_> {
             solver.place(q).map_err(|error| self.reader.fault(one.place.clone(), error.to_string())).ok()?;
         let way = Way::through(begin, &one.keys);
         let way = way.map_err(|error| self.reader.fault(one.place.clone(), error)).ok()?;
+        if way.duration > LONGEST {
+            let message = format!("a reach takes {LONGEST} s at most; this takes {} s", way.duration);
+            self.reader.fault(one.place.clone(), message);
+            return None;
+        }
         let count = ((way.duration * RATE).ceil() as usize).max(4);
         let times: Vec<f64> = (0..=count).map(|k| way.duration * k as f64 / count as f64).collect();
         let (mut samples, mut worst) = (vec![q.to_vec()], (0.0, 0.0));
