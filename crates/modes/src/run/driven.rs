@@ -32,8 +32,6 @@ pub(crate) enum Meaning {
     Release(usize, Side),
     /// A force changes its law.
     Kink,
-    /// The servo of a degree of freedom comes to what its motor gives at most, or falls below it.
-    Saturation(usize),
     /// What the part of a sequence that goes on waits for has come.
     StageEnds,
     /// The push of a limit's spring and damper passes zero: it lets go, or pushes again.

@@ -319,11 +319,7 @@ impl Pass {
             }
             Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_) => {
                 let (force, end) = forced(drive, now).map_err(fault)?;
-                let limited = force.servos().any(|servo| {
-                    let demand = servo.demand(now, (position, velocity));
-                    demand.abs() > servo.limit
-                });
-                Driven { limited, ..new(Mode::Force(force), end) }
+                new(Mode::Force(force), end)
             }
             Drive::FreeStyle { duration, .. } => new(Mode::Force(Force::Constant(0.0)), now + duration),
             Drive::Intensive { target, duration, law, .. } => {

@@ -32,12 +32,13 @@ impl Pass {
             }
             Some(Drive::Servo(_)) => {
                 let Some((aim, rate)) = self.aim(dof) else { return OutcomeKind::Ended };
+                let at_limit = self.is_at_its_limit(dof, position);
                 match () {
                     () if (position - aim).abs() <= REACHED => {
                         let same = (self.v[dof] - rate).abs() <= 10.0 * REACHED;
                         if same { OutcomeKind::Reached } else { OutcomeKind::ReachedWithVelocity }
                     }
-                    () if driven.limited => OutcomeKind::LimitedByTorque,
+                    () if at_limit => OutcomeKind::LimitedByTorque,
                     () => OutcomeKind::Missed,
                 }
             }
@@ -49,6 +50,12 @@ impl Pass {
     /// What came of a drive that would go on, where the next one takes over or the run ends.
     pub(crate) fn result_of_lasting(&self, dof: usize) -> OutcomeKind {
         if self.aim(dof).is_some() { self.result(dof) } else { OutcomeKind::Ended }
+    }
+
+    /// Whether a servo asks for as much as its motor gives, or more.
+    fn is_at_its_limit(&self, dof: usize, position: f64) -> bool {
+        let Mode::Force(Force::Servo(servo)) = &self.driven[dof].mode else { return false };
+        servo.demand(self.t, (position, self.v[dof])).abs() >= (1.0 - 1e-9) * servo.limit
     }
 
     /// Where a servo would have its degree of freedom now, and how fast.

@@ -194,11 +194,6 @@ impl Pass {
         self.cap = f64::INFINITY;
         self.passed.jumps |= !stopped.events.is_empty();
         let events: Vec<Meaning> = stopped.events.iter().map(|&event| meanings[event]).collect();
-        for event in &events {
-            if let Meaning::Saturation(dof) = *event {
-                self.driven[dof].limited = true;
-            }
-        }
         self.change(&events)
     }
 

@@ -24,11 +24,7 @@ impl Pass {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
                 Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
-                Meaning::DriveEnds(_)
-                | Meaning::StageEnds
-                | Meaning::Kink
-                | Meaning::Saturation(_)
-                | Meaning::Push(_) => 0.0,
+                Meaning::DriveEnds(_) | Meaning::StageEnds | Meaning::Kink | Meaning::Push(_) => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -147,7 +143,7 @@ fn watch_servos(dof: usize, mode: &Mode, watch: &mut impl FnMut(Watched, Meaning
     let Mode::Force(force) = mode else { return };
     for (servo, limit) in force.servos().map(|servo| servo.limit).enumerate().filter(|(_, x)| x.is_finite()) {
         for most in [limit, -limit] {
-            watch(Watched::Saturation { dof, servo, most }, Meaning::Saturation(dof));
+            watch(Watched::Saturation { dof, servo, most }, Meaning::Kink);
         }
     }
 }
