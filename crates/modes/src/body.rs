@@ -22,7 +22,7 @@ use solaris_dynamics::{
     DynamicsError, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
     hybrid_dynamics, inverse_dynamics, kinetic_energy, mass_matrix, potential_energy, velocities,
 };
-use solaris_model::{Figure, Load};
+use solaris_model::Figure;
 use solaris_profiles::Elementary;
 use touching::GroundElement;
 pub(crate) use touching::{Pressed, Pressure};
@@ -117,73 +117,6 @@ impl<T: Elementary> Body<T> {
         self.ground = surface.map(GroundElement::of).filter(|ground| ground.len() > 0);
         self.external.reserve(self.ground.as_ref().map_or(0, GroundElement::len));
         self
-    }
-
-    /// The same with pushes on points (m) of these links, without a force until [`set_push`](Self::set_push).
-    pub(crate) fn pushed(mut self, on: &[(usize, Vector3<f64>)]) -> Self {
-        self.pushes = on.iter().map(PushElement::on).collect();
-        self.external.reserve(on.len());
-        self
-    }
-
-    /// From now on the world pushes so (N, world axes), by the index of the push.
-    pub(crate) fn set_push(&mut self, push: usize, force: &Vector3<f64>) {
-        self.pushes[push].set(force);
-    }
-
-    /// Whether the world pushes anything.
-    pub(crate) fn has_pushes(&self) -> bool {
-        !self.pushes.is_empty()
-    }
-
-    /// What pushes do (W) in the state of the last call of [`hybrid`](Self::hybrid).
-    pub(crate) fn power(&self) -> T {
-        self.power
-    }
-
-    /// From now on the world gives these impulses (N s), by the index of the push, in [impacts](Self::impact) from this configuration;
-    /// how much that would do to what moves with `v` (J).
-    pub(crate) fn blow(
-        &mut self,
-        q: &[T],
-        v: &[T],
-        impulses: &[(usize, Vector3<f64>)],
-    ) -> Result<T, DynamicsError> {
-        velocities(&self.tree, &mut self.workspace, q, v)?;
-        self.blows.clear();
-        let mut work = T::zero();
-        for (push, impulse) in impulses {
-            let mut push = self.pushes[*push].clone();
-            push.set(impulse);
-            self.blows.push(push.wrench(&self.workspace));
-            work += push.power(&self.workspace);
-        }
-        Ok(work)
-    }
-
-    /// From now on these loads, which it carries already, take back in [impacts](Self::impact) from this configuration the momenta that
-    /// they would have with `v`.
-    pub(crate) fn take_up(&mut self, q: &[T], v: &[T], loads: &[&Load]) -> Result<(), DynamicsError> {
-        velocities(&self.tree, &mut self.workspace, q, v)?;
-        self.blows.clear();
-        let number = T::from_f64;
-        for load in loads {
-            let (pose, twist) = (self.workspace.pose(load.link), self.workspace.velocity(load.link));
-            let arm = pose.rotation * load.at.map(number);
-            let velocity = twist.linear + twist.angular.cross(&arm);
-            let inertia = pose.rotation * load.inertia.map(number) * pose.rotation.transpose();
-            let center = pose.transform(&load.at.map(number));
-            self.blows.push((
-                load.link,
-                Wrench::at(&center, velocity * number(-load.mass), -(inertia * twist.angular)),
-            ));
-        }
-        Ok(())
-    }
-
-    /// There is no blow any more.
-    pub(crate) fn no_blow(&mut self) {
-        self.blows.clear();
     }
 
     /// From now on these stand on the ground and stay where they are, until others take their place.

@@ -2,6 +2,7 @@
 
 mod check;
 pub(crate) mod force;
+pub(crate) mod forced;
 pub(crate) mod path;
 pub(crate) mod servo;
 pub(crate) mod simple;

@@ -4,7 +4,7 @@ use super::active_contacts::state::ActiveContacts;
 use super::carries::whole_body;
 use super::driven::{Driven, Meaning, Mode};
 use super::guard;
-use super::ledger::Ledger;
+use super::ledger::{Ledger, least_energy};
 use super::pushes;
 use super::record::{Record, near};
 use crate::Outcome;
@@ -88,17 +88,7 @@ pub(super) struct Compiled {
     roles: Vec<Role>,
     q: Vec<f64>,
     /// The drives whose forces depend on the state when steps were last looked at: degree of freedom, and place among its drives.
-    servos: Vec<(usize, usize)>,
-}
-
-/// An energy (J) that is little for the figure: to lift it by a hundredth of its height.
-fn least_energy(simulation: &Simulation) -> f64 {
-    let Simulation { figure, gravity, .. } = simulation;
-    if gravity.norm() > 0.0 {
-        0.01 * figure.mass() * gravity.norm() * figure.extent(&-gravity).height
-    } else {
-        0.0
-    }
+    pub(super) servos: Vec<(usize, usize)>,
 }
 
 /// Runs through a simulation once.
@@ -310,24 +300,6 @@ impl Pass {
         Ok(compiled)
     }
 
-    /// A phase whose servos are other ones now may be stiffer than it was.
-    fn look_again(&self, mut compiled: Compiled) -> Result<Compiled, RunError> {
-        let servos = self.servos();
-        if servos != compiled.servos {
-            if !servos.is_empty() {
-                self.load(&mut compiled.phase, self.next_stop())?;
-                self.look_before(&mut compiled.phase)?;
-            }
-            compiled.servos = servos;
-        }
-        Ok(compiled)
-    }
-
-    /// What was compiled is of another figure than there is now.
-    pub(crate) fn forget_phase(&mut self) {
-        self.compiled = None;
-    }
-
     /// The roles that the drives give.
     pub(crate) fn roles(&self) -> Vec<Role> {
         let mut roles: Vec<Role> = self.driven.iter().map(Driven::role).collect();
@@ -363,7 +335,7 @@ impl Pass {
     }
 
     /// When the next stretch has to end (s).
-    fn next_stop(&self) -> f64 {
+    pub(super) fn next_stop(&self) -> f64 {
         let mut stop = self.settings.duration.min(self.cap);
         let later = |time: f64| time > self.t + near(self.t);
         for (driven, steps) in self.driven.iter().zip(&self.simulation.drives) {

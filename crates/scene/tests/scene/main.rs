@@ -1,6 +1,7 @@
 //! Scenes as texts: what they come to, and what is refused and how.
 
 mod faults;
+mod faults_words;
 mod fixtures;
 mod grammar;
 mod runs;
