@@ -46,7 +46,8 @@ const ASIDE: f64 = 0.05;
 ///     .collect();
 /// let mut reach = Reach::new(&ann, hand, Vector3::new(0.0, -0.08, 0.0), &arm)?;
 /// let mut q = vec![0.0; ann.layout().nq()];
-/// let reached = reach.solve(&mut q, &Vector3::new(-0.25, 0.2, 0.3))?;
+/// q[ann.layout().dof_index("right_elbow.rx").expect("an elbow")] = -0.5;
+/// let reached = reach.solve(&mut q, &Vector3::new(-0.24, 0.36, 0.36))?;
 /// assert!(reached.off < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
