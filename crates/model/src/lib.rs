@@ -20,6 +20,7 @@ mod layout;
 mod limits;
 mod link;
 mod lint;
+mod load;
 mod markers;
 mod measured;
 mod medium;
@@ -32,6 +33,7 @@ mod scale;
 mod source;
 #[cfg(feature = "ron")]
 pub mod text;
+mod together;
 
 pub use anatomy::AnatomicalAngle;
 pub use base::{Base, BaseError};
@@ -52,6 +54,7 @@ pub use layout::{JointLayout, StateLayout};
 pub use limits::LimitExcess;
 pub use link::{Link, NamedFrame, SolePart, SolePoint};
 pub use lint::{Extent, MassDoubt};
+pub use load::{Load, LoadError};
 pub use markers::{Marker, MarkerTrial, MarkerTrialError};
 pub use measured::MeasuredForce;
 pub use medium::{Carried, Immersed, ImmersedShape, Medium};

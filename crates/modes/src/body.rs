@@ -4,6 +4,7 @@ mod joints;
 mod limits;
 mod planted;
 mod points;
+mod pushes;
 mod touching;
 
 use crate::contact::{ContactPatch, Surface};
@@ -16,6 +17,7 @@ pub(crate) use limits::{Pushing, pushing};
 use nalgebra::{DMatrix, Vector3};
 use planted::Planted;
 use points::PointElement;
+use pushes::PushElement;
 use solaris_dynamics::{
     DynamicsError, Frame, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
     hybrid_dynamics, inverse_dynamics, joint_jacobians, kinetic_energy, mass_matrix, point_columns,
@@ -52,6 +54,9 @@ pub(crate) struct Body<T> {
     stops: Vec<Stop<T>>,
     points: Vec<PointElement<T>>,
     ground: Option<GroundElement<T>>,
+    pushes: Vec<PushElement<T>>,
+    /// What the world does in an impact besides.
+    blows: Vec<(usize, Wrench<T>)>,
     /// What stands on the ground and stays there.
     planted: Option<Planted<T>>,
     /// What acts by itself along each degree of freedom, in the state of the last call.
@@ -60,6 +65,8 @@ pub(crate) struct Body<T> {
     external: Vec<(usize, Wrench<T>)>,
     /// What dampers and friction took in the state of the last call, those of the ground among them.
     heat: T,
+    /// What pushes did (W) in the state of the last call.
+    power: T,
     /// What the ground did in the state of the last call.
     pressure: Pressure<T>,
     /// Whether the ground acts by impulses, and not by forces of its own.
@@ -100,6 +107,9 @@ impl<T: Elementary> Body<T> {
             external: Vec::with_capacity(2 * springs.len()),
             heat: T::zero(),
             ground: None,
+            pushes: Vec::new(),
+            blows: Vec::new(),
+            power: T::zero(),
             planted: None,
             pressure: Pressure::none(),
             by_impulses: false,
@@ -210,15 +220,16 @@ impl<T: Elementary> Body<T> {
         jump: &mut [T],
         impulse: &mut [T],
     ) -> Result<(), DynamicsError> {
-        let (tree, workspace, zeros) = (&self.weightless, &mut self.workspace, &self.zeros);
+        let (tree, workspace, zeros, blows) =
+            (&self.weightless, &mut self.workspace, &self.zeros, &self.blows);
         match (&mut self.planted, &self.ground) {
             (Some(planted), Some(ground)) => {
                 velocities(&self.tree, workspace, q, v)?;
                 planted.stop(ground, workspace);
                 let contacts = planted.contacts();
-                contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, &[], jump, impulse)?;
+                contact_dynamics(tree, workspace, contacts, q, zeros, prescribed, blows, jump, impulse)?;
             }
-            _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, &[], jump, impulse)?,
+            _ => hybrid_dynamics(tree, workspace, q, zeros, prescribed, blows, jump, impulse)?,
         }
         Ok(())
     }
@@ -370,11 +381,16 @@ impl<T: Elementary> Body<T> {
         }
         self.external.clear();
         self.pressure = Pressure::none();
-        if !self.points.is_empty() || (self.ground.is_some() && !self.by_impulses) {
+        if !self.points.is_empty() || (self.ground.is_some() && !self.by_impulses) || self.has_pushes() {
             velocities(&self.tree, &mut self.workspace, q, v)?;
         }
         for spring in &self.points {
             self.heat += spring.act(&self.workspace, &mut self.external);
+        }
+        self.power = T::zero();
+        for push in &self.pushes {
+            self.external.push(push.wrench(&self.workspace));
+            self.power += push.power(&self.workspace);
         }
         if let Some(ground) = self.ground.as_ref().filter(|_| !self.by_impulses) {
             self.pressure = ground.act(&self.workspace, &mut self.external);

@@ -2,9 +2,13 @@
 
 mod check;
 pub(crate) mod force;
+pub(crate) mod forced;
 pub(crate) mod path;
+pub(crate) mod servo;
 pub(crate) mod simple;
 pub(crate) mod tracking;
+
+pub use servo::{Aim, Servo};
 
 use solaris_profiles::Profile;
 use std::sync::Arc;
@@ -20,6 +24,8 @@ use crate::recorded::RecordedMotion;
 /// | simple | a target | closed form after one dynamic analysis | what that motion needs |
 /// | intensive | a target and a duration | integrated | found anew each frame, within limits |
 /// | torque | a curve of the force | integrated | the curve |
+/// | servo | a motion to be led to | integrated | that of a spring and damper, within a limit |
+/// | sum | several forces | integrated | all of them |
 /// | free | nothing | integrated | none |
 #[doc(alias = "actuator")]
 #[doc(alias = "motor")]
@@ -72,6 +78,11 @@ pub enum Drive {
         /// The greatest force (N m or N), if it has one.
         limit: Option<f64>,
     },
+    /// A force that leads back to a motion.
+    Servo(Servo),
+    /// Several forces at once: [`Drive::Torque`], [`Drive::Servo`] and sums of them. It is done when the last of those that end
+    /// has ended; what ends before goes on as it ended.
+    Sum(Vec<Drive>),
 }
 
 /// The curve of [`Drive::Move`].
@@ -162,6 +173,8 @@ pub enum EndCondition {
     Time(f64),
     /// After a time since it began (s).
     Lasting(f64),
+    /// When a part of a [sequence](crate::Simulation::sequence) is over, by its index; never where there is none.
+    Part(usize),
     /// When a degree of freedom passes through a position (rad or m).
     Position {
         /// Which.

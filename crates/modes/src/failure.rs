@@ -5,7 +5,7 @@ mod remedy;
 pub use remedy::Remedy;
 
 use solaris_dynamics::DynamicsError;
-use solaris_model::{ConfigurationError, FuseError, MotionError};
+use solaris_model::{ConfigurationError, FuseError, LoadError, MotionError};
 use solaris_profiles::ProfileError;
 
 /// What is wrong with what was asked; nothing has been computed.
@@ -66,6 +66,25 @@ pub enum SetupError {
         /// The drive.
         drive: &'static str,
     },
+    /// A sum of drives one of which is no force.
+    #[error(
+        "the sum of forces of '{dof}' has the drive '{drive}' in it, which is none; it can be of torques and servos"
+    )]
+    NotInSum {
+        /// The degree of freedom.
+        dof: String,
+        /// The drive.
+        drive: &'static str,
+    },
+    /// A part of a sequence that has no end.
+    #[error(
+        "part {part} of the sequence never is over, so that nothing comes after it: let something in it come to an end, or wait for a \
+         time or an event"
+    )]
+    Sequence {
+        /// Which, from 1 on.
+        part: usize,
+    },
     /// A drive for a degree of freedom that follows another.
     #[error("'{dof}' follows '{leader}' and has no drive of its own; drive '{leader}'")]
     DrivenFollower {
@@ -106,6 +125,17 @@ pub enum SetupError {
         /// Why.
         source: ProfileError,
     },
+    /// The curve of a push that is none.
+    #[error("the curve of the push on '{link}': {source}")]
+    PushProfile {
+        /// What is pushed.
+        link: String,
+        /// Why.
+        source: ProfileError,
+    },
+    /// A load that cannot be carried.
+    #[error(transparent)]
+    Load(#[from] LoadError),
     /// A state that is none.
     #[error(transparent)]
     State(#[from] ConfigurationError),
@@ -270,6 +300,14 @@ pub enum FailureKind {
     Impacts {
         /// How many.
         count: usize,
+    },
+    /// Drives that come again without any time going on.
+    #[error("what drives {dof} is over and begins again, with '{drive}', without any time going on")]
+    NoTime {
+        /// The degree of freedom.
+        dof: String,
+        /// The drive that begins again.
+        drive: &'static str,
     },
     /// What stands on the ground cannot stay.
     #[error("{link} cannot stay where it stands: {why}, by {missing:.1e} m/s² or m/s at least")]

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod body;
+mod carry;
 mod contact;
 mod convex;
 mod drive;
@@ -8,25 +9,31 @@ mod element;
 mod failure;
 mod impact;
 mod phase;
+mod push;
 mod range;
 mod recorded;
 mod report;
 mod run;
 mod running;
+mod sequence;
 mod settings;
 mod simulation;
+mod stand;
 pub mod study;
 pub mod time;
 
+pub use carry::Carry;
 pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
-pub use drive::{Course, Drive, EndCondition, Law, Shape, Step, Target};
+pub use drive::{Aim, Course, Drive, EndCondition, Law, Servo, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};
 pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
+pub use push::{Push, PushLaw};
 pub use recorded::RecordedMotion;
 pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
     Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
 pub use running::{Happened, Running};
+pub use sequence::Part;
 pub use settings::{Guard, Method, Rule, Settings};
 pub use simulation::Simulation;

@@ -14,6 +14,7 @@ use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
 use crate::failure::SetupError;
+use crate::push::Thrust;
 use crate::report::{Energy, PhaseReport};
 use crate::simulation::Simulation;
 use crate::time::{RateError, System};
@@ -86,8 +87,12 @@ impl Phase {
         let weight = simulation.weight();
         let mut phase = Self {
             report: PhaseReport::default(),
-            state: StateMap::new(&simulation.figure, &roles, simulation.surface.is_some()),
-            prescribed: Prescribed::new(&simulation.figure, &roles, q),
+            state: StateMap::new(
+                &simulation.figure,
+                &roles,
+                (simulation.surface.is_some(), !simulation.pushes.is_empty()),
+            ),
+            prescribed: Prescribed::new(&simulation.figure, &roles, q, simulation.pushes.len()),
             watched: Vec::new(),
             sides: Vec::new(),
             held: Vec::new(),
@@ -116,6 +121,11 @@ impl Phase {
     /// The motion of a prescribed degree of freedom; where nothing was said it stands where it stood.
     pub(crate) fn set_path(&mut self, dof: usize, path: Path) {
         self.prescribed.set(dof, path);
+    }
+
+    /// What a push of the world does, by its index; none until something was said.
+    pub(crate) fn set_push(&mut self, push: usize, thrust: Option<Thrust>) {
+        self.prescribed.set_push(push, thrust);
     }
 
     /// Until the next call the limits of a degree of freedom, where they push back, do this.

@@ -15,3 +15,10 @@ pub(crate) fn check_positive(what: impl Fn() -> String, value: f64) -> Result<()
     }
     Err(SetupError::Range { what: what(), value, range: "a finite number above zero" })
 }
+
+pub(crate) fn check_finite(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
+    if value.is_finite() {
+        return Ok(());
+    }
+    Err(SetupError::Range { what: what(), value, range: "a finite number" })
+}

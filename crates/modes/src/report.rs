@@ -72,6 +72,13 @@ pub enum Remark {
     StiffFailed(Box<RunError>),
     /// The run could not be compared with another.
     NoEstimate,
+    /// What whoever made the simulation has to say of it.
+    Said(String),
+    /// The energy does not balance.
+    Energy {
+        /// The part of the energy at play that came from nowhere or is gone.
+        share: f64,
+    },
     /// A degree of freedom starts outside of a hard limit.
     OutsideLimits {
         /// Its name.
@@ -93,6 +100,13 @@ impl fmt::Display for Remark {
             Self::NoEstimate => {
                 f.write_str("no other step or tolerance came to the end: there is no error estimate")
             }
+            Self::Said(what) => f.write_str(what),
+            Self::Energy { share } => write!(
+                f,
+                "{:.2} % of the energy at play came from nowhere or is gone: a shorter step or a smaller tolerance tells whether the \
+                 motion can be trusted",
+                100.0 * share
+            ),
             Self::OutsideLimits { dof, by } => write!(
                 f,
                 "{dof} starts {by:.4} (rad or m) outside of its limits: they hold it once it has come inside"

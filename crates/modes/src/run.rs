@@ -2,6 +2,7 @@
 
 mod active_contacts;
 mod automatic;
+mod carries;
 mod compare;
 mod contacts;
 mod driven;
@@ -10,14 +11,16 @@ mod guard;
 mod impacts;
 mod kinks;
 mod ledger;
+mod looks;
 mod outcomes;
 mod pass;
+mod pushes;
 mod record;
 mod running;
+mod stages;
 mod tracks;
 mod watching;
 
-use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
 use crate::report::{Cost, Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
@@ -25,6 +28,7 @@ use crate::settings::{Method, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
 use crate::{Drive, LimitLaw, Step};
+use carries::LoadedBody;
 pub(crate) use pass::Pass;
 use pass::{Passed, pass};
 pub(crate) use running::Progress;
@@ -34,6 +38,9 @@ use std::sync::Arc;
 
 /// Whether the methods that choose their steps are built in.
 const IS_STIFF: bool = cfg!(feature = "stiff");
+
+/// The part of the energy at play that may be missing from the balance without a remark.
+const UNBALANCED: f64 = 1e-3;
 
 /// The most frames of a run.
 const MOST_FRAMES: f64 = 1e7;
@@ -106,8 +113,18 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     };
     let Chosen { passed, error, method, why, beside, mut remarks } = chosen;
     remarks.extend(outside(simulation));
-    let Passed { mut record, ledger, mut counts, outcomes, impacts, landings, mut phases, ground, .. } =
-        passed;
+    let Passed {
+        mut record,
+        ledger,
+        mut counts,
+        outcomes,
+        impacts,
+        landings,
+        mut phases,
+        ground,
+        pushed,
+        ..
+    } = passed;
     let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
@@ -125,7 +142,13 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
         }
     }
     let seconds = begun.zip(observer.now()).map(|(begun, ended)| ended - begun);
-    let energy = ledger.report;
+    let mut energy = ledger.report;
+    let share = energy.imbalance / energy.scale;
+    if energy.scale > 0.0 && share > UNBALANCED {
+        remarks.push(Remark::Energy { share });
+    }
+    energy.pushes = pushed;
+    energy.work -= pushed;
     let cost = Cost { counts, seconds };
     let report = RunReport { method, why, error, cost, energy, outcomes, impacts, phases, ground, remarks };
     Ok(Run { motion, report })
@@ -312,15 +335,20 @@ fn add_forces(
     planted: &[(usize, usize, Wrench<f64>)],
     by_impulses: bool,
 ) -> Result<(), RunError> {
-    let Simulation { figure, gravity, springs, limits, surface, .. } = simulation;
+    let figure = &simulation.figure;
     let nv = figure.layout().nv();
-    let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
-    body.touch_by_impulses(by_impulses);
+    let thrusts = pushes::thrusts(simulation)?;
+    let mut loaded = LoadedBody::new(simulation, by_impulses)?;
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
         let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let own = own.iter().take_while(|(of, ..)| *of == frame);
         let own: Vec<(usize, Wrench<f64>)> = own.map(|(_, link, wrench)| (*link, *wrench)).collect();
+        loaded.go_to(simulation, motion.time()[frame])?;
+        let body = &mut loaded.body;
+        for (push, force) in pushes::after(&thrusts, motion.time()[frame]) {
+            body.set_push(push, &force);
+        }
         body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), &own, tau)
             .map_err(|error| guard::of_dynamics(motion.time()[frame], error))?;
         figure.fold_forces(motion.q(frame), tau);

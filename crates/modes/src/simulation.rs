@@ -1,11 +1,13 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
-use crate::body::Body;
+use crate::carry::Carry;
 use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::failure::SetupError;
+use crate::push::Push;
 use crate::range::check_not_negative;
+use crate::sequence::Stage;
 use nalgebra::Vector3;
 use solaris_model::{Figure, nearest};
 
@@ -23,10 +25,16 @@ pub struct Simulation {
     pub(crate) v: Vec<f64>,
     /// By degree of freedom.
     pub(crate) drives: Vec<Vec<Step>>,
+    /// By degree of freedom: with which of its drives it goes on after the last one.
+    pub(crate) again: Vec<Option<usize>>,
+    /// The parts of a sequence.
+    pub(crate) stages: Vec<Stage>,
     pub(crate) springs: Vec<PointSpring>,
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
     pub(crate) surface: Option<Surface>,
+    pub(crate) pushes: Vec<Push>,
+    pub(crate) carries: Vec<Carry>,
 }
 
 impl Simulation {
@@ -42,9 +50,13 @@ impl Simulation {
             q,
             v: vec![0.0; nv],
             drives: vec![vec![Drive::Free.into()]; nv],
+            again: vec![None; nv],
+            stages: Vec::new(),
             springs: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
+            pushes: Vec::new(),
+            carries: Vec::new(),
         }
     }
 
@@ -113,8 +125,56 @@ impl Simulation {
         for dof in dofs.into_iter().filter(|dof| !self.figure.follows(*dof)) {
             self.check_steps(dof, &steps)?;
             self.drives[dof].clone_from(&steps);
+            self.again[dof] = None;
+            // It takes no part in a sequence any more.
+            self.stages.iter_mut().for_each(|stage| stage.parties.retain(|(party, _)| *party != dof));
         }
         Ok(())
+    }
+
+    /// The same, and after the last of the drives the one of index `first` begins again, and those after it, without end.
+    ///
+    /// ```
+    /// use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
+    /// use solaris_modes::{Drive, Settings, Shape, Simulation};
+    ///
+    /// let link = LinkSpec::root("block", Joint::new("slide").tx()).mass(1.0);
+    /// let mut simulation = Simulation::new(&FigureBuilder::new("f").link(link).build()?, Vector3::zeros());
+    /// // To and fro.
+    /// let to = |to| Drive::Move { to, over: 0.5, along: Shape::MinimumJerk };
+    /// simulation.drive_again("slide", [to(1.0), to(0.0)], 0)?;
+    /// let run = simulation.run(&Settings::new(3.5, 10.0))?;
+    /// assert!((run.motion.q(35)[0] - 1.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As for [`drive`](Self::drive), and for a `first` that there is not. Drives that are all over without any time going on fail
+    /// the run.
+    pub fn drive_again<S: Into<Step>>(
+        &mut self,
+        name: &str,
+        steps: impl IntoIterator<Item = S>,
+        first: usize,
+    ) -> Result<(), SetupError> {
+        let steps: Vec<Step> = steps.into_iter().map(Into::into).collect();
+        if first >= steps.len() {
+            let what = format!("the drive of '{name}' that comes again");
+            let range = "the index of one of its drives";
+            return Err(SetupError::Range { what, value: first as f64, range });
+        }
+        self.drive(name, steps)?;
+        for dof in self.dofs(name)?.into_iter().filter(|dof| !self.figure.follows(*dof)) {
+            self.again[dof] = Some(first);
+        }
+        Ok(())
+    }
+
+    /// The index of the drive that comes after the one of index `step`.
+    pub(crate) fn next_drive(&self, dof: usize, step: usize) -> usize {
+        let next = step + 1;
+        self.again[dof].filter(|_| next >= self.drives[dof].len()).unwrap_or(next)
     }
 
     /// What drives a degree of freedom.
@@ -168,41 +228,6 @@ impl Simulation {
     ) -> Result<(), SetupError> {
         self.surface = Some(Surface::new(&self.figure, plane, contact_points)?);
         Ok(())
-    }
-
-    /// Moves the figure along the ground's normal until its lowest point, of those that can touch the ground, is on it; how far (m).
-    ///
-    /// # Errors
-    ///
-    /// [`SetupError::NoWayDown`] where the root does not slide that way, or nothing can touch a ground.
-    pub fn stand(&mut self) -> Result<f64, SetupError> {
-        let root = self.figure.links().first().map(|link| link.joint().name().to_owned()).unwrap_or_default();
-        let none = || SetupError::NoWayDown { joint: root.clone() };
-        let (surface, at) =
-            self.surface.as_ref().zip(self.figure.layout().joints().first()).ok_or_else(none)?;
-        let mut body = Body::<f64>::new(&self.figure, self.gravity, &[], &self.limits)?.on(Some(surface));
-        let mut lowest = |q: &[f64]| {
-            body.place(q)?;
-            let gaps = (0..surface.contact_points.len()).map(|touch| body.gap(touch));
-            Ok::<_, SetupError>(gaps.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(_, gap)| gap))
-        };
-        let gap = lowest(&self.q)?.ok_or_else(none)?;
-        // Slides are linear: how far each one lifts.
-        let mut lifts = Vec::new();
-        let slides = self.figure.links()[0].joint().kind().slides();
-        for coordinate in slides.map(|i| at.q + i) {
-            let mut moved = self.q.clone();
-            moved[coordinate] += 1.0;
-            lifts.push((coordinate, lowest(&moved)?.unwrap_or(gap) - gap));
-        }
-        let squares: f64 = lifts.iter().map(|(_, lift)| lift * lift).sum();
-        if squares < 1e-12 {
-            return Err(none());
-        }
-        for (coordinate, lift) in lifts {
-            self.q[coordinate] -= gap * lift / squares;
-        }
-        Ok(-gap)
     }
 
     /// The ground, if there is one, and what can touch it.
@@ -266,7 +291,7 @@ impl Simulation {
         Err(SetupError::UnknownDof { figure: self.figure.name().to_owned(), name: name.to_owned(), nearest })
     }
 
-    fn check_steps(&self, dof: usize, steps: &[Step]) -> Result<(), SetupError> {
+    pub(crate) fn check_steps(&self, dof: usize, steps: &[Step]) -> Result<(), SetupError> {
         let owned = || self.name(dof).to_owned();
         for Step { drive, until } in steps {
             if self.figure.layout().coordinate(dof).is_none() && !drive.fits_ball_joints() {
@@ -279,7 +304,7 @@ impl Simulation {
             }
             drive.check(self.name(dof))?;
             match until {
-                EndCondition::Done => {}
+                EndCondition::Done | EndCondition::Part(_) => {}
                 EndCondition::Time(value) | EndCondition::Lasting(value) => {
                     check_not_negative(|| format!("the time until which '{}' has a drive", owned()), *value)?;
                 }

@@ -9,6 +9,7 @@ pub mod blend;
 mod butterworth;
 mod clip;
 mod curve;
+pub mod cyclic;
 pub mod displacement;
 mod error;
 mod feasible;

@@ -85,6 +85,28 @@ macro_rules! profiles {
                 /// The motions.
                 layers: Vec<ProfileLayer>,
             },
+            /// A sine about an offset; see [`Sine`](crate::cyclic::Sine).
+            Sine {
+                /// How far to either side (rad or m).
+                amplitude: f64,
+                /// How long one cycle takes (s).
+                period: f64,
+                /// How many cycles, whole or not.
+                cycles: f64,
+                /// Where in its cycle it begins (rad).
+                #[cfg_attr(feature = "serde", serde(default))]
+                phase: f64,
+                /// Its middle (rad or m).
+                #[cfg_attr(feature = "serde", serde(default))]
+                offset: f64,
+            },
+            /// A motion several times, one after the other; see [`Repeat`](crate::cyclic::Repeat).
+            Repeat {
+                /// The motion.
+                of: Box<Profile>,
+                /// How many times.
+                times: u32,
+            },
         }
 
         impl Profile {
@@ -122,10 +144,12 @@ macro_rules! profiles {
                     $(Self::$spline { .. } => stringify!($spline),)*
                     Self::Blend { .. } => "Blend",
                     Self::Weighted { .. } => "Weighted",
+                    Self::Sine { .. } => "Sine",
+                    Self::Repeat { .. } => "Repeat",
                 }
             }
 
-            /// Its parameters with their values; those of a blend are in its layers.
+            /// Its parameters with their values; a blend, a sine and what is repeated have none in this list.
             pub fn values(&self) -> Vec<(&'static Parameter, f64)> {
                 match self {
                     $(Self::$variant { $($field,)* $($option,)* } => alloc::vec![
@@ -134,7 +158,9 @@ macro_rules! profiles {
                     $(Self::$spline { $($spline_option,)* .. } => alloc::vec![
                         $((&Parameter::$spline_default, *$spline_option),)*
                     ],)*
-                    Self::Blend { .. } | Self::Weighted { .. } => Vec::new(),
+                    Self::Blend { .. } | Self::Weighted { .. } | Self::Sine { .. } | Self::Repeat { .. } => {
+                        Vec::new()
+                    }
                 }
             }
         }

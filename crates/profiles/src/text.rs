@@ -26,6 +26,8 @@
 //! | CURVE | the variant of a [`Kind`](crate::Kind) with its parameters, a `_` where their names have a blank: `CubicHermite(from: 0, to: 5, duration: 2, end_velocity: 1)`; optional ones are zero where they are left out. Kinds through keys have `keys: [(time, position), …]` |
 //! | | `Blend(first: LAYER, second: LAYER, fade: FADE, leaving: Refuse)`, the last also `Clamp` or `Allow`: [`Leaving`](crate::blend::Leaving) |
 //! | | `Weighted(layers: [LAYER, …])` |
+//! | | `Sine(amplitude: 0.2, period: 1, cycles: 3, phase: deg(90), offset: 0.5)`, phase and offset zero unless given: [`Sine`](crate::cyclic::Sine) |
+//! | | `Repeat(of: CURVE, times: 3)`: [`Repeat`](crate::cyclic::Repeat) |
 //! | LAYER | CURVE, or `(profile: CURVE, start: 0, outside: Hold, amount: 1, fade_in: FADE, fade_out: FADE)`; `outside` also `Extrapolate`, `Repeat` or `Mirror`: [`ProfileLayer`] |
 //! | FADE | `(kind: Smooth, start: 0, end: 1)`; kinds are `Linear`, `Smooth`, `Exponential(stiffness: 1)`, `Sinh(…)` and `Trigonometric(…)`: [`FadeKind`](crate::blend::FadeKind) |
 //!
@@ -33,6 +35,7 @@
 
 mod blend;
 mod curve;
+mod cyclic;
 mod write;
 
 pub use solaris_text::{TextError, TextFault};
@@ -63,13 +66,24 @@ pub fn read(text: &str) -> Result<Profile, TextError> {
 ///
 /// As for [`read`].
 pub fn read_layer(text: &str) -> Result<ProfileLayer, TextError> {
-    whole(text, |reader, tree| ProfileReader { reader, turns: true }.layer(tree))
+    whole(text, |reader, tree| ProfileReader { reader, turns: true, lasts: None }.layer(tree))
 }
 
 /// The profile of a node inside of another text, or nothing where it has faults, which `reader` then knows. Where it moves what
 /// `turns`, positions and their rates may be in degrees.
 pub fn read_node(reader: &mut Reader, node: &Node<'_>, turns: bool) -> Option<Profile> {
-    ProfileReader { reader, turns }.profile(node)
+    ProfileReader { reader, turns, lasts: None }.profile(node)
+}
+
+/// The same in a text that says how long (s) it is about, `lasts`: a sine without `cycles` and a repetition without `times` go on for
+/// so long at least.
+pub fn read_node_within(
+    reader: &mut Reader,
+    node: &Node<'_>,
+    turns: bool,
+    lasts: Option<f64>,
+) -> Option<Profile> {
+    ProfileReader { reader, turns, lasts }.profile(node)
 }
 
 /// The bytes of the value that an error of the profile in `text` is about, where that is one of its own parameters and not one of

@@ -1,8 +1,9 @@
-//! Figures that stand in files of their own.
+//! Figures and motions that stand in files of their own.
 
-use solaris_model::Figure;
+use nalgebra::Vector3;
+use solaris_model::{Figure, Motion};
 
-/// Fetches the figures that a scene names as files. This crate opens none itself.
+/// Fetches the figures and motions that a scene names as files. This crate opens none itself.
 pub trait Loader {
     /// The figure of a file, with the gravity that the file says; `path` is as it is written in the scene.
     ///
@@ -10,6 +11,16 @@ pub trait Loader {
     ///
     /// Why there is none, in a sentence that follows the path.
     fn figure(&mut self, path: &str) -> Result<Figure, String>;
+
+    /// The motion of a figure, under a gravity (m/s²), in a file; velocities and accelerations may be unknown.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none, in a sentence that follows the path.
+    fn motion(&mut self, path: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
+        let _ = (path, figure, gravity);
+        Err("motions in files are not read here".to_owned())
+    }
 }
 
 /// For scenes that need no files.

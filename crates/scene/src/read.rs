@@ -1,11 +1,18 @@
 //! The reader of scenes, with every fault on the way.
 
+mod carries;
+mod clips;
 mod drive;
 mod drives;
 mod figures;
+mod forces;
 mod ground;
 mod limits;
 mod names;
+mod parts;
+mod pushes;
+mod reaches;
+mod repeat;
 mod segments;
 mod settings;
 mod springs;
@@ -18,7 +25,7 @@ use crate::scene::Scene;
 use crate::spelled;
 use nalgebra::Vector3;
 use names::Names;
-use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
+use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, Value, parse};
 use solaris_model::{Figure, TextError};
 use solaris_modes::{SetupError, Simulation};
 use solaris_profiles::Profile;
@@ -30,9 +37,10 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 15] = [
+const FIELDS: [&str; 21] = [
     "version",
     "figures",
+    "places",
     "gravity",
     "rate",
     "duration",
@@ -42,7 +50,12 @@ const FIELDS: [&str; 15] = [
     "start",
     "velocities",
     "drives",
+    "sequence",
+    "reaches",
+    "clip",
     "springs",
+    "pushes",
+    "carries",
     "limits",
     "ground",
     "walk",
@@ -55,13 +68,15 @@ struct SceneReader<'l> {
     /// The simulation, once there is a figure; the rest is read without one too, for its faults.
     simulation: Option<Simulation>,
     names: Names,
+    /// How long the scene takes (s), where it says so.
+    lasts: Option<f64>,
 }
 
 /// The scene that `text` describes.
 pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
     let tree = parse(text, "scene", "Scene(version: 1, …)")?;
     let reader = Reader::default();
-    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default() };
+    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default(), lasts: None };
     let scene = reader.scene(&tree);
     reader.reader.finish(text)?;
     // Where there is no scene there is a fault.
@@ -76,26 +91,39 @@ impl SceneReader<'_> {
             return None;
         }
         self.reader.only_known(&fields, &FIELDS);
-        let found = self.figures(&fields);
+        // What is wrong with it is said where settings are read.
+        self.lasts = fields.get("duration").and_then(|node| match node.value {
+            Value::Number(seconds) if seconds > 0.0 => Some(seconds),
+            _ => None,
+        });
         let gravity = fields.get("gravity").and_then(|node| self.reader.vector(node, "gravity"));
+        let found = self.figures(&fields, gravity);
         let (name, figure) = found.unzip();
         if let Some(figure) = &figure {
             let gravity = gravity.or(figure.gravity().copied()).unwrap_or(GRAVITY);
             self.simulation = Some(Simulation::new(figure, gravity));
             self.names = Names::of(figure);
         }
-        let given = self.drives(&fields);
-        let walk = self.walk(&fields, figure.as_ref(), &given);
+        let figure = self.carries(&fields, figure);
+        let (mut given, named) = self.drives(&fields);
+        self.sequence_of_parts(&fields, &mut given, &named);
+        // Of several figures none walks, which has been said.
+        let several = fields.get("figures").and_then(Node::entries).is_some_and(|entries| entries.len() > 1);
+        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
         self.start(&fields, &given, walk.as_ref());
+        self.clip(&fields, &mut given);
         self.springs(&fields);
+        self.pushes(&fields);
         self.limits(&fields);
         self.ground(&fields);
+        let notes = self.reaches(&fields, &named);
         let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
+            notes,
             walk: walk.map(walk::Planned::into_walked),
         })
     }
@@ -112,7 +140,7 @@ impl SceneReader<'_> {
 
     /// A curve of degrees of freedom that turn, or of others.
     fn profile(&mut self, node: &Node<'_>, turns: bool) -> Option<Profile> {
-        solaris_profiles::text::read_node(&mut self.reader, node, turns)
+        solaris_profiles::text::read_node_within(&mut self.reader, node, turns, self.lasts)
     }
 
     /// The entries of a field that is a map.

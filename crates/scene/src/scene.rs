@@ -4,7 +4,7 @@ use crate::error::SceneError;
 use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{FEET, WalkSequence};
 use solaris_model::{Event, Figure, Ground, Interval, Motion};
-use solaris_modes::{Observer, Run, RunReport, Settings, Simulation};
+use solaris_modes::{Observer, Remark, Run, RunReport, Settings, Simulation};
 use std::fmt;
 use std::sync::Arc;
 
@@ -14,6 +14,8 @@ pub struct Scene {
     pub(crate) name: String,
     pub(crate) simulation: Simulation,
     pub(crate) settings: Settings,
+    /// What there is to say of it before it is run.
+    pub(crate) notes: Vec<String>,
     pub(crate) walk: Option<Walked>,
 }
 
@@ -66,6 +68,11 @@ impl Scene {
         &mut self.settings
     }
 
+    /// What there is to say of it before it is run: what does not reach what it should.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
     /// What is walked, if anything: one walk, or several with standing in between.
     pub fn walk(&self) -> Option<&WalkSequence> {
         self.walk.as_ref().map(|walk| &*walk.plan)
@@ -92,7 +99,8 @@ impl Scene {
     ///
     /// [`SceneError`].
     pub fn simulate(&self, observer: &mut dyn Observer) -> Result<Simulated, SceneError> {
-        let Run { mut motion, report } = self.simulation.run_observed(&self.settings, observer)?;
+        let Run { mut motion, mut report } = self.simulation.run_observed(&self.settings, observer)?;
+        report.remarks.extend(self.notes.iter().cloned().map(Remark::Said));
         let Some(walk) = &self.walk else { return Ok(Simulated { motion, report, reactions: None }) };
         let end = motion.time().last().copied().unwrap_or_default();
         let planted = walk.planted.iter().filter(|planted| planted.start < end).cloned();

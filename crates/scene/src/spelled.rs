@@ -7,6 +7,7 @@ fn remedy(remedy: &Remedy) -> Option<&'static str> {
     Some(match remedy {
         Remedy::ToleranceForStep => "tolerance: 1e-6",
         Remedy::StiffMethod => "method: Stiff(tolerance: 1e-6)",
+        Remedy::NamedMethod { .. } => "method: RungeKutta4(step: …)",
         Remedy::MoreEvaluations => "guard: Guard(evaluations: …)",
         Remedy::StartAtCurve => "start: {…}, velocities: {…}",
         Remedy::MoveInstead => "Move(…)",

@@ -33,6 +33,8 @@ fn title(profile: &Profile) -> String {
 pub(super) fn name(profile: &Profile) -> &'static str {
     match profile {
         Profile::Weighted { .. } => "weighted mean",
+        Profile::Sine { .. } => "sine",
+        Profile::Repeat { .. } => "repeated",
         other => other.kind().map_or("blend", |kind| kind.name),
     }
 }
@@ -47,6 +49,16 @@ fn parameters(profile: &Profile, unit: &str) -> String {
     if let Profile::Weighted { layers } = profile {
         let names: Vec<&str> = layers.iter().map(|layer| name(&layer.profile)).collect();
         return names.join(" + ");
+    }
+    if let Profile::Repeat { of, times } = profile {
+        return format!("{} {times} times", name(of));
+    }
+    if let Profile::Sine { amplitude, period, cycles, phase, offset } = profile {
+        let [amplitude, period, cycles, phase, offset] =
+            [amplitude, period, cycles, phase, offset].map(|value| number(*value, DIGITS));
+        return format!(
+            "amplitude {amplitude} {unit}, period {period} s, cycles {cycles}, phase {phase} rad, offset {offset} {unit}"
+        );
     }
     let required = |parameter: &Parameter| {
         profile.kind().is_some_and(|kind| kind.required.iter().any(|other| other.name == parameter.name))

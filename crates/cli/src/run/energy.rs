@@ -21,6 +21,7 @@ pub(super) fn rows(report: &EnergyReport) -> Vec<[String; 3]> {
     ];
     for (label, value) in [
         ("work of the drives", report.work),
+        ("work of pushes", report.pushes),
         ("lost as heat", report.heat),
         ("lost in impacts", report.impacts),
         ("with links left out", report.moved),

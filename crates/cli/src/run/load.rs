@@ -2,8 +2,9 @@
 
 use crate::error::CliError;
 use crate::input;
+use solaris::io::record;
 use solaris::model::text::first_word;
-use solaris::model::{Figure, TextError};
+use solaris::model::{Figure, Motion, TextError, Vector3};
 use solaris::scene::{Loader, Scene, read};
 use std::path::{Path, PathBuf};
 
@@ -66,6 +67,14 @@ impl Loader for Files {
         let body = input::body(&path).map_err(|error| why(&error))?;
         self.reads.push(path);
         Ok(body.figure)
+    }
+
+    fn motion(&mut self, name: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
+        let path = self.folder.join(name);
+        let (table, _) = input::motion(&path, figure).map_err(|error| why(&error))?;
+        let motion = record::read(figure, *gravity, &table).map_err(|error| error.to_string())?.motion;
+        self.reads.push(path);
+        Ok(motion)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Course, Drive, Law, Target};
 use crate::failure::SetupError;
-use crate::range::{check_not_negative, check_positive};
+use crate::range::{check_finite, check_not_negative, check_positive};
 
 impl Drive {
     /// What it is called.
@@ -27,12 +27,18 @@ impl Drive {
                 Law::Cubic => "intensive, cubic",
                 Law::Quintic => "intensive, quintic",
             },
+            Self::Servo(_) => "servo",
+            Self::Sum(_) => "sum",
         }
     }
 
     /// Whether a velocity of a ball or free joint can be driven so.
     pub(crate) fn fits_ball_joints(&self) -> bool {
-        matches!(self, Self::Free | Self::Frozen | Self::Torque(_))
+        match self {
+            Self::Free | Self::Frozen | Self::Torque(_) => true,
+            Self::Sum(parts) => parts.iter().all(Self::fits_ball_joints),
+            _ => false,
+        }
     }
 
     /// Refuses numbers that are out of range, for the degree of freedom `dof`.
@@ -68,13 +74,11 @@ impl Drive {
                 check_positive(|| of("duration"), *duration)?;
                 limit.map_or(Ok(()), |limit| check_not_negative(|| of("greatest force"), limit))
             }
+            Self::Servo(servo) => servo.check(dof),
+            Self::Sum(parts) => parts.iter().try_for_each(|part| match part {
+                Self::Torque(_) | Self::Servo(_) | Self::Sum(_) => part.check(dof),
+                _ => Err(SetupError::NotInSum { dof: dof.to_owned(), drive: part.name() }),
+            }),
         }
     }
-}
-
-fn check_finite(what: impl Fn() -> String, value: f64) -> Result<(), SetupError> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    Err(SetupError::Range { what: what(), value, range: "a finite number" })
 }

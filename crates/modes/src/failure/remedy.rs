@@ -40,6 +40,11 @@ pub enum Remedy {
     LargerTolerance,
     /// A method for stiff equations.
     StiffMethod,
+    /// A method with a step such as this, which is not held to a tolerance.
+    NamedMethod {
+        /// The step (s).
+        step: f64,
+    },
     /// Another method or step.
     OtherMethod,
     /// A shorter run.
@@ -69,6 +74,8 @@ pub enum Remedy {
     MoveInstead,
     /// Room between limits or drives that undo each other.
     RoomBetween,
+    /// Drives that take time.
+    TakeTime,
     /// Limits that give way.
     SoftLimits,
     /// Dynamics for what is prescribed.
@@ -84,6 +91,12 @@ impl fmt::Display for Remedy {
         f.write_str(match self {
             Self::StepOf { step } => {
                 return write!(f, "take a shorter step, such as a tenth, {step:.1e} s");
+            }
+            Self::NamedMethod { step } => {
+                return write!(
+                    f,
+                    "name a method with a step, such as Runge-Kutta 4 with {step:.1e} s, and look at its energy balance"
+                );
             }
             Self::StepBelow { step } => return write!(f, "take a step below {step:.1e} s"),
             Self::StepAbove { step, evaluations } => {
@@ -117,6 +130,7 @@ impl fmt::Display for Remedy {
             Self::CurveFromThere => "let the curve begin there",
             Self::StartAtCurve => "start the run with that",
             Self::MoveInstead => "take a move, which begins where it is",
+            Self::TakeTime => "let one of the drives that come again take time",
             Self::RoomBetween => "give limits or drives that undo each other room",
             Self::SoftLimits => "make limits soft ones",
             Self::Free => "let dynamics move that",

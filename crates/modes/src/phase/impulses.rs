@@ -8,6 +8,7 @@ use crate::contact::ContactLaw;
 use crate::convex::Convex;
 use crate::element::LimitLaw;
 use nalgebra::{DMatrix, Vector3};
+use solaris_dynamics::scalar::Dual;
 use solaris_dynamics::{DynamicsError, Wrench};
 
 /// A limit this near (rad or m) may be come to within a step, whatever the velocity.
@@ -31,6 +32,8 @@ pub(super) struct Impulses {
     /// How joints hold each of its degrees of freedom back.
     damping: Vec<f64>,
     stiffness: Vec<f64>,
+    /// How drives that feel the state do: damping and stiffness.
+    led: Vec<(f64, f64)>,
     /// Of what dynamics move, before the step.
     before: Vec<f64>,
     /// What the ground does to links (N, N m, about the world's origin), by sphere.
@@ -121,6 +124,7 @@ impl Impulses {
             free: vec![0.0; nv],
             damping: vec![0.0; nv],
             stiffness: vec![0.0; nv],
+            led: vec![(0.0, 0.0); nv],
             before: vec![0.0; dofs],
             wrenches: Vec::with_capacity(spheres),
             on_links: Vec::with_capacity(spheres),
@@ -148,7 +152,8 @@ impl Impulses {
         side.body.mass_matrix(&side.q, &mut self.matrix)?;
         side.body.holds_back(&side.q, &side.v, &mut self.damping, &mut self.stiffness);
         let (change, held) = (maps.velocities.iter().map(|k| h * side.a[*k]), |k: usize| {
-            (h * self.damping[k], h * h * self.stiffness[k])
+            let (damping, stiffness) = self.led[k];
+            (h * (self.damping[k] + damping), h * h * (self.stiffness[k] + stiffness))
         });
         self.convex.begin(&self.matrix, &maps.velocities, &self.before, change, held);
         if let Some(ground) = &self.ground {
@@ -241,6 +246,16 @@ impl Small {
         let Self { maps, numbers, impulses, .. } = self;
         let Some(impulses) = impulses else { return Ok(()) };
         let h = h.unwrap_or(impulses.step);
+        for (i, &k) in maps.velocities.iter().enumerate() {
+            let force = prescribed.force(i);
+            if force.feels() {
+                let position = maps.rates_of[i].map_or(0.0, |coordinate| numbers.q[coordinate]);
+                let state = (Dual::<2>::variable(position, 0), Dual::variable(numbers.v[k], 1));
+                let found = force.at(t, state);
+                // What would drive it away is left as it is.
+                impulses.led[k] = ((-found.partial(1)).max(0.0), (-found.partial(0)).max(0.0));
+            }
+        }
         for &Moving { dof, k, .. } in &maps.moving {
             numbers.a[k] = (prescribed.at(dof, t + h)[1] - numbers.v[k]) / h;
         }
@@ -278,11 +293,23 @@ impl Small {
         // Dampers with the velocity at the end of the step, over the way of the step.
         let (mut work, mut heat) = (0.0, 0.0);
         for (k, force) in numbers.tau.iter().enumerate() {
-            let force = if impulses.places[k].is_some() { *force } else { impulses.tau[k] };
             let (mean, end) = (numbers.v[k] + 0.5 * h * numbers.a[k], numbers.v[k] + h * numbers.a[k]);
+            let (damping, stiffness) = impulses.led[k];
+            let force = if impulses.places[k].is_some() {
+                force - h * (damping * numbers.a[k] + stiffness * end)
+            } else {
+                impulses.tau[k]
+            };
             work += force * h * mean;
             if impulses.places[k].is_some() {
                 heat += impulses.damping[k] * end * h * mean;
+            }
+        }
+        if numbers.body.has_pushes() {
+            let power = h * numbers.body.power();
+            work += power;
+            if let Some(pushed) = next.last_mut() {
+                *pushed += power;
             }
         }
         let [.., push, friction] = impulses.ground_sums;

@@ -68,9 +68,12 @@ fn contact(is_there: bool, left: usize, all: usize) -> Option<String> {
 }
 
 /// What else was left out.
-fn omitted(source: &Source, Reduction { figure, springs, limits, surface, .. }: &Reduction) -> Vec<String> {
+fn omitted(
+    source: &Source,
+    Reduction { figure, springs, limits, surface, pushes, .. }: &Reduction,
+) -> Vec<String> {
     let mut omitted = Vec::new();
-    if springs.is_empty() && surface.is_none() {
+    if springs.is_empty() && surface.is_none() && pushes.is_empty() {
         let who = if source.surface.is_some() { "and no ground asks" } else { "asks" };
         omitted.push(format!("velocities of links: no spring between points {who} for them"));
     }

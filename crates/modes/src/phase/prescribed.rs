@@ -3,6 +3,8 @@
 use super::Role;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
+use crate::push::Thrust;
+use nalgebra::Vector3;
 use solaris_model::{Figure, Follower};
 
 /// The motion of the degrees of freedom that have one of their own, of those that follow them, where the others stand, and the
@@ -19,6 +21,8 @@ pub(super) struct Prescribed {
     coordinates: Vec<Option<usize>>,
     /// For each degree of freedom that dynamics move, in their order.
     forces: Vec<Force>,
+    /// What each push of the world does, where it does anything.
+    pushes: Vec<Option<Thrust>>,
 }
 
 #[derive(Clone)]
@@ -33,8 +37,8 @@ enum Motion {
 }
 
 impl Prescribed {
-    /// Everything stands at `q`, and there are no forces.
-    pub(super) fn new(figure: &Figure, roles: &[Role], q: &[f64]) -> Self {
+    /// Everything stands at `q`, and there are no forces, and of so many pushes of the world none.
+    pub(super) fn new(figure: &Figure, roles: &[Role], q: &[f64], pushes: usize) -> Self {
         let (layout, followers) = (figure.layout(), figure.followers().to_vec());
         let role = |role: &Role| if *role == Role::Dynamic { Motion::None } else { Motion::Still };
         let (mut motions, mut standing): (Vec<Motion>, _) = (roles.iter().map(role).collect(), q.to_vec());
@@ -44,7 +48,14 @@ impl Prescribed {
         }
         let coordinates = (0..layout.nv()).map(|dof| layout.coordinate(dof)).collect();
         let dynamic = roles.iter().filter(|role| **role == Role::Dynamic).count();
-        Self { motions, standing, followers, coordinates, forces: vec![Force::Constant(0.0); dynamic] }
+        Self {
+            motions,
+            standing,
+            followers,
+            coordinates,
+            forces: vec![Force::Constant(0.0); dynamic],
+            pushes: vec![None; pushes],
+        }
     }
 
     /// Where everything stood when the phase began.
@@ -64,9 +75,19 @@ impl Prescribed {
         self.forces[index] = force;
     }
 
-    /// The force (N m or N) on a degree of freedom, by its place among those that dynamics move.
-    pub(super) fn force(&self, index: usize, t: f64) -> f64 {
-        self.forces[index].at(t)
+    /// Sets what a push of the world does, by its index.
+    pub(super) fn set_push(&mut self, push: usize, thrust: Option<Thrust>) {
+        self.pushes[push] = thrust;
+    }
+
+    /// What a push of the world does (N) at a time of the run.
+    pub(super) fn push(&self, push: usize, t: f64) -> Vector3<f64> {
+        self.pushes[push].as_ref().map_or_else(Vector3::zeros, |thrust| thrust.at(t))
+    }
+
+    /// The force on a degree of freedom, by its place among those that dynamics move.
+    pub(super) fn force(&self, index: usize) -> &Force {
+        &self.forces[index]
     }
 
     /// Position, velocity and acceleration of a degree of freedom that dynamics do not move; of a ball or free joint's, no

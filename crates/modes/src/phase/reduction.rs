@@ -19,6 +19,8 @@ pub(super) struct Source {
     /// By degree of freedom.
     pub(super) limits: Vec<LimitLaw>,
     pub(super) surface: Option<Surface>,
+    /// Link and point (m) of each push.
+    pub(super) pushes: Vec<(usize, Vector3<f64>)>,
     /// Each degree of freedom that follows another, and that one.
     followers: Vec<(usize, usize)>,
 }
@@ -35,6 +37,10 @@ pub(super) struct Reduction {
     pub(super) surface: Option<Surface>,
     /// For each of its contact points, the index in the full figure's.
     pub(super) kept_touches: Vec<usize>,
+    /// With the links of the small figure.
+    pub(super) pushes: Vec<(usize, Vector3<f64>)>,
+    /// For each of these, the index among all.
+    pub(super) kept_pushes: Vec<usize>,
     /// For each entry of the small figure's `q`, its index in the full one's.
     pub(super) kept_q: Vec<usize>,
     /// For each entry of the small figure's `v`, its index in the full one's.
@@ -55,6 +61,7 @@ impl Source {
             springs: simulation.springs.clone(),
             limits: simulation.limits.clone(),
             surface: simulation.surface.clone(),
+            pushes: simulation.pushes.iter().map(|push| (push.link, push.point)).collect(),
             followers: followers.collect(),
         }
     }
@@ -118,11 +125,18 @@ impl Source {
         let springs = self.springs.iter().filter(|spring| contact_points(spring, &moved));
         let surface = self.surface.as_ref().and_then(|surface| under(surface, &moved, place));
         let (surface, kept_touches) = surface.unzip();
+        let pushed = |(i, (link, point)): (usize, &(usize, Vector3<f64>))| {
+            let LinkPlace { link, placement } = place(*link).filter(|_| moved[*link])?;
+            Some(((link, placement.transform_point(&(*point).into()).coords), i))
+        };
+        let (pushes, kept_pushes) = self.pushes.iter().enumerate().filter_map(pushed).unzip();
         Ok(Some(Reduction {
             figure: fused.figure().clone(),
             springs: springs.filter_map(|spring| placed(spring, place)).collect(),
             limits: kept_v.iter().map(|dof| self.limits[*dof]).collect(),
             surface,
+            pushes,
+            kept_pushes,
             kept_touches: kept_touches.unwrap_or_default(),
             kept_q: full(fused.kept_q(), pruned.kept_q()),
             fused: pruned.kept_v().iter().copied().filter(|dof| still(*dof)).collect(),
@@ -138,6 +152,8 @@ impl Source {
             springs: self.springs.clone(),
             limits: self.limits.clone(),
             surface: self.surface.clone(),
+            pushes: self.pushes.clone(),
+            kept_pushes: (0..self.pushes.len()).collect(),
             kept_touches: (0..count(self.surface.as_ref())).collect(),
             kept_q: (0..self.figure.layout().nq()).collect(),
             kept_v: (0..self.figure.layout().nv()).collect(),

@@ -4,9 +4,10 @@ use super::Role;
 use super::impulses::Impulses;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
-use super::state::{StateMap, unit};
+use super::state::{GROUND, StateMap, unit};
 use crate::body::{Body, Pressure, Pushing};
 use crate::contact::{ContactPatch, count};
+use crate::drive::force::Force;
 use crate::failure::SetupError;
 use crate::report::Energy;
 use crate::time::RateError;
@@ -41,6 +42,8 @@ pub(super) struct Maps {
     positions: Vec<usize>,
     /// For each velocity of the state, its index in the small `v`.
     pub(super) velocities: Vec<usize>,
+    /// For each velocity of the state, the index in the small `q` of what it is the rate of; none in ball and free joints.
+    pub(super) rates_of: Vec<Option<usize>>,
     /// The first entries of quaternions in the state.
     quaternions: Vec<usize>,
     pub(super) moving: Vec<Moving>,
@@ -221,6 +224,9 @@ impl Small {
         let duals = self.duals.insert(duals);
         duals.body.hold_limits_as(&self.numbers.body);
         duals.take_constants(&self.numbers);
+        for (push, full) in self.reduction.kept_pushes.iter().enumerate() {
+            duals.body.set_push(push, &prescribed.push(*full, t));
+        }
         // Nothing depends on the accounts.
         let columns = state.accounts();
         for first in (0..columns).step_by(COLUMNS) {
@@ -233,6 +239,9 @@ impl Small {
                 };
             }
             duals.read(&self.maps);
+            for i in (0..self.maps.velocities.len()).filter(|i| prescribed.force(*i).feels()) {
+                duals.drive(&self.maps, i, prescribed.force(i), t);
+            }
             duals.solve(&self.maps)?;
             duals.find_rates(state, &self.maps);
             for (row, rate) in duals.rate.iter().enumerate() {
@@ -255,11 +264,14 @@ impl Small {
             numbers.q[coordinate] = position;
             (numbers.v[k], numbers.a[k]) = (velocity, acceleration);
         }
-        for (i, k) in self.maps.velocities.iter().enumerate() {
-            numbers.tau[*k] = prescribed.force(i, t);
+        for (push, full) in self.reduction.kept_pushes.iter().enumerate() {
+            numbers.body.set_push(push, &prescribed.push(*full, t));
         }
         numbers.y.copy_from_slice(y);
         numbers.read(&self.maps);
+        for i in 0..self.maps.velocities.len() {
+            numbers.drive(&self.maps, i, prescribed.force(i), t);
+        }
     }
 }
 
@@ -275,6 +287,11 @@ impl Maps {
             prescribed: reduction.kept_v.iter().map(|dof| roles[*dof] != Role::Dynamic).collect(),
             positions: state.coordinates().iter().filter_map(small_q).collect(),
             velocities: state.velocities().iter().filter_map(small_v).collect(),
+            rates_of: state
+                .velocities()
+                .iter()
+                .map(|dof| source.figure.layout().coordinate(*dof).as_ref().and_then(small_q))
+                .collect(),
             quaternions: state.quaternions().collect(),
             moving: reduction.kept_v.iter().enumerate().filter_map(moving).collect(),
         }
@@ -286,7 +303,9 @@ impl<T: Elementary> Side<T> {
         let Reduction { figure, springs, limits, surface, kept_q, kept_v, .. } = reduction;
         let zeros = |length: usize| vec![T::zero(); length];
         Ok(Self {
-            body: Body::compile(figure, source.gravity, springs, limits)?.on(surface.as_ref()),
+            body: Body::compile(figure, source.gravity, springs, limits)?
+                .on(surface.as_ref())
+                .pushed(&reduction.pushes),
             q: zeros(kept_q.len()),
             v: zeros(kept_v.len()),
             a: zeros(kept_v.len()),
@@ -322,6 +341,13 @@ impl<T: Elementary> Side<T> {
         }
     }
 
+    /// Lets a drive act on what the velocity `i` of the state belongs to, in the state that was read.
+    fn drive(&mut self, maps: &Maps, i: usize, force: &Force, t: f64) {
+        let k = maps.velocities[i];
+        let position = maps.rates_of[i].map_or_else(T::zero, |coordinate| self.q[coordinate]);
+        self.tau[k] = force.at(t, (position, self.v[k]));
+    }
+
     pub(super) fn solve(&mut self, maps: &Maps) -> Result<(), DynamicsError> {
         self.body.hybrid(&self.q, &self.v, &maps.prescribed, &mut self.a, &mut self.tau)
     }
@@ -334,8 +360,15 @@ impl<T: Elementary> Side<T> {
         let work = self.tau.iter().zip(&self.v).fold(T::zero(), |work, (force, rate)| work + *force * *rate);
         let accounts = &mut self.rate[state.accounts()..];
         (accounts[0], accounts[1]) = (work, self.body.heat());
+        if self.body.has_pushes() {
+            let power = self.body.power();
+            accounts[0] += power;
+            if let Some(pushed) = accounts.last_mut() {
+                *pushed = power;
+            }
+        }
         if let [_, _, ground @ ..] = accounts
-            && !ground.is_empty()
+            && ground.len() >= GROUND
         {
             let Pressure { force, damping, friction } = self.body.pressure();
             ground[..3].copy_from_slice(force.as_slice());

@@ -6,7 +6,7 @@ use solaris_profiles::Elementary;
 
 /// The state of a phase: positions of what dynamics move, in the order of `q`, its velocities in the order of `v`, and the
 /// accounts: work, heat, and with a ground what it does ([`Pressure`](crate::body::Pressure)): its impulse along x, y and z, and
-/// what its damping and its friction have taken.
+/// what its damping and its friction have taken; last, with pushes, what these have done, which the work has in it too.
 ///
 /// Quaternions are plain numbers here: their rate `½ q⊗(ω, 0)` keeps their length but for the error of the steps, and whoever
 /// reads them makes it 1.
@@ -24,6 +24,8 @@ pub(super) struct StateMap {
     velocity_of: Vec<Option<usize>>,
     /// How many accounts the ground has.
     ground: usize,
+    /// How many accounts pushes have.
+    pushed: usize,
 }
 
 /// Accounts of a ground.
@@ -41,8 +43,8 @@ enum Piece {
 }
 
 impl StateMap {
-    /// That of `figure` with these roles, on a ground or not; those of a ball or free joint are equal.
-    pub(super) fn new(figure: &Figure, roles: &[Role], grounded: bool) -> Self {
+    /// That of `figure` with these roles, on a ground or not, pushed or not; those of a ball or free joint are equal.
+    pub(super) fn new(figure: &Figure, roles: &[Role], (grounded, pushed): (bool, bool)) -> Self {
         let layout = figure.layout();
         let velocities: Vec<usize> = (0..roles.len()).filter(|dof| roles[*dof] == Role::Dynamic).collect();
         let (mut coordinates, mut owners) = (Vec::new(), Vec::new());
@@ -68,6 +70,7 @@ impl StateMap {
             velocities,
             owners,
             ground: if grounded { GROUND } else { 0 },
+            pushed: usize::from(pushed),
         };
         map.find_pieces(figure);
         map
@@ -103,7 +106,7 @@ impl StateMap {
 
     /// Length of the state.
     pub(super) fn len(&self) -> usize {
-        self.accounts() + 2 + self.ground
+        self.accounts() + 2 + self.ground + self.pushed
     }
 
     /// Number of entries that are positions or velocities: the index of the work, which heat and the ground's accounts follow.
@@ -147,11 +150,11 @@ impl StateMap {
         self.owners.get(entry).or_else(velocity).copied()
     }
 
-    /// The state of the full `q`, `v`; the ground's accounts begin at zero.
+    /// The state of the full `q`, `v`; the accounts of the ground and of pushes begin at zero.
     pub(super) fn pack(&self, q: &[f64], v: &[f64], work: f64, heat: f64) -> Vec<f64> {
         let positions = self.coordinates.iter().map(|index| q[*index]);
         let velocities = self.velocities.iter().map(|index| v[*index]);
-        let ground = std::iter::repeat_n(0.0, self.ground);
+        let ground = std::iter::repeat_n(0.0, self.ground + self.pushed);
         positions.chain(velocities).chain([work, heat]).chain(ground).collect()
     }
 

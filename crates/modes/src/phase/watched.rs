@@ -19,6 +19,9 @@ pub(crate) enum Watched {
     Gap { touch: usize, below: f64 },
     /// The force of a lever of a contact patch, by their indices, as a part of the weight, and `slack`.
     Lever { hold: usize, lever: usize, slack: f64 },
+    /// What a servo of a degree of freedom asks for, by its place among those of its drive, less what its motor gives at most
+    /// on this side.
+    Saturation { dof: usize, servo: usize, most: f64 },
 }
 
 impl Phase {
@@ -43,17 +46,28 @@ impl Phase {
                 }
                 Watched::Hold { dof } => {
                     let own = self.held.iter().find(|(held, _)| *held == dof);
-                    let drive = own.map_or(0.0, |(_, force)| force.at(t));
+                    let [position, velocity, _] = self.prescribed.at(dof, t);
+                    let drive = own.map_or(0.0, |(_, force)| force.at(t, (position, velocity)));
                     small.and_then(|small| small.force(dof)).map_or(f64::NAN, |force| force - drive)
                 }
                 Watched::Gap { touch, below } => {
                     small.and_then(|small| small.lowest(touch)).map_or(f64::NAN, |(_, gap)| gap + below)
+                }
+                Watched::Saturation { dof, servo, most } => {
+                    self.demand(dof, servo, t, y).map_or(f64::NAN, |demand| demand - most)
                 }
                 Watched::Lever { hold, lever, slack } => {
                     small.map_or(f64::NAN, |small| self.lever(small, hold, lever) + slack)
                 }
             };
         }
+    }
+
+    /// What a servo of a degree of freedom that dynamics move asks for.
+    fn demand(&self, dof: usize, servo: usize, t: f64, y: &[f64]) -> Option<f64> {
+        let (position, velocity) = self.state.position_of(dof).zip(self.state.velocity_of(dof))?;
+        let force = self.prescribed.force(velocity - self.state.positions());
+        Some(force.servos().nth(servo)?.demand(t, (y[position], y[velocity])))
     }
 
     /// Finds what the watched needs in a state; whether there is any of it. A state that the dynamics refuse has none: its rate

@@ -36,12 +36,12 @@ impl serde::Serialize for Energy {
 /// Where the energy of a run went (J), as far as dynamics computed it:
 ///
 /// ```text
-/// end = start + work − heat − impacts + moved
+/// end = start + work + pushes − heat − impacts + moved
 /// ```
 ///
 /// but for the imbalance.
 ///
-/// With the feature `serde` its keys are `start`, `end`, `work_of_drives`, `heat`, `lost_in_impacts`, `moved`, `imbalance` and
+/// With the feature `serde` its keys are `start`, `end`, `work_of_drives`, `work_of_pushes` where there was any, `heat`, `lost_in_impacts`, `moved`, `imbalance` and
 /// `at_play`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -53,6 +53,9 @@ pub struct EnergyReport {
     /// What the drives have done.
     #[cfg_attr(feature = "serde", serde(rename = "work_of_drives"))]
     pub work: f64,
+    /// What pushes of the world have done.
+    #[cfg_attr(feature = "serde", serde(rename = "work_of_pushes", skip_serializing_if = "is_none"))]
+    pub pushes: f64,
     /// What dampers and friction have taken.
     pub heat: f64,
     /// What impacts have taken.
@@ -65,4 +68,10 @@ pub struct EnergyReport {
     /// The energy at play: the greatest of what was exchanged, so that `imbalance/scale` says how bad it is.
     #[cfg_attr(feature = "serde", serde(rename = "at_play"))]
     pub scale: f64,
+}
+
+#[cfg(feature = "serde")]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
+fn is_none(pushes: &f64) -> bool {
+    pushes.abs() <= 0.0
 }

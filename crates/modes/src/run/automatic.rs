@@ -140,7 +140,11 @@ impl<'a> Ladder<'a> {
                 time: time.unwrap_or(self.settings.duration),
                 dof: None,
                 cause: FailureKind::Tolerance { tolerance, estimate: best },
-                remedies: vec![Remedy::LargerTolerance, Remedy::ShorterChaos],
+                remedies: vec![
+                    Remedy::LargerTolerance,
+                    Remedy::NamedMethod { step: self.step },
+                    Remedy::ShorterChaos,
+                ],
             },
         };
         Box::new(failure).into()

@@ -32,6 +32,8 @@ pub(crate) enum Meaning {
     Release(usize, Side),
     /// A force changes its law.
     Kink,
+    /// What the part of a sequence that goes on waits for has come.
+    StageEnds,
     /// The push of a limit's spring and damper passes zero: it lets go, or pushes again.
     Push(usize),
     /// Something that can touch the ground does, by its index.
@@ -93,10 +95,10 @@ impl Driven {
         }
     }
 
-    /// The force of the drive (N m or N) at a time (s).
-    pub(crate) fn force(&self, time: f64) -> f64 {
+    /// The force of the drive (N m or N) at a time (s), in a state of its degree of freedom.
+    pub(crate) fn force(&self, time: f64, state: (f64, f64)) -> f64 {
         match &self.mode {
-            Mode::Force(force) => force.at(time),
+            Mode::Force(force) => force.at(time, state),
             Mode::Track(_, force) => *force,
             Mode::Still | Mode::Path(_) => 0.0,
         }
@@ -115,9 +117,15 @@ impl Driven {
     /// Times (s) at which its curve jumps.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         match &self.mode {
-            Mode::Path(path) | Mode::Force(Force::Along(path)) => path.breaks(),
+            Mode::Path(path) => path.breaks(),
+            Mode::Force(force) => force.breaks(),
             _ => Vec::new(),
         }
+    }
+
+    /// Whether its force depends on the state: then it may be what makes a step too long.
+    pub(crate) fn feels(&self) -> bool {
+        matches!(&self.mode, Mode::Force(force) if force.feels())
     }
 }
 

@@ -4,14 +4,13 @@ use super::active_contacts::state::ActiveContacts;
 use super::driven::{Driven, Meaning, Mode, name, target};
 use super::pass::Pass;
 use super::record::near;
-use crate::body::Body;
 use crate::drive::force::Force;
+use crate::drive::forced::forced;
 use crate::drive::path::Path;
 use crate::drive::simple::{Begun, analyse, begin};
 use crate::drive::tracking::Tracker;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::Role;
-use crate::simulation::Simulation;
 use crate::{Drive, EndCondition, LimitLaw, OutcomeKind, Target};
 use solaris_model::{Event, EventKind};
 use solaris_profiles::ProfileError;
@@ -20,6 +19,9 @@ use std::sync::Arc;
 /// How far, at most, a curve may begin from where its degree of freedom is, and from its velocity: what integration and
 /// numbers written with few digits leave.
 const SAME: f64 = 1e-6;
+
+/// Drives that come again sooner than this (s) take no time.
+const LEAST_ROUND: f64 = 1e-6;
 
 impl Pass {
     /// All first drives.
@@ -41,8 +43,10 @@ impl Pass {
             .filter(|dof| !self.simulation.figure.follows(*dof))
             .map(|dof| (dof, 0))
             .collect();
+        self.carry()?;
         self.begin(&all)?;
         self.take_over(&[])?;
+        self.push()?;
         self.settle(&[])?;
         self.find_contacts(&[])?;
         self.leap()?;
@@ -66,6 +70,7 @@ impl Pass {
             return Ok(());
         }
         self.take_over(events)?;
+        self.push()?;
         self.settle(events)?;
         self.find_contacts(events)?;
         self.leap()?;
@@ -77,9 +82,25 @@ impl Pass {
     fn take_over(&mut self, events: &[Meaning]) -> Result<(), RunError> {
         let mut next = self.over(events);
         while !next.is_empty() {
+            self.check_progress(&next)?;
             self.note_changes(&next);
             self.begin(&next)?;
             next = self.over(&[]);
+        }
+        Ok(())
+    }
+
+    /// Refuses drives that come again and again without any time going on.
+    fn check_progress(&mut self, next: &[(usize, usize)]) -> Result<(), RunError> {
+        for &(dof, step) in next.iter().filter(|(dof, step)| *step <= self.driven[*dof].step) {
+            if self.again[dof] >= self.t - LEAST_ROUND {
+                let drive = name(self.simulation.drives[dof].get(step));
+                let dof = self.simulation.name(dof).to_owned();
+                let cause = FailureKind::NoTime { dof: dof.clone(), drive };
+                let remedies = vec![Remedy::TakeTime];
+                return Err(Box::new(RunFailure { time: self.t, dof: Some(dof), cause, remedies }).into());
+            }
+            self.again[dof] = self.t;
         }
         Ok(())
     }
@@ -88,7 +109,7 @@ impl Pass {
     fn note_changes(&mut self, next: &[(usize, usize)]) {
         for &(dof, step) in next {
             let steps = &self.simulation.drives[dof];
-            let (from, to) = (name(steps.get(step - 1)), name(steps.get(step)));
+            let (from, to) = (name(steps.get(self.driven[dof].step)), name(steps.get(step)));
             let what = format!("{}: {from} -> {to}", self.simulation.name(dof));
             self.passed.record.events.push(Event { time: self.t, kind: EventKind::DriveChange { what } });
             self.passed.jumps = true;
@@ -97,54 +118,73 @@ impl Pass {
 
     /// Writes down what came of the drives that are over; what comes next.
     fn over(&mut self, events: &[Meaning]) -> Vec<(usize, usize)> {
-        let simulation = Arc::clone(&self.simulation);
         let mut next = Vec::new();
         for dof in 0..self.driven.len() {
-            if simulation.figure.follows(dof) {
-                continue;
-            }
-            let steps = &simulation.drives[dof];
-            let (driven, due) = (&self.driven[dof], self.t + near(self.t));
-            let over = events.contains(&Meaning::DriveEnds(dof))
-                || steps.get(driven.step).is_some_and(|step| match step.until {
-                    EndCondition::Time(time) => time <= due,
-                    EndCondition::Lasting(time) => driven.start + time <= due,
-                    _ => false,
-                });
-            let done = !driven.waits && driven.end <= due;
-            if done {
-                let result = self.result(dof);
-                self.outcome(dof, result);
-            } else if over && !driven.waits {
-                let lasts = driven.end.is_infinite();
-                self.outcome(dof, if lasts { OutcomeKind::Ended } else { OutcomeKind::Interrupted });
-            }
-            let until_done =
-                steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
-            if over || (done && until_done) {
-                next.push((dof, self.driven[dof].step + 1));
-            } else if done {
-                let driven = &mut self.driven[dof];
-                (driven.waits, driven.end) = (true, f64::INFINITY);
-                // A torque goes on as it ended; everything else has arrived.
-                let step = self.simulation.drives[dof].get(driven.step);
-                if !step.is_some_and(|step| matches!(step.drive, Drive::Torque(_))) {
-                    driven.mode = Mode::Still;
+            next.extend(self.over_of(dof, events).map(|step| (dof, step)));
+        }
+        while self.pass_stage(events) {
+            for dof in 0..self.driven.len() {
+                let is_part = |step: &crate::Step| matches!(step.until, EndCondition::Part(_));
+                let waits = self.simulation.drives[dof].get(self.driven[dof].step).is_some_and(is_part);
+                if waits && next.iter().all(|(other, _)| *other != dof) {
+                    next.extend(self.over_of(dof, events).map(|step| (dof, step)));
                 }
             }
         }
         next
     }
 
+    /// The next drive of a degree of freedom, if the one that it has is over, whose outcome is written down.
+    fn over_of(&mut self, dof: usize, events: &[Meaning]) -> Option<usize> {
+        if self.simulation.figure.follows(dof) {
+            return None;
+        }
+        let simulation = Arc::clone(&self.simulation);
+        let steps = &simulation.drives[dof];
+        let (driven, due) = (&self.driven[dof], self.t + near(self.t));
+        let over = events.contains(&Meaning::DriveEnds(dof))
+            || steps.get(driven.step).is_some_and(|step| match step.until {
+                EndCondition::Time(time) => time <= due,
+                EndCondition::Lasting(time) => driven.start + time <= due,
+                EndCondition::Part(part) => part < self.stages_over(),
+                _ => false,
+            });
+        let done = !driven.waits && driven.end <= due;
+        if done {
+            let result = self.result(dof);
+            self.outcome(dof, result);
+        } else if over && !driven.waits {
+            let lasts = driven.end.is_infinite();
+            let ended = if lasts { self.result_of_lasting(dof) } else { OutcomeKind::Interrupted };
+            self.outcome(dof, ended);
+        }
+        let until_done = steps.get(self.driven[dof].step).is_none_or(|step| step.until == EndCondition::Done);
+        let next = self.simulation.next_drive(dof, self.driven[dof].step);
+        // What leads back to a motion holds where that ends, unless something else is to come.
+        let holds = self.driven[dof].feels() && next == steps.len();
+        if over || (done && until_done && !holds) {
+            return Some(next);
+        }
+        if done {
+            let driven = &mut self.driven[dof];
+            (driven.waits, driven.end) = (true, f64::INFINITY);
+            // A force goes on as it ended; everything else has arrived.
+            let step = self.simulation.drives[dof].get(driven.step);
+            let is_force =
+                |drive: &Drive| matches!(drive, Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_));
+            if !step.is_some_and(|step| is_force(&step.drive)) {
+                driven.mode = Mode::Still;
+            }
+        }
+        None
+    }
+
     /// The laws of the simulation are others from now on.
     pub(crate) fn renew(&mut self) -> Result<(), RunError> {
-        let Simulation { figure, gravity, springs, limits, surface, .. } = &*self.simulation;
-        self.body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
+        self.rebuild()?;
         self.body.plant(&self.active.holds);
-        let by_impulses = self.by_impulses();
-        self.body.touch_by_impulses(by_impulses);
         self.compiled = None;
-        for (driven, law) in self.driven.iter_mut().zip(limits) {
+        for (driven, law) in self.driven.iter_mut().zip(&self.simulation.limits) {
             driven.held = driven.held.filter(|_| matches!(law, LimitLaw::Hard { .. }));
         }
         self.change(&[])
@@ -207,9 +247,10 @@ impl Pass {
             let step = self.driven[dof].step;
             let begins = self.analysed(dof, &target, analysis.force[i], analysis.acceleration[i]);
             if !begins && self.simulation.drives[dof][step].until == EndCondition::Done {
-                next.push((dof, step + 1));
+                next.push((dof, self.simulation.next_drive(dof, step)));
             }
         }
+        self.check_progress(&next)?;
         self.note_changes(&next);
         if next.is_empty() { Ok(()) } else { self.begin(&next) }
     }
@@ -276,10 +317,9 @@ impl Pass {
                 self.check_start(dof, (start.position, start.velocity), (position, velocity))?;
                 new(Mode::Path(path), recorded.span().1.max(now))
             }
-            Drive::Torque(profile) => {
-                let path = Path::profile(profile, now).map_err(fault)?;
-                let end = path.end();
-                new(Mode::Force(Force::Along(path)), end)
+            Drive::Torque(_) | Drive::Servo(_) | Drive::Sum(_) => {
+                let (force, end) = forced(drive, now).map_err(fault)?;
+                new(Mode::Force(force), end)
             }
             Drive::FreeStyle { duration, .. } => new(Mode::Force(Force::Constant(0.0)), now + duration),
             Drive::Intensive { target, duration, law, .. } => {
@@ -321,6 +361,8 @@ impl Pass {
         }
         let (mut q, mut v) = (self.q.clone(), self.v.clone());
         figure.follow(&mut q, &mut v, &mut a);
-        (prescribed, a, self.driven.iter().map(|driven| driven.force(self.t)).collect())
+        let state = |dof| (figure.layout().coordinate(dof).map_or(0.0, |x| self.q[x]), self.v[dof]);
+        let forces = self.driven.iter().enumerate().map(|(dof, driven)| driven.force(self.t, state(dof)));
+        (prescribed, a, forces.collect())
     }
 }

@@ -159,7 +159,7 @@ impl Pass {
     }
 
     /// Takes the velocities after an impact.
-    fn take_velocities(&mut self, struck: Struck) {
+    pub(crate) fn take_velocities(&mut self, struck: Struck) {
         self.passed.ledger.lose(struck.loss);
         for dof in struck.released {
             self.driven[dof].held = None;

@@ -1,6 +1,7 @@
 //! Where the energy goes.
 
 use crate::report::{Energy, EnergyReport};
+use crate::simulation::Simulation;
 
 /// Accounts of energy over a pass (J).
 #[derive(Clone, Debug, Default)]
@@ -82,6 +83,16 @@ impl Ledger {
     fn weigh(&mut self, energy: Energy) {
         let at_play = energy.kinetic + energy.elastic + (energy.potential - self.level).abs();
         self.report.scale = self.report.scale.max(at_play);
+    }
+}
+
+/// An energy (J) that is little for the figure: to lift it by a hundredth of its height.
+pub(crate) fn least_energy(simulation: &Simulation) -> f64 {
+    let Simulation { figure, gravity, .. } = simulation;
+    if gravity.norm() > 0.0 {
+        0.01 * figure.mass() * gravity.norm() * figure.extent(&-gravity).height
+    } else {
+        0.0
     }
 }
 

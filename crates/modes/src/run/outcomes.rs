@@ -1,7 +1,8 @@
 //! Outcomes of drives.
 
-use super::driven::name;
+use super::driven::{Mode, name};
 use super::pass::Pass;
+use crate::drive::force::Force;
 use crate::{Drive, EndCondition, Outcome, OutcomeKind};
 use std::sync::Arc;
 
@@ -29,9 +30,39 @@ impl Pass {
                     () => OutcomeKind::Missed,
                 }
             }
-            Some(Drive::Torque(_) | Drive::FreeStyle { .. }) => OutcomeKind::Ended,
+            Some(Drive::Servo(_)) => {
+                let Some((aim, rate)) = self.aim(dof) else { return OutcomeKind::Ended };
+                let at_limit = self.is_at_its_limit(dof, position);
+                match () {
+                    () if (position - aim).abs() <= REACHED => {
+                        let same = (self.v[dof] - rate).abs() <= 10.0 * REACHED;
+                        if same { OutcomeKind::Reached } else { OutcomeKind::ReachedWithVelocity }
+                    }
+                    () if at_limit => OutcomeKind::LimitedByTorque,
+                    () => OutcomeKind::Missed,
+                }
+            }
+            Some(Drive::Torque(_) | Drive::FreeStyle { .. } | Drive::Sum(_)) => OutcomeKind::Ended,
             _ => OutcomeKind::Reached,
         }
+    }
+
+    /// What came of a drive that would go on, where the next one takes over or the run ends.
+    pub(crate) fn result_of_lasting(&self, dof: usize) -> OutcomeKind {
+        if self.aim(dof).is_some() { self.result(dof) } else { OutcomeKind::Ended }
+    }
+
+    /// Whether a servo asks for as much as its motor gives, or more.
+    fn is_at_its_limit(&self, dof: usize, position: f64) -> bool {
+        let Mode::Force(Force::Servo(servo)) = &self.driven[dof].mode else { return false };
+        servo.demand(self.t, (position, self.v[dof])).abs() >= (1.0 - 1e-9) * servo.limit
+    }
+
+    /// Where a servo would have its degree of freedom now, and how fast.
+    fn aim(&self, dof: usize) -> Option<(f64, f64)> {
+        let Mode::Force(Force::Servo(servo)) = &self.driven[dof].mode else { return None };
+        let aim = servo.aim.at(self.t);
+        Some((aim.position, aim.velocity))
     }
 
     /// Writes down how a drive ended.
@@ -53,6 +84,7 @@ impl Pass {
         let (layout, position) = (self.simulation.figure.layout(), self.position(dof));
         let target = match self.simulation.drives[dof].get(self.driven[dof].step).map(|step| &step.drive) {
             Some(Drive::Intensive { target, .. }) if result == OutcomeKind::Missed => Some(target.position),
+            Some(Drive::Servo(_)) if result == OutcomeKind::Missed => self.aim(dof).map(|(aim, _)| aim),
             _ => None,
         };
         self.passed.outcomes.push(Outcome {
@@ -87,10 +119,14 @@ impl Pass {
             // A record may go on for as long as it likes.
             let is_recorded = matches!(step.drive, Drive::Recorded(_));
             let lasts = driven.end.is_infinite() && step.until == EndCondition::Done;
-            if !(lasts || driven.waits || is_recorded) {
+            if lasts && !driven.waits && self.aim(dof).is_some() {
+                self.outcome(dof, self.result(dof));
+            } else if !(lasts || driven.waits || is_recorded) {
                 self.outcome(dof, OutcomeKind::Unfinished);
             }
-            for step in &steps[at + 1..] {
+            // Of what comes again everything has begun, but for the first time round.
+            let is_first = self.again[dof].is_infinite();
+            for step in steps[at + 1..].iter().filter(|_| is_first) {
                 self.note(dof, step.drive.name(), self.t, OutcomeKind::NotBegun, None);
             }
         }

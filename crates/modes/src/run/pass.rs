@@ -1,14 +1,17 @@
 //! One pass through a simulation, by one method.
 
 use super::active_contacts::state::ActiveContacts;
+use super::carries::whole_body;
 use super::driven::{Driven, Meaning, Mode};
 use super::guard;
-use super::ledger::Ledger;
+use super::ledger::{Ledger, least_energy};
+use super::pushes;
 use super::record::{Record, near};
 use crate::Outcome;
 use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::{GROUND, Phase, Role};
+use crate::push::Thrust;
 use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
@@ -34,6 +37,8 @@ pub(crate) struct Passed {
     pub(crate) jumps: bool,
     /// What the ground did to what dynamics move, as in the state of a phase.
     pub(crate) ground: [f64; GROUND],
+    /// What pushes of the world did (J).
+    pub(crate) pushed: f64,
 }
 
 /// One pass, on its way.
@@ -48,6 +53,8 @@ pub(crate) struct Pass {
     /// The last accelerations that were found.
     pub(crate) a: Vec<f64>,
     pub(crate) driven: Vec<Driven>,
+    /// By degree of freedom: when its drives began again last (s).
+    pub(crate) again: Vec<f64>,
     /// The whole figure, for analyses and impacts.
     pub(crate) body: Body<f64>,
     /// Where the next stretch has to end at the latest (s).
@@ -58,6 +65,14 @@ pub(crate) struct Pass {
     pub(crate) active: ActiveContacts,
     /// What an impact has leapt over: drives that wait for a velocity.
     pub(crate) leapt: Vec<Meaning>,
+    /// What the world does, by push, and whether a blow has been given.
+    pub(crate) thrusts: Vec<Thrust>,
+    pub(crate) struck: Vec<bool>,
+    /// When each part of the sequence that is over was (s).
+    pub(crate) stages: Vec<f64>,
+    /// Which loads are carried, and the simulation with these; none before the first is looked for.
+    pub(crate) carried: Vec<bool>,
+    pub(crate) loaded: Option<Box<Simulation>>,
     pub(crate) passed: Passed,
     pub(super) work: f64,
     pub(super) heat: f64,
@@ -72,16 +87,8 @@ pub(super) struct Compiled {
     pub(super) phase: Phase,
     roles: Vec<Role>,
     q: Vec<f64>,
-}
-
-/// An energy (J) that is little for the figure: to lift it by a hundredth of its height.
-fn least_energy(simulation: &Simulation) -> f64 {
-    let Simulation { figure, gravity, .. } = simulation;
-    if gravity.norm() > 0.0 {
-        0.01 * figure.mass() * gravity.norm() * figure.extent(&-gravity).height
-    } else {
-        0.0
-    }
+    /// The drives whose forces depend on the state when steps were last looked at: degree of freedom, and place among its drives.
+    pub(super) servos: Vec<(usize, usize)>,
 }
 
 /// Runs through a simulation once.
@@ -108,12 +115,11 @@ impl Pass {
         settings: &Settings,
         stepping: Stepping,
     ) -> Result<Self, RunError> {
-        let Simulation { figure, gravity, springs, limits, surface, .. } = &**simulation;
+        let figure = &simulation.figure;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
         figure.follow(&mut q, &mut v, &mut a);
-        let mut body = Body::new(figure, *gravity, springs, limits)?.on(surface.as_ref());
-        body.touch_by_impulses(matches!(stepping, Stepping::Impulses { .. }));
+        let body = whole_body(simulation, matches!(stepping, Stepping::Impulses { .. }))?;
         let at_rest = |_| Driven::new(0, 0.0, Mode::Still, f64::INFINITY);
         Ok(Self {
             simulation: Arc::clone(simulation),
@@ -121,6 +127,7 @@ impl Pass {
             stepping,
             t: 0.0,
             driven: (0..v.len()).map(at_rest).collect(),
+            again: vec![f64::NEG_INFINITY; v.len()],
             q,
             v,
             a,
@@ -129,6 +136,11 @@ impl Pass {
             until: f64::INFINITY,
             active: ActiveContacts::default(),
             leapt: Vec::new(),
+            thrusts: pushes::thrusts(simulation)?,
+            struck: vec![false; simulation.pushes.len()],
+            stages: Vec::new(),
+            carried: Vec::new(),
+            loaded: None,
             passed: Passed {
                 record: Record::new(settings.duration, settings.rate),
                 ledger: Ledger::new(least_energy(simulation)),
@@ -140,6 +152,7 @@ impl Pass {
                 is_dynamic: false,
                 jumps: false,
                 ground: [0.0; GROUND],
+                pushed: 0.0,
             },
             work: 0.0,
             heat: 0.0,
@@ -252,6 +265,9 @@ impl Pass {
         *t = stopped.time;
         phase.unpack(*t, &y, q, v);
         (self.work, self.heat) = (y[work], y[heat]);
+        if !simulation.pushes.is_empty() {
+            passed.pushed += y[y.len() - 1];
+        }
         for (sum, part) in passed.ground.iter_mut().zip(&y[heat + 1..]) {
             *sum += part;
         }
@@ -273,29 +289,22 @@ impl Pass {
             && compiled.roles == roles
             && self.stands_where(&compiled)
         {
-            return Ok(compiled);
+            return self.look_again(compiled);
         }
         self.end_phase();
-        let mut phase = Phase::with(&self.simulation, &roles, &self.q, self.settings.leave_out)?;
+        let simulation = self.loaded.as_deref().unwrap_or(&self.simulation);
+        let mut phase = Phase::with(simulation, &roles, &self.q, self.settings.leave_out)?;
         if let Stepping::Impulses { step } = self.stepping {
             phase.step_by_impulses_of(step);
         }
-        let mut compiled = Compiled { phase, roles, q: self.q.clone() };
+        let mut compiled = Compiled { phase, roles, q: self.q.clone(), servos: self.servos() };
         // What is watched for may bring back what was left out.
         self.load(&mut compiled.phase, self.next_stop())?;
         let phase = &compiled.phase;
         self.passed.phases.push(PhaseReport { start: self.t, ..phase.report.clone() });
         self.passed.is_dynamic |= phase.is_dynamic();
         if phase.is_dynamic() {
-            let y = compiled.phase.pack(&self.q, &self.v, self.work, self.heat);
-            guard::look_before(
-                &self.simulation,
-                &self.settings.guard,
-                &mut compiled.phase,
-                self.stepping,
-                self.t,
-                &y,
-            )?;
+            self.look_before(&mut compiled.phase)?;
         }
         Ok(compiled)
     }
@@ -335,13 +344,15 @@ impl Pass {
     }
 
     /// When the next stretch has to end (s).
-    fn next_stop(&self) -> f64 {
+    pub(super) fn next_stop(&self) -> f64 {
         let mut stop = self.settings.duration.min(self.cap);
         let later = |time: f64| time > self.t + near(self.t);
         for (driven, steps) in self.driven.iter().zip(&self.simulation.drives) {
             let times = driven.breaks().into_iter().chain([driven.ends(steps)]);
             stop = times.filter(|time| later(*time)).fold(stop, f64::min);
         }
+        let breaks = self.push_breaks().chain(self.carry_breaks()).chain([self.stage_end()]);
+        stop = breaks.filter(|time| later(*time)).fold(stop, f64::min);
         if self.driven.iter().any(|driven| matches!(driven.mode, Mode::Track(..))) {
             stop = self.passed.record.after(self.t).map_or(stop, |frame| frame.min(stop)).min(self.until);
         }

@@ -177,6 +177,9 @@ impl Pass {
         let Stretch { compiled: Compiled { phase, .. }, y, .. } = stretch;
         let (work, heat) = (y[phase.accounts()], y[phase.accounts() + 1]);
         (self.work, self.heat) = (work, heat);
+        if !self.simulation.pushes.is_empty() {
+            self.passed.pushed += y[y.len() - 1];
+        }
         for (sum, part) in self.passed.ground.iter_mut().zip(&y[phase.accounts() + 2..]) {
             *sum += part;
         }

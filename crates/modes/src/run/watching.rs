@@ -24,7 +24,7 @@ impl Pass {
                 Meaning::Limit(_, side) | Meaning::Release(_, side) => -side.outward(),
                 // Nothing goes into the ground or is pulled by it.
                 Meaning::Touch(_) | Meaning::Pull(..) => 1.0,
-                Meaning::DriveEnds(_) | Meaning::Kink | Meaning::Push(_) => 0.0,
+                Meaning::DriveEnds(_) | Meaning::StageEnds | Meaning::Kink | Meaning::Push(_) => 0.0,
             });
         };
         for (dof, driven) in self.driven.iter().enumerate() {
@@ -42,6 +42,7 @@ impl Pass {
                 watch(Watched::Hold { dof }, Meaning::Release(dof, side));
             } else if driven.role() == Role::Dynamic {
                 self.watch_limits(dof, &mut watch);
+                watch_servos(dof, &driven.mode, &mut watch);
             }
             let steps = &self.simulation.drives[dof];
             match steps.get(driven.step).map(|step| &step.until) {
@@ -58,6 +59,10 @@ impl Pass {
                 _ => {}
             }
         }
+        if let Some(stage) = self.watched_stage() {
+            watch(stage, Meaning::StageEnds);
+        }
+        self.load_pushes(phase, end);
         phase.plant(&self.active.holds);
         for (hold, patch) in self.active.holds.iter().enumerate() {
             for lever in 0..patch.levers.len() {
@@ -133,5 +138,15 @@ impl Pass {
         let at = figure.layout().joints().partition_point(|at| at.v + at.nv <= dof);
         let joint = figure.layout().joints()[at];
         figure.links()[at].joint().kind().axes().get(dof - joint.v)?.limits
+    }
+}
+
+/// Where a servo's force stops to grow, and where it falls again, it has a kink.
+fn watch_servos(dof: usize, mode: &Mode, watch: &mut impl FnMut(Watched, Meaning)) {
+    let Mode::Force(force) = mode else { return };
+    for (servo, limit) in force.servos().map(|servo| servo.limit).enumerate().filter(|(_, x)| x.is_finite()) {
+        for most in [limit, -limit] {
+            watch(Watched::Saturation { dof, servo, most }, Meaning::Kink);
+        }
     }
 }

@@ -30,7 +30,8 @@ impl Frames {
     /// Frames of a motion that cannot be compared to its end, spread over it; nothing where it can be, or where drives
     /// have a clock, which a run from a later state would set back.
     pub(super) fn of(simulation: &Simulation, found: &Found, sensitivity: &Sensitivity) -> Option<Self> {
-        let timeless = simulation.drives.iter().all(
+        let of_its_own = simulation.pushes.is_empty() && simulation.carries.is_empty();
+        let timeless = of_its_own && simulation.drives.iter().all(
             |steps| matches!(steps.as_slice(), [step] if matches!(step.drive, Drive::Free | Drive::Frozen)),
         );
         let beside = found.beside.as_ref().filter(|_| timeless && sensitivity.is_chaotic);

@@ -42,8 +42,8 @@ pub(super) fn drift(simulation: &Simulation, motion: &Motion) -> Option<Momentum
     Some(worst)
 }
 
-/// Whether every root moves freely in all directions, with nothing that drives or holds it, and no spring ends in the
-/// world.
+/// Whether every root moves freely in all directions, with nothing that drives or holds it, no spring ends in the
+/// world, and the world neither pushes nor hands anything over.
 fn is_adrift(simulation: &Simulation) -> bool {
     let figure = simulation.figure();
     let joints = figure.links().iter().zip(figure.layout().joints());
@@ -57,7 +57,8 @@ fn is_adrift(simulation: &Simulation) -> bool {
     });
     let held =
         simulation.springs.iter().flat_map(|spring| &spring.between).any(|anchor| anchor.link.is_none());
-    is_free && !held
+    let pushed = !simulation.pushes.is_empty() || !simulation.carries.is_empty();
+    is_free && !held && !pushed
 }
 
 fn moves_freely(kind: &JointKind) -> bool {

@@ -65,7 +65,14 @@ fn changed(simulation: &Simulation) -> Option<Simulation> {
         let first = drives.first().map(|step| &step.drive);
         if matches!(
             first,
-            Some(Drive::Free | Drive::Torque(_) | Drive::FreeStyle { .. } | Drive::Intensive { .. })
+            Some(
+                Drive::Free
+                    | Drive::Torque(_)
+                    | Drive::FreeStyle { .. }
+                    | Drive::Intensive { .. }
+                    | Drive::Servo(_)
+                    | Drive::Sum(_)
+            )
         ) {
             step[dof] = sign;
             // To and fro: a change of all angles alike may be a turn of the whole.

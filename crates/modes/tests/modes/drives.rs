@@ -4,6 +4,7 @@ mod changes;
 mod intensive;
 mod order;
 mod recorded;
+mod servo;
 mod simple;
 mod takeover;
 

@@ -1,15 +1,19 @@
 //! The first level, from outside.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "what was measured")]
 
+mod balance;
+mod carries;
 mod contact;
 mod drives;
 mod governor;
 mod limits;
 mod limits_random;
 mod plan;
+mod pushes;
 #[cfg(feature = "serde")]
 mod reports;
 mod running;
+mod sequence;
 mod steppers;
 #[cfg(feature = "stiff")]
 mod steppers_stiff;

@@ -11,7 +11,7 @@ use crate::polynomial::{CubicHermite, Quintic};
 use crate::range::Range;
 use crate::sample::{Boundary, Sample};
 use crate::spline::{Bend, CubicSpline};
-use crate::{acceleration, displacement, legacy, limited, velocity};
+use crate::{acceleration, cyclic, displacement, legacy, limited, velocity};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
@@ -73,6 +73,8 @@ any! {
     SCurve(limited::SCurve<F>),
     Spline(CubicSpline<F>),
     Blend(Box<Blend<ProfileCurve<F>, F>>),
+    Sine(cyclic::Sine<F>),
+    Repeat(Box<cyclic::Repeat<ProfileCurve<F>>>),
 }
 
 impl<F: Elementary> Curve<F> for ProfileCurve<F> {
@@ -258,6 +260,13 @@ impl Profile {
                 let layers = layers.iter().map(ProfileLayer::weighted).collect::<Result<Vec<_>, _>>()?;
                 Box::new(Blend::weighted(layers)?).into()
             }
+            Self::Sine { amplitude, period, cycles, phase, offset } => {
+                cyclic::Sine::new(f(amplitude), f(period), cycles, f(phase), f(offset))?.into()
+            }
+            Self::Repeat { ref of, times } => {
+                cyclic::check_times("times", f64::from(times) * of.laps(), 1.0)?;
+                Box::new(cyclic::Repeat::new(of.curve()?, times)?).into()
+            }
         })
     }
 }
@@ -274,6 +283,17 @@ impl ProfileLayer {
             fade_in: self.fade_in,
             fade_out: self.fade_out,
         })
+    }
+}
+
+impl Profile {
+    /// How often something in it comes again, one in another counted as often as both together.
+    fn laps(&self) -> f64 {
+        match self {
+            Self::Sine { cycles, .. } => cycles.max(1.0),
+            Self::Repeat { of, times } => f64::from(*times) * of.laps(),
+            _ => 1.0,
+        }
     }
 }
 

@@ -90,7 +90,7 @@ impl Kind {
 }
 
 impl Profile {
-    /// Its kind; a blend has none, because its parameters are those of its layers.
+    /// Its kind; what is made of other curves has none, and a sine, whose parameters are of its own sort.
     pub fn kind(&self) -> Option<&'static Kind> {
         let variant = self.variant();
         Self::KINDS.iter().find(|kind| kind.variant == variant)

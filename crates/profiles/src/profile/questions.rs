@@ -56,7 +56,7 @@ impl Profile {
             _ => self.feasible_other(free),
         }
         .unwrap_or_else(|| {
-            let kind = self.kind().map_or("a blend", |kind| kind.name);
+            let kind = self.kind().map_or(self.variant(), |kind| kind.name);
             Err(ProfileError::NotFree { kind, parameter: free.name, instead: self.free() })
         })
     }

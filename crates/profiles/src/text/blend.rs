@@ -43,7 +43,7 @@ impl ProfileReader<'_> {
         self.checked(Profile::Weighted { layers: layers? }, &fields)
     }
 
-    fn checked(&mut self, profile: Profile, fields: &Fields<'_, '_>) -> Option<Profile> {
+    pub(super) fn checked(&mut self, profile: Profile, fields: &Fields<'_, '_>) -> Option<Profile> {
         let curve: Result<_, ProfileError> = profile.curve::<f64>();
         curve.map_err(|error| self.refuse(&error, fields)).ok()?;
         Some(profile)

@@ -9,6 +9,8 @@ pub(super) struct ProfileReader<'r> {
     pub(super) reader: &'r mut Reader,
     /// Whether what is moved turns, so that degrees make sense.
     pub(super) turns: bool,
+    /// How long (s) what comes again without end has to go on, where that is known.
+    pub(super) lasts: Option<f64>,
 }
 
 impl ProfileReader<'_> {
@@ -25,10 +27,14 @@ impl ProfileReader<'_> {
         match head.name {
             "Blend" => return self.blend(node),
             "Weighted" => return self.weighted(node),
+            "Sine" => return self.sine(node),
+            "Repeat" => return self.repeat(node),
             _ => {}
         }
         let Some(kind) = Profile::KINDS.iter().find(|kind| kind.variant == head.name) else {
-            let names = || Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted"]);
+            let names = || {
+                Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted", "Sine", "Repeat"])
+            };
             let hint = match nearest(head.name, names()) {
                 Some(near) => format!("did you mean '{near}'?"),
                 None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),

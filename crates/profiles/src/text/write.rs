@@ -29,6 +29,20 @@ fn profile(profile: &Profile) -> Doc {
             fields.push(field("leaving", Doc::Atom(format!("{leaving:?}"))));
         }
         Profile::Weighted { layers } => fields.push(field("layers", list(layers.iter().map(layer)))),
+        Profile::Sine { amplitude, period, cycles, phase, offset } => {
+            let all = [
+                ("amplitude", amplitude),
+                ("period", period),
+                ("cycles", cycles),
+                ("phase", phase),
+                ("offset", offset),
+            ];
+            fields.extend(all.map(|(name, value)| field(name, plain(*value))));
+        }
+        Profile::Repeat { of, times } => {
+            fields.push(field("of", self::profile(of)));
+            fields.push(field("times", Doc::Atom(times.to_string())));
+        }
         Profile::CatmullRom { keys }
         | Profile::Centripetal { keys }
         | Profile::MonotoneCubic { keys }

@@ -6,6 +6,7 @@ mod blend_laws;
 mod butterworth;
 mod clip_laws;
 mod curve_laws;
+mod cyclic;
 mod displacement_hard;
 mod displacement_laws;
 mod feasible_laws;

@@ -5,11 +5,13 @@ use super::drives::Placed;
 use super::names::Meant;
 use solaris_model::text::{Fields, Node};
 use solaris_modes::{Course, Drive, EndCondition, Law, Shape, Step, Target};
+use solaris_profiles::Profile;
 
-const DRIVES: [&str; 11] = [
+pub(super) const DRIVES: [&str; 16] = [
     "Free",
     "Frozen",
     "Wait",
+    "When",
     "Kinematic",
     "Move",
     "Torque",
@@ -18,6 +20,10 @@ const DRIVES: [&str; 11] = [
     "AccelerateDecelerate",
     "FreeStyle",
     "Intensive",
+    "Servo",
+    "Sum",
+    "Sine",
+    "Repeat",
 ];
 
 const UNTIL: [&str; 5] = ["Done", "At", "Lasting", "Passes", "PassesSpeed"];
@@ -32,15 +38,28 @@ fn known(kind: &str) -> &'static [&'static str] {
         "AccelerateDecelerate" => &["to", "velocity", "acceleration", "by", "until"],
         "FreeStyle" => &["to", "velocity", "acceleration", "for", "until"],
         "Intensive" => &["to", "velocity", "acceleration", "over", "law", "limit", "until"],
+        "Servo" => &["to", "along", "stiffness", "damping", "limit", "until"],
+        "Sum" => &["of", "until"],
         _ => &["until"],
     }
+}
+
+/// Whether a curve stands here.
+fn is_curve(node: &Node<'_>) -> bool {
+    let is_kind = |name: &str| Profile::KINDS.iter().any(|kind| kind.variant == name);
+    node.head().is_some_and(|head| is_kind(head.name) || ["Sine", "Blend", "Weighted"].contains(&head.name))
 }
 
 impl SceneReader<'_> {
     /// A drive of degrees of freedom that turn, or of others.
     pub(super) fn step(&mut self, node: &Node<'_>, turns: bool) -> Option<Placed> {
-        let kind = self.reader.kind(node, &DRIVES)?;
         let place = node.place();
+        if is_curve(node) {
+            // A curve stands for following it.
+            let drive = Drive::Kinematic(self.profile(node, turns)?);
+            return Some((place, drive.into()));
+        }
+        let kind = self.reader.kind(node, &DRIVES)?;
         match (kind, node.tuple()) {
             ("Wait", items) => {
                 let Some([time]) = items else {
@@ -49,6 +68,19 @@ impl SceneReader<'_> {
                 };
                 let time = self.reader.number(time, "the time to wait")?;
                 return Some((place, Step { drive: Drive::Frozen, until: EndCondition::Lasting(time) }));
+            }
+            ("When", items) => {
+                let Some([condition]) = items else {
+                    let message =
+                        "When(Passes(\"elbow.rx\", deg(10))) takes what is waited for, an until of a drive";
+                    self.reader.fault(place, message);
+                    return None;
+                };
+                return Some((place, Step { drive: Drive::Frozen, until: self.until(condition)? }));
+            }
+            ("Sum", Some([list])) => {
+                let drive = self.sum(list, turns)?;
+                return Some((place, drive.into()));
             }
             ("Kinematic", Some([curve])) => {
                 let drive = Drive::Kinematic(self.profile(curve, turns)?);
@@ -83,6 +115,11 @@ impl SceneReader<'_> {
                     _ => Shape::MinimumJerk,
                 };
                 Some(Drive::Move { to: target?.position, over: over?, along })
+            }
+            "Servo" => self.servo(fields, turns),
+            "Sum" => {
+                let list = self.reader.required(fields, "of", super::forces::SUM)?;
+                self.sum(list, turns)
             }
             "FreeStyle" => {
                 let has_target =
@@ -136,12 +173,12 @@ impl SceneReader<'_> {
     }
 
     /// A duration that must be there (s).
-    fn time(&mut self, fields: &Fields<'_, '_>, field: &str) -> Option<f64> {
+    pub(super) fn time(&mut self, fields: &Fields<'_, '_>, field: &str) -> Option<f64> {
         let node = self.reader.required(fields, field, "0.6")?;
         self.reader.number(node, "the duration")
     }
 
-    fn until(&mut self, node: &Node<'_>) -> Option<EndCondition> {
+    pub(super) fn until(&mut self, node: &Node<'_>) -> Option<EndCondition> {
         let kind = self.reader.kind(node, &UNTIL)?;
         match (kind, node.tuple()) {
             ("Done", None) => Some(EndCondition::Done),

@@ -5,7 +5,7 @@ use solaris_scene::{Loader, NoFiles, read};
 use std::fmt::Write;
 
 /// The faults of a text.
-fn faults(text: &str) -> String {
+pub(crate) fn faults(text: &str) -> String {
     match read(text, &mut NoFiles) {
         Ok(_) => "no fault".to_owned(),
         Err(error) => error.to_string(),
@@ -26,8 +26,13 @@ fn arm(fields: &str) -> String {
     )
 }
 
+/// A scene of a person, with more fields.
+pub(crate) fn person(fields: &str) -> String {
+    format!("Scene(version: 1, figures: {{\"ann\": Human(height: 1.75, mass: 73)}},\n{fields})")
+}
+
 /// Each of these fields, and its faults.
-fn listed(cases: &[&str]) -> String {
+pub(crate) fn listed(cases: &[&str]) -> String {
     let mut text = String::new();
     for case in cases {
         let _ = write!(text, "{case}\n{}\n\n", faults(&arm(case)));
@@ -252,4 +257,20 @@ fn files_come_from_the_loader() {
     assert!((read(text, &mut OneFile).expect("a scene").figure().mass() - 60.0).abs() < 1e-9);
     let error = read(&text.replace("ann", "bob"), &mut OneFile).expect_err("no such file");
     assert_eq!(error.to_string(), "line 1, column 52: 'bob.ron': no such file");
+    // A person floats already; on a free joint it cannot be put.
+    let based = |base: &str| text.replace("\"ann.ron\"", &format!("path: \"ann.ron\", base: {base}"));
+    assert_eq!(
+        read(&based("Floating"), &mut OneFile).expect("a scene").figure().layout().v_names()[0],
+        "root.tx"
+    );
+    for (base, said) in [
+        (
+            "Free",
+            "line 1, column 58: 'ann.ron': joint 'root' moves the root 'pelvis' already, by root.tx, root.ty, root.tz, root.rz, \
+             root.ry, root.rx; leave the base as the figure has it (fixed), or weld that joint first",
+        ),
+        ("Fre", "line 1, column 75: 'Fre' is not known here; did you mean 'Free'?"),
+    ] {
+        assert_eq!(read(&based(base), &mut OneFile).expect_err("refused").to_string(), said);
+    }
 }

@@ -1,7 +1,9 @@
 //! Scenes as texts: what they come to, and what is refused and how.
 
 mod faults;
+mod faults_words;
 mod fixtures;
 mod grammar;
 mod runs;
 mod soles;
+mod words;

@@ -14,3 +14,12 @@ pub(crate) struct ActiveContacts {
     pub(super) sliding: Vec<usize>,
     pub(super) begun: bool,
 }
+
+impl ActiveContacts {
+    /// Nothing stands any more, until it is found anew that it does.
+    pub(crate) fn forget(&mut self) {
+        self.holds.clear();
+        self.links.clear();
+        self.begun = false;
+    }
+}

@@ -2,7 +2,8 @@
 
 use solaris_model::{Curve, EventKind, FigureBuilder, Joint, LinkSpec, Vector3};
 use solaris_modes::{
-    Course, Drive, EndCondition, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Simulation, Step, Target,
+    Course, Drive, EndCondition, LimitLaw, Method, OutcomeKind, Rule, Run, Settings, Shape, Simulation, Step,
+    Target,
 };
 use solaris_profiles::Profile;
 
@@ -213,4 +214,33 @@ fn a_check_refuses_what_a_run_refuses_at_the_beginning() {
     let method = Method::Stiff { tolerance: 1e-6 };
     let stiff = block().check(&Settings { method, ..settings });
     assert_eq!(stiff.is_ok(), cfg!(feature = "stiff"));
+}
+
+/// Moves of 0.3 s and 0.2 s, to and fro without end: after any number of rounds it is where one round is.
+#[test]
+fn what_comes_again_goes_round_and_what_takes_no_time_is_refused() {
+    let to = |to: f64, over: f64| Step::from(Drive::Move { to, over, along: Shape::MinimumJerk });
+    let mut simulation = super::slider();
+    simulation.drive_again("slide", [to(0.5, 0.25), to(1.0, 0.3), to(0.0, 0.2)], 1).expect("valid");
+    let run = simulation.run(&super::settings(5.0, 100.0, 1e-2)).expect("runs");
+    for frame in 80..450 {
+        assert!((run.motion.q(frame)[0] - run.motion.q(frame + 50)[0]).abs() < 1e-12, "frame {frame}");
+    }
+    assert!((run.motion.q(55)[0] - 1.0).abs() < 1e-12);
+    assert!(run.report.outcomes.iter().all(|outcome| outcome.result != OutcomeKind::NotBegun));
+    let none = Step { drive: Drive::Frozen, until: EndCondition::Lasting(0.0) };
+    simulation.drive_again("slide", [to(0.5, 0.25), none], 1).expect("valid");
+    let refused =
+        simulation.run(&super::settings(1.0, 100.0, 1e-2)).expect_err("no time goes on").to_string();
+    assert_eq!(
+        refused,
+        "what drives slide.tx is over and begins again, with 'frozen', without any time going on at t = 0.25 s: let one of the \
+         drives that come again take time"
+    );
+    let beyond =
+        simulation.drive_again("slide", [to(0.5, 0.25)], 1).expect_err("there is only one").to_string();
+    assert_eq!(
+        beyond,
+        "the drive of 'slide' that comes again is 1; it must be the index of one of its drives"
+    );
 }

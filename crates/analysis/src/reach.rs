@@ -1,0 +1,354 @@
+//! Inverse kinematics of a point: where joints have to be so that it is at a place.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
+use solaris_dynamics::{DynamicsError, Frame, Tree, Workspace, joint_jacobians, point_columns};
+use solaris_model::Figure;
+
+/// A point this near (m) to its target is there.
+pub const REACHED: f64 = 1e-9;
+/// The least and the greatest damping, as parts of the greatest diagonal of `Jᵀ·J`.
+const DAMPING: (f64, f64) = (1e-14, 1e8);
+/// The farthest that one step goes in any coordinate (rad or m).
+const STRIDE: f64 = 0.5;
+const MOST_STEPS: usize = 300;
+/// A step that lowers the square of the distance by less than this part of it is the last one.
+const PROMISE: f64 = 1e-13;
+/// How far (rad or m) coordinates are moved aside where they are in a position from which no small step leads on, such as a straight arm
+/// whose target is on its line.
+const ASIDE: f64 = 0.05;
+
+/// Brings a point of a figure to places by some of its degrees of freedom.
+///
+/// ```text
+/// min |x(q) − x*|²      over the degrees of freedom that are named, within their limits
+/// ```
+///
+/// by damped least squares, `(Jᵀ·J + λ·E)·Δq = Jᵀ·(x* − x)`, from where the figure is: each step lowers the distance, so that of the
+/// many ways to be there a near one is found. Coordinates at a limit that the step would pass are left out of it.
+///
+/// # Source
+///
+/// C. W. Wampler, "Manipulator inverse kinematic solutions based on vector formulations and damped least-squares methods", IEEE Trans.
+/// Systems, Man, and Cybernetics 16 (1986) 93–101; the damping is chosen as Levenberg and Marquardt do; limits as in D. P. Bertsekas,
+/// "Projected Newton methods for optimization problems with simple constraints", SIAM J. Control Optim. 20 (1982) 221–246.
+///
+/// # Examples
+///
+/// ```
+/// use solaris_analysis::Reach;
+/// use solaris_model::{Vector3, human};
+///
+/// let ann = human(1.65, 58.0)?;
+/// let hand = ann.link_index("right_hand").expect("a hand");
+/// let arm: Vec<usize> = ["right_shoulder.rz", "right_shoulder.ry", "right_shoulder.rx", "right_elbow.rx"]
+///     .iter()
+///     .filter_map(|name| ann.layout().dof_index(name))
+///     .collect();
+/// let mut reach = Reach::new(&ann, hand, Vector3::new(0.0, -0.08, 0.0), &arm)?;
+/// let mut q = vec![0.0; ann.layout().nq()];
+/// q[ann.layout().dof_index("right_elbow.rx").expect("an elbow")] = -0.5;
+/// let reached = reach.solve(&mut q, &Vector3::new(-0.24, 0.36, 0.36))?;
+/// assert!(reached.off < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[doc(alias = "inverse kinematics")]
+#[doc(alias = "IK")]
+#[derive(Debug)]
+pub struct Reach {
+    tree: Tree<f64>,
+    workspace: Workspace<f64>,
+    tip: Frame<f64>,
+    unknowns: Vec<Unknown>,
+}
+
+/// A coordinate that may be moved.
+#[derive(Clone, Copy, Debug)]
+struct Unknown {
+    dof: usize,
+    coordinate: usize,
+    lower: f64,
+    upper: f64,
+}
+
+/// What came of a [`Reach`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// How far the point still is from its target (m): below [`REACHED`] it is there, else this is the nearest that was found.
+    pub off: f64,
+    /// How many steps it took.
+    pub steps: usize,
+}
+
+/// Why a point cannot be brought anywhere.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReachError {
+    /// No such link.
+    #[error("figure '{figure}' has no link number {link}")]
+    NoLink {
+        /// The figure.
+        figure: String,
+        /// The index.
+        link: usize,
+    },
+    /// A degree of freedom that cannot be placed.
+    #[error(
+        "'{dof}' has no coordinate of its own to be placed; name the axes of joints of rotations and slides"
+    )]
+    NoCoordinate {
+        /// The degree of freedom.
+        dof: String,
+    },
+    /// None of the degrees of freedom moves the point.
+    #[error("nothing that is named moves '{link}'; name joints between it and the root")]
+    NothingMoves {
+        /// The link of the point.
+        link: String,
+    },
+    /// The dynamics refuse the figure or the state.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+}
+
+impl Reach {
+    /// That of a `point` (m, in the link's frame) of a link by degrees of freedom (indices in `v`).
+    ///
+    /// # Errors
+    ///
+    /// [`ReachError`] for a link that there is not, degrees of freedom without a coordinate or that follow others, and none that moves
+    /// the point.
+    pub fn new(
+        figure: &Figure,
+        link: usize,
+        point: Vector3<f64>,
+        dofs: &[usize],
+    ) -> Result<Self, ReachError> {
+        if link >= figure.links().len() {
+            return Err(ReachError::NoLink { figure: figure.name().to_owned(), link });
+        }
+        let mut carries = vec![false; figure.links().len()];
+        let mut at = Some(link);
+        while let Some(carrier) = at {
+            carries[carrier] = true;
+            at = figure.links()[carrier].parent();
+        }
+        let layout = figure.layout();
+        let mut unknowns = Vec::new();
+        for (i, (carrier, joint)) in figure.links().iter().zip(layout.joints()).enumerate() {
+            for dof in (joint.v..joint.v + joint.nv).filter(|dof| dofs.contains(dof)) {
+                let coordinate = layout.coordinate(dof).filter(|_| !figure.follows(dof));
+                let Some(coordinate) = coordinate else {
+                    return Err(ReachError::NoCoordinate { dof: layout.v_names()[dof].clone() });
+                };
+                let limits = carrier.joint().kind().axes().get(dof - joint.v).and_then(|axis| axis.limits);
+                let (lower, upper) =
+                    limits.map_or((f64::NEG_INFINITY, f64::INFINITY), |limits| (limits.lower, limits.upper));
+                if carries[i] {
+                    unknowns.push(Unknown { dof, coordinate, lower, upper });
+                }
+            }
+        }
+        if unknowns.is_empty() {
+            return Err(ReachError::NothingMoves { link: figure.links()[link].name().to_owned() });
+        }
+        let tree = Tree::new(figure, Vector3::zeros())?;
+        Ok(Self { workspace: Workspace::new(&tree), tree, tip: Frame::at(link, point), unknowns })
+    }
+
+    /// Where the point is (m) in a configuration.
+    ///
+    /// # Errors
+    ///
+    /// [`ReachError::Dynamics`] for a configuration that is none.
+    pub fn place(&mut self, q: &[f64]) -> Result<Vector3<f64>, ReachError> {
+        joint_jacobians(&self.tree, &mut self.workspace, q)?;
+        Ok(self.tip.pose(&self.workspace).translation)
+    }
+
+    /// Moves the coordinates in `q` (rad, m; length `nq`) so that the point is at a place (m, world), or as near to it as steps from
+    /// there lead.
+    ///
+    /// # Errors
+    ///
+    /// As for [`place`](Self::place).
+    pub fn solve(&mut self, q: &mut [f64], target: &Vector3<f64>) -> Result<Reached, ReachError> {
+        for unknown in &self.unknowns {
+            let entry = &mut q[unknown.coordinate];
+            *entry = entry.clamp(unknown.lower, unknown.upper);
+        }
+        let mut best = self.descend(q, target)?;
+        let mut sides = [1.0, -1.0].into_iter();
+        while best.off > REACHED
+            && let Some(side) = sides.next()
+        {
+            let mut aside = q.to_vec();
+            for (i, unknown) in self.unknowns.iter().enumerate() {
+                let way = side * ASIDE * (1.0 + i as f64 / self.unknowns.len() as f64);
+                let entry = &mut aside[unknown.coordinate];
+                *entry = (*entry + way).clamp(unknown.lower, unknown.upper);
+            }
+            let other = self.descend(&mut aside, target)?;
+            let steps = best.steps + other.steps;
+            // Where nothing nearer is found it stays as it was.
+            if other.off < best.off - 0.01 * REACHED.max(best.off) {
+                q.copy_from_slice(&aside);
+                best = other;
+            }
+            best.steps = steps;
+        }
+        Ok(best)
+    }
+
+    /// Steps that lower the distance, until none does.
+    fn descend(&mut self, q: &mut [f64], target: &Vector3<f64>) -> Result<Reached, ReachError> {
+        let n = self.unknowns.len();
+        let mut damping = 1e-6;
+        let (mut jacobian, mut next) = (DMatrix::zeros(3, n), q.to_vec());
+        let mut off = self.columns(q, target, &mut jacobian)?;
+        for steps in 0..MOST_STEPS {
+            if off.norm() <= 1e-3 * REACHED {
+                return Ok(Reached { off: off.norm(), steps });
+            }
+            let gradient = jacobian.transpose() * off;
+            // What is at a limit and would go beyond it stays.
+            let is_free = |(i, unknown): (usize, &Unknown)| {
+                let x = q[unknown.coordinate];
+                !((x <= unknown.lower && gradient[i] < 0.0) || (x >= unknown.upper && gradient[i] > 0.0))
+            };
+            let free: Vec<usize> =
+                self.unknowns.iter().enumerate().filter(|x| is_free(*x)).map(|(i, _)| i).collect();
+            let few = jacobian.select_columns(&free);
+            let slope = DVector::from_iterator(free.len(), free.iter().map(|i| gradient[*i]));
+            let normal = few.transpose() * &few;
+            let scale = normal.diagonal().iter().fold(0.0, |most: f64, x| most.max(*x));
+            if free.is_empty() || scale <= 0.0 || slope.amax() <= 1e-15 * scale.sqrt() * off.norm() {
+                return Ok(Reached { off: off.norm(), steps });
+            }
+            let before = off.norm_squared();
+            let mut taken = false;
+            while damping <= DAMPING.1 {
+                let mut damped = normal.clone();
+                for i in 0..free.len() {
+                    damped[(i, i)] += damping.max(DAMPING.0) * scale;
+                }
+                let Some(mut step) = Cholesky::new(damped).map(|root| root.solve(&slope)) else {
+                    damping *= 10.0;
+                    continue;
+                };
+                let longest = step.amax();
+                if longest > STRIDE {
+                    step *= STRIDE / longest;
+                }
+                next.copy_from_slice(q);
+                for (i, way) in free.iter().zip(step.iter()) {
+                    let unknown = &self.unknowns[*i];
+                    let entry = &mut next[unknown.coordinate];
+                    *entry = (*entry + way).clamp(unknown.lower, unknown.upper);
+                }
+                let after = self.columns(&next, target, &mut jacobian)?;
+                if after.norm_squared() < before {
+                    q.copy_from_slice(&next);
+                    off = after;
+                    damping = (0.1 * damping).max(DAMPING.0);
+                    taken = true;
+                    break;
+                }
+                damping *= 10.0;
+            }
+            let gained = before - off.norm_squared();
+            if !taken || (gained <= PROMISE * before && off.norm() > REACHED) {
+                return Ok(Reached { off: off.norm(), steps: steps + 1 });
+            }
+        }
+        Ok(Reached { off: off.norm(), steps: MOST_STEPS })
+    }
+
+    /// The way from the point to its target, and how each unknown moves the point.
+    fn columns(
+        &mut self,
+        q: &[f64],
+        target: &Vector3<f64>,
+        jacobian: &mut DMatrix<f64>,
+    ) -> Result<Vector3<f64>, ReachError> {
+        let off = target - self.place(q)?;
+        jacobian.fill(0.0);
+        let unknowns = &self.unknowns;
+        point_columns(&self.tree, &self.workspace, &self.tip, |dof, column| {
+            if let Some(i) = unknowns.iter().position(|unknown| unknown.dof == dof) {
+                jacobian.set_column(i, &column.linear);
+            }
+        });
+        Ok(off)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solaris_model::{FigureBuilder, Joint, LinkSpec};
+
+    /// Two rods of 0.5 and 0.4 m that turn about z, along −y at zero.
+    fn arm(limited: bool) -> Figure {
+        let elbow = Joint::new("elbow").at(Vector3::new(0.0, -0.5, 0.0)).rz();
+        let elbow = if limited { elbow.limited(0.0, 1.0) } else { elbow };
+        FigureBuilder::new("arm")
+            .link(LinkSpec::root("upper", Joint::new("shoulder").rz()).mass(1.0))
+            .link(LinkSpec::child("lower", "upper", elbow).mass(1.0))
+            .build()
+            .expect("valid")
+    }
+
+    fn solved(figure: &Figure, from: [f64; 2], target: Vector3<f64>) -> ([f64; 2], Reached) {
+        let mut reach = Reach::new(figure, 1, Vector3::new(0.0, -0.4, 0.0), &[0, 1]).expect("an arm");
+        let mut q = from;
+        let reached = reach.solve(&mut q, &target).expect("finite");
+        (q, reached)
+    }
+
+    /// `cos q₂ = (r² − l₁² − l₂²)/(2·l₁·l₂)`.
+    #[test]
+    fn two_rods_bend_as_the_law_of_cosines_says() {
+        for (x, y) in [(0.3, -0.6), (0.5, 0.2), (-0.4, -0.1), (0.0, 0.7)] {
+            let (q, reached) = solved(&arm(false), [0.1, 0.2], Vector3::new(x, y, 0.0));
+            let square: f64 = x * x + y * y;
+            let bend = (square - 0.25 - 0.16) / (2.0 * 0.5 * 0.4);
+            assert!(reached.off < REACHED, "{reached:?}");
+            assert!((q[1].cos() - bend).abs() < 1e-8, "{q:?} {bend}");
+        }
+    }
+
+    #[test]
+    fn out_of_reach_it_points_there_and_out_of_the_plane_it_stays_below() {
+        // At rest along the line of its target, from which no small step leads on, too.
+        for from in [[0.3, 0.4], [0.0, 0.0]] {
+            let (q, reached) = solved(&arm(false), from, Vector3::new(0.0, -2.0, 0.5));
+            assert!((reached.off - f64::hypot(1.1, 0.5)).abs() < 1e-9, "{reached:?}");
+            assert!(q[1].abs() < 1e-4, "{q:?}");
+        }
+        // A straight arm whose target is nearer, on its own line.
+        let (_, reached) = solved(&arm(false), [0.0, 0.0], Vector3::new(0.0, -0.6, 0.0));
+        assert!(reached.off < REACHED, "{reached:?}");
+    }
+
+    /// With the elbow at 1 rad at most the nearest distance is that of the triangle with this angle.
+    #[test]
+    fn within_its_limits_it_comes_as_near_as_they_let_it() {
+        let (q, reached) = solved(&arm(true), [0.0, 0.5], Vector3::new(0.0, -0.2, 0.0));
+        let length = (0.25 + 0.16 + 0.4 * 1.0_f64.cos()).sqrt();
+        assert!((q[1] - 1.0).abs() < 1e-12, "{q:?}");
+        assert!((reached.off - (length - 0.2)).abs() < 1e-9, "{reached:?} {length}");
+    }
+
+    #[test]
+    fn what_cannot_be_moved_is_refused_by_name() {
+        let figure = arm(false);
+        let refused = |link, dofs: &[usize]| {
+            Reach::new(&figure, link, Vector3::zeros(), dofs).expect_err("refused").to_string()
+        };
+        assert_eq!(refused(5, &[0]), "figure 'arm' has no link number 5");
+        assert_eq!(
+            refused(0, &[1]),
+            "nothing that is named moves 'upper'; name joints between it and the root"
+        );
+    }
+}

@@ -1,0 +1,132 @@
+//! What is wrong with the words that lead, repeat, push, carry and reach, each with its place.
+
+use crate::faults::{faults, listed, person};
+use std::fmt::Write;
+
+#[test]
+fn of_pushes() {
+    let text = listed(&[
+        "pushes: Push(link: \"tip\", force: (1, 0, 0))",
+        "pushes: [Push(force: (1, 0, 0))]",
+        "pushes: [Push(link: \"tipp\", force: (1, 0, 0))]",
+        "pushes: [Push(link: \"tip\")]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), impulse: (1, 0, 0))]",
+        "pushes: [Push(link: \"tip\", force: 3)]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), over: -1)]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), form: 1)]",
+        "pushes: [Push(link: \"tip\", impulse: (1, 0, 0), along: Line(from: 0, to: 1, duration: 1))]",
+        "pushes: [Push(link: \"tip\", force: (1, 0, 0), over: 1, along: Line(from: 0, to: 1, duration: 1))]",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn of_carries() {
+    let mut text = listed(&[
+        "carries: [Carry(in: \"tip\")]",
+        "carries: [Carry(mass: 1)]",
+        "carries: [Carry(mass: 1, in: \"tipp\")]",
+        "carries: [Carry(mass: -1, in: \"tip\")]",
+        "carries: [Carry(mass: 1, in: \"tip\", inertia: (1, 1, 3))]",
+        "carries: [Carry(mass: 1, in: \"tip\", from: 2, until: 1)]",
+        "carries: [Carry(mass: 1, in: \"tip\", form: 2)]",
+        "carries: [Carry(mass: -1, in: \"tip\", from: 2)]",
+    ]);
+    let case =
+        "walk: Walk(steps: 2, step_frequency: 110), carries: [Carry(mass: 1, in: \"left_hand\", from: 1)]";
+    let _ = write!(text, "{case}\n{}\n", faults(&person(case)));
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn of_sequences() {
+    let text = listed(&[
+        "sequence: Together({})",
+        "sequence: [Togther({})]",
+        "sequence: [Together([])]",
+        "sequence: [Together({\"elbo.rx\": Free})]",
+        "sequence: [Together({\"elbow.rx\": Move(to: 1)})]",
+        "sequence: [Together({\"elbow.rx\": Move(to: 1, over: -1)})]",
+        "sequence: [Together({\"elbow.rx\": Repeat([Move(to: 1, over: 1)])})]",
+        "sequence: [Together({\"elbow.rx\": Free}), Together({\"elbow.rx\": Move(to: 1, over: 1)})]",
+        "sequence: [Wait]",
+        "sequence: [Wait(-1)]",
+        "sequence: [When(Done)]",
+        "sequence: [When(Passes(\"elbow.ry\", \"x\"))]",
+        "drives: {\"elbow.rx\": Free}, sequence: [Together({\"elbow\": Move(to: 1, over: 1)})]",
+        "drives: {\"elbow.rx\": When(Passes(\"elbow.rz\", 1))}",
+        "drives: {\"elbow.rx\": When}",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn of_several_figures() {
+    let scene = |fields: &str| {
+        format!(
+            "Scene(version: 1, duration: 1, figures: {{\"ann\": Human(height: 1.75, mass: 73), \"bob\": Human(height: 1.6, mass: 60)}},\n{fields})"
+        )
+    };
+    let mut text = String::new();
+    for case in [
+        "drives: {\"bob.*\": Frozen, \"ann.left_knee.rx\": Free}, places: {\"bob\": (at: (0, 0, 1), facing: deg(180))}",
+        "drives: {\"left_knee.rx\": Free}",
+        "places: {\"bib\": (at: (0, 0, 1))}",
+        "places: {\"bob\": (at: (0, 0, 1)), \"bob\": (facing: 1)}",
+        "places: {\"bob\": (at: 3, facing: \"x\", side: 1)}",
+        "walk: Walk(steps: 4, step_frequency: 110)",
+    ] {
+        let _ = write!(text, "{case}\n{}\n\n", faults(&scene(case)));
+    }
+    let twice = "Scene(version: 1, duration: 1, figures: {\"ann\": Human(height: 1.75, mass: 73), \"ann\": Human(height: 1.6, mass: 60)})";
+    let _ = write!(text, "{twice}\n{}\n", faults(twice));
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn of_reaches() {
+    let text = listed(&[
+        "reaches: Reach(tip: \"tip\")",
+        "reaches: [Reach(tip: \"tipp\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbo\"], to: (0, 0, 0), over: 1)]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0))]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"])]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, along: [])]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], along: [(0.5, (0, 0, 0)), (0.2, (0, 0, 0)), 3])]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, from: -1)]",
+        "reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+        "drives: {\"elbow.rx\": Free}, reaches: [Reach(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+        "drives: {\"*\": Frozen}, reaches: [Reach(tip: \"tip\", by: [\"shoulder\"], to: (0, 0, 0), over: 1)]",
+        "drives: {\"*\": Frozen}, reaches: [Reach(tip: \"base\", by: [\"elbow\"], to: (0, 0, 0), over: 1)]",
+    ]);
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn of_forces_and_repetitions() {
+    let text = listed(&[
+        "drives: {\"elbow.rx\": Servo(stiffness: 1)}",
+        "drives: {\"elbow.rx\": Servo(to: 1, along: Line(from: 0, to: 1, duration: 1), stiffness: 1)}",
+        "drives: {\"elbow.rx\": Servo(to: deg(3))}",
+        "drives: {\"elbow.rx\": Servo(to: 1, stiffness: -1)}",
+        "drives: {\"elbow.rx\": Servo(to: 1, stiffness: 1, limit: 0)}",
+        "drives: {\"elbow.rx\": Servo(to: 1, stifness: 1)}",
+        "drives: {\"slide.tx\": Servo(to: deg(1), stiffness: 1)}",
+        "drives: {\"shoulder\": Servo(to: 1, stiffness: 1)}",
+        "drives: {\"elbow.rx\": Serv(to: 1, stiffness: 1)}",
+        "drives: {\"elbow.rx\": Sum([])}",
+        "drives: {\"elbow.rx\": Sum(Free)}",
+        "drives: {\"elbow.rx\": Sum([Move(to: 1, over: 1), Torqe(1)])}",
+        "drives: {\"elbow.rx\": Sum([Servo(to: 1, stiffness: 1, until: At(1))])}",
+        "drives: {\"elbow.rx\": Sine(amplitude: deg(3))}",
+        "drives: {\"elbow.rx\": Sine(amplitude: 1, period: 0)}",
+        "drives: {\"elbow.rx\": Repeat([])}",
+        "drives: {\"elbow.rx\": Repeat(of: [Free], times: 1.5)}",
+        "drives: {\"elbow.rx\": Repeat(of: [Move(to: 1, over: 1), Move(to: 0, over: 1)], times: 1e5)}",
+        "drives: {\"elbow.rx\": [Repeat([Move(to: 1, over: 1)]), Free]}",
+        "drives: {\"elbow.rx\": Repeat(of: [Repeat([Free])], times: 2)}",
+        "drives: {\"elbow.rx\": Repeat(of: [Move(to: 1, over: -1)], times: 2)}",
+        "drives: {\"elbow.rx\": MinimumJerk(from: 0, to: 1)}",
+    ]);
+    insta::assert_snapshot!(text);
+}
