@@ -4,7 +4,7 @@ mod cholesky;
 mod cone;
 mod search;
 
-use cholesky::{factor, solve};
+use cholesky::{dot, factor, solve};
 use cone::{Law, Pushed};
 use nalgebra::DMatrix;
 
@@ -12,13 +12,13 @@ use nalgebra::DMatrix;
 const MOST_STEPS: usize = 100;
 
 /// The most rounds in which friction is bound anew.
-const MOST_BOUNDS: usize = 20;
+const MOST_BOUNDS: usize = 8;
 
 /// A bound of friction that changes by less than this part of the greatest push is the same.
-const SAME_BOUND: f64 = 1e-4;
+const SAME_BOUND: f64 = 1e-3;
 
 /// How much of the momentum may be left unbalanced.
-const BALANCED: f64 = 1e-10;
+const BALANCED: f64 = 1e-9;
 
 /// The velocities after a step, with the impulses of what touches and what is at its limits.
 ///
@@ -46,6 +46,8 @@ pub(crate) struct Convex {
     free: Vec<f64>,
     /// The velocities.
     pub(crate) v: Vec<f64>,
+    /// `v − v*`.
+    off: Vec<f64>,
     gradient: Vec<f64>,
     direction: Vec<f64>,
     /// `M·(v − v*)` and `M·d`.
@@ -81,6 +83,7 @@ impl Convex {
             hessian: vec![0.0; n * n],
             free: zeros(),
             v: zeros(),
+            off: zeros(),
             gradient: zeros(),
             direction: zeros(),
             momentum: zeros(),
@@ -119,7 +122,7 @@ impl Convex {
             let n = self.n;
             for i in 0..n {
                 let row = &self.mass[i * n..][..n];
-                let momentum: f64 = row.iter().zip(&self.direction).map(|(mass, change)| mass * change).sum();
+                let momentum = dot(row, &self.direction);
                 self.momentum[i] = momentum - held(of[i]).1 * before[i];
             }
             for (i, k) in of.iter().enumerate() {
@@ -265,10 +268,12 @@ impl Convex {
     /// Finds velocities of the conditions, impulses and the gradient.
     fn evaluate(&mut self) {
         let n = self.n;
+        for (off, (v, free)) in self.off.iter_mut().zip(self.v.iter().zip(&self.free)) {
+            *off = v - free;
+        }
         for i in 0..n {
             let row = &self.mass[i * n..][..n];
-            let off = self.v.iter().zip(&self.free);
-            self.momentum[i] = row.iter().zip(off).map(|(mass, (v, free))| mass * (v - free)).sum();
+            self.momentum[i] = dot(row, &self.off);
         }
         self.gradient.copy_from_slice(&self.momentum);
         for index in 0..self.conditions.len() {
@@ -321,13 +326,12 @@ impl Convex {
         let n = self.n;
         for i in 0..n {
             let row = &self.mass[i * n..][..n];
-            self.turned[i] = row.iter().zip(&self.direction).map(|(mass, d)| mass * d).sum();
+            self.turned[i] = dot(row, &self.direction);
         }
         for index in 0..self.conditions.len() {
             let condition = self.conditions[index];
             self.conditions[index].du = self.at(&condition, &self.direction);
         }
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let (slope, curvature) = (dot(&self.momentum, &self.direction), dot(&self.turned, &self.direction));
         let conditions = &self.conditions;
         let alpha = search::minimum(|alpha| {

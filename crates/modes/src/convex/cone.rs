@@ -81,20 +81,24 @@ impl Law {
         Self::Limit { weight, target: -gap / h }
     }
 
-    /// The same with friction bound by what pushes by now, and by how much that changes the bound.
+    /// The same with friction bound by what pushes by now, and by how much what it does would change with that.
     pub(super) fn bound(&self, pushed: &Pushed) -> (Self, f64) {
-        let new = |friction: f64| friction * pushed.impulse[2];
+        let [x, y, push] = pushed.impulse;
+        let drag = (x * x + y * y).sqrt();
         match *self {
             Self::Contact { weight, target, friction } => {
-                let most = new(friction);
-                // On the cone the push is the bound's already, and only what slides changes.
-                (Self::Bound { weight, target, friction, most }, f64::INFINITY)
+                let most = friction * push;
+                // What sticks within the cone sticks within the bound.
+                let slides = drag > 0.0 && drag >= most * (1.0 - 1e-9);
+                (Self::Bound { weight, target, friction, most }, if slides { f64::INFINITY } else { 0.0 })
             }
             Self::Bound { weight, target, friction, most: before } => {
-                let most = new(friction);
-                let slides = pushed.impulse[0].hypot(pushed.impulse[1]) >= before * (1.0 - 1e-12);
-                let change = if slides || most < before { (most - before).abs() } else { 0.0 };
-                (Self::Bound { weight, target, friction, most }, change)
+                let most = friction * push;
+                let slides = drag >= before * (1.0 - 1e-9) || drag > most;
+                (
+                    Self::Bound { weight, target, friction, most },
+                    if slides { (most - before).abs() } else { 0.0 },
+                )
             }
             Self::Limit { .. } => (*self, 0.0),
         }
@@ -125,7 +129,8 @@ impl Law {
                 if normal > 0.0 {
                     stiffness[2][2] = out;
                 }
-                let (y, tangent) = ([-along * u[0], -along * u[1]], along * u[0].hypot(u[1]));
+                let (y, tangent) =
+                    ([-along * u[0], -along * u[1]], along * (u[0] * u[0] + u[1] * u[1]).sqrt());
                 // Inside of the bound it sticks, beyond it the bound is all there is.
                 let share = if tangent <= most { 1.0 } else { most / tangent };
                 for i in 0..2 {
@@ -140,7 +145,7 @@ impl Law {
             }
             Self::Contact { weight: [along, out], target, friction } => {
                 let y = [-along * u[0], -along * u[1], out * (target - u[2])];
-                let tangent = y[0].hypot(y[1]);
+                let tangent = (y[0] * y[0] + y[1] * y[1]).sqrt();
                 if tangent <= friction * y[2] {
                     let stiffness = [[along, 0.0, 0.0], [0.0, along, 0.0], [0.0, 0.0, out]];
                     return Pushed { impulse: y, stiffness: Some(stiffness) };

@@ -33,8 +33,9 @@ fn a_block_sticks_within_the_cone_slides_at_it_and_parts() {
         assert_abs_diff_eq!(impulse[1], -0.5 * impulse[2], epsilon = 1e-9 * mass);
         assert_abs_diff_eq!(v[1], 2.0 + impulse[1] / mass, epsilon = 1e-9);
         // Away, or not near enough to be reached within the step.
-        assert_eq!(block(mass, [3.0, 0.0, 0.1], 0.5, 0.0).1, [0.0; 3]);
-        assert_eq!(block(mass, [0.0, 0.0, -1.0], 0.5, 1.1e-3).1, [0.0; 3]);
+        let is_free = |(_, impulse): ([f64; 3], [f64; 3])| impulse.iter().all(|part| part.abs() < 1e-300);
+        assert!(is_free(block(mass, [3.0, 0.0, 0.1], 0.5, 0.0)));
+        assert!(is_free(block(mass, [0.0, 0.0, -1.0], 0.5, 1.1e-3)));
     }
 }
 
