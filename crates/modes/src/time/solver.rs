@@ -50,7 +50,7 @@ pub(super) fn advance<S: System + ?Sized>(
 ) -> Result<Stopped, TimeError> {
     let (from, to) = course.span;
     if y.is_empty() || to - from <= SHORTEST * from.abs().max(to.abs()) {
-        return fixed::advance(evaluator, Rule::RungeKutta4, to - from, y, course);
+        return fixed::advance(evaluator, fixed::Way::Rule(Rule::RungeKutta4), to - from, y, course);
     }
     let (start, events) = (y.to_vec(), evaluator.system.events());
     let (span, frames) = (course.span, course.frames);
