@@ -44,8 +44,14 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         // … here a game gives `pose` to its skeleton.
         assert!(pose.iter().all(|x| x.is_finite()));
         if frame % 30 == 0 {
-            let ([x, z], [vx, vz]) = (walker.place(), walker.velocity());
-            println!("{time:.1},{keys},{x:.2},{z:.2},{:.2},{:.2}", walker.heading(), vx.hypot(vz));
+            let (com, [vx, vz]) = (walker.com(), walker.velocity());
+            println!(
+                "{time:.1},{keys},{:.2},{:.2},{:.2},{:.2}",
+                com.x,
+                com.z,
+                walker.heading(),
+                vx.hypot(vz)
+            );
         }
     }
     let [x, z] = walker.place();

@@ -14,6 +14,9 @@ use solaris_dynamics::{DynamicsError, Wrench};
 /// A limit this near (rad or m) may be come to within a step, whatever the velocity.
 const CLOSE: f64 = 1e-3;
 
+/// How fast (m/s or rad/s) what begins in the ground or beyond a limit is brought out.
+const RECOVERY: f64 = 0.1;
+
 /// What a step by impulses needs, kept from step to step.
 #[derive(Clone)]
 pub(super) struct Impulses {
@@ -27,6 +30,10 @@ pub(super) struct Impulses {
     ground: Option<Ground>,
     /// Spheres that may touch within the step: index, gap (m), lowest point.
     near: Vec<(usize, f64, Vector3<f64>)>,
+    /// How deep in the ground each sphere may still be (m), and beyond each limit each degree of freedom, lower and upper (rad or m),
+    /// for it began there; none before the first step.
+    allowed: Vec<f64>,
+    begun: bool,
     /// Velocities of the small figure after the step, without impulses.
     free: Vec<f64>,
     /// How joints hold each of its degrees of freedom back.
@@ -112,7 +119,7 @@ impl Impulses {
             }
         });
         let spheres = ground.as_ref().map_or(0, |ground| ground.links.len());
-        let dofs = maps.velocities.len();
+        let (dofs, allowed) = (maps.velocities.len(), vec![0.0; spheres + 2 * limits.len()]);
         Self {
             convex: Convex::new(dofs, spheres + 2 * limits.len()),
             step,
@@ -121,6 +128,8 @@ impl Impulses {
             limits,
             ground,
             near: Vec::with_capacity(spheres),
+            allowed,
+            begun: false,
             free: vec![0.0; nv],
             damping: vec![0.0; nv],
             stiffness: vec![0.0; nv],
@@ -160,6 +169,11 @@ impl Impulses {
             side.body.nearly_touching((&side.q, &side.v), 2.0 * h, &mut self.near)?;
             side.body.joint_jacobians(&side.q)?;
             for (sphere, gap, point) in &self.near {
+                let allowed = &mut self.allowed[*sphere];
+                if !self.begun && ground.spring.0.is_infinite() {
+                    *allowed = (-gap).max(0.0);
+                }
+                let gap = gap + *allowed;
                 self.convex.condition();
                 let mut bias = [0.0; 3];
                 side.body.columns(*sphere, point, |k, velocity| {
@@ -170,12 +184,18 @@ impl Impulses {
                         bias.iter_mut().zip(rows).for_each(|(bias, row)| *bias += row * self.free[k]);
                     }
                 });
-                self.convex.contact(bias, ground.friction, *gap, ground.spring, h);
+                self.convex.contact(bias, ground.friction, gap, ground.spring, h);
             }
         }
-        for &Limited { place, coordinate, lower, upper } in &self.limits {
+        let of_limits = self.allowed.len() - 2 * self.limits.len();
+        let pairs = self.allowed[of_limits..].chunks_exact_mut(2);
+        for (&Limited { place, coordinate, lower, upper }, allowed) in self.limits.iter().zip(pairs) {
             let (q, reach) = (side.q[coordinate], CLOSE + 2.0 * h * self.before[place].abs());
-            for (gap, row) in [(q - lower, 1.0), (upper - q, -1.0)] {
+            for ((gap, row), allowed) in [(q - lower, 1.0), (upper - q, -1.0)].into_iter().zip(allowed) {
+                if !self.begun {
+                    *allowed = (-gap).max(0.0);
+                }
+                let gap = gap + *allowed;
                 if gap < reach {
                     self.convex.condition();
                     self.convex.entry(place, [0.0, 0.0, row]);
@@ -183,6 +203,7 @@ impl Impulses {
                 }
             }
         }
+        self.begun = true;
         self.convex.solve();
         self.account(h);
         for (k, a) in side.a.iter_mut().enumerate() {
@@ -278,6 +299,9 @@ impl Small {
         self.find_impulses(prescribed, (t, y), Some(h))?;
         let Self { maps, numbers, impulses, .. } = self;
         let Some(impulses) = impulses else { return Ok(()) };
+        for allowed in &mut impulses.allowed {
+            *allowed = (*allowed - RECOVERY * h).max(0.0);
+        }
         let (positions, accounts) = (state.positions(), state.accounts());
         next.copy_from_slice(y);
         next[positions..accounts].copy_from_slice(&impulses.convex.v);

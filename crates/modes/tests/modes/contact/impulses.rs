@@ -128,3 +128,15 @@ fn what_moves_as_prescribed_pushes_and_bears() {
     let tau = run.motion.tau(150).expect("asked for");
     assert_relative_eq!(tau[1], -10.0 * G, max_relative = 1e-6);
 }
+
+/// What begins 2 cm in the ground is brought out at 0.1 m/s, and not thrown.
+#[test]
+fn what_begins_too_deep_comes_out_slowly() {
+    let figure = block(Vector3::new(0.4, 0.2, 0.3), 3.0);
+    let mut simulation = simulation(&figure, G, ground(0.5), contact_points(&figure));
+    simulation.set_start(&[0.0, 0.08, 0.0, 0.0, 0.0, 0.0, 1.0], &[0.0; 6]).expect("valid");
+    let run = simulation.run(&settings(0.5, 100.0, 1e-3)).expect("never refused");
+    let fastest = (0..run.motion.len()).map(|frame| run.motion.v(frame)[1].abs()).fold(0.0, f64::max);
+    assert!(fastest < 0.11, "{fastest} m/s");
+    assert_abs_diff_eq!(run.motion.q(50)[1], 0.1, epsilon = 1e-5);
+}
