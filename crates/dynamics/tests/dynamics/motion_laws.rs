@@ -1,5 +1,6 @@
 //! Laws of mechanics that hold for every figure.
 
+use crate::questions::case::derivative;
 use crate::support::random::{Random, tree};
 use crate::support::{Kernel, largest, relative_error};
 use nalgebra::{DVector, Matrix3, Rotation3, Vector3};
@@ -62,16 +63,6 @@ fn mirror(figure: &Figure, values: &[f64]) -> Vec<f64> {
         if flips { -value } else { value }
     });
     other.collect()
-}
-
-/// The derivative of `f` at 0, with an error of the order of `h⁴`.
-fn derivative<V>(mut f: impl FnMut(f64) -> V) -> V
-where
-    V: std::ops::Sub<Output = V> + std::ops::Mul<f64, Output = V>,
-{
-    let h = 1e-3;
-    let (near, far) = (f(h) - f(-h), f(2.0 * h) - f(-2.0 * h));
-    (near * 8.0 - far) * (1.0 / (12.0 * h))
 }
 
 proptest! {

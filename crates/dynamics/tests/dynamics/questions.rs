@@ -1,6 +1,6 @@
 //! What the kernel answers besides forces and accelerations, over figures with joints of every kind.
 
-mod case;
+pub(crate) mod case;
 mod centroidal;
 mod coriolis;
 mod derivatives;
