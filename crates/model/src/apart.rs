@@ -1,22 +1,35 @@
-//! The pairs of links that are measured against each other.
+//! The pairs of links that can come to each other.
 
-use solaris_model::Link;
+use crate::figure::Figure;
+use crate::link::Link;
 
-/// Pairs of links with a shape, the smaller index first, that are neither neighbours nor parts of one body.
-///
-/// Neighbours are links on whose way through the tree, from one to the other, every link in between is without a shape: a
-/// joint alone is such a way. Links without a degree of freedom between them are one body.
-pub(super) fn pairs(links: &[Link]) -> Vec<[usize; 2]> {
-    let bodies = bodies(links);
-    let shaped: Vec<usize> = (0..links.len()).filter(|i| links[*i].shape().is_some()).collect();
-    let mut pairs = Vec::new();
-    for (k, &first) in shaped.iter().enumerate() {
-        let others = shaped[k + 1..].iter();
-        let others = others
-            .filter(|second| bodies[first] != bodies[**second] && !are_neighbours(links, first, **second));
-        pairs.extend(others.map(|second| [first, *second]));
+impl Figure {
+    /// Pairs of links with a shape, the smaller index first, that are neither neighbours nor parts of one body: what can touch without
+    /// being joined.
+    ///
+    /// Neighbours are links on whose way through the tree, from one to the other, every link in between is without a shape: a
+    /// joint alone is such a way. A root that stands still without mass and shape is the world, which joins nothing. Links without
+    /// a degree of freedom between them are one body.
+    #[doc(alias = "collision")]
+    #[doc(alias = "self-collision")]
+    pub fn pairs_apart(&self) -> Vec<[usize; 2]> {
+        let links = self.links();
+        let (bodies, world) = (bodies(links), is_world(&links[0]));
+        let shaped: Vec<usize> = (0..links.len()).filter(|i| links[*i].shape().is_some()).collect();
+        let mut pairs = Vec::new();
+        for (k, &first) in shaped.iter().enumerate() {
+            let others = shaped[k + 1..].iter().filter(|second| {
+                bodies[first] != bodies[**second] && !are_neighbours(links, first, **second, world)
+            });
+            pairs.extend(others.map(|second| [first, *second]));
+        }
+        pairs
     }
-    pairs
+}
+
+/// Whether a root only says where the world is.
+fn is_world(root: &Link) -> bool {
+    root.joint().kind().nv() == 0 && root.mass() <= 0.0 && root.shape().is_none()
 }
 
 /// Of each link, the first of those that it moves as one with.
@@ -29,14 +42,14 @@ fn bodies(links: &[Link]) -> Vec<usize> {
     bodies
 }
 
-fn are_neighbours(links: &[Link], first: usize, second: usize) -> bool {
+fn are_neighbours(links: &[Link], first: usize, second: usize, world: bool) -> bool {
     // Parents have smaller indices: the greater of both is never above the other.
     let (mut low, mut high) = (first, second);
     while low != high {
         if low > high {
             (low, high) = (high, low);
         }
-        let Some(parent) = links[high].parent() else { return false };
+        let Some(parent) = links[high].parent().filter(|parent| !world || *parent != 0) else { return false };
         high = parent;
         if high != first && high != second && links[high].shape().is_some() {
             return false;
@@ -47,8 +60,7 @@ fn are_neighbours(links: &[Link], first: usize, second: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use solaris_model::{FigureBuilder, Joint, LinkSpec, Placement, Shape, ShapeKind};
+    use crate::{FigureBuilder, Inertia, Joint, LinkSpec, Placement, Shape, ShapeKind};
 
     /// Links by name, parent, and whether they turn and have a shape.
     fn named(links: &[(&str, &str, bool, bool)]) -> Vec<String> {
@@ -68,7 +80,7 @@ mod tests {
         }
         let figure = builder.build().expect("valid");
         let name = |i: usize| figure.links()[i].name();
-        pairs(figure.links()).into_iter().map(|[a, b]| format!("{}-{}", name(a), name(b))).collect()
+        figure.pairs_apart().into_iter().map(|[a, b]| format!("{}-{}", name(a), name(b))).collect()
     }
 
     #[test]
@@ -96,6 +108,17 @@ mod tests {
             named(&[("none", "", true, false), ("a", "none", true, true), ("b", "none", true, true)]),
             [""; 0]
         );
+    }
+
+    #[test]
+    fn figures_in_one_world_are_no_neighbours() {
+        let world = LinkSpec::root("world", Joint::new("world")).inertia(Inertia::Point);
+        let ball = |name: &str| {
+            let shape = Shape { kind: ShapeKind::Sphere { radius: 0.1 }, placement: Placement::identity() };
+            LinkSpec::child(name, "world", Joint::new(name).tx()).mass(1.0).shape(shape)
+        };
+        let figure = FigureBuilder::new("balls").link(world).link(ball("a")).link(ball("b"));
+        assert_eq!(figure.build().expect("valid").pairs_apart(), [[1, 2]]);
     }
 
     #[test]
