@@ -8,28 +8,50 @@ impl Figure {
     /// being joined.
     ///
     /// Neighbours are links on whose way through the tree, from one to the other, every link in between is without a shape: a
-    /// joint alone is such a way. A root that stands still without mass and shape is the world, which joins nothing. Links without
-    /// a degree of freedom between them are one body.
+    /// joint alone is such a way. What [flies apart](Self::fly_apart) is not joined, nor is what only hangs from one world, a root that
+    /// stands still without mass and shape. Links without a degree of freedom between them are one body.
     #[doc(alias = "collision")]
     #[doc(alias = "self-collision")]
     pub fn pairs_apart(&self) -> Vec<[usize; 2]> {
         let links = self.links();
-        let (bodies, world) = (bodies(links), is_world(&links[0]));
+        let bodies = bodies(links);
         let shaped: Vec<usize> = (0..links.len()).filter(|i| links[*i].shape().is_some()).collect();
         let mut pairs = Vec::new();
         for (k, &first) in shaped.iter().enumerate() {
-            let others = shaped[k + 1..].iter().filter(|second| {
-                bodies[first] != bodies[**second] && !are_neighbours(links, first, **second, world)
-            });
-            pairs.extend(others.map(|second| [first, *second]));
+            let others = shaped[k + 1..].iter().map(|second| [first, *second]);
+            pairs.extend(others.filter(|[a, b]| bodies[*a] != bodies[*b] && !self.are_neighbours([*a, *b])));
         }
         pairs
     }
+
+    /// Whether nothing keeps the places of two links together: three slides, or a free joint, are on the way from one to the other.
+    pub fn fly_apart(&self, pair: [usize; 2]) -> bool {
+        let slides = way(self.links(), pair).map(|link| self.links()[link].joint().kind().slides().count());
+        slides.sum::<usize>() >= 3
+    }
+
+    fn are_neighbours(&self, pair: [usize; 2]) -> bool {
+        let links = self.links();
+        let root = &links[0];
+        let is_world = root.joint().kind().nv() == 0 && root.mass() <= 0.0 && root.shape().is_none();
+        let mut parents = way(links, pair).filter_map(|link| links[link].parent());
+        let is_between = |link: usize| !pair.contains(&link);
+        !parents.any(|link| is_between(link) && (links[link].shape().is_some() || (is_world && link == 0)))
+            && !self.fly_apart(pair)
+    }
 }
 
-/// Whether a root only says where the world is.
-fn is_world(root: &Link) -> bool {
-    root.joint().kind().nv() == 0 && root.mass() <= 0.0 && root.shape().is_none()
+/// The links whose joints are on the way from one link to another: all of both chains down to what carries both.
+fn way(links: &[Link], [mut low, mut high]: [usize; 2]) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        if low > high {
+            (low, high) = (high, low);
+        }
+        // Parents have smaller indices: the greater of both is never above the other.
+        let link = (low != high).then_some(high)?;
+        high = links[high].parent()?;
+        Some(link)
+    })
 }
 
 /// Of each link, the first of those that it moves as one with.
@@ -40,22 +62,6 @@ fn bodies(links: &[Link]) -> Vec<usize> {
         bodies.push(with.map_or(i, |parent| bodies[parent]));
     }
     bodies
-}
-
-fn are_neighbours(links: &[Link], first: usize, second: usize, world: bool) -> bool {
-    // Parents have smaller indices: the greater of both is never above the other.
-    let (mut low, mut high) = (first, second);
-    while low != high {
-        if low > high {
-            (low, high) = (high, low);
-        }
-        let Some(parent) = links[high].parent().filter(|parent| !world || *parent != 0) else { return false };
-        high = parent;
-        if high != first && high != second && links[high].shape().is_some() {
-            return false;
-        }
-    }
-    true
 }
 
 #[cfg(test)]
@@ -119,6 +125,20 @@ mod tests {
         };
         let figure = FigureBuilder::new("balls").link(world).link(ball("a")).link(ball("b"));
         assert_eq!(figure.build().expect("valid").pairs_apart(), [[1, 2]]);
+    }
+
+    #[test]
+    fn what_flies_by_itself_is_joined_to_nothing() {
+        let shape = Shape { kind: ShapeKind::Sphere { radius: 0.1 }, placement: Placement::identity() };
+        let free = |name: &str, joint: Joint| LinkSpec::child(name, "floor", joint).mass(1.0).shape(shape);
+        let figure = FigureBuilder::new("scene")
+            .link(LinkSpec::root("floor", Joint::new("floor")).mass(1.0).shape(shape))
+            .link(free("free", Joint::free("free")))
+            .link(free("slides", Joint::new("slides").tx().ty().tz()))
+            .link(free("turns", Joint::new("turns").tx().ty().rz()));
+        let figure = figure.build().expect("valid");
+        assert_eq!(figure.pairs_apart(), [[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]]);
+        assert!(figure.fly_apart([0, 2]) && !figure.fly_apart([0, 3]) && figure.fly_apart([1, 3]));
     }
 
     #[test]
