@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
 pub use solaris_analysis as analysis;
+#[cfg(feature = "collide")]
+pub use solaris_collision as collision;
 pub use solaris_dynamics as dynamics;
 pub use solaris_gait as gait;
 #[cfg(feature = "io")]
@@ -31,8 +33,8 @@ pub mod prelude {
         RootOrder, Trajectory, Vector3, human,
     };
     pub use solaris_modes::{
-        ContactLaw, Course, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Run, Settings,
-        Simulation, Step, Target,
+        Collisions, ContactLaw, Course, Drive, GroundPlane, LimitLaw, Loop, LoopKind, Method, PointSpring, Rule,
+        Run, Settings, Simulation, Step, Target,
     };
 }
 

@@ -130,3 +130,32 @@ fn of_forces_and_repetitions() {
     ]);
     insta::assert_snapshot!(text);
 }
+
+#[test]
+fn of_links_that_touch_and_loops() {
+    let mut text = listed(&[
+        "collisions: All",
+        "collisions: Collisions(friktion: 1)",
+        "collisions: Collisions(friction: -1)",
+        "collisions: Collisions(friction: 1)",
+        "loops: Connect(between: 1)",
+        "loops: [Connect()]",
+        "loops: [Conect(between: 1)]",
+        "loops: [Connect(between: (1, 2))]",
+        "loops: [Weld(between: ((\"tip\", (0, 0, 0)), (\"tip\", (0, 0, 1))))]",
+        "loops: [Weld(between: ((\"tipp\", (0, 0, 0)), (\"world\", (0, 0, 1))))]",
+        "loops: [Weld(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 0, 1))), stiffness: 3)]",
+        "tolerance: 1e-6, loops: [Connect(between: ((\"tip\", (0, 0, 0)), (\"world\", (0, 0, 1))))]",
+    ]);
+    for case in [
+        "duration: 1, collisions: Collisions(friction: 0.5, between: [(\"left_hand\", \"right_hnd\")])",
+        "duration: 1, collisions: Collisions(friction: 0.5, between: [(\"left_hand\", \"wright_*\")])",
+        "duration: 1, collisions: Collisions(friction: 0.5, between: [(\"left_hand\", \"left_forearm*\")])",
+        "duration: 1, collisions: Collisions(friction: 0.5, except: [(\"*\", \"*\")])",
+        "duration: 1, collisions: Collisions(friction: 0.5, except: [\"left_hand\"])",
+        "duration: 1, method: RungeKutta4(step: 1e-3), collisions: Collisions(friction: 0.5)",
+    ] {
+        let _ = write!(text, "{case}\n{}\n", faults(&person(case)));
+    }
+    insta::assert_snapshot!(text);
+}
