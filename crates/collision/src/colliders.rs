@@ -101,11 +101,15 @@ impl Colliders {
             let mut ends = [0; 2];
             for (end, &link) in ends.iter_mut().zip(pair) {
                 let links = figure.links().len();
-                let found =
-                    figure.links().get(link).ok_or_else(|| CollisionError::NoLink { figure: name(), link, links })?;
+                let found = figure.links().get(link).ok_or_else(|| CollisionError::NoLink {
+                    figure: name(),
+                    link,
+                    links,
+                })?;
                 let link_name = || found.name().to_owned();
-                let shape =
-                    found.shape().ok_or_else(|| CollisionError::NoShape { figure: name(), link: link_name() })?;
+                let shape = found
+                    .shape()
+                    .ok_or_else(|| CollisionError::NoShape { figure: name(), link: link_name() })?;
                 if pair[0] == pair[1] {
                     return Err(CollisionError::Itself { figure: name(), link: link_name() });
                 }
@@ -123,8 +127,12 @@ impl Colliders {
     /// is left out.
     pub fn new(shapes: &[(usize, Shape)], mut pairs: Vec<[usize; 2]>) -> Self {
         pairs.retain(|[a, b]| a != b && *a < shapes.len() && *b < shapes.len());
-        let placed = |&(link, Shape { kind, placement }): &(usize, Shape)| {
-            Placed { link, solid: Solid::of(&kind), placement, pose: placement, radius: radius(&kind) }
+        let placed = |&(link, Shape { kind, placement }): &(usize, Shape)| Placed {
+            link,
+            solid: Solid::of(&kind),
+            placement,
+            pose: placement,
+            radius: radius(&kind),
         };
         Self { solids: shapes.iter().map(placed).collect(), pairs, room: Manifold::new() }
     }

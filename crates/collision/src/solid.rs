@@ -2,8 +2,8 @@
 
 use nalgebra::{Isometry3, Vector3};
 use parry3d_f64::math::{Pose, Rotation, Vector};
-use parry3d_f64::query::{ContactManifold, TrackedContact};
 use parry3d_f64::query::details::{contact_manifold_cuboid_cuboid, contact_manifold_pfm_pfm};
+use parry3d_f64::query::{ContactManifold, TrackedContact};
 use parry3d_f64::shape::{Cuboid, Cylinder, PolygonalFeature, PolygonalFeatureMap, Segment, SupportMap};
 use solaris_model::ShapeKind;
 

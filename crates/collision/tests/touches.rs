@@ -100,7 +100,9 @@ fn gaps_are_the_greatest_separation() {
         let wanted = random.between(-0.004, 0.05);
         poses[0].translation.vector = d * (wanted - separation(&kinds, &poses, &d));
         let origin = random.direction() * 2.0;
-        poses.iter_mut().for_each(|pose| pose.translation.vector += origin);
+        for pose in &mut poses {
+            pose.translation.vector += origin;
+        }
 
         let touches = found(kinds, poses, 1.0);
         let gap = touches.iter().map(|touch| touch.gap).fold(f64::INFINITY, f64::min);
@@ -120,7 +122,10 @@ fn gaps_are_the_greatest_separation() {
         for step in [1.0, 0.3, 0.1, 0.03, 0.01, 1e-3] {
             for _ in 0..40 {
                 let other = separation(&kinds, &poses, &(normal + random.direction() * step).normalize());
-                assert!(other < gap + outside + inside + 1e-7, "case {case}: {other} along another, gap {gap}: {kinds:?}");
+                assert!(
+                    other < gap + outside + inside + 1e-7,
+                    "case {case}: {other} along another, gap {gap}: {kinds:?}"
+                );
             }
         }
         // Where they touch the nearest point is half way between both bodies, but for a part of the gap that cylinders' polygons cost,
@@ -132,7 +137,11 @@ fn gaps_are_the_greatest_separation() {
             for (kind, pose) in kinds.iter().zip(&poses) {
                 let point = pose.inverse_transform_point(&touch.point.into()).coords;
                 let reach = kind.reach(&point.normalize()) + 0.6 * touch.gap.abs() + outside + 1e-9;
-                assert!(point.norm() < reach, "case {case}: {} beyond {reach}, {touch:?}, {kinds:?}", point.norm());
+                assert!(
+                    point.norm() < reach,
+                    "case {case}: {} beyond {reach}, {touch:?}, {kinds:?}",
+                    point.norm()
+                );
             }
         }
     }
@@ -181,15 +190,19 @@ fn faces_touch_in_their_corners_and_what_lies_in_two_points() {
 fn hard_cases_are_answered() {
     let sphere = |radius| ShapeKind::Sphere { radius };
     let at = Isometry3::translation;
-    let [far] = found([sphere(0.1), sphere(0.1)], [at(1e6, 0.0, 0.0), at(1e6 + 0.25, 0.0, 0.0)], 0.1)[..] else {
+    let [far] = found([sphere(0.1), sphere(0.1)], [at(1e6, 0.0, 0.0), at(1e6 + 0.25, 0.0, 0.0)], 0.1)[..]
+    else {
         panic!("one touch");
     };
     assert!((far.gap - 0.05).abs() < 1e-9);
-    let [tiny] = found([sphere(1e-6), sphere(2e-6)], [at(0.0, 4e-6, 0.0), Isometry3::identity()], 1e-3)[..] else {
+    let [tiny] = found([sphere(1e-6), sphere(2e-6)], [at(0.0, 4e-6, 0.0), Isometry3::identity()], 1e-3)[..]
+    else {
         panic!("one touch");
     };
     assert!((tiny.gap - 1e-6).abs() < 1e-15);
-    let [uneven] = found([sphere(1e-3), sphere(1e5)], [at(0.0, 1e5 + 2e-3, 0.0), Isometry3::identity()], 1e-2)[..] else {
+    let [uneven] =
+        found([sphere(1e-3), sphere(1e5)], [at(0.0, 1e5 + 2e-3, 0.0), Isometry3::identity()], 1e-2)[..]
+    else {
         panic!("one touch");
     };
     assert!((uneven.gap - 1e-3).abs() < 1e-9);

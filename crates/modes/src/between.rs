@@ -38,7 +38,10 @@ impl Between {
     /// What acts on each of two links, by these indices of them: wrenches about the world's origin.
     pub(crate) fn wrenches<L: Copy>(&self, links: [Option<L>; 2]) -> impl Iterator<Item = (L, Wrench<f64>)> {
         let both = [(self.force, self.moment), (-self.force, -self.moment)];
-        let on = both.into_iter().zip(self.points).map(|((force, moment), point)| Wrench::at(&point, force, moment));
+        let on = both
+            .into_iter()
+            .zip(self.points)
+            .map(|((force, moment), point)| Wrench::at(&point, force, moment));
         links.into_iter().zip(on).filter_map(|(link, wrench)| Some((link?, wrench)))
     }
 }

@@ -19,9 +19,9 @@ use planted::Planted;
 use points::PointElement;
 use pushes::PushElement;
 use solaris_dynamics::{
-    DynamicsError, Frame, Pose, Tree, Twist, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
-    hybrid_dynamics, inverse_dynamics, joint_jacobians, kinetic_energy, mass_matrix, point_columns,
-    potential_energy, velocities,
+    DynamicsError, Frame, Pose, Tree, Twist, Workspace, Wrench, accelerations, contact_dynamics,
+    forward_kinematics, hybrid_dynamics, inverse_dynamics, joint_jacobians, kinetic_energy, mass_matrix,
+    point_columns, potential_energy, velocities,
 };
 use solaris_model::Figure;
 use solaris_profiles::Elementary;

@@ -87,5 +87,8 @@ fn overlapping(_: &Figure, _: &[[usize; 2]]) -> Result<Vec<bool>, SetupError> {
 /// A pose of the kernel as collisions take it.
 pub(crate) fn placed(pose: &solaris_dynamics::Pose<f64>) -> nalgebra::Isometry3<f64> {
     let turn = nalgebra::Rotation3::from_matrix_unchecked(pose.rotation);
-    nalgebra::Isometry3::from_parts(pose.translation.into(), nalgebra::UnitQuaternion::from_rotation_matrix(&turn))
+    nalgebra::Isometry3::from_parts(
+        pose.translation.into(),
+        nalgebra::UnitQuaternion::from_rotation_matrix(&turn),
+    )
 }

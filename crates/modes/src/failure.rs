@@ -158,7 +158,9 @@ pub enum SetupError {
         touch: bool,
     },
     /// A loop from a link to itself, or from the world to the world.
-    #[error("a loop holds two links together, or a link and the world, and both ends of this one are on the same")]
+    #[error(
+        "a loop holds two links together, or a link and the world, and both ends of this one are on the same"
+    )]
     LoopOfNothing,
     /// Links that are to touch each other in a program that was built without it: it is behind this crate's feature `collide`.
     #[error("links that touch each other are not built in; build with the feature `collide`")]

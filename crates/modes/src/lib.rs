@@ -33,8 +33,8 @@ pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 pub use push::{Push, PushLaw};
 pub use recorded::RecordedMotion;
 pub use report::{
-    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision, LinkContact, LoopReport, Observer,
-    Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
+    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision,
+    LinkContact, LoopReport, Observer, Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
 pub use running::{Happened, Running};
 pub use sequence::Part;

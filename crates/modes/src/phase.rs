@@ -12,8 +12,8 @@ mod small;
 mod state;
 mod watched;
 
-use crate::body::Pushing;
 use crate::between::Between;
+use crate::body::Pushing;
 use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;

@@ -22,7 +22,6 @@ mod stages;
 mod tracks;
 mod watching;
 
-use crate::between::Between;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
 use crate::report::{Cost, Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
@@ -138,7 +137,12 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     }
     let told = between::add(simulation, &mut motion, &all_between);
     if settings.forces {
-        add_forces(simulation, &mut motion, (&planted, &all_between), by_impulses)?;
+        let acting = |frame: usize| {
+            let own = planted[planted.partition_point(|(of, ..)| *of < frame)..].iter();
+            let own = own.take_while(|(of, ..)| *of == frame).map(|(_, link, wrench)| (*link, *wrench));
+            own.chain(between::wrenches(&all_between, frame)).collect()
+        };
+        add_forces(simulation, &mut motion, &acting, by_impulses)?;
     } else {
         let omitted = "forces of the drives: nobody asked for them";
         for phase in &mut phases {
@@ -345,12 +349,12 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
 
 /// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
 ///
-/// `planted` is what the ground does to what stands on it: frame, link and wrench, and `all_between` what links do to each other, in the
-/// order of the frames.
+/// `acting` is what acts on links in a frame besides (N, N m, about the world's origin): the ground on what stands on it, and links on
+/// each other.
 fn add_forces(
     simulation: &Simulation,
     motion: &mut Motion,
-    (planted, all_between): (&[(usize, usize, Wrench<f64>)], &[(usize, Between)]),
+    acting: &dyn Fn(usize) -> Vec<(usize, Wrench<f64>)>,
     by_impulses: bool,
 ) -> Result<(), RunError> {
     let figure = &simulation.figure;
@@ -359,16 +363,12 @@ fn add_forces(
     let mut loaded = LoadedBody::new(simulation, by_impulses)?;
     let mut tau = vec![0.0; motion.len() * nv];
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
-        let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
-        let own = own.iter().take_while(|(of, ..)| *of == frame);
-        let own = own.map(|(_, link, wrench)| (*link, *wrench));
-        let own: Vec<(usize, Wrench<f64>)> = own.chain(between::wrenches(all_between, frame)).collect();
         loaded.go_to(simulation, motion.time()[frame])?;
         let body = &mut loaded.body;
         for (push, force) in pushes::after(&thrusts, motion.time()[frame]) {
             body.set_push(push, &force);
         }
-        body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), &own, tau)
+        body.inverse(motion.q(frame), motion.v(frame), motion.a(frame), &acting(frame), tau)
             .map_err(|error| guard::of_dynamics(motion.time()[frame], error))?;
         figure.fold_forces(motion.q(frame), tau);
     }

@@ -33,8 +33,8 @@ pub mod prelude {
         RootOrder, Trajectory, Vector3, human,
     };
     pub use solaris_modes::{
-        Collisions, ContactLaw, Course, Drive, GroundPlane, LimitLaw, Loop, LoopKind, Method, PointSpring, Rule,
-        Run, Settings, Simulation, Step, Target,
+        Collisions, ContactLaw, Course, Drive, GroundPlane, LimitLaw, Loop, LoopKind, Method, PointSpring,
+        Rule, Run, Settings, Simulation, Step, Target,
     };
 }
 

@@ -60,8 +60,8 @@ struct Facts {
     method: String,
     walk_dofs: usize,
     springs: usize,
-    #[serde(skip_serializing_if = "is_none")]
-    loops: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    loops: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<Ground>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,10 +81,6 @@ struct Ground {
     touches: usize,
     /// Of how many links.
     links: usize,
-}
-
-fn is_none(count: &usize) -> bool {
-    *count == 0
 }
 
 /// Links that can touch each other.
@@ -129,11 +125,10 @@ impl Facts {
             method: method(settings.method),
             walk_dofs: scene.walked(),
             springs: simulation.springs().len(),
-            loops: simulation.loops().len(),
-            collisions: simulation.collisions().map(|collisions| Collided {
-                pairs: collisions.pairs.len(),
-                friction: collisions.friction,
-            }),
+            loops: Some(simulation.loops().len()).filter(|count| *count > 0),
+            collisions: simulation
+                .collisions()
+                .map(|collisions| Collided { pairs: collisions.pairs.len(), friction: collisions.friction }),
             ground: simulation.grounded().map(|(plane, touches)| Ground::of(plane, touches)),
             drives: drives.into_iter().map(|(drives, dofs)| Driven { drives, dofs: names(dofs) }).collect(),
             limits: limits
@@ -159,8 +154,8 @@ impl Facts {
         if self.springs > 0 {
             row("springs between points", self.springs.to_string())?;
         }
-        if self.loops > 0 {
-            row("closed loops", self.loops.to_string())?;
+        if let Some(loops) = self.loops {
+            row("closed loops", loops.to_string())?;
         }
         if let Some(ground) = &self.ground {
             row("ground", format!("height {} m, friction {}", ground.height_m, ground.friction))?;

@@ -65,7 +65,11 @@ pub(super) fn collisions(pairs: &[LinkCollision]) -> Vec<[String; 3]> {
     vec![
         row("links touched each other", pairs.len().to_string(), format!("{}{more}", names.join(", "))),
         row("hardest", format!("{} N", digits(hardest.force)), at(hardest, hardest.force_time)),
-        row("deepest in each other", format!("{} mm", digits(1e3 * deepest.depth)), at(deepest, deepest.depth_time)),
+        row(
+            "deepest in each other",
+            format!("{} mm", digits(1e3 * deepest.depth)),
+            at(deepest, deepest.depth_time),
+        ),
     ]
 }
 
@@ -79,7 +83,12 @@ pub(super) fn loops(all: &[LoopReport]) -> Vec<[String; 3]> {
         [label.to_owned(), value, format!("{}, at {time:.3} s", one.links.join(" and "))]
     };
     vec![
-        row("loops come apart by", format!("{} mm", digits(1e3 * loosest.apart)), loosest, loosest.apart_time),
+        row(
+            "loops come apart by",
+            format!("{} mm", digits(1e3 * loosest.apart)),
+            loosest,
+            loosest.apart_time,
+        ),
         row("and take at most", format!("{} N", digits(hardest.force)), hardest, hardest.force_time),
     ]
 }

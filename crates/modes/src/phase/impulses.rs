@@ -2,12 +2,12 @@
 
 use super::colliding::Colliding;
 use super::loops::Loops;
-use super::rows::{Rows, Sought};
-use crate::between::{Between, Kind};
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
+use super::rows::{Rows, Sought};
 use super::small::{Maps, Moving, Side, Small};
 use super::state::StateMap;
+use crate::between::{Between, Kind};
 use crate::contact::ContactLaw;
 use crate::convex::Convex;
 use crate::element::LimitLaw;

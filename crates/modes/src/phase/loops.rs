@@ -38,11 +38,7 @@ struct End {
 
 impl Loops {
     /// Those with an end on a link that is `moved`; `place` says which link of the small figure carries one of the full figure, and where.
-    pub(super) fn of(
-        source: &Source,
-        moved: &[bool],
-        place: impl Fn(usize) -> Option<LinkPlace>,
-    ) -> Self {
+    pub(super) fn of(source: &Source, moved: &[bool], place: impl Fn(usize) -> Option<LinkPlace>) -> Self {
         let end = |Anchor { link, point }: Anchor| {
             let Some(full) = link else { return Some(End { link: None, point }) };
             let LinkPlace { link, placement } = place(full)?;
@@ -152,7 +148,8 @@ impl Closed {
         self.points = [point(&self.ends[0]), point(&self.ends[1])];
         self.apart[0] = self.points[0] - self.points[1];
         if self.is_weld {
-            let axes = |end: &End| end.link.map_or_else(Matrix3::identity, |(_, link)| body.pose(link).rotation);
+            let axes =
+                |end: &End| end.link.map_or_else(Matrix3::identity, |(_, link)| body.pose(link).rotation);
             let [first, second] = [axes(&self.ends[0]), axes(&self.ends[1])];
             let turn = *self.turn.get_or_insert_with(|| first.tr_mul(&second));
             self.apart[1] = Rotation3::from_matrix_unchecked(first * turn * second.transpose()).scaled_axis();

@@ -59,9 +59,8 @@ pub(super) fn add(simulation: &Simulation, motion: &mut Motion, all: &[(usize, B
         }
         for between in of_frame(all, frame) {
             let ends = between.links.into_iter().zip(between.points);
-            for ((link, wrench), point) in between
-                .wrenches(between.links)
-                .zip(ends.filter_map(|(link, point)| link.map(|_| point)))
+            for ((link, wrench), point) in
+                between.wrenches(between.links).zip(ends.filter_map(|(link, point)| link.map(|_| point)))
             {
                 act(motion, &name(link), (frame, &point), &wrench);
             }

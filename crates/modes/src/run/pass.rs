@@ -9,7 +9,7 @@ use super::pushes;
 use super::record::{Record, near};
 use crate::Outcome;
 use crate::body::Body;
-use crate::failure::{SetupError, FailureKind, Remedy, RunError, RunFailure};
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::{GROUND, Phase, Role};
 use crate::push::Thrust;
 use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};

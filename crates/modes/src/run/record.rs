@@ -61,11 +61,7 @@ impl Record {
     }
 
     /// What the ground does, in the frame that was added last, to links that stand on it, and what links do to each other.
-    pub(crate) fn press(
-        &mut self,
-        active: impl Iterator<Item = (usize, Wrench<f64>)>,
-        between: &[Between],
-    ) {
+    pub(crate) fn press(&mut self, active: impl Iterator<Item = (usize, Wrench<f64>)>, between: &[Between]) {
         let frame = self.done - 1;
         self.planted.extend(active.map(|(link, wrench)| (frame, link, wrench)));
         self.between.extend(between.iter().map(|between| (frame, *between)));

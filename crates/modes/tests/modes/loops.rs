@@ -114,7 +114,9 @@ fn masses_far_apart_stay_together() {
     for (light, heavy) in [(1e-6, 1.0), (1.0, 1e6), (1e-3, 1e3)] {
         let body = |name: &str, mass: f64| {
             let own = 0.01 * mass;
-            LinkSpec::child(name, "world", Joint::free(name)).mass(mass).inertia(Inertia::diagonal(own, own, own))
+            LinkSpec::child(name, "world", Joint::free(name))
+                .mass(mass)
+                .inertia(Inertia::diagonal(own, own, own))
         };
         let figure = FigureBuilder::new("pair")
             .link(LinkSpec::root("world", Joint::new("world")).inertia(Inertia::Point))
@@ -150,7 +152,8 @@ fn loops_of_nothing_are_refused() {
     let mut refused = |between| {
         simulation.add_loop(Loop { between, kind: LoopKind::Weld }).expect_err("refused").to_string()
     };
-    let itself = "a loop holds two links together, or a link and the world, and both ends of this one are on the same";
+    let itself =
+        "a loop holds two links together, or a link and the world, and both ends of this one are on the same";
     assert_eq!(refused([of(Some(1), 0.0), of(Some(1), 1.0)]), itself);
     assert_eq!(refused([of(None, 0.0), of(None, 1.0)]), itself);
     assert_eq!(refused([of(Some(9), 0.0), of(None, 1.0)]), "figure 'four-bar' has no link 'number 9'");
@@ -158,7 +161,9 @@ fn loops_of_nothing_are_refused() {
         refused([of(Some(1), f64::INFINITY), of(None, 1.0)]),
         "a point of a loop is inf; it must be finite numbers"
     );
-    simulation.add_loop(Loop { between: [of(Some(1), 0.0), of(None, 0.0)], kind: LoopKind::Weld }).expect("valid");
+    simulation
+        .add_loop(Loop { between: [of(Some(1), 0.0), of(None, 0.0)], kind: LoopKind::Weld })
+        .expect("valid");
     assert_eq!(
         simulation.run(&Settings::new(1.0, 10.0)).expect_err("impulses only").to_string(),
         "links that are held together need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"

@@ -21,7 +21,9 @@ impl SceneReader<'_> {
         let between = fields.get("between").map(|node| (node, self.pairs(node, "between")));
         let except = fields.get("except").map(|node| self.pairs(node, "except"));
         let (Some(friction), Some(figure)) = (friction, self.figure().cloned()) else { return };
-        let Some(mut collisions) = self.setup(&node.place(), Collisions::of(&figure, friction)) else { return };
+        let Some(mut collisions) = self.setup(&node.place(), Collisions::of(&figure, friction)) else {
+            return;
+        };
         let name = |link: usize| figure.links()[link].name();
         let is_of = |patterns: &[Patterns<'_>], pair: &[usize; 2]| {
             let [a, b] = pair.map(name);

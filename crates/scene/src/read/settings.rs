@@ -95,7 +95,8 @@ impl SceneReader<'_> {
     }
 
     fn needs_impulses(&self) -> bool {
-        let needs = |simulation: &Simulation| simulation.collisions().is_some() || !simulation.loops().is_empty();
+        let needs =
+            |simulation: &Simulation| simulation.collisions().is_some() || !simulation.loops().is_empty();
         self.simulation.as_ref().is_some_and(needs)
     }
 

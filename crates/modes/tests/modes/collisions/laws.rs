@@ -3,10 +3,11 @@
 use super::{G, colliding, cube, over_a_slab, settings, shape};
 use approx::assert_relative_eq;
 use solaris_model::{Figure, FigureBuilder, Human, Inertia, Joint, LinkSpec, ShapeKind, Vector3};
-use solaris_profiles::Profile;
 use solaris_modes::{
-    Collisions, ContactLaw, Drive, GroundPlane, Method, Rule, SetupError, Settings, Simulation, contact_points,
+    Collisions, ContactLaw, Drive, GroundPlane, Method, Rule, Settings, SetupError, Simulation,
+    contact_points,
 };
+use solaris_profiles::Profile;
 
 #[test]
 fn a_block_on_a_slab_stays_below_its_angle_of_friction_and_slides_above_it() {
@@ -111,7 +112,9 @@ fn a_gripper_holds_a_block_as_long_as_friction_does() {
         let q = [0.14, -0.14, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
         simulation.set_start(&q, &[0.0; 8]).expect("valid");
         for (name, force) in [("left.tx", squeeze), ("right.tx", -squeeze)] {
-            simulation.drive(name, [Drive::Torque(Profile::Line { from: force, to: force, duration: 1.0 })]).expect("valid");
+            simulation
+                .drive(name, [Drive::Torque(Profile::Line { from: force, to: force, duration: 1.0 })])
+                .expect("valid");
         }
         simulation.set_collisions(Collisions::of(&figure, friction).expect("valid")).expect("valid");
         let run = simulation.run(&settings(0.2, 100.0, 1e-3)).expect("never refused");
@@ -128,7 +131,8 @@ fn a_gripper_holds_a_block_as_long_as_friction_does() {
 /// What moves as prescribed pushes what it meets, and its drive does the work.
 #[test]
 fn what_is_moved_pushes_what_it_meets() {
-    let pusher = LinkSpec::root("pusher", Joint::new("pusher").tx()).mass(5.0).shape(shape(cube(0.2, 0.2, 0.2)));
+    let pusher =
+        LinkSpec::root("pusher", Joint::new("pusher").tx()).mass(5.0).shape(shape(cube(0.2, 0.2, 0.2)));
     let kind = ShapeKind::Sphere { radius: 0.1 };
     let ball = LinkSpec::child("ball", "pusher", Joint::free("ball")).mass(2.0);
     let ball = ball.inertia(Inertia::Uniform(shape(kind))).shape(shape(kind));
@@ -150,7 +154,11 @@ fn what_is_moved_pushes_what_it_meets() {
         *if is_there { &mut late } else { &mut early } = s;
     }
     let met = 30.0 * (early * (1.0 - early)).powi(2);
-    assert_relative_eq!(run.report.energy.work, 2.0 * met * met + (speed * speed - met * met), max_relative = 0.01);
+    assert_relative_eq!(
+        run.report.energy.work,
+        2.0 * met * met + (speed * speed - met * met),
+        max_relative = 0.01
+    );
 }
 
 /// Limbs of a person who falls do not go through each other, and the run says how deep they were.
@@ -165,7 +173,10 @@ fn limbs_of_limp_people_do_not_pass_through_each_other() {
         q[1] = 1.0;
         (v[3], v[4]) = (2.0, 6.0);
         simulation.set_start(&q, &v).expect("valid");
-        let plane = GroundPlane { law: ContactLaw::Rigid, ..GroundPlane::under(&figure, simulation.gravity(), 0.8).expect("valid") };
+        let plane = GroundPlane {
+            law: ContactLaw::Rigid,
+            ..GroundPlane::under(&figure, simulation.gravity(), 0.8).expect("valid")
+        };
         simulation.set_ground(plane, contact_points(&figure)).expect("valid");
         let collisions = Collisions::of(&figure, 0.4).expect("valid");
         if with {
@@ -201,13 +212,17 @@ fn what_cannot_be_asked_is_refused() {
         refused(vec![[0, 7]], 0.5),
         "a pair names the link number 7, and figure 'scene' has 2 links, numbered from 0"
     );
-    assert_eq!(refused(vec![[1, 1]], 0.5), "link 'b0' of figure 'scene' cannot touch itself; a pair has two links");
+    assert_eq!(
+        refused(vec![[1, 1]], 0.5),
+        "link 'b0' of figure 'scene' cannot touch itself; a pair has two links"
+    );
     assert_eq!(
         refused(vec![[0, 1]], f64::NAN),
         "the friction of collisions is NaN; it must be a finite number, zero or more"
     );
     assert!(matches!(
-        Simulation::new(&figure, Vector3::zeros()).set_collisions(Collisions { pairs: vec![], friction: -1.0 }),
+        Simulation::new(&figure, Vector3::zeros())
+            .set_collisions(Collisions { pairs: vec![], friction: -1.0 }),
         Err(SetupError::Range { .. })
     ));
 }

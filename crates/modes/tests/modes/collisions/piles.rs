@@ -47,9 +47,8 @@ fn heaps_of_every_kind_come_to_rest() {
             bodies.push((kind, 0.2 + 2.0 * next()));
         }
         let figure = over_a_slab(&bodies);
-        let places: Vec<Vector3<f64>> = (0..6)
-            .map(|i| Vector3::new(0.1 * next(), 0.3 + 0.35 * f64::from(i), 0.1 * next()))
-            .collect();
+        let places: Vec<Vector3<f64>> =
+            (0..6).map(|i| Vector3::new(0.1 * next(), 0.3 + 0.35 * f64::from(i), 0.1 * next())).collect();
         let mut simulation = colliding(&figure, Vector3::y() * -G, 0.6, &places);
         // Turning a little as they fall.
         let q = simulation.state().0.to_vec();
