@@ -214,10 +214,11 @@ impl Convex {
         }
     }
 
-    /// Ends a limit that is `gap` (rad or m) away and pushes along its one row.
-    pub(crate) fn limit(&mut self, gap: f64, h: f64) {
+    /// Ends a limit that is `gap` (rad or m) away and pushes along its one row; what comes with the speed `[speed, e]` (rad/s or m/s) bounces
+    /// off it with `e` times that.
+    pub(crate) fn limit(&mut self, gap: f64, bounce: [f64; 2], h: f64) {
         let Some(last) = self.conditions.last().copied() else { return };
-        let law = Law::limit(self.lightness(&last)[2], gap, h);
+        let law = Law::limit(self.lightness(&last)[2], gap, bounce, h);
         if let Some(last) = self.conditions.last_mut() {
             last.law = law;
         }

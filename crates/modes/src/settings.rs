@@ -58,7 +58,8 @@ pub enum Method {
         step: f64,
     },
     /// Steps in which contact, friction and hard limits act by the impulses that they need: never refused, whatever touches and
-    /// however it is held, and of order one. What falls does not bounce, and limits have no restitution.
+    /// however it is held, and of order one. What falls does not bounce; off limits it
+    /// does by their restitution.
     ///
     /// Every step solves one convex problem, with Coulomb's friction and the figure's whole inertia. A ground that is
     /// [`Rigid`](crate::ContactLaw::Rigid) gives way by a fraction of what gravity moves in a step; one that is

@@ -81,14 +81,14 @@ impl Law {
         Self::Contact { weight, target, friction }
     }
 
-    /// The same for a limit, as stiff as a step allows.
-    pub(super) fn limit(lightness: f64, gap: f64, h: f64) -> Self {
-        let weight = if lightness > 0.0 {
-            (NEAR_RIGID * NEAR_RIGID / (4.0 * PI * PI) * lightness).recip()
-        } else {
-            0.0
-        };
-        Self::Limit { weight, target: -gap / h }
+    /// The same for a limit, as stiff as a step allows, off which what comes with the speed `[speed, e]` bounces with `e` times that; a
+    /// speed of 0 for what does not.
+    pub(super) fn limit(lightness: f64, gap: f64, [speed, restitution]: [f64; 2], h: f64) -> Self {
+        let give = NEAR_RIGID * NEAR_RIGID / (4.0 * PI * PI);
+        let weight = if lightness > 0.0 { (give * lightness).recip() } else { 0.0 };
+        // With what the limit gives way by while it turns the speed round.
+        let back = speed * (restitution + give * (1.0 + restitution));
+        Self::Limit { weight, target: if speed > 0.0 { back.max(-gap / h) } else { -gap / h } }
     }
 
     /// Velocities that are held, stiffer than anything that pushes, so that it is not what gives way.

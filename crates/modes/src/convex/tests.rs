@@ -66,7 +66,7 @@ fn random_problems_are_at_their_minimum() {
                 let (friction, gap) = (random.between(0.0, 1.5), random.between(-1e-3, 1e-3));
                 convex.contact(random.vector(0.5).into(), friction, gap, RIGID, 0.0, 1e-3);
             } else {
-                convex.limit(random.between(-1e-3, 1e-3), 1e-3);
+                convex.limit(random.between(-1e-3, 1e-3), [0.0; 2], 1e-3);
             }
         }
         let steps = convex.solve();

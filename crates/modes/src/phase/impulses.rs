@@ -19,6 +19,9 @@ use solaris_model::JointKind;
 /// A limit this near (rad or m) may be come to within a step, whatever the velocity.
 const CLOSE: f64 = 1e-3;
 
+/// What comes to a limit with less than this many times what a step changes its speed by does not bounce.
+const RESTS: f64 = 4.0;
+
 /// Stiffness (N/m) and relaxation (s) of what is as stiff as a step allows.
 const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
 
@@ -90,6 +93,7 @@ struct Limited {
     coordinate: usize,
     lower: f64,
     upper: f64,
+    restitution: f64,
 }
 
 /// The ground, and two directions along it.
@@ -123,14 +127,14 @@ impl Impulses {
             let in_state = maps.velocities.iter().position(|k| *k == at.v).filter(|_| is_free);
             flying.extend(in_state.map(|index| (at.v, index)));
             for (i, axis) in link.joint().kind().axes().iter().enumerate() {
-                let is_hard = matches!(reduction.limits[at.v + i], LimitLaw::Hard { .. });
+                let LimitLaw::Hard { restitution } = reduction.limits[at.v + i] else { continue };
                 // Ball joints have none.
-                let coordinate = reduction.figure.layout().coordinate(at.v + i).filter(|_| is_hard);
+                let coordinate = reduction.figure.layout().coordinate(at.v + i);
                 if let (Some(range), Some(place), Some(coordinate)) =
                     (axis.limits, places[at.v + i], coordinate)
                 {
                     let (lower, upper) = (range.lower, range.upper);
-                    limits.push(Limited { place, coordinate, lower, upper });
+                    limits.push(Limited { place, coordinate, lower, upper, restitution });
                 }
             }
         }
@@ -242,7 +246,8 @@ impl Impulses {
         self.loops.hold(&side.body, rows, sought, &mut self.convex, (self.begun, h));
         let of_limits = self.allowed.len() - 2 * self.limits.len();
         let pairs = self.allowed[of_limits..].chunks_exact_mut(2);
-        for (&Limited { place, coordinate, lower, upper }, allowed) in self.limits.iter().zip(pairs) {
+        for (limited, allowed) in self.limits.iter().zip(pairs) {
+            let &Limited { place, coordinate, lower, upper, restitution } = limited;
             let (q, reach) = (side.q[coordinate], CLOSE + 2.0 * h * self.before[place].abs());
             for ((gap, row), allowed) in [(q - lower, 1.0), (upper - q, -1.0)].into_iter().zip(allowed) {
                 if !self.begun {
@@ -252,7 +257,11 @@ impl Impulses {
                 if gap < reach {
                     self.convex.condition();
                     self.convex.entry(place, [0.0, 0.0, row]);
-                    self.convex.limit(gap, h);
+                    // What lies at the limit comes to it with what a step moves it by, and stays.
+                    let lies = RESTS * (self.convex.free()[place] - self.before[place]).abs();
+                    let speed = -row * self.before[place];
+                    let bounces = speed > lies && gap < h * speed;
+                    self.convex.limit(gap, [if bounces { speed } else { 0.0 }, restitution], h);
                 }
             }
         }

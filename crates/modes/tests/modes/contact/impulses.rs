@@ -140,3 +140,28 @@ fn what_begins_too_deep_comes_out_slowly() {
     assert!(fastest < 0.11, "{fastest} m/s");
     assert_abs_diff_eq!(run.motion.q(50)[1], 0.1, epsilon = 1e-5);
 }
+
+/// Between two limits, without gravity: `e` times the speed after each; under gravity it comes to rest at the lower one.
+#[test]
+fn what_meets_a_limit_bounces_by_its_restitution() {
+    let joint = Joint::new("slide").ty().limited(0.0, 1.0);
+    let figure =
+        FigureBuilder::new("f").link(LinkSpec::root("block", joint).mass(2.0)).build().expect("valid");
+    for restitution in [0.0, 0.3, 0.7, 1.0] {
+        let mut simulation = Simulation::new(&figure, Vector3::zeros());
+        simulation.set_limits(LimitLaw::Hard { restitution }).expect("valid");
+        simulation.set_start(&[0.5], &[3.0]).expect("valid");
+        let run = simulation.run(&settings(0.25, 1000.0, 1e-3)).expect("never refused");
+        assert_abs_diff_eq!(run.motion.v(250)[0], -3.0 * restitution, epsilon = 1e-9);
+        let energy = &run.report.energy;
+        assert_abs_diff_eq!(energy.heat, 9.0 * (1.0 - restitution * restitution), epsilon = 1e-9);
+    }
+    let mut simulation = Simulation::new(&figure, Vector3::y() * -G);
+    simulation.set_limits(LimitLaw::Hard { restitution: 0.5 }).expect("valid");
+    simulation.set_start(&[1.0], &[0.0]).expect("valid");
+    let run = simulation.run(&settings(2.0, 100.0, 1e-3)).expect("never refused");
+    // The first bounce comes back to a quarter, and 1.35 s on all is over.
+    let highest = (46..80).map(|frame| run.motion.q(frame)[0]).fold(0.0, f64::max);
+    assert_relative_eq!(highest, 0.25, max_relative = 0.02);
+    assert!(run.motion.q(200)[0].abs() < 1e-6 && run.motion.v(200)[0].abs() < 1e-6);
+}
