@@ -70,13 +70,24 @@ struct SceneReader<'l> {
     names: Names,
     /// How long the scene takes (s), where it says so.
     lasts: Option<f64>,
+    /// Degrees of freedom whose drives are given by more than a pattern.
+    named: parts::Named,
+    sequenced: parts::Sequenced,
 }
 
 /// The scene that `text` describes.
 pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
     let tree = parse(text, "scene", "Scene(version: 1, …)")?;
     let reader = Reader::default();
-    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default(), lasts: None };
+    let mut reader = SceneReader {
+        reader,
+        loader,
+        simulation: None,
+        names: Names::default(),
+        lasts: None,
+        named: parts::Named::new(),
+        sequenced: parts::Sequenced::default(),
+    };
     let scene = reader.scene(&tree);
     reader.reader.finish(text)?;
     // Where there is no scene there is a fault.
@@ -105,8 +116,8 @@ impl SceneReader<'_> {
             self.names = Names::of(figure);
         }
         let figure = self.carries(&fields, figure);
-        let (mut given, named) = self.drives(&fields);
-        self.sequence_of_parts(&fields, &mut given, &named);
+        let mut given = self.drives(&fields);
+        self.sequence_of_parts(&fields, &mut given);
         // Of several figures none walks, which has been said.
         let several = fields.get("figures").and_then(Node::entries).is_some_and(|entries| entries.len() > 1);
         let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
@@ -116,15 +127,16 @@ impl SceneReader<'_> {
         self.pushes(&fields);
         self.limits(&fields);
         self.ground(&fields);
-        let notes = self.reaches(&fields, &named);
-        let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
+        let walked = walk.as_ref().map(walk::Planned::duration);
+        let (notes, reaching) = self.reaches(&fields, walked);
+        let settings = self.settings(&fields, walked);
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
             notes,
-            walk: walk.map(walk::Planned::into_walked),
+            walk: walk.map(|walk| walk.into_walked(&reaching)),
         })
     }
 

@@ -37,7 +37,11 @@ impl Side {
                 }
             }
         }
-        (Self::Middle, name.to_owned())
+        // Of one figure among several: `ann.left_knee.rx`.
+        match tail.map(Self::split) {
+            Some((side, rest)) if side != Self::Middle => (side, format!("{head}.{rest}")),
+            _ => (Self::Middle, name.to_owned()),
+        }
     }
 }
 
@@ -180,11 +184,17 @@ fn parts(figure: &Figure, link: usize, reach: f64) -> Vec<Part> {
         return vec![shaped(shape, next_radius(figure, link))];
     }
     let children = figure.links().iter().filter(|child| child.parent() == Some(link));
-    let ends = children
+    let ends: Vec<_> = children
         .map(|child| child.joint().placement().translation.vector)
-        .chain(figure.links()[link].tip().copied());
-    let sticks: Vec<Part> = ends.filter_map(|end| stick(&end, reach)).collect();
-    if sticks.is_empty() && !is_place(figure, &figure.links()[link]) {
+        .chain(figure.links()[link].tip().copied())
+        .collect();
+    let is_place = is_place(figure, &figure.links()[link]);
+    if is_place && ends.len() > 1 {
+        // What stands at different places of the world is several figures.
+        return Vec::new();
+    }
+    let sticks: Vec<Part> = ends.iter().filter_map(|end| stick(end, reach)).collect();
+    if sticks.is_empty() && !is_place {
         let com = figure.links()[link].com();
         let ball = Part {
             kind: "sphere",
@@ -251,6 +261,8 @@ mod tests {
         assert_eq!(split("lever"), (Side::Middle, "lever".into()));
         assert_eq!(split("left"), (Side::Middle, "left".into()));
         assert_eq!(split("left.fx"), (Side::Left, "fx".into()));
+        assert_eq!(split("ann.left_knee.rx"), (Side::Left, "ann.knee.rx".into()));
+        assert_eq!(split("left.right_knee"), (Side::Left, "right_knee".into()));
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! The commands of docs/profiles.md, docs/determinants.md and of the pages of walks make their pictures, and every kind of
-//! profile has one.
+//! The commands of docs/profiles.md, docs/determinants.md, docs/scenes.md and of the pages of walks make their pictures, and every
+//! kind of profile has one.
 //!
 //! `UPDATE_PICTURES=1 cargo test -p solaris-cli --test cli pictures` writes them anew.
 
@@ -43,6 +43,12 @@ fn made_and_kept(page_name: &str, pictures: &str) -> Vec<Vec<String>> {
     let (docs, text) = page(page_name);
     let folder = tempfile::tempdir().expect("a folder");
     fs::create_dir(folder.path().join(pictures)).expect("a folder");
+    let scenes = folder.path().join("fixtures/scenes");
+    fs::create_dir_all(&scenes).expect("a folder");
+    for scene in fs::read_dir(docs.join("../fixtures/scenes")).expect("the scenes") {
+        let scene = scene.expect("an entry").path();
+        fs::copy(&scene, scenes.join(scene.file_name().expect("a name"))).expect("copied");
+    }
     let mut commands = Vec::new();
     for line in text.lines().filter(|line| line.contains(&format!(" -o {pictures}/"))) {
         let words = words(line.strip_prefix("solaris ").expect("a command"));
@@ -74,6 +80,11 @@ fn the_film_strips_are_what_the_commands_make() {
     for (page, count) in [("walking.md", 7), ("slopes.md", 3), ("running.md", 1)] {
         assert_eq!(made_and_kept(page, "strips").len(), count, "{page}");
     }
+}
+
+#[test]
+fn words_of_scenes_have_pictures() {
+    assert_eq!(made_and_kept("scenes.md", "strips").len(), 3);
 }
 
 #[test]

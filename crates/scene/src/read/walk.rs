@@ -16,7 +16,8 @@ const RATE: f64 = 480.0;
 pub(super) struct Planned {
     plan: Arc<WalkSequence>,
     recorded: Arc<RecordedMotion>,
-    followed: usize,
+    /// Degrees of freedom that follow it.
+    followed: Vec<usize>,
 }
 
 impl Planned {
@@ -31,11 +32,12 @@ impl Planned {
         (motion.q(0), motion.v(0))
     }
 
-    /// What the scene keeps of it.
-    pub(super) fn into_walked(self) -> Walked {
+    /// What the scene keeps of it; `reaching` are degrees of freedom that do something else over it.
+    pub(super) fn into_walked(self, reaching: &[usize]) -> Walked {
         let motion = self.recorded.motion();
         let (planted, events) = (motion.planted.clone(), motion.events.clone());
-        Walked { plan: self.plan, planted, events, followed: self.followed }
+        let followed = self.followed.iter().filter(|dof| !reaching.contains(dof)).count();
+        Walked { plan: self.plan, planted, events, followed }
     }
 }
 
@@ -78,6 +80,6 @@ impl SceneReader<'_> {
                 return None;
             }
         }
-        Some(Planned { plan: Arc::new(plan), recorded, followed: free.len() })
+        Some(Planned { plan: Arc::new(plan), recorded, followed: free })
     }
 }

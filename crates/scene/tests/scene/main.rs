@@ -4,6 +4,7 @@ mod faults;
 mod faults_words;
 mod fixtures;
 mod grammar;
+mod looks;
 mod runs;
 mod soles;
 mod words;
