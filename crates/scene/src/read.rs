@@ -2,14 +2,17 @@
 
 mod carries;
 mod clips;
+mod crowd;
 mod drive;
 mod drives;
 mod figures;
 mod forces;
 mod ground;
+mod include;
 mod limits;
 mod names;
 mod parts;
+mod places;
 mod pushes;
 mod reaches;
 mod repeat;
@@ -23,6 +26,7 @@ mod walk;
 use crate::loader::Loader;
 use crate::scene::Scene;
 use crate::spelled;
+use include::Gathering;
 use nalgebra::Vector3;
 use names::Names;
 use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, Value, parse};
@@ -37,8 +41,9 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 21] = [
+const FIELDS: [&str; 22] = [
     "version",
+    "include",
     "figures",
     "places",
     "gravity",
@@ -77,8 +82,19 @@ struct SceneReader<'l> {
 
 /// The scene that `text` describes.
 pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
-    let tree = parse(text, "scene", "Scene(version: 1, …)")?;
-    let reader = Reader::default();
+    let mut tree = parse(text, "scene", "Scene(version: 1, …)")?;
+    let mut gathering = Gathering::new(loader, text.len());
+    gathering.gather(&tree, None);
+    let (included, mut reader) = gathering.finish();
+    if reader.count() > 0 {
+        // Without it most of the rest would seem to be at fault.
+        include::finish(reader, text, &included)?;
+        reader = Reader::default();
+    }
+    // The last is the nearest to what the scene says itself.
+    for one in included.iter().rev() {
+        include::put_before(&mut tree, one.tree()?, &mut reader);
+    }
     let mut reader = SceneReader {
         reader,
         loader,
@@ -89,7 +105,7 @@ pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextErr
         sequenced: parts::Sequenced::default(),
     };
     let scene = reader.scene(&tree);
-    reader.reader.finish(text)?;
+    include::finish(reader.reader, text, &included)?;
     // Where there is no scene there is a fault.
     scene.ok_or_else(|| TextError::one(text, tree.span, "this scene cannot be used"))
 }
@@ -119,7 +135,9 @@ impl SceneReader<'_> {
         let mut given = self.drives(&fields);
         self.sequence_of_parts(&fields, &mut given);
         // Of several figures none walks, which has been said.
-        let several = fields.get("figures").and_then(Node::entries).is_some_and(|entries| entries.len() > 1);
+        let figures = fields.get("figures").and_then(Node::entries).unwrap_or_default();
+        let is_crowd = |node: &Node<'_>| node.head().is_some_and(|head| head.name == "Crowd");
+        let several = figures.len() > 1 || figures.iter().any(|(_, figure)| is_crowd(figure));
         let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
         self.start(&fields, &given, walk.as_ref());
         self.clip(&fields, &mut given);

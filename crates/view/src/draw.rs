@@ -152,10 +152,11 @@ pub(crate) fn add_lines(links: &mut [Drawn], figure: &Figure, lines: &[LinkLine]
     Ok(())
 }
 
-/// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots.
+/// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots, or a place in that.
 fn is_place(figure: &Figure, link: &Link) -> bool {
     let still = link.joint().kind().nv() == 0;
-    figure.links().len() > 1 && link.parent().is_none() && still && link.mass() == 0.0
+    let fixed = link.parent().is_none_or(|parent| is_place(figure, &figure.links()[parent]));
+    figure.links().len() > 1 && still && link.mass() == 0.0 && fixed
 }
 
 /// How far the figure can reach from its root (m), all joints stretched; 1 where it is but a point.

@@ -76,6 +76,13 @@ impl Loader for Files {
         self.reads.push(path);
         Ok(motion)
     }
+
+    fn text(&mut self, name: &str) -> Result<String, String> {
+        let path = self.folder.join(name);
+        let text = input::text(&path).map_err(|error| why(&error))?;
+        self.reads.push(path);
+        Ok(text)
+    }
 }
 
 /// Why a file has no figure, without its path.

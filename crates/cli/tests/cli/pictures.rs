@@ -37,18 +37,27 @@ fn page(name: &str) -> (PathBuf, String) {
     (docs, text)
 }
 
+/// Copies a folder with all that is in it.
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a folder");
+    for entry in fs::read_dir(from).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let to = to.join(path.file_name().expect("a name"));
+        if path.is_dir() {
+            copy(&path, &to);
+        } else {
+            fs::copy(&path, to).expect("copied");
+        }
+    }
+}
+
 /// Makes the pictures of a page by its commands, which put them into `pictures`, and compares them with those kept there; the
 /// words of the commands.
 fn made_and_kept(page_name: &str, pictures: &str) -> Vec<Vec<String>> {
     let (docs, text) = page(page_name);
     let folder = tempfile::tempdir().expect("a folder");
     fs::create_dir(folder.path().join(pictures)).expect("a folder");
-    let scenes = folder.path().join("fixtures/scenes");
-    fs::create_dir_all(&scenes).expect("a folder");
-    for scene in fs::read_dir(docs.join("../fixtures/scenes")).expect("the scenes") {
-        let scene = scene.expect("an entry").path();
-        fs::copy(&scene, scenes.join(scene.file_name().expect("a name"))).expect("copied");
-    }
+    copy(&docs.join("../fixtures/scenes"), &folder.path().join("fixtures/scenes"));
     let mut commands = Vec::new();
     for line in text.lines().filter(|line| line.contains(&format!(" -o {pictures}/"))) {
         let words = words(line.strip_prefix("solaris ").expect("a command"));
@@ -84,7 +93,7 @@ fn the_film_strips_are_what_the_commands_make() {
 
 #[test]
 fn words_of_scenes_have_pictures() {
-    assert_eq!(made_and_kept("scenes.md", "strips").len(), 3);
+    assert_eq!(made_and_kept("scenes.md", "strips").len(), 4);
 }
 
 #[test]

@@ -86,7 +86,12 @@ impl Names {
         if !name.contains('*') {
             return None;
         }
-        let dofs: Vec<usize> = (0..self.dofs.len()).filter(|dof| matches(name, &self.dofs[*dof])).collect();
+        let mut dofs: Vec<usize> =
+            (0..self.dofs.len()).filter(|dof| matches(name, &self.dofs[*dof])).collect();
+        // Of a joint whose name is like it all are meant.
+        dofs.extend(self.joints.iter().filter(|(joint, _)| matches(name, joint)).flat_map(|(_, dofs)| dofs));
+        dofs.sort_unstable();
+        dofs.dedup();
         (!dofs.is_empty()).then_some(Meant { dofs, closeness: Closeness::Pattern, joint: None })
     }
 
@@ -102,7 +107,7 @@ impl Names {
 }
 
 /// Whether `name` is `pattern`, in which each `*` stands for any text.
-fn matches(pattern: &str, name: &str) -> bool {
+pub(super) fn matches(pattern: &str, name: &str) -> bool {
     let mut pieces = pattern.split('*');
     let (first, mut rest) = (pieces.next().unwrap_or_default(), name);
     let Some(after) = rest.strip_prefix(first) else { return false };

@@ -21,19 +21,21 @@ use solaris_modes::{Drive, EndCondition, RecordedMotion, Simulation, Step};
 use std::ops::Range;
 use std::sync::Arc;
 
+/// A fault, and its place.
+type Refused = (Range<usize>, String);
+
+/// What there is to say of what reaches, and the degrees of freedom that do.
+type Found = (Vec<String>, Vec<usize>);
+
 impl SceneReader<'_> {
     /// Finds the motions of what reaches, looks or is held, and lets its joints follow them; what there is to say of them, and which
     /// degrees of freedom do.
-    pub(super) fn reaches(
-        &mut self,
-        fields: &Fields<'_, '_>,
-        walked: Option<f64>,
-    ) -> (Vec<String>, Vec<usize>) {
+    pub(super) fn reaches(&mut self, fields: &Fields<'_, '_>, walked: Option<f64>) -> Found {
         let Some(node) = fields.get("reaches") else { return Default::default() };
         let before = self.reader.count();
         let items = self.reader.items(node, "reaches", asked::EXAMPLE).unwrap_or_default();
-        let asked: Vec<Option<Asked>> = items.iter().map(|item| self.asked(item)).collect();
-        let mut asked: Vec<Asked> = asked.into_iter().flatten().collect();
+        let asked: Vec<Option<Vec<Asked>>> = items.iter().map(|item| self.asked(item)).collect();
+        let mut asked: Vec<Asked> = asked.into_iter().flatten().flatten().collect();
         asked.sort_by(|a, b| a.from.total_cmp(&b.from));
         self.one_after_the_other(&asked);
         let known = self.known(&asked);
@@ -130,7 +132,7 @@ impl SceneReader<'_> {
         known: &[usize],
         duration: f64,
         node: &Node<'_>,
-    ) -> Result<(Vec<String>, Vec<usize>), (Range<usize>, String)> {
+    ) -> Result<Found, Refused> {
         let whole = |why: String| (node.place(), why);
         let figure = simulation.figure();
         let beforehand =
@@ -158,7 +160,7 @@ impl SceneReader<'_> {
         }
         let motion = samples.motion(figure, *simulation.gravity(), &beforehand, duration).map_err(whole)?;
         let recorded = RecordedMotion::new(motion).map_err(|error| whole(error.to_string()))?;
-        self.follow(&samples, Arc::new(recorded), node)?;
+        self.follow(&samples, &Arc::new(recorded), node)?;
         // What is followed in part is not there anyway.
         let misses = |layer: &&Layer<'_>| layer.asked.weight >= 1.0 && layer.worst.0 > REACHED;
         let notes = layers.iter().filter(misses).map(note).collect();
@@ -166,11 +168,7 @@ impl SceneReader<'_> {
     }
 
     /// Refuses a joint that begins outside its limits, from where there is no way on.
-    fn within_limits(
-        &self,
-        layer: &Layer<'_>,
-        beforehand: &Beforehand,
-    ) -> Result<(), (Range<usize>, String)> {
+    fn within_limits(&self, layer: &Layer<'_>, beforehand: &Beforehand) -> Result<(), Refused> {
         for (dof, coordinate, [lower, upper]) in layer.moves() {
             let x = beforehand.at(dof, coordinate, layer.asked.from).position;
             if x < lower - REACHED || x > upper + REACHED {
@@ -198,9 +196,9 @@ impl SceneReader<'_> {
     fn follow(
         &mut self,
         samples: &Samples,
-        recorded: Arc<RecordedMotion>,
+        recorded: &Arc<RecordedMotion>,
         node: &Node<'_>,
-    ) -> Result<(), (Range<usize>, String)> {
+    ) -> Result<(), Refused> {
         let Some(simulation) = &mut self.simulation else { return Ok(()) };
         let refused = |error: solaris_modes::SetupError| (node.place(), crate::spelled::setup(&error));
         let (mut q, mut v) = (simulation.state().0.to_vec(), simulation.state().1.to_vec());
@@ -209,7 +207,7 @@ impl SceneReader<'_> {
             if moved.from > 0.0 && samples.still {
                 steps.push(Step { drive: Drive::Frozen, until: EndCondition::Time(moved.from) });
             }
-            steps.push(Drive::Recorded(Arc::clone(&recorded)).into());
+            steps.push(Drive::Recorded(Arc::clone(recorded)).into());
             simulation.drive(self.names.name(moved.dof), steps).map_err(refused)?;
             if moved.at_once {
                 let sample = recorded.at(moved.dof, moved.coordinate, 0.0);

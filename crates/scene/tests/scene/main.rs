@@ -6,5 +6,6 @@ mod fixtures;
 mod grammar;
 mod looks;
 mod runs;
+mod several;
 mod soles;
 mod words;

@@ -1,8 +1,10 @@
 //! What is asked of links: to reach, to look, to be held as they are; as it is written.
 
+use super::beforehand::carriers;
 use crate::read::SceneReader;
+use crate::read::names::matches;
 use nalgebra::{Unit, UnitQuaternion, Vector3};
-use solaris_model::text::{Fields, Node, ReadSpatial as _};
+use solaris_model::text::{Fields, Node, ReadSpatial as _, Value};
 use std::ops::Range;
 
 pub(super) const EXAMPLE: &str = "[Reach(tip: \"right_hand\", by: [\"right_shoulder\", \"right_elbow\"], to: (-0.2, 1.2, 0.4), over: 0.8)]";
@@ -32,6 +34,7 @@ pub(super) struct Asked {
 }
 
 /// What is asked.
+#[derive(Clone)]
 pub(super) enum What {
     /// To be at a spot.
     Reach(Spot),
@@ -71,6 +74,11 @@ impl What {
     }
 }
 
+/// Whether the tip is a pattern.
+fn is_pattern(fields: &Fields<'_, '_>) -> bool {
+    fields.get("tip").is_some_and(|node| matches!(&node.value, Value::Text(name) if name.contains('*')))
+}
+
 fn known(kind: &str) -> &'static [&'static str] {
     match kind {
         "Look" => &["tip", "at", "axis", "by", "to", "over", "from", "until", "back", "weight"],
@@ -80,13 +88,13 @@ fn known(kind: &str) -> &'static [&'static str] {
 }
 
 impl SceneReader<'_> {
-    /// `Reach(tip: "right_hand", …)`, `Look(tip: "head", …)` or `Hold(tip: "right_hand", …)`
-    pub(super) fn asked(&mut self, node: &Node<'_>) -> Option<Asked> {
+    /// `Reach(tip: "right_hand", …)`, `Look(tip: "head", …)` or `Hold(tip: "right_hand", …)`; of each link that a pattern means.
+    pub(super) fn asked(&mut self, node: &Node<'_>) -> Option<Vec<Asked>> {
         let before = self.reader.count();
         let kind = self.reader.kind(node, &KINDS)?;
         let fields = self.reader.fields(node, &KINDS, known(kind))?;
         let tip = self.reader.required(&fields, "tip", "\"right_hand\"");
-        let tip = tip.and_then(|node| self.named_link(node));
+        let tips = tip.and_then(|node| self.named_links(node));
         let at = fields.get("at").map_or(Some(Vector3::zeros()), |node| {
             self.reader
                 .vector(node, if kind == "Look" { "the point that looks" } else { "the point that reaches" })
@@ -105,21 +113,38 @@ impl SceneReader<'_> {
         if self.reader.count() > before {
             return None;
         }
-        let (name, link) = tip?;
-        let (place, point, from, over) = (node.place(), at?, from?, over?);
-        Some(Asked {
-            place,
-            name,
-            link,
-            point,
-            by,
-            from,
-            over,
-            until: until?,
-            back: back?,
-            weight: weight?,
-            what: what?,
-        })
+        let (place, point, from, over, what) = (node.place(), at?, from?, over?, what?);
+        let (until, back, weight) = (until?, back?, weight?);
+        let tips = tips?;
+        let figure = self.figure()?;
+        let of = |(name, link): (String, usize)| {
+            let mut by = by.clone();
+            if is_pattern(&fields) {
+                // Each by its own joints.
+                let carriers = carriers(figure, link);
+                by.retain(|dof| carriers.contains(dof));
+            }
+            let (place, what) = (place.clone(), what.clone());
+            Asked { place, name, link, point, by, from, over, until, back, weight, what }
+        };
+        Some(tips.into_iter().map(of).collect())
+    }
+
+    /// A link by its name, or several by a pattern.
+    fn named_links(&mut self, node: &Node<'_>) -> Option<Vec<(String, usize)>> {
+        let Value::Text(name) = &node.value else { return self.named_link(node).map(|one| vec![one]) };
+        if !name.contains('*') {
+            return self.named_link(node).map(|one| vec![one]);
+        }
+        let figure = self.figure()?;
+        let links = figure.links().iter().enumerate().filter(|(_, link)| matches(name, link.name()));
+        let found: Vec<(String, usize)> = links.map(|(i, link)| (link.name().to_owned(), i)).collect();
+        if found.is_empty() {
+            let message = format!("no link of figure '{}' is called like '{name}'", figure.name());
+            self.reader.fault(node.span.clone(), message);
+            return None;
+        }
+        Some(found)
     }
 
     /// A link by its name.

@@ -152,7 +152,7 @@ mod tests {
         let points: Vec<(f64, f64)> =
             [1.0, 1.1, 1.25, 1.3, 1.5, 1.7].iter().map(|t| (*t, curve(*t))).collect();
         assert!((slope(&points) - (-2.0 + 3.0 - 2.0)).abs() < 1e-10, "{}", slope(&points));
-        assert_eq!(slope(&points[..1]), 0.0);
+        assert!(slope(&points[..1]).abs() < 1e-300);
         assert!((slope(&points[..2]) - (curve(1.1) - curve(1.0)) / 0.1).abs() < 1e-12);
     }
 }
