@@ -138,23 +138,25 @@ impl SceneReader<'_> {
         let figures = fields.get("figures").and_then(Node::entries).unwrap_or_default();
         let is_crowd = |node: &Node<'_>| node.head().is_some_and(|head| head.name == "Crowd");
         let several = figures.len() > 1 || figures.iter().any(|(_, figure)| is_crowd(figure));
-        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
+        let terrain = self.terrain(&fields);
+        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given, terrain.as_ref());
         self.start(&fields, &given, walk.as_ref());
         self.clip(&fields, &mut given);
         self.springs(&fields);
         self.pushes(&fields);
         self.limits(&fields);
-        self.ground(&fields);
+        let (friction, mut said) = self.ground(&fields, terrain.as_ref());
         let walked = walk.as_ref().map(walk::Planned::duration);
         let (notes, reaching) = self.reaches(&fields, walked);
+        said.extend(notes);
         let settings = self.settings(&fields, walked);
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
-            notes,
-            walk: walk.map(|walk| walk.into_walked(&reaching)),
+            notes: said,
+            walk: walk.map(|walk| walk.into_walked(&reaching, friction)),
         })
     }
 

@@ -49,7 +49,7 @@ impl SceneReader<'_> {
     }
 
     /// A whole number within bounds.
-    fn whole(
+    pub(super) fn whole(
         &mut self,
         fields: &Fields<'_, '_>,
         name: &str,

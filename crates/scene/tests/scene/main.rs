@@ -8,4 +8,5 @@ mod looks;
 mod runs;
 mod several;
 mod soles;
+mod walks;
 mod words;
