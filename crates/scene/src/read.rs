@@ -1,5 +1,6 @@
 //! The reader of scenes, with every fault on the way.
 
+mod actuators;
 mod carries;
 mod clips;
 mod crowd;
@@ -78,6 +79,7 @@ struct SceneReader<'l> {
     /// Degrees of freedom whose drives are given by more than a pattern.
     named: parts::Named,
     sequenced: parts::Sequenced,
+    motors: actuators::Motors,
 }
 
 /// The scene that `text` describes.
@@ -103,6 +105,7 @@ pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextErr
         lasts: None,
         named: parts::Named::new(),
         sequenced: parts::Sequenced::default(),
+        motors: actuators::Motors::default(),
     };
     let scene = reader.scene(&tree);
     include::finish(reader.reader, text, &included)?;
@@ -132,8 +135,10 @@ impl SceneReader<'_> {
             self.names = Names::of(figure);
         }
         let figure = self.carries(&fields, figure);
+        let left_out = self.place_actuators();
         let mut given = self.drives(&fields);
         self.sequence_of_parts(&fields, &mut given);
+        self.idle_motors(&mut given);
         // Of several figures none walks, which has been said.
         let figures = fields.get("figures").and_then(Node::entries).unwrap_or_default();
         let is_crowd = |node: &Node<'_>| node.head().is_some_and(|head| head.name == "Crowd");
@@ -148,6 +153,7 @@ impl SceneReader<'_> {
         let (friction, mut said) = self.ground(&fields, terrain.as_ref());
         let walked = walk.as_ref().map(walk::Planned::duration);
         let (notes, reaching) = self.reaches(&fields, walked);
+        said.extend(left_out);
         said.extend(notes);
         let settings = self.settings(&fields, walked);
         let simulation = self.simulation.take()?;

@@ -48,8 +48,11 @@ impl SceneReader<'_> {
             if !self.can_have(&meant.dofs, &steps.steps) {
                 continue;
             }
-            let steps = steps.drives();
-            given.extend(meant.dofs.iter().map(|dof| (*dof, steps.clone())));
+            let again = steps.again;
+            for dof in &meant.dofs {
+                let steps = self.by_motor(*dof, &steps.steps);
+                given.insert(*dof, (steps.into_iter().map(|(_, step)| step).collect(), again));
+            }
         }
         if let Some(simulation) = &mut self.simulation {
             for (dof, (steps, again)) in &given {

@@ -75,6 +75,11 @@ impl Names {
         meant.is_none_or(|meant| meant.dofs.iter().all(|dof| self.turns[*dof]))
     }
 
+    /// The one degree of freedom of this name, or of a joint of one.
+    pub(super) fn one(&self, name: &str) -> Option<usize> {
+        self.by_name.get(name).copied()
+    }
+
     fn find(&self, name: &str) -> Option<Meant> {
         if let Some(dof) = self.by_name.get(name) {
             return Some(Meant::of(*dof));

@@ -115,8 +115,10 @@ impl SceneReader<'_> {
             if !self.can_have(&meant.dofs, &steps.steps) {
                 continue;
             }
-            let (steps, _) = steps.drives();
-            own.extend(meant.dofs.iter().map(|dof| (*dof, steps.clone())));
+            for dof in &meant.dofs {
+                let steps = self.by_motor(*dof, &steps.steps);
+                own.insert(*dof, steps.into_iter().map(|(_, step)| step).collect());
+            }
         }
         if self.reader.count() > before {
             return None;

@@ -5,6 +5,7 @@ mod faults_words;
 mod fixtures;
 mod grammar;
 mod looks;
+mod motors;
 mod runs;
 mod several;
 mod soles;
