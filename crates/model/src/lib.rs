@@ -2,6 +2,7 @@
 
 mod actuator;
 mod anatomy;
+mod apart;
 mod base;
 mod builder;
 mod chains;
