@@ -92,7 +92,7 @@ impl SceneReader<'_> {
                 if let Some(&is_velocity) = self.motors.words.get(&span.start) {
                     match (self.gains(dof, is_velocity), &mut step.drive) {
                         (Ok([stiffness, damping]), Drive::Servo(servo)) => {
-                            (servo.stiffness, servo.damping) = (stiffness, damping)
+                            (servo.stiffness, servo.damping) = (stiffness, damping);
                         }
                         (Err(why), _) => self.reader.fault(span.clone(), why),
                         _ => {}
