@@ -32,7 +32,7 @@ pub use nearness::{LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness
 pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};
 pub use prescribed::prescribed_reactions;
-pub use reach::{REACHED, Reach, ReachError, Reached};
+pub use reach::{Goal, REACHED, Reach, ReachError, Reached};
 pub use reaction::{ReactionReport, Support, SupportLaw, ground_reactions};
 pub use rooted::{RootReport, reactions_from_feet};
 pub use split::{FootSupport, split_at_pivot};

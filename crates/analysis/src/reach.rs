@@ -1,10 +1,14 @@
-//! Inverse kinematics of a point: where joints have to be so that it is at a place.
+//! Inverse kinematics of a point: where joints have to be so that it is at a place, or its link is turned so that it looks at one.
+
+mod goal;
+
+pub use goal::Goal;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Vector3};
-use solaris_dynamics::{DynamicsError, Frame, Tree, Workspace, joint_jacobians, point_columns};
+use solaris_dynamics::{DynamicsError, Frame, Pose, Tree, Workspace, joint_jacobians, point_columns};
 use solaris_model::Figure;
 
-/// A point this near (m) to its target is there.
+/// A point this near (m) to its target is there, a link that is turned so nearly (rad) as it is to be is so.
 pub const REACHED: f64 = 1e-9;
 /// The least and the greatest damping, as parts of the greatest diagonal of `Jᵀ·J`.
 const DAMPING: (f64, f64) = (1e-14, 1e8);
@@ -17,13 +21,14 @@ const PROMISE: f64 = 1e-13;
 /// whose target is on its line.
 const ASIDE: f64 = 0.05;
 
-/// Brings a point of a figure to places by some of its degrees of freedom.
+/// Brings a point of a figure to places, or turns the link that carries it, by some of its degrees of freedom.
 ///
 /// ```text
-/// min |x(q) − x*|²      over the degrees of freedom that are named, within their limits
+/// min |e(q)|²      over the degrees of freedom that are named, within their limits
 /// ```
 ///
-/// by damped least squares, `(Jᵀ·J + λ·E)·Δq = Jᵀ·(x* − x)`, from where the figure is: each step lowers the distance, so that of the
+/// where `e` is what is missing to a [`Goal`]: of a place `x* − x`, of a direction or an orientation the rotation vector that is left. By
+/// damped least squares, `(Jᵀ·J + λ·E)·Δq = Jᵀ·e`, from where the figure is: each step lowers `|e|`, so that of the
 /// many ways to be there a near one is found. Coordinates at a limit that the step would pass are left out of it.
 ///
 /// # Source
@@ -35,7 +40,7 @@ const ASIDE: f64 = 0.05;
 /// # Examples
 ///
 /// ```
-/// use solaris_analysis::Reach;
+/// use solaris_analysis::{Goal, Reach};
 /// use solaris_model::{Vector3, human};
 ///
 /// let ann = human(1.65, 58.0)?;
@@ -47,7 +52,7 @@ const ASIDE: f64 = 0.05;
 /// let mut reach = Reach::new(&ann, hand, Vector3::new(0.0, -0.08, 0.0), &arm)?;
 /// let mut q = vec![0.0; ann.layout().nq()];
 /// q[ann.layout().dof_index("right_elbow.rx").expect("an elbow")] = -0.5;
-/// let reached = reach.solve(&mut q, &Vector3::new(-0.24, 0.36, 0.36))?;
+/// let reached = reach.solve(&mut q, &Goal::Place(Vector3::new(-0.24, 0.36, 0.36)))?;
 /// assert!(reached.off < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -73,7 +78,8 @@ struct Unknown {
 /// What came of a [`Reach`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
-    /// How far the point still is from its target (m): below [`REACHED`] it is there, else this is the nearest that was found.
+    /// How far the point still is from its place (m), or its link from being turned as it is to be (rad): below [`REACHED`] it is there,
+    /// else this is the nearest that was found.
     pub off: f64,
     /// How many steps it took.
     pub steps: usize,
@@ -155,23 +161,28 @@ impl Reach {
         Ok(Self { workspace: Workspace::new(&tree), tree, tip: Frame::at(link, point), unknowns })
     }
 
-    /// Where the point is (m) in a configuration.
+    /// Where the point is (m, world) in a configuration, and how its link is turned.
     ///
     /// # Errors
     ///
     /// [`ReachError::Dynamics`] for a configuration that is none.
-    pub fn place(&mut self, q: &[f64]) -> Result<Vector3<f64>, ReachError> {
+    pub fn pose(&mut self, q: &[f64]) -> Result<Pose<f64>, ReachError> {
         joint_jacobians(&self.tree, &mut self.workspace, q)?;
-        Ok(self.tip.pose(&self.workspace).translation)
+        Ok(self.tip.pose(&self.workspace))
     }
 
-    /// Moves the coordinates in `q` (rad, m; length `nq`) so that the point is at a place (m, world), or as near to it as steps from
-    /// there lead.
+    /// The degrees of freedom that it moves (indices in `v`), each with its coordinate (index in `q`) and its limits (rad, m), which may
+    /// be infinite; those of the ones named that carry the point.
+    pub fn moves(&self) -> impl Iterator<Item = (usize, usize, [f64; 2])> {
+        self.unknowns.iter().map(|unknown| (unknown.dof, unknown.coordinate, [unknown.lower, unknown.upper]))
+    }
+
+    /// Moves the coordinates in `q` (rad, m; length `nq`) so that the goal is met, or as nearly as steps from there lead.
     ///
     /// # Errors
     ///
-    /// As for [`place`](Self::place).
-    pub fn solve(&mut self, q: &mut [f64], target: &Vector3<f64>) -> Result<Reached, ReachError> {
+    /// As for [`pose`](Self::pose).
+    pub fn solve(&mut self, q: &mut [f64], target: &Goal) -> Result<Reached, ReachError> {
         for unknown in &self.unknowns {
             let entry = &mut q[unknown.coordinate];
             *entry = entry.clamp(unknown.lower, unknown.upper);
@@ -200,7 +211,7 @@ impl Reach {
     }
 
     /// Steps that lower the distance, until none does.
-    fn descend(&mut self, q: &mut [f64], target: &Vector3<f64>) -> Result<Reached, ReachError> {
+    fn descend(&mut self, q: &mut [f64], target: &Goal) -> Result<Reached, ReachError> {
         let n = self.unknowns.len();
         let mut damping = 1e-6;
         let (mut jacobian, mut next) = (DMatrix::zeros(3, n), q.to_vec());
@@ -263,22 +274,22 @@ impl Reach {
         Ok(Reached { off: off.norm(), steps: MOST_STEPS })
     }
 
-    /// The way from the point to its target, and how each unknown moves the point.
+    /// What is missing to the goal, and how each unknown takes it away.
     fn columns(
         &mut self,
         q: &[f64],
-        target: &Vector3<f64>,
+        target: &Goal,
         jacobian: &mut DMatrix<f64>,
     ) -> Result<Vector3<f64>, ReachError> {
-        let off = target - self.place(q)?;
+        let pose = self.pose(q)?;
         jacobian.fill(0.0);
         let unknowns = &self.unknowns;
         point_columns(&self.tree, &self.workspace, &self.tip, |dof, column| {
             if let Some(i) = unknowns.iter().position(|unknown| unknown.dof == dof) {
-                jacobian.set_column(i, &column.linear);
+                jacobian.set_column(i, &target.column(&pose, &column));
             }
         });
-        Ok(off)
+        Ok(target.missing(&pose))
     }
 }
 
@@ -301,7 +312,7 @@ mod tests {
     fn solved(figure: &Figure, from: [f64; 2], target: Vector3<f64>) -> ([f64; 2], Reached) {
         let mut reach = Reach::new(figure, 1, Vector3::new(0.0, -0.4, 0.0), &[0, 1]).expect("an arm");
         let mut q = from;
-        let reached = reach.solve(&mut q, &target).expect("finite");
+        let reached = reach.solve(&mut q, &Goal::Place(target)).expect("finite");
         (q, reached)
     }
 
@@ -337,6 +348,43 @@ mod tests {
         let length = (0.25 + 0.16 + 0.4 * 1.0_f64.cos()).sqrt();
         assert!((q[1] - 1.0).abs() < 1e-12, "{q:?}");
         assert!((reached.off - (length - 0.2)).abs() < 1e-9, "{reached:?} {length}");
+    }
+
+    /// Two axes, one after the other, turn a link so that it looks as its heading and its pitch say, and not beyond a limit.
+    #[test]
+    fn it_looks_where_heading_and_pitch_say_and_not_beyond_its_limits() {
+        let neck = Joint::new("neck").at(Vector3::new(0.0, 1.0, 0.0)).ry().rx().limited(-0.5, 0.5);
+        let head = LinkSpec::root("head", neck).mass(1.0);
+        let figure = FigureBuilder::new("f").link(head).build().expect("valid");
+        let mut reach = Reach::new(&figure, 0, Vector3::zeros(), &[0, 1]).expect("a neck");
+        let axis = Vector3::z_axis();
+        for (heading, pitch, from) in [(0.7, 0.3, 0.0), (-2.0, -0.4, 0.2), (2.9, 0.45, -0.1), (0.4, 0.8, 0.0)]
+        {
+            let (sin, cos) = f64::sin_cos(pitch);
+            let at = Vector3::new(0.0, 1.0, 0.0)
+                + 2.5 * Vector3::new(cos * f64::sin(heading), -sin, cos * f64::cos(heading));
+            let mut q = [from, from];
+            let reached = reach.solve(&mut q, &Goal::Look { axis, at }).expect("finite");
+            assert!((q[0] - heading).abs() < 1e-9, "{q:?}");
+            assert!((q[1] - f64::min(pitch, 0.5)).abs() < 1e-9, "{q:?}");
+            // From behind it is as far off as the two directions are.
+            assert!((reached.off - (pitch - q[1]).abs()).abs() < 1e-9, "{reached:?}");
+        }
+    }
+
+    /// Three axes in any order give back the rotation that they are asked for.
+    #[test]
+    fn it_is_turned_as_it_is_asked() {
+        let wrist = LinkSpec::root("hand", Joint::new("wrist").rx().rz().ry()).mass(1.0);
+        let figure = FigureBuilder::new("f").link(wrist).build().expect("valid");
+        let mut reach = Reach::new(&figure, 0, Vector3::zeros(), &[0, 1, 2]).expect("a wrist");
+        let turned = nalgebra::UnitQuaternion::from_euler_angles(0.9, -1.2, 2.4);
+        let mut q = [0.0; 3];
+        let reached = reach.solve(&mut q, &Goal::Turned(turned)).expect("finite");
+        assert!(reached.off < REACHED, "{reached:?}");
+        let about = |axis: Vector3<f64>, angle| nalgebra::UnitQuaternion::from_scaled_axis(axis * angle);
+        let product = about(Vector3::x(), q[0]) * about(Vector3::z(), q[1]) * about(Vector3::y(), q[2]);
+        assert!(product.angle_to(&turned) < 1e-8);
     }
 
     #[test]

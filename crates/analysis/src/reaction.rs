@@ -1,7 +1,8 @@
 //! Ground reactions of a motion that is wholly prescribed.
 //!
 //! The whole wrench of the ground is the root's residual: what inverse dynamics finds at the root is what must come from
-//! outside. In single support it belongs to the foot that stands; in double support it is shared by the pivot split.
+//! outside. In single support it belongs to the foot that stands; in double support it is shared by the pivot split. What the ground does to
+//! other links is known where the motion has contacts of them, and the feet have the rest.
 //! With the feet's wrenches applied, the root's forces vanish and the joints' forces are those of the motion on its feet.
 
 use crate::carrier::Carrier;
@@ -78,6 +79,8 @@ impl Foot {
 
 /// Finds the ground's wrench on two feet and the joints' forces, and writes both to the motion.
 ///
+/// Contacts of other links that the motion has act as well, and the feet have what is left of the whole wrench.
+///
 /// The contacts carry the feet's names, whichever link of the foot the wrench acts on: the toes, once the centre of
 /// pressure has passed the ball. Frames are independent of each other and solved on all cores where the feature
 /// `parallel` is on; the results do not depend on it.
@@ -101,7 +104,8 @@ pub fn ground_reactions(
         return Err(ReactionError::OneFootTwice { link: feet[0].to_owned() });
     }
     let feet = [Foot::find(figure, feet[0])?, Foot::find(figure, feet[1])?];
-    let scene = Scene { prepared: &prepared, feet: &feet, law };
+    let others = others(figure, motion, &feet);
+    let scene = Scene { prepared: &prepared, feet: &feet, others: &others, law };
     let frames = each(
         0..motion.len(),
         || Workspace::new(&prepared.tree),
@@ -150,10 +154,18 @@ struct Frame {
     cop_from_nominal: f64,
 }
 
+/// The contacts of links that are no feet.
+fn others<'m>(figure: &Figure, motion: &'m Motion, feet: &[Foot; 2]) -> Vec<(usize, &'m ContactTrack)> {
+    let own = motion.contacts.iter().filter(|track| feet.iter().all(|foot| foot.name != track.link));
+    own.filter_map(|track| Some((figure.link_index(&track.link)?, track))).collect()
+}
+
 /// What all frames share.
 struct Scene<'a, L> {
     prepared: &'a PreparedMotion<'a>,
     feet: &'a [Foot; 2],
+    /// Links with contacts that are known.
+    others: &'a [(usize, &'a ContactTrack)],
     law: &'a L,
 }
 
@@ -166,8 +178,17 @@ impl<L: SupportLaw> Scene<'_, L> {
         let support = self.law.support(time);
         let nominal: Vector3<f64> = support.feet.iter().map(|foot| foot.cop * foot.share).sum();
         let (mut contacts, mut from_prescribed, mut cop_from_nominal) = ([Contact::default(); 2], None, 0.0);
+        let known = self.others.iter().filter_map(|(link, track)| {
+            let Contact { force, moment, .. } = *track.samples.get(row)?;
+            Some((*link, Wrench { force, moment }))
+        });
         let react = |workspace: &Workspace<f64>, com: &Vector3<f64>| {
-            let total = workspace.base_wrench();
+            let mut total = workspace.base_wrench();
+            let mut all: Vec<(usize, Wrench<f64>)> = known.collect();
+            for (_, Wrench { force, moment }) in &all {
+                total.force -= force;
+                total.moment -= moment;
+            }
             contacts = split_at_pivot(&total, com, up, support.pivot, &support.feet)
                 .ok_or_else(|| ReactionError::Pulls { time, normal: total.force.dot(up) })?;
             let centre = total.center_of_pressure(up, nominal.dot(up)).unwrap_or(nominal);
@@ -178,7 +199,8 @@ impl<L: SupportLaw> Scene<'_, L> {
                 let link = self.feet[side].carrier.link(workspace, &contact.cop);
                 (link, Wrench { force: contact.force, moment: contact.moment })
             };
-            Ok::<_, ReactionError>([wrench(0), wrench(1)])
+            all.extend([wrench(0), wrench(1)]);
+            Ok::<_, ReactionError>(all)
         };
         inverse_dynamics_with(tree, workspace, q, v, a, react, &mut tau)?;
         Ok(Frame { tau, contacts, from_prescribed, cop_from_nominal })

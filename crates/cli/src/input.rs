@@ -8,7 +8,7 @@ use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
 use solaris::io::opensim::MarkerSet;
 use solaris::io::{CoordinateDefault, Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
-use solaris::model::{Figure, Finding, FindingKind, Medium, TextError, Vector3, text};
+use solaris::model::{Actuator, Figure, Finding, FindingKind, Medium, TextError, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -165,6 +165,20 @@ pub(crate) fn body(path: &Path) -> Result<Body, CliError> {
 /// Reads a figure; files that it names are in this folder, which holds it, or else in its own.
 pub(crate) fn body_in(path: &Path, files: Option<&Path>) -> Result<Body, CliError> {
     body_with(path, files, &ReadOptions::default())
+}
+
+/// The motors of a figure's joints, as its file has them.
+pub(crate) fn actuators(path: &Path) -> Result<Vec<Actuator>, CliError> {
+    let text = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?.0;
+    match Language::of(path, &text) {
+        Some(Language::Urdf) => urdf::actuators(&text).map_err(|faults| faulty(path, &text, faults)),
+        Some(Language::Mjcf) => mjcf::actuators(&text, &mut Folder::of(path, None)?)
+            .map_err(|error| CliError::Files { path: path.to_owned(), error }),
+        _ => Err(CliError::input(
+            path,
+            &"actuators are read of MuJoCo models and of URDF; leave 'actuators' out",
+        )),
+    }
 }
 
 /// Reads a figure, of a BVH file with these options.

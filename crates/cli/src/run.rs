@@ -13,8 +13,8 @@ mod watch;
 pub(crate) use load::{Loaded, load};
 pub(crate) use table::{as_csv, in_degrees, positions};
 
-use crate::args::RunArgs;
-use crate::error::CliError;
+use crate::args::{FilmArgs, RunArgs};
+use crate::error::{CliError, UsageError};
 use crate::input::extension;
 use crate::limbs;
 use crate::output::{Formats, Outputs};
@@ -24,7 +24,7 @@ use solaris::io::bvh::Unit;
 use solaris::model::{Figure, Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
-use solaris::view::{PageOptions, coordinates, page};
+use solaris::view::{FilmOptions, PageOptions, Seen, coordinates, film, page};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use watch::Watcher;
@@ -61,6 +61,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     let path = args.scene.as_path();
     let motions = args.outputs.iter().map(|path| ("-o", path, MOTION));
     let outputs = Outputs::new(motions.chain(args.report.iter().map(|path| ("--report", path, REPORT))))?;
+    let drawn = outputs.paths().any(|path| extension(path) == "svg");
+    if let Some(option) = args.film.given().filter(|_| !drawn) {
+        return Err(UsageError::NoStrip { option }.into());
+    }
     let Loaded { mut scene, reads } = load(path)?;
     // Only tables and pages show forces; those of a walk are found with its ground reactions.
     let shows = |path: &Path| matches!(extension(path).as_str(), "csv" | "html");
@@ -75,7 +79,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     watcher.writing();
     let limbs = limbs::nearest(scene.figure(), &simulated.motion)?;
     let report = Report::new(&scene, &simulated, limbs);
-    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report))?;
+    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, &args.film))?;
     drop(watcher);
 
     if args.json {
@@ -143,6 +147,7 @@ fn write(
     scene: &Scene,
     simulated: &Simulated,
     report: &Report,
+    strip: &FilmArgs,
 ) -> Result<(), CliError> {
     let (figure, motion) = (scene.figure(), &simulated.motion);
     match format {
@@ -156,6 +161,12 @@ fn write(
             let options = PageOptions { title, table, ..PageOptions::default() };
             let html = page(figure, motion, &options).map_err(CliError::other)?;
             writer.write_all(html.as_bytes()).map_err(CliError::other)
+        }
+        Format::Svg if strip.given().is_some() => {
+            let seen = strip.seen.map_or_else(Seen::default, Seen::from);
+            let options = FilmOptions { title: summary::title(report), between: strip.between, seen };
+            let svg = film(figure, motion, &options).map_err(CliError::other)?;
+            writer.write_all(svg.as_bytes()).map_err(CliError::other)
         }
         Format::Svg => {
             let picture = coordinates(figure, motion, &summary::title(report));

@@ -31,6 +31,7 @@
 #![allow(clippy::doc_markdown, reason = "MuJoCo is a name, not code")]
 
 mod acting;
+mod actuators;
 mod assembly;
 mod bodies;
 mod chain;
@@ -48,6 +49,7 @@ mod shell;
 mod springs;
 mod state;
 
+pub use actuators::actuators;
 pub use state::{StateError, forces_from_mujoco, forces_to_mujoco, state_from_mujoco, state_to_mujoco};
 
 use crate::import::Import;

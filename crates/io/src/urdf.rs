@@ -16,10 +16,13 @@
 //! as everywhere in URDF. Meshes, materials, transmissions, sensors, `effort`, `velocity` and all other elements and
 //! attributes are listed in [`Import::findings`] by name. Xacro is not expanded.
 
+mod actuators;
 mod geometry;
 mod joint;
 mod link;
 mod structure;
+
+pub use actuators::actuators;
 
 use crate::import::Import;
 use crate::tree;

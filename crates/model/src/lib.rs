@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod actuator;
 mod anatomy;
 mod apart;
 mod base;
@@ -36,6 +37,7 @@ mod source;
 pub mod text;
 mod together;
 
+pub use actuator::{Actuator, ActuatorLaw};
 pub use anatomy::AnatomicalAngle;
 pub use base::{Base, BaseError};
 pub use builder::{FigureBuilder, LinkSpec};

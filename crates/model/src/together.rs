@@ -66,7 +66,12 @@ impl Figure {
             links.iter().enumerate().map(|(i, link)| (link.name.clone(), i)).collect();
         let all: Vec<&str> = figures.iter().map(|(name, ..)| *name).collect();
         Ok(Self {
-            name: all.join(" and "),
+            name: match &all[..] {
+                [first, second, third, rest @ ..] if rest.len() > 1 => {
+                    format!("{first}, {second}, {third} and {} more", rest.len())
+                }
+                few => few.join(" and "),
+            },
             followers: followers(&links, &layout),
             angles: angles.collect(),
             layout,

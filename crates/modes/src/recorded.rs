@@ -50,7 +50,7 @@ impl RecordedMotion {
 
     /// Position, velocity, acceleration and jerk of a degree of freedom (index in `v`, and of its coordinate in `q`) at a
     /// time (s), which gives NaN if it is NaN.
-    pub(crate) fn at(&self, dof: usize, coordinate: usize, time: f64) -> Sample {
+    pub fn at(&self, dof: usize, coordinate: usize, time: f64) -> Sample {
         let times = self.motion.time();
         let (first, last) = self.span();
         if time.is_nan() {

@@ -1,9 +1,9 @@
-//! Figures and motions that stand in files of their own.
+//! Figures, motions and parts of scenes that stand in files of their own.
 
 use nalgebra::Vector3;
-use solaris_model::{Figure, Motion};
+use solaris_model::{Actuator, Figure, Motion};
 
-/// Fetches the figures and motions that a scene names as files. This crate opens none itself.
+/// Fetches the figures, motions and parts of a scene that it names as files. This crate opens none itself.
 pub trait Loader {
     /// The figure of a file, with the gravity that the file says; `path` is as it is written in the scene.
     ///
@@ -11,6 +11,16 @@ pub trait Loader {
     ///
     /// Why there is none, in a sentence that follows the path.
     fn figure(&mut self, path: &str) -> Result<Figure, String>;
+
+    /// The motors of a figure of a file, by the names that its degrees of freedom or joints have there.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none, in a sentence that follows the path.
+    fn actuators(&mut self, path: &str) -> Result<Vec<Actuator>, String> {
+        let _ = path;
+        Err("actuators in files are not read here".to_owned())
+    }
 
     /// The motion of a figure, under a gravity (m/s²), in a file; velocities and accelerations may be unknown.
     ///
@@ -20,6 +30,16 @@ pub trait Loader {
     fn motion(&mut self, path: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
         let _ = (path, figure, gravity);
         Err("motions in files are not read here".to_owned())
+    }
+
+    /// The text of a scene that another includes.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none, in a sentence that follows the path.
+    fn text(&mut self, path: &str) -> Result<String, String> {
+        let _ = path;
+        Err("scenes in files are not read here; write it into the scene".to_owned())
     }
 }
 

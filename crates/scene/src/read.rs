@@ -1,17 +1,21 @@
 //! The reader of scenes, with every fault on the way.
 
+mod actuators;
 mod carries;
 mod clips;
 mod collisions;
+mod crowd;
 mod drive;
 mod drives;
 mod figures;
 mod forces;
 mod ground;
+mod include;
 mod limits;
 mod loops;
 mod names;
 mod parts;
+mod places;
 mod pushes;
 mod reaches;
 mod repeat;
@@ -25,6 +29,7 @@ mod walk;
 use crate::loader::Loader;
 use crate::scene::Scene;
 use crate::spelled;
+use include::Gathering;
 use nalgebra::Vector3;
 use names::Names;
 use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, Value, parse};
@@ -39,8 +44,9 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 23] = [
+const FIELDS: [&str; 24] = [
     "version",
+    "include",
     "figures",
     "places",
     "gravity",
@@ -74,15 +80,39 @@ struct SceneReader<'l> {
     names: Names,
     /// How long the scene takes (s), where it says so.
     lasts: Option<f64>,
+    /// Degrees of freedom whose drives are given by more than a pattern.
+    named: parts::Named,
+    sequenced: parts::Sequenced,
+    motors: actuators::Motors,
 }
 
 /// The scene that `text` describes.
 pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextError> {
-    let tree = parse(text, "scene", "Scene(version: 1, …)")?;
-    let reader = Reader::default();
-    let mut reader = SceneReader { reader, loader, simulation: None, names: Names::default(), lasts: None };
+    let mut tree = parse(text, "scene", "Scene(version: 1, …)")?;
+    let mut gathering = Gathering::new(loader, text.len());
+    gathering.gather(&tree, None);
+    let (included, mut reader) = gathering.finish();
+    if reader.count() > 0 {
+        // Without it most of the rest would seem to be at fault.
+        include::finish(reader, text, &included)?;
+        reader = Reader::default();
+    }
+    // The last is the nearest to what the scene says itself.
+    for one in included.iter().rev() {
+        include::put_before(&mut tree, one.tree()?, &mut reader);
+    }
+    let mut reader = SceneReader {
+        reader,
+        loader,
+        simulation: None,
+        names: Names::default(),
+        lasts: None,
+        named: parts::Named::new(),
+        sequenced: parts::Sequenced::default(),
+        motors: actuators::Motors::default(),
+    };
     let scene = reader.scene(&tree);
-    reader.reader.finish(text)?;
+    include::finish(reader.reader, text, &included)?;
     // Where there is no scene there is a fault.
     scene.ok_or_else(|| TextError::one(text, tree.span, "this scene cannot be used"))
 }
@@ -109,28 +139,36 @@ impl SceneReader<'_> {
             self.names = Names::of(figure);
         }
         let figure = self.carries(&fields, figure);
-        let (mut given, named) = self.drives(&fields);
-        self.sequence_of_parts(&fields, &mut given, &named);
+        let left_out = self.place_actuators();
+        let mut given = self.drives(&fields);
+        self.sequence_of_parts(&fields, &mut given);
+        self.idle_motors(&mut given);
         // Of several figures none walks, which has been said.
-        let several = fields.get("figures").and_then(Node::entries).is_some_and(|entries| entries.len() > 1);
-        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given);
+        let figures = fields.get("figures").and_then(Node::entries).unwrap_or_default();
+        let is_crowd = |node: &Node<'_>| node.head().is_some_and(|head| head.name == "Crowd");
+        let several = figures.len() > 1 || figures.iter().any(|(_, figure)| is_crowd(figure));
+        let terrain = self.terrain(&fields);
+        let walk = self.walk(&fields, figure.as_ref().filter(|_| !several), &given, terrain.as_ref());
         self.start(&fields, &given, walk.as_ref());
         self.clip(&fields, &mut given);
         self.springs(&fields);
         self.loops(&fields);
         self.pushes(&fields);
         self.limits(&fields);
-        self.ground(&fields);
+        let (friction, mut said) = self.ground(&fields, terrain.as_ref());
         self.collisions(&fields);
-        let notes = self.reaches(&fields, &named);
-        let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
+        let walked = walk.as_ref().map(walk::Planned::duration);
+        let (notes, reaching) = self.reaches(&fields, walked);
+        said.extend(left_out);
+        said.extend(notes);
+        let settings = self.settings(&fields, walked);
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
-            notes,
-            walk: walk.map(walk::Planned::into_walked),
+            notes: said,
+            walk: walk.map(|walk| walk.into_walked(&reaching, friction)),
         })
     }
 

@@ -3,7 +3,7 @@
 use crate::error::SceneError;
 use solaris_analysis::{ReactionReport, ground_reactions};
 use solaris_gait::{FEET, WalkSequence};
-use solaris_model::{Event, Figure, Ground, Interval, Motion};
+use solaris_model::{Event, Figure, Ground, Interval, Motion, Relief};
 use solaris_modes::{Observer, Remark, Run, RunReport, Settings, Simulation};
 use std::fmt;
 use std::sync::Arc;
@@ -29,6 +29,10 @@ pub(crate) struct Walked {
     pub(crate) events: Vec<Event>,
     /// How many degrees of freedom follow it.
     pub(crate) followed: usize,
+    /// The friction of its ground, where the scene says it.
+    pub(crate) friction: Option<f64>,
+    /// The heights of its ground, where it is not level.
+    pub(crate) relief: Option<Relief>,
 }
 
 /// What came of a scene.
@@ -107,7 +111,8 @@ impl Scene {
         motion.planted = planted.map(|planted| Interval { end: planted.end.min(end), ..planted }).collect();
         motion.events.extend(walk.events.iter().filter(|event| event.time <= end).cloned());
         motion.events.sort_by(|a, b| a.time.total_cmp(&b.time));
-        motion.info.ground = Some(Ground { height: 0.0, friction: None });
+        motion.info.ground = Some(Ground { height: 0.0, friction: walk.friction });
+        motion.relief.clone_from(&walk.relief);
         let reactions = ground_reactions(self.figure(), &mut motion, FEET, &*walk.plan)?;
         Ok(Simulated { motion, report, reactions: Some(reactions) })
     }

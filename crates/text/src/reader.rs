@@ -38,6 +38,11 @@ impl Reader {
         if self.faults.is_empty() { Ok(()) } else { Err(TextError::new(text, self.faults)) }
     }
 
+    /// All faults: their bytes, and what is wrong.
+    pub fn into_faults(self) -> Vec<(Range<usize>, String)> {
+        self.faults
+    }
+
     /// Adds the faults of another reader.
     pub fn append(&mut self, other: Self) {
         self.faults.extend(other.faults);

@@ -37,7 +37,11 @@ impl Side {
                 }
             }
         }
-        (Self::Middle, name.to_owned())
+        // Of one figure among several: `ann.left_knee.rx`.
+        match tail.map(Self::split) {
+            Some((side, rest)) if side != Self::Middle => (side, format!("{head}.{rest}")),
+            _ => (Self::Middle, name.to_owned()),
+        }
     }
 }
 
@@ -148,10 +152,11 @@ pub(crate) fn add_lines(links: &mut [Drawn], figure: &Figure, lines: &[LinkLine]
     Ok(())
 }
 
-/// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots.
+/// Whether a link among others is nothing but the place that they are fixed at, such as `world` of many robots, or a place in that.
 fn is_place(figure: &Figure, link: &Link) -> bool {
     let still = link.joint().kind().nv() == 0;
-    figure.links().len() > 1 && link.parent().is_none() && still && link.mass() == 0.0
+    let fixed = link.parent().is_none_or(|parent| is_place(figure, &figure.links()[parent]));
+    figure.links().len() > 1 && still && link.mass() == 0.0 && fixed
 }
 
 /// How far the figure can reach from its root (m), all joints stretched; 1 where it is but a point.
@@ -180,11 +185,17 @@ fn parts(figure: &Figure, link: usize, reach: f64) -> Vec<Part> {
         return vec![shaped(shape, next_radius(figure, link))];
     }
     let children = figure.links().iter().filter(|child| child.parent() == Some(link));
-    let ends = children
+    let ends: Vec<_> = children
         .map(|child| child.joint().placement().translation.vector)
-        .chain(figure.links()[link].tip().copied());
-    let sticks: Vec<Part> = ends.filter_map(|end| stick(&end, reach)).collect();
-    if sticks.is_empty() && !is_place(figure, &figure.links()[link]) {
+        .chain(figure.links()[link].tip().copied())
+        .collect();
+    let is_place = is_place(figure, &figure.links()[link]);
+    if is_place && ends.len() > 1 {
+        // What stands at different places of the world is several figures.
+        return Vec::new();
+    }
+    let sticks: Vec<Part> = ends.iter().filter_map(|end| stick(end, reach)).collect();
+    if sticks.is_empty() && !is_place {
         let com = figure.links()[link].com();
         let ball = Part {
             kind: "sphere",
@@ -251,6 +262,8 @@ mod tests {
         assert_eq!(split("lever"), (Side::Middle, "lever".into()));
         assert_eq!(split("left"), (Side::Middle, "left".into()));
         assert_eq!(split("left.fx"), (Side::Left, "fx".into()));
+        assert_eq!(split("ann.left_knee.rx"), (Side::Left, "ann.knee.rx".into()));
+        assert_eq!(split("left.right_knee"), (Side::Left, "right_knee".into()));
     }
 
     #[test]

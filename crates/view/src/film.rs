@@ -89,7 +89,7 @@ impl Lens {
     }
 }
 
-/// The film strip of a motion, as an SVG: twelve instants, equally far apart, the figure in the shapes of its links, the left in blue, the
+/// The film strip of a motion, as an SVG: twelve instants, equally far apart, or one where it begins and ends at the same instant, the figure in the shapes of its links, the left in blue, the
 /// right in orange, with the ground at its true height, a mark each metre of the way, and a dot where the ground bears a foot.
 ///
 /// Every picture goes along with the figure. The same motion gives the same text, byte for byte.
@@ -105,7 +105,7 @@ pub fn film(figure: &Figure, motion: &Motion, options: &FilmOptions) -> Result<S
     let eye = options.seen.eye();
     let stills = stills(figure, motion, &samples, &world, eye)?;
     let ground = Ground::of(motion, &world);
-    let cell = (WIDTH - 2.0 * MARGIN) / COLUMNS as f64;
+    let cell = (WIDTH - 2.0 * MARGIN) / COLUMNS.min(stills.len()) as f64;
     let most =
         |edge: fn(DVec3) -> f64| stills.iter().map(|still| edge(still.bounds.edges())).fold(1e-6, f64::max);
     let free = cell - BETWEEN - 2.0 * BESIDE;
@@ -134,9 +134,10 @@ fn instants(figure: &Figure, motion: &Motion, between: Option<(f64, f64)>) -> Re
     if !(from <= to && from >= first - slack && to <= last + slack) {
         return Err(ViewError::Span { from, to, first, last });
     }
-    let count = COLUMNS * ROWS;
+    // Of an instant there is one picture.
+    let count = if to - from < slack { 1 } else { COLUMNS * ROWS };
     let nearest = |i: usize| {
-        let at = from + (to - from) * i as f64 / (count - 1) as f64;
+        let at = from + (to - from) * i as f64 / (count - 1).max(1) as f64;
         let after = time.partition_point(|time| *time < at).min(time.len() - 1);
         let before = after.saturating_sub(1);
         if at - time[before] < time[after] - at { before } else { after }

@@ -1,6 +1,6 @@
 //! The request of `solaris run`.
 
-use super::wrap;
+use super::{FilmArgs, wrap};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -9,6 +9,8 @@ const EXAMPLES: &str = "Examples:
       a person walks with one loose arm; open walk.html in a browser
   solaris run pendulum.ron -o swing.csv -o swing.mot --report swing.json
       tables of the motion, and all that there is to say of the run as JSON
+  solaris run reach.ron --between 0:3 --seen corner -o reach.svg
+      a film strip of it, from the right, in front and above
   solaris run arm_modes.ron --plan
       what is computed in which part of the run, what is left out, and what that saves";
 
@@ -19,10 +21,12 @@ pub(crate) struct RunArgs {
     #[arg(value_name = "SCENE.ron", help = wrap("The scene; figures that it names as files are sought beside it"))]
     pub(crate) scene: PathBuf,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the motion: .html page, .svg picture of the coordinates, .csv table, .bvh motion capture, .sto or .mot \
-         coordinates for OpenSim; several -o are allowed [default: none]"
+        "Write the motion: .html page, .svg picture of the coordinates, or with --between or --seen a film strip, .csv table, \
+         .bvh motion capture, .sto or .mot coordinates for OpenSim; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) film: FilmArgs,
     #[arg(
         long,
         value_name = "FILE.json",

@@ -4,7 +4,7 @@ use crate::error::CliError;
 use crate::input;
 use solaris::io::record;
 use solaris::model::text::first_word;
-use solaris::model::{Figure, Motion, TextError, Vector3};
+use solaris::model::{Actuator, Figure, Motion, TextError, Vector3};
 use solaris::scene::{Loader, Scene, read};
 use std::path::{Path, PathBuf};
 
@@ -75,6 +75,17 @@ impl Loader for Files {
         let motion = record::read(figure, *gravity, &table).map_err(|error| error.to_string())?.motion;
         self.reads.push(path);
         Ok(motion)
+    }
+
+    fn actuators(&mut self, name: &str) -> Result<Vec<Actuator>, String> {
+        input::actuators(&self.folder.join(name)).map_err(|error| why(&error))
+    }
+
+    fn text(&mut self, name: &str) -> Result<String, String> {
+        let path = self.folder.join(name);
+        let text = input::text(&path).map_err(|error| why(&error))?;
+        self.reads.push(path);
+        Ok(text)
     }
 }
 

@@ -1,5 +1,5 @@
-//! The commands of docs/profiles.md, docs/determinants.md and of the pages of walks make their pictures, and every kind of
-//! profile has one.
+//! The commands of docs/profiles.md, docs/determinants.md, docs/scenes.md and of the pages of walks make their pictures, and every
+//! kind of profile has one.
 //!
 //! `UPDATE_PICTURES=1 cargo test -p solaris-cli --test cli pictures` writes them anew.
 
@@ -37,12 +37,27 @@ fn page(name: &str) -> (PathBuf, String) {
     (docs, text)
 }
 
+/// Copies a folder with all that is in it.
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a folder");
+    for entry in fs::read_dir(from).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let to = to.join(path.file_name().expect("a name"));
+        if path.is_dir() {
+            copy(&path, &to);
+        } else {
+            fs::copy(&path, to).expect("copied");
+        }
+    }
+}
+
 /// Makes the pictures of a page by its commands, which put them into `pictures`, and compares them with those kept there; the
 /// words of the commands.
 fn made_and_kept(page_name: &str, pictures: &str) -> Vec<Vec<String>> {
     let (docs, text) = page(page_name);
     let folder = tempfile::tempdir().expect("a folder");
     fs::create_dir(folder.path().join(pictures)).expect("a folder");
+    copy(&docs.join("../fixtures/scenes"), &folder.path().join("fixtures/scenes"));
     let mut commands = Vec::new();
     for line in text.lines().filter(|line| line.contains(&format!(" -o {pictures}/"))) {
         let words = words(line.strip_prefix("solaris ").expect("a command"));
@@ -74,6 +89,11 @@ fn the_film_strips_are_what_the_commands_make() {
     for (page, count) in [("walking.md", 7), ("slopes.md", 3), ("running.md", 1)] {
         assert_eq!(made_and_kept(page, "strips").len(), count, "{page}");
     }
+}
+
+#[test]
+fn words_of_scenes_have_pictures() {
+    assert_eq!(made_and_kept("scenes.md", "strips").len(), 9);
 }
 
 #[test]

@@ -44,13 +44,13 @@ use nalgebra::Vector3;
 /// ```
 #[doc(alias = "ground reaction")]
 #[doc(alias = "contact forces")]
-pub fn inverse_dynamics_with<T: Scalar, const N: usize, E: From<DynamicsError>>(
+pub fn inverse_dynamics_with<T: Scalar, L: AsRef<[(usize, Wrench<T>)]>, E: From<DynamicsError>>(
     tree: &Tree<T>,
     workspace: &mut Workspace<T>,
     q: &[T],
     v: &[T],
     a: &[T],
-    react: impl FnOnce(&Workspace<T>, &Vector3<T>) -> Result<[(usize, Wrench<T>); N], E>,
+    react: impl FnOnce(&Workspace<T>, &Vector3<T>) -> Result<L, E>,
     tau: &mut [T],
 ) -> Result<(), E> {
     workspace.set_positions(tree, q)?;
@@ -65,7 +65,7 @@ pub fn inverse_dynamics_with<T: Scalar, const N: usize, E: From<DynamicsError>>(
     let com = placed_center_of_mass(tree, workspace)?;
     let external = react(workspace, &com)?;
     workspace.loads.copy_from_slice(&workspace.own_loads);
-    apply_placed(tree, workspace, &external)?;
+    apply_placed(tree, workspace, external.as_ref())?;
     inward(tree, workspace, tau);
     for &(k, armature) in &tree.armature {
         tau[k] += armature * a[k];

@@ -108,7 +108,10 @@ impl WalkSequence {
     ///
     /// A rate that is none, and another figure than the sequence's.
     pub fn motion(&self, figure: &Figure, rate: f64) -> Result<Motion, ReactionError> {
-        sampled(figure, self, self.fingerprint, rate)
+        let mut motion = sampled(figure, self, self.fingerprint, rate)?;
+        // Ground that is not level has one walk alone.
+        motion.relief = self.first().relief().cloned();
+        Ok(motion)
     }
 
     /// The walk that belongs to a time, and its own time: that of its rest before and after it.

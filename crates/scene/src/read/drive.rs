@@ -7,7 +7,7 @@ use solaris_model::text::{Fields, Node};
 use solaris_modes::{Course, Drive, EndCondition, Law, Shape, Step, Target};
 use solaris_profiles::Profile;
 
-pub(super) const DRIVES: [&str; 16] = [
+pub(super) const DRIVES: [&str; 17] = [
     "Free",
     "Frozen",
     "Wait",
@@ -21,6 +21,7 @@ pub(super) const DRIVES: [&str; 16] = [
     "FreeStyle",
     "Intensive",
     "Servo",
+    "Actuator",
     "Sum",
     "Sine",
     "Repeat",
@@ -39,6 +40,7 @@ fn known(kind: &str) -> &'static [&'static str] {
         "FreeStyle" => &["to", "velocity", "acceleration", "for", "until"],
         "Intensive" => &["to", "velocity", "acceleration", "over", "law", "limit", "until"],
         "Servo" => &["to", "along", "stiffness", "damping", "limit", "until"],
+        "Actuator" => &["to", "along", "velocity", "until"],
         "Sum" => &["of", "until"],
         _ => &["until"],
     }
@@ -94,7 +96,11 @@ impl SceneReader<'_> {
         }
         let fields = self.reader.fields(node, &DRIVES, known(kind))?;
         let until = fields.get("until").map(|node| self.until(node));
-        let drive = self.drive(kind, &fields, turns);
+        let drive = if kind == "Actuator" {
+            self.actuator(place.start, &fields, turns)
+        } else {
+            self.drive(kind, &fields, turns)
+        };
         Some((place, Step { drive: drive?, until: until.unwrap_or(Some(EndCondition::Done))? }))
     }
 

@@ -20,9 +20,9 @@ pub(super) type Given = HashMap<usize, Vec<Step>>;
 pub(super) type Placed = (Range<usize>, Step);
 
 impl SceneReader<'_> {
-    /// Reads the drives, gives them to the simulation, and tells which degrees of freedom have any, and which of these are named by
+    /// Reads the drives, gives them to the simulation, and tells which degrees of freedom have any; notes which of these are named by
     /// more than a pattern.
-    pub(super) fn drives(&mut self, fields: &Fields<'_, '_>) -> (Given, Named) {
+    pub(super) fn drives(&mut self, fields: &Fields<'_, '_>) -> Given {
         let (mut entries, mut closest) = (Vec::new(), Named::new());
         let mut named: HashMap<(Closeness, usize), String> = HashMap::new();
         for (key, value) in self.map(fields, "drives", EXAMPLE) {
@@ -48,8 +48,11 @@ impl SceneReader<'_> {
             if !self.can_have(&meant.dofs, &steps.steps) {
                 continue;
             }
-            let steps = steps.drives();
-            given.extend(meant.dofs.iter().map(|dof| (*dof, steps.clone())));
+            let again = steps.again;
+            for dof in &meant.dofs {
+                let steps = self.by_motor(*dof, &steps.steps);
+                given.insert(*dof, (steps.into_iter().map(|(_, step)| step).collect(), again));
+            }
         }
         if let Some(simulation) = &mut self.simulation {
             for (dof, (steps, again)) in &given {
@@ -61,7 +64,8 @@ impl SceneReader<'_> {
                 };
             }
         }
-        (given.into_iter().map(|(dof, (steps, _))| (dof, steps)).collect(), closest)
+        self.named = closest;
+        given.into_iter().map(|(dof, (steps, _))| (dof, steps)).collect()
     }
 
     /// What is meant, but for those that follow others: they have no drives. One that is named is kept, to be refused.

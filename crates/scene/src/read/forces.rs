@@ -22,7 +22,7 @@ impl SceneReader<'_> {
         Some(Drive::Servo(Servo { aim: aim?, stiffness: stiffness?, damping: damping?, limit: limit? }))
     }
 
-    fn aim(&mut self, fields: &Fields<'_, '_>, turns: bool) -> Option<Aim> {
+    pub(super) fn aim(&mut self, fields: &Fields<'_, '_>, turns: bool) -> Option<Aim> {
         match (fields.get("to"), fields.get("along")) {
             (Some(to), None) => self.reader.coordinate(to, turns, "the aim").map(Aim::At),
             (None, Some(along)) => self.profile(along, turns).map(Aim::Along),

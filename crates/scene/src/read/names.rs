@@ -75,6 +75,11 @@ impl Names {
         meant.is_none_or(|meant| meant.dofs.iter().all(|dof| self.turns[*dof]))
     }
 
+    /// The one degree of freedom of this name, or of a joint of one.
+    pub(super) fn one(&self, name: &str) -> Option<usize> {
+        self.by_name.get(name).copied()
+    }
+
     fn find(&self, name: &str) -> Option<Meant> {
         if let Some(dof) = self.by_name.get(name) {
             return Some(Meant::of(*dof));
@@ -86,7 +91,12 @@ impl Names {
         if !name.contains('*') {
             return None;
         }
-        let dofs: Vec<usize> = (0..self.dofs.len()).filter(|dof| matches(name, &self.dofs[*dof])).collect();
+        let mut dofs: Vec<usize> =
+            (0..self.dofs.len()).filter(|dof| matches(name, &self.dofs[*dof])).collect();
+        // Of a joint whose name is like it all are meant.
+        dofs.extend(self.joints.iter().filter(|(joint, _)| matches(name, joint)).flat_map(|(_, dofs)| dofs));
+        dofs.sort_unstable();
+        dofs.dedup();
         (!dofs.is_empty()).then_some(Meant { dofs, closeness: Closeness::Pattern, joint: None })
     }
 

@@ -17,17 +17,24 @@ const KINDS: [&str; 3] = ["Together", "Wait", "When"];
 /// Where drives are given by their closest names: degree of freedom, and place of the name.
 pub(super) type Named = HashMap<usize, Range<usize>>;
 
+/// What takes part in the sequence, and whether a part of it waits for the run's state.
+#[derive(Default)]
+pub(super) struct Sequenced {
+    pub(super) dofs: Vec<usize>,
+    pub(super) waits_for_state: bool,
+}
+
 impl SceneReader<'_> {
-    /// Reads the sequence, gives it to the simulation, and adds its degrees of freedom to those that have drives; `named` are those that
-    /// `drives` names.
-    pub(super) fn sequence_of_parts(&mut self, fields: &Fields<'_, '_>, given: &mut Given, named: &Named) {
+    /// Reads the sequence, gives it to the simulation, and adds its degrees of freedom to those that have drives; those that
+    /// `drives` names are known.
+    pub(super) fn sequence_of_parts(&mut self, fields: &Fields<'_, '_>, given: &mut Given) {
         let Some(node) = fields.get("sequence") else { return };
         let before = self.reader.count();
         let mut parts = Vec::new();
         let mut places = Vec::new();
         let mut all: BTreeMap<usize, Vec<Step>> = BTreeMap::new();
         for item in self.reader.items(node, "sequence", EXAMPLE).unwrap_or_default() {
-            let Some(part) = self.one_part(item, named, &mut all) else { continue };
+            let Some(part) = self.one_part(item, &mut all) else { continue };
             parts.push(part);
             places.push(item.place());
         }
@@ -42,19 +49,15 @@ impl SceneReader<'_> {
             };
             self.setup(&place.unwrap_or_else(|| node.place()), result);
         }
+        self.sequenced.dofs = all.keys().copied().collect();
         given.extend(all);
     }
 
     /// `Together({…})`, `Wait(0.5)` or `When(Passes("elbow.rx", deg(10)))`
-    fn one_part(
-        &mut self,
-        node: &Node<'_>,
-        named: &Named,
-        all: &mut BTreeMap<usize, Vec<Step>>,
-    ) -> Option<Part> {
+    fn one_part(&mut self, node: &Node<'_>, all: &mut BTreeMap<usize, Vec<Step>>) -> Option<Part> {
         let kind = self.reader.kind(node, &KINDS)?;
         match (kind, node.tuple()) {
-            ("Together", Some([map])) => self.together(map, named, all),
+            ("Together", Some([map])) => self.together(map, all),
             ("Wait", Some([time])) => {
                 let time = self.reader.number(time, "the time to wait")?;
                 if time.is_finite() && time >= 0.0 {
@@ -70,7 +73,11 @@ impl SceneReader<'_> {
                     self.reader.fault(condition.place(), message);
                     None
                 }
-                until => Some(Part::Until(until)),
+                until => {
+                    let is_time = matches!(until, EndCondition::Time(_) | EndCondition::Lasting(_));
+                    self.sequenced.waits_for_state |= !is_time;
+                    Some(Part::Until(until))
+                }
             },
             _ => {
                 let message = format!(
@@ -82,12 +89,7 @@ impl SceneReader<'_> {
         }
     }
 
-    fn together(
-        &mut self,
-        map: &Node<'_>,
-        named: &Named,
-        all: &mut BTreeMap<usize, Vec<Step>>,
-    ) -> Option<Part> {
+    fn together(&mut self, map: &Node<'_>, all: &mut BTreeMap<usize, Vec<Step>>) -> Option<Part> {
         let before = self.reader.count();
         let mut entries = Vec::new();
         for (key, value) in self.reader.entries(map, "a part", PART)? {
@@ -100,7 +102,7 @@ impl SceneReader<'_> {
             }
             let Some(meant) = meant else { continue };
             if meant.closeness != Closeness::Pattern
-                && let Some(dof) = meant.dofs.iter().find(|dof| named.contains_key(dof))
+                && let Some(dof) = meant.dofs.iter().find(|dof| self.named.contains_key(dof))
             {
                 let name = self.names.name(*dof).to_owned();
                 let message = format!("'{name}' is in 'drives' and in the sequence; keep it in one of them");
@@ -113,8 +115,10 @@ impl SceneReader<'_> {
             if !self.can_have(&meant.dofs, &steps.steps) {
                 continue;
             }
-            let (steps, _) = steps.drives();
-            own.extend(meant.dofs.iter().map(|dof| (*dof, steps.clone())));
+            for dof in &meant.dofs {
+                let steps = self.by_motor(*dof, &steps.steps);
+                own.insert(*dof, steps.into_iter().map(|(_, step)| step).collect());
+            }
         }
         if self.reader.count() > before {
             return None;

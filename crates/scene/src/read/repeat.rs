@@ -3,7 +3,6 @@
 use super::SceneReader;
 use super::drives::Placed;
 use solaris_model::text::{Content, Node};
-use solaris_modes::Step;
 
 const EXAMPLE: &str = "[Move(to: 1, over: 0.5), Move(to: 0, over: 0.5)]";
 
@@ -16,13 +15,6 @@ pub(super) struct Sequence {
     pub(super) steps: Vec<Placed>,
     /// With which of them it goes on after the last one, if it has no end.
     pub(super) again: Option<usize>,
-}
-
-impl Sequence {
-    /// The drives without their places.
-    pub(super) fn drives(self) -> (Vec<Step>, Option<usize>) {
-        (self.steps.into_iter().map(|(_, step)| step).collect(), self.again)
-    }
 }
 
 impl SceneReader<'_> {

@@ -3,7 +3,7 @@
 use super::drives::Given;
 use super::{GRAVITY, SceneReader};
 use crate::scene::Walked;
-use solaris_gait::WalkSequence;
+use solaris_gait::{GaitError, RequestError, WalkGround, WalkSegment, WalkSequence};
 use solaris_model::text::Fields;
 use solaris_model::{Figure, Trajectory};
 use solaris_modes::{Drive, RecordedMotion};
@@ -12,11 +12,16 @@ use std::sync::Arc;
 /// Samples a second of the walk that is followed; between them it follows curves of degree five.
 const RATE: f64 = 480.0;
 
+/// Steps a minute where no pace is asked for: over slopes and other ground, and up stairs.
+const UNEVEN: f64 = 100.0;
+const UP_STAIRS: f64 = 88.0;
+
 /// What is walked, and how it begins.
 pub(super) struct Planned {
     plan: Arc<WalkSequence>,
     recorded: Arc<RecordedMotion>,
-    followed: usize,
+    /// Degrees of freedom that follow it.
+    followed: Vec<usize>,
 }
 
 impl Planned {
@@ -31,12 +36,27 @@ impl Planned {
         (motion.q(0), motion.v(0))
     }
 
-    /// What the scene keeps of it.
-    pub(super) fn into_walked(self) -> Walked {
+    /// What the scene keeps of it, with the friction of its ground; `reaching` are degrees of freedom that do something else over it.
+    pub(super) fn into_walked(self, reaching: &[usize], friction: Option<f64>) -> Walked {
         let motion = self.recorded.motion();
         let (planted, events) = (motion.planted.clone(), motion.events.clone());
-        Walked { plan: self.plan, planted, events, followed: self.followed }
+        let followed = self.followed.iter().filter(|dof| !reaching.contains(dof)).count();
+        Walked { plan: self.plan, planted, events, followed, friction, relief: motion.relief.clone() }
     }
+}
+
+/// The error itself, not in which walk it is.
+fn reason(error: &GaitError) -> &GaitError {
+    match error {
+        GaitError::InSegment { why, .. } => reason(why),
+        _ => error,
+    }
+}
+
+/// Whether it is a number of the ground that cannot be.
+fn is_of_ground(error: &GaitError) -> bool {
+    let GaitError::Request(RequestError::Range { parameter, .. }) = reason(error) else { return false };
+    ["slope", "stairs", "rise", "tread"].contains(parameter)
 }
 
 impl SceneReader<'_> {
@@ -46,6 +66,7 @@ impl SceneReader<'_> {
         fields: &Fields<'_, '_>,
         figure: Option<&Figure>,
         given: &Given,
+        terrain: Option<&WalkGround>,
     ) -> Option<Planned> {
         let node = fields.get("walk")?;
         let before = self.reader.count();
@@ -62,9 +83,14 @@ impl SceneReader<'_> {
         if self.reader.count() > before {
             return None;
         }
-        let (written, segments): (Vec<_>, Vec<_>) = segments?.into_iter().unzip();
+        let (written, mut segments): (Vec<_>, Vec<_>) = segments?.into_iter().unzip();
+        self.lay_under(fields, terrain?, &mut segments)?;
         let plan = WalkSequence::new(figure, &segments);
-        let plan = plan.map_err(|error| self.refuse_walk(&error, &node.place(), &written)).ok()?;
+        let plan = plan.map_err(|error| match fields.get("ground").filter(|_| is_of_ground(&error)) {
+            Some(ground) => self.reader.fault(ground.place(), reason(&error).to_string()),
+            None => self.refuse_walk(&error, &node.place(), &written),
+        });
+        let plan = plan.ok()?;
         let motion = plan.motion(figure, RATE);
         let motion = motion.map_err(|error| self.reader.fault(node.place(), error.to_string())).ok()?;
         let recorded = self.setup(&node.place(), RecordedMotion::new(motion))?;
@@ -78,6 +104,36 @@ impl SceneReader<'_> {
                 return None;
             }
         }
-        Some(Planned { plan: Arc::new(plan), recorded, followed: free.len() })
+        Some(Planned { plan: Arc::new(plan), recorded, followed: free })
+    }
+
+    /// Lets a walk go over the scene's ground, where that is not level at the pace that people take there unless the walk says one.
+    fn lay_under(
+        &mut self,
+        fields: &Fields<'_, '_>,
+        ground: &WalkGround,
+        segments: &mut [WalkSegment],
+    ) -> Option<()> {
+        if *ground == WalkGround::Level {
+            return Some(());
+        }
+        let [WalkSegment::Walk(request)] = segments else {
+            let message = "walks one after the other are on level ground; over a slope, stairs or a relief goes one Walk(…) alone";
+            self.reader.fault(
+                fields.get("ground").map_or(fields.at.clone(), solaris_model::text::Node::place),
+                message,
+            );
+            return None;
+        };
+        let usual = if matches!(ground, WalkGround::Stairs(stairs) if stairs.rise > 0.0) {
+            UP_STAIRS
+        } else {
+            UNEVEN
+        };
+        if [request.step_frequency, request.step_length, request.speed] == [None; 3] {
+            request.step_frequency = Some(usual);
+        }
+        request.ground = ground.clone();
+        Some(())
     }
 }

@@ -103,6 +103,39 @@ fn of_reaches() {
 }
 
 #[test]
+fn of_looks() {
+    let mut text = listed(&[
+        "reaches: [Lok(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0))]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"])]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], at: (0, 0), to: (0, 0, 0), axis: (0, 0, 0), along: 3)]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: Folow(\"tip\"))]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: Follow(\"tipp\"))]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: Follow(link: \"base\", of: (1, 2, 3)))]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: Follow(\"base\", (1, 2, 3), 4))]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), from: 1)]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 0)]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, weight: 1.5)]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, until: 0.5)]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), until: 0.5)]",
+        "reaches: [Look(tip: \"tip\", by: [\"elbow\"], to: (0, 0, 0), over: 1, back: 0.5)]",
+        "reaches: [Hold(tip: \"tip\", by: [\"elbow\"], turned: 3, to: (0, 0, 0))]",
+        "reaches: [Hold(tip: \"tip\", by: [\"elbow\"], over: 1e4)]",
+        "drives: {\"*\": Frozen, \"slide\": Free}, reaches: [Look(tip: \"base\", by: [\"elbow\"], to: Follow(\"tip\"))]",
+        "drives: {\"*\": Frozen}, reaches: [Reach(tip: \"tip\", by: [\"forearm\"], to: Follow(\"tip\"), over: 1)]",
+        "drives: {\"*\": Frozen}, reaches: [Hold(tip: \"tip\", by: [\"forearm\"], over: 1), Look(tip: \"tip\", by: [\"forearm\"], to: (0, 0, 0), over: 1, from: 0.5)]",
+        "drives: {\"*\": Frozen}, sequence: [Together({\"elbow.ry\": Move(to: 1, over: 1)})], reaches: [Hold(tip: \"lower\", by: [\"elbow\"])]",
+    ]);
+    for case in [
+        "reaches: [Reach(tip: \"left_hand\", by: [\"left_shoulder\"], to: Follow(\"right_hand\"), over: 1), Reach(tip: \"right_hand\", by: [\"right_shoulder\"], to: Follow(\"left_hand\"), over: 1)]",
+        "start: {\"left_elbow.rx\": deg(40)}, reaches: [Reach(tip: \"left_hand\", by: [\"left_elbow.rx\"], to: (0, 0, 0), over: 1)]",
+    ] {
+        let case = format!("drives: {{\"*\": Frozen}}, duration: 1, {case}");
+        let _ = write!(text, "{case}\n{}\n", faults(&person(&case)));
+    }
+    insta::assert_snapshot!(text);
+}
+
+#[test]
 fn of_forces_and_repetitions() {
     let text = listed(&[
         "drives: {\"elbow.rx\": Servo(stiffness: 1)}",

@@ -1,15 +1,32 @@
 //! The scenes of the fixtures.
 
+use solaris_model::Figure;
 use solaris_modes::{EndCondition, Method};
-use solaris_scene::{NoFiles, Scene, is_scene, read};
-use std::path::Path;
+use solaris_scene::{Loader, Scene, is_scene, read};
+use std::path::{Path, PathBuf};
+
+/// Texts beside the scenes of the fixtures.
+struct Beside;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/scenes")
+}
+
+impl Loader for Beside {
+    fn figure(&mut self, _path: &str) -> Result<Figure, String> {
+        Err("figures of other formats are not read here".to_owned())
+    }
+
+    fn text(&mut self, path: &str) -> Result<String, String> {
+        std::fs::read_to_string(folder().join(path)).map_err(|error| error.to_string())
+    }
+}
 
 /// The scene of a fixture.
 pub(crate) fn fixture(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/scenes").join(name);
-    let text = std::fs::read_to_string(&path).expect("a fixture");
+    let text = std::fs::read_to_string(folder().join(name)).expect("a fixture");
     assert!(is_scene(&text), "{name}");
-    read(&text, &mut NoFiles).unwrap_or_else(|error| panic!("{name}: {error}"))
+    read(&text, &mut Beside).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 fn near(found: &[f64], expected: &[f64], tolerance: f64) {
@@ -20,9 +37,10 @@ fn near(found: &[f64], expected: &[f64], tolerance: f64) {
 
 #[test]
 fn every_fixture_is_a_scene() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/scenes");
-    let names =
-        std::fs::read_dir(folder).expect("the fixtures").map(|entry| entry.expect("an entry").file_name());
+    let entries =
+        std::fs::read_dir(folder()).expect("the fixtures").map(|entry| entry.expect("an entry").path());
+    // What scenes include stands in a folder of its own.
+    let names = entries.filter(|path| path.is_file()).filter_map(|path| Some(path.file_name()?.to_owned()));
     let names: Vec<String> = names.map(|name| name.to_string_lossy().into_owned()).collect();
     assert!(names.len() >= 6, "{names:?}");
     for name in names {

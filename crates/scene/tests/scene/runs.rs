@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use solaris_analysis::ground_reactions;
 use solaris_gait::{Extent, FEET, WalkPart, WalkRequest, WalkSegment, WalkSequence};
 use solaris_model::Trajectory as _;
-use solaris_scene::Simulated;
+use solaris_scene::{NoFiles, Simulated, read};
 
 fn simulated(name: &str) -> Simulated {
     fixture(name).simulate(&mut ()).unwrap_or_else(|error| panic!("{name}: {error}"))
@@ -221,4 +221,24 @@ fn a_jumper_flies_as_its_take_off_says() {
     assert!(momentum(first).y > 68.0, "it leaves the ground with more than 1 m/s");
     let landed = simulated.motion.events.iter().any(|event| event.time > motion.time()[last]);
     assert!(landed, "{:?}", simulated.motion.events);
+}
+
+#[test]
+fn a_tolerance_that_no_setting_meets_is_said_with_what_to_try() {
+    // Two rods that fall through their upright positions for a while: what is off grows by e several times a second.
+    let text = r#"Scene(version: 1, duration: 30, tolerance: 1e-12, guard: Guard(evaluations: 3e5), figures: {"d": Figure(name: "d", links: [
+    Link(name: "upper", joint: Joint(name: "shoulder", axes: [rx]), mass: 1, com: (0, -0.5, 0), inertia: (0.08, 0.01, 0.08)),
+    Link(name: "lower", parent: "upper", joint: Joint(name: "elbow", at: (0, -1, 0), axes: [rx]), mass: 1, com: (0, -0.5, 0), inertia: (0.08, 0.01, 0.08)),
+])}, start: {"shoulder": deg(170), "elbow": deg(20)})"#;
+    let error = read(text, &mut NoFiles)
+        .expect("a scene")
+        .simulate(&mut ())
+        .expect_err("too much is asked")
+        .to_string();
+    assert!(
+        error.contains("method: RungeKutta4(step: …)") || error.contains("guard: Guard(evaluations: …)"),
+        "{error}"
+    );
+    assert!(error.contains("tolerance"), "{error}");
+    insta::assert_snapshot!(error);
 }

@@ -1,0 +1,169 @@
+//! Scenes of several texts, figures beside one another, and crowds.
+
+use nalgebra::Vector3;
+use solaris_dynamics::{Tree, Workspace, forward_kinematics};
+use solaris_model::Figure;
+use solaris_scene::{Loader, NoFiles, Scene, read};
+use std::collections::HashMap;
+use std::fmt::Write;
+
+/// Texts by their names.
+struct Shelf(HashMap<&'static str, &'static str>);
+
+impl Loader for Shelf {
+    fn figure(&mut self, _path: &str) -> Result<Figure, String> {
+        Err("no figures".to_owned())
+    }
+
+    fn text(&mut self, path: &str) -> Result<String, String> {
+        self.0.get(path).map(|text| (*text).to_owned()).ok_or_else(|| "there is no such file".to_owned())
+    }
+}
+
+const BLOCK: &str = "Scene(version: 1, figures: {\"block\": Figure(name: \"block\", links: [\n    Link(name: \"box\", joint: Joint(name: \"rail\", axes: [tx, tz]), mass: 1)])},\n    start: {\"tx\": 1}, drives: {\"*\": Frozen})";
+
+fn included(texts: &[(&'static str, &'static str)], scene: &str) -> Result<Scene, String> {
+    read(scene, &mut Shelf(texts.iter().copied().collect())).map_err(|error| error.to_string())
+}
+
+#[test]
+fn what_is_included_comes_first_and_once() {
+    let inner = "Scene(version: 1, include: [\"block.ron\"], drives: {\"rail.*\": Free}, pushes: [Push(link: \"box\", force: (1, 0, 0))])";
+    let texts = [("block.ron", BLOCK), ("inner.ron", inner)];
+    let scene = "Scene(version: 1, include: [\"inner.ron\", \"block.ron\"], duration: 1, start: {\"rail.tx\": 2, \"rail.tz\": 3}, drives: {\"*.tz\": Frozen})";
+    let error = included(&texts, scene).expect_err("tx of the block is no name");
+    assert_eq!(
+        error,
+        "line 1, column 29: 'block.ron', line 3, column 13: figure 'block' has no degree of freedom or joint 'tx'"
+    );
+    let block = BLOCK.replace("\"tx\"", "\"rail\"");
+    let block: &'static str = Box::leak(block.into_boxed_str());
+    let scene = included(&[("block.ron", block), ("inner.ron", inner)], scene).expect("a scene");
+    assert_eq!(scene.simulation().state().0, &[2.0, 3.0]);
+    // Of two patterns the later wins, and the scene's own stand last.
+    let drives: Vec<&str> = (0..2).map(|dof| scene.simulation().driven_by(dof)[0].drive.name()).collect();
+    assert_eq!(drives, ["free", "frozen"]);
+    let last = scene.simulate(&mut ()).expect("runs").motion;
+    assert!((last.q(last.len() - 1)[0] - 2.5).abs() < 1e-9);
+}
+
+#[test]
+fn faults_of_includes_name_file_line_and_column() {
+    let texts = [
+        ("round.ron", "Scene(version: 1, include: [\"again.ron\"])"),
+        ("again.ron", "Scene(version: 1,\n  include: [\"round.ron\"])"),
+        ("self.ron", "Scene(version: 1, include: [\"self.ron\"])"),
+        ("broken.ron", "Scene(version: 1,\n  drives: {"),
+        ("figure.ron", "Figure(version: 1)"),
+        ("long.ron", "Scene(version: 1, duration: 2)"),
+        ("wrong.ron", "Scene(version: 1,\n    gravty: (0, 0, 0))"),
+        (
+            "block.ron",
+            "Scene(version: 1, figures: {\"b\": Figure(name: \"b\", links: [Link(name: \"b\", joint: Joint(name: \"r\", axes: [tx]), mass: 1)])})",
+        ),
+    ];
+    let mut said = String::new();
+    for list in [
+        "\"block.ron\"",
+        "[3]",
+        "[\"nothing.ron\"]",
+        "[\"round.ron\"]",
+        "[\"self.ron\"]",
+        "[\"broken.ron\"]",
+        "[\"block.ron\", \"figure.ron\"]",
+        "[\"block.ron\", \"long.ron\"]",
+        "[\"block.ron\", \"wrong.ron\"]",
+        "[\"block.ron\", \"block.ron\"]",
+    ] {
+        let scene = format!("Scene(version: 1, duration: 1,\n  include: {list})");
+        let found = included(&texts, &scene).map_or_else(|error| error, |_| "no fault".to_owned());
+        let _ = write!(said, "include: {list}\n{found}\n\n");
+    }
+    let plain =
+        read("Scene(version: 1, duration: 1, include: [\"a.ron\"])", &mut NoFiles).expect_err("no files");
+    let _ = writeln!(said, "{plain}");
+    insta::assert_snapshot!(said);
+}
+
+fn placed(places: &str) -> Result<Vec<Vector3<f64>>, String> {
+    let slab = "Figure(name: \"slab\", links: [Link(name: \"box\", joint: Joint(name: \"rail\", axes: [tx]), mass: 1)])";
+    let text = format!(
+        "Scene(version: 1, duration: 1, figures: {{\"a\": {slab}, \"b\": {slab}, \"c\": {slab}}},\n places: {places}, start: {{\"*\": 0.5}})"
+    );
+    let scene = read(&text, &mut NoFiles).map_err(|error| error.to_string())?;
+    let figure = scene.figure();
+    let tree = Tree::<f64>::new(figure, Vector3::zeros()).expect("a tree");
+    let mut workspace = Workspace::new(&tree);
+    forward_kinematics(&tree, &mut workspace, scene.simulation().state().0).expect("finite");
+    let at = |name: &str| workspace.pose(figure.link_index(name).expect("a link")).translation;
+    Ok(["a.box", "b.box", "c.box"].map(at).to_vec())
+}
+
+#[test]
+fn figures_stand_beside_one_another() {
+    // b stands a metre in front of a, who faces to the left, +x, and looks back at it; c half a metre to the left of b.
+    let text = "{\"c\": (beside: \"b\", at: (0.5, 0, 0)), \"b\": (beside: \"a\", at: (0, 0, 1), facing: deg(180)), \"a\": (at: (2, 0, 0), facing: deg(90))}";
+    let found = placed(text).expect("places");
+    // Each is half a metre along its own left.
+    let expected = [(2.0, 0.0, -0.5), (3.0, 0.0, 0.5), (3.0, 0.0, 1.0)];
+    for (found, (x, y, z)) in found.iter().zip(expected) {
+        assert!((found - Vector3::new(x, y, z)).norm() < 1e-12, "{found}");
+    }
+    let mut said = String::new();
+    for places in [
+        "{\"a\": (beside: \"a\")}",
+        "{\"a\": (beside: \"b\"), \"b\": (beside: \"c\"), \"c\": (beside: \"a\", at: (1, 0, 0))}",
+        "{\"a\": (beside: \"d\")}",
+        "{\"a\": (beside: 3, besid: \"b\")}",
+    ] {
+        let _ = write!(said, "{places}\n{}\n\n", placed(places).expect_err("refused"));
+    }
+    insta::assert_snapshot!(said);
+}
+
+#[test]
+fn a_crowd_is_many_people_in_rows() {
+    let scene = |crowd: &str, places: &str| {
+        format!(
+            "Scene(version: 1, duration: 0.1, figures: {{\"crowd\": {crowd}}}, places: {{{places}}}, drives: {{\"*\": Frozen}})"
+        )
+    };
+    let read = |crowd: &str, places: &str| {
+        read(&scene(crowd, places), &mut NoFiles).map_err(|error| error.to_string())
+    };
+    let five = read(
+        "Crowd(count: 5, seed: 3, columns: 2, apart: 1.2)",
+        "\"crowd\": (at: (1, 0, 0)), \"crowd5\": (at: (9, 0, 0))",
+    )
+    .expect("people");
+    let figure = five.figure();
+    assert_eq!(figure.layout().nv(), 5 * 66);
+    let at = |i: usize| {
+        let link = figure.link_index(&format!("crowd{i}.pelvis")).expect("a pelvis");
+        figure.links()[link].joint().placement().translation.vector
+    };
+    let expected = [(0.4, 0.0), (1.6, 0.0), (0.4, -1.2), (1.6, -1.2), (9.0, 0.0)];
+    for (i, (x, z)) in expected.into_iter().enumerate() {
+        assert!((at(i + 1) - Vector3::new(x, 0.0, z)).norm() < 1e-12, "{}", at(i + 1));
+    }
+    // The same seed is the same people; another is not.
+    let mass = |crowd: &str| read(crowd, "").expect("people").figure().mass();
+    assert!((mass("Crowd(count: 3, seed: 3)") - mass("Crowd(count: 3, seed: 3, apart: 2)")).abs() < 1e-12);
+    assert!((mass("Crowd(count: 3, seed: 3)") - mass("Crowd(count: 3, seed: 4)")).abs() > 0.1);
+    assert!(mass("Crowd(count: 3, age: 8)") < 110.0);
+    let mut said = String::new();
+    for crowd in [
+        "Crowd",
+        "Crowd(count: 0)",
+        "Crowd(count: 2.5, seed: -1)",
+        "Crowd(count: 3, apart: 0, colums: 2)",
+        "Crowd(count: 3, joints: Lim)",
+        "Crowd(count: 2, age: 3)",
+    ] {
+        let found = read(crowd, "").map_or_else(|error| error, |_| "no fault".to_owned());
+        let _ = write!(said, "{crowd}\n{found}\n\n");
+    }
+    let twice = "Scene(version: 1, duration: 1, figures: {\"a1\": Human(height: 1.7, mass: 60), \"a\": Crowd(count: 2)}, walk: Walk(steps: 3))";
+    let _ = writeln!(said, "{}", solaris_scene::read(twice, &mut NoFiles).expect_err("refused"));
+    insta::assert_snapshot!(said);
+}
