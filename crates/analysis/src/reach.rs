@@ -365,7 +365,9 @@ mod tests {
                 + 2.5 * Vector3::new(cos * f64::sin(heading), -sin, cos * f64::cos(heading));
             let mut q = [from, from];
             let reached = reach.solve(&mut q, &Goal::Look { axis, at }).expect("finite");
-            assert!((q[0] - heading).abs() < 1e-9, "{q:?}");
+            // Where the goal is not met, descent ends once the square of what is missing falls by less than 1e-13 of itself.
+            let fine = if pitch > 0.5 { 3e-7 } else { 1e-9 };
+            assert!((q[0] - heading).abs() < fine, "{q:?}");
             assert!((q[1] - f64::min(pitch, 0.5)).abs() < 1e-9, "{q:?}");
             // From behind it is as far off as the two directions are.
             assert!((reached.off - (pitch - q[1]).abs()).abs() < 1e-9, "{reached:?}");
