@@ -1,5 +1,6 @@
 //! Steppers: orders, closed forms, events, and what they refuse.
 
+mod chosen_steps;
 mod closed_forms;
 mod events;
 mod orders;
