@@ -74,6 +74,7 @@ fn main() -> ExitCode {
         ["report", "profiles"] => report::profiles(),
         ["report", "simulation"] => report::simulation(),
         ["report", "simulation", "adaptive"] => report::adaptive(),
+        ["report", "chosen"] => report::chosen(),
         ["report", "stepping"] => report::stepping(),
         ["subject"] => subject::run(),
         ["help" | "--help" | "-h"] => {

@@ -7,7 +7,7 @@ use super::guard;
 use super::ledger::{Ledger, least_energy};
 use super::pushes;
 use super::record::{Record, near};
-use crate::Outcome;
+use crate::{Drive, Outcome};
 use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::{GROUND, Phase, Role};
@@ -79,6 +79,10 @@ pub(crate) struct Pass {
     pub(super) compiled: Option<Compiled>,
     /// Time and number of changes without time going on.
     rounds: (f64, usize),
+    /// Whether nobody wants accelerations and what stands, but positions and velocities alone.
+    is_sketch: bool,
+    /// Where steps of an explicit method that stability makes shorter than this (s) are refused, though they are of its own choice.
+    pub(super) shortest: Option<f64>,
 }
 
 /// A phase, and what it was compiled for.
@@ -98,18 +102,38 @@ pub(crate) fn pass(
     stepping: Stepping,
     observer: &mut dyn Observer,
 ) -> Result<Passed, RunError> {
+    Pass::new(simulation, settings, stepping)?.through(observer)
+}
+
+/// Runs through a simulation once, for nothing but positions and velocities in frames, and no evaluation for their sake. With a
+/// `shortest` step (s), one that stability makes shorter is refused.
+pub(crate) fn sketch(
+    simulation: &Arc<Simulation>,
+    settings: &Settings,
+    stepping: Stepping,
+    shortest: Option<f64>,
+    observer: &mut dyn Observer,
+) -> Result<Passed, RunError> {
     let mut pass = Pass::new(simulation, settings, stepping)?;
-    pass.begin_all()?;
-    while pass.t < settings.duration - near(settings.duration) {
-        if observer.is_cancelled() {
-            return Err(RunError::Cancelled);
-        }
-        pass.stretch(observer)?;
-    }
-    pass.finish()
+    // Intensive drives begin with the acceleration of the frame.
+    let mut drives = simulation.drives.iter().flatten();
+    pass.is_sketch = !drives.any(|step| matches!(step.drive, Drive::Intensive { .. }));
+    pass.shortest = shortest;
+    pass.through(observer)
 }
 
 impl Pass {
+    fn through(mut self, observer: &mut dyn Observer) -> Result<Passed, RunError> {
+        self.begin_all()?;
+        while self.t < self.settings.duration - near(self.settings.duration) {
+            if observer.is_cancelled() {
+                return Err(RunError::Cancelled);
+            }
+            self.stretch(observer)?;
+        }
+        self.finish()
+    }
+
     pub(crate) fn new(
         simulation: &Arc<Simulation>,
         settings: &Settings,
@@ -158,6 +182,8 @@ impl Pass {
             heat: 0.0,
             compiled: None,
             rounds: (0.0, 0),
+            is_sketch: false,
+            shortest: None,
         })
     }
 
@@ -200,7 +226,8 @@ impl Pass {
         end: f64,
         observer: &mut dyn Observer,
     ) -> Result<Stopped, RunError> {
-        let Self { passed, q, v, a, t, active, simulation, settings, .. } = self;
+        let Self { passed, q, v, a, t, active, simulation, settings, is_sketch, .. } = self;
+        let is_sketch = *is_sketch;
         let mut y = phase.pack(q, v, self.work, self.heat);
         let at = |error| guard::of_rate(*t, error);
         if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
@@ -228,8 +255,10 @@ impl Pass {
         let mut spent = 0;
         let mut frame = |phase: &mut Phase, time: f64, y: &[f64]| -> Result<(), RateError> {
             phase.unpack(time, y, q, v);
-            phase.accelerations(time, y, a)?;
-            spent += 1;
+            if !(is_sketch && dynamic) {
+                phase.accelerations(time, y, a)?;
+                spent += 1;
+            }
             record.push(q, v, a);
             record.press(phase.pressed(&active.links));
             observer.progress(time / settings.duration);
