@@ -267,10 +267,7 @@ fn named(
         match other {
             Some(other) => {
                 beside = other.counts;
-                error = Some(scaled(
-                    compare::difference(&simulation.figure, &passed.record, &other.record)?,
-                    factor,
-                ));
+                error = Some(compare::estimate(&simulation.figure, &passed, &other, factor)?);
             }
             None => remarks.push(Remark::NoEstimate),
         }

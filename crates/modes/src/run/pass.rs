@@ -39,6 +39,8 @@ pub(crate) struct Passed {
     pub(crate) ground: [f64; GROUND],
     /// What pushes of the world did (J).
     pub(crate) pushed: f64,
+    /// What a method that chooses its steps said of their errors, added up.
+    pub(crate) errors: f64,
 }
 
 /// One pass, on its way.
@@ -177,6 +179,7 @@ impl Pass {
                 jumps: false,
                 ground: [0.0; GROUND],
                 pushed: 0.0,
+                errors: 0.0,
             },
             work: 0.0,
             heat: 0.0,
@@ -280,6 +283,7 @@ impl Pass {
             counts,
         );
         counts.evaluations += spent;
+        passed.errors += phase.take_errors();
         let stopped = match (result, failure) {
             (Ok(stopped), None) => stopped,
             (_, Some(failure)) => return Err(guard::explain(simulation, phase, stepping, &y, *failure)),

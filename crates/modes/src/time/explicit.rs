@@ -40,11 +40,12 @@ pub(super) fn advance<S: System + ?Sized>(
     // What a try that went too far has failed with.
     let mut failure: Option<TimeError> = None;
     while march.time < to {
-        h = fitted(h, to - march.time);
+        let smooth = march.evaluator.system.smooth_until(march.time).min(to);
+        h = fitted(h, smooth - march.time);
         if h < (LEAST * march.time.abs()).max(f64::MIN_POSITIVE) {
             return Err(failure.unwrap_or_else(|| too_short(march.time)));
         }
-        let end = if h < to - march.time { march.time + h } else { to };
+        let end = if h < smooth - march.time { march.time + h } else { smooth };
         let tried = match march.pair.step(&mut march.evaluator, (march.time, h), y) {
             Ok(()) => march.pair.error(h, y, tolerance),
             Err(error) if is_final(&error) => return Err(error),
@@ -63,6 +64,7 @@ pub(super) fn advance<S: System + ?Sized>(
         }
         failure = None;
         march.evaluator.counts.steps += 1;
+        march.evaluator.system.note_error(tolerance * tried);
         if let Some(stopped) = march.take(end, h, y)? {
             return Ok(stopped);
         }

@@ -3,6 +3,7 @@
 mod chosen_steps;
 mod closed_forms;
 mod events;
+mod explicit;
 mod orders;
 pub(crate) mod problems;
 mod refusals;

@@ -2,7 +2,7 @@
 
 use super::super::kinks::has_kinks;
 use super::super::pass::{Passed, pass};
-use super::super::{Chosen, Quiet, compare, describe, scaled};
+use super::super::{Chosen, Quiet, compare, describe};
 use super::ladder::Ladder;
 use super::{LEAST, is_of_the_step};
 use crate::failure::RunError;
@@ -15,8 +15,8 @@ use std::sync::Arc;
 /// The tolerance of a step, beside that of the whole, to begin with: most scenes need no less.
 pub(super) const FIRST: f64 = 0.1;
 
-/// The tolerance after it, beside it. Work grows with its eighth root, by a fifth.
-pub(super) const FINER: f64 = 0.2;
+/// The tolerance after it, beside it. Work grows with its eighth root, by a sixth.
+pub(super) const FINER: f64 = 0.3;
 
 /// The part of the tolerance that the next error is to come to.
 const AIM: f64 = 0.25;
@@ -83,7 +83,8 @@ impl<'a> Search<'a> {
             let finer = self.own / next;
             let apart = compare::difference(&self.simulation.figure, &passed.record, &self.last.record)?;
             let jumps = passed.jumps || has_kinks(self.simulation, &passed)?;
-            let error = scaled(apart, share(before, apart.position, (finer, jumps)));
+            let part = share(before, apart.position, (finer, jumps));
+            let error = compare::estimate(&self.simulation.figure, &passed, &self.last, part)?;
             self.beside.add(&self.last.counts);
             (self.last, self.own) = (passed, next);
             if error.position <= self.tolerance {
@@ -95,7 +96,7 @@ impl<'a> Search<'a> {
                 return Ok(self.chosen(passed, error, (stepping, why), remarks));
             }
             stalls = if before.is_some_and(|(before, _)| apart.position > 0.5 * before) { stalls + 1 } else { 0 };
-            if stalls >= 3 {
+            if stalls >= 2 {
                 break;
             }
             before = Some((apart.position, finer));
@@ -117,8 +118,8 @@ impl<'a> Search<'a> {
         let (rule, frames) = (Rule::RungeKutta4, self.settings.duration * self.settings.rate);
         let spent = self.last.counts.evaluations as f64;
         let mut steps = 1.0;
-        for _ in 0..2 {
-            if spent < DEAR * steps * frames {
+        for dear in [DEAR, 3.0 * DEAR] {
+            if spent < dear * steps * frames {
                 return Ok(None);
             }
             let stepping = Stepping::Fixed { rule, step: (self.settings.rate * steps).recip() };
@@ -154,11 +155,13 @@ impl<'a> Search<'a> {
 /// difference `before`, and the tolerances then, tell how errors fall, and fast enough.
 ///
 /// ```text
-/// e(τ) ≈ |x(τ) − x(c·τ)| / (cᵖ − 1)        p = ln(|x(cτ) − x(bcτ)| / |x(τ) − x(cτ)|) / ln b, at most 1
+/// e(τ) ≈ |x(τ) − x(c·τ)| / (cᵖ − 1)        p = ln(|x(cτ) − x(bcτ)| / |x(τ) − x(cτ)|) / ln b, at most ¾
 /// ```
+///
+/// They fall with the tolerance itself, but not evenly.
 fn share(before: Option<(f64, f64)>, difference: f64, (finer, jumps): (f64, bool)) -> f64 {
     let Some((before, then)) = before.filter(|_| !jumps) else { return 1.0 };
-    let power = ((before / difference).ln() / then.ln()).min(1.0);
+    let power = ((before / difference).ln() / then.ln()).min(0.75);
     let falls = finer.powf(power);
     // NaN where there is no difference.
     if falls.partial_cmp(&4.0).is_none_or(std::cmp::Ordering::is_lt) { 1.0 } else { (falls - 1.0).recip() }
