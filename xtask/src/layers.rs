@@ -16,6 +16,7 @@ pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-gait", 5),
     ("solaris-modes", 4),
     ("solaris-analysis", 4),
+    ("solaris-collision", 3),
     ("solaris-dynamics", 3),
     ("solaris-model", 2),
     ("solaris-profiles", 2),

@@ -3,7 +3,6 @@
 mod fill;
 mod limbs;
 mod outlines;
-mod pairs;
 mod segment;
 
 pub use limbs::{LimbOverlap, NearSpell, NearestLimbs};
@@ -82,7 +81,7 @@ pub enum NearnessError {
 #[doc(alias = "minimum distance")]
 pub fn nearness(figure: &Figure, motion: &Motion) -> Result<Option<Nearness>, NearnessError> {
     motion.check_figure(figure)?;
-    let candidates = pairs::pairs(figure.links());
+    let candidates = figure.pairs_apart();
     if candidates.is_empty() || motion.is_empty() {
         return Ok(None);
     }

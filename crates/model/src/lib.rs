@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod anatomy;
+mod apart;
 mod base;
 mod builder;
 mod chains;

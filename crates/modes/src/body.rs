@@ -19,7 +19,7 @@ use planted::Planted;
 use points::PointElement;
 use pushes::PushElement;
 use solaris_dynamics::{
-    DynamicsError, Frame, Tree, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
+    DynamicsError, Frame, Pose, Tree, Twist, Workspace, Wrench, accelerations, contact_dynamics, forward_kinematics,
     hybrid_dynamics, inverse_dynamics, joint_jacobians, kinetic_energy, mass_matrix, point_columns,
     potential_energy, velocities,
 };
@@ -314,16 +314,27 @@ impl<T: Elementary> Body<T> {
         joint_jacobians(&self.tree, &mut self.workspace, q)
     }
 
-    /// The velocity of the material at a point of the world on a sphere's link, for a unit rate of each degree of freedom on which it
-    /// depends.
-    pub(crate) fn columns(
-        &self,
-        sphere: usize,
-        point: &Vector3<T>,
-        mut visit: impl FnMut(usize, Vector3<T>),
-    ) {
-        let Some(ground) = &self.ground else { return };
-        let link = ground.spheres()[sphere].link;
+    /// Finds poses and velocities of the links.
+    pub(crate) fn velocities(&mut self, q: &[T], v: &[T]) -> Result<(), DynamicsError> {
+        velocities(&self.tree, &mut self.workspace, q, v)
+    }
+
+    /// The pose of a link, and its velocity, where [`velocities`](Self::velocities) were found last.
+    pub(crate) fn pose(&self, link: usize) -> &Pose<T> {
+        self.workspace.pose(link)
+    }
+
+    pub(crate) fn velocity(&self, link: usize) -> &Twist<T> {
+        self.workspace.velocity(link)
+    }
+
+    /// The link of a sphere that can touch the ground.
+    pub(crate) fn link_of(&self, sphere: usize) -> Option<usize> {
+        self.ground.as_ref().map(|ground| ground.spheres()[sphere].link)
+    }
+
+    /// The velocity of the material at a point of the world on a link, for a unit rate of each degree of freedom on which it depends.
+    pub(crate) fn columns(&self, link: usize, point: &Vector3<T>, mut visit: impl FnMut(usize, Vector3<T>)) {
         let pose = self.workspace.pose(link);
         let frame = Frame::at(link, pose.rotation.tr_mul(&(point - pose.translation)));
         point_columns(&self.tree, &self.workspace, &frame, |dof, column| visit(dof, column.linear));
@@ -365,6 +376,15 @@ impl<T: Elementary> Body<T> {
     /// The mass matrix (`nv` × `nv`) at `q`.
     pub(crate) fn mass_matrix(&mut self, q: &[T], matrix: &mut DMatrix<T>) -> Result<(), DynamicsError> {
         mass_matrix(&self.tree, &mut self.workspace, q, matrix)
+    }
+
+    /// The forces that a motion takes of the links' inertia alone: `M·a + C(q, v)·v`.
+    pub(crate) fn inertial_forces(
+        &mut self,
+        (q, v, a): (&[T], &[T], &[T]),
+        forces: &mut [T],
+    ) -> Result<(), DynamicsError> {
+        inverse_dynamics(&self.weightless, &mut self.workspace, q, v, a, &[], forces)
     }
 
     /// Finds what acts by itself in a state.

@@ -42,6 +42,8 @@ pub(crate) struct Convex {
     n: usize,
     mass: Vec<f64>,
     hessian: Vec<f64>,
+    /// Whether its place has the factors of the mass.
+    is_factored: bool,
     /// The velocities without impulses.
     free: Vec<f64>,
     /// The velocities.
@@ -81,6 +83,7 @@ impl Convex {
             n,
             mass: vec![0.0; n * n],
             hessian: vec![0.0; n * n],
+            is_factored: false,
             free: zeros(),
             v: zeros(),
             off: zeros(),
@@ -92,6 +95,24 @@ impl Convex {
             entries: Vec::with_capacity(conditions * n),
             scratch: Vec::with_capacity(n),
         }
+    }
+
+    /// More momentum for the velocities without impulses.
+    pub(crate) fn push(&mut self, momentum: impl Iterator<Item = f64>) {
+        self.direction.iter_mut().zip(momentum).for_each(|(to, from)| *to = from);
+        if !self.is_factored {
+            self.hessian.copy_from_slice(&self.mass);
+            factor(&mut self.hessian, self.n);
+        }
+        solve(&self.hessian, self.n, &mut self.direction);
+        for (free, direction) in self.free.iter_mut().zip(&self.direction) {
+            *free += direction;
+        }
+    }
+
+    /// The velocities without impulses.
+    pub(crate) fn free(&self) -> &[f64] {
+        &self.free
     }
 
     /// Begins a problem without conditions: the mass matrix of `matrix` for the degrees of freedom `of`, the velocities before the
@@ -118,6 +139,7 @@ impl Convex {
         self.conditions.clear();
         self.entries.clear();
         self.direction.iter_mut().zip(change).for_each(|(to, from)| *to = from);
+        self.is_factored = false;
         if of.iter().any(|k| held(*k) != (0.0, 0.0)) {
             let n = self.n;
             for i in 0..n {
@@ -131,6 +153,7 @@ impl Convex {
             }
             self.hessian.copy_from_slice(&self.mass);
             factor(&mut self.hessian, n);
+            self.is_factored = true;
             self.direction.copy_from_slice(&self.momentum);
             solve(&self.hessian, n, &mut self.direction);
         }

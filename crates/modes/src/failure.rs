@@ -148,6 +148,18 @@ pub enum SetupError {
     /// A motion that is none.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// Links that are to touch each other in a run by a method that does not know of it.
+    #[error(
+        "links that touch each other need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"
+    )]
+    CollisionsNeedImpulses,
+    /// Links that are to touch each other in a program that was built without it: it is behind this crate's feature `collide`.
+    #[error("links that touch each other are not built in; build with the feature `collide`")]
+    CollisionsNotBuiltIn,
+    /// Links that cannot touch each other.
+    #[cfg(feature = "collide")]
+    #[error(transparent)]
+    Collision(#[from] solaris_collision::CollisionError),
     /// A method that this program was built without: those that choose their steps are behind this crate's feature `stiff`.
     #[error("the method '{method}' is not built in; take Runge-Kutta 4 with a step")]
     NotBuiltIn {

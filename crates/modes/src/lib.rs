@@ -2,6 +2,7 @@
 
 mod body;
 mod carry;
+mod collision;
 mod contact;
 mod convex;
 mod drive;
@@ -23,6 +24,7 @@ pub mod study;
 pub mod time;
 
 pub use carry::Carry;
+pub use collision::Collisions;
 pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
 pub use drive::{Aim, Course, Drive, EndCondition, Law, Servo, Shape, Step, Target};
 pub use element::{Anchor, LimitLaw, PointSpring};
@@ -30,7 +32,7 @@ pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 pub use push::{Push, PushLaw};
 pub use recorded::RecordedMotion;
 pub use report::{
-    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkContact, Observer,
+    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision, LinkContact, Observer,
     Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
 pub use running::{Happened, Running};

@@ -1,5 +1,6 @@
 //! A stretch of time in which every degree of freedom keeps its role: the equations of motion of what is left of the figure.
 
+mod colliding;
 mod condition;
 mod impulses;
 mod plan;
@@ -10,6 +11,7 @@ mod state;
 mod watched;
 
 use crate::body::Pushing;
+use crate::collision::Collision;
 use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
@@ -165,6 +167,12 @@ impl Phase {
         let impulses = self.small.iter().filter_map(|small| small.impulses.as_ref());
         let by_impulses = impulses.flat_map(|impulses| impulses.wrenches().iter().copied());
         standing.iter().copied().zip(self.patch_wrenches()).chain(by_impulses)
+    }
+
+    /// What links do to each other that touch, where [`accelerations`](Self::accelerations) were found last.
+    pub(crate) fn collisions(&self) -> &[Collision] {
+        let impulses = self.small.as_ref().and_then(|small| small.impulses.as_ref());
+        impulses.map_or(&[], |impulses| impulses.collisions())
     }
 
     /// What the ground does to each of them (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were

@@ -3,6 +3,7 @@
 mod active_contacts;
 mod automatic;
 mod carries;
+mod collisions;
 mod compare;
 mod contacts;
 mod driven;
@@ -21,6 +22,7 @@ mod stages;
 mod tracks;
 mod watching;
 
+use crate::collision::Collision;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
 use crate::report::{Cost, Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
@@ -127,14 +129,16 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     } = passed;
     let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
+    let collisions = std::mem::take(&mut record.collisions);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
     let by_impulses = matches!(settings.method, Method::Impulses { .. });
     let mut ground = contacts::add(simulation, &mut motion, &ground, &planted, by_impulses)?;
     if let Some(ground) = &mut ground {
         ground.landings = landings;
     }
+    let between = collisions::add(&simulation.figure, &mut motion, &collisions);
     if settings.forces {
-        add_forces(simulation, &mut motion, &planted, by_impulses)?;
+        add_forces(simulation, &mut motion, (&planted, &collisions), by_impulses)?;
     } else {
         let omitted = "forces of the drives: nobody asked for them";
         for phase in &mut phases {
@@ -150,7 +154,19 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     energy.pushes = pushed;
     energy.work -= pushed;
     let cost = Cost { counts, seconds };
-    let report = RunReport { method, why, error, cost, energy, outcomes, impacts, phases, ground, remarks };
+    let report = RunReport {
+        method,
+        why,
+        error,
+        cost,
+        energy,
+        outcomes,
+        impacts,
+        phases,
+        ground,
+        collisions: between,
+        remarks,
+    };
     Ok(Run { motion, report })
 }
 
@@ -324,11 +340,12 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
 
 /// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
 ///
-/// `planted` is what the ground does to what stands on it: frame, link and wrench, in the order of the frames.
+/// `planted` is what the ground does to what stands on it: frame, link and wrench, and `collisions` what links do to each other, in the
+/// order of the frames.
 fn add_forces(
     simulation: &Simulation,
     motion: &mut Motion,
-    planted: &[(usize, usize, Wrench<f64>)],
+    (planted, collisions): (&[(usize, usize, Wrench<f64>)], &[(usize, Collision)]),
     by_impulses: bool,
 ) -> Result<(), RunError> {
     let figure = &simulation.figure;
@@ -339,7 +356,8 @@ fn add_forces(
     for (frame, tau) in tau.chunks_exact_mut(nv.max(1)).enumerate() {
         let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let own = own.iter().take_while(|(of, ..)| *of == frame);
-        let own: Vec<(usize, Wrench<f64>)> = own.map(|(_, link, wrench)| (*link, *wrench)).collect();
+        let own = own.map(|(_, link, wrench)| (*link, *wrench));
+        let own: Vec<(usize, Wrench<f64>)> = own.chain(collisions::wrenches(collisions, frame)).collect();
         loaded.go_to(simulation, motion.time()[frame])?;
         let body = &mut loaded.body;
         for (push, force) in pushes::after(&thrusts, motion.time()[frame]) {

@@ -1,6 +1,7 @@
 //! A figure, what drives it, and what acts on it: ready to be run.
 
 use crate::carry::Carry;
+use crate::collision::Collisions;
 use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
 use crate::element::{Anchor, LimitLaw, PointSpring};
@@ -33,6 +34,7 @@ pub struct Simulation {
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
     pub(crate) surface: Option<Surface>,
+    pub(crate) collisions: Option<Collisions>,
     pub(crate) pushes: Vec<Push>,
     pub(crate) carries: Vec<Carry>,
 }
@@ -55,6 +57,7 @@ impl Simulation {
             springs: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
+            collisions: None,
             pushes: Vec::new(),
             carries: Vec::new(),
         }
@@ -233,6 +236,35 @@ impl Simulation {
     /// The ground, if there is one, and what can touch it.
     pub fn grounded(&self) -> Option<(&GroundPlane, &[ContactPoint])> {
         self.surface.as_ref().map(|surface| (&surface.plane, &*surface.contact_points))
+    }
+
+    /// Lets links touch each other, by [`Method::Impulses`](crate::Method::Impulses) only; in place of what was said before.
+    ///
+    /// ```
+    /// use solaris_model::human;
+    /// use solaris_modes::{Collisions, Simulation, Vector3};
+    ///
+    /// # #[cfg(feature = "collide")] {
+    /// let figure = human(1.75, 73.0)?;
+    /// let mut simulation = Simulation::new(&figure, Vector3::y() * -9.81);
+    /// simulation.set_collisions(Collisions::of(&figure, 0.5)?)?;
+    /// # }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::CollisionsNotBuiltIn`] without this crate's feature `collide`, [`SetupError::Collision`] for links without shapes,
+    /// [`SetupError::Range`].
+    pub fn set_collisions(&mut self, collisions: Collisions) -> Result<(), SetupError> {
+        collisions.check(&self.figure)?;
+        self.collisions = Some(collisions).filter(|collisions| !collisions.pairs.is_empty());
+        Ok(())
+    }
+
+    /// Which links touch each other, if any do.
+    pub fn collisions(&self) -> Option<&Collisions> {
+        self.collisions.as_ref()
     }
 
     /// What forces are weighed against: that of gravity on the figure (N), its mass (kg) where there is none, 1 without mass.

@@ -218,7 +218,6 @@ impl Outlines {
 
 #[cfg(test)]
 mod tests {
-    use super::super::pairs::pairs;
     use super::*;
     use crate::random::Random;
     use solaris_dynamics::{Tree, forward_kinematics};
@@ -232,7 +231,7 @@ mod tests {
         let random = &mut Random(11);
         let tree = Tree::<f64>::new(&figure, Vector3::zeros()).expect("a tree");
         let (mut workspace, mut outlines) = (Workspace::new(&tree), Outlines::new(&figure));
-        let mut pairs: Vec<Pair> = pairs(figure.links()).into_iter().map(Pair::new).collect();
+        let mut pairs: Vec<Pair> = figure.pairs_apart().into_iter().map(Pair::new).collect();
         let mut q = vec![0.0; tree.nq()];
         for _ in 0..20 {
             figure.random(&mut q, || random.next()).expect("a valid source");

@@ -1,5 +1,7 @@
 //! A step by impulses: contact, friction and hard limits of what is left of the figure as one convex problem.
 
+use super::colliding::Colliding;
+use crate::collision::Collision;
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::small::{Maps, Moving, Side, Small};
@@ -7,12 +9,19 @@ use super::state::StateMap;
 use crate::contact::ContactLaw;
 use crate::convex::Convex;
 use crate::element::LimitLaw;
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use solaris_dynamics::scalar::Dual;
 use solaris_dynamics::{DynamicsError, Wrench};
+use solaris_model::JointKind;
 
 /// A limit this near (rad or m) may be come to within a step, whatever the velocity.
 const CLOSE: f64 = 1e-3;
+
+/// A velocity (m/s) for a unit rate that is rounding.
+const NOTHING: f64 = 1e-13;
+
+/// Stiffness (N/m) and relaxation (s) of what is as stiff as a step allows.
+const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
 
 /// How fast (m/s or rad/s) what begins in the ground or beyond a limit is brought out.
 const RECOVERY: f64 = 0.1;
@@ -30,8 +39,13 @@ pub(super) struct Impulses {
     ground: Option<Ground>,
     /// Spheres that may touch within the step: index, gap (m), lowest point.
     near: Vec<(usize, f64, Vector3<f64>)>,
-    /// How deep in the ground each sphere may still be (m), and beyond each limit each degree of freedom, lower and upper (rad or m),
-    /// for it began there; none before the first step.
+    /// Links that touch each other.
+    colliding: Option<Colliding>,
+    /// Rows of a touch by degree of freedom of the small figure, and which of these are not zero.
+    rows: Vec<[f64; 3]>,
+    columns: Vec<usize>,
+    /// How deep in the ground each sphere may still be (m), in each other the links of each pair, and beyond each limit each degree of
+    /// freedom, lower and upper (rad or m), for it began there; none before the first step.
     allowed: Vec<f64>,
     begun: bool,
     /// Velocities of the small figure after the step, without impulses.
@@ -43,16 +57,26 @@ pub(super) struct Impulses {
     led: Vec<(f64, f64)>,
     /// Of what dynamics move, before the step.
     before: Vec<f64>,
+    /// What the velocities without impulses are changed by, at the velocities before the step.
+    change: Vec<f64>,
+    /// Free joints that dynamics move: the first degree of freedom in the small figure, and its place among those.
+    flying: Vec<(usize, usize)>,
+    /// Velocities in the middle of the step, accelerations, and forces of inertia at the velocities before it and in its middle.
+    middle: Vec<f64>,
+    turning: Vec<f64>,
+    inertial: [Vec<f64>; 2],
     /// What the ground does to links (N, N m, about the world's origin), by sphere.
     wrenches: Vec<(usize, Wrench<f64>)>,
     /// The same by the links of the small figure.
     on_links: Vec<(usize, Wrench<f64>)>,
+    /// What links do to each other.
+    collisions: Vec<Collision>,
     tau: Vec<f64>,
     rate: Vec<f64>,
     /// What the ground does: impulse (N s), and what its push and its friction take (J).
     ground_sums: [f64; 5],
-    /// What limits take (J).
-    limit_loss: f64,
+    /// What limits, and links that touch each other, take (J).
+    loss: f64,
 }
 
 /// A degree of freedom with hard limits that dynamics move.
@@ -88,8 +112,10 @@ impl Impulses {
         for (place, k) in maps.velocities.iter().enumerate() {
             places[*k] = Some(place);
         }
-        let mut limits = Vec::new();
+        let (mut limits, mut flying) = (Vec::new(), Vec::new());
         for (link, at) in reduction.figure.links().iter().zip(reduction.figure.layout().joints()) {
+            let is_free = matches!(link.joint().kind(), JointKind::Free { .. });
+            flying.extend(places[at.v].filter(|_| is_free).map(|place| (at.v, place)));
             for (i, axis) in link.joint().kind().axes().iter().enumerate() {
                 let is_hard = matches!(reduction.limits[at.v + i], LimitLaw::Hard { .. });
                 // Ball joints have none.
@@ -119,34 +145,49 @@ impl Impulses {
             }
         });
         let spheres = ground.as_ref().map_or(0, |ground| ground.links.len());
-        let (dofs, allowed) = (maps.velocities.len(), vec![0.0; spheres + 2 * limits.len()]);
+        let pairs = reduction.colliding.as_ref().map_or(0, Colliding::len);
+        let (dofs, conditions) = (maps.velocities.len(), spheres + pairs + 2 * limits.len());
         Self {
-            convex: Convex::new(dofs, spheres + 2 * limits.len()),
+            convex: Convex::new(dofs, conditions),
             step,
             matrix: DMatrix::zeros(nv, nv),
             places,
             limits,
             ground,
             near: Vec::with_capacity(spheres),
-            allowed,
+            colliding: reduction.colliding.clone(),
+            rows: vec![[0.0; 3]; nv],
+            columns: Vec::with_capacity(nv),
+            allowed: vec![0.0; conditions],
             begun: false,
             free: vec![0.0; nv],
             damping: vec![0.0; nv],
             stiffness: vec![0.0; nv],
             led: vec![(0.0, 0.0); nv],
             before: vec![0.0; dofs],
+            change: vec![0.0; dofs],
+            flying,
+            middle: vec![0.0; nv],
+            turning: vec![0.0; nv],
+            inertial: [vec![0.0; nv], vec![0.0; nv]],
             wrenches: Vec::with_capacity(spheres),
             on_links: Vec::with_capacity(spheres),
+            collisions: Vec::with_capacity(pairs),
             tau: vec![0.0; nv],
             rate: vec![0.0; state.len()],
             ground_sums: [0.0; 5],
-            limit_loss: 0.0,
+            loss: 0.0,
         }
     }
 
     /// What the ground does to links of the full figure, in the step that was found last.
     pub(super) fn wrenches(&self) -> &[(usize, Wrench<f64>)] {
         &self.wrenches
+    }
+
+    /// What links do to each other that touch, in the step that was found last.
+    pub(super) fn collisions(&self) -> &[Collision] {
+        &self.collisions
     }
 
     /// Finds the velocities after a step of `h` (s) and the impulses in it.
@@ -160,11 +201,21 @@ impl Impulses {
         }
         side.body.mass_matrix(&side.q, &mut self.matrix)?;
         side.body.holds_back(&side.q, &side.v, &mut self.damping, &mut self.stiffness);
-        let (change, held) = (maps.velocities.iter().map(|k| h * side.a[*k]), |k: usize| {
+        for (change, k) in self.change.iter_mut().zip(&maps.velocities) {
+            *change = h * side.a[*k];
+        }
+        for (k, place) in &self.flying {
+            for (change, turn) in self.change[*place..].iter_mut().zip(&turned(&side.v[*k..])) {
+                *change += h * turn;
+            }
+        }
+        let held = |k: usize| {
             let (damping, stiffness) = self.led[k];
             (h * (self.damping[k] + damping), h * h * (self.stiffness[k] + stiffness))
-        });
+        };
+        let change = self.change.iter().copied();
         self.convex.begin(&self.matrix, &maps.velocities, &self.before, change, held);
+        self.go_half_way(side, maps, h)?;
         if let Some(ground) = &self.ground {
             side.body.nearly_touching((&side.q, &side.v), 2.0 * h, &mut self.near)?;
             side.body.joint_jacobians(&side.q)?;
@@ -176,7 +227,8 @@ impl Impulses {
                 let gap = gap + *allowed;
                 self.convex.condition();
                 let mut bias = [0.0; 3];
-                side.body.columns(*sphere, point, |k, velocity| {
+                let link = side.body.link_of(*sphere).unwrap_or_default();
+                side.body.columns(link, point, |k, velocity| {
                     let rows = [0, 1, 2].map(|i| ground.axes[i].dot(&velocity));
                     if let Some(place) = self.places[k] {
                         self.convex.entry(place, rows);
@@ -187,6 +239,7 @@ impl Impulses {
                 self.convex.contact(bias, ground.friction, gap, ground.spring, h);
             }
         }
+        self.collide(side, h)?;
         let of_limits = self.allowed.len() - 2 * self.limits.len();
         let pairs = self.allowed[of_limits..].chunks_exact_mut(2);
         for (&Limited { place, coordinate, lower, upper }, allowed) in self.limits.iter().zip(pairs) {
@@ -211,6 +264,89 @@ impl Impulses {
                 *a = (self.convex.v[place] - self.before[place]) / h;
             }
         }
+        for (k, _) in &self.flying {
+            for (a, turn) in side.a[*k..].iter_mut().zip(&turned(&side.v[*k..])) {
+                *a -= turn;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the forces of inertia that grow with the velocities in the middle of the step, for those at its beginning make whatever
+    /// turns faster and faster:
+    ///
+    /// ```text
+    /// v* ← v* − h·M⁻¹·(c(v_½) − c(v))        v_½ = (v + v*)/2        c(v) = C(q, v)·v − M·(ω × v)
+    /// ```
+    ///
+    /// The last term is there for free joints, whose velocities are told along axes that turn and are stepped along axes that do not.
+    fn go_half_way(&mut self, side: &mut Side<f64>, maps: &Maps, h: f64) -> Result<(), DynamicsError> {
+        for (k, middle) in self.middle.iter_mut().enumerate() {
+            let free = self.places[k].map_or(self.free[k], |place| self.convex.free()[place]);
+            *middle = 0.5 * (side.v[k] + free);
+        }
+        for (v, forces) in [&side.v, &self.middle].into_iter().zip(&mut self.inertial) {
+            for (k, _) in &self.flying {
+                for (turning, turn) in self.turning[*k..].iter_mut().zip(&turned(&v[*k..])) {
+                    *turning = -turn;
+                }
+            }
+            side.body.inertial_forces((&side.q, v, &self.turning), forces)?;
+        }
+        let [before, middle] = &self.inertial;
+        self.convex.push(maps.velocities.iter().map(|k| h * (before[*k] - middle[*k])));
+        Ok(())
+    }
+
+    /// The conditions of links that touch each other.
+    ///
+    /// ```text
+    /// u = J₁·v − J₂·v
+    /// ```
+    ///
+    /// What both hang from moves the point alike, and has no part in it.
+    fn collide(&mut self, side: &mut Side<f64>, h: f64) -> Result<(), DynamicsError> {
+        let Self { colliding: Some(colliding), allowed, convex, rows, columns, .. } = self else { return Ok(()) };
+        side.body.velocities(&side.q, &side.v)?;
+        colliding.find(&side.body, 2.0 * h);
+        if colliding.met.is_empty() {
+            return Ok(());
+        }
+        if self.ground.is_none() || self.near.is_empty() {
+            side.body.joint_jacobians(&side.q)?;
+        }
+        let allowed = &mut allowed[self.ground.as_ref().map_or(0, |ground| ground.links.len())..];
+        if !self.begun {
+            for met in &colliding.met {
+                allowed[met.pair] = allowed[met.pair].max(-met.gap);
+            }
+        }
+        for met in &colliding.met {
+            for (link, sign) in [(met.links[0].1, 1.0), (met.links[1].1, -1.0)] {
+                side.body.columns(link, &met.point, |k, velocity| {
+                    if !columns.contains(&k) {
+                        columns.push(k);
+                    }
+                    for (row, axis) in rows[k].iter_mut().zip(&met.axes) {
+                        *row += sign * axis.dot(&velocity);
+                    }
+                });
+            }
+            convex.condition();
+            let mut bias = [0.0; 3];
+            for k in columns.drain(..) {
+                let rows = std::mem::take(&mut rows[k]);
+                if rows.iter().all(|row| row.abs() < NOTHING) {
+                    continue;
+                }
+                if let Some(place) = self.places[k] {
+                    convex.entry(place, rows);
+                } else {
+                    bias.iter_mut().zip(rows).for_each(|(bias, row)| *bias += row * self.free[k]);
+                }
+            }
+            convex.contact(bias, colliding.friction, met.gap + allowed[met.pair], RIGID, h);
+        }
         Ok(())
     }
 
@@ -218,11 +354,21 @@ impl Impulses {
     fn account(&mut self, h: f64) {
         self.wrenches.clear();
         self.on_links.clear();
-        (self.ground_sums, self.limit_loss) = ([0.0; 5], 0.0);
+        (self.ground_sums, self.loss) = ([0.0; 5], 0.0);
+        self.collisions.clear();
         for (index, (impulse, mean)) in self.convex.impulses(&self.before).enumerate() {
             let power: [f64; 3] = [0, 1, 2].map(|i| impulse[i] * mean[i]);
             let (Some((sphere, _, point)), Some(ground)) = (self.near.get(index), &self.ground) else {
-                self.limit_loss -= power[2];
+                self.loss -= power.iter().sum::<f64>();
+                let met = self.colliding.as_ref().and_then(|all| all.met.get(index - self.near.len()));
+                if let Some(met) = met.filter(|_| impulse[2] > 0.0) {
+                    let force: Vector3<f64> = (0..3).map(|i| met.axes[i] * (impulse[i] / h)).sum();
+                    for (link, force) in met.links.into_iter().zip([force, -force]) {
+                        add(&mut self.on_links, link.1, &Wrench::at(&met.point, force, Vector3::zeros()));
+                    }
+                    let (links, point, gap) = (met.links.map(|link| link.0), met.point, met.gap);
+                    self.collisions.push(Collision { links, point, force, gap });
+                }
                 continue;
             };
             if impulse[2] <= 0.0 {
@@ -242,6 +388,11 @@ impl Impulses {
             }
         }
     }
+}
+
+/// `ω × v` of a free joint's velocities.
+fn turned(v: &[f64]) -> Vector3<f64> {
+    Vector3::from_column_slice(&v[3..6]).cross(&Vector3::from_column_slice(&v[..3]))
 }
 
 /// Adds what acts on a link to what acts on it already.
@@ -309,6 +460,14 @@ impl Small {
         for (next, rate) in next[..positions].iter_mut().zip(&impulses.rate) {
             *next += h * rate;
         }
+        for (_, place) in &impulses.flying {
+            // The same velocity along the axes after the step, which have turned as q + h·q̇ has.
+            let v = &mut next[positions + place..];
+            let half = 0.5 * h * Vector3::from_column_slice(&v[3..6]);
+            let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, half));
+            let along = turn.inverse() * Vector3::from_column_slice(&v[..3]);
+            v[..3].copy_from_slice(along.as_slice());
+        }
         if !maps.moving.is_empty() {
             // What moves as prescribed bears what the ground does to it.
             let Side { body, q, v, a, .. } = &mut *numbers;
@@ -338,7 +497,7 @@ impl Small {
         }
         let [.., push, friction] = impulses.ground_sums;
         next[accounts] += work;
-        next[accounts + 1] += heat + push + friction + impulses.limit_loss;
+        next[accounts + 1] += heat + push + friction + impulses.loss;
         for (next, part) in next[accounts + 2..].iter_mut().zip(impulses.ground_sums) {
             *next += part;
         }

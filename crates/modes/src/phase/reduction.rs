@@ -1,13 +1,15 @@
 //! The reduced figure: what is left when what nothing depends on is left out.
 
 use super::Role;
+use super::colliding::Colliding;
+use crate::collision::Collisions;
 use crate::contact::{ContactPoint, Surface, count};
 use crate::element::{Anchor, LimitLaw, PointSpring};
 use crate::failure::SetupError;
 use crate::simulation::Simulation;
 use nalgebra::Vector3;
 use solaris_dynamics::DynamicsError;
-use solaris_model::{Figure, FuseError, LinkPlace};
+use solaris_model::{Figure, FuseError, LinkPlace, Placement};
 
 /// What a phase is made from.
 #[derive(Clone)]
@@ -19,6 +21,7 @@ pub(super) struct Source {
     /// By degree of freedom.
     pub(super) limits: Vec<LimitLaw>,
     pub(super) surface: Option<Surface>,
+    pub(super) collisions: Option<Collisions>,
     /// Link and point (m) of each push.
     pub(super) pushes: Vec<(usize, Vector3<f64>)>,
     /// Each degree of freedom that follows another, and that one.
@@ -37,6 +40,8 @@ pub(super) struct Reduction {
     pub(super) surface: Option<Surface>,
     /// For each of its contact points, the index in the full figure's.
     pub(super) kept_touches: Vec<usize>,
+    /// With the links of the small figure; none where nothing that is moved can touch another link.
+    pub(super) colliding: Option<Colliding>,
     /// With the links of the small figure.
     pub(super) pushes: Vec<(usize, Vector3<f64>)>,
     /// For each of these, the index among all.
@@ -61,6 +66,7 @@ impl Source {
             springs: simulation.springs.clone(),
             limits: simulation.limits.clone(),
             surface: simulation.surface.clone(),
+            collisions: simulation.collisions.clone(),
             pushes: simulation.pushes.iter().map(|push| (push.link, push.point)).collect(),
             followers: followers.collect(),
         }
@@ -122,6 +128,7 @@ impl Source {
         let full = |kept: &[usize], of: &[usize]| kept.iter().map(|k| of[*k]).collect::<Vec<_>>();
         let kept_v = full(fused.kept_v(), pruned.kept_v());
         let place = |link: usize| pruned.links()[link].map(|link| fused.links()[link]);
+        let colliding = Colliding::of(self, &moved, place);
         let springs = self.springs.iter().filter(|spring| contact_points(spring, &moved));
         let surface = self.surface.as_ref().and_then(|surface| under(surface, &moved, place));
         let (surface, kept_touches) = surface.unzip();
@@ -138,6 +145,7 @@ impl Source {
             pushes,
             kept_pushes,
             kept_touches: kept_touches.unwrap_or_default(),
+            colliding,
             kept_q: full(fused.kept_q(), pruned.kept_q()),
             fused: pruned.kept_v().iter().copied().filter(|dof| still(*dof)).collect(),
             kept_v,
@@ -155,6 +163,9 @@ impl Source {
             pushes: self.pushes.clone(),
             kept_pushes: (0..self.pushes.len()).collect(),
             kept_touches: (0..count(self.surface.as_ref())).collect(),
+            colliding: Colliding::of(self, &vec![true; self.figure.links().len()], |link| {
+                Some(LinkPlace { link, placement: Placement::identity() })
+            }),
             kept_q: (0..self.figure.layout().nq()).collect(),
             kept_v: (0..self.figure.layout().nv()).collect(),
             fused: Vec::new(),
@@ -172,14 +183,18 @@ impl Source {
         moved
     }
 
-    /// The links that what is computed depends on: those that are moved, touching the ground or not, those at the other ends of springs on these, and all
-    /// that carries them.
+    /// The links that what is computed depends on: those that are moved, touching the ground or not, those at the other ends of springs on these or that these
+    /// can touch, and all that carries them.
     fn needed(&self, moved: &[bool]) -> Vec<bool> {
         let mut needed = moved.to_vec();
         for spring in self.springs.iter().filter(|spring| contact_points(spring, moved)) {
             for link in spring.between.iter().filter_map(|anchor| anchor.link) {
                 needed[link] = true;
             }
+        }
+        let pairs = self.collisions.iter().flat_map(|collisions| &collisions.pairs);
+        for &[a, b] in pairs.filter(|pair| pair.iter().any(|link| moved[*link])) {
+            (needed[a], needed[b]) = (true, true);
         }
         // Parents come before their children.
         for (i, link) in self.figure.links().iter().enumerate().rev() {

@@ -9,7 +9,7 @@ use super::pushes;
 use super::record::{Record, near};
 use crate::{Drive, Outcome};
 use crate::body::Body;
-use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
+use crate::failure::{SetupError, FailureKind, Remedy, RunError, RunFailure};
 use crate::phase::{GROUND, Phase, Role};
 use crate::push::Thrust;
 use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
@@ -141,6 +141,9 @@ impl Pass {
         settings: &Settings,
         stepping: Stepping,
     ) -> Result<Self, RunError> {
+        if simulation.collisions.is_some() && !matches!(stepping, Stepping::Impulses { .. }) {
+            return Err(SetupError::CollisionsNeedImpulses.into());
+        }
         let figure = &simulation.figure;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
         let mut a = vec![0.0; v.len()];
@@ -237,7 +240,7 @@ impl Pass {
             phase.accelerations(*t, &y, a).map_err(at)?;
             passed.counts.evaluations += 1;
             passed.record.push(q, v, a);
-            passed.record.press(phase.pressed(&active.links));
+            passed.record.press(phase.pressed(&active.links), phase.collisions());
         }
         let dynamic = phase.is_dynamic();
         let (work, heat) = (phase.accounts(), phase.accounts() + 1);
@@ -263,7 +266,7 @@ impl Pass {
                 spent += 1;
             }
             record.push(q, v, a);
-            record.press(phase.pressed(&active.links));
+            record.press(phase.pressed(&active.links), phase.collisions());
             observer.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
@@ -428,7 +431,8 @@ impl Pass {
             let found = compiled.phase.accelerations(self.t, &y, &mut self.a);
             found.map_err(|error| guard::of_rate(self.t, error))?;
             self.passed.record.push(&self.q, &self.v, &self.a);
-            self.passed.record.press(compiled.phase.pressed(&self.active.links));
+            let pressed = compiled.phase.pressed(&self.active.links);
+            self.passed.record.press(pressed, compiled.phase.collisions());
         }
         self.end_phase();
         self.note_unfinished();

@@ -1,5 +1,6 @@
 //! The frames of a pass.
 
+use crate::collision::Collision;
 use crate::failure::SetupError;
 use nalgebra::Vector3;
 use solaris_dynamics::Wrench;
@@ -18,6 +19,8 @@ pub(crate) struct Record {
     pub(crate) events: Vec<Event>,
     /// What the ground does to what stands on it: frame, link and wrench (about the world's origin), in the order of the frames.
     pub(crate) planted: Vec<(usize, usize, Wrench<f64>)>,
+    /// What links do to each other: frame, and where they touch, in the order of the frames.
+    pub(crate) collisions: Vec<(usize, Collision)>,
 }
 
 impl Record {
@@ -57,10 +60,15 @@ impl Record {
         self.done += 1;
     }
 
-    /// What the ground does, in the frame that was added last, to links that stand on it.
-    pub(crate) fn press(&mut self, active: impl Iterator<Item = (usize, Wrench<f64>)>) {
+    /// What the ground does, in the frame that was added last, to links that stand on it, and what links do to each other.
+    pub(crate) fn press(
+        &mut self,
+        active: impl Iterator<Item = (usize, Wrench<f64>)>,
+        collisions: &[Collision],
+    ) {
         let frame = self.done - 1;
         self.planted.extend(active.map(|(link, wrench)| (frame, link, wrench)));
+        self.collisions.extend(collisions.iter().map(|collision| (frame, *collision)));
     }
 
     /// The positions of a frame.

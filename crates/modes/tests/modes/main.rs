@@ -3,6 +3,8 @@
 
 mod balance;
 mod carries;
+#[cfg(feature = "collide")]
+mod collisions;
 mod contact;
 mod drives;
 mod governor;
