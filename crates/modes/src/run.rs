@@ -10,7 +10,6 @@ mod driven;
 mod drives;
 mod guard;
 mod impacts;
-mod kinks;
 mod ledger;
 mod looks;
 mod outcomes;

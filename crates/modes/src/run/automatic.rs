@@ -11,7 +11,7 @@ use crate::report::{Counts, ErrorEstimate, Observer, Remark};
 use crate::settings::Settings;
 use crate::simulation::Simulation;
 use crate::time::Stepping;
-use adaptive::{FIRST, FINER, Search};
+use adaptive::{FINER, FIRST, Search, one_digit};
 use ladder::Ladder;
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ pub(super) fn choose(
     observer: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
     let mut remarks = Vec::new();
-    let mut own = (FIRST * tolerance).max(LEAST);
+    let mut own = one_digit(FIRST * tolerance).max(LEAST);
     // Steps of an explicit method that have to be shorter are an implicit one's affair.
     let mut shortest = Some((MANY * settings.rate).recip());
     for _ in 0..MOST_BEGINNINGS {
@@ -59,7 +59,7 @@ pub(super) fn choose(
                     Err(error) => remarks.push(Remark::StiffFailed(Box::new(error))),
                 }
             }
-            _ if is_of_the_step(&failure) => own = (own * FINER * FINER).max(LEAST),
+            _ if is_of_the_step(&failure) => own = one_digit(own * FINER * FINER).max(LEAST),
             _ => return Err(failure.into()),
         }
     }

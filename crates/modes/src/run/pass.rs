@@ -7,15 +7,15 @@ use super::guard;
 use super::ledger::{Ledger, least_energy};
 use super::pushes;
 use super::record::{Record, near};
-use crate::{Drive, Outcome};
 use crate::body::Body;
-use crate::failure::{SetupError, FailureKind, Remedy, RunError, RunFailure};
+use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::{GROUND, Phase, Role};
 use crate::push::Thrust;
 use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
+use crate::{Drive, Outcome};
 use std::sync::Arc;
 
 /// Rounds of changes at one instant that are still believed.
@@ -33,7 +33,7 @@ pub(crate) struct Passed {
     pub(crate) phases: Vec<PhaseReport>,
     /// Whether anything was integrated.
     pub(crate) is_dynamic: bool,
-    /// Whether velocities or forces jumped on the way.
+    /// Whether velocities, forces, or how forces change, jumped on the way.
     pub(crate) jumps: bool,
     /// What the ground did to what dynamics move, as in the state of a phase.
     pub(crate) ground: [f64; GROUND],

@@ -34,8 +34,7 @@ pub(super) fn advance<S: System + ?Sized>(
     }
     let mut march = March::new(evaluator, course, y)?;
     march.pair.begin(&mut march.evaluator, from, y)?;
-    let mut h =
-        control::first(&mut march.evaluator, &mut march.pair, (from, to - from), y, tolerance)?;
+    let mut h = control::first(&mut march.evaluator, &mut march.pair, (from, to - from), y, tolerance)?;
     let mut control = Control::new();
     // What a try that went too far has failed with.
     let mut failure: Option<TimeError> = None;
@@ -116,9 +115,9 @@ impl<'a, 'b, S: System + ?Sized> March<'a, 'b, S> {
             let to = frame.unwrap_or(end);
             let fraction = self.look((start, h), (from, to), end, y)?;
             let is_event = fraction.is_some();
-            let stop = fraction.filter(|fraction| *fraction < 1.0).map_or(to, |fraction| {
-                (from + fraction * (to - from)).min(to)
-            });
+            let stop = fraction
+                .filter(|fraction| *fraction < 1.0)
+                .map_or(to, |fraction| (from + fraction * (to - from)).min(to));
             if stop < end {
                 self.state_at((start, h), stop, y)?;
             } else {

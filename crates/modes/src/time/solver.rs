@@ -222,9 +222,7 @@ impl Room {
     ) -> Result<&[f64], TimeError> {
         // A step that ends at the stop time may end a rounding before it.
         let time = time.min(solver.state().t);
-        solver
-            .interpolate_inplace(time, &mut self.between)
-            .map_err(|error| stuck(time, &error))?;
+        solver.interpolate_inplace(time, &mut self.between).map_err(|error| stuck(time, &error))?;
         let y = self.between.inner_mut().as_mut_slice();
         equations.host.borrow().settle(y);
         finite(y).map_err(|source| TimeError::Rate { time, source })?;

@@ -1,6 +1,5 @@
 //! The explicit method that chooses its steps, with ever smaller tolerances, until two of them agree within one of the whole run.
 
-use super::super::kinks::has_kinks;
 use super::super::pass::{Passed, pass};
 use super::super::{Chosen, Quiet, compare, describe};
 use super::ladder::Ladder;
@@ -68,7 +67,7 @@ impl<'a> Search<'a> {
         }
         // The difference before, and how many times as large the tolerance was then.
         let mut before: Option<(f64, f64)> = None;
-        let (mut next, mut stalls) = (FINER * self.own, 0);
+        let (mut next, mut stalls) = (one_digit(FINER * self.own), 0);
         for _ in 0..MOST_PASSES {
             let spent = self.beside.evaluations + self.last.counts.evaluations;
             if next < LEAST || spent + 2 * self.last.counts.evaluations > self.settings.guard.evaluations {
@@ -82,8 +81,7 @@ impl<'a> Search<'a> {
             };
             let finer = self.own / next;
             let apart = compare::difference(&self.simulation.figure, &passed.record, &self.last.record)?;
-            let jumps = passed.jumps || has_kinks(self.simulation, &passed)?;
-            let part = share(before, apart.position, (finer, jumps));
+            let part = share(before, apart.position, (finer, passed.jumps));
             let error = compare::estimate(&self.simulation.figure, &passed, &self.last, part)?;
             self.beside.add(&self.last.counts);
             (self.last, self.own) = (passed, next);
@@ -95,14 +93,15 @@ impl<'a> Search<'a> {
                 let passed = self.last.clone();
                 return Ok(self.chosen(passed, error, (stepping, why), remarks));
             }
-            stalls = if before.is_some_and(|(before, _)| apart.position > 0.5 * before) { stalls + 1 } else { 0 };
+            stalls =
+                if before.is_some_and(|(before, _)| apart.position > 0.5 * before) { stalls + 1 } else { 0 };
             if stalls >= 2 {
                 break;
             }
             before = Some((apart.position, finer));
             // Errors fall with the tolerance: this one is smaller than the difference by as much.
             let left = apart.position / finer;
-            next = self.own * (AIM * self.tolerance / left).clamp(BOLD, FINER);
+            next = one_digit(self.own * (AIM * self.tolerance / left).clamp(BOLD, FINER));
             observer.progress(0.0);
         }
         self.beside.add(&self.last.counts);
@@ -151,6 +150,11 @@ impl<'a> Search<'a> {
     }
 }
 
+/// A number that is read easily, near to another.
+pub(super) fn one_digit(x: f64) -> f64 {
+    format!("{x:.0e}").parse().unwrap_or(x)
+}
+
 /// The error of a pass as a part of its difference from the one whose tolerance was `finer` times as large: the whole, unless the
 /// difference `before`, and the tolerances then, tell how errors fall, and fast enough.
 ///
@@ -165,4 +169,29 @@ fn share(before: Option<(f64, f64)>, difference: f64, (finer, jumps): (f64, bool
     let falls = finer.powf(power);
     // NaN where there is no difference.
     if falls.partial_cmp(&4.0).is_none_or(std::cmp::Ordering::is_lt) { 1.0 } else { (falls - 1.0).recip() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_of_a_difference_is_believed_where_differences_fall() {
+        let whole = |part: f64| approx::assert_abs_diff_eq!(part, 1.0);
+        whole(share(None, 1e-6, (3.0, false)));
+        // They fall by 10 with the tolerance: 10^¾ less 1.
+        let part = share(Some((1e-5, 10.0)), 1e-6, (10.0, false));
+        approx::assert_relative_eq!(part, (10_f64.powf(0.75) - 1.0).recip(), max_relative = 1e-12);
+        // Not where something jumps, where they do not fall, or are nothing.
+        whole(share(Some((1e-5, 10.0)), 1e-6, (10.0, true)));
+        whole(share(Some((1e-6, 10.0)), 1e-6, (10.0, false)));
+        whole(share(Some((0.0, 10.0)), 0.0, (10.0, false)));
+        whole(share(Some((1e-9, 10.0)), 1e-6, (10.0, false)));
+    }
+
+    #[test]
+    fn tolerances_are_short() {
+        approx::assert_relative_eq!(one_digit(0.3 * 1e-6), 3e-7, max_relative = 1e-15);
+        approx::assert_relative_eq!(one_digit(9.7e-9), 1e-8, max_relative = 1e-15);
+    }
 }

@@ -1,6 +1,5 @@
 //! Runge and Kutta's rule with ever shorter steps, until two of them agree within a tolerance.
 
-use super::super::kinks::has_kinks;
 use super::super::pass::{Passed, pass};
 use super::super::{Chosen, Quiet, compare, describe, scaled};
 use super::is_of_the_step;
@@ -48,14 +47,19 @@ impl<'a> Ladder<'a> {
         (self.settings.rate * self.steps).recip()
     }
 
-    pub(super) fn climb(mut self, observer: &mut dyn Observer, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
+    pub(super) fn climb(
+        mut self,
+        observer: &mut dyn Observer,
+        remarks: Vec<Remark>,
+    ) -> Result<Chosen, RunError> {
         let mut best = f64::INFINITY;
         let mut failure = None;
         let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
         for _ in 0..MOST_TRIALS {
             let spent =
                 self.beside.evaluations + self.last.as_ref().map_or(0, |last| last.counts.evaluations);
-            let next = (self.ratio * self.last.as_ref().map_or(0.0, |last| last.counts.evaluations as f64)) as u64;
+            let next =
+                (self.ratio * self.last.as_ref().map_or(0.0, |last| last.counts.evaluations as f64)) as u64;
             if spent + next > self.settings.guard.evaluations {
                 break;
             }
@@ -73,9 +77,8 @@ impl<'a> Ladder<'a> {
             if let Some(last) = self.last.take() {
                 self.beside.add(&last.counts);
                 let apart = compare::difference(&self.simulation.figure, &passed.record, &last.record)?;
-                let jumps = passed.jumps || has_kinks(self.simulation, &passed)?;
-                let error = scaled(apart, share(before, apart.position, (ratio, jumps)));
-                (before, self.ratio) = (apart.position, if jumps { UNEVEN } else { 2.0 });
+                let error = scaled(apart, share(before, apart.position, (ratio, passed.jumps)));
+                (before, self.ratio) = (apart.position, if passed.jumps { UNEVEN } else { 2.0 });
                 if error.position <= self.tolerance {
                     return Ok(self.done(passed, error, stepping, remarks));
                 }
@@ -98,7 +101,8 @@ impl<'a> Ladder<'a> {
         let failure = match failure.filter(|_| best.is_infinite()) {
             Some(failure) => {
                 let RunFailure { time, dof, cause, .. } = *failure;
-                let cause = FailureKind::NoneFinished { tolerance, step: self.step(), cause: Box::new(cause) };
+                let cause =
+                    FailureKind::NoneFinished { tolerance, step: self.step(), cause: Box::new(cause) };
                 RunFailure { time, dof, cause, remedies: vec![Remedy::StiffMethod, Remedy::SofterSprings] }
             }
             None => RunFailure {

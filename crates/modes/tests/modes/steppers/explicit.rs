@@ -12,8 +12,7 @@ fn adaptive(tolerance: f64) -> Stepping {
 /// The error of the state at `to`, and what it took.
 fn oscillator(tolerance: f64, to: f64) -> (f64, Counts) {
     let mut y = [1.0, 0.0];
-    let (_, counts) =
-        run(&mut Motion::new(|_, q, _| -q), adaptive(tolerance), to, &mut y).expect("runs");
+    let (_, counts) = run(&mut Motion::new(|_, q, _| -q), adaptive(tolerance), to, &mut y).expect("runs");
     ((y[0] - to.cos()).hypot(y[1] + to.sin()), counts)
 }
 
@@ -61,7 +60,8 @@ fn an_orbit_that_passes_near_to_both_bodies_closes() {
 #[test]
 fn what_stands_still_stays_there_in_few_steps() {
     let mut y = [0.0, 0.0];
-    let (_, counts) = run(&mut Motion::new(|_, q, _| -9.81 * q.sin()), adaptive(1e-6), 1e3, &mut y).expect("runs");
+    let (_, counts) =
+        run(&mut Motion::new(|_, q, _| -9.81 * q.sin()), adaptive(1e-6), 1e3, &mut y).expect("runs");
     assert_eq!(y.map(f64::to_bits), [0, 0]);
     assert!(counts.steps < 20, "{counts:?}");
 }
@@ -131,7 +131,12 @@ impl System for Pieces {
         Ok(())
     }
 
-    fn jacobian(&mut self, _: f64, _: &[f64], jacobian: &mut nalgebra::DMatrix<f64>) -> Result<(), RateError> {
+    fn jacobian(
+        &mut self,
+        _: f64,
+        _: &[f64],
+        jacobian: &mut nalgebra::DMatrix<f64>,
+    ) -> Result<(), RateError> {
         jacobian.fill(-1.0);
         Ok(())
     }

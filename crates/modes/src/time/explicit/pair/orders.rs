@@ -78,8 +78,12 @@ fn missed(row: &[(usize, f64)], size: usize) -> f64 {
 /// The weights of the formula that an error tells of.
 fn embedded(error: Row) -> Vec<(usize, f64)> {
     let mut weights = [0.0; STAGES];
-    B.iter().for_each(|(i, b)| weights[*i] += b);
-    error.iter().for_each(|(i, e)| weights[*i] -= e);
+    for (i, b) in B {
+        weights[*i] += b;
+    }
+    for (i, e) in error {
+        weights[*i] -= e;
+    }
     weights.into_iter().enumerate().collect()
 }
 
@@ -139,19 +143,25 @@ fn the_interpolation_is_of_order_seven_everywhere() {
 /// `bᵢ(θ)`, from what [`super::Pair::at`] does with steps of length 1.
 fn interpolation(fraction: f64) -> [f64; ALL_STAGES] {
     let mut terms = [[0.0; ALL_STAGES]; 7];
-    B.iter().for_each(|(i, b)| terms[0][*i] = *b);
+    for (i, b) in B {
+        terms[0][*i] = *b;
+    }
     for i in 0..ALL_STAGES {
         let (first, last) = (f64::from(i == 0), f64::from(i == STAGES));
         terms[1][i] = first - terms[0][i];
         terms[2][i] = 2.0 * terms[0][i] - first - last;
     }
     for (term, row) in terms[3..].iter_mut().zip(D) {
-        row.iter().for_each(|(i, d)| term[*i] = *d);
+        for (i, d) in row {
+            term[*i] = *d;
+        }
     }
     let mut weights = [0.0; ALL_STAGES];
     for (index, term) in terms.iter().enumerate().rev() {
         let factor = if index % 2 == 0 { fraction } else { 1.0 - fraction };
-        weights.iter_mut().zip(term).for_each(|(weight, term)| *weight = (*weight + term) * factor);
+        for (weight, term) in weights.iter_mut().zip(term) {
+            *weight = (*weight + term) * factor;
+        }
     }
     weights
 }
