@@ -274,24 +274,15 @@ impl<T: Elementary> Body<T> {
     }
 
     /// The spheres that come to the ground within a time `within` (s) at their velocities, or nearly: index, how far off the ground (m)
-    /// and the lowest point.
-    pub(crate) fn nearly_touching(
-        &mut self,
-        (q, v): (&[T], &[T]),
-        within: f64,
-        near: &mut Vec<(usize, f64, Vector3<T>)>,
-    ) -> Result<(), DynamicsError> {
+    /// and the lowest point; where [`velocities`](Self::velocities) were found last.
+    pub(crate) fn nearly_touching(&self, within: f64, near: &mut Vec<(usize, f64, Vector3<T>)>) {
         near.clear();
-        let Some(ground) = &self.ground else { return Ok(()) };
-        velocities(&self.tree, &mut self.workspace, q, v)?;
-        for (index, sphere) in ground.spheres().iter().enumerate() {
-            let (gap, material) =
-                (ground.gap(index, &self.workspace).value(), sphere.material(&self.workspace));
+        for (index, sphere) in self.ground.iter().flat_map(|ground| ground.spheres().iter().enumerate()) {
+            let (gap, material) = (self.gap(index).value(), sphere.material(&self.workspace));
             if gap < CLOSE + within * material.velocity.dot(&material.velocity).sqrt().value() {
                 near.push((index, gap, material.point));
             }
         }
-        Ok(())
     }
 
     /// How joints and limits that push back hold each degree of freedom back in a state, at this moment: `d` (N m s/rad) and `k`
@@ -328,16 +319,24 @@ impl<T: Elementary> Body<T> {
         self.workspace.velocity(link)
     }
 
-    /// The link of a sphere that can touch the ground.
-    pub(crate) fn link_of(&self, sphere: usize) -> Option<usize> {
-        self.ground.as_ref().map(|ground| ground.spheres()[sphere].link)
+    /// Finds accelerations of the links.
+    pub(crate) fn accelerations(&mut self, (q, v, a): (&[T], &[T], &[T])) -> Result<(), DynamicsError> {
+        accelerations(&self.tree, &mut self.workspace, q, v, a)
     }
 
-    /// The velocity of the material at a point of the world on a link, for a unit rate of each degree of freedom on which it depends.
-    pub(crate) fn columns(&self, link: usize, point: &Vector3<T>, mut visit: impl FnMut(usize, Vector3<T>)) {
+    /// The acceleration of the material at a point of the world on a link, and its angular acceleration, where
+    /// [`accelerations`](Self::accelerations) were found last.
+    pub(crate) fn acceleration_at(&self, link: usize, point: &Vector3<T>) -> Twist<T> {
+        let (arm, velocity) = (point - self.pose(link).translation, self.velocity(link).angular);
+        let Twist { linear, angular } = *self.workspace.acceleration(link);
+        Twist { linear: linear + angular.cross(&arm) + velocity.cross(&velocity.cross(&arm)), angular }
+    }
+
+    /// The velocity of the material at a point of the world on a link, and its angular velocity, for a unit rate of each degree of freedom on which it depends.
+    pub(crate) fn columns(&self, link: usize, point: &Vector3<T>, visit: impl FnMut(usize, Twist<T>)) {
         let pose = self.workspace.pose(link);
         let frame = Frame::at(link, pose.rotation.tr_mul(&(point - pose.translation)));
-        point_columns(&self.tree, &self.workspace, &frame, |dof, column| visit(dof, column.linear));
+        point_columns(&self.tree, &self.workspace, &frame, visit);
     }
 
     /// The accelerations (m/s²) of the lowest points of all spheres that can touch the ground, away from it.

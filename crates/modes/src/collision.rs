@@ -27,19 +27,6 @@ pub struct Collisions {
     pub friction: f64,
 }
 
-/// What one link does to another in a point where they touch.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Collision {
-    /// In the full figure.
-    pub(crate) links: [usize; 2],
-    /// Where, in the world (m).
-    pub(crate) point: nalgebra::Vector3<f64>,
-    /// On the first link (N).
-    pub(crate) force: nalgebra::Vector3<f64>,
-    /// How far apart they are (m), negative where they overlap.
-    pub(crate) gap: f64,
-}
-
 impl Collisions {
     /// All pairs of links of a figure that can come to each other: [`Figure::pairs_apart`], but for those that overlap with every
     /// joint at zero, as shapes about a joint do. What flies about by itself, with three slides or a free joint between it and the

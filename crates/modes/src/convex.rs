@@ -11,8 +11,11 @@ use nalgebra::DMatrix;
 /// The most steps of Newton's method; a handful is usual.
 const MOST_STEPS: usize = 100;
 
-/// The most rounds in which friction is bound anew.
+/// The most rounds in which friction is bound anew; where every push was known from the step before, fewer will do, for what is left the
+/// next step finds. (Of the steps of a limp person who falls, half have met within 2e-4 of the greatest push after four, and nine in ten
+/// within 4 %; twice as many hardly come nearer.)
 const MOST_BOUNDS: usize = 8;
+const MOST_BOUNDS_KNOWN: usize = 4;
 
 /// A bound of friction that changes by less than this part of the greatest push is the same.
 const SAME_BOUND: f64 = 1e-3;
@@ -191,18 +194,21 @@ impl Convex {
     }
 
     /// Ends a contact: `bias` is the velocity that is not the unknowns', `gap` how far it is off (m), in a step of `h` (s); its spring
-    /// has a stiffness (N/m) and a time of relaxation (s).
+    /// has a stiffness (N/m) and a time of relaxation (s). Friction is bound by `push` (N s) to begin with, where that is above zero: a
+    /// guess, such as the push of the step before.
     pub(crate) fn contact(
         &mut self,
         bias: [f64; 3],
         friction: f64,
         gap: f64,
         (stiffness, relaxation): (f64, f64),
+        push: f64,
         h: f64,
     ) {
         let Some(last) = self.conditions.last().copied() else { return };
         let [x, y, z] = self.lightness(&last);
         let law = Law::contact([0.5 * (x + y), z], friction, gap, (stiffness, relaxation), h);
+        let law = if push > 0.0 { law.bound_by(push) } else { law };
         if let Some(last) = self.conditions.last_mut() {
             (last.law, last.bias) = (law, bias);
         }
@@ -214,6 +220,15 @@ impl Convex {
         let law = Law::limit(self.lightness(&last)[2], gap, h);
         if let Some(last) = self.conditions.last_mut() {
             last.law = law;
+        }
+    }
+
+    /// Ends three velocities that are held at a target; `bias` is the part of them that is not the unknowns'.
+    pub(crate) fn hold(&mut self, bias: [f64; 3], target: [f64; 3]) {
+        let Some(last) = self.conditions.last().copied() else { return };
+        let law = Law::hold(self.lightness(&last), target);
+        if let Some(last) = self.conditions.last_mut() {
+            (last.law, last.bias) = (law, bias);
         }
     }
 
@@ -250,7 +265,10 @@ impl Convex {
             return 0;
         }
         let mut steps = self.minimize();
-        for _ in 0..MOST_BOUNDS {
+        let is_known =
+            |condition: &Condition| !(condition.law.is_cone() && condition.pushed.impulse[2] > 0.0);
+        let most = if self.conditions.iter().all(is_known) { MOST_BOUNDS_KNOWN } else { MOST_BOUNDS };
+        for _ in 0..most {
             let bounds = self.conditions.iter().map(|condition| condition.law.bound(&condition.pushed).1);
             let change = bounds.fold(0.0, f64::max);
             let most = self.conditions.iter().map(|condition| condition.pushed.impulse[2]);

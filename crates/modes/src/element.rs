@@ -32,6 +32,31 @@ pub struct PointSpring {
     pub rest: f64,
 }
 
+/// Two points, and perhaps the axes of their links, that are held together: what closes a loop that the figure's tree has open.
+///
+/// [`Method::Impulses`](crate::Method::Impulses) alone knows it.
+#[doc(alias = "loop closure")]
+#[doc(alias = "equality constraint")]
+#[doc(alias = "connect")]
+#[doc(alias = "weld")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Loop {
+    /// The two points.
+    pub between: [Anchor; 2],
+    /// What is held together.
+    pub kind: LoopKind,
+}
+
+/// What a [`Loop`] holds together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum LoopKind {
+    /// The points; the links turn about them.
+    Connect,
+    /// The points, and the axes of both links as they stand to each other at the beginning.
+    Weld,
+}
+
 /// What a joint's limits do to a degree of freedom that dynamics move.
 #[doc(alias = "joint limit")]
 #[doc(alias = "joint stop")]

@@ -148,11 +148,18 @@ pub enum SetupError {
     /// A motion that is none.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// Links that are to touch each other in a run by a method that does not know of it.
+    /// Links that are to touch each other, or are held together by loops, in a run by a method that does not know of it.
     #[error(
-        "links that touch each other need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with"
+        "links that {} need steps by impulses; take `Method::Impulses`, with a step of 1 ms to begin with",
+        if *.touch { "touch each other" } else { "are held together" }
     )]
-    CollisionsNeedImpulses,
+    NeedsImpulses {
+        /// Whether they are to touch each other.
+        touch: bool,
+    },
+    /// A loop from a link to itself, or from the world to the world.
+    #[error("a loop holds two links together, or a link and the world, and both ends of this one are on the same")]
+    LoopOfNothing,
     /// Links that are to touch each other in a program that was built without it: it is behind this crate's feature `collide`.
     #[error("links that touch each other are not built in; build with the feature `collide`")]
     CollisionsNotBuiltIn,

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod between;
 mod body;
 mod carry;
 mod collision;
@@ -27,12 +28,12 @@ pub use carry::Carry;
 pub use collision::Collisions;
 pub use contact::{ContactLaw, ContactPoint, GroundPlane, contact_points};
 pub use drive::{Aim, Course, Drive, EndCondition, Law, Servo, Shape, Step, Target};
-pub use element::{Anchor, LimitLaw, PointSpring};
+pub use element::{Anchor, LimitLaw, Loop, LoopKind, PointSpring};
 pub use failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 pub use push::{Push, PushLaw};
 pub use recorded::RecordedMotion;
 pub use report::{
-    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision, LinkContact, Observer,
+    ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision, LinkContact, LoopReport, Observer,
     Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
 };
 pub use running::{Happened, Running};

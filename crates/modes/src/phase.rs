@@ -3,15 +3,17 @@
 mod colliding;
 mod condition;
 mod impulses;
+mod loops;
 mod plan;
 mod prescribed;
 mod reduction;
+mod rows;
 mod small;
 mod state;
 mod watched;
 
 use crate::body::Pushing;
-use crate::collision::Collision;
+use crate::between::Between;
 use crate::contact::ContactPatch;
 use crate::drive::force::Force;
 use crate::drive::path::Path;
@@ -169,10 +171,10 @@ impl Phase {
         standing.iter().copied().zip(self.patch_wrenches()).chain(by_impulses)
     }
 
-    /// What links do to each other that touch, where [`accelerations`](Self::accelerations) were found last.
-    pub(crate) fn collisions(&self) -> &[Collision] {
+    /// What links do to each other, where [`accelerations`](Self::accelerations) were found last.
+    pub(crate) fn between(&self) -> &[Between] {
         let impulses = self.small.as_ref().and_then(|small| small.impulses.as_ref());
-        impulses.map_or(&[], |impulses| impulses.collisions())
+        impulses.map_or(&[], |impulses| impulses.between())
     }
 
     /// What the ground does to each of them (N, N m, about the world's origin), where [`accelerations`](Self::accelerations) were

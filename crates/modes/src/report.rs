@@ -1,13 +1,13 @@
 //! The report of a run.
 
-mod collision;
+mod between;
 mod contact;
 mod cost;
 mod energy;
 mod outcome;
 mod phase;
 
-pub use collision::LinkCollision;
+pub use between::{LinkCollision, LoopReport};
 pub use contact::{ContactReport, Landing, LinkContact};
 pub use cost::{Cost, Counts, ErrorEstimate};
 pub use energy::{Energy, EnergyReport};
@@ -30,7 +30,7 @@ pub struct Run {
 /// How a run was found, and how far it can be trusted.
 ///
 /// With the feature `serde` its keys are `method`, `why`, `error`, `cost`, `energy`, `drives`, `impacts`, `phases`, and where there
-/// are any `contact`, `collisions` and `remarks` (sentences).
+/// are any `contact`, `collisions`, `loops` and `remarks` (sentences).
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RunReport {
@@ -57,6 +57,9 @@ pub struct RunReport {
     /// The links that touched each other, in the order of the figure.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub collisions: Vec<LinkCollision>,
+    /// How each loop was held.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub loops: Vec<LoopReport>,
     /// What is worth knowing though nothing failed.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub remarks: Vec<Remark>,

@@ -2,8 +2,8 @@
 
 mod active_contacts;
 mod automatic;
+mod between;
 mod carries;
-mod collisions;
 mod compare;
 mod contacts;
 mod driven;
@@ -21,7 +21,7 @@ mod stages;
 mod tracks;
 mod watching;
 
-use crate::collision::Collision;
+use crate::between::Between;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::range::check_not_negative;
 use crate::report::{Cost, Counts, ErrorEstimate, Observer, Remark, Run, RunReport};
@@ -128,16 +128,16 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     } = passed;
     let planted = std::mem::take(&mut record.planted);
     counts.add(&beside);
-    let collisions = std::mem::take(&mut record.collisions);
+    let all_between = std::mem::take(&mut record.between);
     let mut motion = record.motion(&simulation.figure, simulation.gravity, settings.rate)?;
     let by_impulses = matches!(settings.method, Method::Impulses { .. });
     let mut ground = contacts::add(simulation, &mut motion, &ground, &planted, by_impulses)?;
     if let Some(ground) = &mut ground {
         ground.landings = landings;
     }
-    let between = collisions::add(&simulation.figure, &mut motion, &collisions);
+    let told = between::add(simulation, &mut motion, &all_between);
     if settings.forces {
-        add_forces(simulation, &mut motion, (&planted, &collisions), by_impulses)?;
+        add_forces(simulation, &mut motion, (&planted, &all_between), by_impulses)?;
     } else {
         let omitted = "forces of the drives: nobody asked for them";
         for phase in &mut phases {
@@ -163,7 +163,8 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
         impacts,
         phases,
         ground,
-        collisions: between,
+        collisions: told.collisions,
+        loops: told.loops,
         remarks,
     };
     Ok(Run { motion, report })
@@ -339,12 +340,12 @@ fn scaled(difference: ErrorEstimate, factor: f64) -> ErrorEstimate {
 
 /// The forces of the drives in every frame; where a limit holds something, with what the limit adds.
 ///
-/// `planted` is what the ground does to what stands on it: frame, link and wrench, and `collisions` what links do to each other, in the
+/// `planted` is what the ground does to what stands on it: frame, link and wrench, and `all_between` what links do to each other, in the
 /// order of the frames.
 fn add_forces(
     simulation: &Simulation,
     motion: &mut Motion,
-    (planted, collisions): (&[(usize, usize, Wrench<f64>)], &[(usize, Collision)]),
+    (planted, all_between): (&[(usize, usize, Wrench<f64>)], &[(usize, Between)]),
     by_impulses: bool,
 ) -> Result<(), RunError> {
     let figure = &simulation.figure;
@@ -356,7 +357,7 @@ fn add_forces(
         let own = &planted[planted.partition_point(|(of, ..)| *of < frame)..];
         let own = own.iter().take_while(|(of, ..)| *of == frame);
         let own = own.map(|(_, link, wrench)| (*link, *wrench));
-        let own: Vec<(usize, Wrench<f64>)> = own.chain(collisions::wrenches(collisions, frame)).collect();
+        let own: Vec<(usize, Wrench<f64>)> = own.chain(between::wrenches(all_between, frame)).collect();
         loaded.go_to(simulation, motion.time()[frame])?;
         let body = &mut loaded.body;
         for (push, force) in pushes::after(&thrusts, motion.time()[frame]) {

@@ -4,7 +4,7 @@ use crate::carry::Carry;
 use crate::collision::Collisions;
 use crate::contact::{ContactPoint, GroundPlane, Surface};
 use crate::drive::{Drive, EndCondition, Step};
-use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::element::{Anchor, LimitLaw, Loop, PointSpring};
 use crate::failure::SetupError;
 use crate::push::Push;
 use crate::range::check_not_negative;
@@ -31,6 +31,7 @@ pub struct Simulation {
     /// The parts of a sequence.
     pub(crate) stages: Vec<Stage>,
     pub(crate) springs: Vec<PointSpring>,
+    pub(crate) loops: Vec<Loop>,
     /// By degree of freedom.
     pub(crate) limits: Vec<LimitLaw>,
     pub(crate) surface: Option<Surface>,
@@ -55,6 +56,7 @@ impl Simulation {
             again: vec![None; nv],
             stages: Vec::new(),
             springs: Vec::new(),
+            loops: Vec::new(),
             limits: vec![LimitLaw::default(); nv],
             surface: None,
             collisions: None,
@@ -191,23 +193,48 @@ impl Simulation {
     ///
     /// [`SetupError::UnknownLink`], [`SetupError::Range`].
     pub fn add_spring(&mut self, spring: PointSpring) -> Result<(), SetupError> {
-        let links = self.figure.links().len();
-        for Anchor { link, point } in &spring.between {
-            if let Some(link) = link.filter(|link| *link >= links) {
-                let (figure, name) = (self.figure.name().to_owned(), format!("number {link}"));
-                return Err(SetupError::UnknownLink { figure, name, nearest: None });
-            }
-            if let Some(value) = point.iter().find(|x| !x.is_finite()) {
-                let what = "a point of a spring".to_owned();
-                return Err(SetupError::Range { what, value: *value, range: "finite numbers" });
-            }
-        }
+        self.check_anchors(&spring.between, "a spring")?;
         for (what, value) in
             [("stiffness", spring.stiffness), ("damping", spring.damping), ("rest length", spring.rest)]
         {
             check_not_negative(|| format!("the {what} of a spring"), value)?;
         }
         self.springs.push(spring);
+        Ok(())
+    }
+
+    /// Holds two points together, by [`Method::Impulses`](crate::Method::Impulses) only. What begins apart is drawn together at 0.1 m/s.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::UnknownLink`], [`SetupError::Range`], [`SetupError::LoopOfNothing`].
+    pub fn add_loop(&mut self, closed: Loop) -> Result<(), SetupError> {
+        self.check_anchors(&closed.between, "a loop")?;
+        let [first, second] = closed.between.map(|anchor| anchor.link);
+        if first == second {
+            return Err(SetupError::LoopOfNothing);
+        }
+        self.loops.push(closed);
+        Ok(())
+    }
+
+    /// The loops that are closed.
+    pub fn loops(&self) -> &[Loop] {
+        &self.loops
+    }
+
+    fn check_anchors(&self, anchors: &[Anchor], of: &str) -> Result<(), SetupError> {
+        let links = self.figure.links().len();
+        for Anchor { link, point } in anchors {
+            if let Some(link) = link.filter(|link| *link >= links) {
+                let (figure, name) = (self.figure.name().to_owned(), format!("number {link}"));
+                return Err(SetupError::UnknownLink { figure, name, nearest: None });
+            }
+            if let Some(value) = point.iter().find(|x| !x.is_finite()) {
+                let what = format!("a point of {of}");
+                return Err(SetupError::Range { what, value: *value, range: "finite numbers" });
+            }
+        }
         Ok(())
     }
 

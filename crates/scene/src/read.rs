@@ -2,12 +2,14 @@
 
 mod carries;
 mod clips;
+mod collisions;
 mod drive;
 mod drives;
 mod figures;
 mod forces;
 mod ground;
 mod limits;
+mod loops;
 mod names;
 mod parts;
 mod pushes;
@@ -37,7 +39,7 @@ const VERSION: u32 = 1;
 /// Gravity where neither the scene nor its figure says one (m/s²): y is up.
 pub(crate) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
 
-const FIELDS: [&str; 21] = [
+const FIELDS: [&str; 23] = [
     "version",
     "figures",
     "places",
@@ -54,10 +56,12 @@ const FIELDS: [&str; 21] = [
     "reaches",
     "clip",
     "springs",
+    "loops",
     "pushes",
     "carries",
     "limits",
     "ground",
+    "collisions",
     "walk",
 ];
 
@@ -113,9 +117,11 @@ impl SceneReader<'_> {
         self.start(&fields, &given, walk.as_ref());
         self.clip(&fields, &mut given);
         self.springs(&fields);
+        self.loops(&fields);
         self.pushes(&fields);
         self.limits(&fields);
         self.ground(&fields);
+        self.collisions(&fields);
         let notes = self.reaches(&fields, &named);
         let settings = self.settings(&fields, walk.as_ref().map(walk::Planned::duration));
         let simulation = self.simulation.take()?;

@@ -60,8 +60,12 @@ struct Facts {
     method: String,
     walk_dofs: usize,
     springs: usize,
+    #[serde(skip_serializing_if = "is_none")]
+    loops: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     ground: Option<Ground>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    collisions: Option<Collided>,
     drives: Vec<Driven>,
     limits: Vec<Limited>,
 }
@@ -77,6 +81,17 @@ struct Ground {
     touches: usize,
     /// Of how many links.
     links: usize,
+}
+
+fn is_none(count: &usize) -> bool {
+    *count == 0
+}
+
+/// Links that can touch each other.
+#[derive(Serialize)]
+struct Collided {
+    pairs: usize,
+    friction: f64,
 }
 
 /// Degrees of freedom with the same drives.
@@ -114,6 +129,11 @@ impl Facts {
             method: method(settings.method),
             walk_dofs: scene.walked(),
             springs: simulation.springs().len(),
+            loops: simulation.loops().len(),
+            collisions: simulation.collisions().map(|collisions| Collided {
+                pairs: collisions.pairs.len(),
+                friction: collisions.friction,
+            }),
             ground: simulation.grounded().map(|(plane, touches)| Ground::of(plane, touches)),
             drives: drives.into_iter().map(|(drives, dofs)| Driven { drives, dofs: names(dofs) }).collect(),
             limits: limits
@@ -139,10 +159,16 @@ impl Facts {
         if self.springs > 0 {
             row("springs between points", self.springs.to_string())?;
         }
+        if self.loops > 0 {
+            row("closed loops", self.loops.to_string())?;
+        }
         if let Some(ground) = &self.ground {
             row("ground", format!("height {} m, friction {}", ground.height_m, ground.friction))?;
             row("contact", ground.contact.clone())?;
             row("can touch it", format!("{} spheres of {} links", ground.touches, ground.links))?;
+        }
+        if let Some(Collided { pairs, friction }) = self.collisions {
+            row("can touch each other", format!("{pairs} pairs of links, friction {friction}"))?;
         }
         writeln!(out, "\nDrives\n")?;
         for Driven { drives, dofs } in &self.drives {

@@ -1,7 +1,7 @@
 //! The report on contact in a run, in words.
 
 use super::energy::digits;
-use solaris::modes::{ContactReport, LinkContact};
+use solaris::modes::{ContactReport, LinkCollision, LinkContact, LoopReport};
 
 /// The most links that are named.
 const MANY: usize = 3;
@@ -48,6 +48,40 @@ pub(super) fn rows(report: &ContactReport) -> Vec<[String; 3]> {
         rows.push(row("", format!("{} J", digits(report.friction)), "to friction".to_owned()));
     }
     rows
+}
+
+/// The rows of links that touched each other, none where none did.
+pub(super) fn collisions(pairs: &[LinkCollision]) -> Vec<[String; 3]> {
+    let greatest = |of: fn(&LinkCollision) -> f64| pairs.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
+    let (Some(deepest), Some(hardest)) = (greatest(|pair| pair.depth), greatest(|pair| pair.force)) else {
+        return Vec::new();
+    };
+    let row = |label: &str, value: String, note: String| [label.to_owned(), value, note];
+    let name = |pair: &LinkCollision| pair.links.join(" and ");
+    let names: Vec<String> = pairs.iter().take(MANY).map(name).collect();
+    let more = pairs.len().saturating_sub(MANY);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let at = |pair: &LinkCollision, time: f64| format!("{}, at {time:.3} s", name(pair));
+    vec![
+        row("links touched each other", pairs.len().to_string(), format!("{}{more}", names.join(", "))),
+        row("hardest", format!("{} N", digits(hardest.force)), at(hardest, hardest.force_time)),
+        row("deepest in each other", format!("{} mm", digits(1e3 * deepest.depth)), at(deepest, deepest.depth_time)),
+    ]
+}
+
+/// The rows of closed loops, none where there are none.
+pub(super) fn loops(all: &[LoopReport]) -> Vec<[String; 3]> {
+    let greatest = |of: fn(&LoopReport) -> f64| all.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
+    let (Some(loosest), Some(hardest)) = (greatest(|one| one.apart), greatest(|one| one.force)) else {
+        return Vec::new();
+    };
+    let row = |label: &str, value: String, one: &LoopReport, time: f64| {
+        [label.to_owned(), value, format!("{}, at {time:.3} s", one.links.join(" and "))]
+    };
+    vec![
+        row("loops come apart by", format!("{} mm", digits(1e3 * loosest.apart)), loosest, loosest.apart_time),
+        row("and take at most", format!("{} N", digits(hardest.force)), hardest, hardest.force_time),
+    ]
 }
 
 /// Zero where it is rounding beside the others.

@@ -74,6 +74,8 @@ fn rows(report: &Report) -> Vec<[String; 3]> {
     if let Some(ground) = &run.ground {
         rows.extend(contact::rows(ground));
     }
+    rows.extend(contact::collisions(&run.collisions));
+    rows.extend(contact::loops(&run.loops));
     if let Some(limbs) = &report.nearest_limbs {
         rows.push(row("nearest limbs", format!("{} mm", limbs::millimetres(limbs)), &limbs::note(limbs)));
     }

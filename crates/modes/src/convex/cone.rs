@@ -5,12 +5,22 @@ use std::f64::consts::PI;
 /// `β`: what is as stiff as a step allows has a natural period of `β` steps with the mass that it meets.
 const NEAR_RIGID: f64 = 1.0;
 
+/// The same of what is held.
+const HELD: f64 = 2e-3;
+
 /// Compliance of friction beside that of the push: how much of the velocity that friction stops is left.
 const CREEP: f64 = 1e-3;
 
 /// The law of one condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Law {
+    /// Three velocities that are held, by pushes and pulls: `γ = (û − u)·w`.
+    Hold {
+        /// `w = 1/R`.
+        weight: [f64; 3],
+        /// `û`.
+        target: [f64; 3],
+    },
     /// A limit, along the third number: `γ = max(0, (û − u)·w)`.
     Limit {
         /// `w = 1/R`.
@@ -81,27 +91,43 @@ impl Law {
         Self::Limit { weight, target: -gap / h }
     }
 
+    /// Velocities that are held, stiffer than anything that pushes, so that it is not what gives way.
+    pub(super) fn hold(lightness: [f64; 3], target: [f64; 3]) -> Self {
+        let stiff = HELD * HELD / (4.0 * PI * PI);
+        let weight = lightness.map(|light| if light > 0.0 { (stiff * light).recip() } else { 0.0 });
+        Self::Hold { weight, target }
+    }
+
+    /// Whether friction is bound by its own push.
+    pub(super) fn is_cone(&self) -> bool {
+        matches!(self, Self::Contact { .. })
+    }
+
+    /// The same with friction bound by a push.
+    pub(super) fn bound_by(self, push: f64) -> Self {
+        match self {
+            Self::Contact { weight, target, friction } | Self::Bound { weight, target, friction, .. } => {
+                Self::Bound { weight, target, friction, most: friction * push }
+            }
+            Self::Limit { .. } | Self::Hold { .. } => self,
+        }
+    }
+
     /// The same with friction bound by what pushes by now, and by how much what it does would change with that.
     pub(super) fn bound(&self, pushed: &Pushed) -> (Self, f64) {
         let [x, y, push] = pushed.impulse;
         let drag = (x * x + y * y).sqrt();
-        match *self {
-            Self::Contact { weight, target, friction } => {
-                let most = friction * push;
-                // What sticks within the cone sticks within the bound.
-                let slides = drag > 0.0 && drag >= most * (1.0 - 1e-9);
-                (Self::Bound { weight, target, friction, most }, if slides { f64::INFINITY } else { 0.0 })
+        let change = match *self {
+            // What sticks within the cone sticks within the bound.
+            Self::Contact { friction, .. } if drag > 0.0 && drag >= friction * push * (1.0 - 1e-9) => {
+                f64::INFINITY
             }
-            Self::Bound { weight, target, friction, most: before } => {
-                let most = friction * push;
-                let slides = drag >= before * (1.0 - 1e-9) || drag > most;
-                (
-                    Self::Bound { weight, target, friction, most },
-                    if slides { (most - before).abs() } else { 0.0 },
-                )
+            Self::Bound { friction, most, .. } if drag >= most * (1.0 - 1e-9) || drag > friction * push => {
+                (friction * push - most).abs()
             }
-            Self::Limit { .. } => (*self, 0.0),
-        }
+            _ => 0.0,
+        };
+        (self.bound_by(push), change)
     }
 
     /// What it does at a velocity: the projection of `y = R⁻¹(û − u)` onto what can push, in the norm of `R`.
@@ -113,6 +139,14 @@ impl Law {
     /// ```
     pub(super) fn push(&self, u: [f64; 3]) -> Pushed {
         match *self {
+            Self::Hold { weight, target } => {
+                let mut stiffness = [[0.0; 3]; 3];
+                for i in 0..3 {
+                    stiffness[i][i] = weight[i];
+                }
+                let impulse = [0, 1, 2].map(|i| weight[i] * (target[i] - u[i]));
+                Pushed { impulse, stiffness: Some(stiffness) }
+            }
             Self::Limit { weight, target } => {
                 let push = weight * (target - u[2]);
                 if push > 0.0 {
@@ -146,13 +180,13 @@ impl Law {
             Self::Contact { weight: [along, out], target, friction } => {
                 let y = [-along * u[0], -along * u[1], out * (target - u[2])];
                 let tangent = (y[0] * y[0] + y[1] * y[1]).sqrt();
-                if tangent <= friction * y[2] {
+                if y[2] > 0.0 && tangent <= friction * y[2] {
                     let stiffness = [[along, 0.0, 0.0], [0.0, along, 0.0], [0.0, 0.0, out]];
                     return Pushed { impulse: y, stiffness: Some(stiffness) };
                 }
                 // R_t/R_n is the inverse ratio of the weights.
                 let scaled = friction * out / along;
-                if y[2] <= -scaled * tangent {
+                if y[2] <= -scaled * tangent || tangent <= 0.0 {
                     return Pushed::default();
                 }
                 let share = (1.0 + friction * scaled).recip();

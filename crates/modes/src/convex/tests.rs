@@ -15,7 +15,7 @@ fn block(m: f64, free: [f64; 3], friction: f64, gap: f64) -> ([f64; 3], [f64; 3]
         rows[i] = 1.0;
         convex.entry(i, rows);
     }
-    convex.contact([0.0; 3], friction, gap, RIGID, 1e-3);
+    convex.contact([0.0; 3], friction, gap, RIGID, 0.0, 1e-3);
     assert!(convex.solve() < 10);
     let impulse = convex.impulses(&free).next().expect("one").0;
     ([convex.v[0], convex.v[1], convex.v[2]], impulse)
@@ -36,6 +36,9 @@ fn a_block_sticks_within_the_cone_slides_at_it_and_parts() {
         let is_free = |(_, impulse): ([f64; 3], [f64; 3])| impulse.iter().all(|part| part.abs() < 1e-300);
         assert!(is_free(block(mass, [3.0, 0.0, 0.1], 0.5, 0.0)));
         assert!(is_free(block(mass, [0.0, 0.0, -1.0], 0.5, 1.1e-3)));
+        // Without friction, and without anything to rub, nothing pulls.
+        assert!(is_free(block(mass, [0.0, 0.0, 1.0], 0.0, 0.0)));
+        assert!(is_free(block(mass, [0.0, 0.0, -1.0], 0.0, 1.1e-3)));
     }
 }
 
@@ -61,7 +64,7 @@ fn random_problems_are_at_their_minimum() {
             }
             if random.chance(0.7) {
                 let (friction, gap) = (random.between(0.0, 1.5), random.between(-1e-3, 1e-3));
-                convex.contact(random.vector(0.5).into(), friction, gap, RIGID, 1e-3);
+                convex.contact(random.vector(0.5).into(), friction, gap, RIGID, 0.0, 1e-3);
             } else {
                 convex.limit(random.between(-1e-3, 1e-3), 1e-3);
             }

@@ -22,6 +22,8 @@ pub(super) struct Colliding {
     reach: Vec<f64>,
     /// What touches, or may within the step.
     pub(super) met: Vec<Met>,
+    /// Where the links of which pair pushed each other in the step before, and how (N s).
+    before: Vec<(usize, Vector3<f64>, f64)>,
 }
 
 /// Where two links touch.
@@ -49,7 +51,15 @@ impl Colliding {
         let collisions = source.collisions.as_ref()?;
         let (mut shapes, mut pairs, mut links) = (Vec::<(usize, Shape)>::new(), Vec::new(), Vec::new());
         let mut index = vec![None; moved.len()];
-        for pair in collisions.pairs.iter().filter(|pair| pair.iter().any(|link| moved[*link])) {
+        // What a loop holds together is joined.
+        let is_joined = |pair: &[usize; 2]| {
+            source.loops.iter().any(|closed| {
+                let ends = closed.between.map(|anchor| anchor.link);
+                ends == pair.map(Some) || ends == [pair[1], pair[0]].map(Some)
+            })
+        };
+        let can_touch = |pair: &&[usize; 2]| pair.iter().any(|link| moved[*link]) && !is_joined(pair);
+        for pair in collisions.pairs.iter().filter(can_touch) {
             let ends = pair.map(|link| {
                 let LinkPlace { link: small, placement } = place(link)?;
                 let shape = source.figure.links()[link].shape()?;
@@ -74,12 +84,27 @@ impl Colliding {
             links,
             reach: vec![0.0; count],
             met: Vec::with_capacity(4 * count),
+            before: Vec::with_capacity(4 * count),
         })
     }
 
     #[cfg(not(feature = "collide"))]
     pub(super) fn of(_: &Source, _: &[bool], _: impl Fn(usize) -> Option<LinkPlace>) -> Option<Self> {
         None
+    }
+
+    /// Keeps where links push each other, and how (N s), in the order of what [met](Self::met).
+    pub(super) fn remember(&mut self, pushes: impl Iterator<Item = f64>) {
+        self.before.clear();
+        let pushed = self.met.iter().zip(pushes).filter(|(_, push)| *push > 0.0);
+        self.before.extend(pushed.map(|(met, push)| (met.pair, met.point, push)));
+    }
+
+    /// How links pushed each other in the step before (N s), nearest to where they touch now; 0 where they did not.
+    pub(super) fn pushed_before(&self, met: &Met) -> f64 {
+        let own = self.before.iter().filter(|(pair, ..)| *pair == met.pair);
+        let nearest = own.min_by(|a, b| (a.1 - met.point).norm().total_cmp(&(b.1 - met.point).norm()));
+        nearest.map_or(0.0, |(.., push)| *push)
     }
 
     /// How many pairs there are.

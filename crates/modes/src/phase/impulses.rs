@@ -1,7 +1,9 @@
 //! A step by impulses: contact, friction and hard limits of what is left of the figure as one convex problem.
 
 use super::colliding::Colliding;
-use crate::collision::Collision;
+use super::loops::Loops;
+use super::rows::{Rows, Sought};
+use crate::between::{Between, Kind};
 use super::prescribed::Prescribed;
 use super::reduction::{Reduction, Source};
 use super::small::{Maps, Moving, Side, Small};
@@ -17,9 +19,6 @@ use solaris_model::JointKind;
 /// A limit this near (rad or m) may be come to within a step, whatever the velocity.
 const CLOSE: f64 = 1e-3;
 
-/// A velocity (m/s) for a unit rate that is rounding.
-const NOTHING: f64 = 1e-13;
-
 /// Stiffness (N/m) and relaxation (s) of what is as stiff as a step allows.
 const RIGID: (f64, f64) = (f64::INFINITY, 0.0);
 
@@ -33,7 +32,10 @@ pub(super) struct Impulses {
     /// Of a whole step (s).
     step: f64,
     matrix: DMatrix<f64>,
-    /// By degree of freedom of the small figure, its place among those that dynamics move.
+    /// What dynamics move of the small figure, the leaves of its tree first: factors of matrices then have hardly an entry that the
+    /// matrix does not have.
+    order: Vec<usize>,
+    /// By degree of freedom of the small figure, its place in that order.
     places: Vec<Option<usize>>,
     limits: Vec<Limited>,
     ground: Option<Ground>,
@@ -41,9 +43,9 @@ pub(super) struct Impulses {
     near: Vec<(usize, f64, Vector3<f64>)>,
     /// Links that touch each other.
     colliding: Option<Colliding>,
-    /// Rows of a touch by degree of freedom of the small figure, and which of these are not zero.
-    rows: Vec<[f64; 3]>,
-    columns: Vec<usize>,
+    /// Points that are held together.
+    loops: Loops,
+    rows: Rows,
     /// How deep in the ground each sphere may still be (m), in each other the links of each pair, and beyond each limit each degree of
     /// freedom, lower and upper (rad or m), for it began there; none before the first step.
     allowed: Vec<f64>,
@@ -59,18 +61,20 @@ pub(super) struct Impulses {
     before: Vec<f64>,
     /// What the velocities without impulses are changed by, at the velocities before the step.
     change: Vec<f64>,
-    /// Free joints that dynamics move: the first degree of freedom in the small figure, and its place among those.
+    /// Free joints that dynamics move: the first degree of freedom in the small figure, and in the state.
     flying: Vec<(usize, usize)>,
     /// Velocities in the middle of the step, accelerations, and forces of inertia at the velocities before it and in its middle.
     middle: Vec<f64>,
     turning: Vec<f64>,
     inertial: [Vec<f64>; 2],
+    /// How the ground pushed each sphere in the step before (N s).
+    pushes: Vec<f64>,
     /// What the ground does to links (N, N m, about the world's origin), by sphere.
     wrenches: Vec<(usize, Wrench<f64>)>,
     /// The same by the links of the small figure.
     on_links: Vec<(usize, Wrench<f64>)>,
     /// What links do to each other.
-    collisions: Vec<Collision>,
+    between: Vec<Between>,
     tau: Vec<f64>,
     rate: Vec<f64>,
     /// What the ground does: impulse (N s), and what its push and its friction take (J).
@@ -109,13 +113,15 @@ impl Impulses {
     ) -> Self {
         let nv = reduction.kept_v.len();
         let mut places = vec![None; nv];
-        for (place, k) in maps.velocities.iter().enumerate() {
+        let order: Vec<usize> = maps.velocities.iter().rev().copied().collect();
+        for (place, k) in order.iter().enumerate() {
             places[*k] = Some(place);
         }
         let (mut limits, mut flying) = (Vec::new(), Vec::new());
         for (link, at) in reduction.figure.links().iter().zip(reduction.figure.layout().joints()) {
             let is_free = matches!(link.joint().kind(), JointKind::Free { .. });
-            flying.extend(places[at.v].filter(|_| is_free).map(|place| (at.v, place)));
+            let in_state = maps.velocities.iter().position(|k| *k == at.v).filter(|_| is_free);
+            flying.extend(in_state.map(|index| (at.v, index)));
             for (i, axis) in link.joint().kind().axes().iter().enumerate() {
                 let is_hard = matches!(reduction.limits[at.v + i], LimitLaw::Hard { .. });
                 // Ball joints have none.
@@ -145,19 +151,21 @@ impl Impulses {
             }
         });
         let spheres = ground.as_ref().map_or(0, |ground| ground.links.len());
+        let loops = reduction.loops.conditions();
         let pairs = reduction.colliding.as_ref().map_or(0, Colliding::len);
         let (dofs, conditions) = (maps.velocities.len(), spheres + pairs + 2 * limits.len());
         Self {
-            convex: Convex::new(dofs, conditions),
+            convex: Convex::new(dofs, conditions + loops),
             step,
+            order,
             matrix: DMatrix::zeros(nv, nv),
             places,
             limits,
             ground,
             near: Vec::with_capacity(spheres),
             colliding: reduction.colliding.clone(),
-            rows: vec![[0.0; 3]; nv],
-            columns: Vec::with_capacity(nv),
+            loops: reduction.loops.clone(),
+            rows: Rows::new(nv),
             allowed: vec![0.0; conditions],
             begun: false,
             free: vec![0.0; nv],
@@ -170,9 +178,10 @@ impl Impulses {
             middle: vec![0.0; nv],
             turning: vec![0.0; nv],
             inertial: [vec![0.0; nv], vec![0.0; nv]],
+            pushes: vec![0.0; spheres],
             wrenches: Vec::with_capacity(spheres),
             on_links: Vec::with_capacity(spheres),
-            collisions: Vec::with_capacity(pairs),
+            between: Vec::with_capacity(pairs + loops),
             tau: vec![0.0; nv],
             rate: vec![0.0; state.len()],
             ground_sums: [0.0; 5],
@@ -185,9 +194,9 @@ impl Impulses {
         &self.wrenches
     }
 
-    /// What links do to each other that touch, in the step that was found last.
-    pub(super) fn collisions(&self) -> &[Collision] {
-        &self.collisions
+    /// What links do to each other, in the step that was found last.
+    pub(super) fn between(&self) -> &[Between] {
+        &self.between
     }
 
     /// Finds the velocities after a step of `h` (s) and the impulses in it.
@@ -196,17 +205,17 @@ impl Impulses {
         for (free, (v, a)) in self.free.iter_mut().zip(side.v.iter().zip(&side.a)) {
             *free = v + h * a;
         }
-        for (before, k) in self.before.iter_mut().zip(&maps.velocities) {
+        for (before, k) in self.before.iter_mut().zip(&self.order) {
             *before = side.v[*k];
         }
         side.body.mass_matrix(&side.q, &mut self.matrix)?;
         side.body.holds_back(&side.q, &side.v, &mut self.damping, &mut self.stiffness);
-        for (change, k) in self.change.iter_mut().zip(&maps.velocities) {
+        for (change, k) in self.change.iter_mut().zip(&self.order) {
             *change = h * side.a[*k];
         }
-        for (k, place) in &self.flying {
-            for (change, turn) in self.change[*place..].iter_mut().zip(&turned(&side.v[*k..])) {
-                *change += h * turn;
+        for (k, _) in &self.flying {
+            for (place, turn) in self.places[*k..].iter().zip(&turned(&side.v[*k..])) {
+                place.map(|place| self.change[place] += h * turn);
             }
         }
         let held = |k: usize| {
@@ -214,32 +223,23 @@ impl Impulses {
             (h * (self.damping[k] + damping), h * h * (self.stiffness[k] + stiffness))
         };
         let change = self.change.iter().copied();
-        self.convex.begin(&self.matrix, &maps.velocities, &self.before, change, held);
-        self.go_half_way(side, maps, h)?;
-        if let Some(ground) = &self.ground {
-            side.body.nearly_touching((&side.q, &side.v), 2.0 * h, &mut self.near)?;
-            side.body.joint_jacobians(&side.q)?;
-            for (sphere, gap, point) in &self.near {
-                let allowed = &mut self.allowed[*sphere];
-                if !self.begun && ground.spring.0.is_infinite() {
-                    *allowed = (-gap).max(0.0);
-                }
-                let gap = gap + *allowed;
-                self.convex.condition();
-                let mut bias = [0.0; 3];
-                let link = side.body.link_of(*sphere).unwrap_or_default();
-                side.body.columns(link, point, |k, velocity| {
-                    let rows = [0, 1, 2].map(|i| ground.axes[i].dot(&velocity));
-                    if let Some(place) = self.places[k] {
-                        self.convex.entry(place, rows);
-                    } else {
-                        bias.iter_mut().zip(rows).for_each(|(bias, row)| *bias += row * self.free[k]);
-                    }
-                });
-                self.convex.contact(bias, ground.friction, gap, ground.spring, h);
+        self.convex.begin(&self.matrix, &self.order, &self.before, change, held);
+        self.go_half_way(side, h)?;
+        self.meet(side, h)?;
+        if !self.loops.is_empty() {
+            // On the way of the step joints have the velocities of its end. What is prescribed does not: it falls short by h²·a/2.
+            turn(&self.flying, &side.v, &mut self.turning);
+            let given = |k: &usize| self.places[*k].is_none();
+            for k in (0..self.turning.len()).filter(given) {
+                self.turning[k] = -side.a[k];
+            }
+            side.body.accelerations((&side.q, &side.v, &self.turning))?;
+            for k in (0..self.turning.len()).filter(given) {
+                self.turning[k] = 0.0;
             }
         }
-        self.collide(side, h)?;
+        let (rows, sought) = (&mut self.rows, Sought { places: &self.places, given: &self.free });
+        self.loops.hold(&side.body, rows, sought, &mut self.convex, (self.begun, h));
         let of_limits = self.allowed.len() - 2 * self.limits.len();
         let pairs = self.allowed[of_limits..].chunks_exact_mut(2);
         for (&Limited { place, coordinate, lower, upper }, allowed) in self.limits.iter().zip(pairs) {
@@ -280,112 +280,138 @@ impl Impulses {
     /// ```
     ///
     /// The last term is there for free joints, whose velocities are told along axes that turn and are stepped along axes that do not.
-    fn go_half_way(&mut self, side: &mut Side<f64>, maps: &Maps, h: f64) -> Result<(), DynamicsError> {
+    fn go_half_way(&mut self, side: &mut Side<f64>, h: f64) -> Result<(), DynamicsError> {
         for (k, middle) in self.middle.iter_mut().enumerate() {
             let free = self.places[k].map_or(self.free[k], |place| self.convex.free()[place]);
             *middle = 0.5 * (side.v[k] + free);
         }
-        for (v, forces) in [&side.v, &self.middle].into_iter().zip(&mut self.inertial) {
-            for (k, _) in &self.flying {
-                for (turning, turn) in self.turning[*k..].iter_mut().zip(&turned(&v[*k..])) {
-                    *turning = -turn;
-                }
-            }
+        let [before, middle] = &mut self.inertial;
+        for (v, forces) in [(&side.v, before), (&self.middle, middle)] {
+            turn(&self.flying, v, &mut self.turning);
             side.body.inertial_forces((&side.q, v, &self.turning), forces)?;
         }
         let [before, middle] = &self.inertial;
-        self.convex.push(maps.velocities.iter().map(|k| h * (before[*k] - middle[*k])));
+        self.convex.push(self.order.iter().map(|k| h * (before[*k] - middle[*k])));
         Ok(())
     }
 
-    /// The conditions of links that touch each other.
+    /// The conditions of what touches the ground, and of links that touch each other.
     ///
     /// ```text
     /// u = J₁·v − J₂·v
     /// ```
-    ///
-    /// What both hang from moves the point alike, and has no part in it.
-    fn collide(&mut self, side: &mut Side<f64>, h: f64) -> Result<(), DynamicsError> {
-        let Self { colliding: Some(colliding), allowed, convex, rows, columns, .. } = self else { return Ok(()) };
-        side.body.velocities(&side.q, &side.v)?;
-        colliding.find(&side.body, 2.0 * h);
-        if colliding.met.is_empty() {
+    fn meet(&mut self, side: &mut Side<f64>, h: f64) -> Result<(), DynamicsError> {
+        self.near.clear();
+        if self.ground.is_none() && self.colliding.is_none() && self.loops.is_empty() {
             return Ok(());
         }
-        if self.ground.is_none() || self.near.is_empty() {
-            side.body.joint_jacobians(&side.q)?;
+        side.body.velocities(&side.q, &side.v)?;
+        side.body.joint_jacobians(&side.q)?;
+        let Self { convex, rows, allowed, begun, places, free, .. } = self;
+        let (body, sought) = (&side.body, Sought { places, given: free });
+        let mut of_pairs = 0;
+        if let Some(ground) = &self.ground {
+            of_pairs = ground.links.len();
+            body.nearly_touching(2.0 * h, &mut self.near);
+            for (sphere, gap, point) in &self.near {
+                let allowed = &mut allowed[*sphere];
+                if !*begun && ground.spring.0.is_infinite() {
+                    *allowed = (-gap).max(0.0);
+                }
+                rows.add_point(body, (ground.links[*sphere].0, point), &ground.axes, 1.0);
+                let bias = rows.begin(convex, sought);
+                let push = self.pushes[*sphere];
+                convex.contact(bias, ground.friction, gap + *allowed, ground.spring, push, h);
+            }
         }
-        let allowed = &mut allowed[self.ground.as_ref().map_or(0, |ground| ground.links.len())..];
-        if !self.begun {
-            for met in &colliding.met {
+        if let Some(colliding) = &mut self.colliding {
+            let allowed = &mut allowed[of_pairs..];
+            colliding.find(body, 2.0 * h);
+            for met in colliding.met.iter().filter(|_| !*begun) {
                 allowed[met.pair] = allowed[met.pair].max(-met.gap);
             }
-        }
-        for met in &colliding.met {
-            for (link, sign) in [(met.links[0].1, 1.0), (met.links[1].1, -1.0)] {
-                side.body.columns(link, &met.point, |k, velocity| {
-                    if !columns.contains(&k) {
-                        columns.push(k);
-                    }
-                    for (row, axis) in rows[k].iter_mut().zip(&met.axes) {
-                        *row += sign * axis.dot(&velocity);
-                    }
-                });
-            }
-            convex.condition();
-            let mut bias = [0.0; 3];
-            for k in columns.drain(..) {
-                let rows = std::mem::take(&mut rows[k]);
-                if rows.iter().all(|row| row.abs() < NOTHING) {
-                    continue;
+            for met in &colliding.met {
+                for ((_, link), sign) in met.links.into_iter().zip([1.0, -1.0]) {
+                    rows.add_point(body, (link, &met.point), &met.axes, sign);
                 }
-                if let Some(place) = self.places[k] {
-                    convex.entry(place, rows);
-                } else {
-                    bias.iter_mut().zip(rows).for_each(|(bias, row)| *bias += row * self.free[k]);
-                }
+                let bias = rows.begin(convex, sought);
+                let (gap, push) = (met.gap + allowed[met.pair], colliding.pushed_before(met));
+                convex.contact(bias, colliding.friction, gap, RIGID, push, h);
             }
-            convex.contact(bias, colliding.friction, met.gap + allowed[met.pair], RIGID, h);
         }
         Ok(())
+    }
+
+    /// Keeps the pushes of the step, for the next one to begin with.
+    fn remember(&mut self) {
+        self.pushes.fill(0.0);
+        let mut pushes = self.convex.impulses(&self.before).map(|(impulse, _)| impulse[2]);
+        for ((sphere, ..), push) in self.near.iter().zip(pushes.by_ref()) {
+            self.pushes[*sphere] = push;
+        }
+        if let Some(colliding) = &mut self.colliding {
+            colliding.remember(pushes);
+        }
     }
 
     /// Forces and losses of the impulses that were found.
     fn account(&mut self, h: f64) {
         self.wrenches.clear();
         self.on_links.clear();
+        self.between.clear();
         (self.ground_sums, self.loss) = ([0.0; 5], 0.0);
-        self.collisions.clear();
-        for (index, (impulse, mean)) in self.convex.impulses(&self.before).enumerate() {
-            let power: [f64; 3] = [0, 1, 2].map(|i| impulse[i] * mean[i]);
-            let (Some((sphere, _, point)), Some(ground)) = (self.near.get(index), &self.ground) else {
-                self.loss -= power.iter().sum::<f64>();
-                let met = self.colliding.as_ref().and_then(|all| all.met.get(index - self.near.len()));
-                if let Some(met) = met.filter(|_| impulse[2] > 0.0) {
-                    let force: Vector3<f64> = (0..3).map(|i| met.axes[i] * (impulse[i] / h)).sum();
-                    for (link, force) in met.links.into_iter().zip([force, -force]) {
-                        add(&mut self.on_links, link.1, &Wrench::at(&met.point, force, Vector3::zeros()));
-                    }
-                    let (links, point, gap) = (met.links.map(|link| link.0), met.point, met.gap);
-                    self.collisions.push(Collision { links, point, force, gap });
+        let mut impulses = self.convex.impulses(&self.before);
+        let power = |(impulse, mean): &([f64; 3], [f64; 3])| [0, 1, 2].map(|i| impulse[i] * mean[i]);
+        if let Some(ground) = &self.ground {
+            for ((sphere, _, point), found) in self.near.iter().zip(impulses.by_ref()) {
+                if found.0[2] <= 0.0 {
+                    continue;
                 }
-                continue;
-            };
-            if impulse[2] <= 0.0 {
+                let total: Vector3<f64> = (0..3).map(|i| ground.axes[i] * found.0[i]).sum();
+                let wrench = Wrench::at(point, total / h, Vector3::zeros());
+                let (small, full) = ground.links[*sphere];
+                add(&mut self.wrenches, full, &wrench);
+                add(&mut self.on_links, small, &wrench);
+                let power = power(&found);
+                let parts = total.iter().copied().chain([-power[2], -power[0] - power[1]]);
+                self.ground_sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
+            }
+        }
+        for (met, found) in self.colliding.iter().flat_map(|all| &all.met).zip(impulses.by_ref()) {
+            if found.0[2] <= 0.0 {
                 continue;
             }
-            let total: Vector3<f64> = (0..3).map(|i| ground.axes[i] * impulse[i]).sum();
-            let wrench = Wrench::at(point, total / h, Vector3::zeros());
-            let (small, full) = ground.links[*sphere];
-            add(&mut self.wrenches, full, &wrench);
-            add(&mut self.on_links, small, &wrench);
-            for (sum, part) in self
-                .ground_sums
-                .iter_mut()
-                .zip(total.iter().copied().chain([-power[2], -power[0] - power[1]]))
-            {
-                *sum += part;
+            self.loss -= power(&found).iter().sum::<f64>();
+            let force: Vector3<f64> = (0..3).map(|i| met.axes[i] * (found.0[i] / h)).sum();
+            let (points, kind) = ([met.point; 2], Kind::Touch { gap: met.gap });
+            let links = met.links.map(|link| Some(link.0));
+            let between = Between { links, points, force, moment: Vector3::zeros(), kind };
+            for (link, wrench) in between.wrenches(met.links.map(|link| Some(link.1))) {
+                add(&mut self.on_links, link, &wrench);
             }
+            self.between.push(between);
+        }
+        let (on_links, all, loss) = (&mut self.on_links, &mut self.between, &mut self.loss);
+        let held = impulses.by_ref().take(self.loops.conditions()).map(|found| {
+            *loss -= power(&found).iter().sum::<f64>();
+            found.0
+        });
+        self.loops.forces(held, h, |small, between| {
+            for (link, wrench) in between.wrenches(small) {
+                add(on_links, link, &wrench);
+            }
+            all.push(between);
+        });
+        // Limits, along the third number.
+        self.loss -= impulses.map(|found| power(&found)[2]).sum::<f64>();
+    }
+}
+
+/// Accelerations of free joints whose velocities are told along axes that turn, and stay as they are along axes that do not: `−ω × v`.
+fn turn(flying: &[(usize, usize)], v: &[f64], accelerations: &mut [f64]) {
+    for (k, _) in flying {
+        for (acceleration, turn) in accelerations[*k..].iter_mut().zip(&turned(&v[*k..])) {
+            *acceleration = -turn;
         }
     }
 }
@@ -450,19 +476,23 @@ impl Small {
         self.find_impulses(prescribed, (t, y), Some(h))?;
         let Self { maps, numbers, impulses, .. } = self;
         let Some(impulses) = impulses else { return Ok(()) };
+        impulses.remember();
         for allowed in &mut impulses.allowed {
             *allowed = (*allowed - RECOVERY * h).max(0.0);
         }
+        impulses.loops.draw(RECOVERY * h);
         let (positions, accounts) = (state.positions(), state.accounts());
         next.copy_from_slice(y);
-        next[positions..accounts].copy_from_slice(&impulses.convex.v);
+        for (next, v) in next[positions..accounts].iter_mut().zip(impulses.convex.v.iter().rev()) {
+            *next = *v;
+        }
         state.position_rates(next, &mut impulses.rate);
         for (next, rate) in next[..positions].iter_mut().zip(&impulses.rate) {
             *next += h * rate;
         }
-        for (_, place) in &impulses.flying {
+        for (_, index) in &impulses.flying {
             // The same velocity along the axes after the step, which have turned as q + h·q̇ has.
-            let v = &mut next[positions + place..];
+            let v = &mut next[positions + index..];
             let half = 0.5 * h * Vector3::from_column_slice(&v[3..6]);
             let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, half));
             let along = turn.inverse() * Vector3::from_column_slice(&v[..3]);

@@ -2,9 +2,10 @@
 
 use super::Role;
 use super::colliding::Colliding;
+use super::loops::Loops;
 use crate::collision::Collisions;
 use crate::contact::{ContactPoint, Surface, count};
-use crate::element::{Anchor, LimitLaw, PointSpring};
+use crate::element::{Anchor, LimitLaw, Loop, PointSpring};
 use crate::failure::SetupError;
 use crate::simulation::Simulation;
 use nalgebra::Vector3;
@@ -22,6 +23,7 @@ pub(super) struct Source {
     pub(super) limits: Vec<LimitLaw>,
     pub(super) surface: Option<Surface>,
     pub(super) collisions: Option<Collisions>,
+    pub(super) loops: Vec<Loop>,
     /// Link and point (m) of each push.
     pub(super) pushes: Vec<(usize, Vector3<f64>)>,
     /// Each degree of freedom that follows another, and that one.
@@ -42,6 +44,8 @@ pub(super) struct Reduction {
     pub(super) kept_touches: Vec<usize>,
     /// With the links of the small figure; none where nothing that is moved can touch another link.
     pub(super) colliding: Option<Colliding>,
+    /// With the links of the small figure.
+    pub(super) loops: Loops,
     /// With the links of the small figure.
     pub(super) pushes: Vec<(usize, Vector3<f64>)>,
     /// For each of these, the index among all.
@@ -67,6 +71,7 @@ impl Source {
             limits: simulation.limits.clone(),
             surface: simulation.surface.clone(),
             collisions: simulation.collisions.clone(),
+            loops: simulation.loops.clone(),
             pushes: simulation.pushes.iter().map(|push| (push.link, push.point)).collect(),
             followers: followers.collect(),
         }
@@ -129,7 +134,8 @@ impl Source {
         let kept_v = full(fused.kept_v(), pruned.kept_v());
         let place = |link: usize| pruned.links()[link].map(|link| fused.links()[link]);
         let colliding = Colliding::of(self, &moved, place);
-        let springs = self.springs.iter().filter(|spring| contact_points(spring, &moved));
+        let loops = Loops::of(self, &moved, place);
+        let springs = self.springs.iter().filter(|spring| is_moved(&spring.between, &moved));
         let surface = self.surface.as_ref().and_then(|surface| under(surface, &moved, place));
         let (surface, kept_touches) = surface.unzip();
         let pushed = |(i, (link, point)): (usize, &(usize, Vector3<f64>))| {
@@ -146,6 +152,7 @@ impl Source {
             kept_pushes,
             kept_touches: kept_touches.unwrap_or_default(),
             colliding,
+            loops,
             kept_q: full(fused.kept_q(), pruned.kept_q()),
             fused: pruned.kept_v().iter().copied().filter(|dof| still(*dof)).collect(),
             kept_v,
@@ -155,6 +162,8 @@ impl Source {
 
     /// Everything.
     fn whole(&self) -> Reduction {
+        let moved = vec![true; self.figure.links().len()];
+        let place = |link| Some(LinkPlace { link, placement: Placement::identity() });
         Reduction {
             figure: self.figure.clone(),
             springs: self.springs.clone(),
@@ -163,9 +172,8 @@ impl Source {
             pushes: self.pushes.clone(),
             kept_pushes: (0..self.pushes.len()).collect(),
             kept_touches: (0..count(self.surface.as_ref())).collect(),
-            colliding: Colliding::of(self, &vec![true; self.figure.links().len()], |link| {
-                Some(LinkPlace { link, placement: Placement::identity() })
-            }),
+            colliding: Colliding::of(self, &moved, place),
+            loops: Loops::of(self, &moved, place),
             kept_q: (0..self.figure.layout().nq()).collect(),
             kept_v: (0..self.figure.layout().nv()).collect(),
             fused: Vec::new(),
@@ -183,12 +191,14 @@ impl Source {
         moved
     }
 
-    /// The links that what is computed depends on: those that are moved, touching the ground or not, those at the other ends of springs on these or that these
+    /// The links that what is computed depends on: those that are moved, touching the ground or not, those at the other ends of springs and loops on these or that these
     /// can touch, and all that carries them.
     fn needed(&self, moved: &[bool]) -> Vec<bool> {
         let mut needed = moved.to_vec();
-        for spring in self.springs.iter().filter(|spring| contact_points(spring, moved)) {
-            for link in spring.between.iter().filter_map(|anchor| anchor.link) {
+        let springs = self.springs.iter().map(|spring| &spring.between);
+        let joined = springs.chain(self.loops.iter().map(|closed| &closed.between));
+        for between in joined.filter(|between| is_moved(between, moved)) {
+            for link in between.iter().filter_map(|anchor| anchor.link) {
                 needed[link] = true;
             }
         }
@@ -206,9 +216,9 @@ impl Source {
     }
 }
 
-/// Whether a spring acts on something that is moved.
-fn contact_points(spring: &PointSpring, moved: &[bool]) -> bool {
-    spring.between.iter().any(|anchor| anchor.link.is_some_and(|link| moved[link]))
+/// Whether one of two points is on something that is moved.
+fn is_moved(between: &[Anchor; 2], moved: &[bool]) -> bool {
+    between.iter().any(|anchor| anchor.link.is_some_and(|link| moved[link]))
 }
 
 /// The spring with the links that carry its ends; none where both ends are on one link.

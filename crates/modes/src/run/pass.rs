@@ -141,8 +141,9 @@ impl Pass {
         settings: &Settings,
         stepping: Stepping,
     ) -> Result<Self, RunError> {
-        if simulation.collisions.is_some() && !matches!(stepping, Stepping::Impulses { .. }) {
-            return Err(SetupError::CollisionsNeedImpulses.into());
+        let touch = simulation.collisions.is_some();
+        if (touch || !simulation.loops.is_empty()) && !matches!(stepping, Stepping::Impulses { .. }) {
+            return Err(SetupError::NeedsImpulses { touch }.into());
         }
         let figure = &simulation.figure;
         let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
@@ -240,7 +241,7 @@ impl Pass {
             phase.accelerations(*t, &y, a).map_err(at)?;
             passed.counts.evaluations += 1;
             passed.record.push(q, v, a);
-            passed.record.press(phase.pressed(&active.links), phase.collisions());
+            passed.record.press(phase.pressed(&active.links), phase.between());
         }
         let dynamic = phase.is_dynamic();
         let (work, heat) = (phase.accounts(), phase.accounts() + 1);
@@ -266,7 +267,7 @@ impl Pass {
                 spent += 1;
             }
             record.push(q, v, a);
-            record.press(phase.pressed(&active.links), phase.collisions());
+            record.press(phase.pressed(&active.links), phase.between());
             observer.progress(time / settings.duration);
             if dynamic {
                 let share = ledger.check(phase.energy(time, y)?, y[work], y[heat]);
@@ -432,7 +433,7 @@ impl Pass {
             found.map_err(|error| guard::of_rate(self.t, error))?;
             self.passed.record.push(&self.q, &self.v, &self.a);
             let pressed = compiled.phase.pressed(&self.active.links);
-            self.passed.record.press(pressed, compiled.phase.collisions());
+            self.passed.record.press(pressed, compiled.phase.between());
         }
         self.end_phase();
         self.note_unfinished();

@@ -1,6 +1,6 @@
 //! The frames of a pass.
 
-use crate::collision::Collision;
+use crate::between::Between;
 use crate::failure::SetupError;
 use nalgebra::Vector3;
 use solaris_dynamics::Wrench;
@@ -19,8 +19,8 @@ pub(crate) struct Record {
     pub(crate) events: Vec<Event>,
     /// What the ground does to what stands on it: frame, link and wrench (about the world's origin), in the order of the frames.
     pub(crate) planted: Vec<(usize, usize, Wrench<f64>)>,
-    /// What links do to each other: frame, and where they touch, in the order of the frames.
-    pub(crate) collisions: Vec<(usize, Collision)>,
+    /// What links do to each other, by frame, in the order of the frames.
+    pub(crate) between: Vec<(usize, Between)>,
 }
 
 impl Record {
@@ -64,11 +64,11 @@ impl Record {
     pub(crate) fn press(
         &mut self,
         active: impl Iterator<Item = (usize, Wrench<f64>)>,
-        collisions: &[Collision],
+        between: &[Between],
     ) {
         let frame = self.done - 1;
         self.planted.extend(active.map(|(link, wrench)| (frame, link, wrench)));
-        self.collisions.extend(collisions.iter().map(|collision| (frame, *collision)));
+        self.between.extend(between.iter().map(|between| (frame, *between)));
     }
 
     /// The positions of a frame.

@@ -10,6 +10,7 @@ mod drives;
 mod governor;
 mod limits;
 mod limits_random;
+mod loops;
 mod plan;
 mod pushes;
 #[cfg(feature = "serde")]

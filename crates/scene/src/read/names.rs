@@ -102,7 +102,7 @@ impl Names {
 }
 
 /// Whether `name` is `pattern`, in which each `*` stands for any text.
-fn matches(pattern: &str, name: &str) -> bool {
+pub(super) fn matches(pattern: &str, name: &str) -> bool {
     let mut pieces = pattern.split('*');
     let (first, mut rest) = (pieces.next().unwrap_or_default(), name);
     let Some(after) = rest.strip_prefix(first) else { return false };

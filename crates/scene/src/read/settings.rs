@@ -2,10 +2,12 @@
 
 use super::SceneReader;
 use solaris_model::text::{Fields, Node};
-use solaris_modes::{Guard, Method, Rule, Settings};
+use solaris_modes::{Guard, Method, Rule, Settings, Simulation};
 
 /// Frames a second where the scene says nothing.
 const RATE: f64 = 120.0;
+/// Of steps by impulses (s), where links touch each other or are held together and the scene says nothing.
+const STEP: f64 = 1e-3;
 const METHODS: [&str; 8] = [
     "Automatic",
     "Impulses",
@@ -33,6 +35,7 @@ impl SceneReader<'_> {
             .get("rate")
             .map_or(Some(RATE), |node| self.reader.positive(node, "the rate", "frames a second"));
         let method = self.method(fields);
+        self.check_method(fields, method);
         let guard = fields.get("guard").map_or(Some(Guard::default()), |node| self.guard(node));
         Some(Settings { method: method?, guard: guard?, ..Settings::new(duration?, rate?) })
     }
@@ -42,6 +45,9 @@ impl SceneReader<'_> {
         let tolerance = fields.get("tolerance");
         let tolerance = tolerance.map(|node| (node, self.reader.positive(node, "the tolerance", "rad or m")));
         let Some(node) = fields.get("method") else {
+            if tolerance.is_none() && self.needs_impulses() {
+                return Some(Method::Impulses { step: STEP });
+            }
             let tolerance = tolerance.map_or(Some(1e-6), |(_, tolerance)| tolerance)?;
             return Some(Method::Automatic { tolerance });
         };
@@ -74,6 +80,23 @@ impl SceneReader<'_> {
         let fields = self.reader.fields(node, &METHODS, &["step"])?;
         let step = self.reader.required(&fields, "step", "1e-3")?;
         Some(Method::Fixed { rule, step: self.reader.positive(step, "the step", "s")? })
+    }
+
+    /// Links that touch each other, or are held together, need steps by impulses.
+    fn check_method(&mut self, fields: &Fields<'_, '_>, method: Option<Method>) {
+        if !self.needs_impulses() || matches!(method, None | Some(Method::Impulses { .. })) {
+            return;
+        }
+        if let Some(node) = fields.get("method").or(fields.get("tolerance")) {
+            let message = "links that touch each other, or are held together, need steps by impulses; write \
+                           method: Impulses(step: 1e-3), or leave this out";
+            self.reader.fault(node.place(), message);
+        }
+    }
+
+    fn needs_impulses(&self) -> bool {
+        let needs = |simulation: &Simulation| simulation.collisions().is_some() || !simulation.loops().is_empty();
+        self.simulation.as_ref().is_some_and(needs)
     }
 
     /// `Guard(gimbal: deg(0.3), condition: 1e14, energy: 0.2, evaluations: 1e7)`

@@ -24,7 +24,7 @@ impl SceneReader<'_> {
         let known = ["between", "stiffness", "damping", "rest"];
         let fields = self.reader.fields(node, &["Spring"], &known)?;
         let between = self.reader.required(&fields, "between", EXAMPLE);
-        let between = between.and_then(|node| self.two_anchors(node));
+        let between = between.and_then(|node| self.two_anchors(node, "a spring", EXAMPLE));
         let stiffness = self.reader.required_number(&fields, "stiffness", "800");
         let damping = self.reader.number_or(&fields, "damping", 0.0);
         let rest = self.reader.number_or(&fields, "rest", 0.0);
@@ -32,9 +32,9 @@ impl SceneReader<'_> {
     }
 
     /// `(("base", (x, y, z)), ("rod", (x, y, z)))`
-    fn two_anchors(&mut self, node: &Node<'_>) -> Option<[Anchor; 2]> {
+    pub(super) fn two_anchors(&mut self, node: &Node<'_>, what: &str, example: &str) -> Option<[Anchor; 2]> {
         let Some([first, second]) = node.items() else {
-            let message = format!("a spring is between two points {EXAMPLE}, not {}", node.describe());
+            let message = format!("{what} is between two points {example}, not {}", node.describe());
             self.reader.fault(node.place(), message);
             return None;
         };

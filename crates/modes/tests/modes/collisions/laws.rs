@@ -67,25 +67,26 @@ fn a_stack_of_ten_boxes_stands() {
     assert_relative_eq!(contact.samples[150].force.y, G, max_relative = 1e-6);
 }
 
-/// Without gravity the momentum stays, and what meets goes on together.
+/// Without gravity the momentum stays, and what meets goes on together, but for 1/40 of its speed: what it sank in by in a step that is
+/// given back in the next.
 #[test]
 fn what_meets_keeps_its_momentum() {
     let figure = over_a_slab(&[(ShapeKind::Sphere { radius: 0.1 }, 2.0), (cube(0.2, 0.2, 0.2), 3.0)]);
     let places = [Vector3::new(-0.5, 1.0, 0.0), Vector3::new(0.0, 1.0, 0.0)];
-    let mut simulation = colliding(&figure, Vector3::zeros(), 0.0, &places);
-    let (q, _) = simulation.state();
-    let (q, mut v) = (q.to_vec(), vec![0.0; 12]);
-    v[0] = 2.0;
-    simulation.set_start(&q, &v).expect("valid");
-    let run = simulation.run(&settings(1.0, 100.0, 1e-3)).expect("never refused");
-    let v = run.motion.v(100);
-    for i in [0, 6] {
-        assert_relative_eq!(v[i], 2.0 * 2.0 / 5.0, max_relative = 1e-9);
+    for friction in [0.0, 0.5] {
+        let mut simulation = colliding(&figure, Vector3::zeros(), friction, &places);
+        let (q, mut v) = (simulation.state().0.to_vec(), vec![0.0; 12]);
+        v[0] = 2.0;
+        simulation.set_start(&q, &v).expect("valid");
+        let run = simulation.run(&settings(1.0, 100.0, 1e-3)).expect("never refused");
+        let v = run.motion.v(100);
+        assert_relative_eq!(2.0 * v[0] + 3.0 * v[6], 2.0 * 2.0, max_relative = 1e-9);
+        assert!((0.0..2.0 / 40.0).contains(&(v[6] - v[0])), "{v:?}");
+        // Half of m₁m₂/(m₁ + m₂)·v² is gone.
+        let energy = &run.report.energy;
+        assert_relative_eq!(energy.heat, 0.5 * 6.0 / 5.0 * 4.0, max_relative = 1e-3);
+        assert!(energy.imbalance < 1e-6 * energy.scale, "{energy:?}");
     }
-    // Half of m₁m₂/(m₁ + m₂)·v² is gone.
-    let energy = &run.report.energy;
-    assert_relative_eq!(energy.heat, 0.5 * 6.0 / 5.0 * 4.0, max_relative = 1e-6);
-    assert!(energy.imbalance < 1e-6 * energy.scale, "{energy:?}");
 }
 
 /// Two fingers that close with a force hold a block by friction, or let it slip with what is left.

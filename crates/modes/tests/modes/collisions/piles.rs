@@ -33,11 +33,11 @@ fn heaps_of_every_kind_come_to_rest() {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (random >> 11) as f64 / (1_u64 << 53) as f64
     };
-    for scene in 0..6 {
+    for scene in 0..3 {
         let mut bodies = Vec::new();
-        for i in 0..8 {
+        for i in 0..6 {
             let [a, b, c] = [0; 3].map(|_| 0.05 + 0.1 * next());
-            let kind = match (scene + i) % 5 {
+            let kind = match (2 * scene + i) % 5 {
                 0 => cube(2.0 * a, 2.0 * b, 2.0 * c),
                 1 => ShapeKind::Cylinder { radius: a, length: 2.0 * b },
                 2 => ShapeKind::Ellipsoid { radii: Vector3::new(a, b, c) },
@@ -47,15 +47,15 @@ fn heaps_of_every_kind_come_to_rest() {
             bodies.push((kind, 0.2 + 2.0 * next()));
         }
         let figure = over_a_slab(&bodies);
-        let places: Vec<Vector3<f64>> = (0..8)
+        let places: Vec<Vector3<f64>> = (0..6)
             .map(|i| Vector3::new(0.1 * next(), 0.3 + 0.35 * f64::from(i), 0.1 * next()))
             .collect();
         let mut simulation = colliding(&figure, Vector3::y() * -G, 0.6, &places);
         // Turning a little as they fall.
         let q = simulation.state().0.to_vec();
-        let v: Vec<f64> = (0..48).map(|k| if k % 6 < 3 { 0.0 } else { 2.0 * next() - 1.0 }).collect();
+        let v: Vec<f64> = (0..36).map(|k| if k % 6 < 3 { 0.0 } else { 2.0 * next() - 1.0 }).collect();
         simulation.set_start(&q, &v).expect("valid");
-        let run = simulation.run(&settings(4.0, 100.0, 1e-3)).expect("never refused");
+        let run = simulation.run(&settings(2.0, 100.0, 1e-3)).expect("never refused");
         let collisions = simulation.collisions().expect("some");
         let deepest = deepest(&figure, &run.motion, collisions);
         assert!(deepest < 2e-3, "scene {scene}: {deepest}");
@@ -65,7 +65,7 @@ fn heaps_of_every_kind_come_to_rest() {
         let last = run.motion.len() - 1;
         let on_it = |i: usize| run.motion.q(last)[7 * i + 1] > -0.1;
         let rests = |i: usize| run.motion.v(last)[6 * i..6 * i + 3].iter().all(|v| v.abs() < 0.02);
-        if (0..8).all(|i| on_it(i) && rests(i)) {
+        if (0..6).all(|i| on_it(i) && rests(i)) {
             let weight: f64 = bodies.iter().map(|(_, mass)| mass * G).sum();
             let slab = run.motion.contact("slab").expect("a track").samples[last].force;
             assert!((slab.y + weight).abs() < 0.1 * weight, "scene {scene}: {slab} under {weight} N");
