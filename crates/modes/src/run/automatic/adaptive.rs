@@ -165,10 +165,10 @@ pub(super) fn one_digit(x: f64) -> f64 {
 /// They fall with the tolerance itself, but not evenly.
 fn share(before: Option<(f64, f64)>, difference: f64, (finer, jumps): (f64, bool)) -> f64 {
     let Some((before, then)) = before.filter(|_| !jumps) else { return 1.0 };
-    let power = ((before / difference).ln() / then.ln()).min(0.75);
-    let falls = finer.powf(power);
+    let power = (before / difference).ln() / then.ln();
     // NaN where there is no difference.
-    if falls.partial_cmp(&4.0).is_none_or(std::cmp::Ordering::is_lt) { 1.0 } else { (falls - 1.0).recip() }
+    let falls = if power.is_nan() { 1.0 } else { finer.powf(power.min(0.75)) };
+    if falls < 4.0 { 1.0 } else { (falls - 1.0).recip() }
 }
 
 #[cfg(test)]
