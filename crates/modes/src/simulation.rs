@@ -268,8 +268,8 @@ impl Simulation {
     /// Lets links touch each other, by [`Method::Impulses`](crate::Method::Impulses) only; in place of what was said before.
     ///
     /// ```
-    /// use solaris_model::human;
-    /// use solaris_modes::{Collisions, Simulation, Vector3};
+    /// use solaris_model::{Vector3, human};
+    /// use solaris_modes::{Collisions, Simulation};
     ///
     /// # #[cfg(feature = "collide")] {
     /// let figure = human(1.75, 73.0)?;
