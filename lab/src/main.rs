@@ -39,6 +39,8 @@ cargo lab CHORE
                                     moments beside OpenSim's into docs/bodies.md, curves as printed beside the library's into
                                     docs/profiles-accuracy.md and its picture, and simulations of which the answer is known into
                                     docs/trust.md and its pictures, walks beside people into docs/people.md; or one of these four alone
+  report chosen                     counts what a tolerance of the run takes beside the cheapest setting of every scene, into docs/trust.md
+                                    and docs/trust/chosen.svg
   report stepping                   times simulations beside MuJoCo's into docs/trust.md and docs/trust/stepping.svg, where PYTHON (python3) has the
                                     packages mujoco, numpy and scipy, and CC (cc) compiles C
   subject                           writes fixtures/subject: an OpenSim model, its motion and its force plates, from a walk
@@ -74,6 +76,7 @@ fn main() -> ExitCode {
         ["report", "profiles"] => report::profiles(),
         ["report", "simulation"] => report::simulation(),
         ["report", "simulation", "adaptive"] => report::adaptive(),
+        ["report", "chosen"] => report::chosen(),
         ["report", "stepping"] => report::stepping(),
         ["subject"] => subject::run(),
         ["help" | "--help" | "-h"] => {

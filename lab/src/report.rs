@@ -86,6 +86,11 @@ pub(crate) fn adaptive() -> Result<(), String> {
     simulation::adaptive()
 }
 
+/// What a tolerance of the run costs beside the cheapest setting.
+pub(crate) fn chosen() -> Result<(), String> {
+    simulation::chosen()
+}
+
 /// Simulations beside MuJoCo's, where it is at hand.
 pub(crate) fn stepping() -> Result<(), String> {
     simulation::stepping()

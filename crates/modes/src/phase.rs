@@ -69,6 +69,8 @@ pub(crate) struct Phase {
     planted: Vec<ContactPatch>,
     /// Where the ground and hard limits act by impulses, the length of a whole step (s).
     by_impulses: Option<f64>,
+    /// What methods that choose their steps say of the errors of their steps, added up.
+    errors: f64,
     small: Option<Small>,
 }
 
@@ -102,6 +104,7 @@ impl Phase {
             held: Vec::new(),
             planted: Vec::new(),
             by_impulses: None,
+            errors: 0.0,
             small: None,
             source,
             weight,
@@ -197,6 +200,11 @@ impl Phase {
         (self.watched, self.sides) = (watched, sides);
         let complete = self.small.as_ref().is_some_and(|small| small.is_complete(&self.source, &after));
         if complete || before == after { Ok(()) } else { self.compile(&after) }
+    }
+
+    /// What methods that choose their steps have said of the errors of their steps since this was asked last, added up.
+    pub(crate) fn take_errors(&mut self) -> f64 {
+        std::mem::take(&mut self.errors)
     }
 
     /// Whether dynamics move a degree of freedom of the full figure.
@@ -347,6 +355,14 @@ impl System for Phase {
 
     fn event_values(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
         self.watched_values(t, y, values);
+    }
+
+    fn note_error(&mut self, error: f64) {
+        self.errors += error;
+    }
+
+    fn smooth_until(&self, t: f64) -> f64 {
+        self.prescribed.smooth_until(t)
     }
 
     fn settle(&self, y: &mut [f64]) {

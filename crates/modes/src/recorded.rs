@@ -48,6 +48,13 @@ impl RecordedMotion {
         (time[0], time[time.len() - 1])
     }
 
+    /// The time (s) of the first sample after `time`, infinite after the last; one within rounding of it is at it.
+    pub(crate) fn next_sample(&self, time: f64) -> f64 {
+        let times = self.motion.time();
+        let after = times.partition_point(|&t| t <= time + 1e-12 * (1.0 + time.abs()));
+        times.get(after).copied().unwrap_or(f64::INFINITY)
+    }
+
     /// Position, velocity, acceleration and jerk of a degree of freedom (index in `v`, and of its coordinate in `q`) at a
     /// time (s), which gives NaN if it is NaN.
     pub fn at(&self, dof: usize, coordinate: usize, time: f64) -> Sample {

@@ -10,7 +10,6 @@ mod driven;
 mod drives;
 mod guard;
 mod impacts;
-mod kinks;
 mod ledger;
 mod looks;
 mod outcomes;
@@ -37,7 +36,7 @@ use solaris_dynamics::Wrench;
 use solaris_model::Motion;
 use std::sync::Arc;
 
-/// Whether the methods that choose their steps are built in.
+/// Whether the implicit method is built in.
 const IS_STIFF: bool = cfg!(feature = "stiff");
 
 /// The part of the energy at play that may be missing from the balance without a remark.
@@ -196,7 +195,6 @@ fn check_settings(settings: &Settings) -> Result<(), SetupError> {
         {
             Err(SetupError::Range { what: "the tolerance".to_owned(), value: tolerance, range: "1e-14 to 1" })
         }
-        Method::Adaptive { .. } if !IS_STIFF => Err(SetupError::NotBuiltIn { method: "adaptive" }),
         Method::Stiff { .. } if !IS_STIFF => Err(SetupError::NotBuiltIn { method: "stiff" }),
         _ => Ok(()),
     }
@@ -289,10 +287,7 @@ fn named(
         match other {
             Some(other) => {
                 beside = other.counts;
-                error = Some(scaled(
-                    compare::difference(&simulation.figure, &passed.record, &other.record)?,
-                    factor,
-                ));
+                error = Some(compare::estimate(&simulation.figure, &passed, &other, factor)?);
             }
             None => remarks.push(Remark::NoEstimate),
         }

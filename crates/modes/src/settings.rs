@@ -69,7 +69,7 @@ pub enum Method {
         /// The longest step (s).
         step: f64,
     },
-    /// An explicit method that chooses its steps; feature `stiff`.
+    /// An explicit method of order eight that chooses its steps.
     Adaptive {
         /// Relative and absolute tolerance of a step.
         tolerance: f64,

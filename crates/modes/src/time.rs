@@ -2,6 +2,7 @@
 
 mod advance;
 mod evaluate;
+mod explicit;
 mod fixed;
 mod locate;
 #[cfg(feature = "stiff")]

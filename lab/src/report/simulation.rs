@@ -4,6 +4,7 @@
 //! by a build of its own, so that all others are those of the ordinary one.
 
 mod between;
+mod chosen;
 mod extremes;
 mod figures;
 mod ground;
@@ -45,6 +46,11 @@ pub(super) fn adaptive() -> Result<(), String> {
 #[cfg(not(feature = "stiff"))]
 pub(super) fn adaptive() -> Result<(), String> {
     Err("this needs the feature 'stiff'; `cargo lab report simulation` builds it".to_owned())
+}
+
+/// Measures what a tolerance of the run costs beside the cheapest setting.
+pub(super) fn chosen() -> Result<(), String> {
+    chosen::run()
 }
 
 /// Measures beside MuJoCo, and writes that part of the page.

@@ -124,6 +124,16 @@ impl Path {
         }
     }
 
+    /// The first time of the run, after another, at which a record goes on by its next piece: only the jerk jumps there, so that it is
+    /// no break.
+    pub(crate) fn smooth_until(&self, time: f64) -> f64 {
+        match self {
+            Self::Recorded { recorded, .. } => recorded.next_sample(time),
+            Self::During { path, .. } => path.smooth_until(time),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// What holds just after a time.
     fn after(&self, time: f64) -> Sample {
         match self {

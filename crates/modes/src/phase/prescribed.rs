@@ -110,6 +110,15 @@ impl Prescribed {
         }
     }
 
+    /// The first time (s) after `t` at which a motion goes on by another piece of its curve.
+    pub(super) fn smooth_until(&self, t: f64) -> f64 {
+        let paths = self.motions.iter().filter_map(|motion| match motion {
+            Motion::Along(path) => Some(path.smooth_until(t)),
+            _ => None,
+        });
+        paths.fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether a degree of freedom moves, or may.
     pub(super) fn moves(&self, dof: usize) -> bool {
         matches!(self.motions[dof], Motion::Along(_) | Motion::Following(_))

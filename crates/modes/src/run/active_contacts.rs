@@ -124,7 +124,7 @@ impl Pass {
     }
 
     /// The rigid parts of what dynamics move: links whose joints stand still are one with the link that carries them.
-    fn parts(&self) -> Vec<Option<usize>> {
+    pub(super) fn parts(&self) -> Vec<Option<usize>> {
         let (figure, roles) = (&self.simulation.figure, self.roles());
         let mut parts: Vec<(usize, bool)> = Vec::with_capacity(figure.links().len());
         for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {

@@ -4,12 +4,16 @@ use super::guard;
 use super::pass::{Compiled, Pass};
 use crate::failure::RunError;
 use crate::phase::Phase;
+use crate::settings::Rule;
+use crate::time::Stepping;
 
 impl Pass {
     /// Looks at the equations before the first step.
     pub(crate) fn look_before(&self, phase: &mut Phase) -> Result<(), RunError> {
         let y = phase.pack(&self.q, &self.v, self.work, self.heat);
-        guard::look_before(&self.simulation, &self.settings.guard, phase, self.stepping, self.t, &y)
+        let rule = Rule::RungeKutta4;
+        let stepping = self.shortest.map_or(self.stepping, |step| Stepping::Fixed { rule, step });
+        guard::look_before(&self.simulation, &self.settings.guard, phase, stepping, self.t, &y)
     }
 
     /// A phase whose servos are other ones now may be stiffer than it was.

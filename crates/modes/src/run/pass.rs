@@ -7,7 +7,6 @@ use super::guard;
 use super::ledger::{Ledger, least_energy};
 use super::pushes;
 use super::record::{Record, near};
-use crate::Outcome;
 use crate::body::Body;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure, SetupError};
 use crate::phase::{GROUND, Phase, Role};
@@ -16,6 +15,7 @@ use crate::report::{Counts, Impact, Landing, Observer, PhaseReport};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::{RateError, Stepping, Stopped, TimeError, advance};
+use crate::{Drive, Outcome};
 use std::sync::Arc;
 
 /// Rounds of changes at one instant that are still believed.
@@ -33,12 +33,14 @@ pub(crate) struct Passed {
     pub(crate) phases: Vec<PhaseReport>,
     /// Whether anything was integrated.
     pub(crate) is_dynamic: bool,
-    /// Whether velocities or forces jumped on the way.
+    /// Whether velocities, forces, or how forces change, jumped on the way.
     pub(crate) jumps: bool,
     /// What the ground did to what dynamics move, as in the state of a phase.
     pub(crate) ground: [f64; GROUND],
     /// What pushes of the world did (J).
     pub(crate) pushed: f64,
+    /// What a method that chooses its steps said of their errors, added up.
+    pub(crate) errors: f64,
 }
 
 /// One pass, on its way.
@@ -79,6 +81,10 @@ pub(crate) struct Pass {
     pub(super) compiled: Option<Compiled>,
     /// Time and number of changes without time going on.
     rounds: (f64, usize),
+    /// Whether nobody wants accelerations and what stands, but positions and velocities alone.
+    is_sketch: bool,
+    /// Where steps of an explicit method that stability makes shorter than this (s) are refused, though they are of its own choice.
+    pub(super) shortest: Option<f64>,
 }
 
 /// A phase, and what it was compiled for.
@@ -98,18 +104,38 @@ pub(crate) fn pass(
     stepping: Stepping,
     observer: &mut dyn Observer,
 ) -> Result<Passed, RunError> {
+    Pass::new(simulation, settings, stepping)?.through(observer)
+}
+
+/// Runs through a simulation once, for nothing but positions and velocities in frames, and no evaluation for their sake. With a
+/// `shortest` step (s), one that stability makes shorter is refused.
+pub(crate) fn sketch(
+    simulation: &Arc<Simulation>,
+    settings: &Settings,
+    stepping: Stepping,
+    shortest: Option<f64>,
+    observer: &mut dyn Observer,
+) -> Result<Passed, RunError> {
     let mut pass = Pass::new(simulation, settings, stepping)?;
-    pass.begin_all()?;
-    while pass.t < settings.duration - near(settings.duration) {
-        if observer.is_cancelled() {
-            return Err(RunError::Cancelled);
-        }
-        pass.stretch(observer)?;
-    }
-    pass.finish()
+    // Intensive drives begin with the acceleration of the frame.
+    let mut drives = simulation.drives.iter().flatten();
+    pass.is_sketch = !drives.any(|step| matches!(step.drive, Drive::Intensive { .. }));
+    pass.shortest = shortest;
+    pass.through(observer)
 }
 
 impl Pass {
+    fn through(mut self, observer: &mut dyn Observer) -> Result<Passed, RunError> {
+        self.begin_all()?;
+        while self.t < self.settings.duration - near(self.settings.duration) {
+            if observer.is_cancelled() {
+                return Err(RunError::Cancelled);
+            }
+            self.stretch(observer)?;
+        }
+        self.finish()
+    }
+
     pub(crate) fn new(
         simulation: &Arc<Simulation>,
         settings: &Settings,
@@ -157,11 +183,14 @@ impl Pass {
                 jumps: false,
                 ground: [0.0; GROUND],
                 pushed: 0.0,
+                errors: 0.0,
             },
             work: 0.0,
             heat: 0.0,
             compiled: None,
             rounds: (0.0, 0),
+            is_sketch: false,
+            shortest: None,
         })
     }
 
@@ -204,7 +233,8 @@ impl Pass {
         end: f64,
         observer: &mut dyn Observer,
     ) -> Result<Stopped, RunError> {
-        let Self { passed, q, v, a, t, active, simulation, settings, .. } = self;
+        let Self { passed, q, v, a, t, active, simulation, settings, is_sketch, .. } = self;
+        let is_sketch = *is_sketch;
         let mut y = phase.pack(q, v, self.work, self.heat);
         let at = |error| guard::of_rate(*t, error);
         if passed.record.due().is_some_and(|due| due <= *t + near(*t)) {
@@ -232,8 +262,10 @@ impl Pass {
         let mut spent = 0;
         let mut frame = |phase: &mut Phase, time: f64, y: &[f64]| -> Result<(), RateError> {
             phase.unpack(time, y, q, v);
-            phase.accelerations(time, y, a)?;
-            spent += 1;
+            if !(is_sketch && dynamic) {
+                phase.accelerations(time, y, a)?;
+                spent += 1;
+            }
             record.push(q, v, a);
             record.press(phase.pressed(&active.links), phase.between());
             observer.progress(time / settings.duration);
@@ -255,6 +287,7 @@ impl Pass {
             counts,
         );
         counts.evaluations += spent;
+        passed.errors += phase.take_errors();
         let stopped = match (result, failure) {
             (Ok(stopped), None) => stopped,
             (_, Some(failure)) => return Err(guard::explain(simulation, phase, stepping, &y, *failure)),

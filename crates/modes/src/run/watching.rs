@@ -72,6 +72,9 @@ impl Pass {
         for &(touch, below) in &self.active.open {
             watch(Watched::Gap { touch, below }, Meaning::Touch(touch));
         }
+        for touch in self.touches_of_springs() {
+            watch(Watched::Gap { touch, below: 0.0 }, Meaning::Kink);
+        }
         phase.watch(watched, sides)?;
         for dof in 0..self.driven.len() {
             let pushing = match self.passed_limit(dof) {
@@ -82,6 +85,17 @@ impl Pass {
             phase.hold_limit(dof, pushing);
         }
         Ok(meanings)
+    }
+
+    /// What dynamics move to a ground of springs and away from it: its force has a kink where it touches.
+    fn touches_of_springs(&self) -> Vec<usize> {
+        let surface = self.simulation.surface.as_ref();
+        let Some(surface) = surface.filter(|surface| !surface.plants() && !self.by_impulses()) else {
+            return Vec::new();
+        };
+        let parts = self.parts();
+        let points = surface.contact_points.iter().enumerate();
+        points.filter(|(_, point)| parts[point.link].is_some()).map(|(touch, _)| touch).collect()
     }
 
     /// Notes which limits that push back have let go. At the zero of the push its sign does not say it; the event before does.

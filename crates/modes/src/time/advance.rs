@@ -5,7 +5,7 @@ use super::fixed::Way;
 #[cfg(feature = "stiff")]
 use super::solver;
 use super::stepping::Course;
-use super::{OnFrame, Stepping, Stopped, System, TimeError, fixed};
+use super::{OnFrame, Stepping, Stopped, System, TimeError, explicit, fixed};
 use crate::report::Counts;
 
 /// Steps `y` from the time `span.0` to `span.1` (s), or to the first event.
@@ -47,18 +47,11 @@ pub fn advance<S: System + ?Sized>(
     match stepping {
         Stepping::Fixed { rule, step } => fixed::advance(evaluator, Way::Rule(rule), step, y, course),
         Stepping::Impulses { step } => fixed::advance(evaluator, Way::Impulses, step, y, course),
-        #[cfg(not(feature = "stiff"))]
-        Stepping::Adaptive { .. } => Err(TimeError::NotBuiltIn { method: "adaptive" }),
+        Stepping::Adaptive { tolerance } => explicit::advance(evaluator, tolerance, y, course),
         #[cfg(not(feature = "stiff"))]
         Stepping::Stiff { .. } => Err(TimeError::NotBuiltIn { method: "stiff" }),
         #[cfg(feature = "stiff")]
-        Stepping::Adaptive { tolerance } => {
-            solver::advance(evaluator, solver::Kind::Adaptive, tolerance, y, course)
-        }
-        #[cfg(feature = "stiff")]
-        Stepping::Stiff { tolerance } => {
-            solver::advance(evaluator, solver::Kind::Stiff, tolerance, y, course)
-        }
+        Stepping::Stiff { tolerance } => solver::advance(evaluator, tolerance, y, course),
     }
 }
 

@@ -1,4 +1,5 @@
-//! Methods that choose their steps, of the crate diffsol, which only this file and those below it know.
+//! The implicit method, backward differentiation formulas of orders one to five, of the crate diffsol, which only this file and those
+//! below it know.
 
 mod equations;
 
@@ -12,7 +13,7 @@ use diffsol::error::OdeSolverError;
 use diffsol::ode_solver::OdeSolverStatistics;
 use diffsol::{
     BdfState, DiffsolError, NalgebraContext, NalgebraLU, OdeBuilder, OdeSolverConfig, OdeSolverMethod,
-    OdeSolverProblem, OdeSolverState, OdeSolverStopReason, RkState, Tableau, Vector, VectorCommon,
+    OdeSolverProblem, OdeSolverState, OdeSolverStopReason, Vector, VectorCommon,
 };
 use equations::{Equations, Mat, Stretch, Vect};
 
@@ -22,28 +23,9 @@ const SHORTEST: f64 = 4000.0 * f64::EPSILON;
 
 const TOO_SHORT: &str = "no step is short enough to meet its tolerance";
 
-/// Which kind of method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// The explicit rule of order five of Tsitouras, with its estimate of order four.
-    ///
-    /// C. Tsitouras: Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption. Computers
-    /// and Mathematics with Applications 62 (2011), 770–775.
-    Adaptive,
-    /// Backward differentiation formulas of orders one to five.
-    Stiff,
-}
-
-impl Kind {
-    fn name(self) -> &'static str {
-        if self == Self::Adaptive { "the adaptive method" } else { "the stiff method" }
-    }
-}
-
-/// Steps `y` through a stretch with steps of a method's own choice, each within `tolerance`, relative and absolute.
+/// Steps `y` through a stretch with steps of the method's own choice, each within `tolerance`, relative and absolute.
 pub(super) fn advance<S: System + ?Sized>(
     evaluator: Evaluator<'_, S>,
-    kind: Kind,
     tolerance: f64,
     y: &mut [f64],
     course: Course<'_, S>,
@@ -55,8 +37,8 @@ pub(super) fn advance<S: System + ?Sized>(
     let (start, events) = (y.to_vec(), evaluator.system.events());
     let (span, frames) = (course.span, course.frames);
     let mut stretch = Stretch { evaluator, course };
-    let mut run = Run { kind, tolerance, span, frames, events, counts: Counts::default(), y };
-    let result = run.through(Equations::new(&mut stretch, kind, &start));
+    let mut run = Run { tolerance, span, frames, events, counts: Counts::default(), y };
+    let result = run.through(Equations::new(&mut stretch, &start));
     let counts = run.counts;
     stretch.evaluator.counts.add(&counts);
     result
@@ -64,7 +46,6 @@ pub(super) fn advance<S: System + ?Sized>(
 
 /// One stretch under way.
 struct Run<'a> {
-    kind: Kind,
     tolerance: f64,
     span: (f64, f64),
     frames: &'a [f64],
@@ -91,23 +72,13 @@ impl Run<'_> {
             .rtol(self.tolerance)
             .atol([self.tolerance])
             .build_from_eqn(equations)
-            .map_err(|error| self.stuck(from, &error))?;
+            .map_err(|error| stuck(from, &error))?;
         // This one is counted over the whole stretch, not for each step; a step that shrinks without end is found by its
         // length.
         problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
-        match self.kind {
-            Kind::Adaptive => {
-                let tableau = Tableau::tsit45();
-                let state: RkState<Vect> = self.begin(&problem, tableau.order())?;
-                let solver = problem.explicit_rk_solver(state, tableau);
-                self.drive(&problem, solver.map_err(|error| self.stuck(from, &error))?, sides)
-            }
-            Kind::Stiff => {
-                let state: BdfState<Vect> = self.begin(&problem, 1)?;
-                let solver = problem.bdf_solver::<NalgebraLU<f64>>(state);
-                self.drive(&problem, solver.map_err(|error| self.stuck(from, &error))?, sides)
-            }
-        }
+        let state: BdfState<Vect> = self.begin(&problem, 1)?;
+        let solver = problem.bdf_solver::<NalgebraLU<f64>>(state);
+        self.drive(&problem, solver.map_err(|error| stuck(from, &error))?, sides)
     }
 
     /// The state at the beginning, with a first step that does not go beyond the end.
@@ -117,7 +88,7 @@ impl Run<'_> {
         order: usize,
     ) -> Result<State, TimeError> {
         let (from, to) = self.span;
-        let mut state = State::new_without_initialise(problem).map_err(|error| self.stuck(from, &error))?;
+        let mut state = State::new_without_initialise(problem).map_err(|error| stuck(from, &error))?;
         // Here there is no shorter step to try.
         if let Some(failure) = problem.eqn.take_failure() {
             return Err(failure);
@@ -135,7 +106,7 @@ impl Run<'_> {
         mut sides: Option<Sides>,
     ) -> Result<Stopped, TimeError> {
         let (from, to) = self.span;
-        solver.set_stop_time(to).map_err(|error| self.stuck(from, &error))?;
+        solver.set_stop_time(to).map_err(|error| stuck(from, &error))?;
         let mut before = Before { time: from, size: size(self.y) };
         let mut room = Room::new(self.y.len(), sides.as_ref().map_or(0, Sides::len), *problem.context());
         let mut shown = self.frames.partition_point(|&frame| frame <= from);
@@ -151,7 +122,7 @@ impl Run<'_> {
                 (Err(_), Some(failure)) => {
                     return Err(failure);
                 }
-                (Err(error), None) => return Err(self.stuck(before.time, &error)),
+                (Err(error), None) => return Err(stuck(before.time, &error)),
                 // What failed in a trial that was rejected has found a way around.
                 (Ok(reason), _) => reason == OdeSolverStopReason::TstopReached,
             };
@@ -161,7 +132,7 @@ impl Run<'_> {
             }
             let now = if reached { to } else { solver.state().t };
             if now <= before.time {
-                return Err(stuck_because(self.kind, now, TOO_SHORT.to_owned()));
+                return Err(stuck_because(now, TOO_SHORT.to_owned()));
             }
             let mut end = now;
             if let Some(sides) = &mut sides
@@ -195,10 +166,6 @@ impl Run<'_> {
         self.counts.steps = statistics.number_of_steps as u64;
         self.counts.rejected =
             (statistics.number_of_error_test_failures + statistics.number_of_nonlinear_solver_fails) as u64;
-    }
-
-    fn stuck(&self, time: f64, error: &DiffsolError) -> TimeError {
-        stuck(self.kind, time, error)
     }
 }
 
@@ -255,9 +222,7 @@ impl Room {
     ) -> Result<&[f64], TimeError> {
         // A step that ends at the stop time may end a rounding before it.
         let time = time.min(solver.state().t);
-        solver
-            .interpolate_inplace(time, &mut self.between)
-            .map_err(|error| stuck(equations.kind, time, &error))?;
+        solver.interpolate_inplace(time, &mut self.between).map_err(|error| stuck(time, &error))?;
         let y = self.between.inner_mut().as_mut_slice();
         equations.host.borrow().settle(y);
         finite(y).map_err(|source| TimeError::Rate { time, source })?;
@@ -274,7 +239,7 @@ fn size(y: &[f64]) -> f64 {
     y.iter().fold(0.0, |most, entry| most.max(entry.abs()))
 }
 
-fn stuck(kind: Kind, time: f64, error: &DiffsolError) -> TimeError {
+fn stuck(time: f64, error: &DiffsolError) -> TimeError {
     use OdeSolverError::{StepSizeTooSmall, TooManyErrorTestFailures};
     let why = match error {
         DiffsolError::OdeSolverError(StepSizeTooSmall { .. }) => TOO_SHORT.to_owned(),
@@ -283,9 +248,9 @@ fn stuck(kind: Kind, time: f64, error: &DiffsolError) -> TimeError {
         }
         other => other.to_string(),
     };
-    stuck_because(kind, time, why)
+    stuck_because(time, why)
 }
 
-fn stuck_because(kind: Kind, time: f64, why: String) -> TimeError {
-    TimeError::Stuck { time, method: kind.name().to_owned(), why }
+fn stuck_because(time: f64, why: String) -> TimeError {
+    TimeError::Stuck { time, method: "the stiff method".to_owned(), why }
 }

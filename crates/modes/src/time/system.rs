@@ -64,6 +64,18 @@ pub trait System {
         0.0
     }
 
+    /// The first time (s) after `t` from which on rates go on by another formula, smooth before and after, such as where two pieces
+    /// of a curve meet: a method that chooses its steps ends one there. Infinite where there is none.
+    fn smooth_until(&self, t: f64) -> f64 {
+        let _ = t;
+        f64::INFINITY
+    }
+
+    /// Is told of each step that a method of its own choice has taken, with what it says of its error: a part of `1 + |y|`.
+    fn note_error(&mut self, error: f64) {
+        let _ = error;
+    }
+
     /// Puts the state back where it belongs after a step, such as a quaternion to unit length.
     fn settle(&self, y: &mut [f64]) {
         let _ = y;

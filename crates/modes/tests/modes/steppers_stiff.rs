@@ -1,7 +1,5 @@
-//! Steppers that choose their steps: how far they can be trusted, what they cost, events, and what they refuse.
+//! The implicit stepper: how far it can be trusted, and what it costs.
 
-#[path = "steppers/chosen_steps.rs"]
-mod chosen_steps;
 #[path = "steppers/stiff.rs"]
 mod stiff;
 #[path = "steppers/stiff_problems.rs"]

@@ -26,8 +26,8 @@ const POLES: [f64; 2] = [1.0, 2.827_181_757_169_648];
 /// seconds from 0 to 5 with velocities of 1 and 5 is at 1.649 half way where time is in seconds, at 1.514 where it is in
 /// minutes. There is no such curve for
 /// durations of 1 and 2.827181757169648 units, whatever is asked of it (E9); it is inaccurate close to these, where it also
-/// swings far out (2400 for a motion from 0 to 5 in 2.827), and for long durations. None is possible beyond 710 (in f32: 89)
-/// units. Use [`Tension`](crate::displacement::Tension) for new work.
+/// swings far out (2400 for a motion from 0 to 5 in 2.827). For long durations, from some 25 units on (in f32: 10), it would miss its
+/// end, and is refused. Use [`Tension`](crate::displacement::Tension) for new work.
 ///
 /// # Source
 ///
@@ -49,8 +49,8 @@ impl<F: Elementary> Hyperbolic<F> {
     /// # Errors
     ///
     /// A duration that is not positive, or at which less than a third of the digits of the solution would be right (which
-    /// happens next to 1 and 2.827181757169648), or whose hyperbolic sine is too large; numbers that are not finite or lead
-    /// to such.
+    /// happens next to 1 and 2.827181757169648), so long that as many are lost on the way to the end; numbers that are not finite or
+    /// lead to such.
     pub fn new(duration: F, (from, v0): (F, F), (to, v1): (F, F)) -> Result<Self, ProfileError> {
         check_duration(duration)?;
         check_finite("from", &[from])?;
@@ -82,7 +82,21 @@ impl<F: Elementary> Hyperbolic<F> {
         let curve = Self { duration, from, to, start_velocity: v0, constants: [a, b, v0 - a / duration] };
         check_overflow("constant", &curve.constants)?;
         check_overflow("largest jerk", &curve.series(duration))?;
+        if curve.misses(v1) {
+            let why = "too few digits are left of the solution, and the curve misses its end";
+            return Err(refused::<F>(duration, why, duration.value()));
+        }
         Ok(curve)
+    }
+
+    /// Whether it ends farther from where it should, or at another velocity, than a third of the digits allows.
+    fn misses(&self, v1: F) -> bool {
+        let [way, velocity, ..] = self.series(self.duration);
+        let (wanted, duration) = (self.to - self.from, self.duration.value());
+        let speed = self.start_velocity.value().abs().max(v1.value().abs());
+        let least = Elementary::powf(F::EPSILON, 1.0 / 3.0) * wanted.value().abs().max(speed * duration);
+        let off = (way - wanted).value().abs().max((velocity - v1).value().abs() * duration);
+        off > least
     }
 
     /// Way, velocity, acceleration, jerk and the derivative of that.
@@ -175,7 +189,10 @@ impl Answers for Hyperbolic {
 
 fn no_solution<F: Elementary>(duration: F, why: &'static str) -> ProfileError {
     // ln(2·MAX), beyond which sinh and cosh overflow.
-    let largest = if F::EPSILON > 1e-10 { 89.0 } else { 710.0 };
+    refused(duration, why, if F::EPSILON > 1e-10 { 89.0 } else { 710.0 })
+}
+
+fn refused<F: Elementary>(duration: F, why: &'static str, largest: f64) -> ProfileError {
     let between = |low, high| Range::new(Excluded(low), Excluded(high));
     let feasible =
         Ranges::new([between(0.0, POLES[0]), between(POLES[0], POLES[1]), between(POLES[1], largest)]);

@@ -71,15 +71,16 @@ impl<F: Elementary> CubicSpline<F> {
     }
 
     /// The velocity at a key is the mean velocity from the key before it to the key after it (Catmull and Rom, carried
-    /// over to keys at unequal times); at an end, that of the parabola through the three nearest keys, or the chord where
+    /// over to keys at unequal times); at an end, that which makes the outermost piece a parabola, or the chord where
     /// there are only two.
     ///
     /// ```text
-    /// vᵢ = (xᵢ₊₁ − xᵢ₋₁)/(tᵢ₊₁ − tᵢ₋₁)        v₀ = ((2h₀ + h₁) m₀ − h₀ m₁)/(h₀ + h₁)
+    /// vᵢ = (xᵢ₊₁ − xᵢ₋₁)/(tᵢ₊₁ − tᵢ₋₁)        v₀ = 2 m₀ − v₁ = m₀ + h₁ (m₀ − m₁)/(h₀ + h₁)
     /// ```
     ///
     /// h: durations of the pieces, m: mean velocities. Through equally spaced keys of a parabola it is that parabola,
-    /// which is why the ends are taken so.
+    /// which is why the ends are taken so; a neighbour that is short beside the outermost piece counts for as little as it does at the
+    /// key between.
     ///
     /// # Errors
     ///

@@ -470,3 +470,31 @@ fn what_overflows_inside_is_refused_and_never_a_position_that_is_no_number() {
     assert!(ExponentialVelocities::feasible_start_velocity(1.0, 0.0, 1.0, 0.0, 100, 0.9999).is_err());
     assert!(!Power::<f32>::new(1e9, 0.0, 1e-20, 1.5).expect("a curve").at(0.0).jerk.is_nan());
 }
+
+/// With velocities of 1, 35 units ended at 10.07 instead of 5, and 40 far away.
+#[test]
+fn a_legacy_hyperbolic_curve_that_would_miss_its_end_is_refused() {
+    for (start, end) in [((0.0, 1.0), (5.0, 1.0)), ((0.0, 0.0), (10.0, 0.0)), ((1.0, -2.0), (1.0, 3.0))] {
+        let mut refused = 0;
+        for duration in (3..=700).map(f64::from) {
+            match legacy::Hyperbolic::new(duration, start, end) {
+                Ok(curve) => {
+                    let last = curve.at(duration);
+                    let off = (last.position - end.0).abs().max(duration * (last.velocity - end.1).abs());
+                    assert!(off < 1e-5 * (10.0 + 3.0 * duration), "{duration}: {last:?}");
+                }
+                Err(error) => {
+                    refused += 1;
+                    assert!(error.to_string().contains("misses its end"), "{duration}: {error}");
+                }
+            }
+        }
+        // Between rests nothing is lost that counts.
+        let expected = if start.1.abs() > 0.0 { 600..690 } else { 0..1 };
+        assert!(expected.contains(&refused), "{start:?}, {end:?}: {refused}");
+    }
+    for duration in [35.0, 40.0, 100.0] {
+        assert!(legacy::Hyperbolic::new(duration, (0.0, 1.0), (5.0, 1.0)).is_err(), "{duration}");
+    }
+    assert!(legacy::Hyperbolic::<f32>::new(20.0, (0.0, 1.0), (5.0, 1.0)).is_err());
+}

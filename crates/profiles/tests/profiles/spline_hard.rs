@@ -1,7 +1,7 @@
 //! Splines where numbers get hard: long times in few digits, spacings of all sizes, a million keys, what is no spline.
 
 use solaris_profiles::spline::{Bend, CubicSpline, Key};
-use solaris_profiles::{Answers, Clip, Curve, Elementary, Outside, ProfileError};
+use solaris_profiles::{Answers, Clip, Curve, Elementary, Outside, ProfileError, Quantity};
 
 /// A wave with a key every tenth of a second.
 fn wave<F: Elementary>(start: f64, seconds: usize) -> Vec<(f64, F)> {
@@ -208,4 +208,14 @@ fn the_last_digit_of_a_span_belongs_to_its_last_piece() {
     let end: f64 = curve.duration();
     assert_eq!(curve.at(end).position.to_bits(), 5.0_f64.to_bits());
     assert!(curve.at(end.next_down()).position <= 5.0 && curve.at(end.next_up()) == curve.at(end));
+}
+
+/// With the parabola through three keys, whose times were not weighed, the first way swung out to −148.
+#[test]
+fn a_way_beside_a_short_and_steep_one_does_not_swing_out() {
+    for keys in [[(0.0, 0.0), (10.0, 0.0), (10.1, 10.0)], [(-10.1, 10.0), (-10.0, 0.0), (0.0, 0.0)]] {
+        let curve = CubicSpline::catmull_rom(&keys).expect("a spline");
+        let (low, high) = curve.range(Quantity::Position, 0.0, curve.duration());
+        assert!(low > -3.0 && high < 10.0 + 3.0, "{low} {high}");
+    }
 }

@@ -4,7 +4,7 @@ mod answers;
 mod fine;
 #[cfg(feature = "stiff")]
 pub(super) mod picture;
-mod resting;
+pub(super) mod resting;
 pub(super) mod scenes;
 pub(super) mod tables;
 

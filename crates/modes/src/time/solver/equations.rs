@@ -3,7 +3,6 @@
 use super::super::evaluate::Evaluator;
 use super::super::stepping::Course;
 use super::super::{System, TimeError};
-use super::Kind;
 use diffsol::{
     ConstantOp, Matrix, MatrixCommon, NalgebraContext, NalgebraMat, NalgebraVec, NonLinearOp,
     NonLinearOpJacobian, OdeEquations, OdeEquationsRef, Op, UnitCallable, Vector, VectorCommon,
@@ -63,7 +62,6 @@ impl<S: System + ?Sized> Host for Stretch<'_, '_, S> {
 
 /// The equations of a stretch. What fails in them is kept here, for the crate's functions cannot fail.
 pub(super) struct Equations<'a> {
-    pub(super) kind: Kind,
     pub(super) host: RefCell<&'a mut dyn Host>,
     /// The last failure of an evaluation.
     failure: RefCell<Option<TimeError>>,
@@ -74,9 +72,8 @@ pub(super) struct Equations<'a> {
 }
 
 impl<'a> Equations<'a> {
-    pub(super) fn new(host: &'a mut dyn Host, kind: Kind, start: &'a [f64]) -> Self {
+    pub(super) fn new(host: &'a mut dyn Host, start: &'a [f64]) -> Self {
         Self {
-            kind,
             host: RefCell::new(host),
             failure: RefCell::new(None),
             without_jacobian: RefCell::new(None),

@@ -5,10 +5,12 @@ use crate::spline::keys::{Bend, Chord};
 use alloc::vec::Vec;
 use core::iter::once;
 
-/// The slope from the key before to the key after; parabolas at the ends.
+/// The slope from the key before to the key after; at the ends what makes the outermost way a parabola.
 pub(in crate::spline) fn catmull_rom<F: Elementary>(chords: &[Chord<F>]) -> Vec<F> {
     let between = |a: &Chord<F>, b: &Chord<F>| (a.way + b.way) / F::from_f64(a.duration + b.duration);
-    along(chords, between, parabola)
+    // v₀ + v₁ = 2·x⁄d: a chord that is short beside the end's has as small a part in its slope as it has in that of the key between.
+    let end = |end: &Chord<F>, next: &Chord<F>| end.slope + end.slope - between(end, next);
+    along(chords, between, end)
 }
 
 /// The mean of both slopes, each weighted with the root of the other way; chords at the ends.

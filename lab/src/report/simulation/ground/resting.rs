@@ -18,14 +18,14 @@ const BODY: f64 = 2.0;
 const FOOT: f64 = 0.2;
 
 /// What falls on grounds from soft to hard.
-pub(super) struct Ground {
-    pub(super) scene: Scene,
+pub(in crate::report::simulation) struct Ground {
+    pub(in crate::report::simulation) scene: Scene,
     /// The longest step (s) at which the classical rule of order four is stable where it rests; none that nothing swings.
     pub(super) longest: Option<f64>,
 }
 
 /// A mass of 1 kg and a pogo, on springs of growing stiffness and on what plants them.
-pub(super) fn grounds() -> Result<Vec<Ground>, Faulty> {
+pub(in crate::report::simulation) fn grounds() -> Result<Vec<Ground>, Faulty> {
     let mut all = Vec::new();
     for pogo in [false, true] {
         for power in [3, 4, 5, 6, 7] {
