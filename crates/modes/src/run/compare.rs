@@ -22,11 +22,14 @@ pub(crate) fn difference(figure: &Figure, one: &Record, other: &Record) -> Resul
 /// The part of what a method says of the errors of its steps that is believed in any case.
 const LEAST: f64 = 0.01;
 
+/// How many times what it says of them, where nothing else is known: errors grow on the way, in random scenes up to fivefold.
+const GROWN: f64 = 5.0;
+
 /// How far off `one` is, at most, by its difference from `other`, of which it is a `part`.
 ///
 /// Where a looser tolerance made no step longer, for drives change more often than that, the two are the same, and their difference
-/// says nothing: then what the method says of its own steps is the least. A hundredth of that is so at any rate, for two may agree
-/// by chance.
+/// says nothing: then five times what the method says of its own steps is the least. A hundredth of that is so at any rate, for two
+/// may agree by chance.
 pub(crate) fn estimate(
     figure: &Figure,
     one: &Passed,
@@ -34,7 +37,7 @@ pub(crate) fn estimate(
     part: f64,
 ) -> Result<ErrorEstimate, SetupError> {
     let apart = difference(figure, &one.record, &other.record)?;
-    let least = if one.counts.steps == other.counts.steps { one.errors } else { LEAST * one.errors };
+    let least = if one.counts.steps == other.counts.steps { GROWN * one.errors } else { LEAST * one.errors };
     Ok(ErrorEstimate {
         position: (part * apart.position).max(least),
         velocity: (part * apart.velocity).max(least),

@@ -188,8 +188,8 @@ fn sweep(scenes: u64) {
         worst.0, worst.1
     );
     let share = |part: usize| part as f64 / scenes as f64;
-    // Of all two hundred 115 come to the end, 104 are compared and 8 are off by more than their own estimate; of the first sixty
-    // 32, 29 and 2.
+    // Of all two hundred 127 come to the end, 119 are compared and 8 are off by more than their own estimate, by a tenth and mostly of
+    // rules of order one; of the first sixty 35, 33 and 2.
     assert!(share(right) >= 0.53, "{right} of {scenes} scenes are solved");
     assert!(share(compared) >= 0.48, "{compared} of {scenes} scenes are compared");
     assert!(share(beyond) <= 0.04, "{beyond} of {scenes} scenes are farther off than they say");
