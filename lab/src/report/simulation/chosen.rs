@@ -158,7 +158,9 @@ fn picture(studies: &[(&'static str, Study)]) -> Diagram {
         };
         let mut points: Vec<Point> = studies.iter().filter_map(point).collect();
         points.sort_by(|a, b| a.evaluations.unwrap_or(0.0).total_cmp(&b.evaluations.unwrap_or(0.0)));
-        points.iter_mut().for_each(|point| point.label.clear());
+        for point in &mut points {
+            point.label.clear();
+        }
         Series { name: format!("tolerance {wanted:e}"), points }
     };
     Diagram {
