@@ -39,7 +39,7 @@ struct Placed {
 /// Where two shapes touch, or are about to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Which pair, by its index in [`Colliders::pairs`].
+    /// Which pair, by its index among those that the colliders were made of.
     pub pair: usize,
     /// The links.
     pub links: [usize; 2],
