@@ -281,7 +281,7 @@ impl Simulation {
     ///
     /// # Errors
     ///
-    /// [`SetupError::CollisionsNotBuiltIn`] without this crate's feature `collide`, [`SetupError::Collision`] for links without shapes,
+    /// [`SetupError::CollisionsNotBuiltIn`] without this crate's feature `collide`, `SetupError::Collision` for links without shapes,
     /// [`SetupError::Range`].
     pub fn set_collisions(&mut self, collisions: Collisions) -> Result<(), SetupError> {
         collisions.check(&self.figure)?;
