@@ -7,6 +7,10 @@ use super::solver;
 use super::stepping::Course;
 use super::{OnFrame, Stepping, Stopped, System, TimeError, explicit, fixed};
 use crate::report::Counts;
+use crate::settings::Rule;
+
+/// Spans shorter than this many roundings of the time leave no error to choose a step by: they are one step of a fixed rule.
+const SHORTEST: f64 = 4000.0 * f64::EPSILON;
 
 /// Steps `y` from the time `span.0` to `span.1` (s), or to the first event.
 ///
@@ -44,7 +48,11 @@ pub fn advance<S: System + ?Sized>(
     }
     let evaluator = Evaluator::new(system, counts, most, span);
     let course = Course { span, frames, frame };
+    let is_short = y.is_empty() || span.1 - span.0 <= SHORTEST * span.0.abs().max(span.1.abs());
     match stepping {
+        Stepping::Adaptive { .. } | Stepping::Stiff { .. } if is_short && is_built_in(stepping) => {
+            fixed::advance(evaluator, Way::Rule(Rule::RungeKutta4), span.1 - span.0, y, course)
+        }
         Stepping::Fixed { rule, step } => fixed::advance(evaluator, Way::Rule(rule), step, y, course),
         Stepping::Impulses { step } => fixed::advance(evaluator, Way::Impulses, step, y, course),
         Stepping::Adaptive { tolerance } => explicit::advance(evaluator, tolerance, y, course),
@@ -53,6 +61,10 @@ pub fn advance<S: System + ?Sized>(
         #[cfg(feature = "stiff")]
         Stepping::Stiff { tolerance } => solver::advance(evaluator, tolerance, y, course),
     }
+}
+
+fn is_built_in(stepping: Stepping) -> bool {
+    cfg!(feature = "stiff") || !matches!(stepping, Stepping::Stiff { .. })
 }
 
 fn check(stepping: Stepping, span: (f64, f64)) -> Result<(), TimeError> {

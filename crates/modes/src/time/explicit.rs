@@ -7,13 +7,9 @@ mod tableau;
 use super::evaluate::Evaluator;
 use super::locate::{Look, Sides};
 use super::stepping::Course;
-use super::{RateError, Stopped, System, TimeError, fixed};
-use crate::settings::Rule;
+use super::{RateError, Stopped, System, TimeError};
 use control::Control;
 use pair::Pair;
-
-/// Spans shorter than this many roundings of the time are one step of a fixed rule: no error is left to choose by.
-const SHORTEST: f64 = 4000.0 * f64::EPSILON;
 
 /// Steps shorter than this many roundings of the time are none.
 const LEAST: f64 = 16.0 * f64::EPSILON;
@@ -29,9 +25,6 @@ pub(super) fn advance<S: System + ?Sized>(
     course: Course<'_, S>,
 ) -> Result<Stopped, TimeError> {
     let (from, to) = course.span;
-    if y.is_empty() || to - from <= SHORTEST * from.abs().max(to.abs()) {
-        return fixed::advance(evaluator, fixed::Way::Rule(Rule::RungeKutta4), to - from, y, course);
-    }
     let mut march = March::new(evaluator, course, y)?;
     march.pair.begin(&mut march.evaluator, from, y)?;
     let mut h = control::first(&mut march.evaluator, &mut march.pair, (from, to - from), y, tolerance)?;

@@ -6,9 +6,8 @@ mod equations;
 use super::evaluate::{Evaluator, finite};
 use super::locate::{Look, Sides};
 use super::stepping::Course;
-use super::{RateError, Stopped, System, TimeError, fixed};
+use super::{RateError, Stopped, System, TimeError};
 use crate::report::Counts;
-use crate::settings::Rule;
 use diffsol::error::OdeSolverError;
 use diffsol::ode_solver::OdeSolverStatistics;
 use diffsol::{
@@ -16,10 +15,6 @@ use diffsol::{
     OdeSolverProblem, OdeSolverState, OdeSolverStopReason, Vector, VectorCommon,
 };
 use equations::{Equations, Mat, Stretch, Vect};
-
-/// Spans shorter than this many roundings of the time cannot be told from the crate's stop times; they are one step of a
-/// fixed rule.
-const SHORTEST: f64 = 4000.0 * f64::EPSILON;
 
 const TOO_SHORT: &str = "no step is short enough to meet its tolerance";
 
@@ -30,10 +25,6 @@ pub(super) fn advance<S: System + ?Sized>(
     y: &mut [f64],
     course: Course<'_, S>,
 ) -> Result<Stopped, TimeError> {
-    let (from, to) = course.span;
-    if y.is_empty() || to - from <= SHORTEST * from.abs().max(to.abs()) {
-        return fixed::advance(evaluator, fixed::Way::Rule(Rule::RungeKutta4), to - from, y, course);
-    }
     let (start, events) = (y.to_vec(), evaluator.system.events());
     let (span, frames) = (course.span, course.frames);
     let mut stretch = Stretch { evaluator, course };
