@@ -33,7 +33,8 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
     outputs.keep_off([args.figure.as_path(), args.trial.as_path()])?;
     let progress = Progress::new(3);
     progress.stage("reading");
-    let mut body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &[&args.trial])?;
+    let (mut body, subject) =
+        subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &[&args.trial])?;
     if let Some(gravity) = &args.frame.gravity {
         body.gravity = gravity.vector;
     }
@@ -57,7 +58,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             return write_json(out, &report);
         }
         writeln!(out, "{} '{}'\n", body.language.name(), figure.name())?;
-        body.subject.iter().try_for_each(|subject| subject.write(out))?;
+        subject.iter().try_for_each(|subject| subject.write(out))?;
         report.write(out)?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })

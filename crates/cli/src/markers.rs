@@ -44,7 +44,7 @@ pub(crate) fn fit(
     args: &MarkerArgs,
     part: Option<&Span>,
 ) -> Result<Fitted, CliError> {
-    let mut read = recording::in_world(path, body.gravity, args)?;
+    let mut read = recording::in_world(path, body.gravity, args.unit, args.axes)?;
     let recording = &mut read.recording;
     let (options, setup) = asked(body, args)?;
     let markers = body.markers.markers.clone();

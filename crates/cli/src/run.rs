@@ -2,7 +2,6 @@
 
 mod contact;
 mod energy;
-mod load;
 mod outcomes;
 mod plan;
 mod report;
@@ -10,7 +9,7 @@ mod summary;
 mod table;
 mod watch;
 
-pub(crate) use load::{Loaded, load};
+pub(crate) use solaris::files::{LoadedScene, scene as load};
 pub(crate) use table::{as_csv, in_degrees, positions};
 
 use crate::args::{FilmArgs, RunArgs};
@@ -65,7 +64,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     if let Some(option) = args.film.given().filter(|_| !drawn) {
         return Err(UsageError::NoStrip { option }.into());
     }
-    let Loaded { mut scene, reads } = load(path)?;
+    let LoadedScene { mut scene, reads } = load(path)?;
     // Only tables and pages show forces; those of a walk are found with its ground reactions.
     let shows = |path: &Path| matches!(extension(path).as_str(), "csv" | "html");
     scene.settings_mut().forces = scene.walk().is_some() || outputs.paths().any(shows);

@@ -7,6 +7,7 @@ use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
 use crate::recording;
 use crate::run::as_csv;
+use crate::subject::SubjectReport;
 use crate::words::short;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
@@ -21,6 +22,8 @@ pub(crate) struct Given {
     /// The motion's file.
     pub(crate) from: PathBuf,
     pub(crate) body: Body,
+    /// How the figure was brought to a person's size, if it was.
+    pub(crate) subject: Option<SubjectReport>,
     /// Whether gravity was asked for.
     pub(crate) gravity_is_asked: bool,
     pub(crate) table: Table,
@@ -49,7 +52,7 @@ impl Given {
 
     /// A figure that is at hand and is called `of`, in the motion `from`.
     pub(crate) fn of(
-        mut body: Body,
+        (mut body, subject): (Body, Option<SubjectReport>),
         [of, from]: [&Path; 2],
         record: &RecordArgs,
         frame: &FrameArgs,
@@ -82,6 +85,7 @@ impl Given {
             of,
             from,
             body,
+            subject,
             gravity_is_asked,
             table,
             doubtful,
