@@ -26,9 +26,11 @@ mod columns;
 mod force_table;
 mod forces;
 mod patterns;
+mod row;
 
 pub use force_table::{ForceHeadings, force_table};
 pub use forces::{force_prefixes, forces};
+pub use row::{headings, row};
 
 use crate::error::IoError;
 use crate::record::columns::Columns;
