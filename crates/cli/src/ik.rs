@@ -6,8 +6,8 @@ use crate::markers::{self, Fitted, MarkersReport};
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
-use crate::run::{as_csv, in_degrees};
 use crate::subject;
+use solaris::io::record::{headed_positions, positions_in_degrees};
 use solaris::io::{IoError, bvh, csv, sto};
 use solaris::model::Vector3;
 use std::io::Write;
@@ -45,8 +45,8 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
     let (figure, motion) = (&body.figure, &fitted.motion);
     outputs.write(|content, mut writer| {
         match content {
-            Content::Sto => sto::write(&in_degrees(figure, motion), &mut writer),
-            Content::Csv => csv::write_table(&as_csv(figure, motion), &mut writer),
+            Content::Sto => sto::write(&positions_in_degrees(figure, motion), &mut writer),
+            Content::Csv => csv::write_table(&headed_positions(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
             Content::Errors => write_errors(&fitted, &mut writer),
         }

@@ -6,11 +6,9 @@ mod outcomes;
 mod plan;
 mod report;
 mod summary;
-mod table;
 mod watch;
 
 pub(crate) use solaris::files::{LoadedScene, scene as load};
-pub(crate) use table::{as_csv, in_degrees, positions};
 
 use crate::args::{FilmArgs, RunArgs};
 use crate::error::{CliError, UsageError};
@@ -20,6 +18,7 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use report::Report;
 use solaris::io::bvh::Unit;
+use solaris::io::record;
 use solaris::model::{Figure, Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
@@ -153,7 +152,7 @@ fn write(
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
         Format::Bvh => bvh(figure, motion, writer),
         Format::Sto => {
-            solaris::io::sto::write(&table::positions(figure, motion), &mut writer).map_err(CliError::other)
+            solaris::io::sto::write(&record::positions(figure, motion), &mut writer).map_err(CliError::other)
         }
         Format::Html => {
             let (title, table) = (summary::title(report), summary::page_rows(report));

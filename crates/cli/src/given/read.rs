@@ -6,11 +6,11 @@ use crate::input::{self, Body, Language};
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
 use crate::recording;
-use crate::run::as_csv;
 use crate::subject::SubjectReport;
 use crate::words::short;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
+use solaris::io::record::headed_positions;
 use solaris::io::record::{self, ReadMotion};
 use solaris::model::{Base, Finding, FindingKind, Motion};
 use std::path::{Path, PathBuf};
@@ -106,7 +106,7 @@ fn motion(
 ) -> Result<(Table, ReadMotion, Vec<Finding>, Option<Fitted>), CliError> {
     if recording::is_one(from) {
         let fitted = markers::fit(body, from, &record.markers, record.time.as_ref())?;
-        let table = as_csv(&body.figure, &fitted.motion);
+        let table = headed_positions(&body.figure, &fitted.motion);
         let recorded = ReadMotion { motion: fitted.motion.clone(), ignored: Vec::new(), notes: Vec::new() };
         return Ok((table, recorded, Vec::new(), Some(fitted)));
     }
