@@ -252,7 +252,7 @@ fn measured(
                     asked,
                     Some(&mut *report),
                 )?;
-                let rest = markers::rest(body)?;
+                let rest = body.rest();
                 for Measurement { name, pairs, bodies } in &setup.setup.measurements {
                     let found = measured_factor(&body.figure, &body.markers.markers, &rest, &trial, pairs);
                     let found = match found {

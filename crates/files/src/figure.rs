@@ -6,7 +6,7 @@ use crate::read::{bytes, extension, no_text, refuse_unread, text as utf8};
 use solaris_io::bvh::{self, BvhError, Clip, ReadOptions};
 use solaris_io::opensim::{self, MarkerSet};
 use solaris_io::{CoordinateDefault, Encoding, Import, decode, mjcf, sdf, urdf};
-use solaris_model::{Actuator, Figure, Finding, FindingKind, Medium, Vector3, text};
+use solaris_model::{Actuator, Figure, Finding, FindingKind, JointKind, Marker, Medium, Vector3, text};
 use std::path::Path;
 
 /// Gravity of figures that are Solaris' own: y is up (m/s²).
@@ -108,6 +108,69 @@ impl Body {
     /// The figure with its markers as named frames.
     pub fn marked(&self) -> Figure {
         self.figure.with_markers(&self.markers.markers)
+    }
+
+    /// The positions (`nq`) that the figure has while nobody says anything else: those of the file, or zero.
+    pub fn rest(&self) -> Vec<f64> {
+        let layout = self.figure.layout();
+        let mut rest = vec![0.0; layout.nq()];
+        self.figure.neutral(&mut rest).expect("as long as its configurations are");
+        for (default, _, at) in self.free_defaults() {
+            rest[at] = default.value;
+        }
+        let nv = layout.nv();
+        self.figure.follow(&mut rest, &mut vec![0.0; nv], &mut vec![0.0; nv]);
+        rest
+    }
+
+    /// The degrees of freedom (index in `v`) that the file locks, each with its value (rad or m).
+    pub fn locked(&self) -> Vec<(usize, f64)> {
+        let locked = self.free_defaults().filter(|(default, _, _)| default.is_locked);
+        locked.map(|(default, dof, _)| (dof, default.value)).collect()
+    }
+
+    /// The degrees of freedom (index in `v`) that stay in their range (rad or m): where the file clamps them, or where its format
+    /// knows no clamps.
+    pub fn clamped(&self) -> Vec<(usize, f64, f64)> {
+        let layout = self.figure.layout();
+        let is_clamped = |dof: usize| {
+            let default = self.defaults.iter().find(|default| layout.dof_index(&default.name) == Some(dof));
+            default.map_or(self.defaults.is_empty(), |default| default.is_clamped)
+        };
+        let mut clamped = Vec::new();
+        for (link, at) in self.figure.links().iter().zip(layout.joints()) {
+            let JointKind::Axes(dofs) = link.joint().kind() else { continue };
+            for (i, dof) in dofs.iter().enumerate() {
+                let free = is_clamped(at.v + i) && !self.figure.follows(at.v + i);
+                if let Some(limits) = dof.limits.filter(|_| free) {
+                    clamped.push((at.v + i, limits.lower, limits.upper));
+                }
+            }
+        }
+        clamped
+    }
+
+    /// Its named frames as markers, for a figure that has no others.
+    pub fn frames_as_markers(&self) -> Vec<Marker> {
+        let of = self.figure.links().iter().enumerate();
+        of.flat_map(|(link, it)| {
+            it.frames().iter().map(move |frame| Marker {
+                name: frame.name.clone(),
+                link,
+                position: frame.placement.translation.vector,
+                is_fixed: false,
+            })
+        })
+        .collect()
+    }
+
+    /// What the file says of coordinates that are free, each with its degree of freedom and its place in `q`.
+    fn free_defaults(&self) -> impl Iterator<Item = (&CoordinateDefault, usize, usize)> {
+        let layout = self.figure.layout();
+        self.defaults.iter().filter_map(move |default| {
+            let dof = layout.dof_index(&default.name).filter(|dof| !self.figure.follows(*dof))?;
+            Some((default, dof, layout.coordinate(dof)?))
+        })
     }
 
     /// A figure that nobody had to read.
