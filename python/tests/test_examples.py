@@ -1,0 +1,76 @@
+"""Every example in a docstring, and every block of docs/python.md, is run."""
+
+import doctest
+import re
+from pathlib import Path
+
+import pytest
+
+import solaris
+import solaris._solaris
+import solaris.dataset
+import solaris.errors
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+
+
+def documented():
+    """Functions, classes and their methods that have examples."""
+    for name in solaris.__all__:
+        thing = getattr(solaris, name)
+        yield name, thing.__doc__
+        if isinstance(thing, type):
+            for part, method in vars(thing).items():
+                if not part.startswith("_"):
+                    yield f"{name}.{part}", getattr(method, "__doc__", None)
+    for module in (solaris, solaris.errors, solaris.dataset):
+        yield module.__name__, module.__doc__
+
+
+@pytest.mark.parametrize("name", [name for name, text in documented() if text and ">>>" in text])
+def test_examples_run(name):
+    text = dict(documented())[name]
+    parsed = doctest.DocTestParser().get_doctest(text, {}, name, name, 0)
+    result = doctest.DocTestRunner().run(parsed)
+    assert result.attempted > 0 and result.failed == 0
+
+
+def test_everything_public_is_documented():
+    for name, text in documented():
+        assert text, f"{name} has no docstring"
+
+
+def test_the_page_runs(tmp_path, monkeypatch):
+    page = (REPOSITORY / "docs" / "python.md").read_text()
+    blocks = re.findall(r"```python\n(.*?)```", page, re.S)
+    assert len(blocks) > 5
+    (tmp_path / "fixtures").symlink_to(REPOSITORY / "fixtures")
+    monkeypatch.chdir(tmp_path)
+    import matplotlib
+
+    matplotlib.use("Agg")
+    names: dict = {}
+    for block in blocks:
+        exec(compile(block, "docs/python.md", "exec"), names)
+
+
+def test_the_stub_names_what_is_there():
+    stub = (Path(solaris.__file__).parent / "_solaris.pyi").read_text()
+    for name in solaris.__all__:
+        thing = getattr(solaris, name)
+        if thing.__module__ == "solaris.errors":
+            continue
+        if not isinstance(thing, type):
+            assert f"def {name}(" in stub, name
+            signature = re.search(rf"def {name}\((.*?)\) ->", stub, re.S)
+            told = set(re.findall(r"(\w+)(?::[^,()]*(?:\[[^\]]*\])*[^,()]*)?(?:=|,|$)", signature.group(1)))
+            asked = re.findall(r"(?:^|[ (,*])(\w+)(?==|,|$|\))", thing.__text_signature__[1:-1])
+            for argument in asked:
+                assert re.search(rf"\b{argument}\b", signature.group(1)), f"{name}: {argument}"
+            assert told or not asked
+            continue
+        assert f"class {name}" in stub, name
+        body = stub.split(f"class {name}", 1)[1].split("\nclass ", 1)[0]
+        for part in vars(thing):
+            if not part.startswith("_"):
+                assert f"def {part}(" in body, f"{name}.{part}"
