@@ -12,8 +12,6 @@ use std::sync::Arc;
 
 /// Body mass index of people of whom no mass is said (kg/m²).
 const BODY_MASS_INDEX: f64 = 23.8;
-/// Height of people of whom none is said (m).
-const HEIGHT: f64 = 1.75;
 
 /// An articulated figure: links in a tree, each moved by its joint against its parent. It never changes.
 #[pyclass(frozen, module = "solaris")]
@@ -42,7 +40,7 @@ impl Figure {
 /// `age` (years) below 18 has a child's proportions. `heading_first` makes the root turn by its heading first, which walks
 /// that turn round and `Walker` need. Without a mass it is 23.8 times the squared height.
 #[pyfunction]
-#[pyo3(signature = (height=HEIGHT, mass=None, *, age=None, heading_first=false))]
+#[pyo3(signature = (height=1.75, mass=None, *, age=None, heading_first=false))]
 pub(crate) fn human(
     height: f64,
     mass: Option<f64>,

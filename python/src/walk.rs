@@ -19,8 +19,6 @@ use solaris::gait::{
 use solaris::model::{Relief, Trajectory as _, nearest};
 use std::path::PathBuf;
 
-/// Frames a second where nothing else is asked for (1/s).
-const RATE: f64 = 120.0;
 /// Steps a minute over slopes and other ground, and up stairs, where no pace is asked for.
 const ON_GROUND: f64 = 100.0;
 const UP_STAIRS: f64 = 88.0;
@@ -64,7 +62,7 @@ pub(crate) struct Walk {
     figure=None, *, height=1.75, mass=None, age=None, step_frequency=None, step_length=None, speed=None, steps=None,
     distance=None, turn=0.0, path=None, then=None, slope=None, stairs=None, ground=None, footholds=None,
     population=None, manner=None, left=None, right=None, variability=None, seed=0, style=None, left_first=None,
-    determinants=None, r#loop=None, rate=RATE
+    determinants=None, r#loop=None, rate=120.0
 ))]
 pub(crate) fn walk(
     py: Python<'_>,
@@ -183,7 +181,7 @@ pub(crate) fn walk(
 #[pyfunction]
 #[pyo3(signature = (
     figure=None, *, height=1.75, mass=None, age=None, speed=3.0, steps=None, distance=None, then=None, start="running",
-    end="running", left_first=false, r#loop=None, rate=RATE
+    end="running", left_first=false, r#loop=None, rate=120.0
 ))]
 pub(crate) fn run_gait(
     py: Python<'_>,

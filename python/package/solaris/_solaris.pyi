@@ -2,19 +2,45 @@
 import os
 from typing import Any, Literal, Mapping, Optional, Sequence, TypedDict, Union, final
 
+from typing_extensions import Self
+
 import numpy as np
 import numpy.typing as npt
+
+__all__ = [
+    "Ground",
+    "Inverse",
+    "Kinematics",
+    "differentiate",
+    "ground_forces",
+    "inverse_dynamics",
+    "inverse_kinematics",
+    "Dynamics",
+    "Figure",
+    "human",
+    "read_figure",
+    "Motion",
+    "read_motion",
+    "Run",
+    "run",
+    "Walk",
+    "manners",
+    "run_gait",
+    "style_parameters",
+    "walk",
+    "Walker",
+]
 
 _Array = npt.NDArray[np.float64]
 _Numbers = npt.ArrayLike
 _Path = Union[str, os.PathLike[str]]
 
-class Contact(TypedDict):
+class _Contact(TypedDict):
     force: _Array
     moment: _Array
     cop: _Array
 
-class StyleParameter(TypedDict):
+class _StyleParameter(TypedDict):
     help: str
     unit: str
     range: tuple[float, float]
@@ -64,12 +90,12 @@ class Figure:
     def integrate(self, q: _Numbers, step: _Numbers) -> _Array: ...
     def difference(self, start: _Numbers, end: _Numbers) -> _Array: ...
     def with_gravity(self, gravity: _Numbers) -> Figure: ...
-    def __eq__(self, other: object) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 
 @final
 class Dynamics:
-    def __init__(self, figure: Figure, gravity: Optional[_Numbers] = None, *, threads: int = 1) -> None: ...
+    def __new__(cls, figure: Figure, gravity: Optional[_Numbers] = None, *, threads: int = 1) -> Self: ...
     @property
     def nq(self) -> int: ...
     @property
@@ -124,9 +150,8 @@ class Dynamics:
 
 @final
 class Motion:
-    def __init__(
-        self, figure: Figure, time: _Numbers, q: _Numbers, v: Optional[_Numbers] = None, a: Optional[_Numbers] = None
-    ) -> None: ...
+    def __new__(cls, figure: Figure, time: _Numbers, q: _Numbers, v: Optional[_Numbers] = None, a: Optional[_Numbers] = None
+    ) -> Self: ...
     @property
     def figure(self) -> Figure: ...
     @property
@@ -144,7 +169,7 @@ class Motion:
     @property
     def gravity(self) -> _Array: ...
     @property
-    def contacts(self) -> dict[str, Contact]: ...
+    def contacts(self) -> dict[str, _Contact]: ...
     @property
     def events(self) -> list[tuple[float, str, str]]: ...
     @property
@@ -180,7 +205,7 @@ class Walk:
 
 @final
 class Walker:
-    def __init__(self, figure: Optional[Figure] = None) -> None: ...
+    def __new__(cls, figure: Optional[Figure] = None) -> Self: ...
     def step(
         self,
         dt: float,
@@ -211,6 +236,7 @@ class Walker:
     def hold(self, dof: str) -> None: ...
     def set(self, dof: str, value: float) -> None: ...
     def copy(self) -> Walker: ...
+    def __copy__(self) -> Walker: ...
 
 @final
 class Run:
@@ -227,7 +253,7 @@ class Run:
 @final
 class Ground:
     @property
-    def contacts(self) -> dict[str, Contact]: ...
+    def contacts(self) -> dict[str, _Contact]: ...
     @property
     def report(self) -> dict[str, Any]: ...
     @property
@@ -311,7 +337,7 @@ def run_gait(
     loop: Optional[Literal["moving", "in_place"]] = None,
     rate: float = 120.0,
 ) -> Walk: ...
-def style_parameters() -> dict[str, StyleParameter]: ...
+def style_parameters() -> dict[str, _StyleParameter]: ...
 def manners() -> tuple[list[str], list[str]]: ...
 def run(
     path: Optional[_Path] = None,

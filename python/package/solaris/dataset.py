@@ -84,6 +84,7 @@ def walks(batch: Mapping[str, Any], steps: int = 10, frames: Optional[float] = N
         except solaris.SolarisError as error:
             return {}, str(error), None
         motion = walk.motion
+        assert motion.tau is not None, "a walk has its forces"
         kept = (motion.time, motion.q.ravel(), motion.tau.ravel()) if frames else None
         return _measured(walk), "", kept
 
@@ -102,6 +103,7 @@ def walks(batch: Mapping[str, Any], steps: int = 10, frames: Optional[float] = N
 
 def _measured(walk: solaris.Walk) -> dict[str, float]:
     motion, figure = walk.motion, walk.figure
+    assert motion.tau is not None and motion.v is not None, "a walk has its forces"
     names = figure.v_names
     at = {name: names.index(name) for name in ("left_knee.rx", "right_knee.rx", "left_ankle.rx", "right_ankle.rx")}
     knees = motion.q[:, [at["left_knee.rx"], at["right_knee.rx"]]]
@@ -163,7 +165,7 @@ def make(
         raise ValueError(f"people is {people} and part_size {part_size}; both must be at least 1")
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
-    plan = {"people": people, "seed": seed, "steps": steps, "frames": frames, "part": part_size}
+    plan: dict[str, Any] = {"people": people, "seed": seed, "steps": steps, "frames": frames, "part": part_size}
     # Begins as what readers of whole folders leave out.
     said = folder / "_plan.json"
     if said.exists() and json.loads(said.read_text()) != plan:
