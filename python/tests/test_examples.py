@@ -42,10 +42,11 @@ def test_everything_public_is_documented():
         assert text, f"{name} has no docstring"
 
 
-def test_the_page_runs(tmp_path, monkeypatch):
-    page = (REPOSITORY / "docs" / "python.md").read_text()
-    blocks = re.findall(r"```python\n(.*?)```", page, re.S)
-    assert len(blocks) > 5
+@pytest.mark.parametrize("page, least", [("docs/python.md", 10), ("README.md", 1), ("python/README.md", 1)])
+def test_pages_run(page, least, tmp_path, monkeypatch):
+    text = (REPOSITORY / page).read_text()
+    blocks = re.findall(r"```python\n(.*?)```", text, re.S)
+    assert len(blocks) >= least
     (tmp_path / "fixtures").symlink_to(REPOSITORY / "fixtures")
     monkeypatch.chdir(tmp_path)
     import matplotlib
@@ -53,7 +54,7 @@ def test_the_page_runs(tmp_path, monkeypatch):
     matplotlib.use("Agg")
     names: dict = {}
     for block in blocks:
-        exec(compile(block, "docs/python.md", "exec"), names)
+        exec(compile(block, page, "exec"), names)
 
 
 def test_the_stub_is_what_is_there():
