@@ -9,6 +9,7 @@ use std::path::Path;
 /// Every crate of the workspace and its row; those in [`BESIDE`] stand beside the onion.
 pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-cli", 9),
+    ("solaris-ffi", 9),
     ("solaris", 8),
     ("solaris-files", 7),
     ("solaris-scene", 6),
