@@ -10,6 +10,7 @@ use std::path::Path;
 pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-cli", 9),
     ("solaris-ffi", 9),
+    ("solaris-web", 9),
     ("solaris", 8),
     ("solaris-files", 7),
     ("solaris-scene", 6),

@@ -1,0 +1,84 @@
+// The package as it is built, in node: numbers that laws know, refusals, size.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import init, { Dynamics, Figure, Walker, run, walk } from "./dist/solaris_web.js";
+
+const wasm = readFileSync(new URL("./dist/solaris_web_bg.wasm", import.meta.url));
+await init({ module_or_path: wasm });
+const ann = Figure.human(1.65, 58);
+
+test("it is small", () => {
+  const size = JSON.parse(readFileSync(new URL("./dist/size.json", import.meta.url)));
+  assert.ok(size.wasm < 1.9e6 && size.gzip < 0.75e6, JSON.stringify(size));
+});
+
+test("a walk is carried by the ground", () => {
+  const motion = walk(ann, { stepFrequency: 105, steps: 6 });
+  const { nq, nv } = ann;
+  assert.equal(motion.q.length, motion.length * nq);
+  assert.equal(motion.tau.length, motion.length * nv);
+  let push = 0;
+  for (const link of motion.contacts) {
+    const forces = motion.contact(link);
+    for (let sample = 0; sample < motion.length; sample++) push += forces[9 * sample + 1];
+  }
+  // From standing to standing the mean force is the weight.
+  assert.ok(Math.abs(push / motion.length / (58 * 9.80665) - 1) < 1e-3);
+  assert.ok(motion.report.steady_stride !== undefined || Object.keys(motion.report).length > 0);
+  assert.match(motion.toCsv(), /^time,root\.tx\.q,/);
+  assert.match(motion.toBvh(), /^HIERARCHY/);
+});
+
+test("forces of a walk are those of inverse dynamics in the air", () => {
+  const motion = walk(ann, { steps: 4 });
+  const dynamics = new Dynamics(ann);
+  const { nq, nv } = ann;
+  const sample = 100;
+  const of = (numbers, width) => numbers.slice(sample * width, (sample + 1) * width);
+  const [q, v, a] = [of(motion.q, nq), of(motion.v, nv), of(motion.a, nv)];
+  const tau = dynamics.inverse(q, v, a);
+  const back = dynamics.forward(q, v, tau);
+  assert.ok(back.every((x, i) => Math.abs(x - a[i]) < 1e-7));
+  // Without the ground the root bears the weight; with it nothing.
+  assert.ok(Math.abs(of(motion.tau, nv)[1]) < 1e-6 && tau[1] > 300);
+  const matrix = dynamics.massMatrix(q);
+  assert.ok(Math.abs(matrix[0] - 58) < 1e-9);
+});
+
+test("a walker comes to a point, and a copy goes on alike", () => {
+  const walker = new Walker(ann);
+  walker.goTo(1, 2, 1.2);
+  let q;
+  for (let frame = 0; frame < 900; frame++) q = walker.step(1 / 60);
+  assert.ok(walker.isStanding && Math.hypot(walker.place[0] - 1, walker.place[1] - 2) < 0.05);
+  const poses = new Dynamics(ann).poses(q);
+  assert.equal(poses.length, 7 * ann.links.length);
+  walker.go(0, 1);
+  const twin = walker.copy();
+  assert.deepEqual(walker.step(0.1), twin.step(0.1));
+});
+
+test("figures from texts, and scenes", () => {
+  const urdf = readFileSync(new URL("../../../fixtures/figures/arm.urdf", import.meta.url), "utf8");
+  const arm = Figure.fromText(urdf, "urdf");
+  assert.equal(Figure.fromText(arm.toText()).nv, arm.nv);
+  assert.equal(arm.parents[0], -1);
+  const motion = run(
+    'Scene(version: 1, duration: 1.0, figures: {"it": Figure(links: [Link(name: "rod", mass: 1.0, joint: Joint(name: "pivot", axes: [rx]), com: (0, 0, 1))])})',
+  );
+  assert.equal(motion.time.at(-1), 1);
+  assert.match(motion.report.method, /adaptive/);
+});
+
+test("what is wrong is said", () => {
+  const says = (what, message) => assert.throws(what, (error) => error instanceof Error && message.test(error.message));
+  says(() => Figure.human(9, 70), /height 9 m/);
+  says(() => walk(ann, { stepFrequency: 300 }), /60 to 130/);
+  says(() => walk(ann, { pase: 100 }), /unknown field `pase`/);
+  says(() => walk(ann, { steps: 4, distance: 2 }), /not both/);
+  says(() => Figure.fromText("Figure(nam: 1)"), /did you mean 'name'/);
+  says(() => new Dynamics(ann).inverse(new Float64Array(3), new Float64Array(66), new Float64Array(66)), /66/);
+  says(() => new Walker(ann).step(9), /0\.25 s/);
+});

@@ -1,0 +1,123 @@
+//! Figures.
+
+use crate::failed;
+use solaris::io::{mjcf, opensim, sdf, urdf};
+use solaris::model::{self, Human, Link, RootOrder, Vector3, text};
+use wasm_bindgen::prelude::*;
+
+/// Gravity where no text says it: y is up (m/s²).
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
+
+/// An articulated figure. It never changes.
+#[wasm_bindgen]
+#[derive(Clone)]
+pub struct Figure {
+    pub(crate) figure: model::Figure,
+    pub(crate) gravity: Vector3<f64>,
+    findings: Vec<String>,
+}
+
+impl Figure {
+    pub(crate) fn own(figure: model::Figure) -> Self {
+        let gravity = figure.gravity().copied().unwrap_or(GRAVITY);
+        Self { figure, gravity, findings: Vec::new() }
+    }
+}
+
+#[wasm_bindgen]
+impl Figure {
+    /// A person of this height (m) and mass (kg), with a child's proportions below 18 years; the root turns by its heading first, as
+    /// `Walker` needs it.
+    pub fn human(height: f64, mass: f64, age: Option<f64>) -> Result<Figure, JsError> {
+        let human = Human::new(height, mass).root(RootOrder::Yzx);
+        let human = age.map_or_else(|| human.clone(), |age| human.clone().age(age));
+        human.build().map(Self::own).map_err(failed)
+    }
+
+    /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"`, `"mjcf"`, `"osim"` or `"sdf"`.
+    #[wasm_bindgen(js_name = fromText)]
+    pub fn from_text(source: &str, format: Option<String>) -> Result<Figure, JsError> {
+        let import = match format.as_deref().unwrap_or("ron") {
+            "ron" => return text::read(source).map(Self::own).map_err(failed),
+            "urdf" => urdf::read(source),
+            "mjcf" => mjcf::read(source),
+            "osim" => opensim::read(source),
+            "sdf" => sdf::read(source),
+            other => {
+                let known = "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'";
+                return Err(failed(format!("format is '{other}'; it must be {known}")));
+            }
+        };
+        let import = import.map_err(failed)?;
+        let findings = import.findings.iter().map(ToString::to_string).collect();
+        let figure = import.figure.with_gravity(import.gravity).map_err(failed)?;
+        Ok(Self { figure, gravity: import.gravity, findings })
+    }
+
+    /// Its text, which `Figure.fromText` reads back.
+    #[wasm_bindgen(js_name = toText)]
+    pub fn to_text(&self) -> String {
+        text::write(&self.figure)
+    }
+
+    /// Its name.
+    #[wasm_bindgen(getter)]
+    pub fn name(&self) -> String {
+        self.figure.name().to_owned()
+    }
+
+    /// Total mass (kg).
+    #[wasm_bindgen(getter)]
+    pub fn mass(&self) -> f64 {
+        self.figure.mass()
+    }
+
+    /// Length of a configuration `q`.
+    #[wasm_bindgen(getter)]
+    pub fn nq(&self) -> usize {
+        self.figure.layout().nq()
+    }
+
+    /// Length of `v`, `a` and `tau`.
+    #[wasm_bindgen(getter)]
+    pub fn nv(&self) -> usize {
+        self.figure.layout().nv()
+    }
+
+    /// Names of the links, the root first.
+    #[wasm_bindgen(getter)]
+    pub fn links(&self) -> Vec<String> {
+        self.figure.links().iter().map(|link| link.name().to_owned()).collect()
+    }
+
+    /// Index of each link's parent; -1 of the root's.
+    #[wasm_bindgen(getter)]
+    pub fn parents(&self) -> Vec<i32> {
+        self.figure.links().iter().map(Link::parent).map(|parent| parent.map_or(-1, |at| at as i32)).collect()
+    }
+
+    /// Names of the entries of `q`.
+    #[wasm_bindgen(getter, js_name = qNames)]
+    pub fn q_names(&self) -> Vec<String> {
+        self.figure.layout().q_names().to_vec()
+    }
+
+    /// Names of the entries of `v`, `a` and `tau`.
+    #[wasm_bindgen(getter, js_name = vNames)]
+    pub fn v_names(&self) -> Vec<String> {
+        self.figure.layout().v_names().to_vec()
+    }
+
+    /// What its reader had to say.
+    #[wasm_bindgen(getter)]
+    pub fn findings(&self) -> Vec<String> {
+        self.findings.clone()
+    }
+
+    /// The configuration in which every joint is at zero.
+    pub fn neutral(&self) -> Result<Vec<f64>, JsError> {
+        let mut q = vec![0.0; self.nq()];
+        self.figure.neutral(&mut q).map_err(failed)?;
+        Ok(q)
+    }
+}

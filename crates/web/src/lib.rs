@@ -1,0 +1,30 @@
+//! The engine in a browser: a thin face for JavaScript over the libraries. See `package/README.md`.
+
+mod dynamics;
+mod figure;
+mod motion;
+mod scene;
+mod walk;
+mod walker;
+
+pub use dynamics::Dynamics;
+pub use figure::Figure;
+pub use motion::Motion;
+pub use scene::run;
+pub use walk::{WalkOptions, walk};
+pub use walker::Walker;
+
+use wasm_bindgen::JsError;
+
+/// What failed, as JavaScript's `Error`.
+fn failed(error: impl std::fmt::Display) -> JsError {
+    JsError::new(&error.to_string())
+}
+
+/// Refuses an array of another length.
+fn check(name: &str, found: usize, expected: usize) -> Result<(), JsError> {
+    if found == expected {
+        return Ok(());
+    }
+    Err(JsError::new(&format!("{name} has {found} numbers; it must have {expected}")))
+}

@@ -1,0 +1,89 @@
+//! The walker that is steered while it walks.
+
+use crate::failed;
+use crate::figure::Figure;
+use solaris::gait::{self, Command};
+use wasm_bindgen::prelude::*;
+
+/// A figure that walks as it is told while it walks, frame after frame. The level is x left and z forward of the world.
+#[wasm_bindgen]
+pub struct Walker {
+    walker: gait::Walker,
+    command: Command,
+}
+
+#[wasm_bindgen]
+impl Walker {
+    /// One that stands at the origin and faces along z; of a figure of `Figure.human`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(figure: &Figure) -> Result<Walker, JsError> {
+        Ok(Self { walker: gait::Walker::new(&figure.figure).map_err(failed)?, command: Command::stop() })
+    }
+
+    /// From the next `step` on: to come to a stand.
+    pub fn stop(&mut self) {
+        self.command = Command::stop();
+    }
+
+    /// From the next `step` on: with a velocity in the world (m/s).
+    pub fn go(&mut self, x: f64, z: f64) {
+        self.command = Command::velocity(x, z);
+    }
+
+    /// From the next `step` on: with a velocity to the left and forward of the way it faces (m/s).
+    #[wasm_bindgen(js_name = goOwn)]
+    pub fn go_own(&mut self, left: f64, forward: f64) {
+        self.command = Command::own_velocity(left, forward);
+    }
+
+    /// From the next `step` on: to a point (m) with a speed (m/s), where it stops.
+    #[wasm_bindgen(js_name = goTo)]
+    pub fn go_to(&mut self, x: f64, z: f64, speed: f64) {
+        self.command = Command::to_point(x, z, speed);
+    }
+
+    /// With what was told last: to face a heading (rad, to the left of z).
+    pub fn face(&mut self, heading: f64) {
+        self.command = self.command.facing(heading);
+    }
+
+    /// With what was told last: to face a point (m).
+    #[wasm_bindgen(js_name = faceTo)]
+    pub fn face_to(&mut self, x: f64, z: f64) {
+        self.command = self.command.facing_point(x, z);
+    }
+
+    /// Goes on by `dt` (s, up to a quarter), and gives the configuration there.
+    pub fn step(&mut self, dt: f64) -> Result<Vec<f64>, JsError> {
+        self.walker.step(dt, &self.command).map(<[f64]>::to_vec).map_err(failed)
+    }
+
+    /// Where it is (x, z, m).
+    #[wasm_bindgen(getter)]
+    pub fn place(&self) -> Vec<f64> {
+        self.walker.place().to_vec()
+    }
+
+    /// Which way it faces (rad, to the left of z, not wrapped).
+    #[wasm_bindgen(getter)]
+    pub fn heading(&self) -> f64 {
+        self.walker.heading()
+    }
+
+    /// The velocity that the present step makes (x, z, m/s).
+    #[wasm_bindgen(getter)]
+    pub fn velocity(&self) -> Vec<f64> {
+        self.walker.velocity().to_vec()
+    }
+
+    /// Whether both feet stand and no step has begun.
+    #[wasm_bindgen(getter, js_name = isStanding)]
+    pub fn is_standing(&self) -> bool {
+        self.walker.is_standing()
+    }
+
+    /// One that goes on from here by itself, to the same bits.
+    pub fn copy(&self) -> Walker {
+        Self { walker: self.walker.clone(), command: self.command }
+    }
+}
