@@ -8,7 +8,7 @@ use folder::Folder;
 use solaris::io::bvh::{self, BvhError, Clip, ReadOptions};
 use solaris::io::opensim::MarkerSet;
 use solaris::io::{CoordinateDefault, Encoding, Import, Table, csv, decode, mjcf, opensim, sdf, sto, urdf};
-use solaris::model::{Actuator, Figure, Finding, FindingKind, Medium, TextError, Vector3, text};
+use solaris::model::{Actuator, Figure, Finding, FindingKind, Medium, TextError, Tie, Vector3, text};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
@@ -178,6 +178,19 @@ pub(crate) fn actuators(path: &Path) -> Result<Vec<Actuator>, CliError> {
             path,
             &"actuators are read of MuJoCo models and of URDF; leave 'actuators' out",
         )),
+    }
+}
+
+/// What a figure's file holds together that its tree has open.
+pub(crate) fn ties(path: &Path) -> Result<Vec<Tie>, CliError> {
+    let text = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?.0;
+    match Language::of(path, &text) {
+        Some(Language::Mjcf) => mjcf::ties(&text, &mut Folder::of(path, None)?)
+            .map_err(|error| CliError::Files { path: path.to_owned(), error }),
+        Some(Language::Sdf) => {
+            sdf::ties(&text, &mut Folder::of(path, None)?).map_err(|faults| faulty(path, &text, faults))
+        }
+        _ => Err(CliError::input(path, &"loops are read of MuJoCo models and of SDF; leave 'loops' out")),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::error::CliError;
 use crate::input;
 use solaris::io::record;
 use solaris::model::text::first_word;
-use solaris::model::{Actuator, Figure, Motion, TextError, Vector3};
+use solaris::model::{Actuator, Figure, Motion, TextError, Tie, Vector3};
 use solaris::scene::{Loader, Scene, read};
 use std::path::{Path, PathBuf};
 
@@ -79,6 +79,10 @@ impl Loader for Files {
 
     fn actuators(&mut self, name: &str) -> Result<Vec<Actuator>, String> {
         input::actuators(&self.folder.join(name)).map_err(|error| why(&error))
+    }
+
+    fn ties(&mut self, name: &str) -> Result<Vec<Tie>, String> {
+        input::ties(&self.folder.join(name)).map_err(|error| why(&error))
     }
 
     fn text(&mut self, name: &str) -> Result<String, String> {
