@@ -28,7 +28,9 @@ pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
 pub use medium::{MediumError, medium_forces};
-pub use nearness::{LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness};
+pub use nearness::{
+    LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness, nearness_but,
+};
 pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};
 pub use prescribed::prescribed_reactions;
