@@ -291,7 +291,13 @@ impl Pass {
         let stopped = match (result, failure) {
             (Ok(stopped), None) => stopped,
             (_, Some(failure)) => {
-                return Err(guard::explain(simulation, phase, stepping, (&y, passed.record.last()), *failure));
+                return Err(guard::explain(
+                    simulation,
+                    phase,
+                    stepping,
+                    (&y, passed.record.last()),
+                    *failure,
+                ));
             }
             (Err(TimeError::Rate { source: RateError::Stopped, .. }), None) => {
                 return Err(RunError::Cancelled);
