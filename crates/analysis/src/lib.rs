@@ -2,6 +2,7 @@
 
 mod balance;
 mod carrier;
+mod closed;
 pub mod cycles;
 mod differentiate;
 mod error;
@@ -23,6 +24,7 @@ mod split;
 mod uncertainty;
 
 pub use balance::balance_momentum;
+pub use closed::{ClosedError, ClosedForces, closed_forces};
 pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiate};
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
