@@ -3,8 +3,11 @@
 use crate::table::replace;
 use crate::workspace::{read, write};
 use solaris_gait::{Command, Walker};
-use solaris_model::{Figure, Human, Motion, MotionInfo, RootOrder};
+use solaris_model::{Figure, Human, Motion, MotionInfo, RootOrder, Vector3};
+use solaris_modes::time::Stepping;
+use solaris_modes::{ContactLaw, GroundPlane, Simulation, contact_points};
 use solaris_view::{FilmOptions, Seen, film};
+use std::fmt::Write as _;
 use std::time::Instant;
 
 const PAGE: &str = "docs/live.md";
@@ -14,15 +17,18 @@ const RATE: f64 = 60.0;
 const DRIVEN: f64 = 600.0;
 /// How often all frames are made.
 const ROUNDS: usize = 4;
+/// How long somebody limp falls and lies (s).
+const FALLS: f64 = 4.0;
 /// Walkers of a crowd, and for how long (s).
 const CROWD: (usize, f64) = (100, 20.0);
 
 /// Writes both.
 pub(crate) fn run() -> Result<(), String> {
     let figure = Human::new(1.75, 73.0).root(RootOrder::Yzx).build().map_err(|error| error.to_string())?;
-    let table = cost(&figure)?;
-    println!("{table}");
-    write(PAGE, &replace(&read(PAGE)?, "cost", &table)?)?;
+    let (table, physics) = (cost(&figure)?, limp()?);
+    println!("{table}\n\n{physics}");
+    let page = replace(&read(PAGE)?, "cost", &table)?;
+    write(PAGE, &replace(&page, "physics", &physics)?)?;
     write(STRIP, &strip(&figure)?)
 }
 
@@ -75,6 +81,42 @@ fn cost(figure: &Figure) -> Result<String, String> {
         1e3 * built,
         DRIVEN / 60.0
     ))
+}
+
+/// What frames of somebody limp cost who falls, comes to lie and lies, by impulses: the least of some rounds of each, as above.
+fn limp() -> Result<String, String> {
+    let say = |error: &dyn std::fmt::Display| error.to_string();
+    let figure = Human::new(1.75, 73.0).limp().build().map_err(|error| say(&error))?;
+    let mut simulation = Simulation::new(&figure, Vector3::y() * -9.81);
+    let (mut q, mut v) = (simulation.state().0.to_vec(), vec![0.0; figure.layout().nv()]);
+    q[1] = 1.2;
+    (v[3], v[4]) = (2.0, 4.0);
+    simulation.set_start(&q, &v).map_err(|error| say(&error))?;
+    let plane = GroundPlane::under(&figure, simulation.gravity(), 0.8).map_err(|error| say(&error))?;
+    let plane = GroundPlane { law: ContactLaw::Rigid, ..plane };
+    simulation.set_ground(plane, contact_points(&figure)).map_err(|error| say(&error))?;
+    let mut rows =
+        "| a frame at 60 Hz, steps of | half of all frames | 99 of 100 | the worst |\n|---|---|---|---|"
+            .to_owned();
+    for steps in [2.0, 4.0, 16.0] {
+        let step = (RATE * steps).recip();
+        let mut times = vec![f64::INFINITY; (FALLS * RATE) as usize];
+        for _ in 0..ROUNDS {
+            let mut running = simulation.start(Stepping::Impulses { step }).map_err(|error| say(&error))?;
+            for least in &mut times {
+                let began = Instant::now();
+                running.step(1.0 / RATE).map_err(|error| say(&error))?;
+                *least = least.min(1e3 * began.elapsed().as_secs_f64());
+            }
+        }
+        times.sort_by(f64::total_cmp);
+        let [median, hundredth, worst] =
+            [times.len() / 2, times.len() * 99 / 100, times.len() - 1].map(|i| times[i]);
+        // Writing into a string does not fail.
+        let _ =
+            write!(rows, "\n| {:.1} ms | {median:.2} ms | {hundredth:.2} ms | {worst:.2} ms |", 1e3 * step);
+    }
+    Ok(rows)
 }
 
 /// A film strip of somebody who walks on, turns and stops.

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
 mod bench;
+mod contacts;
 mod docs;
 mod falls;
 mod fit;
@@ -23,6 +24,9 @@ cargo lab CHORE
 
   bench [--peers] [FIGURE…]         times the kernel, a minute; --peers: beside Pinocchio, MuJoCo and dynibo, which are installed and compiled in
                                     target/peers (python3 with venv, some minutes), and into docs/performance.md
+  contacts [--poses N]              what slides, rolls, bounces, stands, is held and falls, by impulses, by springs, by MuJoCo and by Drake, where PYTHON
+                                    (python3) has the packages mujoco and drake: into docs/contact.md and docs/trust/contact.svg; some twenty minutes,
+                                    most of them for N limp people who are dropped (50)
   docs [--check]                    writes the tables of walks in docs/walking.md and docs/people.md, or says which are out of date
   falls                             drops limp people in fifty poses, and says what became of their energy: about ten minutes
   fit [--measure] [--recipe]        fits the smooth style's numbers to people's bands, prints them and what strides and walks come to;
@@ -57,6 +61,7 @@ fn main() -> ExitCode {
         ["bench", ref options @ ..] => {
             bench::Options::parse(options).and_then(|options| bench::run(&options))
         }
+        ["contacts", ref options @ ..] => contacts::Options::parse(options).and_then(contacts::run),
         ["docs", ref options @ ..] => docs::Options::parse(options).and_then(docs::run),
         ["falls"] => falls::run(),
         ["fit", ref options @ ..] => fit::Options::parse(options).and_then(|options| fit::run(&options)),

@@ -2,6 +2,7 @@
 
 mod balance;
 mod carrier;
+mod closed;
 pub mod cycles;
 mod differentiate;
 mod error;
@@ -23,12 +24,15 @@ mod split;
 mod uncertainty;
 
 pub use balance::balance_momentum;
+pub use closed::{ClosedError, ClosedForces, closed_forces};
 pub use differentiate::{DifferentiateError, Differentiated, Filter, differentiate};
 pub use error::ReactionError;
 pub use inverse::{DofLoad, InverseError, InverseOptions, InverseReport, Residual, inverse_motion};
 pub use loads::{LoadError, Loads};
 pub use medium::{MediumError, medium_forces};
-pub use nearness::{LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness};
+pub use nearness::{
+    LimbOverlap, Near, NearSpell, Nearest, NearestLimbs, Nearness, NearnessError, nearness, nearness_but,
+};
 pub use peak::Peak;
 pub use prepared::{PrepareError, PreparedMotion};
 pub use prescribed::prescribed_reactions;

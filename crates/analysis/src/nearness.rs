@@ -80,8 +80,22 @@ pub enum NearnessError {
 #[doc(alias = "collision")]
 #[doc(alias = "minimum distance")]
 pub fn nearness(figure: &Figure, motion: &Motion) -> Result<Option<Nearness>, NearnessError> {
+    nearness_but(figure, motion, &[])
+}
+
+/// The same without these pairs of links (indices), such as those that a loop holds together.
+///
+/// # Errors
+///
+/// As for [`nearness`].
+pub fn nearness_but(
+    figure: &Figure,
+    motion: &Motion,
+    joined: &[[usize; 2]],
+) -> Result<Option<Nearness>, NearnessError> {
     motion.check_figure(figure)?;
-    let candidates = figure.pairs_apart();
+    let mut candidates = figure.pairs_apart();
+    candidates.retain(|[a, b]| !joined.contains(&[*a, *b]) && !joined.contains(&[*b, *a]));
     if candidates.is_empty() || motion.is_empty() {
         return Ok(None);
     }

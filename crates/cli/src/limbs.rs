@@ -1,12 +1,16 @@
 //! Distances and overlaps of a figure's limbs, in words.
 
 use crate::error::CliError;
-use solaris::analysis::{LimbOverlap, NearestLimbs, nearness};
+use solaris::analysis::{LimbOverlap, NearestLimbs, nearness_but};
 use solaris::model::{Figure, Motion};
 
-/// How near limbs come to each other; none where a figure has nothing to measure.
-pub(crate) fn nearest(figure: &Figure, motion: &Motion) -> Result<Option<NearestLimbs>, CliError> {
-    let found = nearness(figure, motion).map_err(CliError::other)?;
+/// How near limbs come to each other but for pairs of links that something holds together; none where a figure has nothing to measure.
+pub(crate) fn nearest(
+    figure: &Figure,
+    motion: &Motion,
+    joined: &[[usize; 2]],
+) -> Result<Option<NearestLimbs>, CliError> {
+    let found = nearness_but(figure, motion, joined).map_err(CliError::other)?;
     Ok(found.map(|found| found.limbs(figure, motion.time())))
 }
 

@@ -75,7 +75,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error))?;
     watcher.writing();
-    let limbs = limbs::nearest(scene.figure(), &simulated.motion)?;
+    let ends = scene.simulation().loops().iter().map(|closed| closed.between.map(|anchor| anchor.link));
+    let joined: Vec<[usize; 2]> = ends.filter_map(|[a, b]| Some([a?, b?])).collect();
+    let limbs = limbs::nearest(scene.figure(), &simulated.motion, &joined)?;
     let report = Report::new(&scene, &simulated, limbs);
     outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, &args.film))?;
     drop(watcher);

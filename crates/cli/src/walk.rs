@@ -60,7 +60,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     progress.stage("measuring");
     let measures = measure(&figure, &motion).map_err(CliError::other)?;
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
-    let limbs = limbs::nearest(&figure, &motion)?;
+    let limbs = limbs::nearest(&figure, &motion, &[])?;
     // A page goes by its time; who plays frame after frame shall not see one twice.
     let shorter = if planned.repeats { Some(looped::without_last(&figure, &motion)?) } else { None };
     let frames = shorter.as_ref().unwrap_or(&motion);

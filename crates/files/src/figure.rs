@@ -6,7 +6,7 @@ use crate::read::{bytes, extension, no_text, refuse_unread, text as utf8};
 use solaris_io::bvh::{self, BvhError, Clip, ReadOptions};
 use solaris_io::opensim::{self, MarkerSet};
 use solaris_io::{CoordinateDefault, Encoding, Import, decode, mjcf, sdf, urdf};
-use solaris_model::{Actuator, Figure, Finding, FindingKind, JointKind, Marker, Medium, Vector3, text};
+use solaris_model::{Actuator, Figure, Finding, FindingKind, JointKind, Marker, Medium, Tie, Vector3, text};
 use std::path::Path;
 
 /// Gravity of figures that are Solaris' own: y is up (m/s²).
@@ -236,6 +236,22 @@ pub fn actuators(path: &Path) -> Result<Vec<Actuator>, FileError> {
             path,
             &"actuators are read of MuJoCo models and of URDF; leave 'actuators' out",
         )),
+    }
+}
+
+/// What a figure's file holds together that its tree has open.
+///
+/// # Errors
+///
+/// As [`body`], and languages without loops.
+pub fn ties(path: &Path) -> Result<Vec<Tie>, FileError> {
+    let text = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?.0;
+    match Language::of(path, &text) {
+        Some(Language::Mjcf) => mjcf::ties(&text, &mut Folder::of(path, None)?)
+            .map_err(|error| FileError::Files { path: path.to_owned(), error }),
+        Some(Language::Sdf) => sdf::ties(&text, &mut Folder::of(path, None)?)
+            .map_err(|faults| FileError::faulty(path, &text, faults)),
+        _ => Err(FileError::input(path, &"loops are read of MuJoCo models and of SDF; leave 'loops' out")),
     }
 }
 

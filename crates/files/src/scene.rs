@@ -4,7 +4,7 @@ use crate::error::FileError;
 use crate::{figure, motion, read};
 use solaris_io::record;
 use solaris_model::text::first_word;
-use solaris_model::{Actuator, Figure, Motion, Vector3};
+use solaris_model::{Actuator, Figure, Motion, Tie, Vector3};
 use solaris_scene::{Loader, Scene};
 use std::path::{Path, PathBuf};
 
@@ -88,6 +88,10 @@ impl Loader for Files {
 
     fn actuators(&mut self, name: &str) -> Result<Vec<Actuator>, String> {
         figure::actuators(&self.folder.join(name)).map_err(|error| error.in_short())
+    }
+
+    fn ties(&mut self, name: &str) -> Result<Vec<Tie>, String> {
+        figure::ties(&self.folder.join(name)).map_err(|error| error.in_short())
     }
 
     fn text(&mut self, name: &str) -> Result<String, String> {

@@ -48,9 +48,11 @@ mod sections;
 mod shell;
 mod springs;
 mod state;
+mod ties;
 
 pub use actuators::actuators;
 pub use state::{StateError, forces_from_mujoco, forces_to_mujoco, state_from_mujoco, state_to_mujoco};
+pub use ties::ties;
 
 use crate::import::Import;
 use crate::loader::{FilesError, Loader, NoFiles};

@@ -32,6 +32,7 @@ mod pose;
 mod solved;
 mod spanning;
 mod structure;
+mod ties;
 
 use crate::import::Import;
 use crate::loader::{Loader, NoFiles};
@@ -39,7 +40,8 @@ use crate::tree;
 use crate::xml::{self, Node, Reader, element, elements_called, tag};
 use include::Files;
 use model::{Contents, Context};
-use solaris_model::{Part, SourceMap, TextError, Vector3};
+use solaris_model::{Part, SourceMap, TextError, Tie, Vector3};
+use ties::Closing;
 
 /// Deeper nesting than any model has.
 const DEEPEST: usize = 200;
@@ -88,6 +90,39 @@ pub fn read(text: &str) -> Result<Import, TextError> {
 ///
 /// As for [`read`]; faults of another file stand where it is included, by its name and line.
 pub fn read_with(text: &str, loader: &mut dyn Loader) -> Result<Import, TextError> {
+    Ok(whole(text, loader)?.0)
+}
+
+/// What the joints hold together that close a loop, in the pose of the file: of a `ball` joint two points, of a `fixed` one the axes, too, of
+/// a hinge two points of its axis, as two ties; others are [`TieLaw::Other`](solaris_model::TieLaw::Other). Limits, dampers and friction of
+/// such joints are not in them.
+///
+/// # Errors
+///
+/// As for [`read_with`].
+///
+/// # Examples
+///
+/// ```
+/// use solaris_io::{NoFiles, sdf};
+/// use solaris_model::TieLaw;
+///
+/// let link = |name: &str| format!("<link name='{name}'/>");
+/// let joint = |name: &str, kind: &str, parent: &str, child: &str| {
+///     let axis = if kind == "ball" { "" } else { "<axis><xyz>0 1 0</xyz></axis>" };
+///     format!("<joint name='{name}' type='{kind}'><parent>{parent}</parent><child>{child}</child>{axis}</joint>")
+/// };
+/// let parts = [link("a"), link("b"), joint("one", "revolute", "world", "a"), joint("two", "revolute", "world", "b"), joint("three", "ball", "a", "b")];
+/// let found = sdf::ties(&format!("<sdf version='1.9'><model name='m'>{}</model></sdf>", parts.concat()), &mut NoFiles)?;
+/// assert_eq!((found[0].name.as_str(), &found[0].law), ("three", &TieLaw::Points));
+/// # Ok::<(), solaris_model::TextError>(())
+/// ```
+pub fn ties(text: &str, loader: &mut dyn Loader) -> Result<Vec<Tie>, TextError> {
+    let (import, closings) = whole(text, loader)?;
+    Ok(closings.into_iter().flat_map(|closing| closing.ties(&import.figure)).collect())
+}
+
+fn whole(text: &str, loader: &mut dyn Loader) -> Result<(Import, Vec<Closing>), TextError> {
     let text = &*xml::mended(text);
     let document = xml::parse(text, DEEPEST)?;
     let root = document.root_element();
@@ -109,7 +144,7 @@ pub fn read_with(text: &str, loader: &mut dyn Loader) -> Result<Import, TextErro
     let name = top.map_or(named.unwrap_or("model"), |model| contents.frames.name(model)).to_owned();
     let mut places = SourceMap::default();
     places.put(Part::Figure, "", tag(root));
-    let bodies = structure::bodies(&mut reader, root, &contents, top, &mut places);
+    let (bodies, closings) = structure::bodies(&mut reader, root, &contents, top, &mut places);
     let is_of_world = world.is_some();
     // Of large models, all that is no longer needed.
     drop((contents, document));
@@ -117,7 +152,7 @@ pub fn read_with(text: &str, loader: &mut dyn Loader) -> Result<Import, TextErro
     let standard = if is_of_world { OF_WORLDS } else { GRAVITY };
     let gravity_is_given = is_of_world;
     let gravity = gravity.unwrap_or_else(|| Vector3::new(0.0, 0.0, -standard));
-    Ok(Import { figure, findings, gravity, gravity_is_given })
+    Ok((Import { figure, findings, gravity, gravity_is_given }, closings))
 }
 
 /// The second number of the version; 1.4 is the first that is read.

@@ -35,6 +35,7 @@ mod scale;
 mod source;
 #[cfg(feature = "ron")]
 pub mod text;
+mod tie;
 mod together;
 
 pub use actuator::{Actuator, ActuatorLaw};
@@ -74,3 +75,4 @@ pub use source::SourceMap;
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
 pub use solaris_text::{Finding, FindingKind, Place, TextError, TextFault, did_you_mean, nearest};
+pub use tie::{Tie, TieEnd, TieLaw};

@@ -185,11 +185,11 @@ impl Running {
             let what = format!("the force on '{}'", name(self));
             return Err(SetupError::Range { what, value: force, range: "a finite number" }.into());
         }
-        self.forget();
-        if self.progress.set_force(dof, force)? {
-            return Ok(());
+        if !self.progress.takes_force(dof) {
+            return Err(SetupError::NotAForce { dof: name(self) }.into());
         }
-        Err(SetupError::NotAForce { dof: name(self) }.into())
+        self.forget();
+        self.progress.set_force(dof, force)
     }
 
     /// Other drives for a degree of freedom, or all of a joint, from now on; see [`Simulation::drive`].

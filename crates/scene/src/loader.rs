@@ -1,7 +1,7 @@
 //! Figures, motions and parts of scenes that stand in files of their own.
 
 use nalgebra::Vector3;
-use solaris_model::{Actuator, Figure, Motion};
+use solaris_model::{Actuator, Figure, Motion, Tie};
 
 /// Fetches the figures, motions and parts of a scene that it names as files. This crate opens none itself.
 pub trait Loader {
@@ -20,6 +20,16 @@ pub trait Loader {
     fn actuators(&mut self, path: &str) -> Result<Vec<Actuator>, String> {
         let _ = path;
         Err("actuators in files are not read here".to_owned())
+    }
+
+    /// What a file holds together that the tree of its figure has open, by the names that its links have there.
+    ///
+    /// # Errors
+    ///
+    /// Why that is not known, in a sentence that follows the path.
+    fn ties(&mut self, path: &str) -> Result<Vec<Tie>, String> {
+        let _ = path;
+        Err("loops in files are not read here".to_owned())
     }
 
     /// The motion of a figure, under a gravity (m/s²), in a file; velocities and accelerations may be unknown.

@@ -84,6 +84,7 @@ struct SceneReader<'l> {
     named: parts::Named,
     sequenced: parts::Sequenced,
     motors: actuators::Motors,
+    ties: loops::Asked,
 }
 
 /// The scene that `text` describes.
@@ -110,6 +111,7 @@ pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextErr
         named: parts::Named::new(),
         sequenced: parts::Sequenced::default(),
         motors: actuators::Motors::default(),
+        ties: loops::Asked::new(),
     };
     let scene = reader.scene(&tree);
     include::finish(reader.reader, text, &included)?;
@@ -153,6 +155,7 @@ impl SceneReader<'_> {
         self.clip(&fields, &mut given);
         self.springs(&fields);
         self.loops(&fields);
+        let open = self.place_ties();
         self.pushes(&fields);
         self.limits(&fields);
         let (friction, mut said) = self.ground(&fields, terrain.as_ref());
@@ -160,13 +163,16 @@ impl SceneReader<'_> {
         let walked = walk.as_ref().map(walk::Planned::duration);
         let (notes, reaching) = self.reaches(&fields, walked);
         said.extend(left_out);
+        said.extend(open);
         said.extend(notes);
         let settings = self.settings(&fields, walked);
+        let implied = fields.get("method").is_none();
         let simulation = self.simulation.take()?;
         Some(Scene {
             name: name?,
             simulation,
             settings: settings?,
+            implied,
             notes: said,
             walk: walk.map(|walk| walk.into_walked(&reaching, friction)),
         })

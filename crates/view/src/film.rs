@@ -50,6 +50,8 @@ const BETWEEN: f64 = 3.0;
 const BELOW: f64 = 20.0;
 /// Height of a line of text (px).
 const LINE: f64 = 17.0;
+/// What is said of dots, where there are any.
+const DOTS: &str = " A dot: the ground bears the foot there.";
 /// A foot bears where its force is more than this share of the weight.
 const LEAST: f64 = 0.01;
 
@@ -103,15 +105,22 @@ pub fn film(figure: &Figure, motion: &Motion, options: &FilmOptions) -> Result<S
     let samples = instants(figure, motion, options.between)?;
     let world = World::new(&motion.info.gravity, None);
     let eye = options.seen.eye();
-    let stills = stills(figure, motion, &samples, &world, eye)?;
+    let mut stills = stills(figure, motion, &samples, &world, eye)?;
     let ground = Ground::of(motion, &world);
+    if ground.is_none() {
+        // Forces are then of links on each other, where they touch or are held together.
+        for still in &mut stills {
+            still.borne.clear();
+        }
+    }
     let cell = (WIDTH - 2.0 * MARGIN) / COLUMNS.min(stills.len()) as f64;
     let most =
         |edge: fn(DVec3) -> f64| stills.iter().map(|still| edge(still.bounds.edges())).fold(1e-6, f64::max);
     let free = cell - BETWEEN - 2.0 * BESIDE;
     let mut scale = (free / most(|edges| edges.x)).min(TALLEST / most(|edges| edges.y));
     let mut picture = Picture::new(&options.title);
-    picture.remark("Blue: left. Orange: right. A dot: the ground bears the foot there.", 1);
+    let dots = if stills.iter().all(|still| still.borne.is_empty()) { "" } else { DOTS };
+    picture.remark(&format!("Blue: left. Orange: right.{dots}"), 1);
     for row in stills.chunks(COLUMNS) {
         let (low, high) = options.seen.heights(row);
         scale = scale.min(TALLEST / (high - low));

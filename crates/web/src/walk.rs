@@ -117,15 +117,18 @@ impl Asked {
         };
         let population = match self.population.as_deref() {
             None => Population::default(),
-            Some(name) => Population::ALL.into_iter().find(|known| known.name() == name).ok_or_else(|| {
-                let known = "'adult', 'treadmill', 'child' or 'older'";
-                failed(format!("population is '{name}'; it must be {known}"))
-            })?,
+            Some(name) => {
+                Population::ALL.into_iter().find(|known| known.name() == name).ok_or_else(|| {
+                    let known = "'adult', 'treadmill', 'child' or 'older'";
+                    failed(format!("population is '{name}'; it must be {known}"))
+                })?
+            }
         };
         let refuse = |error: RequestError| failed(error);
         let path = self.path.map(|points| WalkPath::through(&points)).transpose().map_err(refuse)?;
         let inner = self.turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0);
-        let sheet = self.manner.map_or(Ok(StyleSheet::default()), |blend| sheet_of(&blend)).map_err(refuse)?;
+        let sheet =
+            self.manner.map_or(Ok(StyleSheet::default()), |blend| sheet_of(&blend)).map_err(refuse)?;
         let part = |part: &Part| WalkPart {
             steps: part.steps,
             step_frequency: part.step_frequency,
@@ -158,7 +161,8 @@ pub fn walk(figure: &Figure, options: Option<WalkOptions>) -> Result<Motion, JsE
         None => Asked::default(),
         Some(options) => {
             let text = JSON::stringify(&options).map_err(|_| failed("the options are no plain object"))?;
-            serde_json::from_str(&String::from(text)).map_err(|error| failed(format!("the options: {error}")))?
+            serde_json::from_str(&String::from(text))
+                .map_err(|error| failed(format!("the options: {error}")))?
         }
     };
     let rate = asked.rate.unwrap_or(RATE);

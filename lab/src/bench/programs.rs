@@ -5,6 +5,7 @@ use super::text;
 use crate::mjcf;
 use crate::peers::states;
 use crate::workspace::root;
+use solaris_modes::Simulation;
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -121,7 +122,7 @@ impl Peers {
                 path: self.folder.join("mujoco_kernel"),
                 // Its readers go no deeper.
                 model: |subject| {
-                    let text = mjcf::text(&subject.figure, &GRAVITY, None);
+                    let text = mjcf::text(&Simulation::new(&subject.figure, GRAVITY));
                     (is_plain(subject) && subject.figure.layout().nv() <= MOST).then_some((text, "xml"))
                 },
             },

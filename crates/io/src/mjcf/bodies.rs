@@ -165,6 +165,8 @@ impl<'a> Reading<'_, 'a, '_> {
         let inside = Around::body(&around).of_class(class);
         let contents = walk.contents(self.reader, node, inside);
         let joints = self.joints(&name, &contents, parent);
+        let free = joints.iter().filter(|joint| joint.kind == Kind::Free);
+        self.sprung.places.extend(free.map(|joint| (joint.name.clone(), at)));
         let counts = match compiler.from_geoms {
             FromGeoms::Never => false,
             FromGeoms::Auto => contents.inertials.is_empty(),

@@ -2,7 +2,7 @@
 
 use super::sections::World;
 use solaris_dynamics::{Tree, Workspace, forward_dynamics};
-use solaris_model::{Figure, Vector3};
+use solaris_model::{Figure, Placement, Vector3};
 use std::collections::HashMap;
 
 /// The most joints of which they are found: each asks for the accelerations of the whole figure.
@@ -15,6 +15,8 @@ pub(super) struct Sprung {
     pub(super) joints: Vec<(String, [f64; 2])>,
     /// Of joints that have one, MuJoCo's coordinate in the pose of the file (rad, m).
     pub(super) references: HashMap<String, f64>,
+    /// Where bodies on free joints stand in that pose, by the names of the joints.
+    pub(super) places: HashMap<String, Placement>,
 }
 
 /// Stiffness (N m/rad, N/m) and damping by the names of the joints; none for those that the kernel refuses.

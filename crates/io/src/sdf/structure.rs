@@ -6,6 +6,7 @@ use super::joint::{Joint, JointAxis, Kind};
 use super::model::Contents;
 use super::solved::Solved;
 use super::spanning::{self, Edge, Held};
+use super::ties::Closing;
 use crate::tree::{Body, Names};
 use crate::xml::{Node, Reader, tag};
 use solaris_model::{Axis, Curve, Joint as FigureJoint, NamedFrame, Part, SourceMap, Vector3};
@@ -32,16 +33,16 @@ fn moves(contents: &Contents, link: usize) -> bool {
     !contents.frames.is_static(contents.frames.entities[contents.links[link].entity].scope)
 }
 
-/// The bodies, with what there is to say of them.
+/// The bodies, with what there is to say of them, and the joints that close loops.
 pub(super) fn bodies(
     reader: &mut Reader,
     root: Node,
     contents: &Contents,
     top: Option<usize>,
     places: &mut SourceMap,
-) -> Vec<Body> {
+) -> (Vec<Body>, Vec<Closing>) {
     if contents.is_full {
-        return Vec::new();
+        return Default::default();
     }
     let solved = Solved::of(reader, &contents.frames, &contents.spans);
     let moving: Vec<usize> = (0..contents.links.len()).filter(|link| moves(contents, *link)).collect();
@@ -52,11 +53,11 @@ pub(super) fn bodies(
             reader.fault(span.clone(), message.clone());
         }
         if reader.has_faults() {
-            return Vec::new();
+            return Default::default();
         }
         let message = "it has no <link>, so that nothing can move: is it a part that another file includes?";
         reader.suspect(tag(root), "<sdf>", message);
-        return vec![Body::new("world", None, FigureJoint::new(""), tag(root))];
+        return (vec![Body::new("world", None, FigureJoint::new(""), tag(root))], Vec::new());
     }
     let left_out = contents.links.len() - moving.len();
     if left_out > 0 {
@@ -76,7 +77,8 @@ pub(super) fn bodies(
     mechanism.say_loops(reader, &held, &loops);
     let mut bodies = mechanism.bodies(reader, &held, all_stand, places);
     mechanism.add_frames(&mut bodies);
-    bodies
+    let closings = loops.iter().map(|joint| mechanism.closing(reader, *joint, &bodies)).collect();
+    (bodies, closings)
 }
 
 /// Links that move and the joints between them.
@@ -292,6 +294,20 @@ impl<'c, 'l> Mechanism<'c, 'l> {
         let Some(frame) = self.solved.anchor(reader, scope, anchor) else { return Vector3::z() };
         let own = self.solved.in_world(joint.entity).rotation;
         if own == frame.rotation { axis.direction } else { own.inverse() * (frame.rotation * axis.direction) }
+    }
+
+    /// A joint that closes a loop of these bodies.
+    fn closing(&self, reader: &mut Reader, index: usize, bodies: &[Body]) -> Closing {
+        let (joint, Edge { parent, child }) = self.joints[index];
+        let ends = [parent, child].map(|node| match node {
+            Some(node) => {
+                let within = self.solved.between(Some(self.link_entity(node)), joint.entity);
+                (Some(bodies[node].name.clone()), within)
+            }
+            None => (None, self.solved.in_world(joint.entity)),
+        });
+        let axis = joint.axes.first().map(|axis| self.direction(reader, joint, axis));
+        Closing { name: self.name(joint.entity), kind: joint.kind, ends, axis }
     }
 
     /// Gives each body the `<frame>`s that are attached to it.

@@ -8,3 +8,4 @@ mod files;
 mod humanoid;
 mod medium;
 mod models;
+mod ties;

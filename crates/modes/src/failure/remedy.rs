@@ -58,6 +58,13 @@ pub enum Remedy {
         /// The order of rotations that is farthest from lock there, and how far (rad).
         order: Option<(EulerOrder, f64)>,
     },
+    /// Another joint than one that is near gimbal lock, which may have been what went wrong.
+    AwayFromLock {
+        /// The joint.
+        joint: String,
+        /// How far it is from lock (rad).
+        distance: f64,
+    },
     /// More mass or armature.
     MoreInertia,
     /// Softer springs.
@@ -109,6 +116,13 @@ impl fmt::Display for Remedy {
                 return write!(
                     f,
                     "use a ball joint or order {order}, which is {:.0}° from it there, or leave fewer of its axes free",
+                    distance.to_degrees()
+                );
+            }
+            Self::AwayFromLock { joint, distance } => {
+                return write!(
+                    f,
+                    "give '{joint}', which is {:.0}° from gimbal lock there, a ball joint or another order of rotations",
                     distance.to_degrees()
                 );
             }

@@ -6,7 +6,7 @@ use crate::between::{Between, Kind};
 use crate::body::Body;
 use crate::convex::Convex;
 use crate::element::{Anchor, LoopKind};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use solaris_model::LinkPlace;
 
 /// Loops of which dynamics move a part.
@@ -152,7 +152,9 @@ impl Closed {
                 |end: &End| end.link.map_or_else(Matrix3::identity, |(_, link)| body.pose(link).rotation);
             let [first, second] = [axes(&self.ends[0]), axes(&self.ends[1])];
             let turn = *self.turn.get_or_insert_with(|| first.tr_mul(&second));
-            self.apart[1] = Rotation3::from_matrix_unchecked(first * turn * second.transpose()).scaled_axis();
+            // By way of a quaternion: the cosine of a matrix that is one but for rounding may be above 1.
+            let off = Rotation3::from_matrix_unchecked(first * turn * second.transpose());
+            self.apart[1] = UnitQuaternion::from_rotation_matrix(&off).scaled_axis();
         }
         if !begun {
             self.allowed = self.apart;

@@ -21,6 +21,9 @@ const MOST_TURNS: usize = 24;
 /// The least entry of a vector of positive ones, beside 1.
 const LEAST_PART: f64 = 1e-12;
 
+/// How near gimbal lock (rad) a joint may be what went wrong.
+const NEAR_LOCK: f64 = 0.35;
+
 /// The least part of a step that advice after failure may come down to.
 const BELIEVED: f64 = 1e-2;
 
@@ -62,6 +65,22 @@ pub(crate) fn look(
         return Err(Box::new(RunFailure { time, dof: None, cause: FailureKind::Energy { share }, remedies }));
     }
     Ok(())
+}
+
+/// Advice for the joint that came nearest to gimbal lock in some `states` (positions, one after the other), where dynamics move one that
+/// came as near as steps jump over.
+fn near_lock(simulation: &Simulation, phase: &Phase, states: &[f64]) -> Option<Remedy> {
+    let figure = &simulation.figure;
+    let moved = |joint: usize| {
+        let at = figure.layout().joints()[joint];
+        (at.v..at.v + at.nv).any(|dof| phase.moves(dof))
+    };
+    let states = states.chunks(figure.layout().nq().max(1));
+    let all = states.filter_map(|q| figure.gimbal_distances(q).ok()).flatten();
+    let near = all.filter(|at| at.distance < NEAR_LOCK && moved(at.joint));
+    let nearest = near.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+    let joint = figure.links()[nearest.joint].joint().name().to_owned();
+    Some(Remedy::AwayFromLock { joint, distance: nearest.distance })
 }
 
 /// Looks at the equations of a phase before the first step.
@@ -179,13 +198,14 @@ fn magnitude_bound(matrix: &DMatrix<f64>, enough: f64) -> f64 {
     least
 }
 
-/// Says more of failure that a step too long may have caused.
+/// Says more of failure that a step too long, or gimbal lock, may have caused. `before` are the positions of the last frames, where there are
+/// some.
 pub(crate) fn explain(
     simulation: &Simulation,
     phase: &mut Phase,
     stepping: Stepping,
-    y: &[f64],
-    failure: RunFailure,
+    (y, before): (&[f64], &[f64]),
+    mut failure: RunFailure,
 ) -> RunError {
     let suspect = matches!(
         failure.cause,
@@ -202,6 +222,15 @@ pub(crate) fn explain(
     };
     let found = (suspect && state).then(|| too_long(simulation, phase, stepping, failure.time, y)).flatten();
     let found = found.filter(|found| is_believed(found));
+    if suspect {
+        let (mut q, mut v) = (simulation.q.clone(), simulation.v.clone());
+        let mut states = before.to_vec();
+        if state {
+            phase.unpack(failure.time, y, &mut q, &mut v);
+            states.extend(q);
+        }
+        failure.remedies.splice(..0, near_lock(simulation, phase, &states));
+    }
     found.unwrap_or_else(|| Box::new(failure)).into()
 }
 

@@ -290,13 +290,21 @@ impl Pass {
         passed.errors += phase.take_errors();
         let stopped = match (result, failure) {
             (Ok(stopped), None) => stopped,
-            (_, Some(failure)) => return Err(guard::explain(simulation, phase, stepping, &y, *failure)),
+            (_, Some(failure)) => {
+                return Err(guard::explain(
+                    simulation,
+                    phase,
+                    stepping,
+                    (&y, passed.record.last()),
+                    *failure,
+                ));
+            }
             (Err(TimeError::Rate { source: RateError::Stopped, .. }), None) => {
                 return Err(RunError::Cancelled);
             }
             (Err(error), None) => {
                 let failure = guard::of_time(error)?;
-                return Err(guard::explain(simulation, phase, stepping, &y, failure));
+                return Err(guard::explain(simulation, phase, stepping, (&y, passed.record.last()), failure));
             }
         };
         *t = stopped.time;
@@ -312,7 +320,13 @@ impl Pass {
             let energy = phase.energy(*t, &y).map_err(|error| guard::of_rate(*t, error.into()))?;
             let share = passed.ledger.check(energy, y[work], y[heat]);
             if let Err(failure) = guard::look(simulation, &settings.guard, phase, stepping, (*t, q), share) {
-                return Err(guard::explain(simulation, phase, stepping, &y, *failure));
+                return Err(guard::explain(
+                    simulation,
+                    phase,
+                    stepping,
+                    (&y, passed.record.last()),
+                    *failure,
+                ));
             }
             passed.ledger.end(energy, y[work], y[heat]);
         }

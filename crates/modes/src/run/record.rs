@@ -47,6 +47,12 @@ impl Record {
         &self.times[self.done..self.done + count]
     }
 
+    /// The positions of the last frames, four at most.
+    pub(crate) fn last(&self) -> &[f64] {
+        let nq = self.q.len().checked_div(self.done).unwrap_or(0);
+        &self.q[self.q.len() - nq * self.done.min(4)..]
+    }
+
     /// The first frame later than `time` (s).
     pub(crate) fn after(&self, time: f64) -> Option<f64> {
         self.times.get(self.times.partition_point(|frame| *frame <= time + near(time))).copied()

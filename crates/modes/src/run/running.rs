@@ -71,11 +71,14 @@ impl Progress {
         Ok(stretch.meanings)
     }
 
-    /// Another constant force (N m or N) on a degree of freedom on which one acts; whether one does.
-    pub(crate) fn set_force(&mut self, dof: usize, force: f64) -> Result<bool, RunError> {
-        let driven = &mut self.pass.driven[dof];
-        let Mode::Force(Force::Constant(now)) = &mut driven.mode else { return Ok(false) };
-        *now = force;
+    /// Whether a constant force acts on a degree of freedom, be it of zero.
+    pub(crate) fn takes_force(&self, dof: usize) -> bool {
+        matches!(self.pass.driven[dof].mode, Mode::Force(Force::Constant(_)))
+    }
+
+    /// Another constant force (N m or N) on a degree of freedom that [takes](Self::takes_force) one.
+    pub(crate) fn set_force(&mut self, dof: usize, force: f64) -> Result<(), RunError> {
+        self.pass.driven[dof].mode = Mode::Force(Force::Constant(force));
         if self.pass.driven.iter().any(|driven| driven.held.is_some()) {
             // What rests at a limit may be lifted off it.
             self.interrupt()?;
@@ -83,7 +86,7 @@ impl Progress {
         } else if let Some(stretch) = &mut self.stretch {
             stretch.compiled.phase.set_force(dof, Force::Constant(force));
         }
-        Ok(true)
+        Ok(())
     }
 
     /// The accelerations now (rad/s² or m/s²).
@@ -167,7 +170,7 @@ impl Pass {
 
     fn explained(&self, phase: &mut Phase, y: &[f64], error: TimeError) -> RunError {
         match guard::of_time(error) {
-            Ok(failure) => guard::explain(&self.simulation, phase, self.stepping, y, failure),
+            Ok(failure) => guard::explain(&self.simulation, phase, self.stepping, (y, &[]), failure),
             Err(error) => error,
         }
     }

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use solaris_dynamics::{Tree, Workspace, forward_kinematics};
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
-use solaris_modes::{Anchor, Loop, LoopKind, Method, Run, Settings, Simulation};
+use solaris_modes::{Anchor, Loop, LoopKind, Method, Rule, Run, Settings, Simulation};
 
 const G: f64 = 9.81;
 
@@ -106,6 +106,32 @@ fn what_begins_apart_is_drawn_together() {
     };
     assert_relative_eq!(apart(5), 0.005, max_relative = 0.05);
     assert!(apart(12) < 1e-6 && apart(100) < 1e-6);
+}
+
+/// Two rods on one axis, welded: they swing as one pendulum does. A turn that is none but for rounding was NaN.
+#[test]
+fn welded_rods_swing_as_one() {
+    let joint = |name: &str, z: f64| Joint::new(name).at(Vector3::z() * z).rz();
+    let figure = FigureBuilder::new("twins")
+        .link(LinkSpec::root("frame", Joint::new("frame")).mass(1.0))
+        .link(rod(LinkSpec::child("first", "frame", joint("first", 0.0))))
+        .link(rod(LinkSpec::child("second", "frame", joint("second", 0.3))))
+        .build()
+        .expect("valid");
+    let mut simulation = Simulation::new(&figure, Vector3::y() * -G);
+    simulation.set_start(&[0.5, 0.5], &[0.0; 2]).expect("valid");
+    let ends = [("first", Vector3::new(0.0, -0.2, 0.3)), ("second", Vector3::new(0.0, -0.2, 0.0))];
+    simulation.add_loop(closed(&figure, LoopKind::Weld, ends)).expect("valid");
+    let run = simulation.run(&settings(2.0, 1e-3)).expect("never refused");
+    let mut alone = Simulation::new(&figure, Vector3::y() * -G);
+    alone.set_start(&[0.5, 0.5], &[0.0; 2]).expect("valid");
+    let rule = Method::Fixed { rule: Rule::RungeKutta4, step: 1e-3 };
+    let single = alone.run(&Settings { method: rule, ..Settings::new(2.0, 100.0) }).expect("valid");
+    for frame in 0..=200 {
+        let (both, one) = (run.motion.q(frame), single.motion.q(frame));
+        assert!((both[0] - one[0]).abs() < 5e-3, "{frame}: {both:?} {one:?}");
+        assert!((both[0] - both[1]).abs() < 1e-6, "{frame}: {both:?}");
+    }
 }
 
 /// Masses of 1e±6 beside each other.

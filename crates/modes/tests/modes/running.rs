@@ -227,6 +227,19 @@ fn drives_limits_and_states_may_change_on_the_way() {
     assert!((running.q()[0] - 0.1).abs() < 0.05);
 }
 
+/// A refused force cleared what had happened before.
+#[test]
+fn a_refused_force_leaves_what_happened() {
+    let mut running = driven().start(FIXED).expect("begins");
+    running.step(1.0).expect("goes on");
+    let outcomes = running.happened().outcomes.len();
+    assert!(outcomes > 0);
+    assert!(running.set_force(1, 1.0).is_err());
+    assert_eq!(running.happened().outcomes.len(), outcomes);
+    running.set_force(0, 1.0).expect("free");
+    assert_eq!(running.happened().outcomes.len(), 0);
+}
+
 #[test]
 fn what_is_no_time_no_force_and_no_joint_is_refused_and_loses_nothing() {
     let mut running = driven().start(FIXED).expect("begins");

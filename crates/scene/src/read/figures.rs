@@ -73,6 +73,7 @@ impl SceneReader<'_> {
                 name.filter(|_| figure.is_some() && value.head().is_some_and(|head| head.name == "File"))
             {
                 self.ask_for_actuators(name, value);
+                self.ask_for_ties(name, value);
             }
             let (Some(name), Some(figure)) = (name, figure) else { return false };
             own.push((Member { name: name.to_owned(), crowd: None }, figure));
@@ -99,7 +100,7 @@ impl SceneReader<'_> {
                 return None;
             }
             None => {
-                let fields = self.reader.fields(node, &["File"], &["path", "base", "actuators"])?;
+                let fields = self.reader.fields(node, &["File"], &["path", "base", "actuators", "loops"])?;
                 let path = self.reader.required(&fields, "path", "\"robot.urdf\"");
                 let base = match self.reader.choice(&fields, "base", &["Fixed", "Floating", "Free"])? {
                     "Floating" => Base::Floating,

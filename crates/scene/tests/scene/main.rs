@@ -9,5 +9,6 @@ mod motors;
 mod runs;
 mod several;
 mod soles;
+mod ties;
 mod walks;
 mod words;

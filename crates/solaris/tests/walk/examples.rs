@@ -6,6 +6,8 @@ mod driven_walk;
 mod free_arm;
 #[path = "../../examples/game_walk.rs"]
 mod game_walk;
+#[path = "../../examples/getting_up.rs"]
+mod getting_up;
 #[path = "../../examples/robot_torques.rs"]
 mod robot_torques;
 #[path = "../../examples/scene_text.rs"]
@@ -19,6 +21,7 @@ fn all_examples_run() {
         ("driven_walk", driven_walk::main as fn() -> _),
         ("free_arm", free_arm::main),
         ("game_walk", game_walk::main),
+        ("getting_up", getting_up::main),
         ("robot_torques", robot_torques::main),
         ("scene_text", scene_text::main),
         ("subject_moments", subject_moments::main),

@@ -114,6 +114,16 @@ fn it_is_seen_from_elsewhere_with_a_grid() {
     assert!((dot[0] - ball[0] - ball[2]).abs() < 0.1 && (dot[1] - ball[1]).abs() < 0.1, "{dot:?} {ball:?}");
 }
 
+/// Where there is no ground, forces are of links on each other.
+#[test]
+fn no_ground_bears_nothing() {
+    let (figure, mut motion) = ball();
+    (motion.relief, motion.info.ground) = (None, None);
+    let svg = film(&figure, &motion, &FilmOptions::default()).expect("a strip");
+    assert_eq!(elements(&svg, "<circle class=\"f0 mark\"", &["cx"]).len(), 0);
+    assert!(!svg.contains("A dot"));
+}
+
 #[test]
 fn times_beyond_the_motion_are_refused() {
     let (figure, motion) = ball();

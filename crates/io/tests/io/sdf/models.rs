@@ -5,7 +5,7 @@ use crate::data::numbers;
 use serde_json::Value;
 use solaris_dynamics::{DMatrix, Tree, Workspace, inverse_dynamics, mass_matrix};
 use solaris_io::{Import, sdf};
-use solaris_model::{FindingKind, JointKind, Limits, Vector3};
+use solaris_model::{FindingKind, JointKind, Limits, TieLaw, Vector3};
 
 fn crane() -> Import {
     sdf::read(include_str!("models/crane.sdf")).unwrap_or_else(|error| panic!("{error}"))
@@ -151,6 +151,41 @@ fn a_loop_is_opened_by_name() {
           missing: those of other joints differ from the closed mechanism's"
         ]
     );
+}
+
+/// By its hinge two points of the axis, in the frames of both links, which stand where the file says; a slider is none of two points.
+#[test]
+fn loops_are_told_as_what_holds_them_together() {
+    let axis = "<axis><xyz>0 1 0</xyz></axis>";
+    let links =
+        link("a", "<pose>0 0 1 0 0 0</pose>") + &link("b", "<pose>1 0 1 0 0 1.5707963267948966</pose>");
+    let joints = joint("wa", "revolute", "world", "a", axis) + &joint("wb", "revolute", "world", "b", axis);
+    let found = |closing: &str| {
+        let text = format!("<sdf version='1.10'><model name='m'>{links}{joints}{closing}</model></sdf>");
+        solaris_io::sdf::ties(&text, &mut solaris_io::NoFiles).expect("valid")
+    };
+    let hinge = found(&joint(
+        "ab",
+        "revolute",
+        "a",
+        "b",
+        "<pose>0.2 0.3 0 0 0 0</pose><axis><xyz>1 0 0</xyz></axis>",
+    ));
+    let points: Vec<_> = hinge.iter().map(|tie| tie.between.clone().map(|end| end.point)).collect();
+    let names: Vec<_> = hinge[0].between.iter().map(|end| end.link.as_deref()).collect();
+    assert_eq!(names, [Some("a"), Some("b")]);
+    assert_eq!(hinge.len(), 2);
+    // In b's own frame, which is turned by a quarter against a's: its x is a's y.
+    let expected = [
+        [Vector3::new(0.7, 0.2, 0.0), Vector3::new(0.2, 0.3, 0.0)],
+        [Vector3::new(0.7, 1.2, 0.0), Vector3::new(1.2, 0.3, 0.0)],
+    ];
+    for (found, expected) in points.iter().flatten().zip(expected.iter().flatten()) {
+        assert!((found - expected).norm() < 1e-12, "{found} {expected}");
+    }
+    assert_eq!(found(&joint("ab", "ball", "a", "b", ""))[0].law, TieLaw::Points);
+    assert!(matches!(found(&joint("ab", "prismatic", "a", "b", axis))[0].law, TieLaw::Other(_)));
+    assert_eq!(found("").len(), 0);
 }
 
 /// Mass of the static link does not count, and joints to it are joints to the world.

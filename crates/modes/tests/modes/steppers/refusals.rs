@@ -1,8 +1,9 @@
 //! What a stretch is refused for, and where it then ends.
 
 use crate::steppers::problems::{Equations, Jacobian, Motion, Rate, fixed, run};
+use solaris_model::{FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
 use solaris_modes::time::{RateError, Stepping, TimeError, advance};
-use solaris_modes::{Counts, Rule};
+use solaris_modes::{Counts, Method, Rule, Settings, Simulation};
 
 fn system(rate: Rate) -> Equations<Rate, Jacobian> {
     Equations { len: 1, rate, jacobian: |_, _, jacobian| jacobian.fill(0.0) }
@@ -119,4 +120,18 @@ fn a_frame_that_cannot_be_shown_ends_the_stretch() {
         advance(&mut oscillator, stepping, (0.0, 1.0), &mut y, &[0.5], &mut refuse, u64::MAX, &mut counts)
             .expect_err("refused");
     assert!(matches!(error, TimeError::Rate { time, .. } if (time - 0.5).abs() < 1e-15), "{error}");
+}
+
+/// A body on three rotations that tumbles over lock between two steps: the energy tells, and the advice names the joint.
+#[test]
+fn energy_that_is_lost_beside_gimbal_lock_names_the_joint() {
+    let root = Joint::new("root").rx().ry().rz();
+    let link = LinkSpec::root("body", root).mass(1.0).inertia(Inertia::diagonal(0.1, 0.2, 0.3));
+    let figure = FigureBuilder::new("tumbling").link(link).build().expect("valid");
+    let mut simulation = Simulation::new(&figure, Vector3::zeros());
+    simulation.set_start(&[0.0, 1.3, 0.0], &[1.0, 4.0, 1.0]).expect("valid");
+    let method = Method::Impulses { step: 1e-2 };
+    let settings = Settings { method, estimate: false, ..Settings::new(1.0, 50.0) };
+    let error = simulation.run(&settings).expect_err("lost").to_string();
+    assert!(error.contains("give 'root', which is ") && error.contains("a ball joint"), "{error}");
 }

@@ -74,8 +74,7 @@ impl MuJoCo {
     pub(super) fn model(&self, scene: &Scene) -> Result<PathBuf, String> {
         let simulation = &scene.simulation;
         let path = self.folder.join(format!("{}.xml", simulation.figure().name().replace(' ', "_")));
-        fs::write(&path, mjcf::text(simulation.figure(), simulation.gravity(), simulation.grounded()))
-            .map_err(|error| format!("{}: {error}", path.display()))?;
+        fs::write(&path, mjcf::text(simulation)).map_err(|error| format!("{}: {error}", path.display()))?;
         Ok(path)
     }
 
