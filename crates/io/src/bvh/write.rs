@@ -122,7 +122,7 @@ fn channels(node: &Node, q: &[f64], angles: &mut [f64; 3], unit: Unit) -> Vec<f6
             (position, [degrees(0), degrees(1), degrees(2)])
         }
         Channels::Place { placement, joint, first } => {
-            let place = Node::place(placement, joint, &q[*first..]);
+            let place = placement * joint.moved(&q[*first..]);
             *angles = ORDER.angles_near(&place.rotation, angles);
             (place.translation.vector, angles.map(f64::to_degrees))
         }
