@@ -14,8 +14,9 @@ pub(crate) struct Bend {
     pub(crate) towards: Vector3<f64>,
     /// Half the length over which the skin goes from one link to the other (m).
     pub(crate) half: f64,
-    /// Which groups of the body have vertices that may go with it.
+    /// Which groups of the body have vertices that may go with it, and which go with it or what is beyond it alone.
     pub(crate) groups: Vec<usize>,
+    pub(crate) beyond: Vec<usize>,
     /// Of group 0, the trunk, only what is beyond a border: a point on it, the way inwards, half its width (m).
     pub(crate) beside: Option<(Vector3<f64>, Vector3<f64>, f64)>,
 }
@@ -46,6 +47,9 @@ pub(crate) fn influences(
     let mut shares: Vec<f32> = vec![0.0; points.len() * links];
     for ((p, group), row) in points.iter().zip(groups).zip(shares.chunks_mut(links)) {
         let bend = |bend: &Bend| {
+            if bend.beyond.contains(group) {
+                return 1.0;
+            }
             if !bend.groups.contains(group) {
                 return 0.0;
             }

@@ -6,7 +6,7 @@ use crate::weights::Bend;
 use nalgebra::Vector3;
 
 pub(super) fn bends(sizes: &Sizes<'_>) -> Vec<Bend> {
-    let all = || vec![TRUNK, ARMS[0], ARMS[1], LEGS[0], LEGS[1]];
+    let body = || vec![TRUNK, LEGS[0], LEGS[1]];
     let bend = |link: &str, towards: [f64; 3], half: f64, groups: Vec<usize>| Bend {
         link: sizes.index(link),
         parent: sizes.parent(link),
@@ -14,16 +14,21 @@ pub(super) fn bends(sizes: &Sizes<'_>) -> Vec<Bend> {
         towards: Vector3::from(towards).normalize(),
         half,
         groups,
+        beyond: Vec::new(),
         beside: None,
     };
     let tall = sizes.tall;
     let mut bends = vec![
-        bend("abdomen", [0.0, 1.0, 0.0], 0.075 * tall, all()),
-        bend("thorax", [0.0, 1.0, 0.0], 0.085 * tall, all()),
+        bend("abdomen", [0.0, 1.0, 0.0], 0.075 * tall, body()),
+        bend("thorax", [0.0, 1.0, 0.0], 0.085 * tall, body()),
         bend("neck", [0.0, 1.0, -0.15], 0.035 * tall, vec![TRUNK]),
         // The jaw goes with the head, the nape with the neck.
         bend("head", [0.0, 0.75, 0.66], 0.024 * tall, vec![TRUNK]),
     ];
+    // However low a hand hangs, it is the chest's.
+    for trunk in &mut bends[..2] {
+        trunk.beyond = ARMS.to_vec();
+    }
     for (i, side) in SIDES.into_iter().enumerate() {
         let own = |link: &str| side.name(link);
         let thick = |link: &str| sizes.thick(&own(link)).0;

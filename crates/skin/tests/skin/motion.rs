@@ -51,7 +51,27 @@ fn no_vertex_goes_with_both_legs_below_the_crotch_nor_with_both_arms() {
             assert!(left.min(right) == 0.0 || p.y > -0.26 && p.x.abs() < 0.06, "{p:?}: {left} and {right}");
         }
         // And none of the trunk with a hand.
-        assert!(p.x.abs() > 0.3 || of(influences, &["hand", "forearm"], "") < 0.02, "{p:?}");
+        assert!(p.x.abs() > 0.2 || of(influences, &["hand", "forearm"], "") < 0.02, "{p:?}");
+    }
+}
+
+#[test]
+fn the_middle_of_a_limb_goes_with_its_own_link_alone() {
+    let man = human(1.75, 73.0).expect("a person");
+    let skin = skin(&man, Detail::Fine);
+    for name in ["left_forearm", "right_upper_arm", "left_hand", "left_thigh", "right_shank"] {
+        let link = man.link_index(name).expect("a link");
+        let shape = man.links()[link].shape().expect("a shape");
+        let middle = skin.bind[link] * nalgebra::Point3::from(shape.placement.translation.vector);
+        let near =
+            skin.points.iter().zip(&skin.influences).filter(|(p, _)| (*p - middle.coords).norm() < 0.10);
+        let own = near.filter(|(p, _)| {
+            let local = skin.bind[link].inverse_transform_point(&nalgebra::Point3::from(**p));
+            (local.y - shape.placement.translation.y).abs() < 0.02
+        });
+        let own: Vec<_> = own.collect();
+        assert!(own.len() > 15, "{name}: {} vertices", own.len());
+        assert!(own.iter().all(|(_, i)| i[0].link as usize == link && i[0].share > 0.95), "{name}");
     }
 }
 
