@@ -18,7 +18,7 @@ mod sweep;
 mod value;
 mod walk;
 
-pub(crate) use crowd::{CrowdArgs, CrowdFormat, PLACES};
+pub(crate) use crowd::{CrowdArgs, CrowdFormat, MOST_IN_ONE, PLACES};
 pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,

@@ -2,6 +2,7 @@
 
 use crate::args::IkArgs;
 use crate::error::CliError;
+use crate::glb;
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
@@ -19,11 +20,17 @@ enum Content {
     Sto,
     Csv,
     Bvh,
+    Glb,
     Errors,
 }
 
-const MOTION: Formats<Content> =
-    &[("mot", Content::Sto), ("sto", Content::Sto), ("csv", Content::Csv), ("bvh", Content::Bvh)];
+const MOTION: Formats<Content> = &[
+    ("mot", Content::Sto),
+    ("sto", Content::Sto),
+    ("csv", Content::Csv),
+    ("bvh", Content::Bvh),
+    ("glb", Content::Glb),
+];
 const ERRORS: Formats<Content> = &[("csv", Content::Errors)];
 
 pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
@@ -47,6 +54,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             Content::Sto => sto::write(&in_degrees(figure, motion), &mut writer),
             Content::Csv => csv::write_table(&as_csv(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
+            Content::Glb => return glb::one(figure, motion, "trial", writer),
             Content::Errors => write_errors(&fitted, &mut writer),
         }
         .map_err(CliError::other)

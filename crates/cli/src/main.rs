@@ -12,6 +12,7 @@ mod figure;
 mod findings;
 mod gait;
 mod given;
+mod glb;
 mod ground;
 mod ik;
 mod input;

@@ -15,6 +15,7 @@ pub(crate) use table::{as_csv, in_degrees, positions};
 
 use crate::args::{FilmArgs, RunArgs};
 use crate::error::{CliError, UsageError};
+use crate::glb;
 use crate::input::extension;
 use crate::limbs;
 use crate::output::{Formats, Outputs};
@@ -35,6 +36,7 @@ enum Format {
     Html,
     Csv,
     Bvh,
+    Glb,
     Sto,
     Svg,
     Json,
@@ -45,6 +47,7 @@ const MOTION: Formats<Format> = &[
     ("svg", Format::Svg),
     ("csv", Format::Csv),
     ("bvh", Format::Bvh),
+    ("glb", Format::Glb),
     ("sto", Format::Sto),
     ("mot", Format::Sto),
 ];
@@ -153,6 +156,7 @@ fn write(
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
         Format::Bvh => bvh(figure, motion, writer),
+        Format::Glb => glb::one(figure, motion, "run", writer),
         Format::Sto => {
             solaris::io::sto::write(&table::positions(figure, motion), &mut writer).map_err(CliError::other)
         }

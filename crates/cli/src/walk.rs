@@ -12,6 +12,7 @@ mod told;
 
 use crate::args::{BODY_MASS_INDEX, FilmArgs, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
 use crate::error::{CliError, UsageError};
+use crate::glb;
 use crate::input;
 use crate::limbs;
 use crate::output::{Formats, Outputs};
@@ -31,12 +32,18 @@ enum Format {
     Html,
     Csv,
     Bvh,
+    Glb,
     Json,
     Svg,
 }
 
-const MOTION: Formats<Format> =
-    &[("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh), ("svg", Format::Svg)];
+const MOTION: Formats<Format> = &[
+    ("html", Format::Html),
+    ("csv", Format::Csv),
+    ("bvh", Format::Bvh),
+    ("glb", Format::Glb),
+    ("svg", Format::Svg),
+];
 const REPORT: Formats<Format> = &[("json", Format::Json)];
 
 /// The most samples of a motion: the longest walk at the default rate has 1.2 million, some 6 GB.
@@ -61,13 +68,14 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let measures = measure(&figure, &motion).map_err(CliError::other)?;
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
     let limbs = limbs::nearest(&figure, &motion)?;
-    // A page goes by its time; who plays frame after frame shall not see one twice.
+    // Pages and clips go by their time; who plays frame after frame shall not see one twice.
     let shorter = if planned.repeats { Some(looped::without_last(&figure, &motion)?) } else { None };
     let frames = shorter.as_ref().unwrap_or(&motion);
     let report = Report::new(figure.mass(), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
-        let motion = if matches!(format, Format::Html | Format::Svg) { &motion } else { frames };
+        let motion =
+            if matches!(format, Format::Html | Format::Svg | Format::Glb) { &motion } else { frames };
         write(format, writer, &figure, motion, &report, &files.film)
     })?;
     drop(progress);
@@ -138,6 +146,7 @@ fn write(
             let unit = solaris::io::bvh::Unit::default();
             solaris::io::bvh::write(figure, motion, unit, &mut writer).map_err(CliError::other)
         }
+        Format::Glb => glb::one(figure, motion, "walk", writer),
         Format::Html => {
             let options = PageOptions {
                 title: summary::title(report),

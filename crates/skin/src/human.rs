@@ -57,6 +57,7 @@ pub(crate) fn skin(figure: &Figure, detail: Detail) -> Option<Skin> {
     let sizes = Sizes::of(figure)?;
     let field = body(&sizes);
     let parts = match detail {
+        Detail::Rough => 42.0,
         Detail::Coarse => 60.0,
         Detail::Fine => 80.0,
     };

@@ -17,9 +17,11 @@ use solaris_model::Figure;
 /// How finely a skin is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detail {
-    /// For a page or a crowd: a person has some 6000 vertices.
+    /// For a crowd: a person has some 3400 vertices, and hands without fingers worth the name.
+    Rough,
+    /// For a page: a person has some 7000 vertices.
     Coarse,
-    /// For a film: a person has some 13 000 vertices.
+    /// For a film: a person has some 12 000 vertices.
     #[default]
     Fine,
 }
@@ -39,5 +41,10 @@ pub enum Detail {
 /// # Ok::<(), solaris_model::HumanError>(())
 /// ```
 pub fn skin(figure: &Figure, detail: Detail) -> Skin {
-    human::skin(figure, detail).unwrap_or_else(|| links::skin(figure))
+    person(figure, detail).unwrap_or_else(|| links::skin(figure))
+}
+
+/// The closed skin of a person; none of a figure whose links are not those of [`solaris_model::human()`].
+pub fn person(figure: &Figure, detail: Detail) -> Option<Skin> {
+    human::skin(figure, detail)
 }

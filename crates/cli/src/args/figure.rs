@@ -139,13 +139,13 @@ pub(crate) struct ConvertArgs {
     ))]
     pub(crate) from: PathBuf,
     #[arg(value_name = "OUT", help = wrap(
-        "A figure as .ron, a motion as .csv, .mot, .sto or .bvh, markers as .trc or .csv, or their force plates as .mot"
+        "A figure as .ron, a motion as .csv, .mot, .sto, .bvh or .glb, markers as .trc or .csv, or their force plates as .mot"
     ))]
     pub(crate) to: PathBuf,
     #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
     pub(crate) files: Option<PathBuf>,
     #[arg(long, value_name = "FILE", help = wrap(
-        "Whose motion it is; needed where the motion is in degrees, and to write .bvh"
+        "Whose motion it is; needed where the motion is in degrees, and to write .bvh and .glb"
     ))]
     pub(crate) figure: Option<PathBuf>,
     #[arg(

@@ -36,7 +36,7 @@ const EXAMPLES: &str = "Examples:
       along a way: way.csv has the columns x and z, its points in m
   solaris walk --turn 30 --step-length 0 --steps 6 -o about.html
       half a turn to the left, on the spot
-  solaris walk --loop in-place -o loop.bvh
+  solaris walk --loop in-place -o loop.glb
       one stride that repeats, for a game
   solaris walk --manner sad:0.7 --variability --seed 3 -o sad.html
       rather sad, and no step like another
@@ -75,7 +75,7 @@ pub(crate) struct WalkArgs {
 #[derive(Debug, Args)]
 pub(crate) struct WalkFiles {
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the motion: .html page, .csv table, .bvh motion capture, .svg film strip of twelve pictures; several -o are allowed [default: none]"
+        "Write the motion: .html page, .csv table, .bvh motion capture, .glb body and animation, .svg film strip of twelve pictures; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "FILE.json", help = "Write the numbers of the walk as JSON [default: none]")]

@@ -9,6 +9,8 @@ mod c3d;
 mod csv;
 mod csv_tables;
 mod data;
+#[cfg(feature = "glb")]
+mod glb;
 #[cfg(feature = "mjcf")]
 mod mjcf;
 mod motions;
