@@ -12,6 +12,7 @@ mod metrics;
 mod parameters;
 mod profile;
 mod report;
+mod rig;
 mod run;
 mod subject;
 mod sweep;
@@ -35,13 +36,14 @@ pub(crate) use profile::{
     example, option,
 };
 pub(crate) use report::ReportArgs;
+pub(crate) use rig::RigArgs;
 pub(crate) use run::RunArgs;
 pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
     DeterminantCount, DoubleSupportLaw, EveryoneArgs, FilmArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs,
-    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WhoArgs,
+    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WalkFiles, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};

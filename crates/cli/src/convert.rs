@@ -2,11 +2,11 @@
 
 mod markers;
 
+use crate::animation;
 use crate::args::{BvhArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
 use crate::findings::{list, of_medium};
-use crate::glb;
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
@@ -127,7 +127,8 @@ fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Resul
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(ConvertArgs { from, to, figure, files, bvh, bones, .. }: &ConvertArgs) -> Result<(), CliError> {
+    animation::check(bones.rig, [to.as_path()])?;
     let outputs = Outputs::new([("OUT", to, MOTION)])?;
     let body = match figure {
         Some(path) => Some(input::body_in(path, files.as_deref())?),
@@ -158,13 +159,13 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Res
         MotionFormat::Bvh => {
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;
-            bvh::write(&body.figure, &motion, bvh::Unit::default(), &mut writer).map_err(CliError::other)
+            animation::bones(&body.figure, &motion, bones.rig, writer)
         }
         MotionFormat::Glb => {
             let Some(body) = &body else { return Ok(()) };
             let found = record::read(&body.figure, body.gravity, &table);
             let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
-            glb::one(&body.figure, &motion, &stem(from), writer)
+            animation::body(&body.figure, &motion, &stem(from), bones.rig, writer)
         }
         MotionFormat::Page => {
             let Some(body) = &body else { return Ok(()) };

@@ -3,9 +3,9 @@
 mod person;
 mod table;
 
+use crate::animation;
 use crate::args::{CrowdArgs, MOST_IN_ONE};
 use crate::error::{CliError, UsageError};
-use crate::glb;
 use crate::input::extension;
 use crate::output::{Formats, Outputs, make_folder};
 use crate::pool::pool;
@@ -144,7 +144,7 @@ fn together(
             Err(why) => summary.refuse(&why),
         }
     }
-    pool.install(|| file.write(|(), writer| glb::crowd(&people, writer)))
+    pool.install(|| file.write(|(), writer| animation::crowd(&people, writer)))
 }
 
 impl Summary {

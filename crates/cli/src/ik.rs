@@ -1,8 +1,8 @@
 //! `solaris ik`: joint angles from markers.
 
+use crate::animation;
 use crate::args::IkArgs;
 use crate::error::CliError;
-use crate::glb;
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             Content::Sto => sto::write(&in_degrees(figure, motion), &mut writer),
             Content::Csv => csv::write_table(&as_csv(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
-            Content::Glb => return glb::one(figure, motion, "trial", writer),
+            Content::Glb => return animation::body(figure, motion, "trial", None, writer),
             Content::Errors => write_errors(&fitted, &mut writer),
         }
         .map_err(CliError::other)

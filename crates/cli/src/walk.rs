@@ -10,9 +10,9 @@ mod request;
 mod summary;
 mod told;
 
-use crate::args::{BODY_MASS_INDEX, FilmArgs, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
+use crate::animation;
+use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WalkFiles, WhoArgs};
 use crate::error::{CliError, UsageError};
-use crate::glb;
 use crate::input;
 use crate::limbs;
 use crate::output::{Formats, Outputs};
@@ -59,6 +59,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     if let Some(option) = files.film.given().filter(|_| !drawn) {
         return Err(UsageError::NoStrip { option }.into());
     }
+    animation::check(files.bones.rig, outputs.paths())?;
     let asked = asked(args)?;
     let mut figure = figure(&args.who)?;
 
@@ -76,7 +77,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     outputs.write(|format, writer| {
         let motion =
             if matches!(format, Format::Html | Format::Svg | Format::Glb) { &motion } else { frames };
-        write(format, writer, &figure, motion, &report, &files.film)
+        write(format, writer, &figure, motion, &report, files)
     })?;
     drop(progress);
 
@@ -138,15 +139,13 @@ fn write(
     figure: &Figure,
     motion: &Motion,
     report: &Report,
-    strip: &FilmArgs,
+    files: &WalkFiles,
 ) -> Result<(), CliError> {
+    let strip = &files.film;
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => {
-            let unit = solaris::io::bvh::Unit::default();
-            solaris::io::bvh::write(figure, motion, unit, &mut writer).map_err(CliError::other)
-        }
-        Format::Glb => glb::one(figure, motion, "walk", writer),
+        Format::Bvh => animation::bones(figure, motion, files.bones.rig, writer),
+        Format::Glb => animation::body(figure, motion, "walk", files.bones.rig, writer),
         Format::Html => {
             let options = PageOptions {
                 title: summary::title(report),

@@ -55,6 +55,19 @@ pub enum IoError {
         /// What is wrong and what to do.
         problem: ClipProblem,
     },
+    /// A figure that no animator's rig is of.
+    #[error(
+        "the rig '{rig}' has no bone for link '{link}'; rigs are of people with the links of a human figure, and for other figures --rig is left out"
+    )]
+    NotOfRigs {
+        /// The rig.
+        rig: &'static str,
+        /// The first link that it has no bone for.
+        link: String,
+    },
+    /// A figure could not be built.
+    #[error(transparent)]
+    Figure(#[from] solaris_model::FigureError),
     /// More than a binary glTF file can say of itself.
     #[error(
         "the file would have {bytes} bytes, and binary glTF ends at 4294967295; write fewer figures, fewer frames or a coarser skin"

@@ -31,6 +31,7 @@ use serde_json::{Value, json};
 use skeleton::Skeleton;
 use solaris_model::{EventKind, Figure, Motion};
 pub use solaris_skin::Detail;
+use solaris_skin::Skin;
 use std::io::Write;
 
 /// A figure of a file.
@@ -40,6 +41,8 @@ pub struct Actor<'a> {
     pub name: &'a str,
     /// Who it is.
     pub figure: &'a Figure,
+    /// Its skin, where it has one that is not found from the figure, such as [`crate::rig::Rigged::skin`].
+    pub skin: Option<&'a Skin>,
 }
 
 /// An animation of a file.
@@ -82,7 +85,7 @@ impl Default for Options {
 /// let stands = Motion::new(&ann, MotionInfo::on_earth(&ann, 30.0), vec![0.0], [q, v.clone(), v])?;
 /// let mut bytes = Vec::new();
 /// let clip = Clip { name: "stands", motions: vec![(0, &stands)] };
-/// glb::write(&[Actor { name: "Ann", figure: &ann }], &[clip], Options::default(), &mut bytes)?;
+/// glb::write(&[Actor { name: "Ann", figure: &ann, skin: None }], &[clip], Options::default(), &mut bytes)?;
 /// assert!(bytes.starts_with(b"glTF"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -25,6 +25,8 @@ pub mod opensim;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod record;
+#[cfg(feature = "glb")]
+pub mod rig;
 #[cfg(feature = "sdf")]
 pub mod sdf;
 pub mod sto;

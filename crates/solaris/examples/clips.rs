@@ -31,7 +31,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         Clip { name: "both", motions: vec![(0, &motions[0]), (1, &motions[1])] },
         Clip { name: "Ann strolls", motions: vec![(0, &motions[2])] },
     ];
-    let actors = [Actor { name: "Ann", figure: &ann }, Actor { name: "Bo", figure: &bo }];
+    let actors =
+        [Actor { name: "Ann", figure: &ann, skin: None }, Actor { name: "Bo", figure: &bo, skin: None }];
     let options = Options { forces: true, ..Options::default() };
     glb::write(&actors, &clips, options, &mut BufWriter::new(File::create(&path)?))?;
     Ok(())

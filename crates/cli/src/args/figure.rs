@@ -2,7 +2,7 @@
 
 use super::given::FILES;
 use super::value::{count, number};
-use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};
+use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, RigArgs, wrap};
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::io::bvh::Unit;
 use solaris::io::markers::Axes;
@@ -148,6 +148,8 @@ pub(crate) struct ConvertArgs {
         "Whose motion it is; needed where the motion is in degrees, and to write .bvh and .glb"
     ))]
     pub(crate) figure: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
     #[arg(
         long,
         value_name = "UP,FORWARD",

@@ -1,6 +1,6 @@
 //! The request of `solaris run`.
 
-use super::{FilmArgs, wrap};
+use super::{FilmArgs, RigArgs, wrap};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,6 +25,8 @@ pub(crate) struct RunArgs {
          .bvh motion capture, .glb body and animation, .sto or .mot coordinates for OpenSim; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
     #[command(flatten)]
     pub(crate) film: FilmArgs,
     #[arg(

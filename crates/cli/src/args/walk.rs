@@ -12,7 +12,7 @@ pub(crate) use then::{Then, Travel};
 
 use super::parameters::StyleArgs;
 use super::value::{Number, count, within};
-use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, RATE, wrap};
+use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, RATE, RigArgs, wrap};
 use clap::{Args, ValueEnum};
 use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
 use solaris::gait::{
@@ -82,6 +82,8 @@ pub(crate) struct WalkFiles {
     pub(crate) report: Option<PathBuf>,
     #[arg(long, help = "Print the numbers of the walk as JSON instead of a table")]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
     #[command(flatten)]
     pub(crate) film: FilmArgs,
 }

@@ -1,9 +1,9 @@
 //! One person of a crowd: from a row to a motion.
 
 use super::table::People;
+use crate::animation::{self, Person};
 use crate::args::{CrowdArgs, CrowdFormat, Number, PLACES, WalkArgs, parse, walk_options};
 use crate::error::CliError;
-use crate::glb::{self, Person};
 use crate::walk::{asked, figure, heading_first};
 use clap::Command;
 use solaris::analysis::ground_reactions;
@@ -194,7 +194,7 @@ impl<'a> Crowd<'a> {
             CrowdFormat::Csv => {
                 solaris::io::csv::write(figure, motion, &mut bytes).map_err(CliError::other)?;
             }
-            CrowdFormat::Glb => glb::one(figure, motion, "walk", &mut bytes)?,
+            CrowdFormat::Glb => animation::body(figure, motion, "walk", None, &mut bytes)?,
             CrowdFormat::Bvh => {
                 let unit = solaris::io::bvh::Unit::default();
                 solaris::io::bvh::write(figure, motion, unit, &mut bytes).map_err(CliError::other)?;

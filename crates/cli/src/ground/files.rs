@@ -1,9 +1,9 @@
 //! The files that `solaris ground` and `solaris inverse` write.
 
+use crate::animation;
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::Given;
-use crate::glb;
 use crate::output::{Formats, Outputs};
 use crate::run::positions;
 use solaris::io::bvh::Unit;
@@ -84,7 +84,7 @@ pub(crate) fn write_motion(
         MotionFormat::Csv => csv::write(figure, motion, &mut writer),
         MotionFormat::Sto => sto::write(&positions(figure, motion), &mut writer),
         MotionFormat::Bvh => bvh::write(figure, motion, Unit::default(), &mut writer),
-        MotionFormat::Glb => return glb::one(figure, motion, "moved", writer),
+        MotionFormat::Glb => return animation::body(figure, motion, "moved", None, writer),
     }
     .map_err(CliError::other)
 }

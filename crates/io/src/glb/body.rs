@@ -11,7 +11,8 @@ const STEPS: f64 = 65_535.0;
 
 /// Adds the skin of an actor, if it has one.
 pub(super) fn add(file: &mut File, actor: &Actor, skeleton: &Skeleton, detail: Detail) {
-    let skin = skin(actor.figure, detail);
+    let own = if actor.skin.is_none() { Some(skin(actor.figure, detail)) } else { None };
+    let Some(skin) = actor.skin.or(own.as_ref()) else { return };
     if skin.triangles.is_empty() {
         return;
     }

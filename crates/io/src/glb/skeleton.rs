@@ -16,7 +16,7 @@ pub(super) struct Skeleton {
 }
 
 impl Skeleton {
-    /// Nodes as they are at the beginning of the `first` motion, or in the neutral posture.
+    /// Nodes in the neutral posture, the rest pose of the file; the root where the `first` motion begins.
     pub(super) fn new(file: &mut File, actor: &Actor, first: Option<&Motion>) -> Self {
         let figure = actor.figure;
         let gravity = first.map(|motion| motion.info.gravity).or_else(|| figure.gravity().copied());
@@ -24,10 +24,12 @@ impl Skeleton {
         let mut q = vec![0.0; figure.layout().nq()];
         // The length is the figure's own.
         let _ = figure.neutral(&mut q);
-        let q = first.map_or(q, |motion| motion.q(0).to_vec());
         let mut nodes = Vec::with_capacity(figure.links().len());
         for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {
-            let place = local(link, &q[at.q..], &world);
+            let mut place = local(link, &q[at.q..], &world);
+            if let Some(motion) = first.filter(|_| link.parent().is_none()) {
+                place.translation = local(link, &motion.q(0)[at.q..], &world).translation;
+            }
             let translation = place.translation.vector.map(|x| x as f32);
             let rotation = place.rotation.coords.map(|x| x as f32);
             let mut node = json!({

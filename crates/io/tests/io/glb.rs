@@ -19,7 +19,7 @@ fn walked(figure: &Figure, rate: f64) -> Motion {
 fn written(figure: &Figure, motion: &Motion, options: Options) -> Vec<u8> {
     let mut bytes = Vec::new();
     let clip = Clip { name: "walk", motions: vec![(0, motion)] };
-    glb::write(&[Actor { name: "Ann", figure }], &[clip], options, &mut bytes).expect("written");
+    glb::write(&[Actor { name: "Ann", figure, skin: None }], &[clip], options, &mut bytes).expect("written");
     bytes
 }
 
@@ -175,7 +175,8 @@ fn hostile_names_come_back_as_they_are() {
         .expect("a motion");
     let mut bytes = Vec::new();
     let clip = Clip { name: names[0], motions: vec![(0, &motion)] };
-    glb::write(&[Actor { name: names[4], figure: &figure }], &[clip], COARSE, &mut bytes).expect("written");
+    glb::write(&[Actor { name: names[4], figure: &figure, skin: None }], &[clip], COARSE, &mut bytes)
+        .expect("written");
     let file = Read::of(&bytes);
     let found: Vec<String> = file.gltf.nodes().filter_map(|node| node.name().map(str::to_owned)).collect();
     assert_eq!(&found[..5], names);
@@ -190,7 +191,8 @@ fn hostile_names_come_back_as_they_are() {
 fn several_figures_and_clips_stand_in_one_file() {
     let (ann, bo) = (human(1.65, 58.0).expect("a person"), human(1.90, 95.0).expect("a person"));
     let motions = [walked(&ann, 30.0), walked(&bo, 30.0), walked(&ann, 25.0)];
-    let actors = [Actor { name: "Ann", figure: &ann }, Actor { name: "Bo", figure: &bo }];
+    let actors =
+        [Actor { name: "Ann", figure: &ann, skin: None }, Actor { name: "Bo", figure: &bo, skin: None }];
     let clips = [
         Clip { name: "both", motions: vec![(0, &motions[0]), (1, &motions[1])] },
         Clip { name: "alone", motions: vec![(0, &motions[2])] },
@@ -262,7 +264,7 @@ fn forces_are_arrows_as_long_as_their_share_of_the_weight() {
 fn a_clip_that_cannot_be_is_refused_by_its_name() {
     let ann = human(1.75, 73.0).expect("a person");
     let motion = walked(&ann, 24.0);
-    let actors = [Actor { name: "Ann", figure: &ann }];
+    let actors = [Actor { name: "Ann", figure: &ann, skin: None }];
     let refused = |motions: Vec<(usize, &Motion)>| {
         let clip = Clip { name: "odd", motions };
         glb::write(&actors, &[clip], COARSE, &mut Vec::new()).expect_err("refused")
@@ -288,7 +290,7 @@ fn a_clip_that_cannot_be_is_refused_by_its_name() {
 fn a_file_without_clips_holds_bodies_that_stand() {
     let ann = human(1.75, 73.0).expect("a person");
     let mut bytes = Vec::new();
-    glb::write(&[Actor { name: "Ann", figure: &ann }], &[], COARSE, &mut bytes).expect("written");
+    glb::write(&[Actor { name: "Ann", figure: &ann, skin: None }], &[], COARSE, &mut bytes).expect("written");
     let file = Read::of(&bytes);
     assert_eq!((file.gltf.animations().count(), file.gltf.skins().count()), (0, 1));
     let mut nothing = Vec::new();

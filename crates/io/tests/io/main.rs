@@ -29,6 +29,8 @@ mod opensim_reference;
 #[cfg(feature = "opensim")]
 mod opensim_rescale;
 mod records;
+#[cfg(feature = "glb")]
+mod rig;
 #[cfg(feature = "sdf")]
 mod sdf;
 mod sto;

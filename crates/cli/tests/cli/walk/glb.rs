@@ -90,3 +90,25 @@ fn any_motion_of_any_figure_becomes_one() {
     let again = json(&folder.path().join("again.glb"));
     assert_eq!((count(&again, "skins"), &again["animations"][0]["name"]), (1, &Value::from("walk")));
 }
+
+#[test]
+fn bones_are_those_of_the_rig_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let walk = |more: &[&str]| solaris(folder.path(), &[&["walk", "--steps", "2"], more].concat());
+    succeeded(&walk(&["--rig", "mixamo", "-o", "a.glb", "-o", "a.bvh"]));
+    let file = json(&folder.path().join("a.glb"));
+    let nodes = file["nodes"].as_array().expect("nodes");
+    assert!(nodes.iter().any(|node| node["name"] == "mixamorig:LeftUpLeg"));
+    assert!(!nodes.iter().any(|node| node["name"] == "left_thigh"));
+    let text = fs::read_to_string(folder.path().join("a.bvh")).expect("a file");
+    assert!(text.starts_with("HIERARCHY\nROOT mixamorig:Hips\n"));
+    for (more, why) in [
+        (["--rig", "vrm", "-o", "a.csv"], "add -o x.glb or -o x.bvh"),
+        (["--rig", "biped", "-o", "b.glb"], "[possible values: mixamo, vrm, unreal, unity, smpl, cmu]"),
+    ] {
+        let odd = walk(&more);
+        let error = String::from_utf8_lossy(&odd.stderr).into_owned();
+        assert_eq!(odd.status.code(), Some(2), "{error}");
+        assert!(error.contains(why), "{error}");
+    }
+}
