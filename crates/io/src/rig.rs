@@ -168,13 +168,17 @@ impl Rigged {
         Ok(found)
     }
 
-    /// The skin of the figure as it was, bound to the bones.
+    /// The skin of the figure as it was, bound to the bones in their rest pose, so that programs which take a skin's pose for the
+    /// rest pose find it. About the shoulders it bends a little otherwise than before, for it was made with arms lower.
     pub fn skin(&self, figure: &Figure, detail: Detail) -> Skin {
         let mut skin = skin(figure, detail);
         for (place, turn) in skin.bind.iter_mut().zip(&self.turns) {
             place.rotation *= *turn;
         }
-        skin
+        let mut q = vec![0.0; self.figure.layout().nq()];
+        // The length is the figure's own.
+        let _ = self.figure.neutral(&mut q);
+        skin.rebound(&self.figure.places(&q))
     }
 }
 

@@ -50,6 +50,23 @@ impl Skin {
     }
 }
 
+impl Skin {
+    /// The skin as it is where the links are at `places`, made anew for that pose. Where several links share a vertex it is no
+    /// longer moved as before, for a blend of blends is another one.
+    pub fn rebound(mut self, places: &[Isometry3<f64>]) -> Self {
+        self.points = self.posed(places);
+        let turns: Vec<_> =
+            places.iter().zip(&self.bind).map(|(p, b)| p.rotation * b.rotation.inverse()).collect();
+        for (normal, influences) in self.normals.iter_mut().zip(&self.influences) {
+            let of = |i: &Influence| turns[i.link as usize] * *normal * f64::from(i.share);
+            let turned: Vector3<f64> = influences.iter().filter(|i| i.share > 0.0).map(of).sum();
+            *normal = turned.try_normalize(1e-9).unwrap_or(*normal);
+        }
+        self.bind = places.to_vec();
+        self
+    }
+}
+
 /// What a closed surface holds (m³): a sixth of the sum of its triangles' triple products.
 pub(crate) fn volume(points: &[Vector3<f64>], triangles: &[[u32; 3]]) -> f64 {
     let of = |t: &[u32; 3]| {

@@ -92,17 +92,30 @@ fn names_say_the_segments_that_the_links_are() {
 }
 
 #[test]
-fn the_skin_is_where_it_was() {
+fn the_skin_is_bound_at_rest_and_where_it_was_but_about_the_shoulders() {
     let (figure, motion) = walked();
-    let own = skin(&figure, Detail::Rough);
+    let own = skin(&figure, Detail::Coarse);
     let on = Rigged::new(&figure, Rig::Mixamo).expect("on the rig");
     let moved = on.motion(&figure, &motion).expect("a motion");
-    let theirs = on.skin(&figure, Detail::Rough);
-    for sample in [0, 40, motion.len() - 1] {
+    let theirs = on.skin(&figure, Detail::Coarse);
+    assert!(theirs.bind.iter().all(|place| place.rotation.angle() < 1e-12));
+    assert!((theirs.volume() / own.volume() - 1.0).abs() < 0.03, "{}", theirs.volume() / own.volume());
+    assert!(theirs.normals.iter().all(|normal| (normal.norm() - 1.0).abs() < 1e-9));
+    let (mut alone, mut shared): (f64, f64) = (0.0, 0.0);
+    for sample in (0..motion.len()).step_by(20) {
         let a = own.posed(&figure.places(motion.q(sample)));
         let b = theirs.posed(&on.figure.places(moved.q(sample)));
-        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).norm() < 1e-9));
+        for ((a, b), influences) in a.iter().zip(&b).zip(&own.influences) {
+            let off = (a - b).norm();
+            if influences[0].share > 0.999_999 {
+                alone = alone.max(off);
+            } else {
+                shared = shared.max(off);
+            }
+        }
     }
+    assert!(alone < 1e-6, "{alone} m");
+    assert!(shared < 0.04, "{shared} m");
 }
 
 #[test]
