@@ -26,7 +26,7 @@ fn figure((height, mass, age): (f64, f64, Option<f64>)) -> Figure {
 
 static ALL: LazyLock<Vec<(String, Figure, Skin)>> = LazyLock::new(|| {
     let of = |person| {
-        [Detail::Fine, Detail::Coarse].map(|detail| {
+        [Detail::Fine, Detail::Coarse, Detail::Rough].map(|detail| {
             let figure = figure(person);
             let made = skin(&figure, detail);
             (format!("{person:?}, {detail:?}"), figure, made)
@@ -90,7 +90,8 @@ fn no_triangle_is_a_line_and_hardly_any_looks_inwards() {
             inwards += usize::from(across.dot(&normal) <= 0.0);
         }
         // In creases between fingers and behind ears, narrower than a cell.
-        assert!(inwards * 300 < skin.triangles.len(), "{who}: {inwards} of {}", skin.triangles.len());
+        let few = if who.contains("Rough") { 150 } else { 300 };
+        assert!(inwards * few < skin.triangles.len(), "{who}: {inwards} of {}", skin.triangles.len());
         assert!(skin.normals.iter().all(|n| (n.norm() - 1.0).abs() < 1e-9), "{who}");
     }
 }
@@ -118,7 +119,8 @@ fn expected(figure: &Figure) -> f64 {
 fn a_body_is_as_large_as_its_segments_mass_and_density_say() {
     for (who, figure, skin) in all() {
         let off = skin.volume() / expected(figure) - 1.0;
-        assert!(off.abs() < 0.12, "{who}: {:.1} %", off * 100.0);
+        let most = if who.contains("Rough") { 0.13 } else { 0.12 };
+        assert!(off.abs() < most, "{who}: {:.1} %", off * 100.0);
     }
     let man = figure(PEOPLE[0]);
     let off = skin(&man, Detail::Fine).volume() / expected(&man) - 1.0;
@@ -163,7 +165,11 @@ fn it_is_made_the_same_to_the_bit_however_many_threads_there_are() {
 #[test]
 fn a_person_has_as_many_vertices_as_films_and_pages_take() {
     for (who, _, skin) in all() {
-        let range = if who.contains("Fine") { 9000..16_000 } else { 4500..9000 };
+        let range = match who {
+            who if who.contains("Fine") => 9000..16_000,
+            who if who.contains("Coarse") => 4500..9000,
+            _ => 2000..5000,
+        };
         assert!(range.contains(&skin.points.len()), "{who}: {}", skin.points.len());
     }
 }
