@@ -8,6 +8,7 @@ pub(crate) use usage::UsageError;
 
 use crate::args::{Number, ValueError};
 use crate::underline;
+use solaris::files::FileError;
 use solaris::gait::{GaitError, RequestError};
 use solaris::io::FilesError;
 use solaris::model::{HumanError, TextError};
@@ -137,6 +138,18 @@ impl CliError {
             given.iter().map(|(option, number)| format!("--{option} {}", number.typed)).collect();
         let from = if given.is_empty() { "the defaults".to_owned() } else { given.join(" and ") };
         Self::Derived { name: name.to_owned(), value, unit, from, why: Box::new(why) }
+    }
+}
+
+impl From<FileError> for CliError {
+    fn from(error: FileError) -> Self {
+        match error {
+            FileError::Input { path, why } => Self::Input { path, why },
+            FileError::Text { path, text, faults } => Self::Text { path, text, faults },
+            FileError::Files { path, error } => Self::Files { path, error },
+            FileError::Folder { folder, why } => Self::option("files", folder.display().to_string(), why),
+            other => Self::other(other),
+        }
     }
 }
 

@@ -7,8 +7,8 @@ use crate::markers::{self, Fitted, MarkersReport};
 use crate::output::{Formats, Outputs};
 use crate::print::{print, write_json};
 use crate::progress::Progress;
-use crate::run::{as_csv, in_degrees};
 use crate::subject;
+use solaris::io::record::{headed_positions, positions_in_degrees};
 use solaris::io::{IoError, bvh, csv, sto};
 use solaris::model::Vector3;
 use std::io::Write;
@@ -40,7 +40,8 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
     outputs.keep_off([args.figure.as_path(), args.trial.as_path()])?;
     let progress = Progress::new(3);
     progress.stage("reading");
-    let mut body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &[&args.trial])?;
+    let (mut body, subject) =
+        subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &[&args.trial])?;
     if let Some(gravity) = &args.frame.gravity {
         body.gravity = gravity.vector;
     }
@@ -51,8 +52,8 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
     let (figure, motion) = (&body.figure, &fitted.motion);
     outputs.write(|content, mut writer| {
         match content {
-            Content::Sto => sto::write(&in_degrees(figure, motion), &mut writer),
-            Content::Csv => csv::write_table(&as_csv(figure, motion), &mut writer),
+            Content::Sto => sto::write(&positions_in_degrees(figure, motion), &mut writer),
+            Content::Csv => csv::write_table(&headed_positions(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
             Content::Glb => return animation::body(figure, motion, "trial", None, writer),
             Content::Errors => write_errors(&fitted, &mut writer),
@@ -65,7 +66,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             return write_json(out, &report);
         }
         writeln!(out, "{} '{}'\n", body.language.name(), figure.name())?;
-        body.subject.iter().try_for_each(|subject| subject.write(out))?;
+        subject.iter().try_for_each(|subject| subject.write(out))?;
         report.write(out)?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })

@@ -14,12 +14,9 @@ use crate::words::counted;
 use solaris::analysis::markers::{
     CoordinateTask, FrameFit, IkError, IkOptions, MarkerMotion, inverse_kinematics, position_errors,
 };
-use solaris::io::CoordinateDefault;
 use solaris::io::markers::Recording;
 use solaris::io::opensim::{self, IkSetup, MarkerTask, TaskValue};
-use solaris::model::{
-    Figure, Finding, FindingKind, JointKind, Known, Marker, MarkerTrial, Motion, MotionInfo,
-};
+use solaris::model::{Figure, Finding, FindingKind, Known, Marker, MarkerTrial, Motion, MotionInfo};
 use std::path::Path;
 
 /// A trial of markers, and the positions that fit it.
@@ -44,7 +41,7 @@ pub(crate) fn fit(
     args: &MarkerArgs,
     part: Option<&Span>,
 ) -> Result<Fitted, CliError> {
-    let mut read = recording::in_world(path, body.gravity, args)?;
+    let mut read = recording::in_world(path, body.gravity, args.unit, args.axes)?;
     let recording = &mut read.recording;
     let (options, setup) = asked(body, args)?;
     let markers = body.markers.markers.clone();
@@ -74,7 +71,7 @@ pub(crate) fn fit(
     let known = Known { v: vec![false; nv], a: vec![false; nv] };
     let motion =
         Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
-    let turned = turned::turned(body, [&rest(body)?, &found.q], &read, args.axes.is_some())?;
+    let turned = turned::turned(body, [&body.rest(), &found.q], &read, args.axes.is_some())?;
     Ok(Fitted { recording: read.recording, motion, found, markers, options, findings, turned })
 }
 
@@ -146,21 +143,7 @@ pub(crate) fn markers(body: &Body, more: Option<&Path>) -> Result<Vec<Marker>, C
             opensim::markers(&text, &body.figure).map_err(|faults| input::faulty(path, &text, faults))?;
         set = set.with(more);
     }
-    Ok(if set.markers.is_empty() { frames(&body.figure) } else { set.markers })
-}
-
-/// The named frames of a figure as markers.
-fn frames(figure: &Figure) -> Vec<Marker> {
-    let of = figure.links().iter().enumerate();
-    of.flat_map(|(link, it)| {
-        it.frames().iter().map(move |frame| Marker {
-            name: frame.name.clone(),
-            link,
-            position: frame.placement.translation.vector,
-            is_fixed: false,
-        })
-    })
-    .collect()
+    Ok(if set.markers.is_empty() { body.frames_as_markers() } else { set.markers })
 }
 
 /// What to weigh and hold: defaults and locks are the model's; ranges hold where it clamps them, and where the format knows no
@@ -170,24 +153,14 @@ pub(crate) fn options(
     tasks: Option<(&[MarkerTask], &[opensim::CoordinateTask], &Path)>,
     args: &MarkerArgs,
 ) -> Result<IkOptions, CliError> {
-    let (figure, layout) = (&body.figure, body.figure.layout());
-    let rest = rest(body)?;
-    let mut options = IkOptions { keep_labels: args.keep_labels, ..IkOptions::default() };
-    for (default, dof, _) in defaults(body).filter(|(default, _, _)| default.is_locked) {
-        options.held.push((dof, default.value));
-    }
-    let is_clamped = |dof: usize| {
-        let default = body.defaults.iter().find(|default| layout.dof_index(&default.name) == Some(dof));
-        default.map_or(body.defaults.is_empty(), |default| default.is_clamped)
+    let layout = body.figure.layout();
+    let rest = body.rest();
+    let mut options = IkOptions {
+        keep_labels: args.keep_labels,
+        held: body.locked(),
+        bounds: body.clamped(),
+        ..IkOptions::default()
     };
-    for (link, at) in figure.links().iter().zip(layout.joints()) {
-        let JointKind::Axes(dofs) = link.joint().kind() else { continue };
-        for (i, dof) in dofs.iter().enumerate() {
-            if let Some(limits) = dof.limits.filter(|_| is_clamped(at.v + i) && !figure.follows(at.v + i)) {
-                options.bounds.push((at.v + i, limits.lower, limits.upper));
-            }
-        }
-    }
     if let Some((markers, coordinates, path)) = tasks {
         if !markers.is_empty() {
             options.weights = Some(markers.iter().map(|task| (task.name.clone(), task.weight)).collect());
@@ -209,26 +182,4 @@ pub(crate) fn options(
     }
     options.rest = Some(rest);
     Ok(options)
-}
-
-/// The positions that a figure has while nobody says anything else.
-pub(crate) fn rest(body: &Body) -> Result<Vec<f64>, CliError> {
-    let figure = &body.figure;
-    let mut rest = vec![0.0; figure.layout().nq()];
-    figure.neutral(&mut rest).map_err(CliError::other)?;
-    for (default, _, at) in defaults(body) {
-        rest[at] = default.value;
-    }
-    let nv = figure.layout().nv();
-    figure.follow(&mut rest, &mut vec![0.0; nv], &mut vec![0.0; nv]);
-    Ok(rest)
-}
-
-/// What the model says of coordinates that are free, each with its degree of freedom and its place in `q`.
-fn defaults(body: &Body) -> impl Iterator<Item = (&CoordinateDefault, usize, usize)> {
-    let (figure, layout) = (&body.figure, body.figure.layout());
-    body.defaults.iter().filter_map(move |default| {
-        let dof = layout.dof_index(&default.name).filter(|dof| !figure.follows(*dof))?;
-        Some((default, dof, layout.coordinate(dof)?))
-    })
 }

@@ -43,8 +43,8 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
     };
     body.markers.markers = markers::markers(&body, args.record.markers.marker_set.as_deref())?;
     let is_guess = figure.is_none();
-    let given =
-        Given::of(body, [of, from], &args.record, &args.frame, &progress).map_err(|error| match error {
+    let given = Given::of((body, None), [of, from], &args.record, &args.frame, &progress).map_err(
+        |error| match error {
             CliError::Input { path, why } if is_guess && path.is_file() => {
                 let why = format!(
                     "{why}; with no FIGURE before it, it is taken for the motion of a human of `solaris walk`"
@@ -52,7 +52,8 @@ pub(crate) fn run(args: &MetricsArgs) -> Result<(), CliError> {
                 CliError::Input { path, why }
             }
             other => other,
-        })?;
+        },
+    )?;
     needs_times(&given)?;
     progress.stage("finding the steps");
     let prepared = given.prepared()?;

@@ -8,7 +8,7 @@ use crate::args::ReportArgs;
 use crate::error::CliError;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
-use crate::run::{Loaded, load, refuse};
+use crate::run::{LoadedScene, load, refuse};
 use solaris::modes::study::{Study, StudyOptions, study};
 use solaris::modes::{Method, Settings};
 use solaris::scene::SceneError;
@@ -42,7 +42,7 @@ struct Subject {
 pub(crate) fn run(args: &ReportArgs) -> Result<(), CliError> {
     let outputs = Outputs::new(args.outputs.iter().map(|path| ("-o", path, FORMATS)))?;
     let path = args.scene.as_path();
-    let Loaded { scene, reads } = load(path)?;
+    let LoadedScene { scene, reads } = load(path)?;
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     let settings = scene.settings().clone();
     // What the scene asks for, where the command line does not.

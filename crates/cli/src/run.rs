@@ -2,16 +2,13 @@
 
 mod contact;
 mod energy;
-mod load;
 mod outcomes;
 mod plan;
 mod report;
 mod summary;
-mod table;
 mod watch;
 
-pub(crate) use load::{Loaded, load};
-pub(crate) use table::{as_csv, in_degrees, positions};
+pub(crate) use solaris::files::{LoadedScene, scene as load};
 
 use crate::animation;
 use crate::args::RunArgs;
@@ -21,6 +18,7 @@ use crate::limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use report::Report;
+use solaris::io::record;
 use solaris::io::rig::{Rig, Rigged};
 use solaris::model::{Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
@@ -68,7 +66,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     if let Some(option) = args.film.given().filter(|_| !drawn) {
         return Err(UsageError::NoStrip { option }.into());
     }
-    let Loaded { mut scene, reads } = load(path)?;
+    let LoadedScene { mut scene, reads } = load(path)?;
     // Only tables and pages show forces; those of a walk are found with its ground reactions.
     let shows = |path: &Path| matches!(extension(path).as_str(), "csv" | "html");
     scene.settings_mut().forces = scene.walk().is_some() || outputs.paths().any(shows);
@@ -157,7 +155,7 @@ fn write(
         Format::Bvh => animation::bones(figure, motion, rig, writer),
         Format::Glb => animation::body(figure, motion, "run", rig, writer),
         Format::Sto => {
-            solaris::io::sto::write(&table::positions(figure, motion), &mut writer).map_err(CliError::other)
+            solaris::io::sto::write(&record::positions(figure, motion), &mut writer).map_err(CliError::other)
         }
         Format::Html => {
             let (title, table) = (summary::title(report), summary::page_rows(report));

@@ -28,9 +28,9 @@ pub(crate) fn run(args: &ScaleArgs) -> Result<(), CliError> {
     let outputs = Outputs::new(args.outputs.iter().map(|path| ("-o", path, FORMATS)))?;
     outputs.keep_off([args.figure.as_path()])?;
     let trials: Vec<&Path> = args.trials.iter().map(PathBuf::as_path).collect();
-    let body = subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &trials)?;
+    let (body, subject) = subject::body(&args.figure, &args.subject, &args.markers, &args.frame, &trials)?;
     let wanted = args.outputs.iter().any(|path| input::extension(path) == "osim");
-    let (model, findings) = match &body.subject {
+    let (model, findings) = match &subject {
         Some(report) if wanted => model(&args.figure, &body, report)?,
         _ => (String::new(), Vec::new()),
     };
@@ -43,10 +43,10 @@ pub(crate) fn run(args: &ScaleArgs) -> Result<(), CliError> {
     })?;
     print(|out| {
         if args.json {
-            return write_json(out, &body.subject);
+            return write_json(out, &subject);
         }
         writeln!(out, "{} '{}'\n", body.language.name(), body.figure.name())?;
-        body.subject.iter().try_for_each(|report| report.write(out))?;
+        subject.iter().try_for_each(|report| report.write(out))?;
         crate::findings::list(out, &findings)?;
         outputs.written().try_for_each(|line| writeln!(out, "\n{line}"))
     })

@@ -18,28 +18,28 @@ use solaris::io::opensim::{self, MarkerSet, Measurement, PlacerSetup, Rescaling,
 use solaris::model::{Base, Figure, MarkerTrial, MassShares, Stretching, Vector3};
 use std::path::{Path, PathBuf};
 
-/// Reads a figure with its markers, and brings both to a person's size, where that is asked for.
+/// Reads a figure with its markers, and brings both to a person's size, where that is asked for; how stands beside it.
 pub(crate) fn body(
     path: &Path,
     subject: &SubjectArgs,
     markers: &MarkerArgs,
     frame: &FrameArgs,
     trials: &[&Path],
-) -> Result<Body, CliError> {
+) -> Result<(Body, Option<SubjectReport>), CliError> {
     let mut body = input::body_in(path, frame.files.as_deref())?;
     let base = frame.base.map_or(Base::Fixed, Base::from);
     body.figure = body.figure.on_base(base).map_err(|error| CliError::input(path, &error))?;
+    let mut report = None;
     if subject.is_asked() {
-        let report = if subject.scale_setup.is_none() && (subject.fit || subject.standing.is_some()) {
+        report = Some(if subject.scale_setup.is_none() && (subject.fit || subject.standing.is_some()) {
             fit(&mut body, path, (subject, markers), trials, base)?
         } else {
             scale(&mut body, path, subject, markers, base)?
-        };
-        body.subject = Some(report);
+        });
     } else {
         body.markers.markers = markers::markers(&body, markers.marker_set.as_deref())?;
     }
-    Ok(body)
+    Ok((body, report))
 }
 
 /// Fits a figure's lengths and markers to trials of a person.
@@ -59,7 +59,8 @@ fn fit(
     let mut report = SubjectReport::new(body, None);
     let mut trials = Vec::new();
     for file in files {
-        let Recording { markers, findings, .. } = recording::in_world(file, body.gravity, args)?.recording;
+        let Recording { markers, findings, .. } =
+            recording::in_world(file, body.gravity, args.unit, args.axes)?.recording;
         report.notes.extend(findings.iter().map(|finding| format!("{}: {finding}", file.display())));
         trials.push(markers);
     }
@@ -207,7 +208,8 @@ fn trial(
         let why = "it names no trial; name one by --static";
         return Err(CliError::input(setup.path, &why));
     };
-    let Recording { markers, findings, .. } = recording::in_world(&path, gravity, args)?.recording;
+    let Recording { markers, findings, .. } =
+        recording::in_world(&path, gravity, args.unit, args.axes)?.recording;
     if let Some(report) = report {
         report.notes.extend(findings.iter().map(ToString::to_string));
     }
@@ -250,7 +252,7 @@ fn measured(
                     asked,
                     Some(&mut *report),
                 )?;
-                let rest = markers::rest(body)?;
+                let rest = body.rest();
                 for Measurement { name, pairs, bodies } in &setup.setup.measurements {
                     let found = measured_factor(&body.figure, &body.markers.markers, &rest, &trial, pairs);
                     let found = match found {

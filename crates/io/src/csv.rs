@@ -30,8 +30,3 @@ pub use read::{frame_rate, read};
 pub use rows::{Row, Rows, number_text, read_rows, write_row};
 pub use table::{read_table, write_table};
 pub use write::write;
-
-/// A degree of freedom's column, such as `left_knee.rx.q`.
-fn heading(name: &str, ending: &str) -> String {
-    format!("{name}.{ending}")
-}

@@ -26,9 +26,13 @@ mod columns;
 mod force_table;
 mod forces;
 mod patterns;
+mod positions;
+mod row;
 
 pub use force_table::{ForceHeadings, force_table};
 pub use forces::{force_prefixes, forces};
+pub use positions::{headed_positions, positions, positions_in_degrees};
+pub use row::{headings, row};
 
 use crate::error::IoError;
 use crate::record::columns::Columns;

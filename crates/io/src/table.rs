@@ -10,6 +10,11 @@ pub(crate) const TAU: &str = "tau";
 /// Heading of the column of times.
 pub(crate) const TIME: &str = "time";
 
+/// A degree of freedom's column, such as `left_knee.rx.q`.
+pub(crate) fn heading(name: &str, ending: &str) -> String {
+    format!("{name}.{ending}")
+}
+
 /// Named columns of numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {

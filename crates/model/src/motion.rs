@@ -447,6 +447,11 @@ impl Motion {
         (!self.tau.is_empty()).then(|| &self.tau[Self::row(sample, self.nv)])
     }
 
+    /// Generalized forces of all samples, one after the other: `nv` numbers a sample; `None` where they were not asked for.
+    pub fn taus(&self) -> Option<&[f64]> {
+        (!self.tau.is_empty()).then_some(&*self.tau)
+    }
+
     /// The contact track of the link called `link`.
     pub fn contact(&self, link: &str) -> Option<&ContactTrack> {
         self.contacts.iter().find(|track| track.link == link)

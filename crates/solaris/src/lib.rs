@@ -4,6 +4,8 @@ pub use solaris_analysis as analysis;
 #[cfg(feature = "collide")]
 pub use solaris_collision as collision;
 pub use solaris_dynamics as dynamics;
+#[cfg(feature = "files")]
+pub use solaris_files as files;
 pub use solaris_gait as gait;
 #[cfg(feature = "io")]
 pub use solaris_io as io;

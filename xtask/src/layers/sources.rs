@@ -13,6 +13,11 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    /// Whether it is about files.
+    pub(crate) fn is_files(&self) -> bool {
+        self.what == "std::fs"
+    }
+
     pub(crate) fn message(&self, package: &str, file: &str) -> String {
         format!(
             "{file}:{}: crate '{package}' mentions {}, which only solaris-cli may: take text, bytes, a writer or a trait from \

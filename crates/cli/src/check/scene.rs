@@ -5,7 +5,7 @@ use crate::error::CliError;
 use crate::findings::list;
 use crate::input::{self, extension};
 use crate::print::{print, write_json};
-use crate::run::{Loaded, load, refuse};
+use crate::run::{LoadedScene, load, refuse};
 use crate::words::{rounded, some};
 use serde::Serialize;
 use solaris::dynamics::denavit_hartenberg::Summary;
@@ -23,7 +23,7 @@ pub(super) fn is_one(path: &Path) -> bool {
 
 pub(super) fn run(args: &CheckArgs) -> Result<(), CliError> {
     let path = args.file.as_path();
-    let Loaded { scene, .. } = load(path)?;
+    let LoadedScene { scene, .. } = load(path)?;
     scene.check().map_err(|error| refuse(path, error))?;
     let findings = scene.figure().lint();
     let suspects = findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).count();

@@ -6,10 +6,11 @@ use crate::input::{self, Body, Language};
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
 use crate::recording;
-use crate::run::as_csv;
+use crate::subject::SubjectReport;
 use crate::words::short;
 use solaris::analysis::{Differentiated, Filter, PreparedMotion, differentiate};
 use solaris::io::Table;
+use solaris::io::record::headed_positions;
 use solaris::io::record::{self, ReadMotion};
 use solaris::model::{Base, Finding, FindingKind, Motion};
 use std::path::{Path, PathBuf};
@@ -21,6 +22,8 @@ pub(crate) struct Given {
     /// The motion's file.
     pub(crate) from: PathBuf,
     pub(crate) body: Body,
+    /// How the figure was brought to a person's size, if it was.
+    pub(crate) subject: Option<SubjectReport>,
     /// Whether gravity was asked for.
     pub(crate) gravity_is_asked: bool,
     pub(crate) table: Table,
@@ -49,7 +52,7 @@ impl Given {
 
     /// A figure that is at hand and is called `of`, in the motion `from`.
     pub(crate) fn of(
-        mut body: Body,
+        (mut body, subject): (Body, Option<SubjectReport>),
         [of, from]: [&Path; 2],
         record: &RecordArgs,
         frame: &FrameArgs,
@@ -82,6 +85,7 @@ impl Given {
             of,
             from,
             body,
+            subject,
             gravity_is_asked,
             table,
             doubtful,
@@ -102,7 +106,7 @@ fn motion(
 ) -> Result<(Table, ReadMotion, Vec<Finding>, Option<Fitted>), CliError> {
     if recording::is_one(from) {
         let fitted = markers::fit(body, from, &record.markers, record.time.as_ref())?;
-        let table = as_csv(&body.figure, &fitted.motion);
+        let table = headed_positions(&body.figure, &fitted.motion);
         let recorded = ReadMotion { motion: fitted.motion.clone(), ignored: Vec::new(), notes: Vec::new() };
         return Ok((table, recorded, Vec::new(), Some(fitted)));
     }

@@ -130,7 +130,7 @@ impl GivenReport {
             }),
             missing: said(&mut body.findings.iter().filter(|finding| finding.kind == FindingKind::Missing)),
             guessed: said(&mut given.doubtful.iter()),
-            subject: given.body.subject.clone(),
+            subject: given.subject.clone(),
             markers: given.markers.clone(),
             many_turns: figure
                 .many_turns(motion.columns()[0])

@@ -17,6 +17,7 @@ use crate::plausible::Plausibility;
 use crate::progress::Progress;
 use crate::recording::is_one as is_markers;
 use crate::shown::{Shown, stem};
+use crate::subject::SubjectReport;
 use crate::words::counted;
 use solaris::analysis::ground::{Sole, Stances};
 use solaris::analysis::{
@@ -47,7 +48,7 @@ impl Trial {
     pub(super) fn analyse(
         &self,
         args: &InverseArgs,
-        body: Body,
+        body: (Body, Option<SubjectReport>),
         progress: &Progress,
     ) -> Result<Report, CliError> {
         let (predicted, from) = (&args.predicted, self.motion.as_path());

@@ -121,7 +121,8 @@ impl Command {
         };
         let speed = velocity[0].hypot(velocity[1]);
         let (facing, by_way) = match self.face {
-            Face::Way if matches!(self.go, Go::Own(_)) || speed < SLOWEST => (heading, false),
+            // Within a step of a point it is too late to turn to it: the last centimetres are gone as the feet stand.
+            Face::Way if matches!(self.go, Go::Own(_)) || speed < SLOWEST || left < NEAR => (heading, false),
             Face::Way => (velocity[0].atan2(velocity[1]), true),
             Face::Heading(heading) => (heading, false),
             Face::Point(point) => {
@@ -136,10 +137,10 @@ impl Command {
 /// No number of a command is as large as this (m, m/s, rad): positions keep their last digits.
 const FARTHEST: f64 = 1e6;
 /// How near a walker comes to a point (m).
-const ARRIVED: f64 = 0.01;
+const ARRIVED: f64 = 0.02;
 /// A speed that is taken for standing (m/s).
 pub(super) const SLOWEST: f64 = 0.04;
-/// How near a point may be that is faced (m).
+/// How near a point may be that is faced, or turned to (m).
 const NEAR: f64 = 0.3;
 
 /// A command seen from a place.

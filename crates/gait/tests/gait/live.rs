@@ -2,7 +2,7 @@
 
 use crate::driven::{Driver, person};
 use solaris_gait::{Bent, Command, Extent, LiveError, WalkRequest, Walker, walk};
-use solaris_model::{Figure, Human, Trajectory, human};
+use solaris_model::{Figure, Human, RootOrder, Trajectory, human};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const RATE: f64 = 240.0;
@@ -98,6 +98,31 @@ fn it_comes_to_points_and_stops_there() {
         assert!(driver.walker.is_standing(), "{point:?}");
         assert!((x - point[0]).hypot(z - point[1]) < 0.05, "{x}, {z} for {point:?}");
         keeps(&format!("to {point:?}"), &figure, &driver);
+    }
+}
+
+#[test]
+fn it_settles_at_any_point_and_does_not_dance_around_it() {
+    let points = [[1.0, 4.0], [0.0, 3.0], [-2.0, 1.0], [0.3, 0.2], [0.0, -2.0], [5.0, 5.0], [0.1, 0.0]];
+    for (height, mass) in [(1.65, 58.0), (1.75, 73.0), (1.2, 25.0)] {
+        let ann = Human::new(height, mass).root(RootOrder::Yzx).build().expect("a person");
+        let walker = Walker::new(&ann).expect("a walker");
+        for [x, z] in points {
+            let mut walker = walker.clone();
+            let mut frames = 0;
+            while frames < 1200 && (frames < 60 || !walker.is_standing()) {
+                walker.step(1.0 / 60.0, &Command::to_point(x, z, 1.3)).expect("a frame");
+                frames += 1;
+            }
+            let [x0, z0] = walker.place();
+            let off = (x0 - x).hypot(z0 - z);
+            assert!(
+                walker.is_standing() && off < 0.03,
+                "({x}, {z}) of {height} m: {off} m after {frames} frames"
+            );
+            // Turned where it went, in a bow to what is behind, and not once round.
+            assert!(walker.heading().abs() < 5.0, "({x}, {z}) of {height} m: {}", walker.heading());
+        }
     }
 }
 

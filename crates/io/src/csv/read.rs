@@ -1,8 +1,8 @@
 //! A table to a motion.
 
-use super::{heading, read_table};
+use super::read_table;
 use crate::error::IoError;
-use crate::table::{CONTACT, TAU, TIME};
+use crate::table::{CONTACT, TAU, TIME, heading};
 use solaris_model::{Contact, ContactTrack, Figure, Motion, MotionInfo, Vector3};
 use std::collections::HashMap;
 

@@ -1,9 +1,8 @@
 //! A motion to a table.
 
-use super::heading;
 use crate::error::{ContactProblem, IoError};
-use crate::table::{CONTACT, TAU, TIME};
-use solaris_model::{Contact, Figure, Motion};
+use crate::record::{headings, row};
+use solaris_model::{Figure, Motion};
 use std::io::{self, Write};
 
 /// Writes `motion` as a table to `out`: a header and one row a sample.
@@ -34,31 +33,6 @@ pub fn write(figure: &Figure, motion: &Motion, out: &mut impl Write) -> Result<(
         table.write_record(None::<&[u8]>).map_err(writing)?;
     }
     Ok(table.flush()?)
-}
-
-fn headings(figure: &Figure, motion: &Motion) -> Vec<String> {
-    let (q, v) = (figure.layout().q_names(), figure.layout().v_names());
-    let tau = if has_tau(motion) { v } else { &[] };
-    let dofs = [(q, "q"), (v, "v"), (v, "a"), (tau, TAU)];
-    let dofs =
-        dofs.into_iter().flat_map(|(names, ending)| names.iter().map(move |name| heading(name, ending)));
-    let contacts =
-        motion.contacts.iter().flat_map(|track| CONTACT.map(|ending| heading(&track.link, ending)));
-    std::iter::once(TIME.to_owned()).chain(dofs).chain(contacts).collect()
-}
-
-/// The numbers of one sample, in the order of the headings.
-fn row(motion: &Motion, sample: usize) -> impl Iterator<Item = f64> {
-    let dofs = [motion.q(sample), motion.v(sample), motion.a(sample), motion.tau(sample).unwrap_or_default()];
-    let contacts = motion.contacts.iter().flat_map(move |track| {
-        let Contact { force: f, moment: m, cop: p } = track.samples[sample];
-        [f.x, f.y, f.z, m.x, m.y, m.z, p.x, p.y, p.z]
-    });
-    std::iter::once(motion.time()[sample]).chain(dofs.into_iter().flatten().copied()).chain(contacts)
-}
-
-fn has_tau(motion: &Motion) -> bool {
-    !motion.is_empty() && motion.tau(0).is_some()
 }
 
 fn check_contacts(figure: &Figure, motion: &Motion) -> Result<(), IoError> {

@@ -1,10 +1,10 @@
-//! Positions as a table for OpenSim.
+//! The positions of a motion as tables.
 
-use solaris::io::Table;
-use solaris::model::{AxisKind, Figure, Motion};
+use crate::table::{TIME, Table, heading};
+use solaris_model::{AxisKind, Figure, Motion};
 
 /// A column for each position, in degrees and m, as tools of biomechanics have them; quaternions as they are.
-pub(crate) fn in_degrees(figure: &Figure, motion: &Motion) -> Table {
+pub fn positions_in_degrees(figure: &Figure, motion: &Motion) -> Table {
     let mut table = positions(figure, motion);
     let layout = figure.layout();
     let turning = (0..layout.nv()).filter(|dof| layout.axis_kind(*dof) == AxisKind::Rotation);
@@ -15,17 +15,17 @@ pub(crate) fn in_degrees(figure: &Figure, motion: &Motion) -> Table {
     Table { in_degrees: Some(true), title: "Coordinates".to_owned(), ..table }
 }
 
-/// A column for each position, in rad and m, as CSV has them.
-pub(crate) fn as_csv(figure: &Figure, motion: &Motion) -> Table {
+/// A column for each position, in rad and m, headed `DOF.q` as CSV has them.
+pub fn headed_positions(figure: &Figure, motion: &Motion) -> Table {
     let mut table = positions(figure, motion);
-    table.columns.iter_mut().skip(1).for_each(|name| name.push_str(".q"));
+    table.columns.iter_mut().skip(1).for_each(|name| *name = heading(name, "q"));
     table
 }
 
 /// A column for each position, in rad and m.
-pub(crate) fn positions(figure: &Figure, motion: &Motion) -> Table {
+pub fn positions(figure: &Figure, motion: &Motion) -> Table {
     let names = figure.layout().q_names().iter().cloned();
-    let columns = std::iter::once("time".to_owned()).chain(names).collect();
+    let columns = std::iter::once(TIME.to_owned()).chain(names).collect();
     let rows = motion.time().iter().enumerate();
     let values = rows.flat_map(|(frame, time)| std::iter::once(*time).chain(motion.q(frame).iter().copied()));
     let (values, lines) = (values.collect(), (1..).take(motion.len()).collect());

@@ -1,14 +1,14 @@
 //! Files in the folder of a model.
 
-use super::MOST_BYTES;
-use crate::error::CliError;
-use solaris::io::Loader;
+use crate::error::FileError;
+use crate::read::MOST_BYTES;
+use solaris_io::Loader;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 /// The folder that a model's other files are in; nothing outside of it is opened, by no link.
-pub(super) struct Folder {
+pub(crate) struct Folder {
     /// Where all links are resolved.
     root: Result<PathBuf, String>,
     /// That of the model, from the root.
@@ -17,14 +17,14 @@ pub(super) struct Folder {
 
 impl Folder {
     /// That of a model's file, or `files`, which must hold the model.
-    pub(super) fn of(path: &Path, files: Option<&Path>) -> Result<Self, CliError> {
+    pub(crate) fn of(path: &Path, files: Option<&Path>) -> Result<Self, FileError> {
         let own = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
         let resolved = |folder: &Path| fs::canonicalize(folder).map_err(|error| error.to_string());
         let Some(files) = files else { return Ok(Self { root: resolved(own), model: String::new() }) };
-        let refuse = |why: String| CliError::option("files", files.display().to_string(), why);
+        let refuse = |why: String| FileError::Folder { folder: files.to_owned(), why };
         let root = resolved(files).map_err(refuse)?;
         let own = resolved(own).map_err(refuse)?;
         let within =

@@ -1,0 +1,16 @@
+#![doc = include_str!("../README.md")]
+
+mod error;
+mod figure;
+mod folder;
+mod motion;
+mod read;
+mod recording;
+mod scene;
+
+pub use error::FileError;
+pub use figure::{Body, Language, actuators, body, body_in, body_with, clip, language};
+pub use motion::{is_motion, motion, table};
+pub use read::{MOST_BYTES, bytes, decoded, extension, refuse_unread, text};
+pub use recording::{Turned, in_world, is_recording, recording, turned};
+pub use scene::{LoadedScene, SCENE, scene};

@@ -1,0 +1,48 @@
+//! Motions of a figure: tables and clips.
+
+use crate::error::FileError;
+use crate::figure::clip;
+use crate::read::{extension, refuse_unread, text};
+use solaris_io::bvh::ReadOptions;
+use solaris_io::{Table, csv, sto};
+use solaris_model::{Figure, Finding, FindingKind};
+use std::path::Path;
+
+/// Reads a motion of a figure, and what looks wrong with it.
+///
+/// # Errors
+///
+/// Files that cannot be read, and clips that are not of the figure.
+pub fn motion(path: &Path, figure: &Figure) -> Result<(Table, Vec<Finding>), FileError> {
+    if extension(path) != "bvh" {
+        return Ok((table(path)?, Vec::new()));
+    }
+    let mut clip = clip(path, &ReadOptions::default())?;
+    let table = clip.table_of(figure).map_err(|error| FileError::input(path, &error))?;
+    // The masses are the figure's.
+    clip.findings.retain(|finding| finding.kind == FindingKind::Suspect && finding.subject != "masses");
+    Ok((table, clip.findings))
+}
+
+/// Reads a table of numbers.
+///
+/// # Errors
+///
+/// Files that cannot be read, and texts that are no table.
+pub fn table(path: &Path) -> Result<Table, FileError> {
+    let read = match extension(path).as_str() {
+        "csv" => csv::read_table,
+        "mot" => sto::read_mot,
+        "sto" => sto::read,
+        _ => {
+            refuse_unread(path, "a motion is .csv, .mot, .sto or .bvh")?;
+            return Err(FileError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto"));
+        }
+    };
+    read(&text(path)?).map_err(|error| FileError::input(path, &error))
+}
+
+/// Whether a file is one of motions, by its extension.
+pub fn is_motion(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "csv" | "mot" | "sto" | "bvh" | "c3d" | "trc")
+}

@@ -1,0 +1,70 @@
+//! Files as people have them.
+
+use solaris_files::{FileError, Language, body, body_in, language, motion, scene};
+use std::fs;
+use std::path::Path;
+
+fn repository(path: &str) -> std::path::PathBuf {
+    Path::new("../..").join(path)
+}
+
+#[test]
+fn xml_is_told_by_its_first_element() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let urdf = fs::read_to_string(repository("fixtures/figures/arm.urdf")).expect("read");
+    let path = folder.path().join("arm.xml");
+    fs::write(
+        &path,
+        format!("\u{feff}<!-- <mujoco> -->\n{}", urdf.trim_start_matches("<?xml version=\"1.0\"?>")),
+    )
+    .expect("written");
+    assert_eq!(language(&path), Some(Language::Urdf));
+    assert_eq!(body(&path).expect("a robot").language, Language::Urdf);
+    fs::write(&path, "<svg/>").expect("written");
+    let why = body(&path).expect_err("a picture").to_string();
+    assert!(why.contains("neither a MuJoCo model"), "{why}");
+}
+
+#[test]
+fn a_fault_comes_with_its_text_and_place() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("bad.ron");
+    fs::write(&path, "Figure(\n  version: 1,\n  nam: \"x\",\n)").expect("written");
+    let FileError::Text { text, faults, .. } = body(&path).expect_err("a fault") else { panic!("no text") };
+    assert!(text.contains("nam"));
+    assert!(
+        faults.faults.iter().any(|fault| fault.place.line == 3 && fault.message.contains("nam")),
+        "{faults}"
+    );
+}
+
+#[test]
+fn a_scene_tells_what_it_was_read_from() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arm = fs::read(repository("fixtures/figures/arm.urdf")).expect("read");
+    fs::write(folder.path().join("arm.urdf"), arm).expect("written");
+    let path = folder.path().join("s.ron");
+    fs::write(&path, "Scene(version: 1, figures: {\"it\": File(\"arm.urdf\")}, duration: 1.0)")
+        .expect("written");
+    let loaded = scene(&path).expect("a scene");
+    assert_eq!(loaded.reads, [path.clone(), folder.path().join("arm.urdf")]);
+    let why = scene(&folder.path().join("arm.urdf")).expect_err("a figure").to_string();
+    assert!(why.contains("it is a figure (URDF)"), "{why}");
+}
+
+#[test]
+fn what_is_not_there_or_elsewhere_is_refused_by_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let missing = body(&folder.path().join("none.urdf")).expect_err("nothing").to_string();
+    assert!(missing.ends_with("none.urdf: there is no such file"), "{missing}");
+    let inside = body(folder.path()).expect_err("a folder").to_string();
+    assert!(inside.contains("it is a folder; name a file"), "{inside}");
+    let arm = repository("fixtures/figures/arm.urdf");
+    let figure = body(&arm).expect("a robot").figure;
+    let why = motion(&arm, &figure).expect_err("no motion").to_string();
+    assert!(why.contains("a table is .csv, .mot or .sto"), "{why}");
+    let mjcf = folder.path().join("m.xml");
+    fs::write(&mjcf, "<mujoco><worldbody/></mujoco>").expect("written");
+    let elsewhere = body_in(&mjcf, Some(&repository("fixtures"))).expect_err("another folder");
+    assert!(matches!(elsewhere, FileError::Folder { .. }), "{elsewhere}");
+}

@@ -1,0 +1,65 @@
+//! Motions as files.
+
+use crate::errors::{of_path, plain};
+use crate::motion::Motion;
+use pyo3::PyResult;
+use solaris::files::extension;
+use solaris::io::{bvh, csv, parquet, record, sto};
+use solaris::view::{FilmOptions, PageOptions, film};
+use std::fs;
+use std::path::Path;
+
+/// The page of a motion.
+pub(crate) fn page(of: &Motion) -> PyResult<String> {
+    let options = PageOptions { title: of.title.clone(), ..PageOptions::default() };
+    solaris::view::page(of.figure.figure(), &of.motion, &options)
+        .map_err(|error| plain("MotionError")(&error))
+}
+
+/// Writes a motion in the format of the path's extension.
+pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
+    let (figure, motion) = (of.figure.figure(), &*of.motion);
+    let refuse = |error: &dyn std::fmt::Display| of_path(path, &format!("{}: {error}", path.display()));
+    let mut bytes = Vec::new();
+    match extension(path).as_str() {
+        "html" => bytes = page(of)?.into_bytes(),
+        "csv" => csv::write(figure, motion, &mut bytes).map_err(|error| refuse(&error))?,
+        "bvh" => {
+            bvh::write(figure, motion, bvh::Unit::default(), &mut bytes).map_err(|error| refuse(&error))?
+        }
+        "mot" | "sto" => {
+            let table = record::positions_in_degrees(figure, motion);
+            sto::write(&table, &mut bytes).map_err(|error| refuse(&error))?;
+        }
+        "parquet" => {
+            let columns: Vec<(String, parquet::Column)> = record::headings(figure, motion)
+                .into_iter()
+                .zip(crate::arrow::columns(motion))
+                .map(|(name, numbers)| {
+                    (name, parquet::Column::Numbers(numbers.into_iter().map(Some).collect()))
+                })
+                .collect();
+            parquet::write(&columns, &mut bytes).map_err(|error| refuse(&error))?;
+        }
+        "svg" => {
+            let options = FilmOptions { title: of.title.clone(), ..FilmOptions::default() };
+            bytes = film(figure, motion, &options).map_err(|error| refuse(&error))?.into_bytes();
+        }
+        _ => {
+            let known = ".html, .bvh, .csv, .parquet, .mot, .sto or .svg";
+            return Err(refuse(&format!("its extension says nothing; it must be {known}")));
+        }
+    }
+    place(path, &bytes).map_err(|error| refuse(&error))
+}
+
+/// Writes beside the place and renames, so that nobody finds half a file.
+fn place(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let part = path.with_file_name(format!(".{name}-{}.part", std::process::id()));
+    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
+    if written.is_err() {
+        let _ = fs::remove_file(&part);
+    }
+    written
+}

@@ -1,0 +1,221 @@
+"""Motions, walks, scenes and files."""
+
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import solaris
+
+FIXTURES = Path(__file__).resolve().parents[2] / "fixtures"
+
+
+@pytest.fixture(scope="module")
+def walk():
+    return solaris.walk(height=1.75, mass=73.0, step_frequency=110, steps=6)
+
+
+def test_forces_agree_with_inverse_dynamics_state_by_state(walk):
+    motion, figure = walk.motion, walk.figure
+    found = solaris.inverse_dynamics(motion)
+    assert np.allclose(found.tau, motion.tau, rtol=0, atol=1e-6)
+    # Newton: the ground's force is mass times acceleration of the centre of mass, less gravity.
+    dynamics = solaris.Dynamics(figure)
+    sample, step = 300, 1.0 / motion.rate
+    com = [dynamics.center_of_mass(motion.q[sample + k]) for k in (-1, 0, 1)]
+    acceleration = (com[0] - 2 * com[1] + com[2]) / step**2
+    force = sum(contact["force"][sample] for contact in motion.contacts.values())
+    assert np.allclose(force, figure.mass * (acceleration - motion.gravity), rtol=0, atol=2.0)
+
+
+def test_arrays_are_views_that_outlive_what_they_view():
+    motion = solaris.walk(steps=4).motion
+    q = motion.q
+    first = q[0].copy()
+    with pytest.raises(ValueError, match="read-only"):
+        q[0, 0] = 1.0
+    del motion
+    __import__("gc").collect()
+    assert np.array_equal(q[0], first)
+
+
+def test_tables_of_others(walk):
+    pandas, polars, pyarrow = (pytest.importorskip(name) for name in ("pandas", "polars", "pyarrow"))
+    motion = walk.motion
+    tables = motion.to_pandas(), motion.to_polars(), pyarrow.table(motion)
+    assert isinstance(tables[0], pandas.DataFrame) and isinstance(tables[1], polars.DataFrame)
+    for table in tables:
+        assert np.array_equal(np.asarray(table["left_knee.rx.tau"]), motion.to_dict()["left_knee.rx.tau"])
+    assert list(tables[0].columns) == motion.columns == tables[2].column_names
+
+
+@pytest.mark.parametrize("kind", ["csv", "bvh", "mot", "sto"])
+def test_files_read_back(walk, tmp_path, kind):
+    path = tmp_path / f"walk.{kind}"
+    walk.save(path)
+    back = solaris.read_motion(walk.figure, path)
+    # BVH and OpenSim's tables have degrees of some digits.
+    assert np.allclose(back.q, walk.motion.q, rtol=0, atol=1e-12 if kind == "csv" else 2e-5)
+    assert (back.a is None) == (kind != "csv")
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+def test_other_files(walk, tmp_path):
+    pyarrow = pytest.importorskip("pyarrow.parquet")
+    for kind in ("html", "svg", "parquet"):
+        walk.save(tmp_path / f"walk.{kind}")
+    assert "<html" in (tmp_path / "walk.html").read_text()[:200]
+    assert pyarrow.read_table(tmp_path / "walk.parquet").column_names == walk.motion.columns
+    with pytest.raises(solaris.FileError, match="its extension says nothing") as raised:
+        walk.save(tmp_path / "walk.fbx")
+    assert raised.value.path.endswith("walk.fbx")
+    with pytest.raises(solaris.FileError):
+        walk.save(tmp_path / "nowhere" / "walk.csv")
+
+
+def test_a_notebook_shows_a_page_that_cannot_escape(walk):
+    shown = walk.motion._repr_html_()
+    assert shown.startswith("<iframe srcdoc=") and shown.count("<") == 2
+
+
+def test_opensims_example_of_a_walk():
+    subject = FIXTURES / "subject"
+    figure = solaris.read_figure(subject / "subject.osim")
+    motion = solaris.read_motion(figure, subject / "walk.mot")
+    plates = {"calcn_r": "", "calcn_l": "1_"}
+    found = solaris.inverse_dynamics(motion, external=subject / "grf.mot", plates=plates, filter=6.0, order=3)
+    assert found.motion.v is not None and np.isfinite(found.tau).all()
+    weight = figure.mass * 9.80665
+    assert found.residual["force_rms_n"] < 0.2 * weight
+    ground = solaris.ground_forces(motion, soles=subject / "soles.ron", filter=6.0, order=3)
+    total = sum(contact["force"][:, 1] for contact in ground.contacts.values())
+    assert abs(np.median(total) / weight - 1.0) < 0.2
+    without = solaris.inverse_dynamics(ground.motion, ground)
+    assert without.residual["force_rms_n"] < 1e-6 * weight
+    with pytest.raises(ValueError, match="plates="):
+        solaris.inverse_dynamics(motion, external=subject / "grf.mot")
+
+
+def test_markers_to_angles():
+    figure = solaris.read_figure(FIXTURES / "markers" / "leg.osim")
+    found = solaris.inverse_kinematics(figure, FIXTURES / "markers" / "swing.trc")
+    assert found.converged == len(found.motion) and found.rms < 0.03
+    assert set(found.marker_rms) and np.isfinite(found.frame_rms).all()
+
+
+def test_walks_of_all_kinds():
+    assert solaris.walk(slope=np.radians(5.0), steps=4).motion.q[-1, 1] > 0.1
+    assert solaris.walk(stairs={"count": 3}).motion.q[-1, 1] > 0.3 + 0.3
+    turned = solaris.walk(turn=np.radians(20.0), steps=10)
+    assert turned.duration > 5.0
+    sad = solaris.walk(manner="sad", steps=4, variability=1.0, seed=3)
+    again = solaris.walk(manner="sad", steps=4, variability=1.0, seed=3)
+    assert np.array_equal(sad.motion.q, again.motion.q)
+    loop = solaris.walk(loop="in_place", rate=30)
+    assert abs(np.ptp(loop.motion.q[:, 2])) < 0.1
+    run = solaris.run_gait(speed=3.0, steps=4, end="running")
+    assert run.measures["run"] is not None
+    thesis = solaris.walk(determinants=3, step_frequency=95, steps=4)
+    assert thesis.step_frequency == pytest.approx(95)
+    joined = solaris.walk(steps=4, step_frequency=100, then=[{"steps": 4, "step_frequency": 110}])
+    assert joined.duration > 4.0
+
+
+@pytest.mark.parametrize(
+    "wrong, message",
+    [
+        ({"steps": 4, "distance": 3.0}, "not both"),
+        ({"population": "giant"}, "'older'"),
+        ({"then": [{"step": 4}]}, "then has no 'step'"),
+        ({"stairs": {"hight": 1}}, "stairs has no 'hight'"),
+        ({"slope": 0.1, "stairs": {}}, "give one of"),
+        ({"path": [[1.0, 2.0, 3.0]]}, "rows of 2"),
+        ({"loop": "yes"}, "'in_place'"),
+        ({"speed": float("nan")}, "NaN"),
+        ({"height": 9.0}, "height 9 m"),
+        ({"manner": "sadd"}, "sad"),
+        ({"determinants": 4}, "3 or 5"),
+        ({"rate": 0.0}, "rate 0"),
+    ],
+)
+def test_what_cannot_be_walked_says_why(wrong, message):
+    with pytest.raises(ValueError) as raised:
+        solaris.walk(**wrong)
+    assert message in str(raised.value)
+
+
+def test_a_walker_is_steered():
+    walker = solaris.Walker()
+    for _ in range(900):
+        q = walker.step(1 / 60, to=(2.0, 3.0), speed=1.2, facing=(0.0, 10.0))
+        assert np.isfinite(q).all()
+    assert np.allclose(walker.place, (2.0, 3.0), atol=0.05) and walker.is_standing
+    twin = walker.copy()
+    ways = [other.step(1 / 60, velocity=(0.0, 1.0)) for other in (walker, twin)]
+    assert np.array_equal(*ways)
+    with pytest.raises(solaris.WalkError):
+        walker.step(10.0)
+    with pytest.raises(solaris.WalkError):
+        walker.step(1 / 60, velocity=(0.0, float("nan")))
+    with pytest.raises(solaris.WalkError):
+        solaris.Walker(solaris.human())
+
+
+def test_a_scene_runs_and_its_faults_have_places(tmp_path):
+    run = solaris.run(FIXTURES / "scenes" / "pendulum.ron", duration=2.0, rate=200.0)
+    assert len(run.motion) == 401 and run.report["energy"]
+    assert run.report["error"] is not None and "adaptive" in run.report["method"]
+    path = tmp_path / "scene.ron"
+    path.write_text('Scene(\n  version: 1,\n  figurs: {},\n)')
+    with pytest.raises(solaris.SceneError) as raised:
+        solaris.run(path)
+    fault = next(fault for fault in raised.value.faults if fault.line == 3)
+    assert fault.file == str(path) and "figures" in fault.message
+    with pytest.raises(solaris.FileError, match="it is a figure"):
+        solaris.run(FIXTURES / "figures" / "arm.urdf")
+
+
+def test_figures_from_files_and_texts(tmp_path):
+    arm = solaris.read_figure(FIXTURES / "figures" / "arm.urdf")
+    text = (FIXTURES / "figures" / "arm.urdf").read_text()
+    assert solaris.Figure.from_text(text, "urdf") == arm
+    assert arm.language == "URDF" and arm.parents[0] == -1 and len(arm.parents) == len(arm.links)
+    assert pickle.loads(pickle.dumps(arm)) == arm
+    assert np.array_equal(pickle.loads(pickle.dumps(arm)).gravity, arm.gravity)
+    lower, upper = arm.limits
+    assert (lower < upper).all()
+    moon = arm.with_gravity([0, 0, -1.62])
+    assert solaris.Dynamics(moon).gravity_torques(moon.neutral()) is not None
+    broken = tmp_path / "broken.urdf"
+    broken.write_text(text.replace("<inertial>", "<inertia>", 1))
+    with pytest.raises(solaris.FigureError) as raised:
+        solaris.read_figure(broken)
+    assert raised.value.faults and raised.value.faults[0].file == str(broken)
+    with pytest.raises(solaris.FileError, match="there is no such file"):
+        solaris.read_figure(tmp_path / "none.osim")
+
+
+def test_motions_from_numbers():
+    human = solaris.human()
+    time = np.linspace(0.0, 1.0, 61)
+    q = np.zeros((61, human.nq))
+    motion = solaris.Motion(human, time, q)
+    assert motion.v is None and motion.a is None and motion.tau is None and len(motion) == 61
+    complete = solaris.differentiate(motion)
+    assert np.array_equal(complete.v, 0 * q)
+    with pytest.raises(solaris.MotionError, match="times must be finite and rise"):
+        solaris.differentiate(solaris.Motion(human, time[::-1], q))
+    with pytest.raises(ValueError, match="a row for each of the 61 times"):
+        solaris.Motion(human, time, q[:60])
+
+
+def test_plots(walk):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    axes = walk.motion.plot("*knee.rx", of="tau")
+    assert len(axes.lines) == 2
+    with pytest.raises(ValueError, match="did you mean 'left_knee.rx'"):
+        walk.motion.plot("left_kne.rx")
+    with pytest.raises(ValueError, match="it must be 'q', 'v', 'a' or 'tau'"):
+        walk.motion.plot(of="x")
