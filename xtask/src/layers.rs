@@ -21,6 +21,7 @@ pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-analysis", 4),
     ("solaris-collision", 3),
     ("solaris-dynamics", 3),
+    ("solaris-skin", 3),
     ("solaris-model", 2),
     ("solaris-profiles", 2),
     ("solaris-scalar", 1),

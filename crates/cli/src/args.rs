@@ -12,13 +12,14 @@ mod metrics;
 mod parameters;
 mod profile;
 mod report;
+mod rig;
 mod run;
 mod subject;
 mod sweep;
 mod value;
 mod walk;
 
-pub(crate) use crowd::{CrowdArgs, CrowdFormat, PLACES};
+pub(crate) use crowd::{CrowdArgs, CrowdFormat, MOST_IN_ONE, PLACES};
 pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
@@ -35,13 +36,14 @@ pub(crate) use profile::{
     example, option,
 };
 pub(crate) use report::ReportArgs;
+pub(crate) use rig::RigArgs;
 pub(crate) use run::RunArgs;
 pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
     DeterminantCount, DoubleSupportLaw, EveryoneArgs, FilmArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs,
-    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WhoArgs,
+    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WalkFiles, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};

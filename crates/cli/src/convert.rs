@@ -2,6 +2,7 @@
 
 mod markers;
 
+use crate::animation;
 use crate::args::{BvhArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
@@ -36,6 +37,7 @@ pub(crate) enum TableFormat {
 enum MotionFormat {
     Table(TableFormat),
     Bvh,
+    Glb,
     /// The figure in its motion, on a page.
     Page,
 }
@@ -45,6 +47,7 @@ const MOTION: Formats<MotionFormat> = &[
     ("sto", MotionFormat::Table(TableFormat::Sto)),
     ("mot", MotionFormat::Table(TableFormat::Sto)),
     ("bvh", MotionFormat::Bvh),
+    ("glb", MotionFormat::Glb),
     #[cfg(feature = "parquet")]
     ("parquet", MotionFormat::Table(TableFormat::Parquet)),
     ("html", MotionFormat::Page),
@@ -124,14 +127,15 @@ fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Resul
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(ConvertArgs { from, to, figure, files, bvh, bones, .. }: &ConvertArgs) -> Result<(), CliError> {
+    animation::check(bones.rig, [to.as_path()])?;
     let outputs = Outputs::new([("OUT", to, MOTION)])?;
     let body = match figure {
         Some(path) => Some(input::body_in(path, files.as_deref())?),
         None => None,
     };
     let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;
-    if body.is_none() && ["bvh", "html"].contains(&extension(to).as_str()) {
+    if body.is_none() && ["bvh", "glb", "html"].contains(&extension(to).as_str()) {
         let what = extension(to);
         return Err(UsageError::OfFigure { what, to: to.clone() }.into());
     }
@@ -155,13 +159,19 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Res
         MotionFormat::Bvh => {
             let Some(body) = &body else { return Ok(()) };
             let motion = even(&body.figure, body.gravity, &table, from)?;
-            bvh::write(&body.figure, &motion, bvh::Unit::default(), &mut writer).map_err(CliError::other)
+            animation::bones(&body.figure, &motion, bones.rig, writer)
+        }
+        MotionFormat::Glb => {
+            let Some(body) = &body else { return Ok(()) };
+            let found = record::read(&body.figure, body.gravity, &table);
+            let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
+            animation::body(&body.figure, &motion, &stem(from), bones.rig, writer)
         }
         MotionFormat::Page => {
             let Some(body) = &body else { return Ok(()) };
             let found = record::read(&body.figure, body.gravity, &table);
             let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
-            let title = from.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+            let title = stem(from);
             let rows = findings.iter().map(|finding| TableRow::new("Look at", "", "", finding.to_string()));
             let (table, forward) = (rows.collect(), forward(body));
             let options = PageOptions { title, table, forward, ..PageOptions::default() };
@@ -182,6 +192,11 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, .. }: &ConvertArgs) -> Res
         list(out, &findings)?;
         outputs.written().try_for_each(|line| writeln!(out, "{line}"))
     })
+}
+
+/// A file's name without its extension.
+fn stem(path: &Path) -> String {
+    path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
 /// The positions of a motion, headed as in CSV, and what comes with them.

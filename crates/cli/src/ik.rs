@@ -1,5 +1,6 @@
 //! `solaris ik`: joint angles from markers.
 
+use crate::animation;
 use crate::args::IkArgs;
 use crate::error::CliError;
 use crate::markers::{self, Fitted, MarkersReport};
@@ -19,11 +20,17 @@ enum Content {
     Sto,
     Csv,
     Bvh,
+    Glb,
     Errors,
 }
 
-const MOTION: Formats<Content> =
-    &[("mot", Content::Sto), ("sto", Content::Sto), ("csv", Content::Csv), ("bvh", Content::Bvh)];
+const MOTION: Formats<Content> = &[
+    ("mot", Content::Sto),
+    ("sto", Content::Sto),
+    ("csv", Content::Csv),
+    ("bvh", Content::Bvh),
+    ("glb", Content::Glb),
+];
 const ERRORS: Formats<Content> = &[("csv", Content::Errors)];
 
 pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
@@ -48,6 +55,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             Content::Sto => sto::write(&positions_in_degrees(figure, motion), &mut writer),
             Content::Csv => csv::write_table(&headed_positions(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
+            Content::Glb => return animation::body(figure, motion, "trial", None, writer),
             Content::Errors => write_errors(&fitted, &mut writer),
         }
         .map_err(CliError::other)

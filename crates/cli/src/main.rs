@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 done; 1 understood but not possible; 2 the command line cannot be understood.
 
+mod animation;
 mod args;
 mod check;
 mod convert;

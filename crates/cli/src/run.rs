@@ -10,16 +10,17 @@ mod watch;
 
 pub(crate) use solaris::files::{LoadedScene, scene as load};
 
-use crate::args::{FilmArgs, RunArgs};
+use crate::animation;
+use crate::args::RunArgs;
 use crate::error::{CliError, UsageError};
 use crate::input::extension;
 use crate::limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use report::Report;
-use solaris::io::bvh::Unit;
 use solaris::io::record;
-use solaris::model::{Figure, Motion, MotionInfo};
+use solaris::io::rig::{Rig, Rigged};
+use solaris::model::{Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
 use solaris::view::{FilmOptions, PageOptions, Seen, coordinates, film, page};
@@ -33,6 +34,7 @@ enum Format {
     Html,
     Csv,
     Bvh,
+    Glb,
     Sto,
     Svg,
     Json,
@@ -43,6 +45,7 @@ const MOTION: Formats<Format> = &[
     ("svg", Format::Svg),
     ("csv", Format::Csv),
     ("bvh", Format::Bvh),
+    ("glb", Format::Glb),
     ("sto", Format::Sto),
     ("mot", Format::Sto),
 ];
@@ -70,7 +73,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     check_size(path, &scene)?;
 
-    check_bvh(&outputs, &scene)?;
+    animation::check(args.bones.rig, outputs.paths())?;
+    check_bones(&outputs, &scene, args.bones.rig)?;
 
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error))?;
@@ -79,7 +83,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     let joined: Vec<[usize; 2]> = ends.filter_map(|[a, b]| Some([a?, b?])).collect();
     let limbs = limbs::nearest(scene.figure(), &simulated.motion, &joined)?;
     let report = Report::new(&scene, &simulated, limbs);
-    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, &args.film))?;
+    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, args))?;
     drop(watcher);
 
     if args.json {
@@ -94,8 +98,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     })
 }
 
-/// Refuses a figure that a BVH file cannot hold, before anything is computed.
-fn check_bvh(outputs: &Outputs<Format>, scene: &Scene) -> Result<(), CliError> {
+/// Refuses a figure whose bones no file can hold, before anything is computed.
+fn check_bones(outputs: &Outputs<Format>, scene: &Scene, rig: Option<Rig>) -> Result<(), CliError> {
     let (figure, simulation) = (scene.figure(), scene.simulation());
     let (q, v) = simulation.state();
     let (rate, gravity) = (scene.settings().rate, *simulation.gravity());
@@ -103,13 +107,10 @@ fn check_bvh(outputs: &Outputs<Format>, scene: &Scene) -> Result<(), CliError> {
     let start = Motion::new(figure, info, vec![0.0], [q.to_vec(), v.to_vec(), vec![0.0; v.len()]]);
     let start = start.map_err(CliError::other)?;
     outputs.try_out(|format| match format {
-        Format::Bvh => bvh(figure, &start, &mut std::io::sink()),
+        Format::Bvh => animation::bones(figure, &start, rig, &mut std::io::sink()),
+        Format::Glb => rig.map_or(Ok(()), |rig| Rigged::new(figure, rig).map(drop)).map_err(CliError::other),
         _ => Ok(()),
     })
-}
-
-fn bvh(figure: &Figure, motion: &Motion, mut writer: &mut dyn Write) -> Result<(), CliError> {
-    solaris::io::bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other)
 }
 
 /// Refuses a motion for which no memory may be left.
@@ -147,12 +148,14 @@ fn write(
     scene: &Scene,
     simulated: &Simulated,
     report: &Report,
-    strip: &FilmArgs,
+    args: &RunArgs,
 ) -> Result<(), CliError> {
+    let (strip, rig) = (&args.film, args.bones.rig);
     let (figure, motion) = (scene.figure(), &simulated.motion);
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => bvh(figure, motion, writer),
+        Format::Bvh => animation::bones(figure, motion, rig, writer),
+        Format::Glb => animation::body(figure, motion, "run", rig, writer),
         Format::Sto => {
             solaris::io::sto::write(&record::positions(figure, motion), &mut writer).map_err(CliError::other)
         }

@@ -10,7 +10,8 @@ mod request;
 mod summary;
 mod told;
 
-use crate::args::{BODY_MASS_INDEX, FilmArgs, HEIGHT, PersonArgs, WalkArgs, WhoArgs};
+use crate::animation;
+use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WalkFiles, WhoArgs};
 use crate::error::{CliError, UsageError};
 use crate::input;
 use crate::limbs;
@@ -31,12 +32,18 @@ enum Format {
     Html,
     Csv,
     Bvh,
+    Glb,
     Json,
     Svg,
 }
 
-const MOTION: Formats<Format> =
-    &[("html", Format::Html), ("csv", Format::Csv), ("bvh", Format::Bvh), ("svg", Format::Svg)];
+const MOTION: Formats<Format> = &[
+    ("html", Format::Html),
+    ("csv", Format::Csv),
+    ("bvh", Format::Bvh),
+    ("glb", Format::Glb),
+    ("svg", Format::Svg),
+];
 const REPORT: Formats<Format> = &[("json", Format::Json)];
 
 /// The most samples of a motion: the longest walk at the default rate has 1.2 million, some 6 GB.
@@ -52,6 +59,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     if let Some(option) = files.film.given().filter(|_| !drawn) {
         return Err(UsageError::NoStrip { option }.into());
     }
+    animation::check(files.bones.rig, outputs.paths())?;
     let asked = asked(args)?;
     let mut figure = figure(&args.who)?;
 
@@ -61,14 +69,15 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let measures = measure(&figure, &motion).map_err(CliError::other)?;
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
     let limbs = limbs::nearest(&figure, &motion, &[])?;
-    // A page goes by its time; who plays frame after frame shall not see one twice.
+    // Pages and clips go by their time; who plays frame after frame shall not see one twice.
     let shorter = if planned.repeats { Some(looped::without_last(&figure, &motion)?) } else { None };
     let frames = shorter.as_ref().unwrap_or(&motion);
     let report = Report::new(figure.mass(), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");
     outputs.write(|format, writer| {
-        let motion = if matches!(format, Format::Html | Format::Svg) { &motion } else { frames };
-        write(format, writer, &figure, motion, &report, &files.film)
+        let motion =
+            if matches!(format, Format::Html | Format::Svg | Format::Glb) { &motion } else { frames };
+        write(format, writer, &figure, motion, &report, files)
     })?;
     drop(progress);
 
@@ -130,14 +139,13 @@ fn write(
     figure: &Figure,
     motion: &Motion,
     report: &Report,
-    strip: &FilmArgs,
+    files: &WalkFiles,
 ) -> Result<(), CliError> {
+    let strip = &files.film;
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => {
-            let unit = solaris::io::bvh::Unit::default();
-            solaris::io::bvh::write(figure, motion, unit, &mut writer).map_err(CliError::other)
-        }
+        Format::Bvh => animation::bones(figure, motion, files.bones.rig, writer),
+        Format::Glb => animation::body(figure, motion, "walk", files.bones.rig, writer),
         Format::Html => {
             let options = PageOptions {
                 title: summary::title(report),

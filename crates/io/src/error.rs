@@ -4,6 +4,29 @@ use crate::sto::StoFault;
 use crate::table::Table;
 use solaris_model::{MotionError, Vector3};
 
+/// What is wrong with a clip of an animation file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ClipProblem {
+    /// It moves a figure that the file does not have.
+    #[error("it moves figure {actor} of the file, which has {count}; they are counted from 0")]
+    NoActor {
+        /// What was asked for.
+        actor: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// It moves one figure twice.
+    #[error("it moves figure {actor} of the file twice; give each motion a clip of its own")]
+    Twice {
+        /// Which figure.
+        actor: usize,
+    },
+    /// A motion has no frame.
+    #[error("a motion without frames; give at least one")]
+    Empty,
+}
+
 /// Why a motion cannot be written or a text is not one.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -23,6 +46,35 @@ pub enum IoError {
         time: f64,
         /// The number.
         value: f64,
+    },
+    /// A clip of an animation file that cannot be.
+    #[error("clip '{clip}': {problem}")]
+    Clip {
+        /// The clip's name.
+        clip: String,
+        /// What is wrong and what to do.
+        problem: ClipProblem,
+    },
+    /// A figure that no animator's rig is of.
+    #[error(
+        "the rig '{rig}' has no bone for link '{link}'; rigs are of people with the links of a human figure, and for other figures --rig is left out"
+    )]
+    NotOfRigs {
+        /// The rig.
+        rig: &'static str,
+        /// The first link that it has no bone for.
+        link: String,
+    },
+    /// A figure could not be built.
+    #[error(transparent)]
+    Figure(#[from] solaris_model::FigureError),
+    /// More than a binary glTF file can say of itself.
+    #[error(
+        "the file would have {bytes} bytes, and binary glTF ends at 4294967295; write fewer figures, fewer frames or a coarser skin"
+    )]
+    GlbSize {
+        /// How large it would be.
+        bytes: usize,
     },
     /// A contact track that does not fit its motion.
     #[error("contacts of link '{link}': {problem}")]

@@ -9,6 +9,8 @@ pub mod c3d;
 pub mod csv;
 mod encoding;
 mod error;
+#[cfg(feature = "glb")]
+pub mod glb;
 pub mod headings;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod import;
@@ -23,6 +25,8 @@ pub mod opensim;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod record;
+#[cfg(feature = "glb")]
+pub mod rig;
 #[cfg(feature = "sdf")]
 pub mod sdf;
 pub mod sto;
@@ -31,13 +35,14 @@ mod table;
 pub mod trc;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod tree;
+mod upright;
 #[cfg(feature = "urdf")]
 pub mod urdf;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod xml;
 
 pub use encoding::{Encoding, decode};
-pub use error::{ContactProblem, ExternalForceProblem, IoError};
+pub use error::{ClipProblem, ContactProblem, ExternalForceProblem, IoError};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 pub use import::Import;
 #[cfg(any(feature = "mjcf", feature = "sdf"))]

@@ -27,6 +27,7 @@ mod markers;
 mod measured;
 mod medium;
 mod motion;
+mod pose;
 mod prune;
 mod relief;
 mod reroot;

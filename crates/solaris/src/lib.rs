@@ -14,6 +14,8 @@ pub use solaris_modes as modes;
 pub use solaris_profiles as profiles;
 #[cfg(feature = "text")]
 pub use solaris_scene as scene;
+#[cfg(feature = "glb")]
+pub use solaris_skin as skin;
 #[cfg(feature = "view")]
 pub use solaris_view as view;
 

@@ -1,6 +1,7 @@
 //! Everything that a page is told, as one object.
 
 use crate::PageOptions;
+use crate::body::{self, Body};
 use crate::curves::{self, ForceCurves, JointCurves};
 use crate::draw::{self, Drawn, Side};
 use crate::error::{ViewError, finite};
@@ -58,6 +59,9 @@ pub(crate) struct Data {
     ground: Floor,
     links: Vec<Drawn>,
     skins: Vec<Skin>,
+    /// What is drawn of a person in place of the links' shapes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    body: Option<Body>,
     /// s.
     time: Packed,
     root: Packed,
@@ -116,6 +120,7 @@ pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -
         sided: links.iter().any(Drawn::is_sided),
         links,
         skins: skin::skins(figure),
+        body: body::body(figure),
         time: floats(samples.iter().map(|&sample| motion.time()[sample])),
         root: floats(from(&frames.root, origin)),
         positions: ranged(&components(&frames.positions)),

@@ -21,6 +21,27 @@ pub(crate) enum Packed {
         /// Base64.
         i16: String,
     },
+    /// Numbers from 0 to 255.
+    Bytes {
+        /// Base64.
+        u8: String,
+    },
+    /// Numbers from 0 to 65 535.
+    Words {
+        /// Base64.
+        u16: String,
+    },
+}
+
+/// As bytes.
+pub(crate) fn bytes(values: impl IntoIterator<Item = u8>) -> Packed {
+    Packed::Bytes { u8: STANDARD.encode(values.into_iter().collect::<Vec<u8>>()) }
+}
+
+/// As two bytes each.
+pub(crate) fn words(values: impl IntoIterator<Item = u16>) -> Packed {
+    let bytes: Vec<u8> = values.into_iter().flat_map(u16::to_le_bytes).collect();
+    Packed::Words { u16: STANDARD.encode(bytes) }
 }
 
 /// As 32-bit floats.
@@ -63,6 +84,11 @@ impl Packed {
             Self::Floats { f32: text } => {
                 let bytes = decode(text);
                 bytes.as_chunks::<4>().0.iter().map(|four| f64::from(f32::from_le_bytes(*four))).collect()
+            }
+            Self::Bytes { u8: text } => decode(text).iter().map(|byte| f64::from(*byte)).collect(),
+            Self::Words { u16: text } => {
+                let bytes = decode(text);
+                bytes.as_chunks::<2>().0.iter().map(|two| f64::from(u16::from_le_bytes(*two))).collect()
             }
             Self::Integers { scale, offset, i16: text } => {
                 let bytes = decode(text);

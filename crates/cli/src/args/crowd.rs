@@ -12,7 +12,9 @@ const EXAMPLES: &str = "Examples:
                          Bo,71,,1.5,0,
                          ,9,,3,-1,
   solaris crowd --count 100 --seed 7 -o crowd --format csv
-      a hundred people by chance, none like another, as tables";
+      a hundred people by chance, none like another, as tables
+  solaris crowd --count 100 --rate 30 -o crowd.glb
+      the same with their bodies, in one file";
 
 /// The columns that are no option of a walk.
 pub(crate) const PLACES: [&str; 4] = ["name", "x", "z", "heading"];
@@ -35,14 +37,15 @@ pub(crate) struct CrowdArgs {
         "So many people by chance instead of a table, 1 to {MOST}, in rows [default: those of the table]"
     )))]
     pub(crate) count: Option<u32>,
-    #[arg(short = 'o', long, value_name = "FOLDER", help = wrap(
-        "Write a motion for each person, and crowd.csv with a row for each: who, where, in which file, or why not"
-    ))]
+    #[arg(short = 'o', long, value_name = "FOLDER", help = wrap(&format!(
+        "Write a motion for each person, and crowd.csv with a row for each: who, where, in which file, or why not; or name a file that \
+         ends in .glb, and all of them, {MOST_IN_ONE} at most, walk in it"
+    )))]
     pub(crate) output: PathBuf,
-    #[arg(long, value_name = "FORMAT", value_enum, default_value_t, hide_default_value = true, hide_possible_values = true, help = wrap(
-        "bvh: motion capture; csv: a table of positions and forces [default: bvh]"
+    #[arg(long, value_name = "FORMAT", value_enum, hide_possible_values = true, help = wrap(
+        "bvh: motion capture; glb: body and animation; csv: a table of positions and forces [default: bvh]"
     ))]
-    pub(crate) format: CrowdFormat,
+    pub(crate) format: Option<CrowdFormat>,
     #[arg(long, value_name = "N", default_value_t, hide_default_value = true, help = wrap(
         "Which crowd: the same seed is the same people [default: 0]"
     ))]
@@ -61,6 +64,9 @@ pub(crate) struct CrowdArgs {
     pub(crate) json: bool,
 }
 
+/// The most people of one file: all of their motions are kept until it is written.
+pub(crate) const MOST_IN_ONE: usize = 500;
+
 /// Samples a second, as films have them.
 const CROWD_RATE: f64 = 60.0;
 
@@ -69,6 +75,7 @@ const CROWD_RATE: f64 = 60.0;
 pub(crate) enum CrowdFormat {
     #[default]
     Bvh,
+    Glb,
     Csv,
 }
 
@@ -76,6 +83,7 @@ impl CrowdFormat {
     pub(crate) fn extension(self) -> &'static str {
         match self {
             Self::Bvh => "bvh",
+            Self::Glb => "glb",
             Self::Csv => "csv",
         }
     }

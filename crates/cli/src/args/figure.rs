@@ -2,7 +2,7 @@
 
 use super::given::FILES;
 use super::value::{count, number};
-use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, wrap};
+use super::{BODY_MASS_INDEX, HEIGHT, HEIGHTS, Number, RigArgs, wrap};
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::io::bvh::Unit;
 use solaris::io::markers::Axes;
@@ -139,15 +139,17 @@ pub(crate) struct ConvertArgs {
     ))]
     pub(crate) from: PathBuf,
     #[arg(value_name = "OUT", help = wrap(
-        "A figure as .ron, a motion as .csv, .mot, .sto or .bvh, markers as .trc or .csv, or their force plates as .mot"
+        "A figure as .ron, a motion as .csv, .mot, .sto, .bvh or .glb, markers as .trc or .csv, or their force plates as .mot"
     ))]
     pub(crate) to: PathBuf,
     #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
     pub(crate) files: Option<PathBuf>,
     #[arg(long, value_name = "FILE", help = wrap(
-        "Whose motion it is; needed where the motion is in degrees, and to write .bvh"
+        "Whose motion it is; needed where the motion is in degrees, and to write .bvh and .glb"
     ))]
     pub(crate) figure: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
     #[arg(
         long,
         value_name = "UP,FORWARD",

@@ -1,6 +1,6 @@
 //! The request of `solaris run`.
 
-use super::{FilmArgs, wrap};
+use super::{FilmArgs, RigArgs, wrap};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -22,9 +22,11 @@ pub(crate) struct RunArgs {
     pub(crate) scene: PathBuf,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
         "Write the motion: .html page, .svg picture of the coordinates, or with --between or --seen a film strip, .csv table, \
-         .bvh motion capture, .sto or .mot coordinates for OpenSim; several -o are allowed [default: none]"
+         .bvh motion capture, .glb body and animation, .sto or .mot coordinates for OpenSim; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
     #[command(flatten)]
     pub(crate) film: FilmArgs,
     #[arg(

@@ -14,8 +14,8 @@ const EXAMPLES: &str = "Examples:
       on one core, half the samples; the file is the same with any number of threads";
 
 /// Options of a walk that are no number of it: files, and how it is told.
-const NO_COLUMNS: [&str; 9] =
-    ["output", "report", "json", "between", "seen", "rate", "root", "loop", "style-file"];
+const NO_COLUMNS: [&str; 10] =
+    ["output", "report", "json", "between", "seen", "rate", "root", "rig", "loop", "style-file"];
 
 /// Walks, each a row of a table.
 #[derive(Debug, Args)]

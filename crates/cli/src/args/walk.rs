@@ -12,7 +12,7 @@ pub(crate) use then::{Then, Travel};
 
 use super::parameters::StyleArgs;
 use super::value::{Number, count, within};
-use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, RATE, wrap};
+use super::{BODY_MASS_INDEX, BODY_MASS_INDICES, DEFAULT_STEPS, HEIGHT, HEIGHTS, RATE, RigArgs, wrap};
 use clap::{Args, ValueEnum};
 use solaris::gait::determinants::{Determinants, THESIS_WALK_RATIO};
 use solaris::gait::{
@@ -36,7 +36,7 @@ const EXAMPLES: &str = "Examples:
       along a way: way.csv has the columns x and z, its points in m
   solaris walk --turn 30 --step-length 0 --steps 6 -o about.html
       half a turn to the left, on the spot
-  solaris walk --loop in-place -o loop.bvh
+  solaris walk --loop in-place -o loop.glb
       one stride that repeats, for a game
   solaris walk --manner sad:0.7 --variability --seed 3 -o sad.html
       rather sad, and no step like another
@@ -75,13 +75,15 @@ pub(crate) struct WalkArgs {
 #[derive(Debug, Args)]
 pub(crate) struct WalkFiles {
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the motion: .html page, .csv table, .bvh motion capture, .svg film strip of twelve pictures; several -o are allowed [default: none]"
+        "Write the motion: .html page, .csv table, .bvh motion capture, .glb body and animation, .svg film strip of twelve pictures; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "FILE.json", help = "Write the numbers of the walk as JSON [default: none]")]
     pub(crate) report: Option<PathBuf>,
     #[arg(long, help = "Print the numbers of the walk as JSON instead of a table")]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
     #[command(flatten)]
     pub(crate) film: FilmArgs,
 }

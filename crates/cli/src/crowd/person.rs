@@ -1,6 +1,7 @@
 //! One person of a crowd: from a row to a motion.
 
 use super::table::People;
+use crate::animation::{self, Person};
 use crate::args::{CrowdArgs, CrowdFormat, Number, PLACES, WalkArgs, parse, walk_options};
 use crate::error::CliError;
 use crate::walk::{asked, figure, heading_first};
@@ -9,7 +10,7 @@ use solaris::analysis::ground_reactions;
 use solaris::gait::crowd::{Somebody, seed_of};
 use solaris::gait::{FEET, GaitError, StyledRequest, walk_in_part};
 use solaris::io::csv::number_text;
-use solaris::model::{Figure, Motion, Vector3};
+use solaris::model::Vector3;
 
 /// How far to the left or right a person may face (degrees).
 const HEADING: f64 = 360.0;
@@ -76,8 +77,8 @@ impl<'a> Crowd<'a> {
         self.people.rows[number].fields.get(at).map(String::as_str).filter(|field| !field.is_empty())
     }
 
-    /// What becomes of a row: its motion as a file's bytes, or why there is none, with line and column.
-    pub(super) fn walk(&self, number: usize) -> Result<(Walked, Vec<u8>), String> {
+    /// What becomes of a row: somebody's motion, or why there is none, with line and column.
+    pub(super) fn walk(&self, number: usize) -> Result<(Walked, Person), String> {
         let row = &self.people.rows[number];
         let (found, expected) = (row.fields.len(), self.people.columns.len());
         let line =
@@ -107,7 +108,7 @@ impl<'a> Crowd<'a> {
         Err(fault(format!("it must be {} to {most}", -most)))
     }
 
-    fn walked(&self, number: usize) -> Result<(Walked, Vec<u8>), (Option<String>, String)> {
+    fn walked(&self, number: usize) -> Result<(Walked, Person), (Option<String>, String)> {
         let [x, z] = ["x", "z"].map(|column| self.place(number, column, FARTHEST));
         let (x, z, heading) = (x?, z?, self.place(number, "heading", HEADING)?);
         let seed = seed_of(self.args.seed, number as u64);
@@ -166,27 +167,34 @@ impl<'a> Crowd<'a> {
                 CliError::option("heading", place, error.to_string())
             })?;
             let mut motion = plan.motion(&figure, self.args.rate).map_err(CliError::other)?;
-            if self.args.format == CrowdFormat::Csv {
+            if self.format() == CrowdFormat::Csv {
                 ground_reactions(&figure, &mut motion, FEET, &plan).map_err(CliError::other)?;
             }
-            let bytes = self.bytes(&figure, &motion)?;
             let style = plan.style();
             let (height, frequency, length) = (plan.stature(), style.step_frequency, style.step_length);
             let duration = motion.time()[motion.len() - 1];
             let numbers = [height, figure.mass(), frequency, length, x, z, heading, duration];
-            Ok((part, numbers, bytes))
+            Ok((part, numbers, figure, motion))
         };
-        let (part, numbers, bytes) = walked().map_err(|error| of_cli(&error))?;
-        let file = format!("{}.{}", self.people.files[number], self.args.format.extension());
-        Ok((Walked { name: self.name(number), file, part, numbers }, bytes))
+        let (part, numbers, figure, motion) = walked().map_err(|error| of_cli(&error))?;
+        let file = format!("{}.{}", self.people.files[number], self.format().extension());
+        let name = self.name(number);
+        Ok((Walked { name: name.clone(), file, part, numbers }, Person { name, figure, motion }))
     }
 
-    fn bytes(&self, figure: &Figure, motion: &Motion) -> Result<Vec<u8>, CliError> {
+    fn format(&self) -> CrowdFormat {
+        self.args.format.unwrap_or_default()
+    }
+
+    /// Somebody's motion as a file's bytes.
+    pub(super) fn bytes(&self, person: &Person) -> Result<Vec<u8>, CliError> {
+        let Person { figure, motion, .. } = person;
         let mut bytes = Vec::new();
-        match self.args.format {
+        match self.format() {
             CrowdFormat::Csv => {
                 solaris::io::csv::write(figure, motion, &mut bytes).map_err(CliError::other)?;
             }
+            CrowdFormat::Glb => animation::body(figure, motion, "walk", None, &mut bytes)?,
             CrowdFormat::Bvh => {
                 let unit = solaris::io::bvh::Unit::default();
                 solaris::io::bvh::write(figure, motion, unit, &mut bytes).map_err(CliError::other)?;

@@ -57,6 +57,10 @@ pub(crate) enum UsageError {
     Missing { options: Vec<String> },
     #[error("--{option} says what a film strip shows, and none is written; add -o strip.svg")]
     NoStrip { option: &'static str },
+    #[error("--rig says whose bones a file has, and none with bones is written; add -o x.glb or -o x.bvh")]
+    NoBones,
+    #[error("--format says what the files of a folder are; -o {} is one file", .path.display())]
+    FormatOfOne { path: PathBuf },
     #[error("--curve is given {found} times; a blend has two curves")]
     Curves { found: usize },
 }

@@ -1,5 +1,6 @@
 //! The files that `solaris ground` and `solaris inverse` write.
 
+use crate::animation;
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::Given;
@@ -30,6 +31,7 @@ pub(crate) enum MotionFormat {
     Csv,
     Sto,
     Bvh,
+    Glb,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +55,7 @@ const MOTION: Formats<Content> = &[
     ("sto", Content::Motion(MotionFormat::Sto)),
     ("mot", Content::Motion(MotionFormat::Sto)),
     ("bvh", Content::Motion(MotionFormat::Bvh)),
+    ("glb", Content::Motion(MotionFormat::Glb)),
 ];
 
 const CYCLES: Formats<Content> =
@@ -81,6 +84,7 @@ pub(crate) fn write_motion(
         MotionFormat::Csv => csv::write(figure, motion, &mut writer),
         MotionFormat::Sto => sto::write(&positions(figure, motion), &mut writer),
         MotionFormat::Bvh => bvh::write(figure, motion, Unit::default(), &mut writer),
+        MotionFormat::Glb => return animation::body(figure, motion, "moved", None, writer),
     }
     .map_err(CliError::other)
 }

@@ -3,6 +3,7 @@
 mod agreement;
 mod crowd;
 mod everyone;
+mod glb;
 mod hints;
 mod loops;
 mod manners;

@@ -1,7 +1,7 @@
 //! The skeleton of a BVH file: offsets, and for each joint its channels.
 
 use solaris_model::{
-    AxisKind, EulerOrder, Figure, Isometry3, Joint, JointKind, Link, Placement, UnitQuaternion, Vector3,
+    AxisKind, EulerOrder, Figure, Joint, JointKind, Link, Placement, UnitQuaternion, Vector3,
 };
 
 /// The order in which a joint is written that BVH does not know: the most common in BVH.
@@ -88,27 +88,6 @@ impl Skeleton {
             open.extend(self.nodes[node].children.iter().rev());
         }
         order
-    }
-}
-
-impl Node {
-    /// Where the joint takes its link, with the figure's coordinates `q`.
-    pub(super) fn place(placement: &Placement, joint: &Joint, q: &[f64]) -> Isometry3<f64> {
-        let mut place = *placement;
-        if let Some(first) = joint.kind().quaternion() {
-            let slide = if first == 3 { Vector3::new(q[0], q[1], q[2]) } else { Vector3::zeros() };
-            // A motion keeps it near unit length.
-            let turn = [q[first], q[first + 1], q[first + 2], q[first + 3]];
-            return place * Isometry3::from_parts(slide.into(), UnitQuaternion::from_quaternion(turn.into()));
-        }
-        for (dof, value) in joint.kind().axes().iter().zip(q) {
-            let by = dof.axis.direction * *value;
-            match dof.axis.kind {
-                AxisKind::Translation => place.translation.vector += place.rotation * by,
-                AxisKind::Rotation => place.rotation *= UnitQuaternion::from_scaled_axis(by),
-            }
-        }
-        place
     }
 }
 

@@ -3,8 +3,8 @@
 use super::Unit;
 use super::skeleton::{Channels, Node, ORDER, Skeleton};
 use crate::error::IoError;
-use solaris_model::{Figure, Motion, MotionError, UnitQuaternion, Vector3};
-use std::f64::consts::FRAC_PI_3;
+use crate::upright::upright;
+use solaris_model::{Figure, Motion, MotionError, Vector3};
 use std::io::{self, Write};
 
 /// Names of the axes in channels.
@@ -50,22 +50,6 @@ pub fn write(figure: &Figure, motion: &Motion, unit: Unit, out: &mut impl Write)
         writeln!(out, "{}", line.join(" "))?;
     }
     Ok(out.flush()?)
-}
-
-/// The turn of a world with this `gravity` after which y is up, or nearest to it as it is.
-///
-/// Where z was, x, y, z become z, x, y: a robot that looks along x then looks along z, as figures do where y is up.
-fn upright(gravity: &Vector3<f64>) -> UnitQuaternion<f64> {
-    // Of a slope, y is up enough.
-    let Some(down) = gravity.try_normalize(0.0).filter(|down| -down.y < down.amax()) else {
-        return UnitQuaternion::identity();
-    };
-    if -down.z > 1.0 - 1e-12 {
-        let diagonal = Vector3::repeat(-1.0).normalize();
-        return UnitQuaternion::from_scaled_axis(diagonal * (2.0 * FRAC_PI_3));
-    }
-    let half_turn = || UnitQuaternion::from_scaled_axis(Vector3::x() * std::f64::consts::PI);
-    UnitQuaternion::rotation_between(&-down, &Vector3::y()).unwrap_or_else(half_turn)
 }
 
 /// What is left to write of the hierarchy.
@@ -122,7 +106,7 @@ fn channels(node: &Node, q: &[f64], angles: &mut [f64; 3], unit: Unit) -> Vec<f6
             (position, [degrees(0), degrees(1), degrees(2)])
         }
         Channels::Place { placement, joint, first } => {
-            let place = Node::place(placement, joint, &q[*first..]);
+            let place = placement * joint.moved(&q[*first..]);
             *angles = ORDER.angles_near(&place.rotation, angles);
             (place.translation.vector, angles.map(f64::to_degrees))
         }

@@ -9,6 +9,8 @@ mod c3d;
 mod csv;
 mod csv_tables;
 mod data;
+#[cfg(feature = "glb")]
+mod glb;
 #[cfg(feature = "mjcf")]
 mod mjcf;
 mod motions;
@@ -27,6 +29,8 @@ mod opensim_reference;
 #[cfg(feature = "opensim")]
 mod opensim_rescale;
 mod records;
+#[cfg(feature = "glb")]
+mod rig;
 #[cfg(feature = "sdf")]
 mod sdf;
 mod sto;

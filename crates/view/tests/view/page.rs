@@ -91,7 +91,7 @@ fn point(values: &[f64], at: usize) -> Vector3<f64> {
 fn a_walk_of_nine_seconds_stays_under_one_and_a_half_megabytes() {
     let (figure, motion) = walk();
     let size = page(&figure, &motion, &options()).expect("a page").len();
-    assert!((600_000..1_200_000).contains(&size), "{size} bytes");
+    assert!((900_000..1_500_000).contains(&size), "{size} bytes");
 }
 
 #[test]
@@ -343,6 +343,10 @@ fn the_head_of_the_data_is_as_it_was() {
             foot[key] = numbers(&foot[key]).len().into();
         }
     });
+    // Its numbers are the skin's own business.
+    for (_, array) in object["body"].as_object_mut().expect("a body").iter_mut() {
+        *array = array.as_object().map(|packed| packed.keys().cloned().collect::<Vec<_>>().join(" ")).into();
+    }
     object["links"] = serde_json::json!({ "count": links, "tenth": first });
     object["joints"] = joints.into();
     object["forces"] = forces.into();
@@ -355,4 +359,58 @@ fn the_head_of_the_data_is_as_it_was() {
         object["camera"]["half"][axis] = rounded(&object["camera"]["half"][axis]);
     }
     insta::assert_snapshot!(serde_json::to_string_pretty(&data).expect("JSON"));
+}
+
+/// The page's skin, unpacked and posed as the page does it, against that of the crate in the motion's own world.
+#[test]
+fn a_person_s_skin_is_where_the_links_are() {
+    let (figure, motion) = walk();
+    let data = data(&page(&figure, &motion, &options()).expect("a page"));
+    let body = &data["body"];
+    let bytes = |packed: &Value| STANDARD.decode(packed["u8"].as_str().expect("text")).expect("base64");
+    let (points, links, shares) = (numbers(&body["points"]), bytes(&body["links"]), bytes(&body["shares"]));
+    let [places, turns, root] = ["places", "turns"]
+        .map(|key| numbers(&body[key]))
+        .into_iter()
+        .chain([numbers(&data["root"])])
+        .collect::<Vec<_>>()
+        .try_into()
+        .expect("three");
+    let (positions, poses) = (numbers(&data["positions"]), numbers(&data["turns"]));
+    let count = figure.links().len();
+    let isometry = |at: &[f64], turn: &[f64]| {
+        let turn = nalgebra::Quaternion::new(turn[3], turn[0], turn[1], turn[2]);
+        nalgebra::Isometry3::from_parts(
+            nalgebra::Translation3::new(at[0], at[1], at[2]),
+            nalgebra::UnitQuaternion::from_quaternion(turn),
+        )
+    };
+    let skin = solaris_skin::person(&figure, solaris_skin::Detail::Coarse).expect("a person");
+    let origin: Vec<f64> =
+        data["origin"].as_array().expect("three").iter().map(|x| x.as_f64().expect("a number")).collect();
+    for (frame, sample) in [(0, 0), (30, 30 * motion.len() / (root.len() / 3))] {
+        // Frames are samples of 60 a second.
+        let time = numbers(&data["time"])[frame];
+        let sample = motion.time().iter().position(|t| (t - time).abs() < 1e-4).unwrap_or(sample);
+        let expected = skin.posed(&figure.places(motion.q(sample)));
+        let mut worst: f64 = 0.0;
+        for (vertex, wanted) in expected.iter().enumerate() {
+            let point =
+                nalgebra::Point3::new(points[3 * vertex], points[3 * vertex + 1], points[3 * vertex + 2]);
+            let mut found = nalgebra::Vector3::zeros();
+            for k in 0..4 {
+                let (link, share) =
+                    (usize::from(links[4 * vertex + k]), f64::from(shares[4 * vertex + k]) / 255.0);
+                let bind = isometry(&places[3 * link..], &turns[4 * link..]);
+                let at = frame * count + link;
+                let mut now = isometry(&positions[3 * at..], &poses[4 * at..]);
+                now.translation.vector +=
+                    nalgebra::Vector3::new(root[3 * frame], root[3 * frame + 1], root[3 * frame + 2]);
+                found += (now * (bind.inverse() * point)).coords * share;
+            }
+            found += nalgebra::Vector3::new(origin[0], origin[1], origin[2]);
+            worst = worst.max((found - wanted).norm());
+        }
+        assert!(worst < 2e-3, "frame {frame}: {worst} m");
+    }
 }

@@ -2,6 +2,7 @@
 
 import { Group, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from 'three';
 import { geometry } from './shapes.js';
+import { makePerson } from './person.js';
 import { makeLink, makeSkin } from './skin.js';
 
 export function makeBody(data) {
@@ -12,7 +13,8 @@ export function makeBody(data) {
   }
   const links = data.links.map((link) => {
     const body = makeLink();
-    for (const part of link.parts) {
+    // A person's skin is in place of all shapes.
+    for (const part of data.body ? [] : link.parts) {
       const mesh = new Mesh(geometry(part), materials[link.side]);
       mesh.position.fromArray(part.at);
       mesh.quaternion.fromArray(part.turn);
@@ -24,7 +26,9 @@ export function makeBody(data) {
     return body;
   });
 
-  for (const { parent, child, offset } of data.skins) {
+  const person = data.body && makePerson(data.body, links);
+  if (person) group.add(person.mesh);
+  for (const { parent, child, offset } of data.body ? [] : data.skins) {
     const [upper, lower] = [data.links[parent], data.links[child]];
     group.add(makeSkin(upper, lower, [links[parent], links[child]], offset, materials[lower.side]));
   }
@@ -41,10 +45,11 @@ export function makeBody(data) {
     group.updateMatrixWorld();
     const edges = [Infinity, Infinity, -Infinity, -Infinity];
     group.traverse((mesh) => {
-      if (!mesh.isMesh || mesh.isSkinnedMesh) return;
-      const corners = mesh.geometry.attributes.position;
-      for (let i = 0; i < corners.count; i += 1) {
-        point.fromBufferAttribute(corners, i).applyMatrix4(mesh.matrixWorld).project(camera);
+      // Skins between shapes reach nowhere that the shapes do not.
+      if (!mesh.isMesh || (mesh.isSkinnedMesh && mesh !== person?.mesh)) return;
+      const { count: corners } = mesh.geometry.attributes.position;
+      for (let i = 0; i < corners; i += 1) {
+        mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).project(camera);
         const [x, y] = [(1 + point.x) / 2, (1 - point.y) / 2];
         edges.splice(0, 4, Math.min(edges[0], x), Math.min(edges[1], y), Math.max(edges[2], x), Math.max(edges[3], y));
       }
@@ -57,6 +62,7 @@ export function makeBody(data) {
     outline,
     paint(theme) {
       for (const [side, material] of Object.entries(materials)) material.color.set(theme.body[side]);
+      person?.paint(theme);
     },
     // Between two frames positions and quaternions are interpolated linearly: the frames are 1/60 s apart or less than
     // that, and successive quaternions never change their sign.

@@ -8,9 +8,11 @@ function bytes(text) {
   return out.buffer;
 }
 
-// An array is either 32-bit floats, or 16-bit integers with `value = offset + scale · integer`.
+// An array is 32-bit floats, bytes, pairs of bytes, or 16-bit integers with `value = offset + scale · integer`.
 export function numbers(array) {
   if (array.f32 !== undefined) return new Float32Array(bytes(array.f32));
+  if (array.u8 !== undefined) return new Uint8Array(bytes(array.u8));
+  if (array.u16 !== undefined) return new Uint16Array(bytes(array.u16));
   const integers = new Int16Array(bytes(array.i16));
   const out = new Float32Array(integers.length);
   for (let i = 0; i < out.length; i += 1) out[i] = array.offset + array.scale * integers[i];
@@ -19,6 +21,12 @@ export function numbers(array) {
 
 // A curve, and half the width of the band around it where there is one.
 const line = ({ side, values, spread }) => ({ side, values: numbers(values), spread: spread && numbers(spread) });
+
+// A skin: all arrays but the palette.
+const readBody = ({ palette, ...arrays }) => ({
+  palette,
+  ...Object.fromEntries(Object.entries(arrays).map(([name, array]) => [name, numbers(array)])),
+});
 
 // What the rest of the page works with. World: x left, y up, z forward (m), from the data's own origin.
 export function readData(element) {
@@ -32,6 +40,7 @@ export function readData(element) {
     turns: numbers(raw.turns),
     camera: { half: raw.camera.half, aim: numbers(raw.camera.aim) },
     com: raw.com && numbers(raw.com),
+    body: raw.body && readBody(raw.body),
     feet: raw.feet.map((foot) => ({ ...foot, force: numbers(foot.force), cop: numbers(foot.cop) })),
     joints: raw.joints.map((joint) => ({
       label: joint.label,

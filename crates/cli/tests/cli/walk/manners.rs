@@ -92,7 +92,7 @@ fn every_example_of_the_help_runs() {
         "child.csv",
         "child.html",
         "corner.html",
-        "loop.bvh",
+        "loop.glb",
         "run.html",
         "sad.html",
         "start.html",

@@ -1,0 +1,75 @@
+//! Motions as animation files: BVH and binary glTF.
+
+use crate::error::{CliError, UsageError};
+use crate::input::extension;
+use solaris::io::bvh::{self, Unit};
+use solaris::io::glb::{Actor, Clip, Detail, Options, write};
+use solaris::io::rig::{Rig, Rigged};
+use solaris::model::{Figure, Motion};
+use std::io::Write;
+use std::path::Path;
+
+/// One figure and its motion as bones, those of a `rig` where one is asked for.
+pub(crate) fn bones(
+    figure: &Figure,
+    motion: &Motion,
+    rig: Option<Rig>,
+    mut writer: &mut dyn Write,
+) -> Result<(), CliError> {
+    let Some(rig) = rig else {
+        return bvh::write(figure, motion, Unit::default(), &mut writer).map_err(CliError::other);
+    };
+    let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+    let motion = on.motion(figure, motion).map_err(CliError::other)?;
+    bvh::write(&on.figure, &motion, Unit::default(), &mut writer).map_err(CliError::other)
+}
+
+/// One figure and its motion as a body, by the figure's name and that of the motion.
+pub(crate) fn body(
+    figure: &Figure,
+    motion: &Motion,
+    clip: &str,
+    rig: Option<Rig>,
+    mut writer: &mut dyn Write,
+) -> Result<(), CliError> {
+    let options = Options::default();
+    let Some(rig) = rig else {
+        let actor = Actor { name: figure.name(), figure, skin: None };
+        let clip = Clip { name: clip, motions: vec![(0, motion)] };
+        return write(&[actor], &[clip], options, &mut writer).map_err(CliError::other);
+    };
+    let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+    let skin = on.skin(figure, options.skin.unwrap_or_default());
+    let motion = on.motion(figure, motion).map_err(CliError::other)?;
+    let actor = Actor { name: figure.name(), figure: &on.figure, skin: Some(&skin) };
+    let clip = Clip { name: clip, motions: vec![(0, &motion)] };
+    write(&[actor], &[clip], options, &mut writer).map_err(CliError::other)
+}
+
+/// Somebody of a crowd.
+pub(crate) struct Person {
+    pub(crate) name: String,
+    pub(crate) figure: Figure,
+    pub(crate) motion: Motion,
+}
+
+/// All of them in one file, and one clip that moves them.
+pub(crate) fn crowd(people: &[Person], mut writer: &mut dyn Write) -> Result<(), CliError> {
+    let actors: Vec<Actor> =
+        people.iter().map(|Person { name, figure, .. }| Actor { name, figure, skin: None }).collect();
+    let motions = people.iter().map(|person| &person.motion).enumerate().collect();
+    let options = Options { skin: Some(Detail::Rough), ..Options::default() };
+    write(&actors, &[Clip { name: "crowd", motions }], options, &mut writer).map_err(CliError::other)
+}
+
+/// Refuses bones that no file has.
+pub(crate) fn check<'a>(
+    rig: Option<Rig>,
+    paths: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), UsageError> {
+    let has_bones = |path: &Path| matches!(extension(path).as_str(), "bvh" | "glb");
+    if rig.is_some() && !paths.into_iter().any(has_bones) {
+        return Err(UsageError::NoBones);
+    }
+    Ok(())
+}

@@ -1,0 +1,166 @@
+//! People on animators' bones: the same places as before, by the rig's names as another module reads them, in its rest pose.
+
+use nalgebra::Point3;
+use solaris_gait::{WalkRequest, walk};
+use solaris_io::bvh::{self, Unit};
+use solaris_io::rig::{Rig, Rigged};
+use solaris_model::rig::{Segment, Side, bones};
+use solaris_model::{Figure, FigureBuilder, Human, Joint, LinkSpec, Motion, Vector3};
+use solaris_skin::{Detail, skin};
+
+fn walked() -> (Figure, Motion) {
+    let figure = Human::new(1.75, 73.0).build().expect("a person");
+    let request = WalkRequest { step_frequency: Some(110.0), ..WalkRequest::default() };
+    let motion = walk(&figure, &request).expect("a walk").motion(&figure, 30.0).expect("a motion");
+    (figure, motion)
+}
+
+#[test]
+fn every_joint_and_centre_of_mass_is_where_it_was() {
+    let (figure, motion) = walked();
+    for rig in Rig::ALL {
+        let on = Rigged::new(&figure, rig).expect("on the rig");
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        for sample in (0..motion.len()).step_by(7) {
+            let (ours, theirs) = (figure.places(motion.q(sample)), on.figure.places(moved.q(sample)));
+            for (i, (a, b)) in ours.iter().zip(&theirs).enumerate() {
+                assert!((a.translation.vector - b.translation.vector).norm() < 1e-12, "{rig:?}, link {i}");
+                let com = |figure: &Figure, place: &nalgebra::Isometry3<f64>| {
+                    place * Point3::from(*figure.links()[i].com())
+                };
+                assert!((com(&figure, a) - com(&on.figure, b)).norm() < 1e-12, "{rig:?}, link {i}");
+            }
+        }
+        assert!((on.figure.mass() - figure.mass()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn at_zero_all_bones_stand_along_the_world_s_axes_in_the_rest_pose() {
+    let (figure, _) = walked();
+    for rig in Rig::ALL {
+        let on = Rigged::new(&figure, rig).expect("on the rig");
+        let mut q = vec![0.0; on.figure.layout().nq()];
+        on.figure.neutral(&mut q).expect("the neutral posture");
+        let places = on.figure.places(&q);
+        assert!(places.iter().all(|place| place.rotation.angle() < 1e-12), "{rig:?}");
+        let at = |link: &str| places[figure.link_index(link).expect("a link")].translation.vector;
+        for (side, out) in [("left", 1.0), ("right", -1.0)] {
+            let arm = at(&format!("{side}_hand")) - at(&format!("{side}_upper_arm"));
+            let down = if rig == Rig::Unreal { -1.0 } else { 0.0 };
+            let expected = Vector3::new(out, down, 0.0).normalize();
+            // The elbow is a few millimetres off the line.
+            assert!((arm.normalize() - expected).norm() < 0.02, "{rig:?}: {arm}");
+            let leg = at(&format!("{side}_foot")) - at(&format!("{side}_thigh"));
+            assert!((leg.normalize() + Vector3::y()).norm() < 0.02, "{rig:?}: {leg}");
+        }
+    }
+}
+
+#[test]
+fn names_say_the_segments_that_the_links_are() {
+    let (figure, _) = walked();
+    let segments = |link: &str| match link.trim_start_matches("left_").trim_start_matches("right_") {
+        "pelvis" => Segment::Pelvis,
+        "abdomen" | "thorax" => Segment::Trunk,
+        "neck" => Segment::Neck,
+        "head" => Segment::Head,
+        "clavicle" => Segment::Clavicle,
+        "upper_arm" => Segment::UpperArm,
+        "forearm" => Segment::Forearm,
+        "hand" => Segment::Hand,
+        "thigh" => Segment::Thigh,
+        "shank" => Segment::Shank,
+        "foot" => Segment::Foot,
+        _ => Segment::Toes,
+    };
+    for rig in Rig::ALL {
+        let names: Vec<&str> =
+            figure.links().iter().map(|link| rig.bone(link.name()).expect("a bone")).collect();
+        for (link, bone) in figure.links().iter().zip(bones(&names)) {
+            let bone = bone.unwrap_or_else(|| panic!("{rig:?} of {}", link.name()));
+            let side = [("left_", Side::Left), ("right_", Side::Right)];
+            let side = side.iter().find(|(prefix, _)| link.name().starts_with(prefix)).map(|(_, side)| *side);
+            assert_eq!(
+                (bone.segment, bone.side),
+                (segments(link.name()), side),
+                "{rig:?} of {}",
+                link.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_skin_is_bound_at_rest_and_where_it_was_but_about_the_shoulders() {
+    let (figure, motion) = walked();
+    let own = skin(&figure, Detail::Coarse);
+    let on = Rigged::new(&figure, Rig::Mixamo).expect("on the rig");
+    let moved = on.motion(&figure, &motion).expect("a motion");
+    let theirs = on.skin(&figure, Detail::Coarse);
+    assert!(theirs.bind.iter().all(|place| place.rotation.angle() < 1e-12));
+    assert!((theirs.volume() / own.volume() - 1.0).abs() < 0.03, "{}", theirs.volume() / own.volume());
+    assert!(theirs.normals.iter().all(|normal| (normal.norm() - 1.0).abs() < 1e-9));
+    let (mut alone, mut shared): (f64, f64) = (0.0, 0.0);
+    for sample in (0..motion.len()).step_by(20) {
+        let a = own.posed(&figure.places(motion.q(sample)));
+        let b = theirs.posed(&on.figure.places(moved.q(sample)));
+        for ((a, b), influences) in a.iter().zip(&b).zip(&own.influences) {
+            let off = (a - b).norm();
+            if influences[0].share > 0.999_999 {
+                alone = alone.max(off);
+            } else {
+                shared = shared.max(off);
+            }
+        }
+    }
+    assert!(alone < 1e-6, "{alone} m");
+    assert!(shared < 0.04, "{shared} m");
+}
+
+#[test]
+fn a_file_of_bones_reads_back_to_the_same_places() {
+    let (figure, motion) = walked();
+    for rig in [Rig::Vrm, Rig::Unreal] {
+        let on = Rigged::new(&figure, rig).expect("on the rig");
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        let mut text = Vec::new();
+        bvh::write(&on.figure, &moved, Unit::Metres, &mut text).expect("written");
+        let text = String::from_utf8(text).expect("text");
+        let options = bvh::ReadOptions { unit: Some(Unit::Metres), ..Default::default() };
+        let clip = bvh::read(&text, &options).expect("read");
+        for sample in (0..motion.len()).step_by(11) {
+            let (ours, theirs) = (figure.places(motion.q(sample)), clip.figure.places(clip.motion.q(sample)));
+            for (link, place) in figure.links().iter().zip(&ours) {
+                let name = rig.bone(link.name()).expect("a bone");
+                let read = theirs[clip.figure.link_index(name).expect("a joint")];
+                // Six decimals.
+                assert!(
+                    (place.translation.vector - read.translation.vector).norm() < 1e-5,
+                    "{rig:?}: {name}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn contacts_events_and_planted_points_go_along() {
+    let (figure, motion) = walked();
+    let on = Rigged::new(&figure, Rig::Smpl).expect("on the rig");
+    let moved = on.motion(&figure, &motion).expect("a motion");
+    assert_eq!(moved.events, motion.events);
+    let (a, b) = (&motion.planted[1], &moved.planted[1]);
+    let sample = motion.time().partition_point(|time| *time < a.start) + 1;
+    let before = figure.places(motion.q(sample))[a.link] * Point3::from(a.point);
+    let after = on.figure.places(moved.q(sample))[b.link] * Point3::from(b.point);
+    assert!((before - after).norm() < 1e-12);
+}
+
+#[test]
+fn what_is_no_person_is_refused_by_its_link() {
+    let bob = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(1.0);
+    let pendulum = FigureBuilder::new("pendulum").link(bob).build().expect("a figure");
+    let error = Rigged::new(&pendulum, Rig::Vrm).expect_err("no person").to_string();
+    assert!(error.starts_with("the rig 'vrm' has no bone for link 'bob'"), "{error}");
+}

@@ -1,0 +1,5 @@
+//! The skin of people of all sizes, by laws that any closed surface obeys; of machines, by their shapes' own volumes.
+
+mod links;
+mod motion;
+mod people;

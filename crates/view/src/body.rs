@@ -1,0 +1,80 @@
+//! The skin of a person, as a page holds it.
+
+use crate::pack::{Packed, bytes, floats, ranged, words};
+use serde::Serialize;
+use solaris_model::Figure;
+use solaris_skin::{Detail, Influence, PALETTE, person};
+
+/// A skin that goes with the links.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Body {
+    /// m, three a vertex.
+    points: Packed,
+    /// Place in the palette, in steps of 1/255, one a vertex.
+    colours: Packed,
+    /// Four links a vertex, and their shares in steps of 1/255, 255 together.
+    links: Packed,
+    shares: Packed,
+    /// Three vertices a triangle.
+    triangles: Packed,
+    /// Where the links are when vertices are at their points: m, three a link; quaternions, four a link.
+    places: Packed,
+    turns: Packed,
+    /// Red, green and blue of the palette's colours, from 0 to 255.
+    palette: Vec<[u8; 3]>,
+}
+
+/// The skin of a person of our making; none of anything else.
+pub(crate) fn body(figure: &Figure) -> Option<Body> {
+    let skin = person(figure, Detail::Coarse)?;
+    // What numbers of 16 and of 8 bits can name.
+    if skin.points.len() > 65_535 || figure.links().len() > 256 {
+        return None;
+    }
+    let points: Vec<f64> = skin.points.iter().flat_map(|p| [p.x, p.y, p.z]).collect();
+    Some(Body {
+        points: ranged(&points),
+        colours: bytes(skin.colours.iter().map(|place| (place * 255.0).round() as u8)),
+        links: bytes(skin.influences.iter().flatten().map(|i| i.link as u8)),
+        shares: bytes(skin.influences.iter().flat_map(shares)),
+        triangles: words(skin.triangles.iter().flatten().map(|i| *i as u16)),
+        places: floats(
+            skin.bind.iter().flat_map(|place| place.translation.vector.iter().copied().collect::<Vec<_>>()),
+        ),
+        turns: floats(
+            skin.bind.iter().flat_map(|place| place.rotation.coords.iter().copied().collect::<Vec<_>>()),
+        ),
+        palette: PALETTE.to_vec(),
+    })
+}
+
+/// Shares in steps that are 255 together: the greatest takes what rounding leaves.
+fn shares(influences: &[Influence; 4]) -> [u8; 4] {
+    let mut steps = influences.map(|i| (i.share * 255.0).round() as u8);
+    let others: u16 = steps[1..].iter().map(|x| u16::from(*x)).sum();
+    steps[0] = (255 - others) as u8;
+    steps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solaris_model::{FigureBuilder, Joint, LinkSpec, human};
+
+    #[test]
+    fn a_person_has_one_of_some_quarter_of_a_megabyte_and_a_pendulum_none() {
+        let man = body(&human(1.75, 73.0).expect("a person")).expect("a body");
+        let size = serde_json::to_string(&man).expect("JSON").len();
+        assert!((150_000..350_000).contains(&size), "{size} bytes");
+        let bob = LinkSpec::root("bob", Joint::new("pivot").rx()).mass(1.0);
+        assert!(body(&FigureBuilder::new("pendulum").link(bob).build().expect("a figure")).is_none());
+    }
+
+    #[test]
+    fn shares_are_the_whole_to_the_last_step() {
+        for parts in [[1.0, 0.0, 0.0, 0.0], [0.25; 4], [0.4, 0.3, 0.2, 0.1], [0.334, 0.333, 0.333, 0.0]] {
+            let steps = shares(&parts.map(|share| Influence { link: 0, share }));
+            assert_eq!(steps.iter().map(|x| u16::from(*x)).sum::<u16>(), 255, "{parts:?}");
+        }
+    }
+}
