@@ -4,6 +4,7 @@ use crate::errors::{of_path, plain};
 use crate::motion::Motion;
 use pyo3::PyResult;
 use solaris::files::extension;
+use solaris::io::glb::{self, Actor, Clip};
 use solaris::io::{bvh, csv, parquet, record, sto};
 use solaris::view::{FilmOptions, PageOptions, film};
 use std::fs;
@@ -27,6 +28,12 @@ pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
         "bvh" => {
             bvh::write(figure, motion, bvh::Unit::default(), &mut bytes).map_err(|error| refuse(&error))?
         }
+        "glb" => {
+            let actors = [Actor { name: figure.name(), figure, skin: None }];
+            let clips = [Clip { name: "motion", motions: vec![(0, motion)] }];
+            glb::write(&actors, &clips, glb::Options::default(), &mut bytes)
+                .map_err(|error| refuse(&error))?;
+        }
         "mot" | "sto" => {
             let table = record::positions_in_degrees(figure, motion);
             sto::write(&table, &mut bytes).map_err(|error| refuse(&error))?;
@@ -46,7 +53,7 @@ pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
             bytes = film(figure, motion, &options).map_err(|error| refuse(&error))?.into_bytes();
         }
         _ => {
-            let known = ".html, .bvh, .csv, .parquet, .mot, .sto or .svg";
+            let known = ".html, .glb, .bvh, .csv, .parquet, .mot, .sto or .svg";
             return Err(refuse(&format!("its extension says nothing; it must be {known}")));
         }
     }

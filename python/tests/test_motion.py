@@ -63,8 +63,9 @@ def test_files_read_back(walk, tmp_path, kind):
 
 def test_other_files(walk, tmp_path):
     pyarrow = pytest.importorskip("pyarrow.parquet")
-    for kind in ("html", "svg", "parquet"):
+    for kind in ("html", "svg", "parquet", "glb"):
         walk.save(tmp_path / f"walk.{kind}")
+    assert (tmp_path / "walk.glb").read_bytes()[:4] == b"glTF"
     assert "<html" in (tmp_path / "walk.html").read_text()[:200]
     assert pyarrow.read_table(tmp_path / "walk.parquet").column_names == walk.motion.columns
     with pytest.raises(solaris.FileError, match="its extension says nothing") as raised:
