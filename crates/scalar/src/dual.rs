@@ -89,10 +89,12 @@ impl<const N: usize> Dual<N> {
     }
 }
 
+// Where a program is sent before it is run, its size counts: there these are calls, elsewhere they are written out.
 impl<const N: usize> Add for Dual<N> {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[cfg_attr(not(target_family = "wasm"), inline)]
     fn add(self, other: Self) -> Self {
         Self { value: self.value + other.value, partials: from_fn(|i| self.partials[i] + other.partials[i]) }
     }
@@ -101,7 +103,8 @@ impl<const N: usize> Add for Dual<N> {
 impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[cfg_attr(not(target_family = "wasm"), inline)]
     fn sub(self, other: Self) -> Self {
         Self { value: self.value - other.value, partials: from_fn(|i| self.partials[i] - other.partials[i]) }
     }
@@ -111,7 +114,8 @@ impl<const N: usize> Sub for Dual<N> {
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[cfg_attr(not(target_family = "wasm"), inline)]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.value, other.value);
         Self { value: x * y, partials: from_fn(|i| x * other.partials[i] + self.partials[i] * y) }
@@ -123,7 +127,8 @@ impl<const N: usize> Div for Dual<N> {
     type Output = Self;
 
     /// With z = x/y: ż = (ẋ − z·ẏ)/y.
-    #[inline]
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[cfg_attr(not(target_family = "wasm"), inline)]
     fn div(self, other: Self) -> Self {
         let (y, z) = (other.value, self.value / other.value);
         Self { value: z, partials: from_fn(|i| (self.partials[i] - z * other.partials[i]) / y) }
@@ -133,7 +138,8 @@ impl<const N: usize> Div for Dual<N> {
 impl<const N: usize> Neg for Dual<N> {
     type Output = Self;
 
-    #[inline]
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[cfg_attr(not(target_family = "wasm"), inline)]
     fn neg(self) -> Self {
         Self { value: -self.value, partials: self.partials.map(Neg::neg) }
     }

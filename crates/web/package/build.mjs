@@ -1,7 +1,7 @@
 // Builds the package into dist/: compiles, binds, makes small. Needs the target wasm32-unknown-unknown, and the program wasm-bindgen of
 // the same version as the library (WASM_BINDGEN names another one).
 import { execFileSync } from "node:child_process";
-import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, rmSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -19,9 +19,8 @@ run(process.env.WASM_BINDGEN ?? "wasm-bindgen", ["--target", "web", "--out-dir",
 
 const wasm = join(dist, "solaris_web_bg.wasm");
 const optimizer = join(here, "node_modules/.bin/wasm-opt");
-run(optimizer, ["-O3", "--enable-bulk-memory", "--enable-nontrapping-float-to-int", "--enable-sign-ext", "--enable-mutable-globals", "--enable-reference-types", "--enable-multivalue", wasm, "-o", wasm]);
+run(optimizer, ["-Oz", "--enable-bulk-memory", "--enable-nontrapping-float-to-int", "--enable-sign-ext", "--enable-mutable-globals", "--enable-reference-types", "--enable-multivalue", wasm, "-o", wasm]);
 
 const size = readFileSync(wasm).length;
 const zipped = gzipSync(readFileSync(wasm), { level: 9 }).length;
-writeFileSync(join(dist, "size.json"), JSON.stringify({ wasm: size, gzip: zipped }) + "\n");
 console.log(`${size} bytes, ${zipped} zipped: ${readdirSync(dist).join(", ")}`);

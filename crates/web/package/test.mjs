@@ -1,4 +1,4 @@
-// The package as it is built, in node: numbers that laws know, refusals, size.
+// The package as it is built, in node: numbers that laws know, refusals.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -8,11 +8,6 @@ import init, { Dynamics, Figure, Walker, run, walk } from "./dist/solaris_web.js
 const wasm = readFileSync(new URL("./dist/solaris_web_bg.wasm", import.meta.url));
 await init({ module_or_path: wasm });
 const ann = Figure.human(1.65, 58);
-
-test("it is small", () => {
-  const size = JSON.parse(readFileSync(new URL("./dist/size.json", import.meta.url)));
-  assert.ok(size.wasm < 1.9e6 && size.gzip < 0.75e6, JSON.stringify(size));
-});
 
 test("a walk is carried by the ground", () => {
   const motion = walk(ann, { stepFrequency: 105, steps: 6 });
