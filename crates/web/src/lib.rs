@@ -1,5 +1,12 @@
 //! The engine in a browser: a thin face for JavaScript over the libraries. See `package/README.md`.
 
+#![allow(
+    clippy::missing_errors_doc,
+    reason = "what throws says why in its message; JavaScript declares none of it"
+)]
+#![allow(clippy::needless_pass_by_value, reason = "what JavaScript hands over is the callee's")]
+#![allow(clippy::struct_field_names, reason = "each wraps what has its name in the libraries")]
+
 mod dynamics;
 mod figure;
 mod motion;
