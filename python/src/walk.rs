@@ -104,7 +104,7 @@ pub(crate) fn walk(
         let parameters = match style {
             Some(style) => numbers(style, || {
                 let proportions =
-                    solaris::gait::determinants::Proportions::of(who.figure()).map_err(|e| value(e))?;
+                    solaris::gait::determinants::Proportions::of(who.figure()).map_err(value)?;
                 Ok(determinants.parameters(&proportions).iter().map(|parameter| parameter.name).collect())
             })?,
             None => Vec::new(),

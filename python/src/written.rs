@@ -26,7 +26,7 @@ pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
         "html" => bytes = page(of)?.into_bytes(),
         "csv" => csv::write(figure, motion, &mut bytes).map_err(|error| refuse(&error))?,
         "bvh" => {
-            bvh::write(figure, motion, bvh::Unit::default(), &mut bytes).map_err(|error| refuse(&error))?
+            bvh::write(figure, motion, bvh::Unit::default(), &mut bytes).map_err(|error| refuse(&error))?;
         }
         "glb" => {
             let actors = [Actor { name: figure.name(), figure, skin: None }];
