@@ -19,9 +19,6 @@ use solaris::gait::{
 use solaris::model::{Relief, Trajectory as _, nearest};
 use std::path::PathBuf;
 
-/// Steps a minute over slopes and other ground, and up stairs, where no pace is asked for.
-const ON_GROUND: f64 = 100.0;
-const UP_STAIRS: f64 = 88.0;
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
 const LOOPED: usize = 42;
 
@@ -129,7 +126,8 @@ pub(crate) fn walk(
         );
     }
     let open = step_frequency.or(step_length).or(speed).is_none();
-    let (ground, usual) = on(slope, stairs, ground, footholds)?;
+    let ground = on(slope, stairs, ground, footholds)?;
+    let usual = ground.usual_step_frequency();
     let path = path.map(|points| WalkPath::through(&pairs("path", points)?).map_err(request)).transpose()?;
     let inner = turn > 0.0 || path.as_ref().is_some_and(|path| path.begins() > 0.0);
     let sheet = |blend: Option<&str>| {
@@ -353,29 +351,28 @@ fn rows(name: &str, given: &Bound<'_, PyAny>, least: usize, most: usize) -> PyRe
     }
 }
 
-/// The ground, and the step frequency that goes with it where none is asked for.
+/// The ground.
 fn on(
     slope: Option<f64>,
     stairs: Option<&Bound<'_, PyDict>>,
     ground: Option<&Bound<'_, PyAny>>,
     footholds: Option<&Bound<'_, PyAny>>,
-) -> PyResult<(WalkGround, Option<f64>)> {
+) -> PyResult<WalkGround> {
     Ok(match (slope, stairs, ground, footholds) {
-        (None, None, None, None) => (WalkGround::Level, None),
-        (Some(slope), None, None, None) => (WalkGround::Slope(slope), Some(ON_GROUND)),
+        (None, None, None, None) => WalkGround::Level,
+        (Some(slope), None, None, None) => WalkGround::Slope(slope),
         (None, Some(given), None, None) => {
             keys("stairs", given, &["count", "rise", "tread"])?;
             let usual = Stairs::default();
-            let stairs = Stairs {
+            WalkGround::Stairs(Stairs {
                 count: get(given, "count")?.unwrap_or(usual.count),
                 rise: get(given, "rise")?.unwrap_or(usual.rise),
                 tread: get(given, "tread")?.unwrap_or(usual.tread),
-            };
-            (WalkGround::Stairs(stairs), Some(if stairs.rise > 0.0 { UP_STAIRS } else { ON_GROUND }))
+            })
         }
         (None, None, Some(points), None) => {
             let relief = Relief::new(pairs("ground", points)?).map_err(|error| plain("WalkError")(&error))?;
-            (WalkGround::Relief(relief), Some(ON_GROUND))
+            WalkGround::Relief(relief)
         }
         (None, None, None, Some(given)) => {
             let foothold = |row: Vec<f64>| {
@@ -383,7 +380,7 @@ fn on(
                 Foothold { x: None, z: at(0), height: at(1), pitch: at(2), heading: at(3) }
             };
             let all = rows("footholds", given, 2, 4)?.into_iter().map(foothold).collect();
-            (WalkGround::Footholds(all), Some(ON_GROUND))
+            WalkGround::Footholds(all)
         }
         _ => return Err(value("give one of slope, stairs, ground and footholds")),
     })

@@ -13,9 +13,6 @@ use wasm_bindgen::prelude::*;
 
 /// Samples a second where nothing else is asked for (1/s).
 const RATE: f64 = 120.0;
-/// Steps a minute over slopes and up stairs, where no pace is asked for.
-const ON_GROUND: f64 = 100.0;
-const UP_STAIRS: f64 = 88.0;
 
 #[wasm_bindgen(typescript_custom_section)]
 const OPTIONS: &str = r"
@@ -96,20 +93,20 @@ struct Flight {
 impl Asked {
     fn request(self) -> Result<WalkRequest, JsError> {
         let open = self.step_frequency.or(self.step_length).or(self.speed).is_none();
-        let (ground, usual) = match (self.slope, &self.stairs) {
-            (None, None) => (WalkGround::Level, None),
-            (Some(slope), None) => (WalkGround::Slope(slope), Some(ON_GROUND)),
+        let ground = match (self.slope, &self.stairs) {
+            (None, None) => WalkGround::Level,
+            (Some(slope), None) => WalkGround::Slope(slope),
             (None, Some(Flight { count, rise, tread })) => {
                 let usual = Stairs::default();
-                let stairs = Stairs {
+                WalkGround::Stairs(Stairs {
                     count: count.unwrap_or(usual.count),
                     rise: rise.unwrap_or(usual.rise),
                     tread: tread.unwrap_or(usual.tread),
-                };
-                (WalkGround::Stairs(stairs), Some(if stairs.rise > 0.0 { UP_STAIRS } else { ON_GROUND }))
+                })
             }
             (Some(_), Some(_)) => return Err(failed("give slope or stairs, not both")),
         };
+        let usual = ground.usual_step_frequency();
         let extent = match (self.steps, self.distance) {
             (Some(_), Some(_)) => return Err(failed("give steps or distance, not both")),
             (None, Some(distance)) => Extent::Distance(distance),

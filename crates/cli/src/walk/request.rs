@@ -57,7 +57,8 @@ pub(crate) fn asked(args: &WalkArgs) -> Result<Asked, CliError> {
     } else {
         Side::Right
     };
-    let (ground, usual) = terrain::of(&args.ground)?;
+    let ground = terrain::of(&args.ground)?;
+    let usual = ground.usual_step_frequency();
     let open = pace.step_length.is_none() && pace.speed.is_none();
     let first = WalkRequest {
         ground,

@@ -21,6 +21,18 @@ pub enum WalkGround {
     Footholds(Vec<Foothold>),
 }
 
+impl WalkGround {
+    /// Steps a minute where no pace is asked for: over slopes and other ground 100, up stairs 88; `None` on level ground, where people's
+    /// own pace holds ([`crate::DEFAULT_STEP_FREQUENCY`]).
+    pub fn usual_step_frequency(&self) -> Option<f64> {
+        match self {
+            Self::Level => None,
+            Self::Stairs(stairs) if stairs.rise > 0.0 => Some(88.0),
+            Self::Slope(_) | Self::Stairs(_) | Self::Relief(_) | Self::Footholds(_) => Some(100.0),
+        }
+    }
+}
+
 /// A place for one foot. Both feet stand on level ground at first, heels at z = 0 and y = 0; the first foothold is the first foot's, the last one that of the
 /// last step, and the other foot closes beside it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -12,10 +12,6 @@ use std::sync::Arc;
 /// Samples a second of the walk that is followed; between them it follows curves of degree five.
 const RATE: f64 = 480.0;
 
-/// Steps a minute where no pace is asked for: over slopes and other ground, and up stairs.
-const UNEVEN: f64 = 100.0;
-const UP_STAIRS: f64 = 88.0;
-
 /// What is walked, and how it begins.
 pub(super) struct Planned {
     plan: Arc<WalkSequence>,
@@ -125,13 +121,8 @@ impl SceneReader<'_> {
             );
             return None;
         };
-        let usual = if matches!(ground, WalkGround::Stairs(stairs) if stairs.rise > 0.0) {
-            UP_STAIRS
-        } else {
-            UNEVEN
-        };
         if [request.step_frequency, request.step_length, request.speed] == [None; 3] {
-            request.step_frequency = Some(usual);
+            request.step_frequency = ground.usual_step_frequency();
         }
         request.ground = ground.clone();
         Some(())

@@ -9,28 +9,24 @@ use std::path::Path;
 
 /// The columns of a relief.
 const COLUMNS: [&str; 2] = ["z", "height"];
-/// Steps a minute where no pace is asked for: over slopes and other ground, up stairs and down.
-const STEP_FREQUENCY: f64 = 100.0;
-const UP: f64 = 88.0;
 
-/// The ground, and the step frequency that goes with it where none is asked for.
-pub(super) fn of(args: &TerrainArgs) -> Result<(WalkGround, Option<f64>), CliError> {
+/// The ground.
+pub(super) fn of(args: &TerrainArgs) -> Result<WalkGround, CliError> {
     if let Some(slope) = &args.slope {
-        return Ok((WalkGround::Slope(slope.value.to_radians()), Some(STEP_FREQUENCY)));
+        return Ok(WalkGround::Slope(slope.value.to_radians()));
     }
     if let Some(count) = args.stairs {
         let usual = Stairs::default();
         let rise = args.rise.as_ref().map_or(usual.rise, |rise| rise.value);
         let tread = args.tread.as_ref().map_or(usual.tread, |tread| tread.value);
-        let step_frequency = if rise > 0.0 { UP } else { STEP_FREQUENCY };
-        return Ok((WalkGround::Stairs(Stairs { count, rise, tread }), Some(step_frequency)));
+        return Ok(WalkGround::Stairs(Stairs { count, rise, tread }));
     }
     if let Some(path) = &args.footholds {
-        return Ok((WalkGround::Footholds(footholds(path)?), Some(STEP_FREQUENCY)));
+        return Ok(WalkGround::Footholds(footholds(path)?));
     }
     match &args.ground {
-        Some(path) => Ok((WalkGround::Relief(read(path)?), Some(STEP_FREQUENCY))),
-        None => Ok((WalkGround::Level, None)),
+        Some(path) => Ok(WalkGround::Relief(read(path)?)),
+        None => Ok(WalkGround::Level),
     }
 }
 
