@@ -9,6 +9,7 @@
 
 mod dynamics;
 mod figure;
+mod keys;
 mod motion;
 mod scene;
 mod walk;
