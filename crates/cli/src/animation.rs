@@ -30,20 +30,33 @@ pub(crate) fn body(
     motion: &Motion,
     clip: &str,
     rig: Option<Rig>,
+    writer: &mut dyn Write,
+) -> Result<(), CliError> {
+    clips(figure, &[(clip, motion)], rig, writer)
+}
+
+/// One figure as a body, and its motions by their names.
+pub(crate) fn clips(
+    figure: &Figure,
+    motions: &[(&str, &Motion)],
+    rig: Option<Rig>,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
     let options = Options::default();
+    let mut write = |actor: Actor<'_>, motions: &[(&str, &Motion)]| {
+        let clips: Vec<Clip<'_>> =
+            motions.iter().map(|(name, motion)| Clip { name, motions: vec![(0, *motion)] }).collect();
+        write(&[actor], &clips, options, &mut writer).map_err(CliError::other)
+    };
     let Some(rig) = rig else {
-        let actor = Actor { name: figure.name(), figure, skin: None };
-        let clip = Clip { name: clip, motions: vec![(0, motion)] };
-        return write(&[actor], &[clip], options, &mut writer).map_err(CliError::other);
+        return write(Actor { name: figure.name(), figure, skin: None }, motions);
     };
     let on = Rigged::new(figure, rig).map_err(CliError::other)?;
     let skin = on.skin(figure, options.skin.unwrap_or_default());
-    let motion = on.motion(figure, motion).map_err(CliError::other)?;
-    let actor = Actor { name: figure.name(), figure: &on.figure, skin: Some(&skin) };
-    let clip = Clip { name: clip, motions: vec![(0, &motion)] };
-    write(&[actor], &[clip], options, &mut writer).map_err(CliError::other)
+    let moved = motions.iter().map(|(_, motion)| on.motion(figure, motion));
+    let moved = moved.collect::<Result<Vec<_>, _>>().map_err(CliError::other)?;
+    let motions: Vec<(&str, &Motion)> = motions.iter().map(|(name, _)| *name).zip(&moved).collect();
+    write(Actor { name: figure.name(), figure: &on.figure, skin: Some(&skin) }, &motions)
 }
 
 /// Somebody of a crowd.

@@ -22,7 +22,7 @@ mod walk;
 pub(crate) use crowd::{CrowdArgs, CrowdFormat, MOST_IN_ONE, PLACES};
 pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
-    ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, TableArgs, TableFormat, Whose,
+    ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, SetArgs, TableArgs, TableFormat, Whose,
 };
 pub(crate) use given::{FrameArgs, RecordArgs, Span};
 pub(crate) use ground::{AskedBelt, AskedPlate, ConsistentArgs, GroundArgs, GroundCommandArgs};

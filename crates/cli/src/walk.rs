@@ -18,6 +18,8 @@ use crate::limbs;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::progress::Progress;
+pub(crate) use everyone::dressed;
+pub(crate) use looped::without_last;
 use planned::Planned;
 use report::Report;
 pub(crate) use request::asked;
@@ -70,7 +72,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     let lone = isolated_peaks(&motion).map_err(CliError::other)?;
     let limbs = limbs::nearest(&figure, &motion, &[])?;
     // Pages and clips go by their time; who plays frame after frame shall not see one twice.
-    let shorter = if planned.repeats { Some(looped::without_last(&figure, &motion)?) } else { None };
+    let shorter = if planned.repeats { Some(without_last(&figure, &motion)?) } else { None };
     let frames = shorter.as_ref().unwrap_or(&motion);
     let report = Report::new(figure.mass(), planned, &motion, measures, &lone, limbs);
     progress.stage("writing");

@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < live < comparison < styled < asked < people < sweep < crowd
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < live < comparison < styled < asked < people < sweep < crowd < set
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -17,7 +17,7 @@
 //! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
 //! - `live`: a walker that is steered while it walks.
 //! - `asked`: a walk or a run as plain data.
-//! - `comparison`, `styled`, `people`, `sweep`, `crowd`: what needs both walkers or all of this.
+//! - `comparison`, `styled`, `people`, `sweep`, `crowd`, `set`: what needs both walkers or all of this.
 
 mod asked;
 mod body;
@@ -34,6 +34,7 @@ mod momentum;
 pub mod people;
 mod request;
 mod running;
+pub mod set;
 mod smooth;
 mod styled;
 pub mod sweep;

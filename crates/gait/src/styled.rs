@@ -30,16 +30,21 @@ pub enum StyledRequest {
 }
 
 impl StyledRequest {
-    /// The request at the step frequency (steps/min) next to its own at which a stride lasts a whole number of frames of `rate` a second;
+    /// The request of somebody of this stature (m) at the step frequency (steps/min) next to its own at which a stride lasts a whole number of frames of `rate` a second;
     /// none where it does so already, and of a run, whose step frequency follows from its speed.
     ///
     /// ```text
     /// N = 120·rate/f frames a stride of two steps, rounded;  f = 120·rate/N
     /// ```
-    pub fn in_step(&self, step_frequency: f64, rate: f64) -> Option<Self> {
+    pub fn in_step(&self, stature: f64, step_frequency: f64, rate: f64) -> Option<Self> {
         let (lower, upper) = match self {
+            Self::Smooth(walk) => {
+                let tempo = walk.population.tempo(stature);
+                (STEP_FREQUENCY.0 * tempo, STEP_FREQUENCY.1 * tempo)
+            }
             Self::Thesis(_) => THESIS_STEP_FREQUENCY,
-            _ => STEP_FREQUENCY,
+            // A run's step frequency follows from its speed.
+            Self::Sequence(_) | Self::Run(_) => return None,
         };
         let frames = (120.0 * rate / step_frequency).round();
         let mut fitted = [frames, frames + 1.0, frames - 1.0].into_iter().map(|count| 120.0 * rate / count);
@@ -258,7 +263,7 @@ mod tests {
     fn a_stride_is_a_whole_number_of_frames() {
         for (frequency, rate) in [(110.0, 30.0), (95.0, 24.0), (130.0, 30.0), (60.0, 25.0), (111.3, 60.0)] {
             let request = StyledRequest::Smooth(WalkRequest { speed: Some(1.2), ..WalkRequest::default() });
-            let Some(StyledRequest::Smooth(walk)) = request.in_step(frequency, rate) else { continue };
+            let Some(StyledRequest::Smooth(walk)) = request.in_step(1.75, frequency, rate) else { continue };
             let fitted = walk.step_frequency.expect("a step frequency");
             let frames = 120.0 * rate / fitted;
             assert!((frames - frames.round()).abs() < 1e-9, "{frequency} {rate}: {frames}");
@@ -270,6 +275,15 @@ mod tests {
     #[test]
     fn a_stride_that_fits_stays() {
         let request = StyledRequest::Smooth(WalkRequest::default());
-        assert!(request.in_step(120.0, 30.0).is_none());
+        assert!(request.in_step(1.75, 120.0, 30.0).is_none());
+    }
+
+    #[test]
+    fn a_quick_child_is_fitted_too() {
+        let population = crate::Population::Child;
+        let request = StyledRequest::Smooth(WalkRequest { population, ..WalkRequest::default() });
+        let Some(StyledRequest::Smooth(walk)) = request.in_step(1.25, 142.8, 60.0) else { panic!("fitted") };
+        let frames = 120.0 * 60.0 / walk.step_frequency.expect("a step frequency");
+        assert!((frames - 50.0).abs() < 1e-9, "{frames}");
     }
 }

@@ -2,8 +2,9 @@
 
 use super::parameters::{KeyArgs, key_options};
 use super::value::count;
-use super::walk::{Count, DeterminantCount, PersonArgs};
-use super::{HEIGHT, Number, wrap};
+use super::value::within;
+use super::walk::{Count, DeterminantCount, EveryoneArgs, Loop, PersonArgs, WhoArgs};
+use super::{HEIGHT, Number, RigArgs, wrap};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand, ValueEnum};
 use solaris::gait::determinants::TABLES;
@@ -15,7 +16,9 @@ const EXAMPLES: &str = "Examples:
   solaris gait explain --determinants 5 --step-frequency 110 -o postures.svg
       the key postures as stick figures, and how much room each inequality leaves
   solaris gait map --x heel-strike-angle --y tilt --step-frequency 110 -o map.svg
-      where postures exist, and which inequality forbids them elsewhere";
+      where postures exist, and which inequality forbids them elsewhere
+  solaris gait set -o ann.glb -o ann.json
+      sixteen clips for a character of a game";
 
 const TABLE_EXAMPLES: &str = "Examples:
   solaris gait table 7.8
@@ -41,9 +44,17 @@ const PEOPLE_EXAMPLES: &str = "Examples:
   solaris gait people --height 1.5 --determinants 3 --format csv
       a smaller one without pelvic rotation, for a spreadsheet";
 
+const SET_EXAMPLES: &str = "Examples:
+  solaris gait set -o ann.glb -o ann.json
+      one body with sixteen clips, and how they fit together
+  solaris gait set --height 1.65 --mass 58 --manner happy:0.5 --rig mixamo --rate 24 -o clips/
+      a .bvh for each clip, on Mixamo's bones, and clips/set.json
+  solaris gait set --speeds 0.8,1.2,1.6 --loop in-place -o loops.glb
+      loops at these speeds that stay where they are";
+
 #[derive(Debug, Subcommand)]
 #[command(
-    about = "The thesis's walking models: tables, feasible regions, postures; walks beside people",
+    about = "The thesis's walking models: tables, feasible regions, postures; walks beside people; clips for games",
     after_help = EXAMPLES
 )]
 pub(crate) enum GaitCommand {
@@ -51,6 +62,7 @@ pub(crate) enum GaitCommand {
     Map(Box<MapArgs>),
     Explain(Box<ExplainArgs>),
     People(PeopleArgs),
+    Set(Box<SetArgs>),
 }
 
 /// Tables of the thesis.
@@ -185,6 +197,42 @@ pub(crate) struct DeterminantsArgs {
         help = "Determinants of gait, 3 or 5 [default: 5]"
     )]
     pub(crate) count: DeterminantCount,
+}
+
+/// Clips of a character.
+#[derive(Debug, Args)]
+#[command(
+    about = "Clips for a character of a game: standing, starts, walks at some speeds, turns, stops, and how they fit together",
+    after_help = SET_EXAMPLES
+)]
+pub(crate) struct SetArgs {
+    #[arg(short = 'o', long = "output", value_name = "FILE", required = true, help = wrap(
+        "Write the set: .glb body with all clips, .json names, speeds, phases and seams; several -o are allowed; or name a folder that ends in / \
+         for a .bvh of each clip and set.json"
+    ))]
+    pub(crate) outputs: Vec<PathBuf>,
+    #[arg(long, value_name = "M/S,…", value_delimiter = ',', allow_hyphen_values = true, help = wrap(
+        "Speeds of the loops, one to twenty [default: five, of 64 to 110 % of people's usual step frequency]"
+    ))]
+    pub(crate) speeds: Vec<Number>,
+    #[arg(
+        long, value_name = "FRAMES/S", allow_hyphen_values = true, default_value_t = 30.0, hide_default_value = true,
+        value_parser = within("rate", 1.0, 1000.0, " frames/s"),
+        help = "Frames a second; strides are fitted to whole frames [default: 30]"
+    )]
+    pub(crate) rate: f64,
+    #[arg(long = "loop", value_name = "HOW", value_enum, hide_possible_values = true, help = wrap(
+        "Loops that go on (moving) or stay on the spot (in-place); other clips go where they go [default: moving]"
+    ))]
+    pub(crate) repeats: Option<Loop>,
+    #[arg(long, help = "Print the set as JSON instead of a table")]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) bones: RigArgs,
+    #[command(flatten, next_help_heading = "The person")]
+    pub(crate) who: WhoArgs,
+    #[command(flatten, next_help_heading = "In which manner")]
+    pub(crate) everyone: EveryoneArgs,
 }
 
 /// Whose postures, how fast, and with which parameters.

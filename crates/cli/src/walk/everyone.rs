@@ -7,7 +7,7 @@ use solaris::gait::{Population, StyleSheet, Variability, WalkRequest, read_sheet
 use std::path::Path;
 
 /// A request with population, manner and variability of the options.
-pub(super) fn dressed(request: WalkRequest, args: &EveryoneArgs) -> Result<WalkRequest, CliError> {
+pub(crate) fn dressed(request: WalkRequest, args: &EveryoneArgs) -> Result<WalkRequest, CliError> {
     let mut sheet = StyleSheet::default();
     for manner in &args.manner {
         let more = sheet_of(manner).map_err(|why| CliError::option("manner", manner, why.to_string()))?;

@@ -4,7 +4,7 @@ use crate::error::CliError;
 use solaris::model::{Figure, Motion};
 
 /// The motion without its last frame: of a loop that is the first one again.
-pub(super) fn without_last(figure: &Figure, motion: &Motion) -> Result<Motion, CliError> {
+pub(crate) fn without_last(figure: &Figure, motion: &Motion) -> Result<Motion, CliError> {
     let frames = motion.len().saturating_sub(1);
     let rows = |row: &dyn Fn(usize) -> Vec<f64>| (0..frames).flat_map(row).collect::<Vec<f64>>();
     let columns = [

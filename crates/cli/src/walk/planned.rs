@@ -77,7 +77,7 @@ impl Planned {
         };
         let figure = &*figure;
         let asked_frequency = plan.step_frequency();
-        let in_step = || asked.request.in_step(asked_frequency, rate);
+        let in_step = || asked.request.in_step(plan.stature(), asked_frequency, rate);
         if let Some(request) = looped.and(args.extent.rate).and_then(|_| in_step()) {
             plan = plan_of(figure, &request).map_err(refuse)?;
         }

@@ -54,7 +54,7 @@ impl GaitOptions {
         let asked = plan.step_frequency();
         if self.repeats.is_some()
             && self.rate.is_some()
-            && let Some(request) = staged.request.in_step(asked, rate)
+            && let Some(request) = staged.request.in_step(plan.stature(), asked, rate)
         {
             plan = plan_of(&request)?;
         }

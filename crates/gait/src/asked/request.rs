@@ -142,7 +142,7 @@ impl GaitOptions {
             Vec::new()
         } else {
             let proportions = Proportions::of(figure)?;
-            self.numbers(determinants.parameters(&proportions).iter().map(|parameter| parameter.name))?
+            self.numbers(&determinants.parameters(&proportions).iter().map(|parameter| parameter.name))?
         };
         Ok(ThesisRequest {
             determinants,
@@ -174,7 +174,7 @@ impl GaitOptions {
             ground,
             path,
             left_first: self.left_first.unwrap_or(inner),
-            parameters: self.numbers(PARAMETERS.iter().map(|parameter| parameter.name))?,
+            parameters: self.numbers(&PARAMETERS.iter().map(|parameter| parameter.name))?,
             population: self.population.as_deref().map_or(Ok(Population::default()), population)?,
             sheet: blend(&self.manner, sheet_of)?,
             sides: [blend(&self.left, side_sheet_of)?, blend(&self.right, side_sheet_of)?],
@@ -216,13 +216,13 @@ impl GaitOptions {
     /// The style's numbers, by the names that are `known`.
     fn numbers(
         &self,
-        known: impl Iterator<Item = &'static str> + Clone,
+        known: &(impl Iterator<Item = &'static str> + Clone),
     ) -> Result<Vec<(&'static str, f64)>, RequestError> {
         let one = |(name, value): (&String, &f64)| {
             let dashed = name.replace('_', "-");
             match known.clone().find(|known| *known == dashed) {
                 Some(name) => Ok((name, *value)),
-                None => Err(unknown("style parameter", name, &known)),
+                None => Err(unknown("style parameter", name, known)),
             }
         };
         self.style.iter().map(one).collect()

@@ -43,6 +43,7 @@ mod reports;
 mod running;
 mod running_changes;
 mod sequence;
+mod set;
 mod smooth_laws;
 mod stride_loop;
 mod support;
