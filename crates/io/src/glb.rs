@@ -20,7 +20,7 @@
 mod body;
 mod container;
 mod extra;
-mod keys;
+pub(crate) mod keys;
 mod pack;
 mod palette;
 mod skeleton;
@@ -29,6 +29,7 @@ use crate::error::{ClipProblem, IoError};
 use pack::Pack;
 use serde_json::{Value, json};
 use skeleton::Skeleton;
+pub(crate) use skeleton::local;
 use solaris_model::{EventKind, Figure, Motion};
 pub use solaris_skin::Detail;
 use solaris_skin::Skin;

@@ -38,6 +38,8 @@ mod tree;
 mod upright;
 #[cfg(feature = "urdf")]
 pub mod urdf;
+#[cfg(feature = "glb")]
+pub mod usd;
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 mod xml;
 

@@ -4,17 +4,17 @@ use solaris_model::{EventKind, Figure, Motion};
 
 /// A key: when (s, from the motion's own zero), after which sample, and how far on to the next one (0 to 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Key {
-    pub(super) time: f64,
-    pub(super) sample: usize,
-    pub(super) on: f64,
+pub(crate) struct Key {
+    pub(crate) time: f64,
+    pub(crate) sample: usize,
+    pub(crate) on: f64,
 }
 
 /// How near to a sample an event needs no key of its own, of the time between two.
 const NEAR: f64 = 0.02;
 
 /// The samples, and the contacts' events between them.
-pub(super) fn times(motion: &Motion) -> Vec<Key> {
+pub(crate) fn times(motion: &Motion) -> Vec<Key> {
     let time = motion.time();
     let mut keys: Vec<Key> =
         time.iter().enumerate().map(|(sample, time)| Key { time: *time, sample, on: 0.0 }).collect();
@@ -39,7 +39,7 @@ pub(super) fn times(motion: &Motion) -> Vec<Key> {
 
 /// The positions at a key. Between samples each coordinate goes along the polynomial that has the positions of both, and their
 /// velocities and accelerations where they are known; quaternions turn evenly.
-pub(super) fn positions(figure: &Figure, motion: &Motion, key: &Key) -> Vec<f64> {
+pub(crate) fn positions(figure: &Figure, motion: &Motion, key: &Key) -> Vec<f64> {
     let from = motion.q(key.sample).to_vec();
     if key.on <= 0.0 {
         return from;

@@ -108,7 +108,7 @@ impl Skeleton {
 }
 
 /// Where a link is in its parent, with its joint's coordinates `q`; the root in the world that is turned by `world`.
-fn local(link: &Link, q: &[f64], world: &UnitQuaternion<f64>) -> Placement {
+pub(crate) fn local(link: &Link, q: &[f64], world: &UnitQuaternion<f64>) -> Placement {
     let place = link.joint().placement() * link.joint().moved(q);
     if link.parent().is_none() { world * place } else { place }
 }
