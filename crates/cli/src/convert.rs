@@ -3,7 +3,7 @@
 mod markers;
 
 use crate::animation;
-use crate::args::{BvhArgs, ConvertArgs, UpArg};
+use crate::args::{BonesArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
 use crate::findings::{list, of_medium};
@@ -12,7 +12,8 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::shown::forward;
 use crate::words::{rounded, some};
-use solaris::io::bvh::{self, ReadOptions, Up};
+use solaris::io::bvh;
+use solaris::io::clip::{ReadOptions, Up};
 #[cfg(feature = "parquet")]
 use solaris::io::parquet;
 use solaris::io::{Table, csv, headings, record, sto};
@@ -53,8 +54,8 @@ const MOTION: Formats<MotionFormat> = &[
     ("html", MotionFormat::Page),
 ];
 
-/// Motions that are read.
-const READ: [&str; 4] = ["csv", "sto", "mot", "bvh"];
+/// Motions that are read, beside those that come with their bones.
+const READ: [&str; 3] = ["csv", "sto", "mot"];
 
 /// How far a frame may be from where the frames' rate has it, as a part of the time between two (BVH has one such time).
 const UNEVEN: f64 = 0.01;
@@ -68,14 +69,14 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     }
     refuse_unread(
         &args.from,
-        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto), both (.bvh) and markers (.c3d, .trc)",
+        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto), both (.bvh, .glb) and markers (.c3d, .trc)",
     )?;
-    let is_bvh = extension(&args.from) == "bvh";
-    if args.bvh.is_asked() && !is_bvh {
-        return Err(UsageError::OnlyOfBvh.into());
+    let is_clip = input::is_clip(&args.from);
+    if args.skeleton.is_asked() && !is_clip {
+        return Err(UsageError::OnlyOfBones.into());
     }
     let is_written = MOTION.iter().any(|(known, _)| *known == extension(&args.to));
-    let is_motion = if is_bvh { is_written } else { READ.contains(&extension(&args.from).as_str()) };
+    let is_motion = if is_clip { is_written } else { READ.contains(&extension(&args.from).as_str()) };
     if !is_motion {
         return figure(args);
     }
@@ -85,8 +86,8 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     motion(args)
 }
 
-/// What a BVH file does not say.
-fn options(args: &BvhArgs) -> Result<ReadOptions, CliError> {
+/// What a file of bones does not say.
+pub(crate) fn options(args: &BonesArgs) -> Result<ReadOptions, CliError> {
     let masses = match &args.masses {
         Some(path) => {
             let text = input::text(path)?;
@@ -98,17 +99,18 @@ fn options(args: &BvhArgs) -> Result<ReadOptions, CliError> {
         UpArg::Y => Up::Y,
         UpArg::Z => Up::Z,
     });
-    Ok(ReadOptions { unit: args.unit, up, masses, skip: args.skip_frames, mass: None })
+    let clip = args.clip.clone();
+    Ok(ReadOptions { unit: args.unit, up, masses, skip: args.skip_frames, mass: None, clip })
 }
 
-fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn figure(ConvertArgs { from, to, size, files, skeleton, .. }: &ConvertArgs) -> Result<(), CliError> {
     if MOTION.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
     let Body { mut figure, language, mut findings, medium, .. } =
-        input::body_with(from, files.as_deref(), &options(bvh)?)?;
+        input::body_with(from, files.as_deref(), &options(skeleton)?)?;
     findings.extend(of_medium(&medium, FindingKind::Missing));
     if size.is_asked() {
         let [height, mass] =
@@ -127,14 +129,16 @@ fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Resul
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, files, bvh, bones, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(
+    ConvertArgs { from, to, figure, files, skeleton, bones, .. }: &ConvertArgs,
+) -> Result<(), CliError> {
     animation::check(bones.rig, [to.as_path()])?;
     let outputs = Outputs::new([("OUT", to, MOTION)])?;
     let body = match figure {
         Some(path) => Some(input::body_in(path, files.as_deref())?),
         None => None,
     };
-    let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;
+    let Positions { table, left_out, body, findings } = positions(from, body, skeleton)?;
     if body.is_none() && ["bvh", "glb", "html"].contains(&extension(to).as_str()) {
         let what = extension(to);
         return Err(UsageError::OfFigure { what, to: to.clone() }.into());
@@ -209,12 +213,12 @@ struct Positions {
 }
 
 /// Reads a motion, of a figure where there is one.
-fn positions(from: &Path, body: Option<Body>, bvh: &BvhArgs) -> Result<Positions, CliError> {
+fn positions(from: &Path, body: Option<Body>, skeleton: &BonesArgs) -> Result<Positions, CliError> {
     let refuse = |error: &dyn ToString| CliError::input(from, error);
     let figure = body.as_ref().map(|body| &body.figure);
     match extension(from).as_str() {
-        "bvh" => {
-            let clip = input::clip(from, &options(bvh)?)?;
+        _ if input::is_clip(from) => {
+            let clip = input::clip(from, &options(skeleton)?)?;
             let table = match figure {
                 Some(figure) => clip.table_of(figure).map_err(|error| refuse(&error))?,
                 None => clip.table(),

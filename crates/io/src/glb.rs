@@ -17,16 +17,25 @@
 //!
 //! Khronos, glTF 2.0 specification (2021).
 
+mod accessor;
 mod body;
+mod bones;
 mod container;
+mod curves;
+mod document;
 mod extra;
+mod fault;
 mod keys;
+mod nodes;
 mod pack;
 mod palette;
+mod read;
 mod skeleton;
 
 use crate::error::{ClipProblem, IoError};
+pub use fault::GlbError;
 use pack::Pack;
+pub use read::read;
 use serde_json::{Value, json};
 use skeleton::Skeleton;
 use solaris_model::{EventKind, Figure, Motion};

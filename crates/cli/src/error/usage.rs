@@ -33,8 +33,10 @@ pub(crate) enum UsageError {
     Swapped { command: &'static str, figure: PathBuf, motion: PathBuf },
     #[error("--height, --mass and --segment change a figure; a motion has no size")]
     MotionHasNoSize,
-    #[error("--unit, --up, --masses and --skip-frames say what a BVH file does not; IN is none")]
-    OnlyOfBvh,
+    #[error(
+        "--unit, --up, --masses, --skip-frames and --clip say what a file of bones (.bvh, .glb) does not; IN is none"
+    )]
+    OnlyOfBones,
     #[error("--axes says which way is up and which forward in a file of markers (.c3d, .trc); IN is none")]
     OnlyOfMarkers,
     #[error("--unit of markers is mm, cm, m or inch")]

@@ -11,6 +11,8 @@ mod csv_tables;
 mod data;
 #[cfg(feature = "glb")]
 mod glb;
+#[cfg(feature = "glb")]
+mod glb_in;
 #[cfg(feature = "mjcf")]
 mod mjcf;
 mod motions;
