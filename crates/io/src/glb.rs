@@ -18,8 +18,10 @@
 //! Khronos, glTF 2.0 specification (2021).
 
 mod accessor;
+mod append;
 mod body;
 mod bones;
+mod character;
 mod container;
 mod curves;
 mod document;
@@ -33,6 +35,7 @@ mod read;
 mod skeleton;
 
 use crate::error::{ClipProblem, IoError};
+pub use character::Character;
 pub use fault::GlbError;
 use pack::Pack;
 pub use read::read;
