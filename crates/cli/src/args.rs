@@ -12,6 +12,7 @@ mod metrics;
 mod parameters;
 mod profile;
 mod report;
+mod retarget;
 mod rig;
 mod run;
 mod subject;
@@ -36,6 +37,7 @@ pub(crate) use profile::{
     example, option,
 };
 pub(crate) use report::ReportArgs;
+pub(crate) use retarget::RetargetArgs;
 pub(crate) use rig::RigArgs;
 pub(crate) use run::RunArgs;
 pub(crate) use subject::{ScaleArgs, SubjectArgs};
@@ -98,6 +100,7 @@ pub(crate) enum Command {
     Figure(FigureCommand),
     Check(CheckArgs),
     Convert(ConvertArgs),
+    Retarget(Box<RetargetArgs>),
     #[command(subcommand)]
     Gait(GaitCommand),
     #[command(subcommand)]

@@ -199,8 +199,19 @@ fn motion(
 }
 
 /// A file's name without its extension.
-fn stem(path: &Path) -> String {
+pub(crate) fn stem(path: &Path) -> String {
     path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// The motion of a table, of a figure.
+pub(crate) fn motion_of(from: &Path, body: &Body) -> Result<Motion, CliError> {
+    let refuse = |error: &dyn ToString| CliError::input(from, error);
+    let table = input::table(from)?;
+    let table = match extension(from).as_str() {
+        "csv" => table,
+        _ => headings::from_opensim(&table, Some(&body.figure)).map_err(|error| refuse(&error))?.0,
+    };
+    Ok(record::read(&body.figure, body.gravity, &table).map_err(|error| refuse(&error))?.motion)
 }
 
 /// The positions of a motion, headed as in CSV, and what comes with them.
