@@ -22,16 +22,18 @@ pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
     let bytes = bytes(&args.onto)?;
     let character =
         Character::read(&bytes, &stem(&args.onto)).map_err(|error| CliError::input(&args.onto, &error))?;
-    let from = Skeleton { name: stem(&args.clip), ..Skeleton::of(&figure) };
+    let from = Skeleton { name: stem(&args.motion), ..Skeleton::of(&figure) };
     let of_clip = Roles::find(&from, &map(args.clip_map.as_deref())?)
-        .map_err(|error| CliError::input(&args.clip, &format!("{error} (--clip-map)")))?;
+        .map_err(|error| CliError::input(&args.motion, &format!("{error} (--clip-map)")))?;
     let onto = character.skeleton();
     let roles = Roles::find(onto, &map(args.map.as_deref())?)
         .map_err(|error| CliError::input(&args.onto, &format!("{error} (--map)")))?;
     let take = Take::of(&from, &of_clip, &figure, &motion, args.rest_frame)
-        .map_err(|error| CliError::input(&args.clip, &format!("{error} (--rest-frame)")))?;
+        .map_err(|error| CliError::input(&args.motion, &format!("{error} (--rest-frame)")))?;
+    // The rest pose may be one of those that are left out.
+    let take = if args.rest_frame.is_some() { take.without(args.skeleton.skip_frames) } else { take };
     let moved = retarget(&take, onto, &roles).map_err(|error| CliError::input(&args.onto, &error))?;
-    let name = args.name.clone().unwrap_or_else(|| stem(&args.clip));
+    let name = args.name.clone().unwrap_or_else(|| stem(&args.motion));
     outputs
         .write(|(), mut writer| character.with_clip(&name, &moved, &mut writer).map_err(CliError::other))?;
     print(|out| {
@@ -43,8 +45,12 @@ pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
 
 /// The figure and the motion of the clip, and what there is to say of them.
 fn motion(args: &RetargetArgs) -> Result<(Figure, Motion, Vec<Finding>), CliError> {
-    if input::is_clip(&args.clip) {
-        let clip = input::clip(&args.clip, &convert::options(&args.skeleton)?)?;
+    if input::is_clip(&args.motion) {
+        let mut options = convert::options(&args.skeleton)?;
+        if args.rest_frame.is_some() {
+            options.skip = 0;
+        }
+        let clip = input::clip(&args.motion, &options)?;
         // What bones weigh moves nothing here.
         let findings = clip.findings.into_iter().filter(|finding| finding.subject != "masses").collect();
         return Ok((clip.figure, clip.motion, findings));
@@ -53,10 +59,10 @@ fn motion(args: &RetargetArgs) -> Result<(Figure, Motion, Vec<Finding>), CliErro
         return Err(UsageError::OnlyOfBones.into());
     }
     let Some(path) = &args.figure else {
-        return Err(UsageError::OfFigure { what: extension(&args.clip), to: args.output.clone() }.into());
+        return Err(UsageError::OfFigure { what: extension(&args.motion), to: args.output.clone() }.into());
     };
     let body = input::body(path)?;
-    let motion = convert::motion_of(&args.clip, &body)?;
+    let motion = convert::motion_of(&args.motion, &body)?;
     Ok((body.figure, motion, Vec::new()))
 }
 
@@ -83,22 +89,23 @@ fn told(
         moved.turns.len()
     )?;
     writeln!(out, "legs {:.3} times those of the clip", done.scale)?;
-    let (slide, degrees) = (done.slide * 1000.0, |angle: f64| angle.to_degrees());
+    let slides = format!(
+        "what stands slides by {:.1} mm at the most ({:.1} mm in the clip)",
+        done.slide * 1000.0,
+        done.slid * 1000.0
+    );
     match (done.stances, done.is_alike) {
         (0, _) => writeln!(out, "no foot stands in the clip: none was planted")?,
         (stances, true) => {
-            writeln!(
-                out,
-                "{stances} stances as they are, for legs and feet are alike; what stands slides by {slide:.1} mm at the most"
-            )?;
+            writeln!(out, "{stances} stances as they are, for legs and feet are alike; {slides}")?;
         }
         (stances, false) => {
             writeln!(
                 out,
-                "{stances} stances planted anew: what stands slides by {slide:.1} mm at the most; for it hips turn by up to {:.1}°, knees by up \
+                "{stances} stances planted anew: {slides}; for it hips turn by up to {:.1}°, knees by up \
                  to {:.1}°, and the pelvis is up to {:.0} mm lower",
-                degrees(done.hip),
-                degrees(done.knee),
+                done.hip.to_degrees(),
+                done.knee.to_degrees(),
                 done.lowered * 1000.0
             )?;
         }

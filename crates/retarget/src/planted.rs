@@ -6,8 +6,8 @@ use solaris_model::{Motion, Placement, Vector3};
 /// Whether heel, ball and tip stand.
 pub(crate) type Stands = [bool; 3];
 
-/// A point that moves slower than this (m/s) stands, of somebody whose ankles are 0.1 m up; swinging feet go ten times as fast.
-const SLOW: f64 = 0.17;
+/// A point that moves slower than this (m/s) stands, of somebody whose ankles are 0.1 m up; swinging feet go twenty times as fast.
+const SLOW: f64 = 0.1;
 /// Times on both sides over which a velocity is taken (s): longer than a camera's noise, shorter than a step.
 const WINDOW: f64 = 0.04;
 /// A stance is no shorter than this (s).

@@ -11,6 +11,8 @@ use std::ops::Range;
 
 /// Lengths of legs and feet (of the leg) that differ by less are alike: digits of files.
 const ALIKE: f64 = 1e-4;
+/// Points that move less from frame to frame (m) stand equally still.
+const STILLEST: f64 = 1e-5;
 /// How long a leg may be stretched, of its length: a knee that is quite straight snaps.
 const STRETCH: f64 = 0.9995;
 /// Over which time on both sides the pelvis comes down for a leg that does not reach (s).
@@ -78,9 +80,13 @@ pub(crate) fn replant(
     if is_alike || count == 0 {
         return done;
     }
-    let frames: Vec<Vec<Placement>> =
+    let mut frames: Vec<Vec<Placement>> =
         driven.iter().zip(hips.iter()).map(|(turns, hips)| body.places(turns, hips)).collect();
     let ankles = [0, 1].map(|side| wanted(take, soles, footing, side, &stances[side], &frames));
+    // All of it goes up or down by so much that legs are on the whole as straight as they were, whatever the soles are like.
+    let up = Vector3::y() * rise(take, soles, &ankles, &frames);
+    hips.iter_mut().for_each(|hips| *hips += up);
+    frames.iter_mut().flatten().for_each(|place| place.translation.vector += up);
     let reach = STRETCH * leg(body.skeleton, body.roles);
     let lower = |frame: usize| {
         let of = |side: usize| {
@@ -107,6 +113,17 @@ pub(crate) fn replant(
     done
 }
 
+/// How much higher ankles have to be than they would be, on the mean of all that stand (m).
+fn rise(take: &Take, soles: &[Sole; 2], ankles: &[Vec<Vector3<f64>>; 2], frames: &[Vec<Placement>]) -> f64 {
+    let stands = (0..2).flat_map(|side| (0..frames.len()).map(move |frame| (side, frame)));
+    let stands = stands.filter(|(side, frame)| take.stands[*frame][*side].contains(&true));
+    let higher = |(side, frame): (usize, usize)| {
+        ankles[side][frame].y - frames[frame][soles[side].foot].translation.vector.y
+    };
+    let (sum, count) = stands.map(higher).fold((0.0, 0.0), |(sum, count), more| (sum + more, count + 1.0));
+    sum / f64::max(count, 1.0)
+}
+
 /// How the leg is bent so that its ankle, in the frame in which the hips are where they were, is at a place (m).
 fn bent(body: &Body, limbs: &Limbs, places: &[Placement], ankle: &Vector3<f64>) -> Bent {
     let at = |bone: usize| places[bone].translation.vector;
@@ -127,11 +144,13 @@ fn stances(take: &Take, side: usize) -> Vec<Range<usize>> {
 /// Whether legs and feet are those of the source, times the ratio.
 fn alike(take: &Take, body: &Body, soles: &[Sole; 2], scale: f64) -> bool {
     let from: Vec<Placement> = take.skeleton.bones.iter().map(|bone| take.heading * bone.rest).collect();
+    // By joints alone: of soles one may know the surface, the other not.
+    let has_toes = take.roles.sides.iter().chain(&body.roles.sides).all(|limbs| limbs.toes.is_some());
     let lengths = |limbs: &Limbs, places: &[Placement], hips: &Vector3<f64>, sole: &Sole| {
         let at = |bone: usize| places[bone].translation.vector;
-        let ball = places[sole.foot] * sole.points[1];
+        let ball = limbs.toes.filter(|_| has_toes).map_or((places[sole.foot] * sole.points[1]).coords, at);
         let hip = at(limbs.thigh) - hips;
-        let foot = ball.coords - at(limbs.foot);
+        let foot = ball - at(limbs.foot);
         let (thigh, shank) =
             ((at(limbs.shank) - at(limbs.thigh)).norm(), (at(limbs.foot) - at(limbs.shank)).norm());
         [hip.x, hip.y, hip.z, thigh, shank, foot.z, foot.y]
@@ -164,13 +183,16 @@ fn wanted(
         for frame in stance.start + 1..stance.end {
             let (before, now) = (offset(frame - 1), offset(frame));
             let stand = [take.stands[frame - 1][side], take.stands[frame][side]];
-            let stays = |i: &usize| stand[0][*i] && stand[1][*i];
-            let mut over: Vec<usize> = (0..3).filter(stays).collect();
-            if over.is_empty() {
-                over = (0..3).filter(|i| stand[1][*i]).collect();
+            let both = (0..3).any(|i| stand[0][i] && stand[1][i]);
+            let source = [frame - 1, frame].map(|frame| take.soles[side].at(&take.frames[frame]));
+            // Of points that stand, those that stand stillest count: the foot rolls over one and comes down on the next.
+            let (mut by, mut sum) = (Vector3::zeros(), 0.0);
+            for i in (0..3).filter(|i| stand[1][*i] && (stand[0][*i] || !both)) {
+                let way = (source[1][i] - source[0][i]).norm_squared() + STILLEST * STILLEST;
+                by += (before[i] - now[i]) / way;
+                sum += 1.0 / way;
             }
-            let by = over.iter().map(|i| before[*i] - now[*i]).sum::<Vector3<f64>>() / over.len() as f64;
-            path.push(path[path.len() - 1] + by);
+            path.push(path[path.len() - 1] + by / sum);
         }
         let count = path.len() as f64;
         let mut shift =

@@ -76,6 +76,16 @@ impl Take {
         Ok(Self { skeleton, roles: roles.clone(), heading: turn, time, frames, soles, stands })
     }
 
+    /// Leaves out frames at the beginning, such as a reference pose; the last frame stays.
+    #[must_use]
+    pub fn without(mut self, frames: usize) -> Self {
+        let first = frames.min(self.time.len() - 1);
+        self.time.drain(..first);
+        self.frames.drain(..first);
+        self.stands.drain(..first);
+        self
+    }
+
     /// How many frames it has.
     pub fn len(&self) -> usize {
         self.time.len()

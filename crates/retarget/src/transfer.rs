@@ -20,8 +20,10 @@ pub struct Replanted {
     pub stances: usize,
     /// Whether legs and feet are alike but for their size, so that nothing was to be planted anew.
     pub is_alike: bool,
-    /// How far a point that stands in the source is from its mean place on the target, at the most (m).
+    /// How far a point that stands is from its mean place on the target, at the most (m).
     pub slide: f64,
+    /// The same in the source (m).
+    pub slid: f64,
     /// By how much legs were turned at the hip so that feet stand, at the most (rad).
     pub hip: f64,
     /// By how much at the knee, at the most (rad).
@@ -235,14 +237,21 @@ fn moved(
         root.push(turn.inverse() * places[body.mover].translation.vector);
         points.push(soles.each_ref().map(|sole| sole.at(&places)));
     }
-    for side in 0..2 {
-        for i in 0..3 {
-            for run in runs(points.len(), |frame| take.stands[frame][side][i]) {
-                let of = run.clone().map(|frame| points[frame][side][i]);
-                let mean = of.clone().sum::<Vector3<f64>>() / run.len() as f64;
-                replanted.slide = of.map(|point| (point - mean).norm()).fold(replanted.slide, f64::max);
-            }
+    replanted.slide = slide(take, &points);
+    let source = |places: &Vec<Placement>| take.soles.each_ref().map(|sole| sole.at(places));
+    replanted.slid = slide(take, &take.frames.iter().map(source).collect::<Vec<_>>());
+    Moved { time: take.time.clone(), turns, root: (body.mover, root), replanted }
+}
+
+/// How far points are from their mean places while they stand, at the most (m).
+fn slide(take: &Take, points: &[[[Vector3<f64>; 3]; 2]]) -> f64 {
+    let mut slide = 0.0;
+    for (side, i) in (0..6).map(|k| (k / 3, k % 3)) {
+        for run in runs(points.len(), |frame| take.stands[frame][side][i]) {
+            let of = run.clone().map(|frame| points[frame][side][i]);
+            let mean = of.clone().sum::<Vector3<f64>>() / run.len() as f64;
+            slide = of.map(|point| (point - mean).norm()).fold(slide, f64::max);
         }
     }
-    Moved { time: take.time.clone(), turns, root: (body.mover, root), replanted }
+    slide
 }

@@ -24,7 +24,7 @@ pub(crate) struct RetargetArgs {
     #[arg(value_name = "CLIP", help = wrap(
         "The motion: .bvh, .glb, or with --figure a table (.csv, .mot, .sto)"
     ))]
-    pub(crate) clip: PathBuf,
+    pub(crate) motion: PathBuf,
     #[arg(long, value_name = "FILE", help = "The character: .glb, or a .gltf that holds its bytes itself")]
     pub(crate) onto: PathBuf,
     #[arg(
