@@ -36,7 +36,7 @@ fn side(
         for i in 0..own.len() {
             let next = |bones: &[Option<usize>]| bones[i].zip(bones.get(i + 1).copied().flatten());
             if let (Some((bone, end)), Some((source, lower))) = (next(own), next(other)) {
-                above = between(&(above * along(onto, bone, end)), &along(from, source, lower)) * above;
+                above = towards(&(above * along(onto, bone, end)), &along(from, source, lower)) * above;
             }
             if let Some(bone) = own[i] {
                 turns[bone] = Some(above);
@@ -59,6 +59,18 @@ fn side(
             turns[bone] = Some(turn);
         }
     }
+}
+
+/// The turn of a limb from one direction to another: about z, to the side, as far as it goes, and what is left the shortest way. A T pose and
+/// an A pose differ by the first, and the limb gets no twist of it.
+fn towards(from: &Vector3<f64>, to: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let flat = |v: &Vector3<f64>| v.xy().norm() > 0.3 * v.norm();
+    let mut side = UnitQuaternion::identity();
+    if flat(from) && flat(to) {
+        let angle = from.xy().perp(&to.xy()).atan2(from.xy().dot(&to.xy()));
+        side = UnitQuaternion::from_scaled_axis(Vector3::z() * angle);
+    }
+    between(&(side * from), to) * side
 }
 
 /// The shortest turn from one direction to another; none where either is none, half a turn about a square axis where they are opposite.

@@ -20,7 +20,7 @@ const FOOT: f64 = 0.16;
 #[derive(Clone, Debug)]
 pub(crate) struct Sole {
     pub(crate) foot: usize,
-    /// The bone that carries the tip.
+    /// The bone that carries ball and tip: when the heel rises, the foot turns about the joint above the ball and the toes stay.
     pub(crate) toes: usize,
     /// Heel, ball and tip, in the frames of their bones.
     pub(crate) points: [Point3<f64>; 3],
@@ -68,7 +68,7 @@ impl Sole {
             let heel = heel.unwrap_or(ankle - Vector3::z() * (HEEL * length));
             let tip = tip.unwrap_or(ball + Vector3::z() * (TIP * length));
             let toes = limbs.toes.unwrap_or(limbs.foot);
-            let points = [(limbs.foot, heel), (limbs.foot, ball), (toes, tip)].map(|(bone, point)| {
+            let points = [(limbs.foot, heel), (toes, ball), (toes, tip)].map(|(bone, point)| {
                 let place = turn * skeleton.bones[bone].rest;
                 place.inverse() * Point3::new(point.x, ground, point.z)
             });
@@ -79,7 +79,7 @@ impl Sole {
     /// Where heel, ball and tip are with the bones at these places.
     pub(crate) fn at(&self, places: &[Placement]) -> [Vector3<f64>; 3] {
         let [heel, ball, tip] = self.points;
-        [(self.foot, heel), (self.foot, ball), (self.toes, tip)]
+        [(self.foot, heel), (self.toes, ball), (self.toes, tip)]
             .map(|(bone, point)| (places[bone] * point).coords)
     }
 }

@@ -148,7 +148,7 @@ fn alike(take: &Take, body: &Body, soles: &[Sole; 2], scale: f64) -> bool {
     let has_toes = take.roles.sides.iter().chain(&body.roles.sides).all(|limbs| limbs.toes.is_some());
     let lengths = |limbs: &Limbs, places: &[Placement], hips: &Vector3<f64>, sole: &Sole| {
         let at = |bone: usize| places[bone].translation.vector;
-        let ball = limbs.toes.filter(|_| has_toes).map_or((places[sole.foot] * sole.points[1]).coords, at);
+        let ball = limbs.toes.filter(|_| has_toes).map_or((places[sole.toes] * sole.points[1]).coords, at);
         let hip = at(limbs.thigh) - hips;
         let foot = ball - at(limbs.foot);
         let (thigh, shank) =

@@ -8,8 +8,10 @@ use super::fault::GlbError;
 use super::nodes::{Nodes, World, decomposed};
 use crate::error::IoError;
 use crate::rig::Rig;
+use solaris_model::rig::{self, Segment, bones};
 use solaris_model::{Matrix3, Placement, UnitQuaternion, Vector3};
 use solaris_retarget::{Bone, Moved, ROLES, Skeleton};
+use std::collections::BTreeMap;
 use std::io::Write;
 
 /// A node whose turn is so far (rad) from that of the pose in which the skin was bound is posed.
@@ -48,7 +50,11 @@ impl<'a> Character<'a> {
             .iter()
             .map(|skin| Skin::of(&document, skin))
             .collect::<Result<Vec<_>, _>>()?;
-        let turns = bound(&document, &nodes, &skins)?;
+        let mut turns = bound(&document, &nodes, &skins)?;
+        // Nodes that stand alike on both sides are at rest themselves; those of a pose out of a motion are not.
+        if is_mirrored(&nodes, &nodes.rest()) {
+            turns = vec![None; nodes.nodes.len()];
+        }
         let worlds = nodes.worlds(|i| {
             let mut local = nodes.nodes[i].local;
             local.rotation = turns[i].unwrap_or(local.rotation);
@@ -92,7 +98,7 @@ impl<'a> Character<'a> {
         Ok(Self { bytes, nodes: nodes.order, skeleton, above, posed, matrices })
     }
 
-    /// Its skeleton at rest, in the file's own world.
+    /// Its skeleton at rest, in the file's own world: as the nodes are where left and right are alike, and else as its skin was bound.
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
@@ -223,6 +229,29 @@ fn bound(
         }
     }
     Ok(turns)
+}
+
+/// Whether left and right of a person's bones are mirror images, wherever the plane between them is: then each left bone is as far from another's right one
+/// as the right one is from that one's left.
+fn is_mirrored(nodes: &Nodes, worlds: &[World]) -> bool {
+    const ALIKE: f64 = 0.01;
+    let names: Vec<&str> = nodes.nodes.iter().map(|node| node.name.as_str()).collect();
+    let mut pairs: BTreeMap<Segment, [Option<Vector3<f64>>; 2]> = BTreeMap::new();
+    for (bone, world) in bones(&names).into_iter().zip(worlds) {
+        if let Some(rig::Bone { segment, side: Some(side) }) = bone {
+            pairs.entry(segment).or_default()[side as usize].get_or_insert(world.origin);
+        }
+    }
+    let pairs: Vec<[Vector3<f64>; 2]> =
+        pairs.into_values().filter_map(|[left, right]| Some([left?, right?])).collect();
+    let size = pairs
+        .iter()
+        .map(|[left, right]| (left - pairs[0][1]).norm().max((right - pairs[0][0]).norm()))
+        .fold(0.0, f64::max);
+    let alike = |[l, r]: &[Vector3<f64>; 2], [m, s]: &[Vector3<f64>; 2]| {
+        ((l - s).norm() - (r - m).norm()).abs() < ALIKE * size
+    };
+    pairs.len() >= 6 && pairs.iter().all(|pair| pairs.iter().all(|other| alike(pair, other)))
 }
 
 /// The points of all skinned meshes at rest, each with the joint that it goes with most.

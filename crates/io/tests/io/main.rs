@@ -32,6 +32,8 @@ mod opensim_reference;
 mod opensim_rescale;
 mod records;
 #[cfg(feature = "glb")]
+mod retarget;
+#[cfg(feature = "glb")]
 mod rig;
 #[cfg(feature = "sdf")]
 mod sdf;
