@@ -4,7 +4,7 @@ use crate::args::RetargetArgs;
 use crate::convert::{self, stem};
 use crate::error::{CliError, UsageError};
 use crate::findings::list;
-use crate::input::{self, extension};
+use crate::input;
 use crate::output::{Formats, Outputs};
 use crate::print::print;
 use solaris::files::bytes;
@@ -17,7 +17,7 @@ use std::path::Path;
 const WRITTEN: Formats<()> = &[("glb", ())];
 
 pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
-    let outputs = Outputs::new([("output", &args.output, WRITTEN)])?;
+    let outputs = Outputs::new([("-o", &args.output, WRITTEN)])?;
     let (figure, motion, findings) = motion(args)?;
     let bytes = bytes(&args.onto)?;
     let character =
@@ -59,7 +59,7 @@ fn motion(args: &RetargetArgs) -> Result<(Figure, Motion, Vec<Finding>), CliErro
         return Err(UsageError::OnlyOfBones.into());
     }
     let Some(path) = &args.figure else {
-        return Err(UsageError::OfFigure { what: extension(&args.motion), to: args.output.clone() }.into());
+        return Err(UsageError::WhoseTable { clip: args.motion.clone() }.into());
     };
     let body = input::body(path)?;
     let motion = convert::motion_of(&args.motion, &body)?;

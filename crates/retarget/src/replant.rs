@@ -29,7 +29,7 @@ pub(crate) struct Footing {
 
 impl Footing {
     pub(crate) fn of(take: &Take, soles: &[Sole; 2], scale: f64) -> Self {
-        let mean = |soles: &[Sole; 2]| (soles[0].ankle + soles[1].ankle) / 2.0;
+        let mean = |soles: &[Sole; 2]| f64::midpoint(soles[0].ankle, soles[1].ankle);
         Self { scale, floors: [floor(take), soles[0].ground], ankles: [mean(&take.soles), mean(soles)] }
     }
 
@@ -85,8 +85,12 @@ pub(crate) fn replant(
     let ankles = [0, 1].map(|side| wanted(take, soles, footing, side, &stances[side], &frames));
     // All of it goes up or down by so much that legs are on the whole as straight as they were, whatever the soles are like.
     let up = Vector3::y() * rise(take, soles, &ankles, &frames);
-    hips.iter_mut().for_each(|hips| *hips += up);
-    frames.iter_mut().flatten().for_each(|place| place.translation.vector += up);
+    for hips in hips.iter_mut() {
+        *hips += up;
+    }
+    for place in frames.iter_mut().flatten() {
+        place.translation.vector += up;
+    }
     let reach = STRETCH * leg(body.skeleton, body.roles);
     let lower = |frame: usize| {
         let of = |side: usize| {

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 /// Options that contradict each other, or that say too little.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum UsageError {
+    #[error("CLIP {path} is a table, or nothing that is known; say whose motion it is: --figure FILE", path = .clip.display())]
+    WhoseTable { clip: PathBuf },
     #[error(
         "--step-frequency {step_frequency}, --step-length {step_length} and --speed {speed}: any two decide the third; drop one"
     )]

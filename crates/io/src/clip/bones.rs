@@ -60,12 +60,12 @@ pub(crate) fn names(what: &str, raw: &[(&str, Option<Range<usize>>)], said: &mut
     names
 }
 
+/// A joint's parent, where the joint is in it and where its bone ends (m), if the file says that.
+pub(crate) type Told = (Option<usize>, Vector3<f64>, Option<Vector3<f64>>);
+
 /// The bones of joints told by their parent, where they are in it and where they end (m): from each joint to the next of its body, to
 /// the middle of several, or to its end.
-pub(crate) fn lengths(
-    joints: &[(Option<usize>, Vector3<f64>, Option<Vector3<f64>>)],
-    segments: &[Option<Bone>],
-) -> Vec<Length> {
+pub(crate) fn lengths(joints: &[Told], segments: &[Option<Bone>]) -> Vec<Length> {
     let mut children = vec![Vec::new(); joints.len()];
     for (i, (parent, _, _)) in joints.iter().enumerate() {
         if let Some(parent) = *parent {

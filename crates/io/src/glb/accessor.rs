@@ -21,17 +21,20 @@ impl Rows {
     }
 }
 
+/// What reads a number out of its bytes.
+type Read = fn(&[u8]) -> f64;
+
 /// A kind of component.
 #[derive(Clone, Copy)]
 struct Component {
     size: usize,
-    read: fn(&[u8]) -> f64,
+    read: Read,
     /// What stands for one where numbers are shares.
     one: f64,
 }
 
 fn component(at: &At) -> Result<Component, GlbError> {
-    let (size, read, one): (usize, fn(&[u8]) -> f64, f64) = match at.as_whole()? {
+    let (size, read, one): (usize, Read, f64) = match at.as_whole()? {
         5120 => (1, |b| f64::from(b[0] as i8), 127.0),
         5121 => (1, |b| f64::from(b[0]), 255.0),
         5122 => (2, |b| f64::from(i16::from_le_bytes([b[0], b[1]])), 32_767.0),

@@ -82,7 +82,9 @@ impl Nodes {
         // Whatever no root leads to stands in a ring.
         if order.len() < nodes.len() {
             let mut found = vec![false; nodes.len()];
-            order.iter().for_each(|i| found[*i] = true);
+            for i in &order {
+                found[*i] = true;
+            }
             let lost = found.iter().position(|found| !found).unwrap_or(0);
             let place = format!("nodes[{lost}]");
             return Err(GlbError::Tree { place, why: "is below itself, or below one that is" });
@@ -109,15 +111,14 @@ impl Nodes {
 fn node(at: &At) -> Result<Node, GlbError> {
     let name = at.get("name").and_then(|name| name.text().ok()).unwrap_or_default().to_owned();
     let matrix = at.numbers::<16>("matrix")?;
-    let local = match &matrix {
-        Some(matrix) => decomposed(matrix),
-        None => {
-            let [x, y, z, w] = at.numbers("rotation")?.unwrap_or([0.0, 0.0, 0.0, 1.0]);
-            Local {
-                translation: at.numbers("translation")?.unwrap_or([0.0; 3]).into(),
-                rotation: turn([x, y, z, w]).ok_or_else(|| at.wrong("a node whose rotation has a length"))?,
-                scale: at.numbers("scale")?.unwrap_or([1.0; 3]).into(),
-            }
+    let local = if let Some(matrix) = &matrix {
+        decomposed(matrix)
+    } else {
+        let [x, y, z, w] = at.numbers("rotation")?.unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        Local {
+            translation: at.numbers("translation")?.unwrap_or([0.0; 3]).into(),
+            rotation: turn([x, y, z, w]).ok_or_else(|| at.wrong("a node whose rotation has a length"))?,
+            scale: at.numbers("scale")?.unwrap_or([1.0; 3]).into(),
         }
     };
     Ok(Node { name, parent: None, local, is_matrix: matrix.is_some() })
