@@ -235,7 +235,7 @@ impl Motion {
         arrow::schema(py, self.columns())
     }
 
-    /// Writes it, as the extension says: `.html` a page, `.glb` a body with its animation, `.bvh` motion capture, `.csv` or `.parquet` a table, `.mot` or
+    /// Writes it, as the extension says: `.html` a page, `.glb` or `.usda` a body with its animation, `.bvh` motion capture, `.csv` or `.parquet` a table, `.mot` or
     /// `.sto` positions in degrees for OpenSim, `.svg` a film strip. The file is there whole or not at all.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         py.detach(|| written::save(self, &path))

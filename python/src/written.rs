@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use pyo3::PyResult;
 use solaris::files::extension;
 use solaris::io::glb::{self, Actor, Clip};
-use solaris::io::{bvh, csv, parquet, record, sto};
+use solaris::io::{bvh, csv, parquet, record, sto, usd};
 use solaris::view::{FilmOptions, PageOptions, film};
 use std::fs;
 use std::path::Path;
@@ -34,6 +34,10 @@ pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
             glb::write(&actors, &clips, glb::Options::default(), &mut bytes)
                 .map_err(|error| refuse(&error))?;
         }
+        "usda" => {
+            let skin = solaris::skin::skin(figure, glb::Detail::default());
+            usd::write(figure, &skin, "motion", motion, &mut bytes).map_err(|error| refuse(&error))?;
+        }
         "mot" | "sto" => {
             let table = record::positions_in_degrees(figure, motion);
             sto::write(&table, &mut bytes).map_err(|error| refuse(&error))?;
@@ -53,7 +57,7 @@ pub(crate) fn save(of: &Motion, path: &Path) -> PyResult<()> {
             bytes = film(figure, motion, &options).map_err(|error| refuse(&error))?.into_bytes();
         }
         _ => {
-            let known = ".html, .glb, .bvh, .csv, .parquet, .mot, .sto or .svg";
+            let known = ".html, .glb, .usda, .bvh, .csv, .parquet, .mot, .sto or .svg";
             return Err(refuse(&format!("its extension says nothing; it must be {known}")));
         }
     }

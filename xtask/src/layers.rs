@@ -19,6 +19,7 @@ pub(crate) const ROWS: &[(&str, u8)] = &[
     ("solaris-gait", 5),
     ("solaris-modes", 4),
     ("solaris-analysis", 4),
+    ("solaris-retarget", 4),
     ("solaris-collision", 3),
     ("solaris-dynamics", 3),
     ("solaris-skin", 3),

@@ -1,11 +1,13 @@
-//! Motions as animation files: BVH and binary glTF.
+//! Motions as animation files: BVH, binary glTF and USD.
 
 use crate::error::{CliError, UsageError};
 use crate::input::extension;
 use solaris::io::bvh::{self, Unit};
 use solaris::io::glb::{Actor, Clip, Detail, Options, write};
 use solaris::io::rig::{Rig, Rigged};
+use solaris::io::usd;
 use solaris::model::{Figure, Motion};
+use solaris::skin::skin;
 use std::io::Write;
 use std::path::Path;
 
@@ -24,15 +26,34 @@ pub(crate) fn bones(
     bvh::write(&on.figure, &motion, Unit::default(), &mut writer).map_err(CliError::other)
 }
 
+/// What a body with its motion is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BodyFormat {
+    /// Binary glTF.
+    Glb,
+    /// USD as text.
+    Usda,
+}
+
 /// One figure and its motion as a body, by the figure's name and that of the motion.
 pub(crate) fn body(
+    how: BodyFormat,
     figure: &Figure,
     motion: &Motion,
     clip: &str,
     rig: Option<Rig>,
-    writer: &mut dyn Write,
+    mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
-    clips(figure, &[(clip, motion)], rig, writer)
+    if how == BodyFormat::Glb {
+        return clips(figure, &[(clip, motion)], rig, writer);
+    }
+    let detail = Detail::default();
+    let Some(rig) = rig else {
+        return usd::write(figure, &skin(figure, detail), clip, motion, &mut writer).map_err(CliError::other);
+    };
+    let on = Rigged::new(figure, rig).map_err(CliError::other)?;
+    let motion = on.motion(figure, motion).map_err(CliError::other)?;
+    usd::write(&on.figure, &on.skin(figure, detail), clip, &motion, &mut writer).map_err(CliError::other)
 }
 
 /// One figure as a body, and its motions by their names.
@@ -80,7 +101,7 @@ pub(crate) fn check<'a>(
     rig: Option<Rig>,
     paths: impl IntoIterator<Item = &'a Path>,
 ) -> Result<(), UsageError> {
-    let has_bones = |path: &Path| matches!(extension(path).as_str(), "bvh" | "glb");
+    let has_bones = |path: &Path| matches!(extension(path).as_str(), "bvh" | "glb" | "usda");
     if rig.is_some() && !paths.into_iter().any(has_bones) {
         return Err(UsageError::NoBones);
     }

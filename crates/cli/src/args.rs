@@ -12,6 +12,7 @@ mod metrics;
 mod parameters;
 mod profile;
 mod report;
+mod retarget;
 mod rig;
 mod run;
 mod subject;
@@ -20,7 +21,7 @@ mod value;
 mod walk;
 
 pub(crate) use crowd::{CrowdArgs, CrowdFormat, MOST_IN_ONE, PLACES};
-pub(crate) use figure::{BvhArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
+pub(crate) use figure::{BonesArgs, CheckArgs, ConvertArgs, FigureCommand, HumanArgs, UpArg};
 pub(crate) use gait::{
     ExplainArgs, GaitCommand, MapArgs, PeopleArgs, PosturesArgs, SetArgs, TableArgs, TableFormat, Whose,
 };
@@ -36,6 +37,7 @@ pub(crate) use profile::{
     example, option,
 };
 pub(crate) use report::ReportArgs;
+pub(crate) use retarget::RetargetArgs;
 pub(crate) use rig::RigArgs;
 pub(crate) use run::RunArgs;
 pub(crate) use subject::{ScaleArgs, SubjectArgs};
@@ -98,6 +100,7 @@ pub(crate) enum Command {
     Figure(FigureCommand),
     Check(CheckArgs),
     Convert(ConvertArgs),
+    Retarget(Box<RetargetArgs>),
     #[command(subcommand)]
     Gait(GaitCommand),
     #[command(subcommand)]

@@ -6,7 +6,7 @@ mod scene;
 use crate::args::CheckArgs;
 use crate::error::CliError;
 use crate::findings::{heading, list, of_medium};
-use crate::input::{self, Body, Language};
+use crate::input::{self, Body};
 use crate::print::{print, write_json};
 use crate::words::rounded;
 use serde::Serialize;
@@ -27,7 +27,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), CliError> {
     let Body { figure, language, mut findings, gravity, gravity_is_given, medium, .. } =
         input::body_in(&args.file, args.files.as_deref())?;
     // A skeleton is measured, so its sides differ, and its masses are ours.
-    if language != Language::Bvh {
+    if !language.is_of_bones() {
         findings.extend(figure.lint());
     }
     findings.extend(of_medium(&medium, FindingKind::Note));

@@ -2,8 +2,8 @@
 
 mod markers;
 
-use crate::animation;
-use crate::args::{BvhArgs, ConvertArgs, UpArg};
+use crate::animation::{self, BodyFormat};
+use crate::args::{BonesArgs, ConvertArgs, UpArg};
 use crate::error::{CliError, UsageError};
 use crate::figure::TEXT;
 use crate::findings::{list, of_medium};
@@ -12,7 +12,8 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use crate::shown::forward;
 use crate::words::{rounded, some};
-use solaris::io::bvh::{self, ReadOptions, Up};
+use solaris::io::bvh;
+use solaris::io::clip::{ReadOptions, Up};
 #[cfg(feature = "parquet")]
 use solaris::io::parquet;
 use solaris::io::{Table, csv, headings, record, sto};
@@ -37,7 +38,7 @@ pub(crate) enum TableFormat {
 enum MotionFormat {
     Table(TableFormat),
     Bvh,
-    Glb,
+    Body(BodyFormat),
     /// The figure in its motion, on a page.
     Page,
 }
@@ -47,14 +48,15 @@ const MOTION: Formats<MotionFormat> = &[
     ("sto", MotionFormat::Table(TableFormat::Sto)),
     ("mot", MotionFormat::Table(TableFormat::Sto)),
     ("bvh", MotionFormat::Bvh),
-    ("glb", MotionFormat::Glb),
+    ("glb", MotionFormat::Body(BodyFormat::Glb)),
+    ("usda", MotionFormat::Body(BodyFormat::Usda)),
     #[cfg(feature = "parquet")]
     ("parquet", MotionFormat::Table(TableFormat::Parquet)),
     ("html", MotionFormat::Page),
 ];
 
-/// Motions that are read.
-const READ: [&str; 4] = ["csv", "sto", "mot", "bvh"];
+/// Motions that are read, beside those that come with their bones.
+const READ: [&str; 3] = ["csv", "sto", "mot"];
 
 /// How far a frame may be from where the frames' rate has it, as a part of the time between two (BVH has one such time).
 const UNEVEN: f64 = 0.01;
@@ -68,14 +70,14 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     }
     refuse_unread(
         &args.from,
-        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto), both (.bvh) and markers (.c3d, .trc)",
+        "read are figures (.ron, .urdf, .sdf, .xml, .mjcf, .osim), motions (.csv, .mot, .sto), both (.bvh, .glb) and markers (.c3d, .trc)",
     )?;
-    let is_bvh = extension(&args.from) == "bvh";
-    if args.bvh.is_asked() && !is_bvh {
-        return Err(UsageError::OnlyOfBvh.into());
+    let is_clip = input::is_clip(&args.from);
+    if args.skeleton.is_asked() && !is_clip {
+        return Err(UsageError::OnlyOfBones.into());
     }
     let is_written = MOTION.iter().any(|(known, _)| *known == extension(&args.to));
-    let is_motion = if is_bvh { is_written } else { READ.contains(&extension(&args.from).as_str()) };
+    let is_motion = if is_clip { is_written } else { READ.contains(&extension(&args.from).as_str()) };
     if !is_motion {
         return figure(args);
     }
@@ -85,8 +87,8 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     motion(args)
 }
 
-/// What a BVH file does not say.
-fn options(args: &BvhArgs) -> Result<ReadOptions, CliError> {
+/// What a file of bones does not say.
+pub(crate) fn options(args: &BonesArgs) -> Result<ReadOptions, CliError> {
     let masses = match &args.masses {
         Some(path) => {
             let text = input::text(path)?;
@@ -98,17 +100,18 @@ fn options(args: &BvhArgs) -> Result<ReadOptions, CliError> {
         UpArg::Y => Up::Y,
         UpArg::Z => Up::Z,
     });
-    Ok(ReadOptions { unit: args.unit, up, masses, skip: args.skip_frames, mass: None })
+    let clip = args.clip.clone();
+    Ok(ReadOptions { unit: args.unit, up, masses, skip: args.skip_frames, mass: None, clip })
 }
 
-fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn figure(ConvertArgs { from, to, size, files, skeleton, .. }: &ConvertArgs) -> Result<(), CliError> {
     if MOTION.iter().any(|(known, _)| *known == extension(to)) {
         let why = format!("IN {} is a figure, and a figure is written as .ron", from.display());
         return Err(CliError::Output { option: "OUT", path: to.clone(), why });
     }
     let outputs = Outputs::new([("OUT", to, TEXT)])?;
     let Body { mut figure, language, mut findings, medium, .. } =
-        input::body_with(from, files.as_deref(), &options(bvh)?)?;
+        input::body_with(from, files.as_deref(), &options(skeleton)?)?;
     findings.extend(of_medium(&medium, FindingKind::Missing));
     if size.is_asked() {
         let [height, mass] =
@@ -127,14 +130,16 @@ fn figure(ConvertArgs { from, to, size, files, bvh, .. }: &ConvertArgs) -> Resul
     })
 }
 
-fn motion(ConvertArgs { from, to, figure, files, bvh, bones, .. }: &ConvertArgs) -> Result<(), CliError> {
+fn motion(
+    ConvertArgs { from, to, figure, files, skeleton, bones, .. }: &ConvertArgs,
+) -> Result<(), CliError> {
     animation::check(bones.rig, [to.as_path()])?;
     let outputs = Outputs::new([("OUT", to, MOTION)])?;
     let body = match figure {
         Some(path) => Some(input::body_in(path, files.as_deref())?),
         None => None,
     };
-    let Positions { table, left_out, body, findings } = positions(from, body, bvh)?;
+    let Positions { table, left_out, body, findings } = positions(from, body, skeleton)?;
     if body.is_none() && ["bvh", "glb", "html"].contains(&extension(to).as_str()) {
         let what = extension(to);
         return Err(UsageError::OfFigure { what, to: to.clone() }.into());
@@ -161,11 +166,11 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, bones, .. }: &ConvertArgs)
             let motion = even(&body.figure, body.gravity, &table, from)?;
             animation::bones(&body.figure, &motion, bones.rig, writer)
         }
-        MotionFormat::Glb => {
+        MotionFormat::Body(how) => {
             let Some(body) = &body else { return Ok(()) };
             let found = record::read(&body.figure, body.gravity, &table);
             let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
-            animation::body(&body.figure, &motion, &stem(from), bones.rig, writer)
+            animation::body(how, &body.figure, &motion, &stem(from), bones.rig, writer)
         }
         MotionFormat::Page => {
             let Some(body) = &body else { return Ok(()) };
@@ -195,8 +200,19 @@ fn motion(ConvertArgs { from, to, figure, files, bvh, bones, .. }: &ConvertArgs)
 }
 
 /// A file's name without its extension.
-fn stem(path: &Path) -> String {
+pub(crate) fn stem(path: &Path) -> String {
     path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// The motion of a table, of a figure.
+pub(crate) fn motion_of(from: &Path, body: &Body) -> Result<Motion, CliError> {
+    let refuse = |error: &dyn ToString| CliError::input(from, error);
+    let table = input::table(from)?;
+    let table = match extension(from).as_str() {
+        "csv" => table,
+        _ => headings::from_opensim(&table, Some(&body.figure)).map_err(|error| refuse(&error))?.0,
+    };
+    Ok(record::read(&body.figure, body.gravity, &table).map_err(|error| refuse(&error))?.motion)
 }
 
 /// The positions of a motion, headed as in CSV, and what comes with them.
@@ -209,12 +225,12 @@ struct Positions {
 }
 
 /// Reads a motion, of a figure where there is one.
-fn positions(from: &Path, body: Option<Body>, bvh: &BvhArgs) -> Result<Positions, CliError> {
+fn positions(from: &Path, body: Option<Body>, skeleton: &BonesArgs) -> Result<Positions, CliError> {
     let refuse = |error: &dyn ToString| CliError::input(from, error);
     let figure = body.as_ref().map(|body| &body.figure);
     match extension(from).as_str() {
-        "bvh" => {
-            let clip = input::clip(from, &options(bvh)?)?;
+        _ if input::is_clip(from) => {
+            let clip = input::clip(from, &options(skeleton)?)?;
             let table = match figure {
                 Some(figure) => clip.table_of(figure).map_err(|error| refuse(&error))?,
                 None => clip.table(),

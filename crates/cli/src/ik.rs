@@ -1,6 +1,6 @@
 //! `solaris ik`: joint angles from markers.
 
-use crate::animation;
+use crate::animation::{self, BodyFormat};
 use crate::args::IkArgs;
 use crate::error::CliError;
 use crate::markers::{self, Fitted, MarkersReport};
@@ -20,7 +20,7 @@ enum Content {
     Sto,
     Csv,
     Bvh,
-    Glb,
+    Body(BodyFormat),
     Errors,
 }
 
@@ -29,7 +29,8 @@ const MOTION: Formats<Content> = &[
     ("sto", Content::Sto),
     ("csv", Content::Csv),
     ("bvh", Content::Bvh),
-    ("glb", Content::Glb),
+    ("glb", Content::Body(BodyFormat::Glb)),
+    ("usda", Content::Body(BodyFormat::Usda)),
 ];
 const ERRORS: Formats<Content> = &[("csv", Content::Errors)];
 
@@ -55,7 +56,7 @@ pub(crate) fn run(args: &IkArgs) -> Result<(), CliError> {
             Content::Sto => sto::write(&positions_in_degrees(figure, motion), &mut writer),
             Content::Csv => csv::write_table(&headed_positions(figure, motion), &mut writer),
             Content::Bvh => bvh::write(figure, motion, bvh::Unit::default(), &mut writer),
-            Content::Glb => return animation::body(figure, motion, "trial", None, writer),
+            Content::Body(how) => return animation::body(how, figure, motion, "trial", None, writer),
             Content::Errors => write_errors(&fitted, &mut writer),
         }
         .map_err(CliError::other)

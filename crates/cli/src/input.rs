@@ -1,8 +1,8 @@
 //! Files that are read: the library's readers, and the program's error of a text.
 
 pub(crate) use solaris::files::{
-    Body, Language, body, body_in, body_with, clip, decoded, extension, is_motion, motion, refuse_unread,
-    table, text,
+    Body, Language, body, body_in, body_with, clip, decoded, extension, is_clip, is_motion, motion,
+    refuse_unread, table, text,
 };
 
 use crate::error::CliError;

@@ -28,6 +28,7 @@ mod profile;
 mod progress;
 mod recording;
 mod report;
+mod retarget;
 mod run;
 mod scale;
 mod shown;
@@ -71,6 +72,7 @@ fn run(command: &Command) -> Result<(), CliError> {
         Command::Figure(command) => figure::run(command),
         Command::Check(args) => check::run(args),
         Command::Convert(args) => convert::run(args),
+        Command::Retarget(args) => retarget::run(args),
         Command::Gait(command) => gait::run(command),
         Command::Profile(command) => profile::run(command),
         Command::Report(args) => report::run(args),

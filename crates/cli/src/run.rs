@@ -10,7 +10,7 @@ mod watch;
 
 pub(crate) use solaris::files::{LoadedScene, scene as load};
 
-use crate::animation;
+use crate::animation::{self, BodyFormat};
 use crate::args::RunArgs;
 use crate::error::{CliError, UsageError};
 use crate::input::extension;
@@ -34,7 +34,7 @@ enum Format {
     Html,
     Csv,
     Bvh,
-    Glb,
+    Body(BodyFormat),
     Sto,
     Svg,
     Json,
@@ -45,7 +45,8 @@ const MOTION: Formats<Format> = &[
     ("svg", Format::Svg),
     ("csv", Format::Csv),
     ("bvh", Format::Bvh),
-    ("glb", Format::Glb),
+    ("glb", Format::Body(BodyFormat::Glb)),
+    ("usda", Format::Body(BodyFormat::Usda)),
     ("sto", Format::Sto),
     ("mot", Format::Sto),
 ];
@@ -108,7 +109,9 @@ fn check_bones(outputs: &Outputs<Format>, scene: &Scene, rig: Option<Rig>) -> Re
     let start = start.map_err(CliError::other)?;
     outputs.try_out(|format| match format {
         Format::Bvh => animation::bones(figure, &start, rig, &mut std::io::sink()),
-        Format::Glb => rig.map_or(Ok(()), |rig| Rigged::new(figure, rig).map(drop)).map_err(CliError::other),
+        Format::Body(_) => {
+            rig.map_or(Ok(()), |rig| Rigged::new(figure, rig).map(drop)).map_err(CliError::other)
+        }
         _ => Ok(()),
     })
 }
@@ -155,7 +158,7 @@ fn write(
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
         Format::Bvh => animation::bones(figure, motion, rig, writer),
-        Format::Glb => animation::body(figure, motion, "run", rig, writer),
+        Format::Body(how) => animation::body(how, figure, motion, "run", rig, writer),
         Format::Sto => {
             solaris::io::sto::write(&record::positions(figure, motion), &mut writer).map_err(CliError::other)
         }

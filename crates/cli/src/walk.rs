@@ -10,7 +10,7 @@ mod request;
 mod summary;
 mod told;
 
-use crate::animation;
+use crate::animation::{self, BodyFormat};
 use crate::args::{BODY_MASS_INDEX, HEIGHT, PersonArgs, WalkArgs, WalkFiles, WhoArgs};
 use crate::error::{CliError, UsageError};
 use crate::input;
@@ -34,7 +34,7 @@ enum Format {
     Html,
     Csv,
     Bvh,
-    Glb,
+    Body(BodyFormat),
     Json,
     Svg,
 }
@@ -43,7 +43,8 @@ const MOTION: Formats<Format> = &[
     ("html", Format::Html),
     ("csv", Format::Csv),
     ("bvh", Format::Bvh),
-    ("glb", Format::Glb),
+    ("glb", Format::Body(BodyFormat::Glb)),
+    ("usda", Format::Body(BodyFormat::Usda)),
     ("svg", Format::Svg),
 ];
 const REPORT: Formats<Format> = &[("json", Format::Json)];
@@ -78,7 +79,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     progress.stage("writing");
     outputs.write(|format, writer| {
         let motion =
-            if matches!(format, Format::Html | Format::Svg | Format::Glb) { &motion } else { frames };
+            if matches!(format, Format::Html | Format::Svg | Format::Body(_)) { &motion } else { frames };
         write(format, writer, &figure, motion, &report, files)
     })?;
     drop(progress);
@@ -147,7 +148,7 @@ fn write(
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
         Format::Bvh => animation::bones(figure, motion, files.bones.rig, writer),
-        Format::Glb => animation::body(figure, motion, "walk", files.bones.rig, writer),
+        Format::Body(how) => animation::body(how, figure, motion, "walk", files.bones.rig, writer),
         Format::Html => {
             let options = PageOptions {
                 title: summary::title(report),

@@ -3,9 +3,10 @@
 use crate::error::FileError;
 use crate::folder::Folder;
 use crate::read::{bytes, extension, no_text, refuse_unread, text as utf8};
-use solaris_io::bvh::{self, BvhError, Clip, ReadOptions};
+use solaris_io::bvh::{self, BvhError};
+use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::opensim::{self, MarkerSet};
-use solaris_io::{CoordinateDefault, Encoding, Import, decode, mjcf, sdf, urdf};
+use solaris_io::{CoordinateDefault, Encoding, Import, decode, glb, mjcf, sdf, urdf};
 use solaris_model::{Actuator, Figure, Finding, FindingKind, JointKind, Marker, Medium, Tie, Vector3, text};
 use std::path::Path;
 
@@ -25,6 +26,8 @@ pub enum Language {
     OpenSim,
     /// The skeleton of motion capture.
     Bvh,
+    /// The skeleton of a body of a 3D program.
+    Gltf,
     /// A model or a world of Gazebo.
     Sdf,
 }
@@ -38,8 +41,14 @@ impl Language {
             Self::Mjcf => "MuJoCo model",
             Self::OpenSim => "OpenSim model",
             Self::Bvh => "BVH skeleton",
+            Self::Gltf => "glTF skeleton",
             Self::Sdf => "SDF model",
         }
+    }
+
+    /// Whether it is of bones and their motion, and leaves what they weigh to guess.
+    pub fn is_of_bones(self) -> bool {
+        matches!(self, Self::Bvh | Self::Gltf)
     }
 
     /// Of a file, by its extension, and for `.xml` by its root element.
@@ -50,6 +59,7 @@ impl Language {
             "mjcf" => Some(Self::Mjcf),
             "osim" => Some(Self::OpenSim),
             "bvh" => Some(Self::Bvh),
+            "glb" | "gltf" => Some(Self::Gltf),
             "sdf" | "world" => Some(Self::Sdf),
             "xml" => match root_element(text) {
                 "mujoco" => Some(Self::Mjcf),
@@ -195,6 +205,7 @@ pub fn language(path: &Path) -> Option<Language> {
         "mjcf" => Some(Language::Mjcf),
         "osim" => Some(Language::OpenSim),
         "bvh" => Some(Language::Bvh),
+        "glb" | "gltf" => Some(Language::Gltf),
         "sdf" | "world" => Some(Language::Sdf),
         "xml" => utf8(path).ok().and_then(|text| Language::of(path, &text)),
         _ => None,
@@ -255,14 +266,19 @@ pub fn ties(path: &Path) -> Result<Vec<Tie>, FileError> {
     }
 }
 
-/// Reads a figure, of a BVH file with these options.
+/// Reads a figure, of a file of bones with these options.
 ///
 /// # Errors
 ///
 /// As [`body_in`].
 pub fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions) -> Result<Body, FileError> {
-    let known = "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), .osim, or .bvh";
+    let known =
+        "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), .osim, .bvh, or .glb";
     refuse_unread(path, known)?;
+    if is_gltf(path) {
+        let Clip { figure, findings, .. } = clip(path, options)?;
+        return Ok(Body { language: Language::Gltf, findings, ..Body::own(figure) });
+    }
     let (text, encoding) = match extension(path).as_str() {
         // What people's and other programs' editors write.
         "urdf" | "sdf" | "world" | "xml" | "mjcf" | "osim" | "bvh" => {
@@ -296,7 +312,7 @@ pub fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions) -> Re
             .map_err(|error| FileError::Files { path: path.to_owned(), error }),
         Language::OpenSim => opensim::read(&text).map_err(faults),
         Language::Sdf => sdf::read_with(&text, &mut Folder::of(path, files)?).map_err(faults),
-        Language::Bvh => {
+        Language::Bvh | Language::Gltf => {
             let Clip { figure, findings, .. } = clip_of(path, &text, options)?;
             Ok(Import { figure, findings, gravity: GRAVITY, gravity_is_given: false })
         }
@@ -334,14 +350,26 @@ pub fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions) -> Re
     Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults, markers })
 }
 
-/// Reads a BVH file.
+/// Reads a file of bones and their motion: BVH, or glTF.
 ///
 /// # Errors
 ///
 /// As [`body`].
 pub fn clip(path: &Path, options: &ReadOptions) -> Result<Clip, FileError> {
+    if is_gltf(path) {
+        return glb::read(&bytes(path)?, options).map_err(|error| FileError::input(path, &error));
+    }
     let (text, _) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
     clip_of(path, &text, options)
+}
+
+/// Whether a file is one of bones and their motion, by its extension.
+pub fn is_clip(path: &Path) -> bool {
+    extension(path) == "bvh" || is_gltf(path)
+}
+
+fn is_gltf(path: &Path) -> bool {
+    matches!(extension(path).as_str(), "glb" | "gltf")
 }
 
 fn clip_of(path: &Path, text: &str, options: &ReadOptions) -> Result<Clip, FileError> {

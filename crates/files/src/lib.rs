@@ -9,7 +9,7 @@ mod recording;
 mod scene;
 
 pub use error::FileError;
-pub use figure::{Body, Language, actuators, body, body_in, body_with, clip, language, ties};
+pub use figure::{Body, Language, actuators, body, body_in, body_with, clip, is_clip, language, ties};
 pub use motion::{is_motion, motion, table};
 pub use read::{MOST_BYTES, bytes, decoded, extension, refuse_unread, text};
 pub use recording::{Turned, in_world, is_recording, recording, turned};

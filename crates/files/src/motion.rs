@@ -1,9 +1,9 @@
 //! Motions of a figure: tables and clips.
 
 use crate::error::FileError;
-use crate::figure::clip;
+use crate::figure::{clip, is_clip};
 use crate::read::{extension, refuse_unread, text};
-use solaris_io::bvh::ReadOptions;
+use solaris_io::clip::ReadOptions;
 use solaris_io::{Table, csv, sto};
 use solaris_model::{Figure, Finding, FindingKind};
 use std::path::Path;
@@ -14,7 +14,7 @@ use std::path::Path;
 ///
 /// Files that cannot be read, and clips that are not of the figure.
 pub fn motion(path: &Path, figure: &Figure) -> Result<(Table, Vec<Finding>), FileError> {
-    if extension(path) != "bvh" {
+    if !is_clip(path) {
         return Ok((table(path)?, Vec::new()));
     }
     let mut clip = clip(path, &ReadOptions::default())?;
@@ -35,7 +35,7 @@ pub fn table(path: &Path) -> Result<Table, FileError> {
         "mot" => sto::read_mot,
         "sto" => sto::read,
         _ => {
-            refuse_unread(path, "a motion is .csv, .mot, .sto or .bvh")?;
+            refuse_unread(path, "a motion is .csv, .mot, .sto, .bvh or .glb")?;
             return Err(FileError::input(path, &"its extension says nothing; a table is .csv, .mot or .sto"));
         }
     };
@@ -44,5 +44,5 @@ pub fn table(path: &Path) -> Result<Table, FileError> {
 
 /// Whether a file is one of motions, by its extension.
 pub fn is_motion(path: &Path) -> bool {
-    matches!(extension(path).as_str(), "csv" | "mot" | "sto" | "bvh" | "c3d" | "trc")
+    is_clip(path) || matches!(extension(path).as_str(), "csv" | "mot" | "sto" | "c3d" | "trc")
 }

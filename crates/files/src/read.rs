@@ -10,12 +10,10 @@ use std::path::Path;
 pub const MOST_BYTES: u64 = 1 << 30;
 
 /// What is known of files that are not read yet, by their extensions.
-const UNREAD: [(&str, &str); 7] = [
+const UNREAD: [(&str, &str); 5] = [
     ("c3d", "measured markers (C3D)"),
     ("trc", "measured markers (TRC)"),
     ("fbx", "a model of a 3-D program (FBX), which is not read yet"),
-    ("glb", "a model of a 3-D program (glTF), which is not read yet"),
-    ("gltf", "a model of a 3-D program (glTF), which is not read yet"),
     ("usd", "a model of a 3-D program (USD), which is not read yet"),
     ("html", "a page, which a browser shows"),
 ];

@@ -20,7 +20,6 @@ mod angles;
 mod body;
 mod error;
 mod guess;
-mod masses;
 mod motion;
 mod parse;
 mod pose;
@@ -30,8 +29,9 @@ mod table;
 mod unit;
 mod write;
 
+pub use crate::clip::{Clip, ReadOptions, Up};
 pub use error::BvhError;
-pub use read::{Clip, ReadOptions, Up, read};
+pub use read::read;
 pub use table::masses;
 pub use unit::Unit;
 pub use write::write;

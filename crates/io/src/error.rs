@@ -68,6 +68,18 @@ pub enum IoError {
     /// A figure could not be built.
     #[error(transparent)]
     Figure(#[from] solaris_model::FigureError),
+    /// A glTF file that was to get an animation, and cannot be read.
+    #[cfg(feature = "glb")]
+    #[error(transparent)]
+    Glb(#[from] crate::glb::GlbError),
+    /// A node that an animation may not move.
+    #[error(
+        "node '{node}' says its place by a matrix, and glTF moves none that does; save it with translation, rotation and scale"
+    )]
+    MatrixNode {
+        /// The node's name.
+        node: String,
+    },
     /// More than a binary glTF file can say of itself.
     #[error(
         "the file would have {bytes} bytes, and binary glTF ends at 4294967295; write fewer figures, fewer frames or a coarser skin"

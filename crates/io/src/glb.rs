@@ -17,16 +17,28 @@
 //!
 //! Khronos, glTF 2.0 specification (2021).
 
+mod accessor;
+mod append;
 mod body;
+mod bones;
+mod character;
 mod container;
+mod curves;
+mod document;
 mod extra;
+mod fault;
 pub(crate) mod keys;
+mod nodes;
 mod pack;
 mod palette;
+mod read;
 mod skeleton;
 
 use crate::error::{ClipProblem, IoError};
+pub use character::Character;
+pub use fault::GlbError;
 use pack::Pack;
+pub use read::read;
 use serde_json::{Value, json};
 use skeleton::Skeleton;
 pub(crate) use skeleton::local;

@@ -5,6 +5,7 @@
 pub mod bvh;
 #[cfg(feature = "c3d")]
 pub mod c3d;
+pub mod clip;
 #[cfg(feature = "csv")]
 pub mod csv;
 mod encoding;

@@ -12,6 +12,8 @@ pub use solaris_io as io;
 pub use solaris_model as model;
 pub use solaris_modes as modes;
 pub use solaris_profiles as profiles;
+#[cfg(feature = "glb")]
+pub use solaris_retarget as retarget;
 #[cfg(feature = "text")]
 pub use solaris_scene as scene;
 #[cfg(feature = "glb")]

@@ -12,13 +12,14 @@ const LONGEST: usize = 65_536;
 const MOST_LINES: usize = 30;
 
 /// Of each target, the files and folders of `crates` whose words it knows.
-const WORDS: [(&str, &[&str]); 14] = [
+const WORDS: [(&str, &[&str]); 15] = [
     ("bvh", &["io/src/bvh", "model/src/rig.rs"]),
     ("c3d", &["io/src/c3d", "io/src/markers"]),
     ("csv", &["io/src/csv", "io/src/record", "io/src/table.rs", "io/src/headings.rs"]),
     ("encoding", &["io/src/encoding.rs"]),
     ("external_loads", &["io/src/opensim/loads.rs", "io/tests/io/opensim_loads.rs"]),
     ("figure", &["model/src/text", "model/src/human.rs", "scene/src/soles.rs"]),
+    ("glb", &["io/src/glb", "io/src/rig", "io/tests/io/retarget"]),
     ("mjcf", &["io/src/mjcf.rs", "io/src/mjcf", "io/tests/io/mjcf"]),
     ("opensim", &["io/src/opensim.rs", "io/src/opensim", "io/tests/io/opensim_faults.rs"]),
     ("profile", &["profiles/src/text", "profiles/src/profile"]),
@@ -41,8 +42,11 @@ pub(super) fn write(folder: &Path) -> Result<(), String> {
     };
     for path in files(&[crates.clone(), root().join("fixtures"), folder.join("seeds")]) {
         let bytes = fs::read(&path).map_err(failed)?;
-        if path.extension().is_some_and(|extension| extension == "c3d") {
-            add("c3d", bytes);
+        let binary = ["c3d", "glb"]
+            .into_iter()
+            .find(|own| path.extension().is_some_and(|extension| extension == *own));
+        if let Some(target) = binary {
+            add(target, bytes);
             continue;
         }
         let Ok(text) = String::from_utf8(bytes) else { continue };

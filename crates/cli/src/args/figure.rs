@@ -39,6 +39,8 @@ const CONVERT_EXAMPLES: &str = "Examples:
       its motion, without the reference pose in front
   solaris convert ik.mot ik.bvh --figure subject.osim
       a motion for animation programs
+  solaris convert dancer.glb dance.bvh --clip dance
+      one of the animations of a body of a 3D program
   solaris convert walk.c3d walk.trc
       markers for OpenSim, in mm, with y up and x forward
   solaris convert walk.c3d forces.mot --axes z,-y
@@ -111,7 +113,7 @@ fn parse_segment(text: &str) -> Result<(String, f64), String> {
 )]
 pub(crate) struct CheckArgs {
     #[arg(value_name = "FILE", help = wrap(
-        "A figure or a scene (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, BVH (.bvh), or \
+        "A figure or a scene (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, bones (.bvh, .glb), or \
          markers (.c3d, .trc)"
     ))]
     pub(crate) file: PathBuf,
@@ -134,18 +136,18 @@ pub(crate) struct CheckArgs {
 #[command(about = "A figure or a motion from one format to another", after_help = CONVERT_EXAMPLES)]
 pub(crate) struct ConvertArgs {
     #[arg(value_name = "IN", help = wrap(
-        "A figure (.ron, .urdf, .sdf, .xml, .mjcf, .osim), a motion (.csv, .mot, .sto), both (.bvh), or a recording of markers \
+        "A figure (.ron, .urdf, .sdf, .xml, .mjcf, .osim), a motion (.csv, .mot, .sto), both (.bvh, .glb), or a recording of markers \
          (.c3d, .trc)"
     ))]
     pub(crate) from: PathBuf,
     #[arg(value_name = "OUT", help = wrap(
-        "A figure as .ron, a motion as .csv, .mot, .sto, .bvh or .glb, markers as .trc or .csv, or their force plates as .mot"
+        "A figure as .ron, a motion as .csv, .mot, .sto, .bvh, .glb or .usda, markers as .trc or .csv, or their force plates as .mot"
     ))]
     pub(crate) to: PathBuf,
     #[arg(long, value_name = "FOLDER", help = wrap(FILES))]
     pub(crate) files: Option<PathBuf>,
     #[arg(long, value_name = "FILE", help = wrap(
-        "Whose motion it is; needed where the motion is in degrees, and to write .bvh and .glb"
+        "Whose motion it is; needed where the motion is in degrees, and to write .bvh, .glb and .usda"
     ))]
     pub(crate) figure: Option<PathBuf>,
     #[command(flatten)]
@@ -163,13 +165,13 @@ pub(crate) struct ConvertArgs {
     pub(crate) axes: Option<Axes>,
     #[command(flatten, next_help_heading = "A figure in another size")]
     pub(crate) size: SizeArgs,
-    #[command(flatten, next_help_heading = "What a BVH file does not say")]
-    pub(crate) bvh: BvhArgs,
+    #[command(flatten, next_help_heading = "What a file of bones does not say")]
+    pub(crate) skeleton: BonesArgs,
 }
 
-/// What a BVH file does not say.
+/// What a file of bones does not say.
 #[derive(Debug, Args)]
-pub(crate) struct BvhArgs {
+pub(crate) struct BonesArgs {
     #[arg(long, value_name = "UNIT", value_parser = parse_unit, help = wrap(
         "Unit of its lengths, of markers too: cm, m, mm, inch, cmu (an inch over 0.45), or so many metres [default: the one in which \
          it is as large as a person]"
@@ -192,12 +194,20 @@ pub(crate) struct BvhArgs {
         "Frames to leave out at the beginning, such as a reference pose"
     ))]
     pub(crate) skip_frames: usize,
+    #[arg(long, value_name = "NAME", help = wrap(
+        "Which of several animations of a .glb file is read [default: the first]"
+    ))]
+    pub(crate) clip: Option<String>,
 }
 
-impl BvhArgs {
+impl BonesArgs {
     /// Whether any of it was asked for.
     pub(crate) fn is_asked(&self) -> bool {
-        self.unit.is_some() || self.up.is_some() || self.masses.is_some() || self.skip_frames > 0
+        self.unit.is_some()
+            || self.up.is_some()
+            || self.masses.is_some()
+            || self.skip_frames > 0
+            || self.clip.is_some()
     }
 }
 

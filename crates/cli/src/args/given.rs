@@ -6,8 +6,7 @@ use clap::{Args, ValueEnum};
 use solaris::model::{Base, Vector3};
 use std::path::PathBuf;
 
-pub(super) const FIGURE: &str =
-    "A figure (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, or BVH (.bvh)";
+pub(super) const FIGURE: &str = "A figure (.ron), URDF (.urdf), SDF (.sdf), MuJoCo (.xml, .mjcf) or OpenSim (.osim) model, or bones (.bvh, .glb)";
 pub(super) const FILES: &str = "Folder of the other files of a MuJoCo or SDF model, which holds the model; nothing outside is read [default: the model's own]";
 pub(super) const MOTION: &str =
     "Its motion: .csv with columns DOF.q and, where known, .v and .a; .mot, .sto; or markers, .trc, .c3d";

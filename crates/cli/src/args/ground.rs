@@ -171,7 +171,7 @@ pub(crate) struct ConsistentArgs {
     )))]
     pub(crate) consistent_limit: Option<Number>,
     #[arg(long = "motion-out", value_name = "FILE", requires = "consistent", help = wrap(
-        "Write the motion that was moved: .csv with DOF.q, .v and .a; .mot, .sto (positions); .bvh, .glb [default: none]"
+        "Write the motion that was moved: .csv with DOF.q, .v and .a; .mot, .sto (positions); .bvh, .glb, .usda [default: none]"
     ))]
     pub(crate) motions: Vec<PathBuf>,
 }

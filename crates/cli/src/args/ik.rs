@@ -22,7 +22,7 @@ pub(crate) struct IkArgs {
     #[arg(value_name = "MARKERS", help = wrap("Where its markers were seen: .trc or .c3d"))]
     pub(crate) trial: PathBuf,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the angles: .mot or .sto as OpenSim does, .csv, .bvh, .glb; several are allowed [default: none]"
+        "Write the angles: .mot or .sto as OpenSim does, .csv, .bvh, .glb, .usda; several are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "FILE.csv", help = wrap(

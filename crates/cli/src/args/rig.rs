@@ -12,7 +12,7 @@ pub(crate) struct RigArgs {
         long, value_name = "RIG", hide_possible_values = true,
         value_parser = PossibleValuesParser::new(Rig::ALL.map(Rig::name)).map(|name| named(&name)),
         help = wrap(&format!(
-            "Bones of .bvh and .glb as an animator's rig has them, in names and rest pose: {} [default: our own]",
+            "Bones of .bvh, .glb and .usda as an animator's rig has them, in names and rest pose: {} [default: our own]",
             Rig::ALL.map(Rig::name).join(", ")
         ))
     )]

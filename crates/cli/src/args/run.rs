@@ -22,7 +22,7 @@ pub(crate) struct RunArgs {
     pub(crate) scene: PathBuf,
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
         "Write the motion: .html page, .svg picture of the coordinates, or with --between or --seen a film strip, .csv table, \
-         .bvh motion capture, .glb body and animation, .sto or .mot coordinates for OpenSim; several -o are allowed [default: none]"
+         .bvh motion capture, .glb or .usda body and animation, .sto or .mot coordinates for OpenSim; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[command(flatten)]

@@ -75,7 +75,7 @@ pub(crate) struct WalkArgs {
 #[derive(Debug, Args)]
 pub(crate) struct WalkFiles {
     #[arg(short = 'o', long = "output", value_name = "FILE", help = wrap(
-        "Write the motion: .html page, .csv table, .bvh motion capture, .glb body and animation, .svg film strip of twelve pictures; several -o are allowed [default: none]"
+        "Write the motion: .html page, .csv table, .bvh motion capture, .glb or .usda body and animation, .svg film strip of twelve pictures; several -o are allowed [default: none]"
     ))]
     pub(crate) outputs: Vec<PathBuf>,
     #[arg(long, value_name = "FILE.json", help = "Write the numbers of the walk as JSON [default: none]")]

@@ -24,17 +24,21 @@ const PARTS: Formats<Part> =
     &[("trc", Part::Trc), ("csv", Part::Csv), ("mot", Part::Forces), ("sto", Part::Forces)];
 
 pub(super) fn run(args: &ConvertArgs) -> Result<(), CliError> {
-    let ConvertArgs { from, to, size, bvh, axes, figure, .. } = args;
+    let ConvertArgs { from, to, size, skeleton, axes, figure, .. } = args;
     if size.is_asked() || figure.is_some() {
         return Err(UsageError::MarkersHaveNoFigure.into());
     }
-    if bvh.up.is_some() || bvh.masses.is_some() || bvh.skip_frames > 0 {
-        return Err(UsageError::OnlyOfBvh.into());
+    if skeleton.up.is_some()
+        || skeleton.masses.is_some()
+        || skeleton.skip_frames > 0
+        || skeleton.clip.is_some()
+    {
+        return Err(UsageError::OnlyOfBones.into());
     }
     let outputs = Outputs::new([("OUT", to, PARTS)])?;
     outputs.keep_off([from.as_path()])?;
     let Turned { recording, axes, .. } =
-        recording::turned(recording::read(from, recording::unit(bvh.unit)?)?, *axes);
+        recording::turned(recording::read(from, recording::unit(skeleton.unit)?)?, *axes);
     let is_forces = ["mot", "sto"].contains(&crate::input::extension(to).as_str());
     let forces = if is_forces { Some(forces(from, &recording)?) } else { None };
     let title = to.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 /// Options that contradict each other, or that say too little.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum UsageError {
+    #[error("CLIP {path} is a table, or nothing that is known; say whose motion it is: --figure FILE", path = .clip.display())]
+    WhoseTable { clip: PathBuf },
     #[error(
         "--step-frequency {step_frequency}, --step-length {step_length} and --speed {speed}: any two decide the third; drop one"
     )]
@@ -33,8 +35,10 @@ pub(crate) enum UsageError {
     Swapped { command: &'static str, figure: PathBuf, motion: PathBuf },
     #[error("--height, --mass and --segment change a figure; a motion has no size")]
     MotionHasNoSize,
-    #[error("--unit, --up, --masses and --skip-frames say what a BVH file does not; IN is none")]
-    OnlyOfBvh,
+    #[error(
+        "--unit, --up, --masses, --skip-frames and --clip say what a file of bones (.bvh, .glb) does not; IN is none"
+    )]
+    OnlyOfBones,
     #[error("--axes says which way is up and which forward in a file of markers (.c3d, .trc); IN is none")]
     OnlyOfMarkers,
     #[error("--unit of markers is mm, cm, m or inch")]

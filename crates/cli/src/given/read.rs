@@ -2,7 +2,7 @@
 
 use crate::args::{FrameArgs, RecordArgs, Span};
 use crate::error::{CliError, UsageError};
-use crate::input::{self, Body, Language};
+use crate::input::{self, Body};
 use crate::markers::{self, Fitted, MarkersReport};
 use crate::progress::Progress;
 use crate::recording;
@@ -27,7 +27,7 @@ pub(crate) struct Given {
     /// Whether gravity was asked for.
     pub(crate) gravity_is_asked: bool,
     pub(crate) table: Table,
-    /// What looks wrong with what a BVH file says, or leaves to guess.
+    /// What looks wrong with what a file of bones says, or leaves to guess.
     pub(crate) doubtful: Vec<Finding>,
     /// How well the markers fit, where the motion is markers.
     pub(crate) markers: Option<MarkersReport>,
@@ -70,7 +70,7 @@ impl Given {
             body.gravity = gravity.vector;
         }
         let (table, recorded, mut doubtful, fitted) = motion(&body, from, record)?;
-        if body.language == Language::Bvh {
+        if body.language.is_of_bones() {
             doubtful
                 .extend(body.findings.iter().filter(|finding| finding.kind == FindingKind::Suspect).cloned());
         }

@@ -32,7 +32,7 @@ pub(crate) struct GivenReport {
     pub(super) filter: Option<FilterReport>,
     /// What acts in the model and is not in the figure.
     pub(super) missing: Vec<String>,
-    /// What looks wrong with what a BVH file says, or leaves to guess.
+    /// What looks wrong with what a file of bones says, or leaves to guess.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) guessed: Vec<String>,
     /// How the figure was brought to a person's size, if it was.

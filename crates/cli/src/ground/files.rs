@@ -1,6 +1,6 @@
 //! The files that `solaris ground` and `solaris inverse` write.
 
-use crate::animation;
+use crate::animation::{self, BodyFormat};
 use crate::convert::TableFormat;
 use crate::error::CliError;
 use crate::given::Given;
@@ -31,7 +31,7 @@ pub(crate) enum MotionFormat {
     Csv,
     Sto,
     Bvh,
-    Glb,
+    Body(BodyFormat),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +55,8 @@ const MOTION: Formats<Content> = &[
     ("sto", Content::Motion(MotionFormat::Sto)),
     ("mot", Content::Motion(MotionFormat::Sto)),
     ("bvh", Content::Motion(MotionFormat::Bvh)),
-    ("glb", Content::Motion(MotionFormat::Glb)),
+    ("glb", Content::Motion(MotionFormat::Body(BodyFormat::Glb))),
+    ("usda", Content::Motion(MotionFormat::Body(BodyFormat::Usda))),
 ];
 
 const CYCLES: Formats<Content> =
@@ -84,7 +85,7 @@ pub(crate) fn write_motion(
         MotionFormat::Csv => csv::write(figure, motion, &mut writer),
         MotionFormat::Sto => sto::write(&positions(figure, motion), &mut writer),
         MotionFormat::Bvh => bvh::write(figure, motion, Unit::default(), &mut writer),
-        MotionFormat::Glb => return animation::body(figure, motion, "moved", None, writer),
+        MotionFormat::Body(how) => return animation::body(how, figure, motion, "moved", None, writer),
     }
     .map_err(CliError::other)
 }

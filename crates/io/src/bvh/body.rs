@@ -1,16 +1,11 @@
 //! The figure of a file: bones with masses, joints with the file's channels.
 
-use super::error::BvhError;
-use super::masses::{self, Length, Weight};
 use super::parse::{Channel, Node, Text};
-use super::read::{ReadOptions, Said};
 use super::unit::Unit;
+use crate::clip::bones;
+use crate::clip::masses::{Length, Weight};
 use solaris_model::rig::Bone;
-use solaris_model::{
-    Axis, Figure, FigureBuilder, FigureError, FindingKind, Joint, LinkSpec, Part, SourceMap, Vector3,
-    did_you_mean,
-};
-use std::collections::HashMap;
+use solaris_model::{Axis, Figure, FigureBuilder, FigureError, Joint, LinkSpec, Part, SourceMap, Vector3};
 
 /// Gravity (m/s²): down, y is up.
 pub(super) const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.806_65, 0.0);
@@ -53,76 +48,12 @@ pub(super) fn figure(
     builder.build().map_err(|error| (places, error))
 }
 
-/// The bones, in metres: from each joint to the next of its body, to the middle of several, or to its end.
+/// The bones, in metres.
 pub(super) fn lengths(file: &Text, segments: &[Option<Bone>], unit: Unit) -> Vec<Length> {
-    let mut children = vec![Vec::new(); file.joints.len()];
-    for (i, joint) in file.joints.iter().enumerate() {
-        if let Some(parent) = joint.parent {
-            children[parent].push(i);
-        }
-    }
-    let along = |i: usize| {
-        // Helpers turn with a bone and do not end it.
-        let own: Vec<usize> =
-            children[i].iter().copied().filter(|child| segments[*child].is_some()).collect();
-        let ends = if own.is_empty() { &children[i] } else { &own };
-        let ends: Vec<Vector3<f64>> = ends.iter().map(|child| file.joints[*child].offset).collect();
-        let middle = ends.iter().sum::<Vector3<f64>>() / ends.len().max(1) as f64;
-        let end = if ends.is_empty() { file.joints[i].end.unwrap_or_default() } else { middle };
-        end / unit.per_metre()
-    };
-    let bone = |i: usize| Length { parent: file.joints[i].parent, along: along(i), bone: segments[i] };
-    (0..file.joints.len()).map(bone).collect()
-}
-
-/// What the bones weigh.
-pub(super) fn weights(
-    lengths: &[Length],
-    names: &[String],
-    options: &ReadOptions,
-    said: &mut Said,
-) -> Result<Vec<Weight>, BvhError> {
-    if !options.masses.is_empty() {
-        return table(lengths, names, &options.masses);
-    }
-    if let Some(height) = masses::stature(lengths) {
-        let weights = masses::of_person(lengths, height, options.mass);
-        let total: f64 = weights.iter().map(|weight| weight.mass).sum();
-        let whose = if options.mass.is_some() {
-            "as asked"
-        } else {
-            "as people of that height have; the file does not say it"
-        };
-        let message =
-            format!("{total:.1} kg, {whose}; shared as an adult's is, by the names and lengths of the bones");
-        said.say(FindingKind::Note, "masses", message, None);
-        return Ok(weights);
-    }
-    let weights = masses::of_unknown(lengths, options.mass);
-    let total: f64 = weights.iter().map(|weight| weight.mass).sum();
-    let message = format!(
-        "the names are not those of a person, so each bone weighs what a rod of its length does, {total:.3} kg in all: forces are \
-         of that size and no better; give the masses of the bones"
-    );
-    said.say(FindingKind::Suspect, "masses", message, None);
-    Ok(weights)
-}
-
-/// The masses of a table, bone by bone.
-fn table(lengths: &[Length], names: &[String], masses: &[(String, f64)]) -> Result<Vec<Weight>, BvhError> {
-    let index: HashMap<&str, usize> = names.iter().enumerate().map(|(i, name)| (name.as_str(), i)).collect();
-    let mut found = vec![0.0; lengths.len()];
-    for (name, mass) in masses {
-        let Some(&i) = index.get(name.as_str()) else {
-            let hint = did_you_mean(name, names.iter().map(String::as_str));
-            return Err(BvhError::UnknownBone { name: name.clone(), hint });
-        };
-        if !(*mass >= 0.0 && mass.is_finite()) {
-            return Err(BvhError::BoneMass { name: name.clone(), mass: *mass });
-        }
-        found[i] = *mass;
-    }
-    Ok(masses::of_table(lengths, &found))
+    let metres = |v: Vector3<f64>| v / unit.per_metre();
+    let joints = file.joints.iter();
+    let joints = joints.map(|joint| (joint.parent, metres(joint.offset), joint.end.map(metres)));
+    bones::lengths(&joints.collect::<Vec<_>>(), segments)
 }
 
 /// For each joint, whether its positions are degrees of freedom: the root's are, others' where they change.

@@ -1,11 +1,12 @@
 //! What a file does not say, guessed from its skeleton: which axis is up, and the unit of lengths.
 
 use super::body::lengths;
-use super::masses::{self, Length};
 use super::parse::{Channel, Text};
 use super::pose::origins;
-use super::read::{Said, Up};
 use super::unit::Unit;
+use crate::clip::Up;
+use crate::clip::bones::Said;
+use crate::clip::masses::{self, Length};
 use solaris_model::rig::{Bone, Segment};
 use solaris_model::{FindingKind, Vector3};
 

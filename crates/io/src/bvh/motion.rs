@@ -3,8 +3,8 @@
 use super::angles::go_on;
 use super::body::{GRAVITY, freedoms, origin};
 use super::parse::{Channel, Text};
-use super::read::Said;
 use super::unit::Unit;
+use crate::clip::bones::Said;
 use solaris_model::{Figure, FindingKind, Known, Motion, MotionError, MotionInfo, Vector3};
 
 /// How far (relative) a printed time step may be from that of a whole number of frames a second.

@@ -1,7 +1,8 @@
 //! A clip as a table, of its own figure or of another one with the same bones; and the table of masses that people write.
 
 use super::error::BvhError;
-use super::read::Clip;
+use crate::clip::Clip;
+use crate::clip::coordinates::coordinates;
 use crate::table::{TIME, Table};
 use solaris_model::{AxisKind, Figure, Joint, JointKind, Motion, TextError, Vector3};
 use std::collections::HashMap;
@@ -14,7 +15,7 @@ impl Clip {
     /// Times and positions (rad, m), headed `time` and `DOF.q`.
     pub fn table(&self) -> Table {
         let names = self.figure.layout().q_names().iter();
-        let columns: Vec<usize> = (0..names.len()).collect();
+        let columns: Vec<Column> = (0..names.len()).map(Column::Own).collect();
         table(&self.motion, names.cloned(), &columns)
     }
 
@@ -22,7 +23,7 @@ impl Clip {
     /// clip was written of.
     ///
     /// The joints must slide and turn about the same axes in the same order; axes that the figure lacks may not turn in the
-    /// clip. Bones that the figure lacks are not used.
+    /// clip. A joint that is a ball in the clip may be one about axes x, y, z in the figure. Bones that the figure lacks are not used.
     ///
     /// # Errors
     ///
@@ -33,7 +34,7 @@ impl Clip {
         }
         let own: HashMap<&str, usize> =
             self.figure.links().iter().enumerate().map(|(i, link)| (link.name(), i)).collect();
-        let (mut columns, mut names) = (Vec::new(), Vec::new());
+        let (mut columns, mut names): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
         for (link, at) in figure.links().iter().zip(figure.layout().joints()) {
             if at.nq == 0 {
                 continue;
@@ -48,14 +49,20 @@ impl Clip {
                 return Err(refuse("the clip has no joint of that name".to_owned()));
             };
             let first = self.figure.layout().joints()[bone].q;
-            let places =
-                self.matched(link.joint(), self.figure.links()[bone].joint(), first).map_err(|axis| {
-                    refuse(format!(
-                        "its joint '{}' does not move as the clip's does ({axis})",
-                        link.joint().name()
-                    ))
-                })?;
-            columns.extend(places);
+            let from = self.figure.links()[bone].joint();
+            let found = if from.kind().quaternion().is_some() {
+                coordinates(link.joint(), from, &self.motion, first)
+                    .map(|columns| columns.into_iter().map(Column::Found).collect::<Vec<_>>())
+            } else {
+                self.matched(link.joint(), from, first)
+                    .map(|places| places.into_iter().map(Column::Own).collect())
+            };
+            columns.extend(found.map_err(|why| {
+                refuse(format!(
+                    "its joint '{}' does not move as the clip's does ({why})",
+                    link.joint().name()
+                ))
+            })?);
             names.extend(figure.layout().q_names()[at.q..at.q + at.nq].iter().cloned());
         }
         Ok(table(&self.motion, names.into_iter(), &columns))
@@ -88,17 +95,26 @@ impl Clip {
     }
 }
 
+/// A column of a table: a coordinate of the clip, or one that was found.
+enum Column {
+    Own(usize),
+    Found(Vec<f64>),
+}
+
 fn direction(axis: &Vector3<f64>) -> String {
     format!("({}, {}, {})", axis.x, axis.y, axis.z)
 }
 
-fn table(motion: &Motion, names: impl Iterator<Item = String>, columns: &[usize]) -> Table {
+fn table(motion: &Motion, names: impl Iterator<Item = String>, columns: &[Column]) -> Table {
     let mut table = Table { header_line: 1, ..Table::default() };
     table.columns.push(TIME.to_owned());
     table.columns.extend(names.map(|name| format!("{name}.q")));
     for row in 0..motion.len() {
         table.values.push(motion.time()[row]);
-        table.values.extend(columns.iter().map(|column| motion.q(row)[*column]));
+        table.values.extend(columns.iter().map(|column| match column {
+            Column::Own(at) => motion.q(row)[*at],
+            Column::Found(values) => values[row],
+        }));
         table.lines.push(row as u64 + 2);
     }
     table

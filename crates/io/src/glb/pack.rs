@@ -14,6 +14,9 @@ pub(super) const INDICES: Option<u32> = Some(34963);
 
 #[derive(Default)]
 pub(super) struct Pack {
+    /// The buffer that the bytes are, and how many views and accessors the file has before these.
+    pub(super) buffer: usize,
+    pub(super) first: [usize; 2],
     pub(super) bytes: Vec<u8>,
     pub(super) views: Vec<Value>,
     pub(super) accessors: Vec<Value>,
@@ -24,13 +27,14 @@ impl Pack {
     pub(super) fn view(&mut self, bytes: &[u8], target: Option<u32>) -> usize {
         // Whatever is in it begins at a multiple of its own size.
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
-        let mut view = json!({ "buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len() });
+        let mut view =
+            json!({ "buffer": self.buffer, "byteOffset": self.bytes.len(), "byteLength": bytes.len() });
         if let Some(target) = target {
             view["target"] = json!(target);
         }
         self.bytes.extend_from_slice(bytes);
         self.views.push(view);
-        self.views.len() - 1
+        self.first[0] + self.views.len() - 1
     }
 
     fn accessor(
@@ -47,7 +51,7 @@ impl Pack {
             accessor[*key] = value.clone();
         }
         self.accessors.push(accessor);
-        self.accessors.len() - 1
+        self.first[1] + self.accessors.len() - 1
     }
 
     /// Rows of `N` floats (`SCALAR`, `VEC3`, `VEC4`, `MAT4`); with their least and greatest values where `limits` are wanted.

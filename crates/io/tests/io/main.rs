@@ -11,6 +11,8 @@ mod csv_tables;
 mod data;
 #[cfg(feature = "glb")]
 mod glb;
+#[cfg(feature = "glb")]
+mod glb_in;
 #[cfg(feature = "mjcf")]
 mod mjcf;
 mod motions;
@@ -30,6 +32,8 @@ mod opensim_reference;
 mod opensim_rescale;
 mod records;
 #[cfg(feature = "glb")]
+mod retarget;
+#[cfg(feature = "glb")]
 mod rig;
 #[cfg(feature = "sdf")]
 mod sdf;
@@ -40,3 +44,5 @@ mod table;
 mod trc;
 #[cfg(feature = "urdf")]
 mod urdf;
+#[cfg(feature = "glb")]
+mod usd;

@@ -1,7 +1,12 @@
-//! Masses of bones, which BVH does not know: a person's by published shares, others' by the size of their bones.
+//! Masses of bones, which files of bones do not know: a person's by published shares, others' by the size of their bones.
 
+use super::ReadOptions;
+use super::bones::Said;
+use crate::bvh::BvhError;
 use solaris_model::rig::{Bone, Segment};
-use solaris_model::{Inertia, Matrix3, Placement, Shape, ShapeKind, UnitQuaternion, Vector3};
+use solaris_model::{
+    FindingKind, Inertia, Matrix3, Placement, Shape, ShapeKind, UnitQuaternion, Vector3, did_you_mean,
+};
 use std::collections::{HashMap, HashSet};
 
 /// Mass over squared height of a person of whom nothing else is known (kg/m²).
@@ -16,30 +21,90 @@ const HELPER: f64 = 0.01;
 const POINT: f64 = 1e-3;
 
 /// A bone, in metres.
-pub(super) struct Length {
-    pub(super) parent: Option<usize>,
+pub(crate) struct Length {
+    pub(crate) parent: Option<usize>,
     /// From its joint to where it ends.
-    pub(super) along: Vector3<f64>,
-    pub(super) bone: Option<Bone>,
+    pub(crate) along: Vector3<f64>,
+    pub(crate) bone: Option<Bone>,
 }
 
 /// What a bone weighs.
-pub(super) struct Weight {
-    pub(super) mass: f64,
-    pub(super) com: Vector3<f64>,
-    pub(super) inertia: Inertia,
-    pub(super) shape: Option<Shape>,
+pub(crate) struct Weight {
+    pub(crate) mass: f64,
+    pub(crate) com: Vector3<f64>,
+    pub(crate) inertia: Inertia,
+    pub(crate) shape: Option<Shape>,
+}
+
+/// Refuses a mass or a unit that is none.
+pub(crate) fn check(options: &ReadOptions) -> Result<(), BvhError> {
+    for (what, value) in [("mass", options.mass), ("unit", options.unit.map(|unit| 1.0 / unit.per_metre()))] {
+        if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
+            return Err(BvhError::Option { what, value });
+        }
+    }
+    Ok(())
+}
+
+/// What the bones weigh.
+pub(crate) fn weights(
+    lengths: &[Length],
+    names: &[String],
+    options: &ReadOptions,
+    said: &mut Said,
+) -> Result<Vec<Weight>, BvhError> {
+    if !options.masses.is_empty() {
+        return table(lengths, names, &options.masses);
+    }
+    if let Some(height) = stature(lengths) {
+        let weights = of_person(lengths, height, options.mass);
+        let total: f64 = weights.iter().map(|weight| weight.mass).sum();
+        let whose = if options.mass.is_some() {
+            "as asked"
+        } else {
+            "as people of that height have; the file does not say it"
+        };
+        let message =
+            format!("{total:.1} kg, {whose}; shared as an adult's is, by the names and lengths of the bones");
+        said.say(FindingKind::Note, "masses", message, None);
+        return Ok(weights);
+    }
+    let weights = of_unknown(lengths, options.mass);
+    let total: f64 = weights.iter().map(|weight| weight.mass).sum();
+    let message = format!(
+        "the names are not those of a person, so each bone weighs what a rod of its length does, {total:.3} kg in all: forces are \
+         of that size and no better; give the masses of the bones"
+    );
+    said.say(FindingKind::Suspect, "masses", message, None);
+    Ok(weights)
+}
+
+/// The masses of a table, bone by bone.
+fn table(lengths: &[Length], names: &[String], masses: &[(String, f64)]) -> Result<Vec<Weight>, BvhError> {
+    let index: HashMap<&str, usize> = names.iter().enumerate().map(|(i, name)| (name.as_str(), i)).collect();
+    let mut found = vec![0.0; lengths.len()];
+    for (name, mass) in masses {
+        let Some(&i) = index.get(name.as_str()) else {
+            let hint = did_you_mean(name, names.iter().map(String::as_str));
+            return Err(BvhError::UnknownBone { name: name.clone(), hint });
+        };
+        if !(*mass >= 0.0 && mass.is_finite()) {
+            return Err(BvhError::BoneMass { name: name.clone(), mass: *mass });
+        }
+        found[i] = *mass;
+    }
+    Ok(of_table(lengths, &found))
 }
 
 /// Whether the bones are a person's: there is a pelvis, and thigh and shank of both sides.
-pub(super) fn is_person(bones: &[Option<Bone>]) -> bool {
+pub(crate) fn is_person(bones: &[Option<Bone>]) -> bool {
     let found: HashSet<Bone> = bones.iter().flatten().copied().collect();
     let count = |segment| found.iter().filter(|bone| bone.segment == segment).count();
     count(Segment::Pelvis) == 1 && count(Segment::Thigh) == 2 && count(Segment::Shank) == 2
 }
 
 /// A person's height (m) by the lengths of thighs and shanks: people's legs are about as long as they are tall.
-pub(super) fn stature(bones: &[Length]) -> Option<f64> {
+pub(crate) fn stature(bones: &[Length]) -> Option<f64> {
     let mean = |segment: Segment| {
         let lengths: Vec<f64> = bones
             .iter()
@@ -54,7 +119,7 @@ pub(super) fn stature(bones: &[Length]) -> Option<f64> {
 }
 
 /// What the bones of a person of this `height` (m) weigh, who weighs `mass` (kg) where that is known.
-pub(super) fn of_person(bones: &[Length], height: f64, mass: Option<f64>) -> Vec<Weight> {
+pub(crate) fn of_person(bones: &[Length], height: f64, mass: Option<f64>) -> Vec<Weight> {
     let total = mass.unwrap_or(BODY_MASS_INDEX * height * height);
     let present: HashSet<Bone> = bones.iter().filter_map(|length| length.bone).collect();
     // Each bone belongs to a segment: its own, that of the hand, or that of the bone it hangs on.
@@ -148,7 +213,7 @@ fn owner(bone: Bone, present: &HashSet<Bone>) -> Bone {
 }
 
 /// What bones weigh of which nobody knows anything: solids of one slenderness, of `mass` (kg) together where that is known.
-pub(super) fn of_unknown(bones: &[Length], mass: Option<f64>) -> Vec<Weight> {
+pub(crate) fn of_unknown(bones: &[Length], mass: Option<f64>) -> Vec<Weight> {
     let size = bones.iter().map(|length| length.along.norm()).fold(0.0, f64::max);
     let volume = |length: &Length| {
         let long = length.along.norm().max(POINT.cbrt() * size);
@@ -160,7 +225,7 @@ pub(super) fn of_unknown(bones: &[Length], mass: Option<f64>) -> Vec<Weight> {
 }
 
 /// Masses of a table (kg), one a bone; bones that it does not name have none.
-pub(super) fn of_table(bones: &[Length], masses: &[f64]) -> Vec<Weight> {
+pub(crate) fn of_table(bones: &[Length], masses: &[f64]) -> Vec<Weight> {
     bones.iter().zip(masses).map(|(length, mass)| solid(*mass, length.along, DENSITY)).collect()
 }
 

@@ -1,0 +1,124 @@
+//! `solaris retarget`: a motion onto a character of a 3D program.
+
+use crate::args::RetargetArgs;
+use crate::convert::{self, stem};
+use crate::error::{CliError, UsageError};
+use crate::findings::list;
+use crate::input;
+use crate::output::{Formats, Outputs};
+use crate::print::print;
+use solaris::files::bytes;
+use solaris::io::glb::Character;
+use solaris::model::{Figure, Finding, Motion};
+use solaris::retarget::{BoneMap, Moved, Roles, Skeleton, Take, retarget};
+use std::io::Write;
+use std::path::Path;
+
+const WRITTEN: Formats<()> = &[("glb", ())];
+
+pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
+    let outputs = Outputs::new([("-o", &args.output, WRITTEN)])?;
+    let (figure, motion, findings) = motion(args)?;
+    let bytes = bytes(&args.onto)?;
+    let character =
+        Character::read(&bytes, &stem(&args.onto)).map_err(|error| CliError::input(&args.onto, &error))?;
+    let from = Skeleton { name: stem(&args.motion), ..Skeleton::of(&figure) };
+    let of_clip = Roles::find(&from, &map(args.clip_map.as_deref())?)
+        .map_err(|error| CliError::input(&args.motion, &format!("{error} (--clip-map)")))?;
+    let onto = character.skeleton();
+    let roles = Roles::find(onto, &map(args.map.as_deref())?)
+        .map_err(|error| CliError::input(&args.onto, &format!("{error} (--map)")))?;
+    let take = Take::of(&from, &of_clip, &figure, &motion, args.rest_frame)
+        .map_err(|error| CliError::input(&args.motion, &format!("{error} (--rest-frame)")))?;
+    // The rest pose may be one of those that are left out.
+    let take = if args.rest_frame.is_some() { take.without(args.skeleton.skip_frames) } else { take };
+    let moved = retarget(&take, onto, &roles).map_err(|error| CliError::input(&args.onto, &error))?;
+    let name = args.name.clone().unwrap_or_else(|| stem(&args.motion));
+    outputs
+        .write(|(), mut writer| character.with_clip(&name, &moved, &mut writer).map_err(CliError::other))?;
+    print(|out| {
+        told(out, &name, onto, [&of_clip, &roles], &moved)?;
+        list(out, &findings)?;
+        outputs.written().try_for_each(|line| writeln!(out, "{line}"))
+    })
+}
+
+/// The figure and the motion of the clip, and what there is to say of them.
+fn motion(args: &RetargetArgs) -> Result<(Figure, Motion, Vec<Finding>), CliError> {
+    if input::is_clip(&args.motion) {
+        let mut options = convert::options(&args.skeleton)?;
+        if args.rest_frame.is_some() {
+            options.skip = 0;
+        }
+        let clip = input::clip(&args.motion, &options)?;
+        // What bones weigh moves nothing here.
+        let findings = clip.findings.into_iter().filter(|finding| finding.subject != "masses").collect();
+        return Ok((clip.figure, clip.motion, findings));
+    }
+    if args.skeleton.is_asked() {
+        return Err(UsageError::OnlyOfBones.into());
+    }
+    let Some(path) = &args.figure else {
+        return Err(UsageError::WhoseTable { clip: args.motion.clone() }.into());
+    };
+    let body = input::body(path)?;
+    let motion = convert::motion_of(&args.motion, &body)?;
+    Ok((body.figure, motion, Vec::new()))
+}
+
+fn map(path: Option<&Path>) -> Result<BoneMap, CliError> {
+    let Some(path) = path else { return Ok(BoneMap::default()) };
+    let text = input::text(path)?;
+    BoneMap::read(&text).map_err(|faults| input::faulty(path, &text, faults))
+}
+
+fn told(
+    out: &mut dyn Write,
+    name: &str,
+    onto: &Skeleton,
+    [from, roles]: [&Roles; 2],
+    moved: &Moved,
+) -> std::io::Result<()> {
+    let done = &moved.replanted;
+    let lasts = moved.time[moved.time.len() - 1] - moved.time[0];
+    writeln!(
+        out,
+        "animation '{name}' of '{}': {} frames, {lasts:.2} s, {} bones",
+        onto.name,
+        moved.time.len(),
+        moved.turns.len()
+    )?;
+    writeln!(out, "legs {:.3} times those of the clip", done.scale)?;
+    let slides = format!(
+        "what stands slides by {:.1} mm at the most ({:.1} mm in the clip)",
+        done.slide * 1000.0,
+        done.slid * 1000.0
+    );
+    match (done.stances, done.is_alike) {
+        (0, _) => writeln!(out, "no foot stands in the clip: none was planted")?,
+        (stances, true) => {
+            writeln!(out, "{stances} stances as they are, for legs and feet are alike; {slides}")?;
+        }
+        (stances, false) => {
+            writeln!(
+                out,
+                "{stances} stances planted anew: {slides}; for it hips turn by up to {:.1}°, knees by up \
+                 to {:.1}°, and the pelvis is up to {:.0} mm lower",
+                done.hip.to_degrees(),
+                done.knee.to_degrees(),
+                done.lowered * 1000.0
+            )?;
+        }
+    }
+    for (whose, roles) in [("clip", from), ("character", roles)] {
+        let missing = roles.missing();
+        if !missing.is_empty() {
+            writeln!(
+                out,
+                "the {whose} has no bone for {}: what it would turn stays as it is",
+                missing.join(", ")
+            )?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,262 @@
+//! Motions on other people's characters, which are made by code: limbs point as the source's do, feet stand, and the file stays; where the
+//! skeletons agree, rotations are the source's to 1e-6 rad.
+
+pub(crate) mod made;
+
+use made::Made;
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+use solaris_gait::{WalkRequest, walk};
+use solaris_io::clip::{Clip, ReadOptions};
+use solaris_io::glb::{self, Actor, Character, Options, read};
+use solaris_io::rig::{Rig, Rigged};
+use solaris_model::{Figure, Motion, human};
+use solaris_retarget::{BoneMap, Moved, RetargetError, Roles, Skeleton, Take, retarget};
+
+fn walked(figure: &Figure) -> Motion {
+    let request = WalkRequest { step_frequency: Some(110.0), ..WalkRequest::default() };
+    walk(figure, &request).expect("a walk").motion(figure, 60.0).expect("a motion")
+}
+
+fn take(figure: &Figure, motion: &Motion) -> Take {
+    let skeleton = Skeleton::of(figure);
+    let roles = Roles::find(&skeleton, &BoneMap::default()).expect("roles");
+    Take::of(&skeleton, &roles, figure, motion, None).expect("a take")
+}
+
+fn named(clip: &str) -> ReadOptions {
+    ReadOptions { clip: Some(clip.to_owned()), ..ReadOptions::default() }
+}
+
+/// The walk on a character: its file with it, what was done, and the animation read again.
+fn onto(bytes: &[u8], take: &Take) -> (Vec<u8>, Moved, Clip) {
+    let character = Character::read(bytes, "hero").expect("a character");
+    let roles = Roles::find(character.skeleton(), &BoneMap::default()).expect("roles");
+    let moved = retarget(take, character.skeleton(), &roles).expect("moved");
+    let mut out = Vec::new();
+    character.with_clip("walk", &moved, &mut out).expect("written");
+    let clip = read(&out, &named("walk")).expect("read again");
+    (out, moved, clip)
+}
+
+fn angle(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
+    2.0 * (a.inverse() * b).imag().norm()
+}
+
+/// The direction from one bone to another in a sample, in the frame in which the character looks along z.
+fn direction(clip: &Clip, sample: usize, [from, to]: [&str; 2], facing: f64) -> Vector3<f64> {
+    let places = clip.figure.places(clip.motion.q(sample));
+    let at = |name: &str| places[clip.figure.link_index(name).expect("a bone")].translation.vector;
+    UnitQuaternion::from_scaled_axis(Vector3::y() * -facing) * (at(to) - at(from)).normalize()
+}
+
+#[test]
+fn a_skeleton_that_agrees_turns_as_the_source_does() {
+    let ann = human(1.65, 58.0).expect("a person");
+    let motion = walked(&ann);
+    let take = take(&ann, &motion);
+    for rig in [None, Some(Rig::Mixamo), Some(Rig::Unreal), Some(Rig::Vrm)] {
+        let on = rig.map(|rig| Rigged::new(&ann, rig).expect("a rig"));
+        let moved = on.as_ref().map(|on| on.motion(&ann, &motion).expect("a motion"));
+        let (figure, own) =
+            on.as_ref().zip(moved.as_ref()).map_or((&ann, &motion), |(on, moved)| (&on.figure, moved));
+        let skin = on.as_ref().map(|on| on.skin(&ann, glb::Detail::Rough));
+        let mut bytes = Vec::new();
+        let options = Options { skin: Some(glb::Detail::Rough), forces: false };
+        glb::write(&[Actor { name: "Ann", figure, skin: skin.as_ref() }], &[], options, &mut bytes)
+            .expect("written");
+        let character = Character::read(&bytes, "Ann").expect("a character");
+        let roles = Roles::find(character.skeleton(), &BoneMap::default()).expect("roles");
+        let moved = retarget(&take, character.skeleton(), &roles).expect("moved");
+        assert!(moved.replanted.is_alike && (moved.replanted.scale - 1.0).abs() < 1e-6);
+        let mut worst: f64 = 0.0;
+        for (bone, turns) in &moved.turns {
+            let name = &character.skeleton().bones[*bone].name;
+            let link = figure.link_index(name).expect("a link");
+            let joint = figure.links()[link].joint();
+            for (sample, turn) in turns.iter().enumerate() {
+                let q = &own.q(sample)[figure.layout().joints()[link].q..];
+                let off = angle(turn, &(joint.placement() * joint.moved(q)).rotation);
+                worst = worst.max(off);
+            }
+        }
+        assert_eq!(moved.turns.len(), 21);
+        assert!(worst < 1e-6, "{rig:?}: {worst} rad");
+    }
+}
+
+/// Characters as programs write them.
+fn strangers() -> Vec<(&'static str, Made)> {
+    let mixamo = |name: &str| {
+        format!("mixamorig1:{}", Rig::Mixamo.bone(name).expect("a bone").trim_start_matches("mixamorig:"))
+    };
+    let unreal = |name: &str| Rig::Unreal.bone(name).expect("a bone").to_owned();
+    let blender = |name: &str| match name.split_once('_') {
+        Some(("left", part)) => format!("DEF-{part}.L"),
+        Some(("right", part)) => format!("DEF-{part}.R"),
+        _ => name.to_owned(),
+    };
+    let short = [0.30, 0.36, 0.20, 0.22];
+    vec![
+        ("metres, T", Made::default()),
+        ("centimetres", Made { names: mixamo, centimetres: true, lengths: short, ..Made::default() }),
+        (
+            "A pose, legs apart, five spine bones",
+            Made { names: unreal, arms: 0.8, legs: 0.15, spine: 5, twists: true, ..Made::default() },
+        ),
+        ("any axes", Made { names: blender, rolled: true, centimetres: true, spine: 1, ..Made::default() }),
+        (
+            "looks back",
+            Made {
+                facing: std::f64::consts::PI,
+                rolled: true,
+                lengths: [0.55, 0.45, 0.3, 0.3],
+                ankle: 0.14,
+                ..Made::default()
+            },
+        ),
+    ]
+}
+
+#[test]
+fn limbs_point_as_the_source_s_whatever_axes_names_and_rest_poses() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let motion = walked(&ann);
+    let take = take(&ann, &motion);
+    for (what, made) in strangers() {
+        let (_, moved, clip) = onto(&made.bytes(), &take);
+        let knees = moved.replanted.knee + moved.replanted.hip;
+        assert!(knees < 0.7, "{what}: legs turn by {knees} rad");
+        for sample in (0..motion.len()).step_by(7) {
+            let places = ann.places(motion.q(sample));
+            for (from, to, most) in [
+                ("left_upper_arm", "left_forearm", 1e-5),
+                ("right_forearm", "right_hand", 1e-5),
+                ("left_thigh", "left_shank", knees + 1e-5),
+                ("right_shank", "right_foot", knees + 1e-5),
+            ] {
+                let at = |name: &str| places[ann.link_index(name).expect("a link")].translation.vector;
+                let expected = (at(to) - at(from)).normalize();
+                let found = direction(&clip, sample, [&(made.names)(from), &(made.names)(to)], made.facing);
+                let off = found.angle(&expected);
+                assert!(off < most, "{what}: {from} is {off} rad off in sample {sample}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_stands_in_the_source_stands_on_other_legs() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let motion = walked(&ann);
+    let take = take(&ann, &motion);
+    for (what, made) in strangers() {
+        let (_, moved, clip) = onto(&made.bytes(), &take);
+        let done = moved.replanted;
+        assert!(done.stances > 5 && !done.is_alike, "{what}");
+        assert!(done.slide < 1e-9, "{what}: {} m", done.slide);
+        // Seen from outside: soles are on the ground and not below it.
+        let facing = UnitQuaternion::from_scaled_axis(Vector3::y() * made.facing);
+        let joints = made.joints();
+        let mut q = vec![0.0; clip.figure.layout().nq()];
+        clip.figure.neutral(&mut q).expect("as long");
+        let rest = clip.figure.places(&q);
+        let hips = clip.figure.link_index(&joints[0].name).expect("hips");
+        let shift = facing * joints[0].at - rest[hips].translation.vector;
+        let own: Vec<(usize, Point3<f64>)> = made
+            .soles()
+            .into_iter()
+            .map(|(bone, point)| {
+                let link = clip.figure.link_index(&joints[bone].name).expect("a bone");
+                (link, rest[link].inverse() * Point3::from(facing * point - shift))
+            })
+            .collect();
+        for sample in 0..clip.motion.len() {
+            let places = clip.figure.places(clip.motion.q(sample));
+            let lowest =
+                own.iter().map(|(link, point)| (places[*link] * point).y).fold(f64::INFINITY, f64::min);
+            assert!(lowest.abs() < 4e-3, "{what}: the lowest point is at {lowest} m in sample {sample}");
+        }
+    }
+}
+
+#[test]
+fn nothing_of_the_file_is_written_anew() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let motion = walked(&ann);
+    let take = take(&ann, &motion);
+    let before = Made { centimetres: true, ..Made::default() }.bytes();
+    let (after, ..) = onto(&before, &take);
+    let parts = |bytes: &[u8]| {
+        let length = u32::from_le_bytes(bytes[12..16].try_into().expect("four")) as usize;
+        (String::from_utf8(bytes[20..20 + length].to_vec()).expect("text"), bytes[28 + length..].to_vec())
+    };
+    let ((old, data), (new, more)) = (parts(&before), parts(&after));
+    assert_eq!(more[..data.len()], data[..]);
+    // Every piece between two additions stands there to the letter.
+    assert!(new.contains("0.12345678901234568") && new.contains("\"watts\":40"));
+    let parsed = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
+    let (old, mut new) = (parsed(&old), parsed(&new));
+    assert_eq!(new["animations"][1]["name"], "walk");
+    for (key, list) in old.as_object().expect("an object") {
+        if let (Some(list), Some(longer)) = (list.as_array(), new[key].as_array_mut()) {
+            longer.truncate(list.len());
+        }
+    }
+    new["buffers"][0]["byteLength"] = old["buffers"][0]["byteLength"].clone();
+    assert_eq!(old, new);
+    // Another reader takes it, and a second clip of that name gets another.
+    gltf::Gltf::from_slice(&after).expect("a valid file");
+    let (again, ..) = onto(&after, &take);
+    assert!(parts(&again).0.contains("\"name\":\"walk 2\""));
+}
+
+#[test]
+fn five_spine_bones_share_the_turn_of_two() {
+    let ann = human(1.75, 73.0).expect("a person");
+    let nq = ann.layout().nq();
+    let mut q = vec![0.0; nq];
+    for (name, value) in [("lumbar.rx", 0.2), ("thorax.rx", 0.4), ("root.ty", 1.0)] {
+        q[ann.layout().q_names().iter().position(|dof| dof == name).expect("a dof")] = value;
+    }
+    let v = vec![0.0; ann.layout().nv()];
+    let info = solaris_model::MotionInfo::on_earth(&ann, 30.0);
+    let bent = Motion::new(&ann, info, vec![0.0], [q, v.clone(), v]).expect("a motion");
+    let made = Made { spine: 5, ..Made::default() };
+    let bytes = made.bytes();
+    let character = Character::read(&bytes, "hero").expect("a character");
+    let roles = Roles::find(character.skeleton(), &BoneMap::default()).expect("roles");
+    let moved = retarget(&take(&ann, &bent), character.skeleton(), &roles).expect("moved");
+    let turn = |name: &str| {
+        let found = moved.turns.iter().find(|(bone, _)| character.skeleton().bones[*bone].name == name);
+        found.expect("a bone").1[0].scaled_axis().x
+    };
+    let spine: Vec<f64> =
+        ["abdomen1", "abdomen2", "abdomen3", "abdomen4", "thorax"].iter().map(|name| turn(name)).collect();
+    // Two and a half of the five take each: 0.2 rad in pieces of 0.08, 0.4 rad in pieces of 0.16.
+    let expected = [0.08, 0.08, 0.12, 0.16, 0.16];
+    for (found, expected) in spine.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-6, "{spine:?}");
+    }
+}
+
+#[test]
+fn who_has_no_thigh_is_told_what_there_is() {
+    let bytes = Made {
+        names: |name| if name == "left_thigh" { "Oberschenkel".to_owned() } else { name.to_owned() },
+        ..Made::default()
+    }
+    .bytes();
+    let character = Character::read(&bytes, "hero").expect("a character");
+    let error = Roles::find(character.skeleton(), &BoneMap::default()).expect_err("no thigh");
+    let RetargetError::NoBone { roles, bones, .. } = &error else { panic!("{error}") };
+    assert_eq!(roles, &["left_thigh"]);
+    assert!(
+        bones.contains("Oberschenkel") && error.to_string().contains("Bones(left_thigh: \"NAME\", …)"),
+        "{error}"
+    );
+    let map = BoneMap::read("(left_thigh: \"Oberschenkel\")").expect("a map");
+    assert!(Roles::find(character.skeleton(), &map).is_ok());
+    let wrong = BoneMap::read("(left_thigh: \"Oberschenkl\")").expect("a map");
+    let error = Roles::find(character.skeleton(), &wrong).expect_err("no such bone").to_string();
+    assert!(error.contains("did you mean 'Oberschenkel'?") || error.contains("Oberschenkel"), "{error}");
+}
