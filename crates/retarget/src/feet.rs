@@ -36,15 +36,15 @@ impl Sole {
         let at = |bone: usize| turn * skeleton.bones[bone].rest.translation.vector;
         let leg = leg(skeleton, roles);
         let feet = roles.sides.map(|limbs| {
-            let of_foot = |bone: usize| skeleton.is_below(bone, limbs.foot);
+            let of_foot = skeleton.below(limbs.foot);
             let surface: Vec<Vector3<f64>> = skeleton
                 .surface
                 .iter()
-                .filter(|(bone, _)| of_foot(*bone))
+                .filter(|(bone, _)| of_foot[*bone])
                 .map(|(_, point)| turn * point)
                 .collect();
             let joints: Vec<Vector3<f64>> =
-                (0..skeleton.bones.len()).filter(|bone| of_foot(*bone)).map(at).collect();
+                (0..skeleton.bones.len()).filter(|bone| of_foot[*bone]).map(at).collect();
             (limbs, surface, joints)
         });
         let lowest = |points: &[Vector3<f64>]| points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);

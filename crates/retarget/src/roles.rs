@@ -236,10 +236,11 @@ impl Found<'_> {
         // A head that has no name of its own is the last one of those that go on from the chest.
         let mut at = chest;
         let head = head.or_else(|| {
-            while let Some(next) = (at + 1..skeleton.bones.len())
-                .find(|i| skeleton.bones[*i].parent == Some(at) && is_middle(*i))
-            {
-                at = next;
+            // Parents come before children.
+            for i in chest + 1..skeleton.bones.len() {
+                if skeleton.bones[i].parent == Some(at) && is_middle(i) {
+                    at = i;
+                }
             }
             (at != chest).then_some(at)
         });

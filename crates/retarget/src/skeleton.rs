@@ -54,9 +54,22 @@ impl Skeleton {
         self.above(bone).any(|at| at == above)
     }
 
+    /// For each bone, whether it is this one or below it.
+    pub(crate) fn below(&self, bone: usize) -> Vec<bool> {
+        let mut below = vec![false; self.bones.len()];
+        for i in bone..self.bones.len() {
+            below[i] = i == bone || self.bones[i].parent.is_some_and(|parent| below[parent]);
+        }
+        below
+    }
+
     /// The lowest bone that is above both, or is one of them.
     pub(crate) fn common(&self, one: usize, other: usize) -> Option<usize> {
-        self.above(one).find(|at| self.is_below(other, *at))
+        let mut is_above = vec![false; self.bones.len()];
+        for at in self.above(other) {
+            is_above[at] = true;
+        }
+        self.above(one).find(|at| is_above[*at])
     }
 
     /// The bones between two, from above down, without them; where the upper one is not above, from the lowest one that is.

@@ -74,7 +74,7 @@ pub fn retarget(take: &Take, onto: &Skeleton, roles: &Roles) -> Result<Moved, Re
     let drives = drives(&take.roles, roles);
     let mover = mover(onto, roles, &drives);
     let scale = leg(onto, roles) / leg(&take.skeleton, &take.roles);
-    let body = Body { skeleton: onto, roles, rest: &rest, mover };
+    let body = Body { skeleton: onto, roles, rest: &rest, mover, carried: onto.below(mover) };
     let soles = Sole::both(onto, roles, &turn);
     let footing = Footing::of(take, &soles, scale);
     let mut driven: Vec<Vec<Option<UnitQuaternion<f64>>>> = Vec::with_capacity(take.len());
@@ -104,6 +104,8 @@ pub(crate) struct Body<'a> {
     pub(crate) rest: &'a [Placement],
     /// The bone that carries all that have roles.
     pub(crate) mover: usize,
+    /// Whether it carries a bone, or is it.
+    pub(crate) carried: Vec<bool>,
 }
 
 impl Body<'_> {
@@ -126,7 +128,7 @@ impl Body<'_> {
         }
         let shift = hips - middle(self.roles, &places);
         for i in 0..places.len() {
-            if self.skeleton.is_below(i, self.mover) {
+            if self.carried[i] {
                 places[i].translation.vector += shift;
             }
         }

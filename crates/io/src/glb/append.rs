@@ -8,7 +8,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::value::RawValue;
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::ops::Range;
 
@@ -120,7 +120,7 @@ impl<'a> Edit<'a> {
 
     /// A name that no animation has.
     fn free_name(&self, name: &str) -> Result<String, IoError> {
-        let mut taken = Vec::new();
+        let mut taken = BTreeSet::new();
         for animation in self.list("animations")? {
             let animation: Value = serde_json::from_str(animation.get()).map_err(|error| fault(&error))?;
             taken.extend(animation.get("name").and_then(Value::as_str).map(str::to_owned));

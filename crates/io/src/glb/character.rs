@@ -11,7 +11,7 @@ use crate::rig::Rig;
 use solaris_model::rig::{self, Segment, bones};
 use solaris_model::{Matrix3, Placement, UnitQuaternion, Vector3};
 use solaris_retarget::{Bone, Moved, ROLES, Skeleton};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 
 /// A node whose turn is so far (rad) from that of the pose in which the skin was bound is posed.
@@ -28,7 +28,7 @@ pub struct Character<'a> {
     /// Bones that the file has in another pose than its skin was bound in, with their turns in that one.
     posed: Vec<(usize, UnitQuaternion<f64>)>,
     /// Bones whose nodes say their place by a matrix, which no animation may move.
-    matrices: Vec<usize>,
+    matrices: BTreeSet<usize>,
 }
 
 impl<'a> Character<'a> {
@@ -196,13 +196,19 @@ fn bound(
 ) -> Result<Vec<Option<UnitQuaternion<f64>>>, GlbError> {
     let worlds = nodes.rest();
     let mut bind: Vec<Option<UnitQuaternion<f64>>> = vec![None; nodes.nodes.len()];
-    for (k, skin) in skins.iter().enumerate() {
-        let mut frames = vec![UnitQuaternion::identity()];
-        for (i, node) in document.list("nodes")?.iter().enumerate() {
-            if node.whole("skin")? == Some(k) {
-                frames.push(worlds[i].rotation);
+    let mut meshes = vec![Vec::new(); skins.len()];
+    for (i, node) in document.list("nodes")?.iter().enumerate() {
+        if let Some(skin) = node.get("skin") {
+            let of: &mut Vec<usize> = &mut meshes[skin.index("skins", skins.len())?];
+            // Of a skin that many meshes have, the first few.
+            if of.len() < 4 {
+                of.push(i);
             }
         }
+    }
+    for (skin, meshes) in skins.iter().zip(meshes) {
+        let mut frames = vec![UnitQuaternion::identity()];
+        frames.extend(meshes.into_iter().map(|mesh| worlds[mesh].rotation));
         if let Some(first) = skin.joints.first() {
             let top = nodes.nodes[*first].parent;
             frames.push(top.map_or_else(UnitQuaternion::identity, |top| worlds[top].rotation));
@@ -261,14 +267,13 @@ fn surface(
     worlds: &[World],
 ) -> Result<Vec<(usize, Vector3<f64>)>, GlbError> {
     let mut surface = Vec::new();
-    let mut seen = Vec::new();
+    let mut seen = BTreeSet::new();
     for node in document.list("nodes")? {
         let (Some(mesh), Some(skin)) = (node.get("mesh"), node.get("skin")) else { continue };
         let of = (mesh.index("meshes", document.count("meshes"))?, skin.index("skins", skins.len())?);
-        if seen.contains(&of) {
+        if !seen.insert(of) {
             continue;
         }
-        seen.push(of);
         for primitive in document.one("meshes", of.0)?.need("primitives")?.each()? {
             let packed = primitive
                 .get("extensions")
