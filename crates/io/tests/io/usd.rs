@@ -69,7 +69,7 @@ fn bones_are_where_links_are() {
     let bind = numbers(row(&text, "uniform matrix4d[] bindTransforms"));
     assert_eq!(bind.len(), 16 * joints.len());
     let head = &bind[16 * ann.link_index("head").expect("it")..][..16];
-    assert!(head[3] == 0.0 && head[15] == 1.0 && head[13] > 0.5, "{head:?}");
+    assert!(head[3].abs() < 1e-12 && (head[15] - 1.0).abs() < 1e-12 && head[13] > 0.5, "{head:?}");
 }
 
 #[test]
