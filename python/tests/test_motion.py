@@ -119,18 +119,18 @@ def test_walks_of_all_kinds():
     assert run.measures["run"] is not None
     thesis = solaris.walk(determinants=3, step_frequency=95, steps=4)
     assert thesis.step_frequency == pytest.approx(95)
-    joined = solaris.walk(steps=4, step_frequency=100, then=[{"steps": 4, "step_frequency": 110}])
+    joined = solaris.walk(steps=4, step_frequency=100, then=[{"steps": 4, "step_frequency": 110}, {"stand": 1.0}])
     assert joined.duration > 4.0
 
 
 @pytest.mark.parametrize(
     "wrong, message",
     [
-        ({"steps": 4, "distance": 3.0}, "not both"),
-        ({"population": "giant"}, "'older'"),
+        ({"steps": 4, "distance": 3.0}, "steps and distance are both given"),
+        ({"population": "giant"}, "older"),
         ({"then": [{"step": 4}]}, "then has no 'step'"),
         ({"stairs": {"hight": 1}}, "stairs has no 'hight'"),
-        ({"slope": 0.1, "stairs": {}}, "give one of"),
+        ({"slope": 0.1, "stairs": {}}, "slope and stairs are both given"),
         ({"path": [[1.0, 2.0, 3.0]]}, "rows of 2"),
         ({"loop": "yes"}, "'in_place'"),
         ({"speed": float("nan")}, "NaN"),

@@ -43,7 +43,7 @@ pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
 pub(crate) use walk::{
     DeterminantCount, DoubleSupportLaw, EveryoneArgs, FilmArgs, Gait, InBetweens, Loop, PaceArgs, PersonArgs,
-    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, Travel, WalkArgs, WalkFiles, WhoArgs,
+    RootLink, RunBound, Side, StyleName, TerrainArgs, Then, WalkArgs, WalkFiles, WhoArgs,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};

@@ -6,7 +6,7 @@
 //! reads the line below and the sources):
 //!
 //! ```text
-//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < live < comparison < styled < people < sweep < crowd
+//! condition < error < body < request < walking < measure < metrics < thesis < grid < limbs < momentum < smooth < running < live < comparison < styled < asked < people < sweep < crowd
 //! ```
 //!
 //! - `condition`, `error`: what a posture asks of its parameters; what can go wrong, one enum a concern.
@@ -16,8 +16,10 @@
 //! - `thesis`: key postures of three and five determinants, walks through them, tables, maps, stick figures.
 //! - `smooth`: the smooth walker, from laws and closed-form legs over one stride to whole walks and sequences of them.
 //! - `live`: a walker that is steered while it walks.
+//! - `asked`: a walk or a run as plain data.
 //! - `comparison`, `styled`, `people`, `sweep`, `crowd`: what needs both walkers or all of this.
 
+mod asked;
 mod body;
 mod comparison;
 mod condition;
@@ -38,6 +40,7 @@ pub mod sweep;
 mod thesis;
 mod walking;
 
+pub use asked::{Gait, GaitKind, GaitOptions, Next, PartOptions, Repeats, Staged, StairOptions, stages};
 pub use body::{FEET, LegGeometry, missing_for_walking};
 pub use comparison::PostureComparison;
 pub use error::{

@@ -6,10 +6,11 @@ pub use forces::{Pull, WalkForces};
 
 use crate::body::FEET;
 use crate::error::{GaitError, PlanError};
-use crate::request::{RunRequest, WalkRequest};
+use crate::measure::{SteadyRun, measure_run};
+use crate::request::{RunRequest, STEP_FREQUENCY, WalkRequest};
 use crate::running::{RunPlan, run};
 use crate::smooth::{WalkPlan, WalkSegment, WalkSequence, walk};
-use crate::thesis::{ThesisRequest, ThesisWalk, thesis_walk};
+use crate::thesis::{THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};
 use crate::walking::Prescribing;
 use solaris_analysis::ground::{Split, reactions_of_planted};
 use solaris_analysis::{SupportLaw, ground_reactions, prescribed_reactions};
@@ -26,6 +27,39 @@ pub enum StyledRequest {
     Thesis(ThesisRequest),
     /// A run.
     Run(RunRequest),
+}
+
+impl StyledRequest {
+    /// The request at the step frequency (steps/min) next to its own at which a stride lasts a whole number of frames of `rate` a second;
+    /// none where it does so already, and of a run, whose step frequency follows from its speed.
+    ///
+    /// ```text
+    /// N = 120·rate/f frames a stride of two steps, rounded;  f = 120·rate/N
+    /// ```
+    pub fn in_step(&self, step_frequency: f64, rate: f64) -> Option<Self> {
+        let (lower, upper) = match self {
+            Self::Thesis(_) => THESIS_STEP_FREQUENCY,
+            _ => STEP_FREQUENCY,
+        };
+        let frames = (120.0 * rate / step_frequency).round();
+        let mut fitted = [frames, frames + 1.0, frames - 1.0].into_iter().map(|count| 120.0 * rate / count);
+        let fitted = fitted.find(|fitted| (lower..=upper).contains(fitted))?;
+        if (fitted - step_frequency).abs() <= 1e-9 * step_frequency {
+            return None;
+        }
+        let mut request = self.clone();
+        let (frequency, length, speed) = match &mut request {
+            Self::Smooth(walk) => (&mut walk.step_frequency, &walk.step_length, &mut walk.speed),
+            Self::Thesis(walk) => (&mut walk.step_frequency, &walk.step_length, &mut walk.speed),
+            Self::Sequence(_) | Self::Run(_) => return None,
+        };
+        // Two of the three decide: of length and speed, the length stays.
+        if length.is_some() {
+            *speed = None;
+        }
+        *frequency = Some(fitted);
+        Some(request)
+    }
 }
 
 /// A plan in one of the two styles, or of a run.
@@ -55,6 +89,34 @@ impl StyledPlan {
             StyledRequest::Thesis(request) => Self::Thesis(Box::new(thesis_walk(figure, request)?)),
             StyledRequest::Run(request) => Self::Run(Box::new(run(figure, request)?)),
         })
+    }
+
+    /// The same, with so much of its manner and of its variability as holds: how much that is and why, where it is not all.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::of`], but for [`PlanError::OnlyPart`].
+    #[expect(clippy::type_complexity, reason = "a plan, and a part with its reason")]
+    pub fn as_far_as_it_holds(
+        figure: &Figure,
+        request: &StyledRequest,
+    ) -> Result<(Self, Option<(f64, Box<GaitError>)>), GaitError> {
+        match (Self::of(figure, request), request) {
+            (Err(GaitError::Plan(PlanError::OnlyPart { part, why })), StyledRequest::Smooth(walk)) => {
+                let plan = Self::of(figure, &StyledRequest::Smooth(walk.in_part(part)))?;
+                Ok((plan, Some((part, why))))
+            }
+            (found, _) => Ok((found?, None)),
+        }
+    }
+
+    /// What it is called: `smooth`, `thesis` or `run`.
+    pub fn style_name(&self) -> &'static str {
+        match self {
+            Self::Smooth(_) | Self::Sequence(_) => "smooth",
+            Self::Thesis(_) => "thesis",
+            Self::Run(_) => "run",
+        }
     }
 
     /// The first walk that is smooth.
@@ -129,6 +191,18 @@ impl StyledPlan {
         }
     }
 
+    /// A steady stride of a run, from a left contact on, measured; none of a walk.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::loaded`].
+    pub fn steady_run(&self, figure: &Figure) -> Result<Option<SteadyRun>, GaitError> {
+        let Self::Run(run) = self else { return Ok(None) };
+        let stride = Self::Run(Box::new(RunPlan::new(run.stride().clone(), 2, true)));
+        let (stride, _) = stride.loaded_stride(figure, 1.0 / run.resolution())?;
+        measure_run(figure, &stride).map(Some)
+    }
+
     /// One stride of it that repeats itself, sampled at the rate next to `rate` that has a whole number of frames, with forces.
     ///
     /// # Errors
@@ -174,4 +248,28 @@ fn lawful(
 fn needed(figure: &Figure, mut motion: Motion) -> Result<(Motion, WalkForces), GaitError> {
     let (report, residual) = reactions_of_planted(figure, &mut motion, Split::default())?;
     Ok((motion, WalkForces::Needed(Box::new(report), residual)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stride_is_a_whole_number_of_frames() {
+        for (frequency, rate) in [(110.0, 30.0), (95.0, 24.0), (130.0, 30.0), (60.0, 25.0), (111.3, 60.0)] {
+            let request = StyledRequest::Smooth(WalkRequest { speed: Some(1.2), ..WalkRequest::default() });
+            let Some(StyledRequest::Smooth(walk)) = request.in_step(frequency, rate) else { continue };
+            let fitted = walk.step_frequency.expect("a step frequency");
+            let frames = 120.0 * rate / fitted;
+            assert!((frames - frames.round()).abs() < 1e-9, "{frequency} {rate}: {frames}");
+            assert!((60.0..=130.0).contains(&fitted) && (fitted / frequency - 1.0).abs() < 0.04, "{fitted}");
+            assert_eq!(walk.speed, Some(1.2));
+        }
+    }
+
+    #[test]
+    fn a_stride_that_fits_stays() {
+        let request = StyledRequest::Smooth(WalkRequest::default());
+        assert!(request.in_step(120.0, 30.0).is_none());
+    }
 }

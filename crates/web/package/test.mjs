@@ -23,7 +23,7 @@ test("a walk is carried by the ground", () => {
   }
   // From standing to standing the mean force is the weight.
   assert.ok(Math.abs(push / motion.length / (58 * 9.80665) - 1) < 1e-3);
-  assert.equal(motion.report.steps, 6);
+  assert.equal(motion.report.measures.steps, 6);
   assert.match(motion.toCsv(), /^time,root\.tx\.q,/);
   assert.match(motion.toBvh(), /^HIERARCHY/);
 });
@@ -42,6 +42,16 @@ test("forces of a walk are those of inverse dynamics in the air", () => {
   assert.ok(Math.abs(of(motion.tau, nv)[1]) < 1e-6 && tau[1] > 300);
   const matrix = dynamics.massMatrix(q);
   assert.ok(Math.abs(matrix[0] - 58) < 1e-9);
+});
+
+test("a run flies, a loop ends where it began", () => {
+  const flown = walk(ann, { gait: "run", speed: 3, steps: 6 });
+  assert.ok(flown.report.run !== null && flown.report.style === "run");
+  const loop = walk(ann, { loop: "in_place", rate: 30, style: { armSwing: 10 } });
+  const { nq } = ann;
+  const [first, last] = [loop.q.slice(0, nq), loop.q.slice(-nq)];
+  assert.ok(first.every((x, i) => Math.abs(x - last[i]) < 1e-6));
+  assert.ok(Math.abs((loop.length - 1) / 30 - loop.time.at(-1)) < 1e-9);
 });
 
 test("a walker comes to a point, and a copy goes on alike", () => {
@@ -76,8 +86,9 @@ test("what is wrong is said", () => {
   const says = (what, message) => assert.throws(what, (error) => error instanceof Error && message.test(error.message));
   says(() => Figure.human(9, 70), /height 9 m/);
   says(() => walk(ann, { stepFrequency: 300 }), /60 to 130/);
-  says(() => walk(ann, { pase: 100 }), /unknown field `pase`/);
-  says(() => walk(ann, { steps: 4, distance: 2 }), /not both/);
+  says(() => walk(ann, { pase: 100 }), /unknown field `pase`, .*`stepFrequency`/);
+  says(() => walk(ann, { style: { armSwng: 5 } }), /did you mean arm-swing/);
+  says(() => walk(ann, { steps: 4, distance: 2 }), /steps and distance are both given/);
   says(() => Figure.fromText("Figure(nam: 1)"), /did you mean 'name'/);
   says(() => Figure.fromText("<OpenSimDocument/>", "osim"), /solaris-motion\/full/);
   says(() => new Dynamics(ann).inverse(new Float64Array(3), new Float64Array(66), new Float64Array(66)), /66/);

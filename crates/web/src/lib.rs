@@ -9,6 +9,7 @@
 
 mod dynamics;
 mod figure;
+mod keys;
 mod motion;
 #[cfg(feature = "full")]
 mod scene;

@@ -319,7 +319,7 @@ def walk(
     left_first: Optional[bool] = None,
     determinants: Optional[Literal[3, 5]] = None,
     loop: Optional[Literal["moving", "in_place"]] = None,
-    rate: float = 120.0,
+    rate: Optional[float] = None,
 ) -> Walk: ...
 def run_gait(
     figure: Optional[Figure] = None,
@@ -335,7 +335,7 @@ def run_gait(
     end: Literal["running", "standing"] = "running",
     left_first: bool = False,
     loop: Optional[Literal["moving", "in_place"]] = None,
-    rate: float = 120.0,
+    rate: Optional[float] = None,
 ) -> Walk: ...
 def style_parameters() -> dict[str, _StyleParameter]: ...
 def manners() -> tuple[list[str], list[str]]: ...

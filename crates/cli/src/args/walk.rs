@@ -8,7 +8,7 @@ mod then;
 pub(crate) use everyone::EveryoneArgs;
 pub(crate) use film::FilmArgs;
 pub(crate) use terrain::TerrainArgs;
-pub(crate) use then::{Then, Travel};
+pub(crate) use then::Then;
 
 use super::parameters::StyleArgs;
 use super::value::{Number, count, within};

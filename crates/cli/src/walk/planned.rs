@@ -1,6 +1,5 @@
 //! A planned walk with its forces, whatever its style.
 
-use super::looped;
 use super::request::Asked;
 use super::told::{BesideKeyPostures, Forces, KeyPostures};
 use crate::args::{Loop, RATE, RootLink, WalkArgs};
@@ -8,10 +7,8 @@ use crate::error::CliError;
 use crate::progress::Progress;
 use solaris::analysis::reactions_from_feet;
 use solaris::gait::determinants::{Condition, Determinants, KeyParameter};
-use solaris::gait::{
-    FEET, GaitError, PlanError, RunPlan, SteadyRun, StyledPlan, StyledRequest, measure_run, on_the_spot,
-};
-use solaris::model::{Figure, Motion, Trajectory as _};
+use solaris::gait::{FEET, GaitError, SteadyRun, StyledPlan, StyledRequest, on_the_spot};
+use solaris::model::{Figure, Motion};
 use std::time::{Duration, Instant};
 
 /// What is known of a walk with its forces, besides the motion.
@@ -34,15 +31,6 @@ pub(super) struct Planned {
     /// How long planning took, and all with the forces.
     pub(super) planning: Duration,
     pub(super) solving: Duration,
-}
-
-/// The name of a plan's style.
-pub(super) fn style(plan: &StyledPlan) -> &'static str {
-    match plan {
-        StyledPlan::Smooth(_) | StyledPlan::Sequence(_) => "smooth",
-        StyledPlan::Thesis(_) => "thesis",
-        StyledPlan::Run(_) => "run",
-    }
 }
 
 /// The postures of the thesis's style.
@@ -72,31 +60,26 @@ impl Planned {
         let start = Instant::now();
         progress.stage("planning the walk");
         let mut in_part = None;
-        let mut in_part_of = |figure: &Figure, request: &StyledRequest, found: Result<_, GaitError>| {
-            let refuse = |error| asked.refuse(error, args);
-            match (found, request) {
-                (Err(GaitError::Plan(PlanError::OnlyPart { part, why })), StyledRequest::Smooth(walk)) => {
-                    in_part = Some((part, why.to_string()));
-                    let request = StyledRequest::Smooth(walk.in_part(part));
-                    StyledPlan::of(figure, &request).map_err(refuse)
-                }
-                (found, _) => found.map_err(refuse),
-            }
+        let mut plan_of = |figure: &Figure, request: &StyledRequest| -> Result<_, GaitError> {
+            let (plan, part) = StyledPlan::as_far_as_it_holds(figure, request)?;
+            in_part = part.map(|(part, why)| (part, why.to_string()));
+            Ok(plan)
         };
         let mut heading_first = false;
-        let mut plan = match StyledPlan::of(figure, &asked.request) {
+        let refuse = |error| asked.refuse(error, args);
+        let mut plan = match plan_of(figure, &asked.request) {
             Err(error) if error.turns_too_far() && args.who.figure.is_none() => {
                 *figure = super::heading_first(&args.who.person)?;
                 heading_first = true;
-                in_part_of(figure, &asked.request, StyledPlan::of(figure, &asked.request))?
+                plan_of(figure, &asked.request).map_err(refuse)?
             }
-            found => in_part_of(figure, &asked.request, found)?,
+            found => found.map_err(refuse)?,
         };
         let figure = &*figure;
         let asked_frequency = plan.step_frequency();
-        let in_step = || looped::in_step(&asked.request, asked_frequency, rate);
+        let in_step = || asked.request.in_step(asked_frequency, rate);
         if let Some(request) = looped.and(args.extent.rate).and_then(|_| in_step()) {
-            plan = in_part_of(figure, &request, StyledPlan::of(figure, &request))?;
+            plan = plan_of(figure, &request).map_err(refuse)?;
         }
         let planning = start.elapsed();
         super::check_size(if looped.is_some() { 1.0 } else { plan.duration() }, rate)?;
@@ -118,15 +101,7 @@ impl Planned {
         if looped == Some(Loop::InPlace) {
             motion = on_the_spot(figure, &motion).map_err(CliError::other)?;
         }
-        let running = if let StyledPlan::Run(run) = &plan {
-            // From a left contact on, whichever comes first.
-            let stride = StyledPlan::Run(Box::new(RunPlan::new(run.stride().clone(), 2, true)));
-            let (stride, _) =
-                stride.loaded_stride(figure, 1.0 / run.resolution()).map_err(CliError::other)?;
-            Some(measure_run(figure, &stride).map_err(CliError::other)?)
-        } else {
-            None
-        };
+        let running = plan.steady_run(figure).map_err(CliError::other)?;
         // One stride has its own clock.
         let beside = if looped.is_none() { beside(&plan, args.manner.determinants.into()) } else { None };
         let planned = Self {

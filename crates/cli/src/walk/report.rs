@@ -2,7 +2,7 @@
 
 use super::notes::notes;
 use super::numbers::short;
-use super::planned::{Planned, postures, style};
+use super::planned::{Planned, postures};
 use super::told::{BesideKeyPostures, Forces, KeyPostures};
 use crate::limbs::overlap_note;
 use serde::Serialize;
@@ -136,7 +136,7 @@ impl Report {
             version: env!("CARGO_PKG_VERSION"),
             person: Person { height_m: height, mass_kg: mass },
             walk: Walk {
-                style: style(&plan),
+                style: plan.style_name(),
                 repeats,
                 changes,
                 steps: match &plan {

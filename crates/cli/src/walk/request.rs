@@ -7,14 +7,15 @@ mod terrain;
 use super::everyone::dressed;
 use crate::args::{
     DEFAULT_STEPS, DoubleSupportLaw, Gait, InBetweens, Loop, Number, PaceArgs, PersonArgs, RunBound, Side,
-    StyleName, Then, Travel, WalkArgs,
+    StyleName, Then, WalkArgs,
 };
 use crate::error::{CliError, Typed, UsageError};
 use refused::refuse_others;
 use solaris::gait::determinants::{Determinants, DoubleSupport};
 use solaris::gait::{
-    DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, PARAMETERS, RunEnd, RunPart,
-    RunRequest, STEPS, StyledRequest, ThesisRequest, WalkPart, WalkRequest, WalkSegment, least_run_steps,
+    DEFAULT_RUN_SPEED, DEFAULT_STEP_FREQUENCY, Extent, GaitError, InBetween, Next, PARAMETERS, RequestError,
+    RunEnd, RunPart, RunRequest, STEPS, Staged, StyledRequest, ThesisRequest, WalkPart, WalkRequest,
+    least_run_steps, stages,
 };
 
 /// Steps of which one in the middle is taken where a stride is to repeat itself.
@@ -96,7 +97,7 @@ fn check(args: &WalkArgs) -> Result<(), UsageError> {
         return Err(UsageError::Duration { typed: duration.typed.clone(), step_frequency, steps });
     }
     // Until a body stands, more steps follow.
-    let next = args.changes.then.first().filter(|then| !matches!(then.what, Travel::Stand(_)));
+    let next = args.changes.then.first().filter(|then| !matches!(then.what, Next::Stand(_)));
     if let (Some(distance), Some(then)) = (&extent.distance, next) {
         let (distance, then) = (distance.typed.clone(), then.typed.clone());
         return Err(UsageError::DistanceThenMore { distance, then });
@@ -141,7 +142,7 @@ fn running(args: &WalkArgs) -> Result<Asked, CliError> {
     let speed = value(args.pace.speed.as_ref()).unwrap_or(DEFAULT_RUN_SPEED);
     let (mut parts, mut origins) = (Vec::new(), vec![None]);
     for Then { what, typed } in &args.changes.then {
-        let Travel::Steps(WalkPart {
+        let Next::Steps(WalkPart {
             steps,
             step_frequency: None,
             step_length: None,
@@ -172,52 +173,15 @@ fn running(args: &WalkArgs) -> Result<Asked, CliError> {
 
 /// A walk and what comes next: one walk, or several with standing still in between.
 fn smooth(first: &WalkRequest, then: &[Then]) -> Result<Asked, CliError> {
-    let WalkRequest { step_frequency, step_length, speed, .. } = *first;
-    // What is left out stays as it was.
-    let mut pace = WalkPart { step_frequency, step_length, speed, ..WalkPart::default() };
-    let anew = |extent: Extent, turn: f64, pace: &WalkPart| {
-        let WalkPart { step_frequency, step_length, speed, .. } = *pace;
-        Some(WalkRequest { step_frequency, step_length, speed, extent, turn, ..first.clone() })
-    };
-    let (mut stages, mut walk) = (Vec::new(), Some(first.clone()));
-    let mut origins = vec![vec![None]];
-    for Then { what, typed } in then {
-        if let Travel::Steps(part) | Travel::Distance(_, part) = *what
-            && part.step_frequency.or(part.step_length).or(part.speed).is_some()
-        {
-            pace = part;
+    let next: Vec<Next> = then.iter().map(|then| then.what).collect();
+    let Staged { request, origins } = stages(first, &next).map_err(|error| match error {
+        RequestError::DistanceOnTheWay { number, .. } => {
+            UsageError::DistanceOnTheWay { typed: then[number - 1].typed.clone() }.into()
         }
-        let origin = Some(typed.clone());
-        match (*what, &mut walk) {
-            (Travel::Stand(time), _) => {
-                stages.extend(walk.take().map(WalkSegment::Walk));
-                stages.push(WalkSegment::Stand(time));
-                origins.push(vec![origin]);
-            }
-            (Travel::Steps(part), Some(walk)) => {
-                walk.then.push(part);
-                if let Some(parts) = origins.last_mut() {
-                    parts.push(origin);
-                }
-            }
-            (Travel::Steps(part), None) => {
-                walk = anew(Extent::Steps(part.steps), part.turn, &pace);
-                origins.push(vec![origin]);
-            }
-            (Travel::Distance(distance, part), None) => {
-                walk = anew(Extent::Distance(distance), part.turn, &pace);
-                origins.push(vec![origin]);
-            }
-            (Travel::Distance(..), Some(_)) => {
-                return Err(UsageError::DistanceOnTheWay { typed: typed.clone() }.into());
-            }
-        }
-    }
-    stages.extend(walk.map(WalkSegment::Walk));
-    let request = match stages.pop() {
-        Some(WalkSegment::Walk(walk)) if stages.is_empty() => StyledRequest::Smooth(walk),
-        last => StyledRequest::Sequence(stages.into_iter().chain(last).collect()),
-    };
+        error => CliError::other(error),
+    })?;
+    let typed = |origin: Option<usize>| Some(then.get(origin?)?.typed.clone());
+    let origins = origins.into_iter().map(|parts| parts.into_iter().map(typed).collect()).collect();
     Ok(Asked { request, origins })
 }
 

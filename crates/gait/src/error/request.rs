@@ -91,6 +91,18 @@ pub enum RequestError {
     Foothold { number: usize, why: String },
     #[error("{what} on ground that is not level: not planned yet; walk one part straight on there")]
     NotOnTerrain { what: &'static str },
+    #[error("{one} and {other} are both given; drop one")]
+    Both { one: &'static str, other: &'static str },
+    #[error("{option} is given, which is not of {of}; drop it")]
+    NotOf { option: &'static str, of: &'static str },
+    #[error("there is no {what} '{name}'; {known}")]
+    Unknown { what: &'static str, name: String, known: String },
+    #[error("what comes next says nothing; give it steps, or stand")]
+    NothingNext,
+    #[error(
+        "what comes next as number {number} is a distance of {distance} m, on the way; say how many steps, or stand before it"
+    )]
+    DistanceOnTheWay { number: usize, distance: f64 },
     #[error("a sequence without a walk; give it one, if only of a single step")]
     NoWalk,
 }

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, reason = "tests print what they measured")]
 
 mod anywhere;
+mod asked;
 mod changes;
 mod changes_random;
 mod comparison;

@@ -1,24 +1,14 @@
 //! `--then`: what comes next in a walk.
 
 use crate::args::value::number;
-use solaris::gait::{STEPS, WalkPart};
+use solaris::gait::{Next, STEPS, WalkPart};
 use solaris::model::nearest;
 
 /// What comes next, and how it was typed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Then {
-    pub(crate) what: Travel,
+    pub(crate) what: Next,
     pub(crate) typed: String,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Travel {
-    /// Stop, and stand so long (s).
-    Stand(f64),
-    /// Some steps.
-    Steps(WalkPart),
-    /// As many steps as reach so far (m), from standing.
-    Distance(f64, WalkPart),
 }
 
 /// What is wrong with a `--then`.
@@ -69,11 +59,11 @@ pub(super) fn parse(text: &str) -> Result<Then, ThenError> {
     Ok(Then { what, typed: text.to_owned() })
 }
 
-fn travel(values: [Option<(f64, &str)>; KEYS.len()], items: &[&str]) -> Result<Travel, ThenError> {
+fn travel(values: [Option<(f64, &str)>; KEYS.len()], items: &[&str]) -> Result<Next, ThenError> {
     let [steps, distance, stand, step_frequency, step_length, speed, turn] = values;
     if let Some((stand, _)) = stand {
         if items.len() == 1 {
-            return Ok(Travel::Stand(stand));
+            return Ok(Next::Stand(stand));
         }
         let rest: Vec<&str> = items.iter().copied().filter(|item| !item.starts_with("stand=")).collect();
         return Err(ThenError::StandWithOthers { stand, rest: rest.join(",") });
@@ -88,10 +78,10 @@ fn travel(values: [Option<(f64, &str)>; KEYS.len()], items: &[&str]) -> Result<T
     };
     match (steps, distance) {
         (Some((steps, _)), None) if steps.fract() == 0.0 && (1.0..=STEPS.1 as f64).contains(&steps) => {
-            Ok(Travel::Steps(WalkPart { steps: steps as usize, ..part }))
+            Ok(Next::Steps(WalkPart { steps: steps as usize, ..part }))
         }
         (Some((_, typed)), None) => Err(ThenError::Steps { steps: typed.to_owned() }),
-        (None, Some((distance, _))) => Ok(Travel::Distance(distance, part)),
+        (None, Some((distance, _))) => Ok(Next::Distance(distance, part)),
         (None, None) if items.is_empty() => Err(ThenError::Nothing),
         (None, None) => Err(ThenError::NoExtent { given: items.join(",") }),
         (Some(_), Some(_)) => Err(ThenError::StepsAndDistance),
@@ -105,7 +95,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said_so_that_it_can_be_followed() {
         let said = |text: &str| parse(text).map(|then| then.what).map_err(|error| error.to_string());
-        assert_eq!(said("stand=2"), Ok(Travel::Stand(2.0)));
+        assert_eq!(said("stand=2"), Ok(Next::Stand(2.0)));
         assert_eq!(said("cadence=95,steps=4"), said("steps=4 step-frequency=95"));
         let refused = [
             ("3", "'3' is no KEY=NUMBER; write it such as steps=4,step-frequency=95 or stand=2"),

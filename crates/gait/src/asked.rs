@@ -1,0 +1,10 @@
+//! A walk or a run as plain data: what sliders, keywords and JSON say, and the motion that it comes to.
+
+mod made;
+mod options;
+mod request;
+mod stages;
+
+pub use made::Gait;
+pub use options::{GaitKind, GaitOptions, PartOptions, Repeats, StairOptions};
+pub use stages::{Next, Staged, stages};
