@@ -34,6 +34,7 @@ pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
 
 /// Runs `f`.
 #[cfg(not(all(target_arch = "x86_64", feature = "dispatch")))]
+#[allow(clippy::extra_unused_type_parameters, reason = "what gains by wider instructions is asked elsewhere")]
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 pub(crate) fn wide<T: Scalar, A>(f: impl FnOnce() -> A) -> A {
     f()
