@@ -14,6 +14,9 @@ import solaris
 
 osim = pytest.importorskip("opensim", reason="OpenSim's wheel is not installed: pip install opensim")
 
+# It would write its own beside the models.
+osim.Logger.removeFileSink()
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 DATA = Path(os.environ.get("SOLARIS_DATA", REPOSITORY / "shared" / "data"))
 MODELS = [
