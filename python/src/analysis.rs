@@ -417,6 +417,17 @@ pub(crate) struct Kinematics {
     found: MarkerMotion,
 }
 
+/// The unit of a recording's lengths, by its name.
+pub(crate) fn length_unit(name: Option<&str>) -> PyResult<Option<LengthUnit>> {
+    match name {
+        None => Ok(None),
+        Some("mm") => Ok(Some(LengthUnit::Millimetres)),
+        Some("cm") => Ok(Some(LengthUnit::Centimetres)),
+        Some("m") => Ok(Some(LengthUnit::Metres)),
+        Some(other) => Err(value(format!("unit is '{other}'; it must be 'mm', 'cm' or 'm'"))),
+    }
+}
+
 /// Finds the positions in which a figure's markers come nearest to where a recording (`.c3d`, `.trc`) saw them.
 ///
 /// The markers are the model's, or its named frames. `unit` is that of the file's lengths where the file does not say it: `"mm"`, `"cm"` or
@@ -430,13 +441,7 @@ pub(crate) fn inverse_kinematics(
     unit: Option<&str>,
     weights: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Kinematics> {
-    let unit = match unit {
-        None => None,
-        Some("mm") => Some(LengthUnit::Millimetres),
-        Some("cm") => Some(LengthUnit::Centimetres),
-        Some("m") => Some(LengthUnit::Metres),
-        Some(other) => return Err(value(format!("unit is '{other}'; it must be 'mm', 'cm' or 'm'"))),
-    };
+    let unit = length_unit(unit)?;
     let weights: Option<Vec<(String, f64)>> = match weights {
         Some(given) => Some(
             given

@@ -1,12 +1,13 @@
 //! Figures: made, read, and asked what they are.
 
-use crate::arrays::{States, fixed, shaped};
+use crate::arrays::{States, contiguous, fixed, shape, shaped};
 use crate::errors;
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use solaris::files::{self, Body};
 use solaris::io::{mjcf, opensim, sdf, urdf};
 use solaris::model::{self, Human, RootOrder, text};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -23,6 +24,10 @@ pub(crate) struct Figure {
 impl Figure {
     pub(crate) fn own(figure: model::Figure) -> Self {
         Self { body: Arc::new(Body::own(figure)) }
+    }
+
+    pub(crate) fn of(body: Body) -> Self {
+        Self { body: Arc::new(body) }
     }
 
     pub(crate) fn figure(&self) -> &model::Figure {
@@ -205,6 +210,52 @@ impl Figure {
         self.body.findings.iter().map(ToString::to_string).collect()
     }
 
+    /// A configuration, velocities and accelerations with the degrees of freedom that follow others where their leaders put them: copies
+    /// of what is given. Without velocities or accelerations these are zero.
+    ///
+    /// >>> import solaris
+    /// >>> subject = solaris.read_figure("fixtures/subject/subject.osim")
+    /// >>> q = subject.neutral()
+    /// >>> q[subject.q_names.index("knee_angle_r")] = -1.0
+    /// >>> q, v, a = subject.follow(q)
+    #[pyo3(signature = (q, v=None, a=None))]
+    fn follow<'py>(
+        &self,
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
+        v: Option<&Bound<'py, PyAny>>,
+        a: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 3]> {
+        let nv = self.nv();
+        let mut q = vector("q", q, self.nq())?;
+        let rates = |name, given: Option<&Bound<'py, PyAny>>| {
+            given.map_or_else(|| Ok(vec![0.0; nv]), |given| vector(name, given, nv))
+        };
+        let (mut v, mut a) = (rates("v", v)?, rates("a", a)?);
+        self.figure().follow(&mut q, &mut v, &mut a);
+        Ok([q, v, a].map(|numbers| PyArray1::from_vec(py, numbers)))
+    }
+
+    /// Generalized forces with those of followers passed on to their leaders, which then have what moves both: a copy.
+    fn fold_forces<'py>(
+        &self,
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
+        tau: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (q, mut tau) = (vector("q", q, self.nq())?, vector("tau", tau, self.nv())?);
+        self.figure().fold_forces(&q, &mut tau);
+        Ok(PyArray1::from_vec(py, tau))
+    }
+
+    /// The names of the degrees of freedom that follow others, each with the name of its leader.
+    #[getter]
+    fn followers(&self) -> BTreeMap<String, String> {
+        let names = self.figure().layout().v_names();
+        let followers = self.figure().followers().iter();
+        followers.map(|follower| (names[follower.dof].clone(), names[follower.leader].clone())).collect()
+    }
+
     /// A number that differs between figures that differ.
     #[getter]
     fn fingerprint(&self) -> u64 {
@@ -306,5 +357,19 @@ impl Figure {
         // Its text holds all of it but what its reader found.
         let make = py.import("solaris")?.getattr("_figure_of")?;
         Ok((make, (self.to_text(), self.body.gravity.into())))
+    }
+}
+
+/// One vector of finite numbers.
+fn vector(name: &str, given: &Bound<'_, PyAny>, width: usize) -> PyResult<Vec<f64>> {
+    let array = contiguous(name, given)?;
+    if *array.shape() != [width] {
+        let found = shape(array.shape());
+        return Err(errors::value(format!("{name} has the shape {found}; it must be ({width},)")));
+    }
+    let numbers = array.as_slice().unwrap_or_default().to_vec();
+    match numbers.iter().find(|x| !x.is_finite()) {
+        Some(x) => Err(errors::value(format!("{name} holds {x}; it must hold finite numbers"))),
+        None => Ok(numbers),
     }
 }

@@ -7,8 +7,11 @@ mod dynamics;
 mod errors;
 mod figure;
 mod motion;
+mod profile;
 mod report;
+mod running;
 mod scene;
+mod subject;
 mod walk;
 mod walker;
 mod written;
@@ -29,7 +32,13 @@ mod _solaris {
     #[pymodule_export]
     use crate::motion::{Motion, read_motion};
     #[pymodule_export]
-    use crate::scene::{Run, run};
+    use crate::profile::Profile;
+    #[pymodule_export]
+    use crate::running::Running;
+    #[pymodule_export]
+    use crate::scene::{Run, Scene, read_scene, run};
+    #[pymodule_export]
+    use crate::subject::{Subject, scale};
     #[pymodule_export]
     use crate::walk::{Walk, manners, run_gait, style_parameters, walk};
     #[pymodule_export]

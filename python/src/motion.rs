@@ -179,18 +179,7 @@ impl Motion {
     /// What happens when: `(time, kind, name)`, kinds `"touch_down"`, `"lift_off"`, `"root_change"` and `"drive_change"`.
     #[getter]
     fn events(&self) -> Vec<(f64, &'static str, String)> {
-        let told = |kind: &EventKind| match kind {
-            EventKind::TouchDown { link } => ("touch_down", link.clone()),
-            EventKind::LiftOff { link } => ("lift_off", link.clone()),
-            EventKind::RootChange { link } => ("root_change", link.clone()),
-            EventKind::DriveChange { what } => ("drive_change", what.clone()),
-            _ => ("other", String::new()),
-        };
-        let event = |event: &model::Event| {
-            let (kind, name) = told(&event.kind);
-            (event.time, kind, name)
-        };
-        self.motion.events.iter().map(event).collect()
+        events(&self.motion.events)
     }
 
     /// Names of the table's columns: `time`, `DOF.q`, `DOF.v`, `DOF.a`, `DOF.tau` where known, `LINK.fx` to `LINK.pz`.
@@ -274,4 +263,20 @@ impl Motion {
         let name = self.figure.figure().name().escape_debug().to_string();
         format!("<Motion of '{name}': {} samples over {lasts:.3} s{forces}>", self.motion.len())
     }
+}
+
+/// Events: when, what and of which link or drive.
+pub(crate) fn events(of: &[model::Event]) -> Vec<(f64, &'static str, String)> {
+    let told = |kind: &EventKind| match kind {
+        EventKind::TouchDown { link } => ("touch_down", link.clone()),
+        EventKind::LiftOff { link } => ("lift_off", link.clone()),
+        EventKind::RootChange { link } => ("root_change", link.clone()),
+        EventKind::DriveChange { what } => ("drive_change", what.clone()),
+        _ => ("other", String::new()),
+    };
+    let event = |event: &model::Event| {
+        let (kind, name) = told(&event.kind);
+        (event.time, kind, name)
+    };
+    of.iter().map(event).collect()
 }

@@ -4,11 +4,12 @@ use crate::errors::{self, plain};
 use crate::figure::Figure;
 use crate::motion::Motion;
 use crate::report::dictionary;
+use crate::running::Running;
 use pyo3::prelude::*;
 use serde_json::Value;
 use solaris::files;
 use solaris::modes::Observer;
-use solaris::scene::{NoFiles, Scene, read};
+use solaris::scene::{self, NoFiles};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -44,12 +45,47 @@ pub(crate) fn run(
     rate: Option<f64>,
     forces: bool,
 ) -> PyResult<Run> {
-    let mut scene: Scene = match (path, text) {
-        (Some(path), None) => py.detach(|| files::scene(&path)).map_err(errors::file("SceneError"))?.scene,
-        (None, Some(text)) => read(text, &mut NoFiles)
-            .map_err(|faults| errors::text("SceneError", "", &faults.to_string(), &[("", &faults)]))?,
-        _ => return Err(errors::value("give the path of a scene, or its text")),
-    };
+    simulate(py, read(py, path, text)?, duration, rate, forces)
+}
+
+/// A scene: a figure and what drives it, read and not yet run.
+#[pyclass(frozen, module = "solaris")]
+pub(crate) struct Scene {
+    scene: scene::Scene,
+}
+
+/// Reads a scene: a file (`.ron`), or its text with `text=`. The files that it names are beside it; a text names none.
+///
+/// >>> import solaris
+/// >>> scene = solaris.read_scene("fixtures/scenes/pendulum.ron")
+/// >>> running = scene.start()
+/// >>> running.step(0.1)
+/// >>> round(running.time, 9)
+/// 0.1
+#[pyfunction]
+#[pyo3(signature = (path=None, *, text=None))]
+pub(crate) fn read_scene(py: Python<'_>, path: Option<PathBuf>, text: Option<&str>) -> PyResult<Scene> {
+    Ok(Scene { scene: read(py, path, text)? })
+}
+
+fn read(py: Python<'_>, path: Option<PathBuf>, text: Option<&str>) -> PyResult<scene::Scene> {
+    match (path, text) {
+        (Some(path), None) => {
+            Ok(py.detach(|| files::scene(&path)).map_err(errors::file("SceneError"))?.scene)
+        }
+        (None, Some(text)) => scene::read(text, &mut NoFiles)
+            .map_err(|faults| errors::text("SceneError", "", &faults.to_string(), &[("", &faults)])),
+        _ => Err(errors::value("give the path of a scene, or its text")),
+    }
+}
+
+fn simulate(
+    py: Python<'_>,
+    mut scene: scene::Scene,
+    duration: Option<f64>,
+    rate: Option<f64>,
+    forces: bool,
+) -> PyResult<Run> {
     let settings = scene.settings_mut();
     settings.duration = duration.unwrap_or(settings.duration);
     settings.rate = rate.unwrap_or(settings.rate);
@@ -64,6 +100,58 @@ pub(crate) fn run(
     let figure = Figure::own(scene.figure().clone());
     let notes = scene.notes().to_vec();
     Ok(Run { motion: Motion::new(&figure, done.motion, scene.name().to_owned()), report, notes })
+}
+
+#[pymethods]
+impl Scene {
+    /// What it calls its figure.
+    #[getter]
+    fn name(&self) -> &str {
+        self.scene.name()
+    }
+
+    /// Who moves: of several figures one with all of their links.
+    #[getter]
+    fn figure(&self) -> Figure {
+        Figure::own(self.scene.figure().clone())
+    }
+
+    /// How long it is to run (s).
+    #[getter]
+    fn duration(&self) -> f64 {
+        self.scene.settings().duration
+    }
+
+    /// What its reader had to say.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.scene.notes().to_vec()
+    }
+
+    /// Runs all of it, as `solaris.run` does.
+    #[pyo3(signature = (*, duration=None, rate=None, forces=true))]
+    fn run(&self, py: Python<'_>, duration: Option<f64>, rate: Option<f64>, forces: bool) -> PyResult<Run> {
+        simulate(py, self.scene.clone(), duration, rate, forces)
+    }
+
+    /// Begins it, to be taken further step by step.
+    ///
+    /// By the scene's own method, or by `method`: `"rk4"`, `"euler"`, `"semi-implicit-euler"`, `"constant-acceleration"` or `"impulses"` in steps of at most
+    /// `step` (s), or `"adaptive"` to a `tolerance`. A scene that leaves the method open is stepped by `"rk4"` at a millisecond.
+    #[pyo3(signature = (*, method=None, step=None, tolerance=None))]
+    fn start(
+        &self,
+        py: Python<'_>,
+        method: Option<&str>,
+        step: Option<f64>,
+        tolerance: Option<f64>,
+    ) -> PyResult<Running> {
+        py.detach(|| Running::begin(&self.scene, method, step, tolerance))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Scene '{}' of {} s>", self.scene.name().escape_debug(), self.duration())
+    }
 }
 
 /// Stops a run where Ctrl-C was typed.

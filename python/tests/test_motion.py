@@ -221,3 +221,29 @@ def test_plots(walk):
         walk.motion.plot("left_kne.rx")
     with pytest.raises(ValueError, match="it must be 'q', 'v', 'a' or 'tau'"):
         walk.motion.plot(of="x")
+
+
+def test_a_model_is_scaled_to_markers(tmp_path):
+    fixtures = FIXTURES / "markers"
+    subject = solaris.scale(fixtures / "leg.osim", [fixtures / "static.trc", fixtures / "swing.trc"], mass=26.0)
+    assert subject.figure.mass == pytest.approx(26.0) and subject.rms < 0.5 * subject.rms_before
+    assert all(length["standard_error"] > 0 for length in subject.lengths) and subject.moved
+    before = solaris.inverse_kinematics(solaris.read_figure(fixtures / "leg.osim"), fixtures / "swing.trc")
+    after = solaris.inverse_kinematics(subject.figure, fixtures / "swing.trc")
+    assert after.rms < before.rms
+    # What is written is what it is, and so does the program write it.
+    subject.save(tmp_path / "leg.osim")
+    again = solaris.read_figure(tmp_path / "leg.osim")
+    assert again.mass == pytest.approx(26.0) and again.masses == pytest.approx(subject.figure.masses)
+    assert solaris.inverse_kinematics(again, fixtures / "swing.trc").rms == pytest.approx(after.rms, rel=1e-6)
+    subject.save(tmp_path / "leg.ron")
+    assert solaris.read_figure(tmp_path / "leg.ron").mass == pytest.approx(26.0)
+    for refused in (
+        lambda: solaris.scale(fixtures / "leg.osim", []),
+        lambda: solaris.scale(fixtures / "leg.osim", [fixtures / "static.trc"], mass=float("nan")),
+        lambda: solaris.scale(fixtures / "leg.osim", [fixtures / "nobody.trc"]),
+        lambda: solaris.scale(FIXTURES / "figures/arm.urdf", [fixtures / "static.trc"]),
+        lambda: subject.save(tmp_path / "leg.txt"),
+    ):
+        with pytest.raises(ValueError):
+            refused()

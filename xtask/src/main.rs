@@ -1,6 +1,7 @@
 //! Chores of the workspace, run as `cargo xtask CHORE`: what must pass. Measurements stand in `lab`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a chore talks to the person who runs it")]
 
+mod bevy;
 mod ci;
 mod fuzz;
 mod golden;
@@ -15,6 +16,8 @@ const HELP: &str = "\
 cargo xtask CHORE
 
   bench [--peers] [FIGURE…]         times the kernel, a minute; --peers: beside other engines (`cargo lab bench`)
+  bevy                              formatting, lints and tests of the plug-in for Bevy, a workspace of its own; skipped where the
+                                    engine's crates cannot be had
   ci                                formatting, lints, layers, golden runs, documentation, every crate alone
   fuzz [--minutes N] [--target T]   fuzzes every reader, 12 minutes in all, or one; needs a nightly compiler and cargo-fuzz
   golden [--bless] [--case NAME]    runs fixtures/golden/*/case.ron and compares, or rewrites what is expected
@@ -34,6 +37,7 @@ fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let done = match args[..] {
+        ["bevy"] => bevy::run(),
         ["ci"] => ci::run(),
         ["fuzz", ref options @ ..] => fuzz::Options::parse(options).and_then(|options| fuzz::run(&options)),
         ["golden", ref options @ ..] => {

@@ -3,10 +3,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import init, { Dynamics, Figure, Walker, run, walk } from "./dist/solaris_web.js";
+import init, { Dynamics, Figure, Walker, walk } from "./dist/solaris_web.js";
+import * as full from "./dist/full/solaris_web.js";
 
-const wasm = readFileSync(new URL("./dist/solaris_web_bg.wasm", import.meta.url));
-await init({ module_or_path: wasm });
+const wasm = (path) => readFileSync(new URL(`./dist/${path}solaris_web_bg.wasm`, import.meta.url));
+await init({ module_or_path: wasm("") });
+await full.default({ module_or_path: wasm("full/") });
 const ann = Figure.human(1.65, 58);
 
 test("a walk is carried by the ground", () => {
@@ -70,7 +72,10 @@ test("figures from texts, and scenes", () => {
   const arm = Figure.fromText(urdf, "urdf");
   assert.equal(Figure.fromText(arm.toText()).nv, arm.nv);
   assert.equal(arm.parents[0], -1);
-  const motion = run(
+  const osim = readFileSync(new URL("../../../fixtures/markers/leg.osim", import.meta.url), "utf8");
+  assert.ok(full.Figure.fromText(osim, "osim").nv > 0);
+  assert.deepEqual(full.walk(full.Figure.human(1.65, 58), { steps: 2 }).q, walk(ann, { steps: 2 }).q);
+  const motion = full.run(
     'Scene(version: 1, duration: 1.0, figures: {"it": Figure(links: [Link(name: "rod", mass: 1.0, joint: Joint(name: "pivot", axes: [rx]), com: (0, 0, 1))])})',
   );
   assert.equal(motion.time.at(-1), 1);
@@ -85,6 +90,7 @@ test("what is wrong is said", () => {
   says(() => walk(ann, { style: { armSwng: 5 } }), /did you mean arm-swing/);
   says(() => walk(ann, { steps: 4, distance: 2 }), /steps and distance are both given/);
   says(() => Figure.fromText("Figure(nam: 1)"), /did you mean 'name'/);
+  says(() => Figure.fromText("<OpenSimDocument/>", "osim"), /solaris-motion\/full/);
   says(() => new Dynamics(ann).inverse(new Float64Array(3), new Float64Array(66), new Float64Array(66)), /66/);
   says(() => new Walker(ann).step(9), /0\.25 s/);
 });

@@ -1,7 +1,9 @@
 //! Figures.
 
 use crate::failed;
-use solaris::io::{mjcf, opensim, sdf, urdf};
+use solaris::io::{mjcf, urdf};
+#[cfg(feature = "full")]
+use solaris::io::{opensim, sdf};
 use solaris::model::{self, Human, Link, RootOrder, Vector3, text};
 use wasm_bindgen::prelude::*;
 
@@ -34,17 +36,23 @@ impl Figure {
         human.build().map(Self::own).map_err(failed)
     }
 
-    /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"`, `"mjcf"`, `"osim"` or `"sdf"`.
+    /// A figure from a text: `"ron"` (Solaris' own, the default), `"urdf"` or `"mjcf"`; with the entry `solaris-motion/full` also `"osim"` or `"sdf"`.
     #[wasm_bindgen(js_name = fromText)]
     pub fn from_text(source: &str, format: Option<String>) -> Result<Figure, JsError> {
         let import = match format.as_deref().unwrap_or("ron") {
             "ron" => return text::read(source).map(Self::own).map_err(failed),
             "urdf" => urdf::read(source),
             "mjcf" => mjcf::read(source),
+            #[cfg(feature = "full")]
             "osim" => opensim::read(source),
+            #[cfg(feature = "full")]
             "sdf" => sdf::read(source),
             other => {
-                let known = "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'";
+                let known = if cfg!(feature = "full") {
+                    "'ron', 'urdf', 'mjcf', 'osim' or 'sdf'"
+                } else {
+                    "'ron', 'urdf' or 'mjcf', or with solaris-motion/full 'osim' or 'sdf'"
+                };
                 return Err(failed(format!("format is '{other}'; it must be {known}")));
             }
         };

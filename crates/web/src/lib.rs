@@ -11,6 +11,7 @@ mod dynamics;
 mod figure;
 mod keys;
 mod motion;
+#[cfg(feature = "full")]
 mod scene;
 mod walk;
 mod walker;
@@ -18,6 +19,7 @@ mod walker;
 pub use dynamics::Dynamics;
 pub use figure::Figure;
 pub use motion::Motion;
+#[cfg(feature = "full")]
 pub use scene::run;
 pub use walk::{WalkOptions, walk};
 pub use walker::Walker;

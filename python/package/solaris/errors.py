@@ -13,6 +13,7 @@ __all__ = [
     "FigureError",
     "FileError",
     "MotionError",
+    "ProfileError",
     "RunError",
     "SceneError",
     "SolarisError",
@@ -64,6 +65,10 @@ class FigureError(_Faulty):
 
 class SceneError(_Faulty):
     """A scene that cannot be: every fault stands in ``faults`` with its file, line and column."""
+
+
+class ProfileError(_Faulty):
+    """A profile that cannot be; faults of its text stand in ``faults`` with line and column."""
 
 
 class MotionError(SolarisError):

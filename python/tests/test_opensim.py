@@ -1,0 +1,132 @@
+"""The names of docs/python.md beside OpenSim's own engine: each line of its table, with the same numbers.
+
+Skipped where its wheel is not installed (``pip install opensim``). The models are those of the fixtures, and where there is a folder
+of others, which the variable SOLARIS_DATA names, OpenSim's own of walking.
+"""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import solaris
+
+osim = pytest.importorskip("opensim", reason="OpenSim's wheel is not installed: pip install opensim")
+
+# It would write its own beside the models.
+osim.Logger.removeFileSink()
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+DATA = Path(os.environ.get("SOLARIS_DATA", REPOSITORY / "shared" / "data"))
+MODELS = [
+    REPOSITORY / "fixtures/subject/subject.osim",
+    REPOSITORY / "fixtures/markers/leg.osim",
+    DATA / "subject01_walk/gait10dof18musc_subject01.osim",
+    DATA / "markers/gait2354/opensim46/subject01_simbody.osim",
+    DATA / "markers/rajagopal_run/opensim46/subject_scaled_run.osim",
+]
+
+
+class Theirs:
+    """OpenSim's model, whose forces are left out: muscles and springs are no part of the questions."""
+
+    def __init__(self, path, figure):
+        osim.Logger.setLevelString("Off")
+        self.model = osim.Model(str(path))
+        for force in range(self.model.getForceSet().getSize()):
+            self.model.updForceSet().get(force).set_appliesForce(False)
+        self.state = self.model.initSystem()
+        coordinates = self.model.getCoordinateSet()
+        self.coordinates = {coordinates.get(i).getName(): coordinates.get(i) for i in range(coordinates.getSize())}
+        for coordinate in self.coordinates.values():
+            coordinate.setLocked(self.state, False)
+            coordinate.setClamped(self.state, False)
+        self.matter = self.model.getMatterSubsystem()
+        # Those of ours that are coordinates there: translations of a knee follow its angle, and are functions in a joint of theirs.
+        self.names = [name for name in figure.v_names if name not in figure.followers]
+        # Where each of them is among their speeds: found by setting one after the other.
+        self.order = []
+        for name in self.names:
+            self.set(dict.fromkeys(self.coordinates, 0.0), {name: 1.0})
+            self.order.append(int(np.flatnonzero(self.state.getU().to_numpy())[0]))
+
+    def set(self, q, v):
+        for name, coordinate in self.coordinates.items():
+            coordinate.setValue(self.state, q.get(name, 0.0), False)
+            coordinate.setSpeedValue(self.state, v.get(name, 0.0))
+        self.model.realizeVelocity(self.state)
+
+    def vector(self, ours):
+        numbers = osim.Vector(self.state.getNU(), 0.0)
+        for at, x in zip(self.order, ours):
+            numbers.set(at, float(x))
+        return numbers
+
+    def inverse(self, a):
+        tau = osim.InverseDynamicsSolver(self.model).solve(self.state, self.vector(a))
+        return tau.to_numpy()[self.order]
+
+    def mass_matrix(self):
+        matrix = osim.Matrix()
+        self.matter.calcM(self.state, matrix)
+        return matrix.to_numpy()[np.ix_(self.order, self.order)]
+
+    def body(self, name):
+        return self.model.getBodySet().get(name)
+
+
+def lacks(path):
+    """Why a model's matrices are not those of its coordinates in OpenSim's engine."""
+    text = path.read_text()
+    if "<CoordinateCouplerConstraint" in text:
+        return "coordinates follow others by constraints, which OpenSim's matrices leave out"
+    if "<FreeJoint" in text or "<BallJoint" in text:
+        return "speeds of a free joint are no rates of its coordinates there"
+    return None
+
+
+@pytest.fixture(params=MODELS, ids=lambda path: path.stem)
+def pair(request):
+    path = request.param
+    if not path.exists():
+        pytest.skip(f"{path.name}: there is no such model here; SOLARIS_DATA names the folder of others")
+    figure = solaris.read_figure(path)
+    return path, figure, Theirs(path, figure)
+
+
+def states(figure, count=5):
+    numbers = np.random.default_rng(0)
+    return [tuple(numbers.uniform(-1.0, 1.0, figure.nv) * scale for scale in (0.3, 1.0, 3.0)) for _ in range(count)]
+
+
+def same(ours, theirs):
+    theirs = np.asarray(theirs)
+    assert np.abs(ours - theirs).max() <= 1e-9 * max(1.0, np.abs(theirs).max())
+
+
+def test_the_same_numbers(pair):
+    path, figure, theirs = pair
+    dynamics = solaris.Dynamics(figure)
+    assert figure.mass == pytest.approx(theirs.model.getTotalMass(theirs.state), rel=1e-12)
+    ours = [figure.v_names.index(name) for name in theirs.names]
+    for given in states(figure):
+        q, v, a = figure.follow(*given)
+        theirs.set(dict(zip(figure.q_names, q)), dict(zip(figure.v_names, v)))
+        same(dynamics.center_of_mass(q), theirs.model.calcMassCenterPosition(theirs.state).to_numpy())
+        bodies = theirs.model.getBodySet()
+        both = [body for body in (bodies.get(i) for i in range(bodies.getSize())) if body.getName() in figure.links]
+        assert len(both) > 1
+        for body in both:
+            same(dynamics.pose(q, body.getName())[:3, 3], body.getPositionInGround(theirs.state).to_numpy())
+        if lacks(path):
+            continue
+        assert dynamics.kinetic_energy(q, v) == pytest.approx(theirs.model.calcKineticEnergy(theirs.state), rel=1e-9)
+        same(figure.fold_forces(q, dynamics.inverse(q, v, a))[ours], theirs.inverse(a[ours]))
+        matrix, folded = dynamics.mass_matrix(q), []
+        for dof in ours:
+            _, way, _ = figure.follow(q, np.eye(figure.nv)[dof])
+            folded.append(figure.fold_forces(q, matrix @ way)[ours])
+        same(np.array(folded), theirs.mass_matrix())
+    if lacks(path):
+        pytest.skip(f"{path.name}: places are the same; {lacks(path)}")
