@@ -33,7 +33,7 @@ pub struct Character<'a> {
 
 impl<'a> Character<'a> {
     /// Reads a character: all nodes are bones of its skeleton, and those that joints of skins are or hang on may have roles, such as those that the
-    /// extensions `VRMC_vrm` and `VRM` give them. At rest it is in the pose in which its skin was bound. The skin's points come along as its surface.
+    /// extensions `VRMC_vrm` and `VRM` give them. At rest it is as its nodes are where left and right are alike, and else as its skin was bound. The skin's points come along as its surface.
     ///
     /// # Errors
     ///

@@ -24,6 +24,8 @@ const LEAST_RATE: f64 = 24.0;
 const RATE: f64 = 30.0;
 /// How far (relative) the time between keys may be from that of a whole number of frames a second.
 const WHOLE: f64 = 3e-4;
+/// The most frames of an animation with few keys: ten minutes; one with more may have four a key.
+const LONG: f64 = 18_000.0;
 /// The most frames times bones.
 const MOST: f64 = 4e6;
 
@@ -185,7 +187,7 @@ fn times(animation: Option<&Animation>, skip: usize, bones: usize) -> Result<Tim
     }
     // A last key that a float puts a little before its frame is that frame.
     let frames = ((last - first) * rate + 0.01).floor() + 1.0;
-    if frames * bones as f64 > MOST {
+    if frames * bones as f64 > MOST || frames > LONG.max(4.0 * dense.len() as f64) {
         return Err(GlbError::Long { duration: last - first, rate, frames, bones });
     }
     let count = frames as usize;
