@@ -280,8 +280,12 @@ impl Maker<'_> {
             for (side, sign) in ways {
                 let name = format!("turn_{side}_{angle}");
                 let turn = sign * f64::from(angle).to_radians();
-                let mut about = |steps| self.about(&name, request, turn, quarters * steps, next);
-                let found = about(ABOUT[0]).or_else(|_| about(ABOUT[1]));
+                let said = self.notes.len();
+                let mut found = self.about(&name, request, turn, quarters * ABOUT[0], next);
+                if found.is_err() || self.notes.len() > said {
+                    self.notes.truncate(said);
+                    found = self.about(&name, request, turn, quarters * ABOUT[1], next);
+                }
                 clips.extend(self.or_note(&name, found));
             }
         }

@@ -9,8 +9,8 @@ use crate::progress::Progress;
 use crate::walk::{dressed, figure, heading_first, without_last};
 use crate::words::short;
 use serde::Serialize;
-use solaris::gait::WalkRequest;
 use solaris::gait::set::{ClipSet, SetClip, SetRequest, clip_set};
+use solaris::gait::{GaitError, RequestError, WalkRequest};
 use solaris::model::Figure;
 use std::io::Write;
 use std::path::PathBuf;
@@ -64,7 +64,7 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
     };
     let progress = Progress::new(2);
     progress.stage("planning");
-    let set = clip_set(&figure, &request).map_err(CliError::other)?;
+    let set = clip_set(&figure, &request).map_err(|error| refused(error, args))?;
     progress.stage("writing");
     let mut written: Vec<String> = Vec::new();
     for folder in folders {
@@ -84,6 +84,17 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
     written.extend(outputs.written());
     drop(progress);
     print(|out| if args.json { write_json(out, &told(&figure, &set)) } else { table(out, &set, &written) })
+}
+
+/// Why there is no set, said of the option that asks for it.
+fn refused(error: GaitError, args: &SetArgs) -> CliError {
+    let of_speeds =
+        matches!(error, GaitError::Request(RequestError::Range { .. } | RequestError::StepLength { .. }));
+    if of_speeds && !args.speeds.is_empty() {
+        let typed: Vec<&str> = args.speeds.iter().map(|speed| speed.typed.as_str()).collect();
+        return CliError::option("speeds", typed.join(","), error.to_string());
+    }
+    CliError::other(error)
 }
 
 fn told<'a>(figure: &'a Figure, set: &'a ClipSet) -> Written<'a> {

@@ -210,8 +210,16 @@ impl SheetNumber {
     }
 
     fn change(&self, style: &mut Style, change: Change) -> Result<(), RequestError> {
-        let value = change.factor * self.get(style) + change.add;
-        pace::range(self.name, value, self.unit.symbol(), self.range, || {
+        let usual = self.get(style);
+        let value = change.factor * usual + change.add;
+        // Where everybody's number is beyond the range already, as the bounce of steps on the spot is, it may be half of it further.
+        let further = 0.5 * usual.abs();
+        let range = match self.range {
+            (lower, upper) if usual < lower => (usual - further, upper),
+            (lower, upper) if usual > upper => (lower, usual + further),
+            range => range,
+        };
+        pace::range(self.name, value, self.unit.symbol(), range, || {
             " in the manner that is asked for".to_owned()
         })?;
         match self.place {
