@@ -63,7 +63,7 @@ pub(crate) fn clips(
     rig: Option<Rig>,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
-    let options = Options::default();
+    let options = Options { vrm: rig == Some(Rig::Vrm), ..Options::default() };
     let mut write = |actor: Actor<'_>, motions: &[(&str, &Motion)]| {
         let clips: Vec<Clip<'_>> =
             motions.iter().map(|(name, motion)| Clip { name, motions: vec![(0, *motion)] }).collect();

@@ -17,7 +17,7 @@ fn walked(figure: &Figure, rate: f64) -> Motion {
 fn written(figure: &Figure, motion: &Motion) -> Vec<u8> {
     let mut bytes = Vec::new();
     let clip = glb::Clip { name: "walk", motions: vec![(0, motion)] };
-    let options = Options { skin: None, forces: false };
+    let options = Options { skin: None, forces: false, vrm: false };
     glb::write(&[Actor { name: "Ann", figure, skin: None }], &[clip], options, &mut bytes).expect("written");
     bytes
 }
