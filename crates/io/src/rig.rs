@@ -7,14 +7,24 @@
 //! | rig | names | rest |
 //! |---|---|---|
 //! | `Mixamo` | `mixamorig:LeftUpLeg` | T |
-//! | `Vrm` | `leftUpperLeg` (VRM 1.0; its extension is not written) | T |
+//! | `Vrm` | `leftUpperLeg` (VRM 1.0; [`crate::glb::Options::vrm`] writes its extension) | T |
 //! | `Unreal` | `thigh_l` | A, arms 45° down |
 //! | `Unity` | `LeftUpperLeg` (`HumanBodyBones`) | T |
 //! | `Smpl` | `left_hip` | T |
 //! | `Cmu` | `LeftUpLeg` (as the conversion of cgspeed has it) | T |
 //!
-//! A person here has two links between pelvis and neck, rigs three to five bones: the others are missing, and so are fingers. Local axes
-//! are the world's at rest, as VRM has it, not each program's own.
+//! A person here has two links between pelvis and neck, rigs three to five bones. The others are there, too: bones that never turn in
+//! the one that they go on from, on the way to the next joint, and what hangs on that one hangs on the last of them.
+//!
+//! | rig | bones that never turn |
+//! |---|---|
+//! | `Mixamo` | `Spine2` in the thorax; the ends `HeadTop_End`, `LeftToe_End` |
+//! | `Vrm`, `Unity` | `upperChest` in the thorax |
+//! | `Unreal` | `spine_02` in the abdomen, `spine_04` and `spine_05` in the thorax, `neck_02` in the neck |
+//! | `Smpl` | `spine2` in the abdomen; `left_hand` beyond the wrist |
+//! | `Cmu` | `Spine` in the abdomen, `Neck1` in the neck |
+//!
+//! Fingers are missing. Local axes are the world's at rest, as VRM has it, not each program's own.
 
 use crate::error::IoError;
 use solaris_model::{
@@ -38,6 +48,17 @@ pub enum Rig {
 
 /// Names of bones by the names of a human's links, a rig a column.
 const NAMES: &str = include_str!("rig/names.csv");
+/// Bones that rigs have beyond our links, from below up: each goes on from a link, at a share of the way to the joint of another
+/// one or to its own tip.
+const BETWEEN: &str = include_str!("rig/between.csv");
+
+/// A bone that never turns.
+struct Between {
+    bone: &'static str,
+    link: &'static str,
+    toward: &'static str,
+    share: f64,
+}
 
 impl Rig {
     /// All of them.
@@ -55,6 +76,16 @@ impl Rig {
         row.split(',').nth(1 + self as usize)
     }
 
+    /// The bones that it has beyond a human's links.
+    fn between(self) -> impl Iterator<Item = Between> {
+        BETWEEN.lines().skip(1).filter_map(move |row| {
+            let mut cells = row.split(',');
+            let mut cell = || cells.next();
+            let (rig, bone, link, toward, share) = (cell()?, cell()?, cell()?, cell()?, cell()?);
+            (rig == self.name()).then_some(Between { bone, link, toward, share: share.parse().ok()? })
+        })
+    }
+
     /// How far arms are raised to the side at rest (rad).
     fn raised(self) -> f64 {
         if self == Self::Unreal { FRAC_PI_4 } else { FRAC_PI_2 }
@@ -64,8 +95,10 @@ impl Rig {
 /// A figure on a rig's bones.
 #[derive(Clone, Debug)]
 pub struct Rigged {
-    /// The figure: link i is what link i was.
+    /// The figure: the person's links in their order, and the rig's other bones between them.
     pub figure: Figure,
+    /// For each link of the person, the bone that it is, an index of a link of [`Rigged::figure`].
+    pub bones: Vec<usize>,
     /// For each link, the turn from the new frame to the old one.
     turns: Vec<UnitQuaternion<f64>>,
 }
@@ -89,6 +122,8 @@ impl Rigged {
     pub fn new(figure: &Figure, rig: Rig) -> Result<Self, IoError> {
         let mut turns: Vec<UnitQuaternion<f64>> = Vec::new();
         let mut names = Vec::new();
+        // The bone that goes on from each link, and where it is in the link's.
+        let mut ends: Vec<(&str, Vector3<f64>)> = Vec::new();
         let mut builder = FigureBuilder::new(figure.name());
         for link in figure.links() {
             let name = rig.bone(link.name()).filter(|_| link.joint().placement().rotation.angle() < 1e-9);
@@ -108,17 +143,30 @@ impl Rigged {
             let at = above.inverse() * link.joint().placement().translation.vector;
             let spec = match link.parent() {
                 None => LinkSpec::root(name, Joint::free("root").at(at)),
-                Some(parent) => LinkSpec::child(name, names[parent], Joint::ball(link.joint().name()).at(at)),
+                Some(parent) => {
+                    let (bone, end) = ends[parent];
+                    LinkSpec::child(name, bone, Joint::ball(link.joint().name()).at(at - end))
+                }
             };
             builder = builder.link(dressed(spec, link, &turn));
+            let mut end = (name, Vector3::zeros());
+            for between in rig.between().filter(|between| between.link == link.name()) {
+                let Some(way) = way(figure, link, between.toward) else { continue };
+                let at = turn.inverse() * way * between.share;
+                let fixed = Joint::new(between.bone).at(at - end.1);
+                builder = builder.link(LinkSpec::child(between.bone, end.0, fixed));
+                end = (between.bone, at);
+            }
             turns.push(turn);
             names.push(name);
+            ends.push(end);
         }
         if let Some(stature) = figure.stature() {
             builder = builder.stature(stature);
         }
         let figure = builder.build()?;
-        Ok(Self { figure, turns })
+        let bones = names.iter().filter_map(|name| figure.link_index(name)).collect();
+        Ok(Self { figure, bones, turns })
     }
 
     /// A motion of the figure as it was, on the bones: the same places at the same times, with its contacts and events.
@@ -155,13 +203,13 @@ impl Rigged {
             .iter()
             .map(|planted| {
                 let point = self.turns[planted.link].inverse() * planted.point;
-                solaris_model::Interval { point, ..planted.clone() }
+                solaris_model::Interval { point, link: self.bones[planted.link], ..planted.clone() }
             })
             .collect();
         found.contacts.clone_from(&motion.contacts);
         for track in &mut found.contacts {
             if let Some(link) = figure.link_index(&track.link) {
-                self.figure.links()[link].name().clone_into(&mut track.link);
+                self.figure.links()[self.bones[link]].name().clone_into(&mut track.link);
             }
         }
         found.relief.clone_from(&motion.relief);
@@ -172,14 +220,32 @@ impl Rigged {
     /// rest pose find it. About the shoulders it bends a little otherwise than before, for it was made with arms lower.
     pub fn skin(&self, figure: &Figure, detail: Detail) -> Skin {
         let mut skin = skin(figure, detail);
-        for (place, turn) in skin.bind.iter_mut().zip(&self.turns) {
-            place.rotation *= *turn;
+        let mut bind: Vec<Placement> = Vec::with_capacity(self.figure.links().len());
+        for (i, link) in self.figure.links().iter().enumerate() {
+            bind.push(match (self.bones.iter().position(|bone| *bone == i), link.parent()) {
+                (Some(own), _) => skin.bind[own] * self.turns[own],
+                (None, Some(parent)) => bind[parent] * link.joint().placement(),
+                (None, None) => Placement::identity(),
+            });
+        }
+        skin.bind = bind;
+        for influence in skin.influences.iter_mut().flatten() {
+            influence.link = self.bones[usize::from(influence.link)] as u16;
         }
         let mut q = vec![0.0; self.figure.layout().nq()];
         // The length is the figure's own.
         let _ = self.figure.neutral(&mut q);
         skin.rebound(&self.figure.places(&q))
     }
+}
+
+/// The way in a link's frame (m) from its joint to that of the link called `toward`, or to its own tip.
+fn way(figure: &Figure, link: &solaris_model::Link, toward: &str) -> Option<Vector3<f64>> {
+    if toward == "tip" {
+        return link.tip().copied();
+    }
+    let next = &figure.links()[figure.link_index(toward)?];
+    Some(next.joint().placement().translation.vector)
 }
 
 /// A link's own things in the new frame.

@@ -23,12 +23,14 @@ fn every_joint_and_centre_of_mass_is_where_it_was() {
         let moved = on.motion(&figure, &motion).expect("a motion");
         for sample in (0..motion.len()).step_by(7) {
             let (ours, theirs) = (figure.places(motion.q(sample)), on.figure.places(moved.q(sample)));
-            for (i, (a, b)) in ours.iter().zip(&theirs).enumerate() {
+            for (i, a) in ours.iter().enumerate() {
+                let bone = on.bones[i];
+                let b = &theirs[bone];
                 assert!((a.translation.vector - b.translation.vector).norm() < 1e-12, "{rig:?}, link {i}");
-                let com = |figure: &Figure, place: &nalgebra::Isometry3<f64>| {
+                let com = |figure: &Figure, i: usize, place: &nalgebra::Isometry3<f64>| {
                     place * Point3::from(*figure.links()[i].com())
                 };
-                assert!((com(&figure, a) - com(&on.figure, b)).norm() < 1e-12, "{rig:?}, link {i}");
+                assert!((com(&figure, i, a) - com(&on.figure, bone, b)).norm() < 1e-12, "{rig:?}, link {i}");
             }
         }
         assert!((on.figure.mass() - figure.mass()).abs() < 1e-12);
@@ -44,7 +46,7 @@ fn at_zero_all_bones_stand_along_the_world_s_axes_in_the_rest_pose() {
         on.figure.neutral(&mut q).expect("the neutral posture");
         let places = on.figure.places(&q);
         assert!(places.iter().all(|place| place.rotation.angle() < 1e-12), "{rig:?}");
-        let at = |link: &str| places[figure.link_index(link).expect("a link")].translation.vector;
+        let at = |link: &str| places[on.bones[figure.link_index(link).expect("a link")]].translation.vector;
         for (side, out) in [("left", 1.0), ("right", -1.0)] {
             let arm = at(&format!("{side}_hand")) - at(&format!("{side}_upper_arm"));
             let down = if rig == Rig::Unreal { -1.0 } else { 0.0 };
@@ -55,6 +57,45 @@ fn at_zero_all_bones_stand_along_the_world_s_axes_in_the_rest_pose() {
             assert!((leg.normalize() + Vector3::y()).norm() < 0.02, "{rig:?}: {leg}");
         }
     }
+}
+
+/// The chain of bones from the pelvis up to this one, as the rig's own documents and files have it.
+const UP: [(Rig, &str); 8] = [
+    (
+        Rig::Mixamo,
+        "mixamorig:Hips mixamorig:Spine mixamorig:Spine1 mixamorig:Spine2 mixamorig:Neck mixamorig:Head mixamorig:HeadTop_End",
+    ),
+    (Rig::Mixamo, "mixamorig:Hips mixamorig:Spine mixamorig:Spine1 mixamorig:Spine2 mixamorig:LeftShoulder"),
+    (Rig::Vrm, "hips spine chest upperChest neck head"),
+    (Rig::Unreal, "pelvis spine_01 spine_02 spine_03 spine_04 spine_05 neck_01 neck_02 head"),
+    (Rig::Unreal, "pelvis spine_01 spine_02 spine_03 spine_04 spine_05 clavicle_r"),
+    (Rig::Unity, "Hips Spine Chest UpperChest Neck Head"),
+    (Rig::Smpl, "pelvis spine1 spine2 spine3 left_collar left_shoulder left_elbow left_wrist left_hand"),
+    (Rig::Cmu, "Hips LowerBack Spine Spine1 Neck Neck1 Head"),
+];
+
+#[test]
+fn bones_that_we_lack_are_in_the_chain_and_never_turn() {
+    let (figure, motion) = walked();
+    for (rig, chain) in UP {
+        let on = Rigged::new(&figure, rig).expect("on the rig");
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        let links = on.figure.links();
+        let top = on.figure.link_index(chain.split(' ').next_back().expect("a name"));
+        let mut up: Vec<usize> = std::iter::successors(top, |i| links[*i].parent()).collect();
+        up.reverse();
+        let names: Vec<&str> = up.iter().map(|i| links[*i].name()).collect();
+        assert_eq!(names.join(" "), chain);
+        let places = on.figure.places(moved.q(moved.len() / 2));
+        for (below, bone) in up.iter().zip(&up[1..]).filter(|(_, bone)| !on.bones.contains(bone)) {
+            let (below, bone) = (&places[*below], &places[*bone]);
+            assert!(below.rotation.angle_to(&bone.rotation) < 1e-12);
+            let step = (bone.translation.vector - below.translation.vector).norm();
+            assert!((0.02..0.25).contains(&step), "{rig:?}: {step} m");
+        }
+    }
+    // SMPL's own number of joints.
+    assert_eq!(Rigged::new(&figure, Rig::Smpl).expect("on the rig").figure.links().len(), 24);
 }
 
 #[test]
