@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use solaris_gait::{WalkRequest, walk};
 use solaris_io::bvh::{self, Unit};
-use solaris_io::rig::{Rig, Rigged};
+use solaris_io::rig::{Rest, Rig, RigMap, Rigged};
 use solaris_model::rig::{Segment, Side, bones};
 use solaris_model::{Figure, FigureBuilder, Human, Joint, LinkSpec, Motion, Vector3};
 use solaris_skin::{Detail, skin};
@@ -204,4 +204,74 @@ fn what_is_no_person_is_refused_by_its_link() {
     let pendulum = FigureBuilder::new("pendulum").link(bob).build().expect("a figure");
     let error = Rigged::new(&pendulum, Rig::Vrm).expect_err("no person").to_string();
     assert!(error.starts_with("the rig 'vrm' has no bone for link 'bob'"), "{error}");
+}
+
+#[test]
+fn a_map_names_bones_and_says_how_they_rest() {
+    let (figure, motion) = walked();
+    let names = r#"bones: {"pelvis": "Root_M", "left_thigh": "Hip L", "head": "neck", "neck": "cervical"})"#;
+    for (rest, expected, arm) in [
+        ("rest: A, ", Rest::A, Vector3::new(1.0, -1.0, 0.0).normalize()),
+        ("rest: own, ", Rest::Own, -Vector3::y()),
+        ("rest: T, ", Rest::T, Vector3::x()),
+        ("", Rest::T, Vector3::x()),
+    ] {
+        let map = RigMap::read(&format!("Rig({rest}{names}")).expect("a map");
+        assert_eq!((map.rest(), map.rig()), (expected, None));
+        let on = Rigged::new(&figure, &map).expect("on the bones");
+        assert_eq!(on.figure.links().len(), figure.links().len());
+        for (link, bone) in
+            [("pelvis", "Root_M"), ("left_thigh", "Hip L"), ("head", "neck"), ("left_hand", "left_hand")]
+        {
+            let own = on.bones[figure.link_index(link).expect("a link")];
+            assert_eq!(on.figure.links()[own].name(), bone);
+        }
+        let mut q = vec![0.0; on.figure.layout().nq()];
+        on.figure.neutral(&mut q).expect("the neutral posture");
+        let rest = on.figure.places(&q);
+        let at = |link: &str| rest[on.bones[figure.link_index(link).expect("a link")]].translation.vector;
+        let found = (at("left_hand") - at("left_upper_arm")).normalize();
+        assert!((found - arm).norm() < 0.02, "{expected:?}: {found}");
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        let (ours, theirs) = (figure.places(motion.q(9)), on.figure.places(moved.q(9)));
+        for (a, bone) in ours.iter().zip(&on.bones) {
+            assert!((a.translation.vector - theirs[*bone].translation.vector).norm() < 1e-12);
+        }
+    }
+    assert_eq!(RigMap::from(Rig::Vrm).bone("left_thigh"), Some("leftUpperLeg"));
+}
+
+#[test]
+fn a_map_s_faults_are_told_by_their_places() {
+    for (text, place, why) in [
+        (
+            r#"Rig(rest: T, bones: {"pelvs": "Hips"})"#,
+            "line 1, column 22:",
+            "no link 'pelvs'; did you mean 'pelvis'?",
+        ),
+        (r#"Rig(bones: {"tail": "Tail"})"#, "line 1, column 13:", "its links are pelvis, abdomen"),
+        (
+            r#"Rig(bones: {"pelvis": "A", "head": "A"})"#,
+            "line 1, column 36:",
+            "'pelvis' and 'head' are both called 'A'",
+        ),
+        (
+            r#"Rig(bones: {"pelvis": "head"})"#,
+            "line 1, column 23:",
+            "'head' and 'pelvis' are both called 'head'",
+        ),
+        (
+            r#"Rig(bones: {"pelvis": "A", "pelvis": "B"})"#,
+            "line 1, column 28:",
+            "link 'pelvis' is given twice",
+        ),
+        (r#"Rig(bones: {"pelvis": " "})"#, "line 1, column 23:", "the bone of 'pelvis' is empty"),
+        (r#"Rig(bones: {"pelvis": Hips})"#, "line 1, column 23:", "must stand in quotes"),
+        (r#"Rig(rest: V, bones: {})"#, "line 1, column 11:", "'V' is not known here"),
+        (r#"Rig(rest: T)"#, "line 1, column 1:", "has no bones"),
+        (r#"Rig(bone: {})"#, "line 1, column 5:", "did you mean 'bones'?"),
+    ] {
+        let error = RigMap::read(text).expect_err(text).to_string();
+        assert!(error.contains(place) && error.contains(why), "{text}: {error}");
+    }
 }
