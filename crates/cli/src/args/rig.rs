@@ -11,8 +11,8 @@ pub(crate) struct RigArgs {
     #[arg(
         long, value_name = "RIG", value_parser = asked,
         help = wrap(&format!(
-            "Bones of .bvh, .glb and .usda as an animator's rig has them, in names and rest pose: {}, or a file that says so, \
-             Rig(rest: T, bones: {{\"pelvis\": \"Hips\", …}}): .ron [default: our own]",
+            "Bones of .bvh, .glb and .usda as an animator's rig has them, in names and rest pose: {}, or as a .ron file tells \
+             them, Rig(rest: T, bones: {{\"pelvis\": \"Hips\", …}}) [default: our own]",
             names()
         ))
     )]

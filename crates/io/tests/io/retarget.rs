@@ -61,7 +61,8 @@ fn a_skeleton_that_agrees_turns_as_the_source_does() {
             on.as_ref().zip(moved.as_ref()).map_or((&ann, &motion), |(on, moved)| (&on.figure, moved));
         let skin = on.as_ref().map(|on| on.skin(&ann, glb::Detail::Rough));
         let mut bytes = Vec::new();
-        let options = Options { skin: Some(glb::Detail::Rough), forces: false, vrm: false };
+        let vrm = rig == Some(Rig::Vrm);
+        let options = Options { skin: Some(glb::Detail::Rough), forces: false, vrm };
         glb::write(&[Actor { name: "Ann", figure, skin: skin.as_ref() }], &[], options, &mut bytes)
             .expect("written");
         let character = Character::read(&bytes, "Ann").expect("a character");

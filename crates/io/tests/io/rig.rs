@@ -267,9 +267,9 @@ fn a_map_s_faults_are_told_by_their_places() {
         ),
         (r#"Rig(bones: {"pelvis": " "})"#, "line 1, column 23:", "the bone of 'pelvis' is empty"),
         (r#"Rig(bones: {"pelvis": Hips})"#, "line 1, column 23:", "must stand in quotes"),
-        (r#"Rig(rest: V, bones: {})"#, "line 1, column 11:", "'V' is not known here"),
-        (r#"Rig(rest: T)"#, "line 1, column 1:", "has no bones"),
-        (r#"Rig(bone: {})"#, "line 1, column 5:", "did you mean 'bones'?"),
+        ("Rig(rest: V, bones: {})", "line 1, column 11:", "'V' is not known here"),
+        ("Rig(rest: T)", "line 1, column 1:", "has no bones"),
+        ("Rig(bone: {})", "line 1, column 5:", "did you mean 'bones'?"),
     ] {
         let error = RigMap::read(text).expect_err(text).to_string();
         assert!(error.contains(place) && error.contains(why), "{text}: {error}");
