@@ -32,7 +32,7 @@ def test_bones_and_skin_are_where_the_figure_is(tmp_path):
     for sample in (0, 40, 77):
         joints = query.ComputeJointSkelTransforms(float(sample))
         places = np.array([joint.ExtractTranslation() for joint in joints])
-        expected = dynamics.poses(motion.q[sample])[:, :3]
+        expected = dynamics.poses(motion.q[sample])[:, :3, 3]
         assert np.abs(places - expected).max() < 1e-6
         points = mesh.GetPointsAttr().Get()
         assert target.ComputeSkinnedPoints(query.ComputeSkinningTransforms(float(sample)), points, float(sample))

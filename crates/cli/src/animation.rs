@@ -1,10 +1,11 @@
 //! Motions as animation files: BVH, binary glTF and USD.
 
+use crate::args::{AskedRig, RigArgs};
 use crate::error::{CliError, UsageError};
-use crate::input::extension;
+use crate::input::{self, extension};
 use solaris::io::bvh::{self, Unit};
 use solaris::io::glb::{Actor, Clip, Detail, Options, write};
-use solaris::io::rig::{Rig, Rigged};
+use solaris::io::rig::{Rig, RigMap, Rigged};
 use solaris::io::usd;
 use solaris::model::{Figure, Motion};
 use solaris::skin::skin;
@@ -15,7 +16,7 @@ use std::path::Path;
 pub(crate) fn bones(
     figure: &Figure,
     motion: &Motion,
-    rig: Option<Rig>,
+    rig: Option<&RigMap>,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
     let Some(rig) = rig else {
@@ -41,7 +42,7 @@ pub(crate) fn body(
     figure: &Figure,
     motion: &Motion,
     clip: &str,
-    rig: Option<Rig>,
+    rig: Option<&RigMap>,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
     if how == BodyFormat::Glb {
@@ -60,10 +61,11 @@ pub(crate) fn body(
 pub(crate) fn clips(
     figure: &Figure,
     motions: &[(&str, &Motion)],
-    rig: Option<Rig>,
+    rig: Option<&RigMap>,
     mut writer: &mut dyn Write,
 ) -> Result<(), CliError> {
-    let options = Options::default();
+    let vrm = rig.and_then(RigMap::rig) == Some(Rig::Vrm);
+    let options = Options { vrm, ..Options::default() };
     let mut write = |actor: Actor<'_>, motions: &[(&str, &Motion)]| {
         let clips: Vec<Clip<'_>> =
             motions.iter().map(|(name, motion)| Clip { name, motions: vec![(0, *motion)] }).collect();
@@ -96,13 +98,22 @@ pub(crate) fn crowd(people: &[Person], mut writer: &mut dyn Write) -> Result<(),
     write(&actors, &[Clip { name: "crowd", motions }], options, &mut writer).map_err(CliError::other)
 }
 
+/// The rig that is asked for.
+pub(crate) fn rig(args: &RigArgs) -> Result<Option<RigMap>, CliError> {
+    Ok(match &args.rig {
+        None => None,
+        Some(AskedRig::Known(rig)) => Some((*rig).into()),
+        Some(AskedRig::Map(path)) => {
+            let text = input::text(path)?;
+            Some(RigMap::read(&text).map_err(|faults| input::faulty(path, &text, faults))?)
+        }
+    })
+}
+
 /// Refuses bones that no file has.
-pub(crate) fn check<'a>(
-    rig: Option<Rig>,
-    paths: impl IntoIterator<Item = &'a Path>,
-) -> Result<(), UsageError> {
+pub(crate) fn check<'a>(args: &RigArgs, paths: impl IntoIterator<Item = &'a Path>) -> Result<(), UsageError> {
     let has_bones = |path: &Path| matches!(extension(path).as_str(), "bvh" | "glb" | "usda");
-    if rig.is_some() && !paths.into_iter().any(has_bones) {
+    if args.rig.is_some() && !paths.into_iter().any(has_bones) {
         return Err(UsageError::NoBones);
     }
     Ok(())

@@ -38,7 +38,7 @@ pub(crate) use profile::{
 };
 pub(crate) use report::ReportArgs;
 pub(crate) use retarget::RetargetArgs;
-pub(crate) use rig::RigArgs;
+pub(crate) use rig::{AskedRig, RigArgs};
 pub(crate) use run::RunArgs;
 pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};

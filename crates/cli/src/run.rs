@@ -19,7 +19,7 @@ use crate::output::{Formats, Outputs};
 use crate::print::print;
 use report::Report;
 use solaris::io::record;
-use solaris::io::rig::{Rig, Rigged};
+use solaris::io::rig::{RigMap, Rigged};
 use solaris::model::{Motion, MotionInfo};
 use solaris::modes::{RunError, SetupError};
 use solaris::scene::{Scene, SceneError, Simulated};
@@ -74,8 +74,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     outputs.keep_off(reads.iter().map(PathBuf::as_path))?;
     check_size(path, &scene)?;
 
-    animation::check(args.bones.rig, outputs.paths())?;
-    check_bones(&outputs, &scene, args.bones.rig)?;
+    animation::check(&args.bones, outputs.paths())?;
+    let rig = animation::rig(&args.bones)?;
+    check_bones(&outputs, &scene, rig.as_ref())?;
 
     let mut watcher = Watcher::new();
     let simulated = scene.simulate(&mut watcher).map_err(|error| refuse(path, error))?;
@@ -84,7 +85,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
     let joined: Vec<[usize; 2]> = ends.filter_map(|[a, b]| Some([a?, b?])).collect();
     let limbs = limbs::nearest(scene.figure(), &simulated.motion, &joined)?;
     let report = Report::new(&scene, &simulated, limbs);
-    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, args))?;
+    outputs.write(|format, writer| write(format, writer, &scene, &simulated, &report, args, rig.as_ref()))?;
     drop(watcher);
 
     if args.json {
@@ -100,7 +101,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), CliError> {
 }
 
 /// Refuses a figure whose bones no file can hold, before anything is computed.
-fn check_bones(outputs: &Outputs<Format>, scene: &Scene, rig: Option<Rig>) -> Result<(), CliError> {
+fn check_bones(outputs: &Outputs<Format>, scene: &Scene, rig: Option<&RigMap>) -> Result<(), CliError> {
     let (figure, simulation) = (scene.figure(), scene.simulation());
     let (q, v) = simulation.state();
     let (rate, gravity) = (scene.settings().rate, *simulation.gravity());
@@ -152,8 +153,9 @@ fn write(
     simulated: &Simulated,
     report: &Report,
     args: &RunArgs,
+    rig: Option<&RigMap>,
 ) -> Result<(), CliError> {
-    let (strip, rig) = (&args.film, args.bones.rig);
+    let strip = &args.film;
     let (figure, motion) = (scene.figure(), &simulated.motion);
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),

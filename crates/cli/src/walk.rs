@@ -24,6 +24,7 @@ use planned::Planned;
 use report::Report;
 pub(crate) use request::asked;
 use solaris::gait::{isolated_peaks, measure, missing_for_walking};
+use solaris::io::rig::RigMap;
 use solaris::model::{Figure, Human, Motion, RootOrder};
 use solaris::view::{FilmOptions, PageOptions, Seen, film, page};
 use std::io::Write;
@@ -62,7 +63,8 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     if let Some(option) = files.film.given().filter(|_| !drawn) {
         return Err(UsageError::NoStrip { option }.into());
     }
-    animation::check(files.bones.rig, outputs.paths())?;
+    animation::check(&files.bones, outputs.paths())?;
+    let rig = animation::rig(&files.bones)?;
     let asked = asked(args)?;
     let mut figure = figure(&args.who)?;
 
@@ -80,7 +82,7 @@ pub(crate) fn run(args: &WalkArgs) -> Result<(), CliError> {
     outputs.write(|format, writer| {
         let motion =
             if matches!(format, Format::Html | Format::Svg | Format::Body(_)) { &motion } else { frames };
-        write(format, writer, &figure, motion, &report, files)
+        write(format, writer, &figure, motion, &report, files, rig.as_ref())
     })?;
     drop(progress);
 
@@ -143,12 +145,13 @@ fn write(
     motion: &Motion,
     report: &Report,
     files: &WalkFiles,
+    rig: Option<&RigMap>,
 ) -> Result<(), CliError> {
     let strip = &files.film;
     match format {
         Format::Csv => solaris::io::csv::write(figure, motion, &mut writer).map_err(CliError::other),
-        Format::Bvh => animation::bones(figure, motion, files.bones.rig, writer),
-        Format::Body(how) => animation::body(how, figure, motion, "walk", files.bones.rig, writer),
+        Format::Bvh => animation::bones(figure, motion, rig, writer),
+        Format::Body(how) => animation::body(how, figure, motion, "walk", rig, writer),
         Format::Html => {
             let options = PageOptions {
                 title: summary::title(report),

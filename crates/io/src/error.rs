@@ -27,6 +27,39 @@ pub enum ClipProblem {
     Empty,
 }
 
+/// Why a file cannot be one of VRM.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VrmProblem {
+    /// It has another number of figures.
+    #[error("it is of one person, and {count} figures are to be written; give each a file of its own")]
+    Count {
+        /// How many there are.
+        count: usize,
+    },
+    /// A figure lacks bones.
+    #[error("figure '{figure}' has no {}; put it on the bones of the rig 'vrm'", bones.join(", "))]
+    Missing {
+        /// The figure.
+        figure: String,
+        /// The bones that VRM requires and it lacks.
+        bones: Vec<&'static str>,
+    },
+    /// A bone hangs on a wrong one.
+    #[error(
+        "bone '{bone}' hangs on {}, and shall on {}; put the figure on the bones of the rig 'vrm'",
+        found.unwrap_or("nothing"), expected.unwrap_or("nothing")
+    )]
+    Order {
+        /// The bone.
+        bone: &'static str,
+        /// The bone that it hangs on.
+        found: Option<&'static str>,
+        /// The bone that it shall hang on.
+        expected: Option<&'static str>,
+    },
+}
+
 /// Why a motion cannot be written or a text is not one.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -65,6 +98,9 @@ pub enum IoError {
         /// The first link that it has no bone for.
         link: String,
     },
+    /// A file cannot be one of VRM.
+    #[error("a file cannot say by VRM which bone is which: {0}")]
+    Vrm(#[from] VrmProblem),
     /// A figure could not be built.
     #[error(transparent)]
     Figure(#[from] solaris_model::FigureError),

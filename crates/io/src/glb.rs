@@ -10,6 +10,7 @@
 //!   instant on at which they do. Between keys glTF turns evenly. Rotations never change sign from key to key.
 //! - A loop keeps its last key, which is its first one again: a player wraps where the last key is, and so shows it once.
 //! - Rate and events of a clip stand in its `extras`.
+//! - On request ([`Options::vrm`]) a file of one person on VRM's bones says so, by the extension `VRMC_vrm` (VRM 1.0).
 //! - On request ([`Options::forces`]) there are nodes more: an arrow for each contact, 1 m for the body's weight, and a ball at the centre of
 //!   mass.
 //!
@@ -33,6 +34,7 @@ mod pack;
 mod palette;
 mod read;
 mod skeleton;
+mod vrm;
 
 use crate::error::{ClipProblem, IoError};
 pub use character::Character;
@@ -74,11 +76,15 @@ pub struct Options {
     pub skin: Option<Detail>,
     /// Whether contacts have arrows and centres of mass balls.
     pub forces: bool,
+    /// Whether the file says which node is which bone of a person, by VRM 1.0: for one actor whose links have VRM's names, as
+    /// [`crate::rig::Rig::Vrm`] gives them. At rest its lowest point is at y = 0 then. The model's name is the actor's, its author
+    /// Solaris, and the licence grants what it grants by default.
+    pub vrm: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { skin: Some(Detail::Fine), forces: false }
+        Self { skin: Some(Detail::Fine), forces: false, vrm: false }
     }
 }
 
@@ -86,8 +92,8 @@ impl Default for Options {
 ///
 /// # Errors
 ///
-/// A clip of an actor that is not there, of one twice or without frames; a motion of another figure; a number that is not finite; a file
-/// of more than 4 GB; and the writer's own errors.
+/// A clip of an actor that is not there, of one twice or without frames; a motion of another figure; a number that is not finite;
+/// [`IoError::Vrm`]; a file of more than 4 GB; and the writer's own errors.
 ///
 /// ```
 /// use solaris_io::glb::{self, Actor, Clip, Options};
@@ -111,12 +117,18 @@ pub fn write(
     for clip in clips {
         check(clip, actors)?;
     }
+    if options.vrm {
+        vrm::check(actors)?;
+    }
     let mut file = File::default();
     let mut skeletons = Vec::new();
     for (i, actor) in actors.iter().enumerate() {
         let first =
             clips.iter().flat_map(|clip| &clip.motions).find(|(who, _)| *who == i).map(|(_, motion)| *motion);
-        let skeleton = Skeleton::new(&mut file, actor, first);
+        let skeleton = Skeleton::new(&mut file, actor, first, options.vrm);
+        if options.vrm {
+            file.vrm = Some(vrm::extension(actor, &skeleton));
+        }
         if let Some(detail) = options.skin {
             body::add(&mut file, actor, &skeleton, detail);
         }
@@ -202,6 +214,8 @@ struct File {
     palette: Option<usize>,
     /// Meshes of the extra nodes: arrow and ball.
     extra: Option<[usize; 2]>,
+    /// What VRM adds.
+    vrm: Option<Value>,
 }
 
 impl File {

@@ -45,7 +45,7 @@ pub mod usd;
 mod xml;
 
 pub use encoding::{Encoding, decode};
-pub use error::{ClipProblem, ContactProblem, ExternalForceProblem, IoError};
+pub use error::{ClipProblem, ContactProblem, ExternalForceProblem, IoError, VrmProblem};
 #[cfg(any(feature = "urdf", feature = "mjcf", feature = "opensim", feature = "sdf"))]
 pub use import::Import;
 #[cfg(any(feature = "mjcf", feature = "sdf"))]

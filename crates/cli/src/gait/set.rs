@@ -11,6 +11,7 @@ use crate::words::short;
 use serde::Serialize;
 use solaris::gait::set::{ClipSet, SetClip, SetRequest, clip_set};
 use solaris::gait::{GaitError, RequestError, WalkRequest};
+use solaris::io::rig::RigMap;
 use solaris::model::Figure;
 use std::io::Write;
 use std::path::PathBuf;
@@ -49,8 +50,10 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
     let outputs = Outputs::new(files.into_iter().map(|path| ("-o", path, FILES)))?;
     outputs.keep_off(args.who.figure.as_deref())?;
     if folders.is_empty() {
-        animation::check(args.bones.rig, outputs.paths())?;
+        animation::check(&args.bones, outputs.paths())?;
     }
+    let rig = animation::rig(&args.bones)?;
+    let rig = rig.as_ref();
     let figure = match args.who.figure {
         Some(_) => figure(&args.who)?,
         None => heading_first(&args.who.person)?,
@@ -75,12 +78,12 @@ pub(super) fn run(args: &SetArgs) -> Result<(), CliError> {
         let all = paths.iter().map(|path| ("-o", path, CLIPS)).chain([("-o", &index, FILES)]);
         let mut clips = set.clips.iter();
         Outputs::new(all)?.write(|format, writer| match clips.next() {
-            Some(clip) => bones(&figure, clip, args, writer),
-            None => write(format, &figure, &set, args, writer),
+            Some(clip) => bones(&figure, clip, rig, writer),
+            None => write(format, &figure, &set, rig, writer),
         })?;
         written.push(format!("wrote {} clips and {INDEX} into {}", paths.len(), folder.display()));
     }
-    outputs.write(|format, writer| write(format, &figure, &set, args, writer))?;
+    outputs.write(|format, writer| write(format, &figure, &set, rig, writer))?;
     written.extend(outputs.written());
     drop(progress);
     print(|out| if args.json { write_json(out, &told(&figure, &set)) } else { table(out, &set, &written) })
@@ -103,16 +106,21 @@ fn told<'a>(figure: &'a Figure, set: &'a ClipSet) -> Written<'a> {
 }
 
 /// A clip as motion capture: of a loop without its last frame, which is its first one.
-fn bones(figure: &Figure, clip: &SetClip, args: &SetArgs, writer: &mut dyn Write) -> Result<(), CliError> {
+fn bones(
+    figure: &Figure,
+    clip: &SetClip,
+    rig: Option<&RigMap>,
+    writer: &mut dyn Write,
+) -> Result<(), CliError> {
     let shorter = if clip.repeats { Some(without_last(figure, &clip.motion)?) } else { None };
-    animation::bones(figure, shorter.as_ref().unwrap_or(&clip.motion), args.bones.rig, writer)
+    animation::bones(figure, shorter.as_ref().unwrap_or(&clip.motion), rig, writer)
 }
 
 fn write(
     format: Format,
     figure: &Figure,
     set: &ClipSet,
-    args: &SetArgs,
+    rig: Option<&RigMap>,
     writer: &mut dyn Write,
 ) -> Result<(), CliError> {
     match format {
@@ -122,7 +130,7 @@ fn write(
         }
         Format::Glb => {
             let motions: Vec<_> = set.clips.iter().map(|clip| (clip.name.as_str(), &clip.motion)).collect();
-            animation::clips(figure, &motions, args.bones.rig, writer)
+            animation::clips(figure, &motions, rig, writer)
         }
     }
 }

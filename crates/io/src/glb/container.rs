@@ -14,6 +14,10 @@ pub(super) fn write(mut file: File, out: &mut impl Write) -> Result<(), IoError>
     let mut root = json!({
         "asset": { "version": "2.0", "generator": "Solaris" },
     });
+    if let Some(vrm) = file.vrm {
+        root["extensionsUsed"] = json!(["VRMC_vrm"]);
+        root["extensions"] = json!({ "VRMC_vrm": vrm });
+    }
     if !file.scene.is_empty() {
         root["scene"] = json!(0);
         root["scenes"] = json!([{ "nodes": file.scene }]);

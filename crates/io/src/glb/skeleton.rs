@@ -16,8 +16,9 @@ pub(super) struct Skeleton {
 }
 
 impl Skeleton {
-    /// Nodes in the neutral posture, the rest pose of the file; the root where the `first` motion begins.
-    pub(super) fn new(file: &mut File, actor: &Actor, first: Option<&Motion>) -> Self {
+    /// Nodes in the neutral posture, the rest pose of the file; the root where the `first` motion begins, or at the origin with
+    /// what is lowest on the ground, if it shall be `standing`.
+    pub(super) fn new(file: &mut File, actor: &Actor, first: Option<&Motion>, standing: bool) -> Self {
         let figure = actor.figure;
         let gravity = first.map(|motion| motion.info.gravity).or_else(|| figure.gravity().copied());
         let world = gravity.map_or_else(UnitQuaternion::identity, |gravity| upright(&gravity));
@@ -27,7 +28,9 @@ impl Skeleton {
         let mut nodes = Vec::with_capacity(figure.links().len());
         for (i, (link, at)) in figure.links().iter().zip(figure.layout().joints()).enumerate() {
             let mut place = local(link, &q[at.q..], &world);
-            if let Some(motion) = first.filter(|_| link.parent().is_none()) {
+            if standing && link.parent().is_none() {
+                place.translation.y -= lowest(figure, &q, &world);
+            } else if let Some(motion) = first.filter(|_| link.parent().is_none()) {
                 place.translation = local(link, &motion.q(0)[at.q..], &world).translation;
             }
             let translation = place.translation.vector.map(|x| x as f32);
@@ -111,6 +114,17 @@ impl Skeleton {
 pub(crate) fn local(link: &Link, q: &[f64], world: &UnitQuaternion<f64>) -> Placement {
     let place = link.joint().placement() * link.joint().moved(q);
     if link.parent().is_none() { world * place } else { place }
+}
+
+/// The height (m) of the lowest joint or point of a sole.
+fn lowest(figure: &Figure, q: &[f64], world: &UnitQuaternion<f64>) -> f64 {
+    let places = figure.places(q);
+    let points = figure.links().iter().zip(&places).flat_map(|(link, place)| {
+        let origin = place.translation.vector;
+        let soles = link.sole().iter().map(move |point| origin + place.rotation * point.position);
+        soles.chain([origin])
+    });
+    points.map(|point| (world * point).y).fold(f64::INFINITY, f64::min)
 }
 
 fn children(figure: &Figure, of: usize) -> impl Iterator<Item = usize> + '_ {

@@ -23,7 +23,7 @@ fn written(figure: &Figure, motion: &Motion, options: Options) -> Vec<u8> {
     bytes
 }
 
-const COARSE: Options = Options { skin: Some(Detail::Rough), forces: false };
+const COARSE: Options = Options { skin: Some(Detail::Rough), forces: false, vrm: false };
 
 #[test]
 fn soles_are_where_the_motion_has_them() {
@@ -73,7 +73,7 @@ fn planted_feet_stand_still_at_samples_and_nearly_between() {
     let ann = human(1.75, 73.0).expect("a person");
     for (rate, between) in [(30.0, 4e-3), (60.0, 1.2e-3)] {
         let motion = walked(&ann, rate);
-        let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: false }));
+        let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: false, vrm: false }));
         let keys = file.times("walk");
         let (mut at_samples, mut elsewhere): (f64, f64) = (0.0, 0.0);
         for planted in &motion.planted {
@@ -103,7 +103,7 @@ fn keys_are_the_samples_and_the_contacts_between_them() {
     let ann = human(1.75, 73.0).expect("a person");
     for rate in [24.0, 25.0, 30.0, 60.0] {
         let motion = walked(&ann, rate);
-        let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: false }));
+        let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: false, vrm: false }));
         let keys = file.times("walk");
         assert!(keys[0].abs() < 1e-12 && keys.windows(2).all(|pair| pair[0] < pair[1]));
         for sample in 0..motion.len() {
@@ -127,7 +127,7 @@ fn keys_are_the_samples_and_the_contacts_between_them() {
 fn rotations_are_of_unit_length_and_never_change_sign() {
     let ann = human(1.75, 73.0).expect("a person");
     let motion = walked(&ann, 30.0);
-    let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: false }));
+    let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: false, vrm: false }));
     let mut channels = 0;
     for rows in file.rotations("walk") {
         channels += 1;
@@ -239,7 +239,7 @@ fn forces_are_arrows_as_long_as_their_share_of_the_weight() {
     let plan = walk(&ann, &request).expect("a walk");
     let mut motion = plan.motion(&ann, 30.0).expect("a motion");
     solaris_analysis::ground_reactions(&ann, &mut motion, solaris_gait::FEET, &plan).expect("forces");
-    let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: true }));
+    let file = Read::of(&written(&ann, &motion, Options { skin: None, forces: true, vrm: false }));
     let sample = motion.len() / 2;
     let world = file.every("walk", motion.time()[sample]);
     let at = |name: &str| {

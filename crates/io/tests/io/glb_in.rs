@@ -7,7 +7,7 @@ use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::glb::{self, Actor, GlbError, Options, read};
 use solaris_io::record;
 use solaris_io::rig::{Rig, Rigged};
-use solaris_model::{Figure, Motion, Placement, Vector3, human};
+use solaris_model::{Figure, Link, Motion, Placement, Vector3, human};
 
 fn walked(figure: &Figure, rate: f64) -> Motion {
     let request = WalkRequest { step_frequency: Some(110.0), ..WalkRequest::default() };
@@ -17,7 +17,7 @@ fn walked(figure: &Figure, rate: f64) -> Motion {
 fn written(figure: &Figure, motion: &Motion) -> Vec<u8> {
     let mut bytes = Vec::new();
     let clip = glb::Clip { name: "walk", motions: vec![(0, motion)] };
-    let options = Options { skin: None, forces: false };
+    let options = Options { skin: None, forces: false, vrm: false };
     glb::write(&[Actor { name: "Ann", figure, skin: None }], &[clip], options, &mut bytes).expect("written");
     bytes
 }
@@ -26,13 +26,15 @@ fn found(bytes: &[u8]) -> Clip {
     read(bytes, &ReadOptions::default()).expect("a clip")
 }
 
-/// The greatest distance (m) of a link's origin or of a point 0.3 m from it, sample by sample.
+/// The greatest distance (m) of the origin of a link that moves or of a point 0.3 m from it, sample by sample.
 fn worst(figure: &Figure, motion: &Motion, other: &Clip) -> f64 {
     assert_eq!(motion.len(), other.motion.len());
     let mut worst: f64 = 0.0;
     for sample in 0..motion.len() {
         let (places, others) = (figure.places(motion.q(sample)), other.figure.places(other.motion.q(sample)));
-        for (link, place) in figure.links().iter().zip(&places) {
+        // Of a file without a skin, bones are what an animation moves.
+        let moves = |link: &Link| link.joint().kind().nq() > 0;
+        for (link, place) in figure.links().iter().zip(&places).filter(|(link, _)| moves(link)) {
             let at = other.figure.link_index(link.name()).expect("a bone of that name");
             for point in [Vector3::zeros(), Vector3::new(0.3, 0.0, 0.0), Vector3::new(0.0, 0.0, 0.3)] {
                 let of = |place: &Placement| place.rotation * point + place.translation.vector;

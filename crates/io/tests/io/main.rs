@@ -46,3 +46,5 @@ mod trc;
 mod urdf;
 #[cfg(feature = "glb")]
 mod usd;
+#[cfg(feature = "glb")]
+mod vrm;

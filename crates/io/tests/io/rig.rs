@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use solaris_gait::{WalkRequest, walk};
 use solaris_io::bvh::{self, Unit};
-use solaris_io::rig::{Rig, Rigged};
+use solaris_io::rig::{Rest, Rig, RigMap, Rigged};
 use solaris_model::rig::{Segment, Side, bones};
 use solaris_model::{Figure, FigureBuilder, Human, Joint, LinkSpec, Motion, Vector3};
 use solaris_skin::{Detail, skin};
@@ -23,12 +23,14 @@ fn every_joint_and_centre_of_mass_is_where_it_was() {
         let moved = on.motion(&figure, &motion).expect("a motion");
         for sample in (0..motion.len()).step_by(7) {
             let (ours, theirs) = (figure.places(motion.q(sample)), on.figure.places(moved.q(sample)));
-            for (i, (a, b)) in ours.iter().zip(&theirs).enumerate() {
+            for (i, a) in ours.iter().enumerate() {
+                let bone = on.bones[i];
+                let b = &theirs[bone];
                 assert!((a.translation.vector - b.translation.vector).norm() < 1e-12, "{rig:?}, link {i}");
-                let com = |figure: &Figure, place: &nalgebra::Isometry3<f64>| {
+                let com = |figure: &Figure, i: usize, place: &nalgebra::Isometry3<f64>| {
                     place * Point3::from(*figure.links()[i].com())
                 };
-                assert!((com(&figure, a) - com(&on.figure, b)).norm() < 1e-12, "{rig:?}, link {i}");
+                assert!((com(&figure, i, a) - com(&on.figure, bone, b)).norm() < 1e-12, "{rig:?}, link {i}");
             }
         }
         assert!((on.figure.mass() - figure.mass()).abs() < 1e-12);
@@ -44,7 +46,7 @@ fn at_zero_all_bones_stand_along_the_world_s_axes_in_the_rest_pose() {
         on.figure.neutral(&mut q).expect("the neutral posture");
         let places = on.figure.places(&q);
         assert!(places.iter().all(|place| place.rotation.angle() < 1e-12), "{rig:?}");
-        let at = |link: &str| places[figure.link_index(link).expect("a link")].translation.vector;
+        let at = |link: &str| places[on.bones[figure.link_index(link).expect("a link")]].translation.vector;
         for (side, out) in [("left", 1.0), ("right", -1.0)] {
             let arm = at(&format!("{side}_hand")) - at(&format!("{side}_upper_arm"));
             let down = if rig == Rig::Unreal { -1.0 } else { 0.0 };
@@ -55,6 +57,45 @@ fn at_zero_all_bones_stand_along_the_world_s_axes_in_the_rest_pose() {
             assert!((leg.normalize() + Vector3::y()).norm() < 0.02, "{rig:?}: {leg}");
         }
     }
+}
+
+/// The chain of bones from the pelvis up to this one, as the rig's own documents and files have it.
+const UP: [(Rig, &str); 8] = [
+    (
+        Rig::Mixamo,
+        "mixamorig:Hips mixamorig:Spine mixamorig:Spine1 mixamorig:Spine2 mixamorig:Neck mixamorig:Head mixamorig:HeadTop_End",
+    ),
+    (Rig::Mixamo, "mixamorig:Hips mixamorig:Spine mixamorig:Spine1 mixamorig:Spine2 mixamorig:LeftShoulder"),
+    (Rig::Vrm, "hips spine chest upperChest neck head"),
+    (Rig::Unreal, "pelvis spine_01 spine_02 spine_03 spine_04 spine_05 neck_01 neck_02 head"),
+    (Rig::Unreal, "pelvis spine_01 spine_02 spine_03 spine_04 spine_05 clavicle_r"),
+    (Rig::Unity, "Hips Spine Chest UpperChest Neck Head"),
+    (Rig::Smpl, "pelvis spine1 spine2 spine3 left_collar left_shoulder left_elbow left_wrist left_hand"),
+    (Rig::Cmu, "Hips LowerBack Spine Spine1 Neck Neck1 Head"),
+];
+
+#[test]
+fn bones_that_we_lack_are_in_the_chain_and_never_turn() {
+    let (figure, motion) = walked();
+    for (rig, chain) in UP {
+        let on = Rigged::new(&figure, rig).expect("on the rig");
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        let links = on.figure.links();
+        let top = on.figure.link_index(chain.split(' ').next_back().expect("a name"));
+        let mut up: Vec<usize> = std::iter::successors(top, |i| links[*i].parent()).collect();
+        up.reverse();
+        let names: Vec<&str> = up.iter().map(|i| links[*i].name()).collect();
+        assert_eq!(names.join(" "), chain);
+        let places = on.figure.places(moved.q(moved.len() / 2));
+        for (below, bone) in up.iter().zip(&up[1..]).filter(|(_, bone)| !on.bones.contains(bone)) {
+            let (below, bone) = (&places[*below], &places[*bone]);
+            assert!(below.rotation.angle_to(&bone.rotation) < 1e-12);
+            let step = (bone.translation.vector - below.translation.vector).norm();
+            assert!((0.02..0.25).contains(&step), "{rig:?}: {step} m");
+        }
+    }
+    // SMPL's own number of joints.
+    assert_eq!(Rigged::new(&figure, Rig::Smpl).expect("on the rig").figure.links().len(), 24);
 }
 
 #[test]
@@ -163,4 +204,74 @@ fn what_is_no_person_is_refused_by_its_link() {
     let pendulum = FigureBuilder::new("pendulum").link(bob).build().expect("a figure");
     let error = Rigged::new(&pendulum, Rig::Vrm).expect_err("no person").to_string();
     assert!(error.starts_with("the rig 'vrm' has no bone for link 'bob'"), "{error}");
+}
+
+#[test]
+fn a_map_names_bones_and_says_how_they_rest() {
+    let (figure, motion) = walked();
+    let names = r#"bones: {"pelvis": "Root_M", "left_thigh": "Hip L", "head": "neck", "neck": "cervical"})"#;
+    for (rest, expected, arm) in [
+        ("rest: A, ", Rest::A, Vector3::new(1.0, -1.0, 0.0).normalize()),
+        ("rest: own, ", Rest::Own, -Vector3::y()),
+        ("rest: T, ", Rest::T, Vector3::x()),
+        ("", Rest::T, Vector3::x()),
+    ] {
+        let map = RigMap::read(&format!("Rig({rest}{names}")).expect("a map");
+        assert_eq!((map.rest(), map.rig()), (expected, None));
+        let on = Rigged::new(&figure, &map).expect("on the bones");
+        assert_eq!(on.figure.links().len(), figure.links().len());
+        for (link, bone) in
+            [("pelvis", "Root_M"), ("left_thigh", "Hip L"), ("head", "neck"), ("left_hand", "left_hand")]
+        {
+            let own = on.bones[figure.link_index(link).expect("a link")];
+            assert_eq!(on.figure.links()[own].name(), bone);
+        }
+        let mut q = vec![0.0; on.figure.layout().nq()];
+        on.figure.neutral(&mut q).expect("the neutral posture");
+        let rest = on.figure.places(&q);
+        let at = |link: &str| rest[on.bones[figure.link_index(link).expect("a link")]].translation.vector;
+        let found = (at("left_hand") - at("left_upper_arm")).normalize();
+        assert!((found - arm).norm() < 0.02, "{expected:?}: {found}");
+        let moved = on.motion(&figure, &motion).expect("a motion");
+        let (ours, theirs) = (figure.places(motion.q(9)), on.figure.places(moved.q(9)));
+        for (a, bone) in ours.iter().zip(&on.bones) {
+            assert!((a.translation.vector - theirs[*bone].translation.vector).norm() < 1e-12);
+        }
+    }
+    assert_eq!(RigMap::from(Rig::Vrm).bone("left_thigh"), Some("leftUpperLeg"));
+}
+
+#[test]
+fn a_map_s_faults_are_told_by_their_places() {
+    for (text, place, why) in [
+        (
+            r#"Rig(rest: T, bones: {"pelvs": "Hips"})"#,
+            "line 1, column 22:",
+            "no link 'pelvs'; did you mean 'pelvis'?",
+        ),
+        (r#"Rig(bones: {"tail": "Tail"})"#, "line 1, column 13:", "its links are pelvis, abdomen"),
+        (
+            r#"Rig(bones: {"pelvis": "A", "head": "A"})"#,
+            "line 1, column 36:",
+            "'pelvis' and 'head' are both called 'A'",
+        ),
+        (
+            r#"Rig(bones: {"pelvis": "head"})"#,
+            "line 1, column 23:",
+            "'head' and 'pelvis' are both called 'head'",
+        ),
+        (
+            r#"Rig(bones: {"pelvis": "A", "pelvis": "B"})"#,
+            "line 1, column 28:",
+            "link 'pelvis' is given twice",
+        ),
+        (r#"Rig(bones: {"pelvis": " "})"#, "line 1, column 23:", "the bone of 'pelvis' is empty"),
+        (r#"Rig(bones: {"pelvis": Hips})"#, "line 1, column 23:", "must stand in quotes"),
+        ("Rig(rest: V, bones: {})", "line 1, column 11:", "'V' is not known here"),
+        ("Rig(rest: T)", "line 1, column 1:", "has no bones"),
+        ("Rig(bone: {})", "line 1, column 5:", "did you mean 'bones'?"),
+    ] {
+        let error = RigMap::read(text).expect_err(text).to_string();
+        assert!(error.contains(place) && error.contains(why), "{text}: {error}");
+    }
 }

@@ -190,7 +190,7 @@ fn what_cannot_be_converted_says_why() {
         (
             "convert walk.mot walk.ron",
             1,
-            "OUT walk.ron: its extension must be .csv, .sto, .mot, .bvh, .glb or .html",
+            "OUT walk.ron: its extension must be .csv, .sto, .mot, .bvh, .glb, .usda or .html",
         ),
         ("convert walk.mot walk.csv --mass 70", 2, "a motion has no size"),
         ("convert subject.osim s.ron --mass 0", 1, "mass"),

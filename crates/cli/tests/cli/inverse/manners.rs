@@ -259,6 +259,8 @@ fn every_example_of_the_help_runs() {
     std::fs::copy(scene, folder.path().join("scene.ron")).expect("copied");
     succeeded(&solaris(folder.path(), "walk --steps 1 --rate 30 -o walk.csv -o dance.bvh"));
     std::fs::copy(folder.path().join("walk.csv"), folder.path().join("clip.csv")).expect("copied");
+    // An animation is called as the motion that it was.
+    succeeded(&solaris(folder.path(), "convert dance.bvh dancer.glb"));
     for name in ["trials", "loads"] {
         std::fs::create_dir(folder.path().join(name)).expect("made");
     }

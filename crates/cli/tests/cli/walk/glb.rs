@@ -104,11 +104,37 @@ fn bones_are_those_of_the_rig_that_is_asked_for() {
     assert!(text.starts_with("HIERARCHY\nROOT mixamorig:Hips\n"));
     for (more, why) in [
         (["--rig", "vrm", "-o", "a.csv"], "add -o x.glb or -o x.bvh"),
-        (["--rig", "biped", "-o", "b.glb"], "[possible values: mixamo, vrm, unreal, unity, smpl, cmu]"),
+        (
+            ["--rig", "biped", "-o", "b.glb"],
+            "it must be mixamo, vrm, unreal, unity, smpl, cmu or a .ron file",
+        ),
     ] {
         let odd = walk(&more);
         let error = String::from_utf8_lossy(&odd.stderr).into_owned();
         assert_eq!(odd.status.code(), Some(2), "{error}");
         assert!(error.contains(why), "{error}");
     }
+}
+
+#[test]
+fn bones_of_a_map_are_in_all_files_and_those_of_vrm_are_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let walk = |more: &[&str]| solaris(folder.path(), &[&["walk", "--steps", "2"], more].concat());
+    let map = |text: &str| fs::write(folder.path().join("map.ron"), text).expect("written");
+    map("Rig(rest: T, bones: {\"pelvis\": \"Root_M\", \"left_thigh\": \"Hip_L\"})");
+    succeeded(&walk(&["--rig", "map.ron", "-o", "a.glb", "-o", "a.bvh", "-o", "a.usda"]));
+    let file = json(&folder.path().join("a.glb"));
+    assert!(file["nodes"].as_array().expect("nodes").iter().any(|node| node["name"] == "Hip_L"));
+    assert!(file.get("extensions").is_none());
+    for (name, bone) in [("a.bvh", "JOINT Hip_L"), ("a.usda", "\"Root_M/Hip_L\"")] {
+        assert!(fs::read_to_string(folder.path().join(name)).expect("a file").contains(bone), "{name}");
+    }
+    map("Rig(rest: T,\n    bones: {\"pelvs\": \"Root_M\"})");
+    let odd = walk(&["--rig", "map.ron", "-o", "b.glb"]);
+    let error = String::from_utf8_lossy(&odd.stderr).into_owned();
+    assert_eq!(odd.status.code(), Some(1), "{error}");
+    assert!(error.contains("map.ron") && error.contains("did you mean 'pelvis'?"), "{error}");
+    succeeded(&walk(&["--rig", "vrm", "-o", "c.glb"]));
+    let vrm = &json(&folder.path().join("c.glb"))["extensions"]["VRMC_vrm"];
+    assert!(vrm["humanoid"]["humanBones"]["upperChest"]["node"].is_number());
 }

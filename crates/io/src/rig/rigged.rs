@@ -1,0 +1,183 @@
+//! The figure on a rig's bones, its motions and its skin.
+
+use super::RigMap;
+use crate::error::IoError;
+use solaris_model::{
+    Figure, FigureBuilder, Inertia, Isometry3, Joint, Known, LinkSpec, Motion, Placement, Shape,
+    UnitQuaternion, Vector3,
+};
+use solaris_skin::{Detail, Skin, skin};
+
+/// A figure on a rig's bones.
+#[derive(Clone, Debug)]
+pub struct Rigged {
+    /// The figure: the person's links in their order, and the rig's other bones between them.
+    pub figure: Figure,
+    /// For each link of the person, the bone that it is, an index of a link of [`Rigged::figure`].
+    pub bones: Vec<usize>,
+    /// For each link, the turn from the new frame to the old one.
+    turns: Vec<UnitQuaternion<f64>>,
+}
+
+impl Rigged {
+    /// A person on the bones of `rig`: a [`Rig`](super::Rig), or a [`RigMap`] of one's own.
+    ///
+    /// # Errors
+    ///
+    /// [`IoError::NotOfRigs`] names the first link that no human has.
+    ///
+    /// ```
+    /// use solaris_io::rig::{Rig, Rigged};
+    /// let ann = solaris_model::human(1.65, 58.0)?;
+    /// let on = Rigged::new(&ann, Rig::Mixamo)?;
+    /// let arm = on.figure.link("mixamorig:LeftForeArm").unwrap();
+    /// // In a T pose the forearm goes on to the left.
+    /// assert!((arm.joint().placement().translation.x - 0.267).abs() < 1e-3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(figure: &Figure, rig: impl Into<RigMap>) -> Result<Self, IoError> {
+        let rig: RigMap = rig.into();
+        let mut turns: Vec<UnitQuaternion<f64>> = Vec::new();
+        let mut names = Vec::new();
+        // The bone that goes on from each link, and where it is in the link's.
+        let mut ends: Vec<(&str, Vector3<f64>)> = Vec::new();
+        let mut builder = FigureBuilder::new(figure.name());
+        for link in figure.links() {
+            let name = rig.bone(link.name()).filter(|_| link.joint().placement().rotation.angle() < 1e-9);
+            let Some(name) = name else {
+                return Err(IoError::NotOfRigs { rig: rig.name(), link: link.name().to_owned() });
+            };
+            // What hangs on an arm that is raised is raised with it, and then stands along the world's axes.
+            let raised = match link.name() {
+                "left_upper_arm" => rig.rest().raised(),
+                "right_upper_arm" => -rig.rest().raised(),
+                _ => 0.0,
+            };
+            let rest = UnitQuaternion::from_scaled_axis(Vector3::z() * raised);
+            let above = link.parent().map_or_else(UnitQuaternion::identity, |parent| turns[parent]);
+            // With R the rest pose's rotation in the world, a bone's frame is the link's turned by R⁻¹.
+            let turn = rest.inverse() * above;
+            let at = above.inverse() * link.joint().placement().translation.vector;
+            let spec = match link.parent() {
+                None => LinkSpec::root(name, Joint::free("root").at(at)),
+                Some(parent) => {
+                    let (bone, end) = ends[parent];
+                    LinkSpec::child(name, bone, Joint::ball(link.joint().name()).at(at - end))
+                }
+            };
+            builder = builder.link(dressed(spec, link, &turn));
+            let mut end = (name, Vector3::zeros());
+            for between in rig.between().filter(|between| between.link == link.name()) {
+                let Some(way) = way(figure, link, between.toward) else { continue };
+                let at = turn.inverse() * way * between.share;
+                let fixed = Joint::new(between.bone).at(at - end.1);
+                builder = builder.link(LinkSpec::child(between.bone, end.0, fixed));
+                end = (between.bone, at);
+            }
+            turns.push(turn);
+            names.push(name);
+            ends.push(end);
+        }
+        if let Some(stature) = figure.stature() {
+            builder = builder.stature(stature);
+        }
+        let figure = builder.build()?;
+        let bones = names.iter().filter_map(|name| figure.link_index(name)).collect();
+        Ok(Self { figure, bones, turns })
+    }
+
+    /// A motion of the figure as it was, on the bones: the same places at the same times, with its contacts and events.
+    ///
+    /// # Errors
+    ///
+    /// A motion of another figure.
+    pub fn motion(&self, figure: &Figure, motion: &Motion) -> Result<Motion, IoError> {
+        motion.check_figure(figure)?;
+        let (nq, nv) = (self.figure.layout().nq(), self.figure.layout().nv());
+        let mut q = Vec::with_capacity(nq * motion.len());
+        for sample in 0..motion.len() {
+            let row = motion.q(sample);
+            for ((i, link), at) in figure.links().iter().enumerate().zip(figure.layout().joints()) {
+                let moved = link.joint().moved(&row[at.q..]);
+                let above = link.parent().map_or_else(UnitQuaternion::identity, |parent| self.turns[parent]);
+                if link.parent().is_none() {
+                    q.extend(moved.translation.vector.iter());
+                }
+                let mut turn = above.inverse() * moved.rotation * self.turns[i];
+                turn.renormalize();
+                q.extend(turn.coords.iter());
+            }
+        }
+        let info =
+            solaris_model::MotionInfo { fingerprint: self.figure.fingerprint(), ..motion.info.clone() };
+        let still = vec![0.0; nv * motion.len()];
+        let columns = [q, still.clone(), still];
+        let mut found =
+            Motion::recorded(&self.figure, info, motion.time().to_vec(), columns, Known::none(nv))?;
+        found.events.clone_from(&motion.events);
+        found.planted = motion
+            .planted
+            .iter()
+            .map(|planted| {
+                let point = self.turns[planted.link].inverse() * planted.point;
+                solaris_model::Interval { point, link: self.bones[planted.link], ..planted.clone() }
+            })
+            .collect();
+        found.contacts.clone_from(&motion.contacts);
+        for track in &mut found.contacts {
+            if let Some(link) = figure.link_index(&track.link) {
+                self.figure.links()[self.bones[link]].name().clone_into(&mut track.link);
+            }
+        }
+        found.relief.clone_from(&motion.relief);
+        Ok(found)
+    }
+
+    /// The skin of the figure as it was, bound to the bones in their rest pose, so that programs which take a skin's pose for the
+    /// rest pose find it. About the shoulders it bends a little otherwise than before, for it was made with arms lower.
+    pub fn skin(&self, figure: &Figure, detail: Detail) -> Skin {
+        let mut skin = skin(figure, detail);
+        let mut bind: Vec<Placement> = Vec::with_capacity(self.figure.links().len());
+        for (i, link) in self.figure.links().iter().enumerate() {
+            bind.push(match (self.bones.iter().position(|bone| *bone == i), link.parent()) {
+                (Some(own), _) => skin.bind[own] * self.turns[own],
+                (None, Some(parent)) => bind[parent] * link.joint().placement(),
+                (None, None) => Placement::identity(),
+            });
+        }
+        skin.bind = bind;
+        for influence in skin.influences.iter_mut().flatten() {
+            influence.link = self.bones[usize::from(influence.link)] as u16;
+        }
+        let mut q = vec![0.0; self.figure.layout().nq()];
+        // The length is the figure's own.
+        let _ = self.figure.neutral(&mut q);
+        skin.rebound(&self.figure.places(&q))
+    }
+}
+
+/// The way in a link's frame (m) from its joint to that of the link called `toward`, or to its own tip.
+fn way(figure: &Figure, link: &solaris_model::Link, toward: &str) -> Option<Vector3<f64>> {
+    if toward == "tip" {
+        return link.tip().copied();
+    }
+    let next = &figure.links()[figure.link_index(toward)?];
+    Some(next.joint().placement().translation.vector)
+}
+
+/// A link's own things in the new frame.
+fn dressed(mut spec: LinkSpec, link: &solaris_model::Link, turn: &UnitQuaternion<f64>) -> LinkSpec {
+    let back = turn.inverse();
+    let matrix = back.to_rotation_matrix();
+    let frame = Isometry3::from_parts(Vector3::zeros().into(), back);
+    spec = spec.mass(link.mass()).com(back * link.com());
+    spec = spec.inertia(Inertia::Tensor(matrix * link.inertia() * matrix.transpose()));
+    if let Some(shape) = link.shape() {
+        let placement: Placement = frame * shape.placement;
+        spec = spec.shape(Shape { placement, ..*shape });
+    }
+    if let Some(tip) = link.tip() {
+        spec = spec.tip(back * tip);
+    }
+    link.sole().iter().fold(spec, |spec, point| spec.sole(point.part, back * point.position))
+}
