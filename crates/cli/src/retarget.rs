@@ -18,6 +18,7 @@ const WRITTEN: Formats<()> = &[("glb", ())];
 
 pub(crate) fn run(args: &RetargetArgs) -> Result<(), CliError> {
     let outputs = Outputs::new([("-o", &args.output, WRITTEN)])?;
+    outputs.keep_off([args.motion.as_path(), args.onto.as_path()])?;
     let (figure, motion, findings) = motion(args)?;
     let bytes = bytes(&args.onto)?;
     let character =
