@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod edit;
 mod error;
 mod finding;
 pub mod layout;
@@ -10,6 +11,7 @@ mod parse;
 mod place;
 mod reader;
 
+pub use edit::edit;
 pub use error::{TextError, TextFault};
 pub use finding::{Finding, FindingKind};
 pub use nearest::{did_you_mean, nearest};

@@ -84,6 +84,13 @@ const VERSION: u32 = 2;
 /// A step of a quaternion's component.
 const TURN_STEP: f64 = 1.0 / 32_767.0;
 
+impl Data {
+    /// As it stands in the page.
+    pub(crate) fn to_json(&self) -> String {
+        serde_json::to_string(self).expect("plain data of finite numbers and text is always JSON")
+    }
+}
+
 /// Gathers the data, and refuses what cannot be shown.
 pub(crate) fn collect(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<Data, ViewError> {
     motion.check_figure(figure)?;

@@ -1,26 +1,24 @@
 //! The text of the page.
 
 use crate::data::Data;
-use crate::{PageOptions, TableRow};
+use crate::{PageOptions, TableRow, Viewer};
 use std::fmt::Write as _;
 
 const TEMPLATE: &str = include_str!("../assets/page.html");
-const STYLE: &str = include_str!("../assets/viewer.css");
-const VIEWER: &str = include_str!("../assets/viewer.js");
 
 /// The whole page.
-pub(crate) fn render(data: &Data, options: &PageOptions) -> String {
-    let json = serde_json::to_string(data).expect("plain data of finite numbers and text is always JSON");
+pub(crate) fn render(data: &Data, options: &PageOptions, viewer: &Viewer<'_>) -> String {
+    let json = data.to_json();
     let title = if options.title.trim().is_empty() { &data.figure } else { &options.title };
     fill(
         TEMPLATE,
         &[
             ("title", &escape(title)),
-            ("style", STYLE),
+            ("style", viewer.style),
             ("legend", if data.sided { "" } else { " hidden" }),
             ("table", &table(&options.table)),
             ("data", &guard(&json)),
-            ("viewer", VIEWER),
+            ("viewer", viewer.script),
         ],
     )
 }
@@ -103,10 +101,12 @@ mod tests {
     }
 
     #[test]
+    #[cfg(feature = "assets")]
     fn the_embedded_files_cannot_end_their_elements() {
-        let lower = VIEWER.to_lowercase();
+        let Viewer { script, style } = Viewer::OWN;
+        let lower = script.to_lowercase();
         assert!(!lower.contains("</script") && !lower.contains("<!--"), "rebuild assets/viewer.js");
-        assert!(!STYLE.to_lowercase().contains("</style"));
+        assert!(!style.to_lowercase().contains("</style"));
     }
 
     #[test]

@@ -16,6 +16,7 @@ mod film;
 mod forces;
 mod frames;
 mod html;
+mod live;
 mod multiples;
 mod pack;
 mod postures;
@@ -32,6 +33,7 @@ pub use error::ViewError;
 pub use film::{FilmOptions, Seen, film};
 pub use forces::{FootForces, forces};
 pub use frames::FRAME_RATE;
+pub use live::Live;
 pub use postures::{Room, Stick, StickLine, StickPart, postures};
 pub use regions::{Regions, regions};
 
@@ -114,6 +116,22 @@ pub fn picture_page(title: &str, svg: &str) -> String {
     )
 }
 
+/// What a page is shown by: the bundle of `web/src`.
+#[derive(Clone, Copy, Debug)]
+pub struct Viewer<'a> {
+    /// Its script, without anything that ends an element.
+    pub script: &'a str,
+    /// Its style.
+    pub style: &'a str,
+}
+
+#[cfg(feature = "assets")]
+impl Viewer<'static> {
+    /// The one that stands in this crate.
+    pub const OWN: Self =
+        Self { script: include_str!("../assets/viewer.js"), style: include_str!("../assets/viewer.css") };
+}
+
 /// The page that shows `motion` of `figure`: a whole HTML file as text.
 ///
 /// The same figure, motion and options give the same text, byte for byte. A walk of 9 s takes about 1.3 MB, of which
@@ -124,7 +142,31 @@ pub fn picture_page(title: &str, svg: &str) -> String {
 /// [`ViewError`]: a motion of another figure, one without samples, contacts that do not fit to the motion or to the
 /// figure, a line of a link that is none, a curve or a band of another length, a negative half width, numbers that are not
 /// finite.
+#[cfg(feature = "assets")]
 pub fn page(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<String, ViewError> {
+    page_by(&Viewer::OWN, figure, motion, options)
+}
+
+/// The same page by a viewer that the caller has already, as a page has that writes pages.
+///
+/// # Errors
+///
+/// As those of [`page_data`].
+pub fn page_by(
+    viewer: &Viewer<'_>,
+    figure: &Figure,
+    motion: &Motion,
+    options: &PageOptions,
+) -> Result<String, ViewError> {
     let data = data::collect(figure, motion, options)?;
-    Ok(html::render(&data, options))
+    Ok(html::render(&data, options, viewer))
+}
+
+/// What a page knows of a motion, as the JSON that stands in it (see *What the page holds*).
+///
+/// # Errors
+///
+/// [`ViewError`]: what `page` refuses.
+pub fn page_data(figure: &Figure, motion: &Motion, options: &PageOptions) -> Result<String, ViewError> {
+    Ok(data::collect(figure, motion, options)?.to_json())
 }

@@ -33,6 +33,12 @@ impl World {
         self.turn * vector(v)
     }
 
+    /// A vector of the page's world in the motion's own.
+    pub(crate) fn own(&self, shown: [f64; 3]) -> Vector3<f64> {
+        let own = self.turn.conjugate() * DVec3::from_array(shown);
+        Vector3::new(own.x, own.y, own.z)
+    }
+
     /// An orientation.
     pub(crate) fn rotation(&self, rotation: &Matrix3<f64>) -> DQuat {
         (self.turn * DQuat::from_mat3(&DMat3::from_cols_slice(rotation.as_slice()))).normalize()

@@ -2,18 +2,25 @@
 
 // `times`: the frames' times (s), ascending, at least one.
 export function makeClock(times) {
-  const first = times[0];
-  const last = times[times.length - 1];
   const listeners = [];
-  let now = first;
+  let [first, last, now] = [0, 0, 0];
   const clock = {
-    first,
-    last,
+    // Other frames, from their beginning.
+    load(others) {
+      times = others;
+      [first, last] = [times[0], times[times.length - 1]];
+      Object.assign(clock, { first, last });
+      clock.seek(first);
+    },
     playing: false,
     speed: 1,
     loop: true,
     time: () => now,
-    onChange: (listener) => listeners.push(listener),
+    // Gives what takes the listener away again.
+    onChange(listener) {
+      listeners.push(listener);
+      return () => listeners.splice(listeners.indexOf(listener), 1);
+    },
     play() {
       if (now >= last) now = first;
       clock.playing = last > first;
@@ -62,5 +69,6 @@ export function makeClock(times) {
   function changed() {
     listeners.forEach((listener) => listener());
   }
+  clock.load(times);
   return clock;
 }

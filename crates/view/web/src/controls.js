@@ -4,10 +4,7 @@ const byId = (id) => document.getElementById(id);
 
 export function makeControls(clock, picture, data) {
   const [play, scrub, now] = [byId('play'), byId('scrub'), byId('now')];
-  scrub.min = String(clock.first);
-  scrub.max = String(clock.last);
   scrub.step = 'any';
-  const total = clock.last.toFixed(2);
 
   play.addEventListener('click', clock.toggle);
   byId('back').addEventListener('click', () => clock.step(-1));
@@ -25,20 +22,26 @@ export function makeControls(clock, picture, data) {
   onlyWithPicture('follow', (event) => picture.setFollow(event.target.checked));
   onlyWithPicture('arrows', (event) => picture.show('forces', event.target.checked));
   onlyWithPicture('trail', (event) => picture.show('trail', event.target.checked));
-  byId('arrows').closest('label').hidden = data.feet.length === 0;
-  byId('trail').closest('label').hidden = !data.com;
+  const load = (next) => {
+    byId('arrows').closest('label').hidden = next.feet.length === 0;
+    byId('trail').closest('label').hidden = !next.com;
+  };
+  load(data);
 
   const update = () => {
+    [scrub.min, scrub.max] = [String(clock.first), String(clock.last)];
     play.dataset.playing = String(clock.playing);
     play.setAttribute('aria-label', clock.playing ? 'Pause' : 'Play');
     scrub.value = String(clock.time());
-    now.textContent = `${clock.time().toFixed(2)} / ${total} s`;
+    now.textContent = `${clock.time().toFixed(2)} / ${clock.last.toFixed(2)} s`;
     scrub.setAttribute('aria-valuetext', `${clock.time().toFixed(2)} s`);
   };
   clock.onChange(update);
   update();
   keys(clock);
   document.querySelectorAll('details.menu').forEach(closes);
+  // Another motion is shown: `load(data)`.
+  return { load };
 }
 
 // A menu closes on Escape and by a click beside it.

@@ -29,8 +29,8 @@ const readBody = ({ palette, ...arrays }) => ({
 });
 
 // What the rest of the page works with. World: x left, y up, z forward (m), from the data's own origin.
-export function readData(element) {
-  const raw = JSON.parse(element.textContent);
+export function readData(text) {
+  const raw = JSON.parse(text);
   const quantity = (plot) => plot && { unit: plot.unit, lines: plot.lines.map(line) };
   return {
     ...raw,

@@ -71,6 +71,7 @@ export function makeForces(data, overlay) {
 
   return {
     group,
+    clear: () => feet.forEach(({ words }) => words.remove()),
     paint(theme) {
       feet.forEach(({ foot, material }) => material.color.set(theme.line[foot.side]));
       feet.forEach(({ dot }) => dot.material.color.set(theme.ink));

@@ -1,4 +1,5 @@
-// The moving picture: figure, ground, forces and trail on the stage. Draws only when something has changed.
+// The moving picture: figure, ground, forces and trail on the stage. Draws only when something has changed. Another motion can take the place
+// of the one that is shown.
 
 import { Vector3 } from 'three';
 import { makeBody, mixAt } from './body.js';
@@ -30,48 +31,87 @@ function sight({ aim }, height) {
     });
 }
 
-export function makePicture(holder, data, clock) {
-  const ground = data.ground.relief ? makeRelief(data) : makeGround(data);
-  const sees = data.ground.relief ? sight(data.camera, ground.height) : () => true;
-  const stage = makeStage(holder, { size: data.size, half: data.camera.half, climbs: ground.climbs, sees });
-  const parts = {
-    ground,
+// Everything on the stage that belongs to one motion.
+function makeParts(holder, data) {
+  return {
+    ground: data.ground.relief ? makeRelief(data) : makeGround(data),
     heights: makeHeights(data),
     body: makeBody(data),
     forces: makeForces(data, holder),
     trail: makeTrail(data),
   };
-  for (const part of Object.values(parts)) stage.scene.add(part.group);
+}
 
+// Gives back what a part holds in the memory of the graphics.
+function dispose({ group, clear }) {
+  clear?.();
+  group.removeFromParent();
+  group.traverse((object) => {
+    object.geometry?.dispose();
+    object.skeleton?.dispose();
+    for (const material of [object.material].flat().filter(Boolean)) {
+      material.map?.dispose();
+      material.dispose();
+    }
+  });
+}
+
+export function makePicture(holder, data, clock) {
+  const stage = makeStage(holder);
+  let [parts, motion, time, theme, forget] = [{}, null, null, null, () => {}];
   let stale = true;
   let follow = true;
+  const hidden = new Set();
   const touch = () => (stale = true);
   const target = new Vector3();
   // The camera looks at the middle of the box that has the figure in it at any time.
-  const look = (frame) => mixAt(data.camera.aim, frame, target);
+  const look = (frame) => mixAt(motion.camera.aim, frame, target);
 
-  clock.onChange(touch);
   stage.controls.addEventListener('change', touch);
   new ResizeObserver(() => {
     stage.resize();
     touch();
   }).observe(holder);
-  stage.follow(look(clock.frame()), true);
-  stage.resize();
-  stage.view('angle');
 
-  return {
-    paint(theme) {
+  const picture = {
+    stage,
+    // The body that is drawn, and the data it is drawn from.
+    body: () => parts.body,
+    data: () => motion,
+    // Shows another motion by another clock; `still`: the camera stays where it is.
+    load(next, nextClock, { still = false } = {}) {
+      forget();
+      Object.values(parts).forEach(dispose);
+      [motion, time] = [next, nextClock];
+      parts = makeParts(holder, motion);
+      for (const [name, part] of Object.entries(parts)) {
+        part.group.visible = !hidden.has(name);
+        stage.scene.add(part.group);
+        if (theme) part.paint(theme);
+      }
+      const sees = motion.ground.relief ? sight(motion.camera, parts.ground.height) : () => true;
+      stage.frame({ size: motion.size, half: motion.camera.half, climbs: parts.ground.climbs, sees });
+      forget = time.onChange(touch);
+      stage.follow(look(time.frame()), true);
+      stage.resize();
+      if (!still) stage.view(stage.named() ?? 'angle');
+      touch();
+    },
+    touch,
+    paint(next) {
+      theme = next;
       stage.paint(theme);
       Object.values(parts).forEach((part) => part.paint(theme));
       touch();
     },
     view(name) {
-      stage.controls.target.copy(look(clock.frame()));
+      stage.controls.target.copy(look(time.frame()));
       stage.view(name);
       touch();
     },
     show(part, visible) {
+      if (visible) hidden.delete(part);
+      else hidden.add(part);
       parts[part].group.visible = visible;
       touch();
     },
@@ -83,17 +123,18 @@ export function makePicture(holder, data, clock) {
     },
     // Where the figure is in the picture now: the least and greatest x and y, from 0 to 1, of all that is drawn of it.
     outline() {
-      parts.body.pose(clock.frame());
-      stage.follow(look(clock.frame()), follow);
+      parts.body.pose(time.frame());
+      stage.follow(look(time.frame()), follow);
       stage.camera.updateMatrixWorld();
       return parts.body.outline(stage.camera);
     },
     // Height of the drawn ground at a place, in the data's coordinates.
-    ground: ground.height,
+    ground: (x, z) => parts.ground.height(x, z),
+    // Draws where something has changed, and says whether it did.
     draw() {
-      if (!stale) return;
+      if (!stale) return false;
       stale = false;
-      const frame = clock.frame();
+      const frame = time.frame();
       parts.body.pose(frame);
       parts.forces.pose(frame);
       parts.trail.pose(frame);
@@ -104,6 +145,9 @@ export function makePicture(holder, data, clock) {
       parts.forces.label(stage.camera, stage.width, stage.height);
       // Following the figure moves the camera, which reports a change that this drawing has already shown.
       stale = false;
+      return true;
     },
   };
+  picture.load(data, clock);
+  return picture;
 }

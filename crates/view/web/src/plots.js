@@ -185,9 +185,15 @@ export function makePlots(joints, forces, data, clock, theme) {
   forces.hidden = data.forces.length === 0;
   joints.hidden = data.joints.length === 0;
   drawn.forEach((draw) => draw());
-  clock.onChange(() => live.forEach((plot) => plot.update()));
+  const forget = clock.onChange(() => live.forEach((plot) => plot.update()));
 
   return {
+    // Takes all curves away.
+    destroy() {
+      forget();
+      live.forEach((plot) => plot.destroy());
+      [joints, forces].forEach((root) => root.replaceChildren());
+    },
     paint(next) {
       colours = next;
       drawn.forEach((draw) => draw());

@@ -31,10 +31,8 @@ const RAISES = 20;
 // Size of a figure to which the lengths below belong (m).
 const PERSON = 1.75;
 
-// `framed`: half of the edges of the box that is to be in view; `size`: the greatest edge; `climbs`: whether the figure goes up, and is
-// seen from behind; `sees(offset)`: whether the ground hides nothing from a camera so far from what it looks at. Throws where
-// there is no WebGL.
-export function makeStage(holder, { size, half: framed, climbs, sees }) {
+// Nothing is framed before `stage.frame`. Throws where there is no WebGL.
+export function makeStage(holder) {
   const renderer = new WebGLRenderer({ antialias: true });
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
@@ -43,15 +41,14 @@ export function makeStage(holder, { size, half: framed, climbs, sees }) {
   renderer.domElement.setAttribute('aria-label', 'The moving figure; drag to turn, scroll to zoom');
   holder.prepend(renderer.domElement);
 
-  const half = new Vector3().fromArray(framed);
+  const half = new Vector3();
+  let [size, climbs, sees] = [PERSON, false, () => true];
   const scene = new Scene();
   scene.background = new Color();
   scene.fog = new Fog(0);
   const camera = new PerspectiveCamera(35, 1);
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.maxPolarAngle = 0.53 * Math.PI;
-  controls.minDistance = 0.4 * size;
-  controls.maxDistance = 40 * size;
 
   const sky = new HemisphereLight(0xffffff, 0xb8b0a4, 1.9);
   const sun = new DirectionalLight(0xffffff, 2.1);
@@ -59,9 +56,6 @@ export function makeStage(holder, { size, half: framed, climbs, sees }) {
   sun.shadow.mapSize.set(2048, 2048);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0004;
-  sun.shadow.normalBias = (0.02 * size) / PERSON;
-  const reach = 1.6 * half.length();
-  Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * size, far: 8 * size });
   scene.add(sky, sun, sun.target);
 
   // How far from the middle of the box the camera must be, in this direction, to have its eight corners in view.
@@ -88,8 +82,23 @@ export function makeStage(holder, { size, half: framed, climbs, sees }) {
     scene,
     camera,
     controls,
+    renderer,
     width: 0,
     height: 0,
+    // `half`: half of the edges of the box that is to be in view; `size`: the greatest edge; `climbs`: whether the figure goes up, and
+    // is seen from behind; `sees(offset)`: whether the ground hides nothing from a camera so far from what it looks at.
+    frame(framed) {
+      half.fromArray(framed.half);
+      ({ size, climbs, sees } = framed);
+      controls.minDistance = 0.4 * size;
+      controls.maxDistance = 40 * size;
+      sun.shadow.normalBias = (0.02 * size) / PERSON;
+      const reach = 1.6 * half.length();
+      Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * size, far: 8 * size });
+      sun.shadow.camera.updateProjectionMatrix();
+    },
+    // Whether the reader has not turned it, and a new figure is to be framed as a view says.
+    named: () => named,
     paint(theme) {
       scene.background.set(theme.sky);
       scene.fog.color.set(theme.sky);
