@@ -110,7 +110,7 @@ mod tests {
         // The page holds places relative to the root's to 0.02 mm.
         let info = MotionInfo { fingerprint: ann.fingerprint(), gravity, ground: None, rate: 60.0 };
         let (nq, nv) = (ann.layout().nq(), ann.layout().nv());
-        let motion = Motion::new(&ann, info, vec![0.0], q[..nq].to_vec(), vec![0.0; nv], vec![0.0; nv]);
+        let motion = Motion::new(&ann, info, vec![0.0], [q[..nq].to_vec(), vec![0.0; nv], vec![0.0; nv]]);
         let data = page_data(&ann, &motion.expect("one sample"), &PageOptions::default()).expect("data");
         let data: serde_json::Value = serde_json::from_str(&data).expect("JSON");
         assert_eq!(data["links"].as_array().map(Vec::len), Some(poses.len() / 7));

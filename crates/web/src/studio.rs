@@ -1,0 +1,70 @@
+//! What the studio asks beyond the package: pictures, figures that are posed, scenes that are written and run, curves.
+
+mod alive;
+mod curve;
+mod posed;
+mod script;
+mod shown;
+mod steered;
+
+pub use alive::Alive;
+pub use curve::curve;
+pub use posed::Posed;
+pub use script::Script;
+pub use shown::Shown;
+pub use steered::Steered;
+
+use crate::failed;
+use crate::figure::Figure;
+use crate::keys::plain;
+use crate::walk::WalkOptions;
+use serde_json::{Value, json};
+use solaris::gait::GaitOptions;
+use solaris::model::{AxisKind, Motion, MotionInfo};
+use solaris::view::{PageOptions, page_data};
+use wasm_bindgen::prelude::*;
+
+/// Within which values of one number, all else as it is, a walk can be planned: two numbers, or nothing.
+#[wasm_bindgen(js_name = walkRange)]
+pub fn walk_range(
+    figure: &Figure,
+    options: Option<WalkOptions>,
+    field: &str,
+) -> Result<Option<Vec<f64>>, JsError> {
+    let options: GaitOptions = options.map_or(Ok(GaitOptions::default()), |options| plain(&options))?;
+    Ok(options.range_of(&figure.figure, field).map_err(failed)?.map(|range| range.to_vec()))
+}
+
+/// What a page shows of a figure that stands still, to begin a picture with.
+fn still(figure: &Figure, q: &[f64]) -> Result<String, JsError> {
+    let nv = figure.figure.layout().nv();
+    let info =
+        MotionInfo { gravity: figure.gravity, rate: 60.0, ..MotionInfo::on_earth(&figure.figure, 60.0) };
+    let states = [q.to_vec(), vec![0.0; nv], vec![0.0; nv]];
+    let motion = Motion::new(&figure.figure, info, vec![0.0], states).map_err(failed)?;
+    page_data(&figure.figure, &motion, &PageOptions::default()).map_err(failed)
+}
+
+/// The joints of a figure with their degrees of freedom.
+fn joints(figure: &Figure) -> Value {
+    let figure = &figure.figure;
+    let layout = figure.layout();
+    let joint = |(link, at): (&solaris::model::Link, &solaris::model::JointIndices)| {
+        let dofs: Vec<Value> = (at.v..at.v + at.nv)
+            .map(|dof| {
+                let limits =
+                    link.joint().kind().axes().get(dof - at.v).and_then(|axis| axis.limits);
+                json!({
+                    "name": layout.v_names()[dof],
+                    "index": dof,
+                    "coordinate": layout.coordinate(dof).filter(|_| !figure.follows(dof)),
+                    "turns": layout.axis_kind(dof) == AxisKind::Rotation,
+                    "lower": limits.map(|limits| limits.lower),
+                    "upper": limits.map(|limits| limits.upper),
+                })
+            })
+            .collect();
+        json!({ "name": link.joint().name(), "link": link.name(), "dofs": dofs })
+    };
+    figure.links().iter().zip(layout.joints()).map(joint).collect()
+}

@@ -1,0 +1,112 @@
+//! A motion as it is looked at and taken away.
+
+use crate::failed;
+use crate::figure::Figure;
+use crate::motion::Motion;
+use solaris::io::record::positions_in_degrees;
+use solaris::io::{bvh, csv, glb, sto, usd};
+use solaris::model;
+use solaris::skin::{Detail, skin};
+use solaris::view::{LinkLine, PageCurve, PageOptions, TableRow, Viewer, page_by, page_data};
+use wasm_bindgen::prelude::*;
+
+/// A motion with all that a page says of it.
+#[wasm_bindgen]
+pub struct Shown {
+    pub(crate) figure: Figure,
+    pub(crate) motion: model::Motion,
+    pub(crate) options: PageOptions,
+}
+
+impl Shown {
+    pub(crate) fn new(figure: Figure, motion: model::Motion, title: String) -> Self {
+        Self { figure, motion, options: PageOptions { title, ..PageOptions::default() } }
+    }
+
+    pub(crate) fn lines(mut self, lines: Vec<LinkLine>) -> Self {
+        self.options.lines = lines;
+        self
+    }
+
+    pub(crate) fn curves(mut self, curves: Vec<PageCurve>) -> Self {
+        self.options.curves = curves;
+        self
+    }
+}
+
+#[wasm_bindgen]
+impl Shown {
+    /// A motion under a title.
+    #[wasm_bindgen(constructor)]
+    pub fn of_motion(motion: &Motion, title: String) -> Shown {
+        Self::new(motion.figure.clone(), motion.motion.clone(), title)
+    }
+
+    /// Who moves.
+    #[wasm_bindgen(getter)]
+    pub fn figure(&self) -> Figure {
+        self.figure.clone()
+    }
+
+    /// Its title.
+    #[wasm_bindgen(getter)]
+    pub fn title(&self) -> String {
+        self.options.title.clone()
+    }
+
+    /// How long it lasts (s).
+    #[wasm_bindgen(getter)]
+    pub fn duration(&self) -> f64 {
+        let time = self.motion.time();
+        time.last().zip(time.first()).map_or(0.0, |(last, first)| last - first)
+    }
+
+    /// The configuration of a sample.
+    pub fn q(&self, sample: usize) -> Result<Vec<f64>, JsError> {
+        if sample >= self.motion.len() {
+            return Err(failed(format!("sample {sample}: there are {}", self.motion.len())));
+        }
+        Ok(self.motion.q(sample).to_vec())
+    }
+
+    /// What a page holds of it, as JSON.
+    pub fn data(&self) -> Result<String, JsError> {
+        page_data(&self.figure.figure, &self.motion, &self.options).map_err(failed)
+    }
+
+    /// A page that shows it, by the viewer's script and style, with rows of a table: label, value, unit and note, one after the other.
+    pub fn page(&self, script: &str, style: &str, rows: Vec<String>) -> Result<String, JsError> {
+        let rows = rows.chunks_exact(4).map(|row| TableRow::new(&row[0], &row[1], &row[2], &row[3]));
+        let options = PageOptions { table: rows.collect(), ..self.options.clone() };
+        page_by(&Viewer { script, style }, &self.figure.figure, &self.motion, &options).map_err(failed)
+    }
+
+    /// The bytes of a file: `"csv"`, `"mot"`, `"sto"`, `"bvh"`, `"glb"` or `"usda"`.
+    pub fn save(&self, format: &str) -> Result<Vec<u8>, JsError> {
+        let (figure, motion) = (&self.figure.figure, &self.motion);
+        let mut bytes = Vec::new();
+        let clip = if self.options.title.is_empty() { figure.name() } else { &self.options.title };
+        match format {
+            "csv" => csv::write(figure, motion, &mut bytes).map_err(failed)?,
+            "mot" | "sto" => {
+                sto::write(&positions_in_degrees(figure, motion), &mut bytes).map_err(failed)?;
+            }
+            "bvh" => bvh::write(figure, motion, bvh::Unit::default(), &mut bytes).map_err(failed)?,
+            "glb" => {
+                let actor = glb::Actor { name: figure.name(), figure, skin: None };
+                let clips = [glb::Clip { name: clip, motions: vec![(0, motion)] }];
+                glb::write(&[actor], &clips, glb::Options::default(), &mut bytes).map_err(failed)?;
+            }
+            "usda" => {
+                let skin = skin(figure, Detail::default());
+                usd::write(figure, &skin, clip, motion, &mut bytes).map_err(failed)?;
+            }
+            other => {
+                return Err(failed(format!(
+                    "format is '{other}'; it must be 'csv', 'mot', 'sto', 'bvh', 'glb' or 'usda'"
+                )));
+            }
+        }
+        Ok(bytes)
+    }
+}
