@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod error;
+mod expected;
 mod finding;
 pub mod layout;
 mod lex;
@@ -10,7 +11,8 @@ mod parse;
 mod place;
 mod reader;
 
-pub use error::{TextError, TextFault};
+pub use error::{Fault, Suggestion, TextError, TextFault};
+pub use expected::{Expected, ExpectedKind};
 pub use finding::{Finding, FindingKind};
 pub use nearest::{did_you_mean, nearest};
 pub use node::{Content, Group, Named, Node, Value};
