@@ -47,7 +47,7 @@ impl SourceMap {
     /// The faults of a figure with the places of the text that caused them.
     pub fn locate(&self, text: &str, error: &FigureError) -> TextError {
         let whole = self.get(Part::Figure, "").cloned().unwrap_or(0..0);
-        let place = |fault| self.find(fault).unwrap_or_else(|| whole.clone());
+        let place = |fault: &Fault| self.find(fault).unwrap_or_else(|| whole.clone());
         let located = |fault: &Fault| solaris_text::Fault {
             span: place(fault),
             message: fault.to_string(),

@@ -30,6 +30,11 @@ impl Reader {
         Self { asked: Some(at), ..Self::default() }
     }
 
+    /// Whether it takes note of what may stand somewhere: what is read is of no use then.
+    pub fn is_asked(&self) -> bool {
+        self.asked.is_some()
+    }
+
     /// What may stand at the byte that was asked about; nothing where no reader came there.
     pub fn into_expected(self) -> Vec<Expected> {
         self.expected

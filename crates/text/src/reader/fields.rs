@@ -126,7 +126,8 @@ impl Reader {
         let (kind, before) = (fields.kind, self.faults.len());
         for (i, (named, _)) in fields.found.iter().enumerate() {
             let name = named.name;
-            self.expect(&named.span, ExpectedKind::Field, kind, known.iter().copied());
+            let is_free = |field: &&str| fields.found.iter().all(|(other, _)| other.name != *field);
+            self.expect(&named.span, ExpectedKind::Field, kind, known.iter().copied().filter(is_free));
             if !known.contains(&name) {
                 let near = nearest(name, known.iter().copied());
                 let hint = match &near {
