@@ -33,7 +33,7 @@ pub(crate) fn text(class: &str, path: &str, message: &str, files: &[(&str, &Text
     Python::attach(|py| {
         let build = || -> PyResult<Bound<'_, PyDict>> {
             let fault = py.import("solaris.errors")?.getattr("Fault")?;
-            let of = |file: &str, TextFault { place, message }: &TextFault| {
+            let of = |file: &str, TextFault { place, message, .. }: &TextFault| {
                 fault.call1((file, place.line, place.column, message))
             };
             let faults = files.iter().flat_map(|(file, error)| error.faults.iter().map(|f| of(file, f)));

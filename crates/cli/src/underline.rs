@@ -32,7 +32,7 @@ pub(crate) fn faults(path: &Path, text: &str, error: &TextError) -> String {
 }
 
 fn block(renderer: &Renderer, path: &str, text: &str, fault: &TextFault) -> String {
-    let TextFault { place, message } = fault;
+    let TextFault { place, message, .. } = fault;
     let lines = around(text, &place.span);
     let source = &text[lines.clone()];
     if source.len() > MOST_SHOWN || source.contains(|c: char| c.is_control() && !"\n\r\t".contains(c)) {

@@ -1,12 +1,12 @@
 //! Figures, in whatever language they are written.
 
 use crate::error::FileError;
-use crate::folder::Folder;
-use crate::read::{bytes, extension, no_text, refuse_unread, text as utf8};
+use crate::files::Source;
+use crate::read::{extension, refuse_unread};
 use solaris_io::bvh::{self, BvhError};
 use solaris_io::clip::{Clip, ReadOptions};
 use solaris_io::opensim::{self, MarkerSet};
-use solaris_io::{CoordinateDefault, Encoding, Import, decode, glb, mjcf, sdf, urdf};
+use solaris_io::{CoordinateDefault, Encoding, Import, glb, mjcf, sdf, urdf};
 use solaris_model::{Actuator, Figure, Finding, FindingKind, JointKind, Marker, Medium, Tie, Vector3, text};
 use std::path::Path;
 
@@ -198,169 +198,240 @@ impl Body {
     }
 }
 
-/// What a figure's file of another program is written in, by its extension alone; none where that does not tell.
-pub fn language(path: &Path) -> Option<Language> {
-    match extension(path).as_str() {
-        "urdf" => Some(Language::Urdf),
-        "mjcf" => Some(Language::Mjcf),
-        "osim" => Some(Language::OpenSim),
-        "bvh" => Some(Language::Bvh),
-        "glb" | "gltf" => Some(Language::Gltf),
-        "sdf" | "world" => Some(Language::Sdf),
-        "xml" => utf8(path).ok().and_then(|text| Language::of(path, &text)),
-        _ => None,
-    }
-}
-
-/// Reads a figure; files that it names are in its folder.
-///
-/// # Errors
-///
-/// Files that cannot be read, and every fault of what they hold, with its place.
-pub fn body(path: &Path) -> Result<Body, FileError> {
-    body_in(path, None)
-}
-
-/// Reads a figure; files that it names are in this folder, which holds it, or else in its own.
-///
-/// # Errors
-///
-/// As [`body`], and a folder that does not hold the figure.
-pub fn body_in(path: &Path, files: Option<&Path>) -> Result<Body, FileError> {
-    body_with(path, files, &ReadOptions::default())
-}
-
-/// The motors of a figure's joints, as its file has them.
-///
-/// # Errors
-///
-/// As [`body`], and languages without motors.
-pub fn actuators(path: &Path) -> Result<Vec<Actuator>, FileError> {
-    let text = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?.0;
-    match Language::of(path, &text) {
-        Some(Language::Urdf) => {
-            urdf::actuators(&text).map_err(|faults| FileError::faulty(path, &text, faults))
+impl Source<'_> {
+    /// What a figure's file of another program is written in, by its extension alone; none where that does not tell.
+    pub fn language(self, path: &Path) -> Option<Language> {
+        match extension(path).as_str() {
+            "urdf" => Some(Language::Urdf),
+            "mjcf" => Some(Language::Mjcf),
+            "osim" => Some(Language::OpenSim),
+            "bvh" => Some(Language::Bvh),
+            "glb" | "gltf" => Some(Language::Gltf),
+            "sdf" | "world" => Some(Language::Sdf),
+            "xml" => self.text(path).ok().and_then(|text| Language::of(path, &text)),
+            _ => None,
         }
-        Some(Language::Mjcf) => mjcf::actuators(&text, &mut Folder::of(path, None)?)
-            .map_err(|error| FileError::Files { path: path.to_owned(), error }),
-        _ => Err(FileError::input(
-            path,
-            &"actuators are read of MuJoCo models and of URDF; leave 'actuators' out",
-        )),
     }
-}
 
-/// What a figure's file holds together that its tree has open.
-///
-/// # Errors
-///
-/// As [`body`], and languages without loops.
-pub fn ties(path: &Path) -> Result<Vec<Tie>, FileError> {
-    let text = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?.0;
-    match Language::of(path, &text) {
-        Some(Language::Mjcf) => mjcf::ties(&text, &mut Folder::of(path, None)?)
-            .map_err(|error| FileError::Files { path: path.to_owned(), error }),
-        Some(Language::Sdf) => sdf::ties(&text, &mut Folder::of(path, None)?)
-            .map_err(|faults| FileError::faulty(path, &text, faults)),
-        _ => Err(FileError::input(path, &"loops are read of MuJoCo models and of SDF; leave 'loops' out")),
+    /// Reads a figure; files that it names are in its folder.
+    ///
+    /// # Errors
+    ///
+    /// Files that cannot be read, and every fault of what they hold, with its place.
+    pub fn body(self, path: &Path) -> Result<Body, FileError> {
+        self.body_in(path, None)
     }
-}
 
-/// Reads a figure, of a file of bones with these options.
-///
-/// # Errors
-///
-/// As [`body_in`].
-pub fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions) -> Result<Body, FileError> {
-    let known =
-        "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), .osim, .bvh, or .glb";
-    refuse_unread(path, known)?;
-    if is_gltf(path) {
-        let Clip { figure, findings, .. } = clip(path, options)?;
-        return Ok(Body { language: Language::Gltf, findings, ..Body::own(figure) });
+    /// Reads a figure; files that it names are in this folder, which holds it, or else in its own.
+    ///
+    /// # Errors
+    ///
+    /// As [`Source::body`], and a folder that does not hold the figure.
+    pub fn body_in(self, path: &Path, files: Option<&Path>) -> Result<Body, FileError> {
+        self.body_with(path, files, &ReadOptions::default())
     }
-    let (text, encoding) = match extension(path).as_str() {
-        // What people's and other programs' editors write.
-        "urdf" | "sdf" | "world" | "xml" | "mjcf" | "osim" | "bvh" => {
-            decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?
-        }
-        _ => (utf8(path)?, Encoding::Utf8),
-    };
-    let language = Language::of(path, &text).ok_or_else(|| {
-        let why = match extension(path).as_str() {
-            "xml" => {
-                "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an SDF (<sdf>) nor an OpenSim model"
-                    .to_owned()
+
+    /// The motors of a figure's joints, as its file has them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Source::body`], and languages without motors.
+    pub fn actuators(self, path: &Path) -> Result<Vec<Actuator>, FileError> {
+        let text = self.decoded(path)?;
+        match Language::of(path, &text) {
+            Some(Language::Urdf) => {
+                urdf::actuators(&text).map_err(|faults| FileError::faulty(path, &text, faults))
             }
-            "csv" | "mot" | "sto" => format!("it is a motion, and a figure is needed: {known}"),
-            _ => format!("its extension says nothing; {known}"),
-        };
-        FileError::input(path, &why)
-    })?;
-    let faults = |faults| FileError::faulty(path, &text, faults);
-    let mut medium = Medium::default();
-    let imported = match language {
-        Language::Ron => text::read(&text)
-            .map(|figure| Import { figure, findings: Vec::new(), gravity: GRAVITY, gravity_is_given: false })
-            .map_err(faults),
-        Language::Urdf => urdf::read(&text).map_err(faults),
-        Language::Mjcf => mjcf::read_with(&text, &mut Folder::of(path, files)?)
-            .map(|mjcf::Loaded { import, medium: found }| {
-                medium = found;
-                import
-            })
-            .map_err(|error| FileError::Files { path: path.to_owned(), error }),
-        Language::OpenSim => opensim::read(&text).map_err(faults),
-        Language::Sdf => sdf::read_with(&text, &mut Folder::of(path, files)?).map_err(faults),
-        Language::Bvh | Language::Gltf => {
-            let Clip { figure, findings, .. } = clip_of(path, &text, options)?;
-            Ok(Import { figure, findings, gravity: GRAVITY, gravity_is_given: false })
+            Some(Language::Mjcf) => mjcf::actuators(&text, &mut *self.files.beside(path, None)?)
+                .map_err(|error| FileError::Files { path: path.to_owned(), error }),
+            _ => Err(FileError::input(
+                path,
+                &"actuators are read of MuJoCo models and of URDF; leave 'actuators' out",
+            )),
         }
-    };
-    let Import { figure, mut findings, gravity, gravity_is_given, .. } = imported?;
-    if encoding != Encoding::Utf8 {
-        findings.push(Finding {
-            kind: FindingKind::Note,
-            subject: "letters".to_owned(),
-            message: format!("the file is no UTF-8, and is read as {}", encoding.name()),
-            place: None,
-        });
     }
-    if language == Language::Ron {
-        let gravity = figure.gravity().copied();
-        let gravity_is_given = gravity.is_some();
-        return Ok(Body {
-            figure,
-            language,
-            findings,
-            gravity: gravity.unwrap_or(GRAVITY),
-            gravity_is_given,
-            medium,
-            defaults: Vec::new(),
-            markers: MarkerSet::default(),
-        });
+
+    /// What a figure's file holds together that its tree has open.
+    ///
+    /// # Errors
+    ///
+    /// As [`Source::body`], and languages without loops.
+    pub fn ties(self, path: &Path) -> Result<Vec<Tie>, FileError> {
+        let text = self.decoded(path)?;
+        match Language::of(path, &text) {
+            Some(Language::Mjcf) => mjcf::ties(&text, &mut *self.files.beside(path, None)?)
+                .map_err(|error| FileError::Files { path: path.to_owned(), error }),
+            Some(Language::Sdf) => sdf::ties(&text, &mut *self.files.beside(path, None)?)
+                .map_err(|faults| FileError::faulty(path, &text, faults)),
+            _ => {
+                Err(FileError::input(path, &"loops are read of MuJoCo models and of SDF; leave 'loops' out"))
+            }
+        }
     }
-    // Kept with the figure, so that its text says which way is up.
-    let figure = figure.with_gravity(gravity).map_err(|error| FileError::input(path, &error))?;
-    let (mut defaults, mut markers) = (Vec::new(), MarkerSet::default());
-    if language == Language::OpenSim {
-        defaults = opensim::coordinate_defaults(&text);
-        markers = opensim::markers(&text, &figure).map_err(faults)?;
+
+    /// Reads a figure, of a file of bones with these options.
+    ///
+    /// # Errors
+    ///
+    /// As [`Source::body_in`].
+    pub fn body_with(
+        self,
+        path: &Path,
+        files: Option<&Path>,
+        options: &ReadOptions,
+    ) -> Result<Body, FileError> {
+        let known =
+            "a figure is .ron, .urdf, .sdf or .world (Gazebo), .xml or .mjcf (MuJoCo), .osim, .bvh, or .glb";
+        refuse_unread(path, known)?;
+        if is_gltf(path) {
+            let Clip { figure, findings, .. } = self.clip(path, options)?;
+            return Ok(Body { language: Language::Gltf, findings, ..Body::own(figure) });
+        }
+        let (text, encoding) = match extension(path).as_str() {
+            // What people's and other programs' editors write.
+            "urdf" | "sdf" | "world" | "xml" | "mjcf" | "osim" | "bvh" => self.with_encoding(path)?,
+            _ => (self.text(path)?, Encoding::Utf8),
+        };
+        let language = Language::of(path, &text).ok_or_else(|| {
+            let why = match extension(path).as_str() {
+                "xml" => {
+                    "it is neither a MuJoCo model (<mujoco>) nor a URDF (<robot>) nor an SDF (<sdf>) nor an OpenSim model"
+                        .to_owned()
+                }
+                "csv" | "mot" | "sto" => format!("it is a motion, and a figure is needed: {known}"),
+                _ => format!("its extension says nothing; {known}"),
+            };
+            FileError::input(path, &why)
+        })?;
+        let faults = |faults| FileError::faulty(path, &text, faults);
+        let mut medium = Medium::default();
+        let imported = match language {
+            Language::Ron => text::read(&text)
+                .map(|figure| Import {
+                    figure,
+                    findings: Vec::new(),
+                    gravity: GRAVITY,
+                    gravity_is_given: false,
+                })
+                .map_err(faults),
+            Language::Urdf => urdf::read(&text).map_err(faults),
+            Language::Mjcf => mjcf::read_with(&text, &mut *self.files.beside(path, files)?)
+                .map(|mjcf::Loaded { import, medium: found }| {
+                    medium = found;
+                    import
+                })
+                .map_err(|error| FileError::Files { path: path.to_owned(), error }),
+            Language::OpenSim => opensim::read(&text).map_err(faults),
+            Language::Sdf => sdf::read_with(&text, &mut *self.files.beside(path, files)?).map_err(faults),
+            Language::Bvh | Language::Gltf => {
+                let Clip { figure, findings, .. } = clip_of(path, &text, options)?;
+                Ok(Import { figure, findings, gravity: GRAVITY, gravity_is_given: false })
+            }
+        };
+        let Import { figure, mut findings, gravity, gravity_is_given, .. } = imported?;
+        if encoding != Encoding::Utf8 {
+            findings.push(Finding {
+                kind: FindingKind::Note,
+                subject: "letters".to_owned(),
+                message: format!("the file is no UTF-8, and is read as {}", encoding.name()),
+                place: None,
+            });
+        }
+        if language == Language::Ron {
+            let gravity = figure.gravity().copied();
+            let gravity_is_given = gravity.is_some();
+            return Ok(Body {
+                figure,
+                language,
+                findings,
+                gravity: gravity.unwrap_or(GRAVITY),
+                gravity_is_given,
+                medium,
+                defaults: Vec::new(),
+                markers: MarkerSet::default(),
+            });
+        }
+        // Kept with the figure, so that its text says which way is up.
+        let figure = figure.with_gravity(gravity).map_err(|error| FileError::input(path, &error))?;
+        let (mut defaults, mut markers) = (Vec::new(), MarkerSet::default());
+        if language == Language::OpenSim {
+            defaults = opensim::coordinate_defaults(&text);
+            markers = opensim::markers(&text, &figure).map_err(faults)?;
+        }
+        Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults, markers })
     }
-    Ok(Body { figure, language, findings, gravity, gravity_is_given, medium, defaults, markers })
+
+    /// Reads a file of bones and their motion: BVH, or glTF.
+    ///
+    /// # Errors
+    ///
+    /// As [`Source::body`].
+    pub fn clip(self, path: &Path, options: &ReadOptions) -> Result<Clip, FileError> {
+        if is_gltf(path) {
+            return glb::read(&self.bytes(path)?, options).map_err(|error| FileError::input(path, &error));
+        }
+        let text = self.decoded(path)?;
+        clip_of(path, &text, options)
+    }
 }
 
-/// Reads a file of bones and their motion: BVH, or glTF.
+/// [`Source::language`] of the disk.
+pub fn language(path: &Path) -> Option<Language> {
+    Source::disk().language(path)
+}
+
+/// [`Source::body`] of the disk.
 ///
 /// # Errors
 ///
-/// As [`body`].
+/// As there.
+pub fn body(path: &Path) -> Result<Body, FileError> {
+    Source::disk().body(path)
+}
+
+/// [`Source::body_in`] of the disk.
+///
+/// # Errors
+///
+/// As there.
+pub fn body_in(path: &Path, files: Option<&Path>) -> Result<Body, FileError> {
+    Source::disk().body_in(path, files)
+}
+
+/// [`Source::body_with`] of the disk.
+///
+/// # Errors
+///
+/// As there.
+pub fn body_with(path: &Path, files: Option<&Path>, options: &ReadOptions) -> Result<Body, FileError> {
+    Source::disk().body_with(path, files, options)
+}
+
+/// [`Source::actuators`] of the disk.
+///
+/// # Errors
+///
+/// As there.
+pub fn actuators(path: &Path) -> Result<Vec<Actuator>, FileError> {
+    Source::disk().actuators(path)
+}
+
+/// [`Source::ties`] of the disk.
+///
+/// # Errors
+///
+/// As there.
+pub fn ties(path: &Path) -> Result<Vec<Tie>, FileError> {
+    Source::disk().ties(path)
+}
+
+/// [`Source::clip`] of the disk.
+///
+/// # Errors
+///
+/// As there.
 pub fn clip(path: &Path, options: &ReadOptions) -> Result<Clip, FileError> {
-    if is_gltf(path) {
-        return glb::read(&bytes(path)?, options).map_err(|error| FileError::input(path, &error));
-    }
-    let (text, _) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
-    clip_of(path, &text, options)
+    Source::disk().clip(path, options)
 }
 
 /// Whether a file is one of bones and their motion, by its extension.

@@ -1,9 +1,8 @@
 //! A file's bytes and its text.
 
 use crate::error::FileError;
-use solaris_io::decode;
-use std::fs::{self, File};
-use std::io::Read;
+use crate::files::Source;
+use solaris_io::{Encoding, decode};
 use std::path::Path;
 
 /// The most bytes of a file that is read.
@@ -36,49 +35,61 @@ pub fn extension(path: &Path) -> String {
     path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-/// A file's text.
-///
-/// # Errors
-///
-/// Files that cannot be read, and bytes that are not UTF-8.
-pub fn text(path: &Path) -> Result<String, FileError> {
-    String::from_utf8(bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
+impl Source<'_> {
+    /// A file's text.
+    ///
+    /// # Errors
+    ///
+    /// Files that cannot be read, and bytes that are not UTF-8.
+    pub fn text(self, path: &Path) -> Result<String, FileError> {
+        String::from_utf8(self.bytes(path)?).map_err(|error| no_text(path, error.into_bytes()))
+    }
+
+    /// A file's text in any of the encodings that people's and other programs' editors write.
+    ///
+    /// # Errors
+    ///
+    /// Files that cannot be read, and bytes that are no text.
+    pub fn decoded(self, path: &Path) -> Result<String, FileError> {
+        let (text, _) = self.with_encoding(path)?;
+        Ok(text)
+    }
+
+    /// The same, and which encoding it is.
+    pub(crate) fn with_encoding(self, path: &Path) -> Result<(String, Encoding), FileError> {
+        decode(self.bytes(path)?).map_err(|bytes| no_text(path, bytes))
+    }
 }
 
-/// A file's text in any of the encodings that people's and other programs' editors write.
+/// [`Source::text`] of the disk.
 ///
 /// # Errors
 ///
-/// Files that cannot be read, and bytes that are no text.
+/// As there.
+pub fn text(path: &Path) -> Result<String, FileError> {
+    Source::disk().text(path)
+}
+
+/// [`Source::decoded`] of the disk.
+///
+/// # Errors
+///
+/// As there.
 pub fn decoded(path: &Path) -> Result<String, FileError> {
-    let (text, _) = decode(bytes(path)?).map_err(|bytes| no_text(path, bytes))?;
-    Ok(text)
+    Source::disk().decoded(path)
+}
+
+/// [`Source::bytes`] of the disk.
+///
+/// # Errors
+///
+/// As there.
+pub fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    Source::disk().bytes(path)
 }
 
 /// The error of bytes that are no text.
 pub(crate) fn no_text(path: &Path, bytes: Vec<u8>) -> FileError {
     let at = String::from_utf8(bytes).err().map_or(0, |error| error.utf8_error().valid_up_to());
     FileError::input(path, &format!("it is no text: byte {at} is not UTF-8"))
-}
-
-/// A file's bytes.
-///
-/// # Errors
-///
-/// Files that cannot be read, and those of more than [`MOST_BYTES`].
-pub fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
-    let refuse = |why: &dyn ToString| FileError::input(path, why);
-    if fs::metadata(path).is_ok_and(|found| found.is_dir()) {
-        return Err(refuse(&"it is a folder; name a file"));
-    }
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(|error| match error.kind() {
-        std::io::ErrorKind::NotFound => refuse(&"there is no such file"),
-        _ => refuse(&error),
-    })?;
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| refuse(&error))?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(refuse(&format!("it has more than {MOST_BYTES} bytes, the most that is read")));
-    }
-    Ok(bytes)
 }

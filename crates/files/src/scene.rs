@@ -1,7 +1,8 @@
 //! Scenes, and the files that they name.
 
 use crate::error::FileError;
-use crate::{figure, motion, read};
+use crate::files::Source;
+use crate::{motion, read};
 use solaris_io::record;
 use solaris_model::text::first_word;
 use solaris_model::{Actuator, Figure, Motion, Tie, Vector3};
@@ -20,37 +21,61 @@ pub struct LoadedScene {
 /// What a scene's file is, for people.
 pub const SCENE: &str = "a scene is .ron: a figure, what drives it, and for how long";
 
-/// Reads a scene; its files are relative to it.
+impl<'f> Source<'f> {
+    /// Reads a scene; its files are relative to it.
+    ///
+    /// # Errors
+    ///
+    /// Files that cannot be read, and every fault of the scene, with its place.
+    pub fn scene(self, path: &Path) -> Result<LoadedScene, FileError> {
+        read::refuse_unread(path, SCENE)?;
+        self.refuse_others(path)?;
+        self.scene_of(path, &self.text(path)?)
+    }
+
+    /// Reads a scene whose text is at hand, as if it stood at `path`.
+    ///
+    /// # Errors
+    ///
+    /// Every fault of the scene, with its place.
+    pub fn scene_of(self, path: &Path, text: &str) -> Result<LoadedScene, FileError> {
+        if let Some("Figure") = first_word(text) {
+            return Err(figure_for_scene(path, "Solaris figure"));
+        }
+        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        let mut files = Named { source: self, folder, reads: vec![path.to_owned()] };
+        let scene =
+            solaris_scene::read(text, &mut files).map_err(|faults| FileError::faulty(path, text, faults))?;
+        Ok(LoadedScene { scene, reads: files.reads })
+    }
+
+    /// What fetches the files that a scene in this folder names.
+    pub fn loader(self, folder: &Path) -> impl Loader + use<'f> {
+        Named { source: self, folder: folder.to_owned(), reads: Vec::new() }
+    }
+
+    /// Refuses a figure of another program, and a motion.
+    fn refuse_others(self, path: &Path) -> Result<(), FileError> {
+        if motion::is_motion(path) {
+            let why = format!(
+                "it is a motion, and it has run already: solaris convert, metrics, inverse and ground take motions; {SCENE}"
+            );
+            return Err(FileError::input(path, &why));
+        }
+        match self.language(path) {
+            Some(language) => Err(figure_for_scene(path, language.name())),
+            None => Ok(()),
+        }
+    }
+}
+
+/// [`Source::scene`] of the disk.
 ///
 /// # Errors
 ///
-/// Files that cannot be read, and every fault of the scene, with its place.
+/// As there.
 pub fn scene(path: &Path) -> Result<LoadedScene, FileError> {
-    read::refuse_unread(path, SCENE)?;
-    refuse_others(path)?;
-    let text = read::text(path)?;
-    if let Some("Figure") = first_word(&text) {
-        return Err(figure_for_scene(path, "Solaris figure"));
-    }
-    let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-    let mut files = Files { folder, reads: vec![path.to_owned()] };
-    let scene =
-        solaris_scene::read(&text, &mut files).map_err(|faults| FileError::faulty(path, &text, faults))?;
-    Ok(LoadedScene { scene, reads: files.reads })
-}
-
-/// Refuses a figure of another program, and a motion.
-fn refuse_others(path: &Path) -> Result<(), FileError> {
-    if motion::is_motion(path) {
-        let why = format!(
-            "it is a motion, and it has run already: solaris convert, metrics, inverse and ground take motions; {SCENE}"
-        );
-        return Err(FileError::input(path, &why));
-    }
-    match figure::language(path) {
-        Some(language) => Err(figure_for_scene(path, language.name())),
-        None => Ok(()),
-    }
+    Source::disk().scene(path)
 }
 
 /// A figure where a scene goes, and the least scene with it.
@@ -64,39 +89,40 @@ fn figure_for_scene(path: &Path, what: &str) -> FileError {
     FileError::input(path, &why)
 }
 
-/// Files in the folder of a scene.
-struct Files {
+/// Files that a scene names, in its folder.
+struct Named<'f> {
+    source: Source<'f>,
     folder: PathBuf,
     reads: Vec<PathBuf>,
 }
 
-impl Loader for Files {
+impl Loader for Named<'_> {
     fn figure(&mut self, name: &str) -> Result<Figure, String> {
         let path = self.folder.join(name);
-        let body = figure::body(&path).map_err(|error| error.in_short())?;
+        let body = self.source.body(&path).map_err(|error| error.in_short())?;
         self.reads.push(path);
         Ok(body.figure)
     }
 
     fn motion(&mut self, name: &str, figure: &Figure, gravity: &Vector3<f64>) -> Result<Motion, String> {
         let path = self.folder.join(name);
-        let (table, _) = motion::motion(&path, figure).map_err(|error| error.in_short())?;
+        let (table, _) = self.source.motion(&path, figure).map_err(|error| error.in_short())?;
         let motion = record::read(figure, *gravity, &table).map_err(|error| error.to_string())?.motion;
         self.reads.push(path);
         Ok(motion)
     }
 
     fn actuators(&mut self, name: &str) -> Result<Vec<Actuator>, String> {
-        figure::actuators(&self.folder.join(name)).map_err(|error| error.in_short())
+        self.source.actuators(&self.folder.join(name)).map_err(|error| error.in_short())
     }
 
     fn ties(&mut self, name: &str) -> Result<Vec<Tie>, String> {
-        figure::ties(&self.folder.join(name)).map_err(|error| error.in_short())
+        self.source.ties(&self.folder.join(name)).map_err(|error| error.in_short())
     }
 
     fn text(&mut self, name: &str) -> Result<String, String> {
         let path = self.folder.join(name);
-        let text = read::text(&path).map_err(|error| error.in_short())?;
+        let text = self.source.text(&path).map_err(|error| error.in_short())?;
         self.reads.push(path);
         Ok(text)
     }

@@ -2,6 +2,7 @@
 
 use crate::fault::{Fault, FigureError, Part};
 use solaris_text::TextError;
+use solaris_text::layout::quoted;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -46,7 +47,19 @@ impl SourceMap {
     /// The faults of a figure with the places of the text that caused them.
     pub fn locate(&self, text: &str, error: &FigureError) -> TextError {
         let whole = self.get(Part::Figure, "").cloned().unwrap_or(0..0);
-        let place = |fault| self.find(fault).unwrap_or_else(|| whole.clone());
-        TextError::new(text, error.faults.iter().map(|fault| (place(fault), fault.to_string())).collect())
+        let place = |fault: &Fault| self.find(fault).unwrap_or_else(|| whole.clone());
+        let located = |fault: &Fault| solaris_text::Fault {
+            span: place(fault),
+            message: fault.to_string(),
+            instead: self.instead(fault),
+        };
+        TextError::new(text, error.faults.iter().map(located).collect())
+    }
+
+    /// What stands at the place of a fault instead, where the place is that of a name and another is near.
+    fn instead(&self, fault: &Fault) -> Option<String> {
+        let Fault::UnknownParent { nearest: Some(nearest), .. } = fault else { return None };
+        let (part, name, field) = fault.subject();
+        self.field(part, name, field).map(|_| quoted(nearest))
     }
 }

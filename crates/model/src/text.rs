@@ -66,7 +66,10 @@ mod read;
 mod spatial;
 mod write;
 
-pub use solaris_text::{Content, Fields, Group, Named, Node, Reader, Value, first_word, parse};
+pub use solaris_text::{
+    Content, Expected, ExpectedKind, Fault, Fields, Group, Named, Node, Reader, Value, first_word, layout,
+    parse,
+};
 pub use spatial::ReadSpatial;
 
 use crate::figure::Figure;

@@ -34,7 +34,7 @@ pub use push::{Push, PushLaw};
 pub use recorded::RecordedMotion;
 pub use report::{
     ContactReport, Cost, Counts, Energy, EnergyReport, ErrorEstimate, Impact, Landing, LinkCollision,
-    LinkContact, LoopReport, Observer, Outcome, OutcomeKind, PhaseReport, Remark, Run, RunReport,
+    LinkContact, LoopReport, Observer, Outcome, OutcomeKind, PhaseReport, Remark, Run, RunPass, RunReport,
 };
 pub use running::{Happened, Running};
 pub use sequence::Part;

@@ -130,6 +130,20 @@ impl serde::Serialize for Remark {
     }
 }
 
+/// Where a run is. It goes through all of its time once for its motion, and once more where an error is estimated; the automatic method
+/// does so until two passes agree, and how many these will be is not known before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunPass<'a> {
+    /// Which pass, from 1.
+    pub number: usize,
+    /// The method that it tries, in words.
+    pub method: &'a str,
+    /// How far it has come (s).
+    pub time: f64,
+    /// How far it will go (s).
+    pub duration: f64,
+}
+
 /// Receives progress, keeps the clock and may cancel a run. Nothing below the command line has a clock of its own.
 #[doc(alias = "watch")]
 #[doc(alias = "callback")]
@@ -140,9 +154,14 @@ pub trait Observer {
         None
     }
 
-    /// Called now and then with the share of the work that is done, 0 to 1.
+    /// Called now and then with the share of the work that is done, 0 to 1; by the automatic method nobody knows it, and it is not called.
     fn progress(&mut self, share: f64) {
         let _ = share;
+    }
+
+    /// Called now and then, whatever the method, with the pass that a run is in and how far that has come.
+    fn pass(&mut self, pass: &RunPass<'_>) {
+        let _ = pass;
     }
 
     /// Whether to stop.

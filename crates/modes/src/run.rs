@@ -14,6 +14,7 @@ mod ledger;
 mod looks;
 mod outcomes;
 mod pass;
+mod passes;
 mod pushes;
 mod record;
 mod running;
@@ -31,6 +32,7 @@ use crate::{Drive, LimitLaw, Step};
 use carries::LoadedBody;
 pub(crate) use pass::Pass;
 use pass::{Passed, pass};
+use passes::Passes;
 pub(crate) use running::Progress;
 use solaris_dynamics::Wrench;
 use solaris_model::Motion;
@@ -96,7 +98,9 @@ fn run(simulation: &Simulation, settings: &Settings, observer: &mut dyn Observer
     let simulation = &Arc::new(simulation.clone());
     let begun = observer.now();
     let chosen = match settings.method {
-        Method::Automatic { tolerance } => automatic::choose(simulation, settings, tolerance, observer)?,
+        Method::Automatic { tolerance } => {
+            automatic::choose(simulation, settings, tolerance, &mut Passes::new(observer, settings))?
+        }
         Method::Fixed { rule, step } => {
             // The step that is taken: no longer than a frame, and so many to a frame.
             let step = (settings.rate * steps_in_frame(step, settings.rate)).recip();
@@ -268,18 +272,19 @@ fn named(
     stepping: Stepping,
     observer: &mut dyn Observer,
 ) -> Result<Chosen, RunError> {
-    let passed = pass(simulation, settings, stepping, observer)?;
+    let passes = &mut Passes::new(observer, settings);
+    let passed = pass(simulation, settings, stepping, &mut passes.main(stepping))?;
     let (mut beside, mut remarks, mut error) = (Counts::default(), Vec::new(), None);
     if settings.estimate && passed.is_dynamic {
         let coarser = coarser(stepping, settings.rate)
-            .map(|coarser| pass(simulation, settings, coarser, &mut Quiet(observer)));
+            .map(|coarser| pass(simulation, settings, coarser, &mut passes.next(coarser)));
         // Where there is no coarser run, or it comes to grief, a finer one tells as much.
         let (other, factor) = match coarser {
             Some(Err(RunError::Cancelled)) => return Err(RunError::Cancelled),
             Some(Ok(other)) => (Some(other), 1.0),
             _ => {
-                let finer =
-                    pass(simulation, settings, finer(stepping, settings.rate), &mut Quiet(observer)).ok();
+                let finer = finer(stepping, settings.rate);
+                let finer = pass(simulation, settings, finer, &mut passes.next(finer)).ok();
                 // The finer run has at least half of the error.
                 (finer, 2.0)
             }
@@ -368,17 +373,4 @@ fn add_forces(
         figure.fold_forces(motion.q(frame), tau);
     }
     Ok(motion.set_tau(tau).map_err(SetupError::from)?)
-}
-
-/// Somebody who looks on and is told nothing of the progress.
-struct Quiet<'a>(&'a mut dyn Observer);
-
-impl Observer for Quiet<'_> {
-    fn now(&self) -> Option<f64> {
-        self.0.now()
-    }
-
-    fn is_cancelled(&self) -> bool {
-        self.0.is_cancelled()
-    }
 }

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod complete;
 mod error;
 mod loader;
 mod read;
@@ -7,6 +8,7 @@ mod scene;
 mod soles;
 mod spelled;
 
+pub use complete::{Completion, Completions, complete};
 pub use error::SceneError;
 pub use loader::{Loader, NoFiles};
 pub use scene::{Scene, Simulated};

@@ -32,7 +32,7 @@ use crate::spelled;
 use include::Gathering;
 use nalgebra::Vector3;
 use names::Names;
-use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, Value, parse};
+use solaris_model::text::{Expected, Fields, Node, ReadSpatial as _, Reader, Value, parse};
 use solaris_model::{Figure, TextError};
 use solaris_modes::{SetupError, Simulation};
 use solaris_profiles::Profile;
@@ -102,21 +102,44 @@ pub(crate) fn read(text: &str, loader: &mut dyn Loader) -> Result<Scene, TextErr
     for one in included.iter().rev() {
         include::put_before(&mut tree, one.tree()?, &mut reader);
     }
-    let mut reader = SceneReader {
-        reader,
-        loader,
-        simulation: None,
-        names: Names::default(),
-        lasts: None,
-        named: parts::Named::new(),
-        sequenced: parts::Sequenced::default(),
-        motors: actuators::Motors::default(),
-        ties: loops::Asked::new(),
-    };
+    let mut reader = SceneReader::new(reader, loader);
     let scene = reader.scene(&tree);
     include::finish(reader.reader, text, &included)?;
     // Where there is no scene there is a fault.
     scene.ok_or_else(|| TextError::one(text, tree.span, "this scene cannot be used"))
+}
+
+/// What may stand at byte `at` of a text, as its readers know it; nothing where none of them comes there.
+pub(crate) fn expected(text: &str, at: usize, loader: &mut dyn Loader) -> Vec<Expected> {
+    let Ok(mut tree) = parse(text, "scene", "Scene(version: 1, …)") else { return Vec::new() };
+    let mut gathering = Gathering::new(loader, text.len());
+    gathering.gather(&tree, None);
+    // What cannot be fetched is left out: its faults are said elsewhere.
+    let (included, _) = gathering.finish();
+    for one in included.iter().rev() {
+        if let Ok(one) = one.tree() {
+            include::put_before(&mut tree, one, &mut Reader::default());
+        }
+    }
+    let mut reader = SceneReader::new(Reader::asked_at(at), loader);
+    reader.scene(&tree);
+    reader.reader.into_expected()
+}
+
+impl<'l> SceneReader<'l> {
+    fn new(reader: Reader, loader: &'l mut dyn Loader) -> Self {
+        Self {
+            reader,
+            loader,
+            simulation: None,
+            names: Names::default(),
+            lasts: None,
+            named: parts::Named::new(),
+            sequenced: parts::Sequenced::default(),
+            motors: actuators::Motors::default(),
+            ties: loops::Asked::new(),
+        }
+    }
 }
 
 impl SceneReader<'_> {

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use solaris_analysis::ground::Sole;
 use solaris_model::text::{Fields, Node, ReadSpatial as _, Reader, parse};
-use solaris_model::{Figure, Link, Placement, TextError, did_you_mean};
+use solaris_model::{Figure, Link, Placement, TextError};
 
 /// The version of the grammar.
 const VERSION: u32 = 1;
@@ -130,10 +130,9 @@ impl SolesReader<'_> {
         let found = self.figure.locate(name);
         if found.is_none() {
             let frames = self.figure.links().iter().flat_map(Link::frames).map(|frame| frame.name.as_str());
-            let hint = did_you_mean(name, self.figure.links().iter().map(Link::name).chain(frames));
-            let figure = self.figure.name();
-            let message = format!("figure '{figure}' has no link and no frame '{name}'{hint}");
-            self.reader.fault(node.span.clone(), message);
+            let names = self.figure.links().iter().map(Link::name).chain(frames);
+            let message = format!("figure '{}' has no link and no frame '{name}'", self.figure.name());
+            self.reader.unknown_name(node.span.clone(), &message, name, names);
         }
         found
     }

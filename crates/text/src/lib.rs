@@ -2,6 +2,7 @@
 
 mod edit;
 mod error;
+mod expected;
 mod finding;
 pub mod layout;
 mod lex;
@@ -12,7 +13,8 @@ mod place;
 mod reader;
 
 pub use edit::edit;
-pub use error::{TextError, TextFault};
+pub use error::{Fault, Suggestion, TextError, TextFault};
+pub use expected::{Expected, ExpectedKind};
 pub use finding::{Finding, FindingKind};
 pub use nearest::{did_you_mean, nearest};
 pub use node::{Content, Group, Named, Node, Value};

@@ -5,7 +5,10 @@ mod values;
 
 pub use fields::Fields;
 
-use crate::error::TextError;
+use crate::error::{Fault, TextError};
+use crate::expected::{Expected, ExpectedKind};
+use crate::layout::quoted;
+use crate::nearest::nearest;
 use crate::node::Node;
 use std::ops::Range;
 
@@ -15,13 +18,63 @@ use std::ops::Range;
 /// faults are found at once.
 #[derive(Debug, Default)]
 pub struct Reader {
-    faults: Vec<(Range<usize>, String)>,
+    faults: Vec<Fault>,
+    /// The place that somebody asks about.
+    asked: Option<usize>,
+    expected: Vec<Expected>,
 }
 
 impl Reader {
+    /// A reader that takes note of what may stand at a byte of the text.
+    pub fn asked_at(at: usize) -> Self {
+        Self { asked: Some(at), ..Self::default() }
+    }
+
+    /// Whether it takes note of what may stand somewhere: what is read is of no use then.
+    pub fn is_asked(&self) -> bool {
+        self.asked.is_some()
+    }
+
+    /// What may stand at the byte that was asked about; nothing where no reader came there.
+    pub fn into_expected(self) -> Vec<Expected> {
+        self.expected
+    }
+
+    /// Takes note of what may stand at the bytes of `span`, if these are asked about.
+    pub fn expect<N: Into<String>>(
+        &mut self,
+        span: &Range<usize>,
+        kind: ExpectedKind,
+        of: &str,
+        names: impl IntoIterator<Item = N>,
+    ) {
+        if self.asked.is_some_and(|at| (span.start..=span.end).contains(&at)) {
+            let names = names.into_iter().map(Into::into).collect();
+            self.expected.push(Expected { span: span.clone(), kind, of: of.to_owned(), names });
+        }
+    }
+
     /// Adds a fault of the bytes of `span`.
     pub fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
-        self.faults.push((span, message.into()));
+        self.fault_meaning(span, message, None);
+    }
+
+    /// The same where it may be known what was meant: what would stand in place of these bytes, with its quotes where it needs some.
+    pub fn fault_meaning(&mut self, span: Range<usize>, message: impl Into<String>, instead: Option<String>) {
+        self.faults.push(Fault { span, message: message.into(), instead });
+    }
+
+    /// A fault of a name in quotes that is not one of `names`; after the message stands the nearest of these.
+    pub fn unknown_name<'m>(
+        &mut self,
+        span: Range<usize>,
+        message: &str,
+        name: &str,
+        names: impl Iterator<Item = &'m str>,
+    ) {
+        let near = nearest(name, names);
+        let hint = near.as_ref().map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+        self.fault_meaning(span, format!("{message}{hint}"), near.as_deref().map(quoted));
     }
 
     /// How many faults there are by now: whether something that was read since could be used.
@@ -38,14 +91,15 @@ impl Reader {
         if self.faults.is_empty() { Ok(()) } else { Err(TextError::new(text, self.faults)) }
     }
 
-    /// All faults: their bytes, and what is wrong.
-    pub fn into_faults(self) -> Vec<(Range<usize>, String)> {
+    /// All faults.
+    pub fn into_faults(self) -> Vec<Fault> {
         self.faults
     }
 
     /// Adds the faults of another reader.
     pub fn append(&mut self, other: Self) {
         self.faults.extend(other.faults);
+        self.expected.extend(other.expected);
     }
 
     /// The entries of a map; `what` it is and an `example` of it begin and end the message.

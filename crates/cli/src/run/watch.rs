@@ -1,7 +1,7 @@
 //! Looks on while a scene runs: a clock, and a bar on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use solaris::modes::Observer;
+use solaris::modes::{Observer, RunPass};
 use std::time::{Duration, Instant};
 
 /// Parts of the bar.
@@ -38,6 +38,15 @@ impl Observer for Watcher {
 
     fn progress(&mut self, share: f64) {
         self.bar.set_position((share * PARTS as f64) as u64);
+    }
+
+    /// The bar of each pass begins anew: how many there will be is not known.
+    fn pass(&mut self, pass: &RunPass<'_>) {
+        let RunPass { number, time, duration, .. } = *pass;
+        if number > 1 {
+            self.bar.set_message(format!("running, pass {number}"));
+        }
+        self.bar.set_position((time / duration * PARTS as f64) as u64);
     }
 }
 

@@ -5,9 +5,10 @@ mod ladder;
 mod stiff;
 
 use super::pass::sketch;
-use super::{Chosen, NOTHING, Quiet};
+use super::passes::Passes;
+use super::{Chosen, NOTHING};
 use crate::failure::{FailureKind, RunError, RunFailure, SetupError};
-use crate::report::{Counts, ErrorEstimate, Observer, Remark};
+use crate::report::{Counts, ErrorEstimate, Remark};
 use crate::settings::Settings;
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -27,7 +28,7 @@ pub(super) fn choose(
     simulation: &Arc<Simulation>,
     settings: &Settings,
     tolerance: f64,
-    observer: &mut dyn Observer,
+    passes: &mut Passes<'_>,
 ) -> Result<Chosen, RunError> {
     let mut remarks = Vec::new();
     let mut own = one_digit(FIRST * tolerance).max(LEAST);
@@ -35,14 +36,14 @@ pub(super) fn choose(
     let mut shortest = Some((MANY * settings.rate).recip());
     for _ in 0..MOST_BEGINNINGS {
         let stepping = Stepping::Adaptive { tolerance: own };
-        let failure = match sketch(simulation, settings, stepping, shortest, &mut Quiet(observer)) {
+        let failure = match sketch(simulation, settings, stepping, shortest, &mut passes.next(stepping)) {
             Ok(passed) if !passed.is_dynamic => {
                 let (error, why) = (Some(ErrorEstimate::default()), "every motion is given".to_owned());
                 let (method, beside) = (NOTHING.to_owned(), Counts::default());
                 return Ok(Chosen { passed, error, method, why, beside, remarks });
             }
             Ok(passed) => {
-                return Search::new(simulation, settings, tolerance, (own, passed)).go(observer, remarks);
+                return Search::new(simulation, settings, tolerance, (own, passed)).go(passes, remarks);
             }
             Err(RunError::Failed(failure)) => failure,
             Err(error) => return Err(error),
@@ -50,7 +51,7 @@ pub(super) fn choose(
         match failure.cause {
             FailureKind::StepTooLong { eigenvalue, .. } => {
                 shortest = None;
-                match stiff::stiff(simulation, settings, tolerance, eigenvalue, observer) {
+                match stiff::stiff(simulation, settings, tolerance, eigenvalue, passes) {
                     Ok(chosen) => return Ok(chosen),
                     Err(RunError::Setup(SetupError::NotBuiltIn { .. })) => {
                         remarks.push(Remark::StiffNotBuiltIn { eigenvalue });
@@ -63,7 +64,7 @@ pub(super) fn choose(
             _ => return Err(failure.into()),
         }
     }
-    Ladder::new(simulation, settings, tolerance, Counts::default()).climb(observer, remarks)
+    Ladder::new(simulation, settings, tolerance, Counts::default()).climb(passes, remarks)
 }
 
 /// The least tolerance of a step: below it there is rounding only.

@@ -2,7 +2,7 @@
 
 use solaris_model::{Figure, FigureBuilder, Inertia, Joint, LinkSpec, Vector3};
 use solaris_modes::study::{Study, StudyOptions, study};
-use solaris_modes::{Drive, Method, Observer, Rule, Settings, Simulation};
+use solaris_modes::{Drive, Method, Observer, Rule, RunPass, Settings, Simulation};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 
@@ -195,4 +195,47 @@ fn who_stops_keeps_what_there_is() {
     assert!(study.rows.iter().all(|row| row.seconds.is_some()) && study.savings.is_none());
     assert!(clock.progress.windows(2).all(|pair| pair[0] <= pair[1]), "{:?}", clock.progress);
     assert!(clock.progress.last().is_some_and(|last| *last < 0.8), "{:?}", clock.progress);
+}
+
+/// Keeps what it is told.
+#[derive(Default)]
+struct Told {
+    shares: Vec<f64>,
+    passes: Vec<(usize, String, f64)>,
+}
+
+impl Observer for Told {
+    fn progress(&mut self, share: f64) {
+        self.shares.push(share);
+    }
+
+    fn pass(&mut self, pass: &RunPass<'_>) {
+        assert!((0.0..=pass.duration).contains(&pass.time), "{pass:?}");
+        self.passes.push((pass.number, pass.method.to_owned(), pass.time));
+    }
+}
+
+#[test]
+fn every_run_tells_which_pass_it_is_in_and_how_far() {
+    let simulation = released(&pendulum(2), &[1.0, 0.5]);
+    for method in [Method::Automatic { tolerance: 1e-6 }, fixed(Rule::RungeKutta4, 1e-3)] {
+        let mut told = Told::default();
+        let settings = Settings { method, ..Settings::new(1.0, 100.0) };
+        let run = simulation.run_observed(&settings, &mut told).expect("runs");
+        let (first, last) = (&told.passes[0], &told.passes[told.passes.len() - 1]);
+        assert_eq!((first.0, last.2), (1, 1.0), "{method:?}");
+        let goes_on = told.passes.windows(2).all(|pair| match (pair[0].0, pair[1].0) {
+            (before, now) if before == now => pair[0].2 < pair[1].2,
+            (before, now) => now == before + 1 && pair[1].2 < 0.1,
+        });
+        assert!(goes_on && last.0 >= 2, "{:?}", told.passes);
+        assert!(
+            told.passes.iter().any(|(_, method, _)| *method == run.report.method),
+            "{}",
+            run.report.method
+        );
+        // Of the whole nobody knows the share where nobody knows how many passes there will be.
+        let is_automatic = matches!(method, Method::Automatic { .. });
+        assert_eq!(told.shares.is_empty(), is_automatic);
+    }
 }

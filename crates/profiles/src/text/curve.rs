@@ -2,7 +2,12 @@
 
 use crate::error::ProfileError;
 use crate::profile::{Kind, Measure, Parameter, Profile};
-use solaris_text::{Fields, Node, Reader, nearest};
+use solaris_text::{ExpectedKind, Fields, Node, Reader, nearest};
+
+/// What a curve can be.
+pub(super) fn curves() -> impl Iterator<Item = &'static str> {
+    Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted", "Sine", "Repeat"])
+}
 
 /// Reads profiles out of a tree.
 pub(super) struct ProfileReader<'r> {
@@ -24,6 +29,7 @@ impl ProfileReader<'_> {
             self.reader.fault(node.place(), message);
             return None;
         };
+        self.reader.expect(&head.span, ExpectedKind::Word, "curve", curves());
         match head.name {
             "Blend" => return self.blend(node),
             "Weighted" => return self.weighted(node),
@@ -32,14 +38,13 @@ impl ProfileReader<'_> {
             _ => {}
         }
         let Some(kind) = Profile::KINDS.iter().find(|kind| kind.variant == head.name) else {
-            let names = || {
-                Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted", "Sine", "Repeat"])
-            };
-            let hint = match nearest(head.name, names()) {
+            let near = nearest(head.name, curves());
+            let hint = match &near {
                 Some(near) => format!("did you mean '{near}'?"),
-                None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
+                None => format!("there are {}", curves().collect::<Vec<_>>().join(", ")),
             };
-            self.reader.fault(head.span, format!("there is no curve '{}'; {hint}", head.name));
+            let message = format!("there is no curve '{}'; {hint}", head.name);
+            self.reader.fault_meaning(head.span, message, near);
             return None;
         };
         self.of_kind(kind, node)

@@ -2,8 +2,8 @@
 
 use super::SceneReader;
 use super::names::matches;
-use solaris_model::text::{Fields, Node};
-use solaris_model::{Link, did_you_mean};
+use solaris_model::Link;
+use solaris_model::text::{ExpectedKind, Fields, Node};
 use solaris_modes::Collisions;
 
 const FIELDS: [&str; 3] = ["friction", "between", "except"];
@@ -87,13 +87,13 @@ impl SceneReader<'_> {
         if !name.contains('*') {
             return self.link(node, name, None).map(|_| name);
         }
-        let figure = self.figure()?;
+        let figure = self.simulation.as_ref()?.figure();
+        self.reader.expect(&node.span, ExpectedKind::Name, "link", figure.links().iter().map(Link::name));
         if figure.links().iter().any(|link| matches(name, link.name())) {
             return Some(name);
         }
-        let hint = did_you_mean(name, figure.links().iter().map(Link::name));
-        let message = format!("no link of figure '{}' is called like '{name}'{hint}", figure.name());
-        self.reader.fault(node.span.clone(), message);
+        let message = format!("no link of figure '{}' is called like '{name}'", figure.name());
+        self.reader.unknown_name(node.span.clone(), &message, name, figure.links().iter().map(Link::name));
         None
     }
 }

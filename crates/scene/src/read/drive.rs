@@ -3,7 +3,7 @@
 use super::SceneReader;
 use super::drives::Placed;
 use super::names::Meant;
-use solaris_model::text::{Fields, Node};
+use solaris_model::text::{ExpectedKind, Fields, Node};
 use solaris_modes::{Course, Drive, EndCondition, Law, Shape, Step, Target};
 use solaris_profiles::Profile;
 
@@ -60,6 +60,11 @@ impl SceneReader<'_> {
             // A curve stands for following it.
             let drive = Drive::Kinematic(self.profile(node, turns)?);
             return Some((place, drive.into()));
+        }
+        if let Some(head) = node.head() {
+            // A curve may stand here too, of which the one that is read knows nothing.
+            let curves = Profile::KINDS.iter().map(|kind| kind.variant).chain(["Blend", "Weighted"]);
+            self.reader.expect(&head.span, ExpectedKind::Word, "curve", curves);
         }
         let kind = self.reader.kind(node, &DRIVES)?;
         match (kind, node.tuple()) {

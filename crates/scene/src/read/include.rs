@@ -2,7 +2,7 @@
 
 use crate::loader::Loader;
 use solaris_model::TextError;
-use solaris_model::text::{Content, Group, Named, Node, Reader, Value, parse};
+use solaris_model::text::{Content, Fault, Group, Named, Node, Reader, Value, parse};
 use std::ops::Range;
 
 const EXAMPLE: &str = "[\"people.ron\"]";
@@ -174,12 +174,13 @@ pub(super) fn finish(reader: Reader, text: &str, included: &[Included]) -> Resul
     if faults.is_empty() {
         return Ok(());
     }
-    let placed = |(span, message): (Range<usize>, String)| {
+    let placed = |fault: Fault| {
+        let span = &fault.span;
         let within = included.iter().find(|one| (one.base..=one.base + one.text.len()).contains(&span.start));
-        let Some(one) = within else { return (span, message) };
+        let Some(one) = within else { return fault };
         let own = span.start - one.base..span.end.max(span.start) - one.base;
-        let error = TextError::one(&one.text, own, message);
-        (one.place.clone(), format!("'{}', {error}", one.path))
+        let error = TextError::one(&one.text, own, fault.message);
+        (one.place.clone(), format!("'{}', {error}", one.path)).into()
     };
     Err(TextError::new(text, faults.into_iter().map(placed).collect()))
 }

@@ -1,8 +1,9 @@
 //! Names of degrees of freedom, joints, and many at once.
 
 use super::SceneReader;
-use solaris_model::text::Node;
-use solaris_model::{AxisKind, Figure, JointKind, did_you_mean, nearest};
+use solaris_model::text::layout::quoted;
+use solaris_model::text::{ExpectedKind, Node};
+use solaris_model::{AxisKind, Figure, JointKind, nearest};
 use std::collections::HashMap;
 
 /// How closely a name says what it means. What says it more closely wins, and among equals the later.
@@ -132,29 +133,33 @@ impl SceneReader<'_> {
         let name = self.reader.name(key, "the name of a degree of freedom")?;
         let figure = self.figure()?.name().to_owned();
         let found = self.names.find(name);
+        let joints = self.names.joints.iter().filter(|(_, dofs)| dofs.len() > 1).map(|(name, _)| name);
+        self.reader.expect(&key.span, ExpectedKind::Name, "degree of freedom", &self.names.dofs);
+        self.reader.expect(&key.span, ExpectedKind::Name, "joint", joints);
         if found.is_none() {
-            let hint =
-                self.names.nearest(name).map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
+            let near = self.names.nearest(name);
+            let hint = near.as_ref().map_or_else(String::new, |near| format!("; did you mean '{near}'?"));
             let message = if name.contains('*') {
                 format!("no degree of freedom of figure '{figure}' is called like '{name}'{hint}")
             } else {
                 format!("figure '{figure}' has no degree of freedom or joint '{name}'{hint}")
             };
-            self.reader.fault(key.span.clone(), message);
+            self.reader.fault_meaning(key.span.clone(), message, near.as_deref().map(quoted));
         }
         found
     }
 
     /// The link called `name`, as it stands at `node`; `besides` is what else may stand there.
     pub(super) fn link(&mut self, node: &Node<'_>, name: &str, besides: Option<&str>) -> Option<usize> {
-        let figure = self.figure()?;
+        // The reader is told while the figure is looked at.
+        let figure = self.simulation.as_ref()?.figure();
+        let links = || figure.links().iter().map(solaris_model::Link::name).chain(besides);
+        self.reader.expect(&node.span, ExpectedKind::Name, "link", links());
         if let Some(link) = figure.link_index(name) {
             return Some(link);
         }
-        let links = figure.links().iter().map(solaris_model::Link::name).chain(besides);
-        let hint = did_you_mean(name, links);
-        let message = format!("figure '{}' has no link '{name}'{hint}", figure.name());
-        self.reader.fault(node.span.clone(), message);
+        let message = format!("figure '{}' has no link '{name}'", figure.name());
+        self.reader.unknown_name(node.span.clone(), &message, name, links());
         None
     }
 

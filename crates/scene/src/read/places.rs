@@ -2,8 +2,8 @@
 
 use super::SceneReader;
 use nalgebra::{Unit, UnitQuaternion, Vector3};
-use solaris_model::text::{Fields, Node, ReadSpatial as _};
-use solaris_model::{Placement, did_you_mean};
+use solaris_model::Placement;
+use solaris_model::text::{ExpectedKind, Fields, Node, ReadSpatial as _};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -78,11 +78,12 @@ impl SceneReader<'_> {
 
     fn known_figure<'n>(&mut self, node: &'n Node<'_>, names: &[&str]) -> Option<&'n str> {
         let name = self.reader.name(node, "the name of a figure")?;
+        self.reader.expect(&node.span, ExpectedKind::Name, "figure", names.iter().copied());
         if names.contains(&name) {
             return Some(name);
         }
-        let hint = did_you_mean(name, names.iter().copied());
-        self.reader.fault(node.span.clone(), format!("there is no figure '{name}'{hint}"));
+        let message = format!("there is no figure '{name}'");
+        self.reader.unknown_name(node.span.clone(), &message, name, names.iter().copied());
         None
     }
 }

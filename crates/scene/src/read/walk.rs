@@ -76,7 +76,8 @@ impl SceneReader<'_> {
             );
             self.reader.fault(fields.get("gravity").map_or(node.place(), |node| node.span.clone()), message);
         }
-        if self.reader.count() > before {
+        // To plan it takes a while, and who asks what may stand somewhere does not care.
+        if self.reader.count() > before || self.reader.is_asked() {
             return None;
         }
         let (written, mut segments): (Vec<_>, Vec<_>) = segments?.into_iter().unzip();

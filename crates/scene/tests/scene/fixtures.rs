@@ -6,9 +6,9 @@ use solaris_scene::{Loader, Scene, is_scene, read};
 use std::path::{Path, PathBuf};
 
 /// Texts beside the scenes of the fixtures.
-struct Beside;
+pub(crate) struct Beside;
 
-fn folder() -> PathBuf {
+pub(crate) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/scenes")
 }
 

@@ -1,6 +1,7 @@
 //! Groups of fields: those that there are, those that there must be, those that nobody knows.
 
 use super::Reader;
+use crate::expected::ExpectedKind;
 use crate::nearest::nearest;
 use crate::node::{Content, Group, Named, Node, Value};
 use std::ops::Range;
@@ -93,15 +94,22 @@ impl Reader {
             }
             _ => kinds.concat() + brackets,
         };
+        self.expect(
+            &node.head().map_or_else(|| node.place(), |head| head.span),
+            ExpectedKind::Word,
+            "",
+            kinds.iter().copied(),
+        );
         match node.head() {
             Some(head) => {
                 let found = kinds.iter().find(|kind| **kind == head.name).copied();
                 if found.is_none() {
-                    let hint = match nearest(head.name, kinds.iter().copied()) {
+                    let near = nearest(head.name, kinds.iter().copied());
+                    let hint = match &near {
                         Some(near) => format!("did you mean '{near}'?"),
                         None => format!("write {}", wanted()),
                     };
-                    self.fault(head.span, format!("'{}' is not known here; {hint}", head.name));
+                    self.fault_meaning(head.span, format!("'{}' is not known here; {hint}", head.name), near);
                 }
                 found
             }
@@ -118,13 +126,17 @@ impl Reader {
         let (kind, before) = (fields.kind, self.faults.len());
         for (i, (named, _)) in fields.found.iter().enumerate() {
             let name = named.name;
+            let is_free = |field: &&str| fields.found.iter().all(|(other, _)| other.name != *field);
+            self.expect(&named.span, ExpectedKind::Field, kind, known.iter().copied().filter(is_free));
             if !known.contains(&name) {
-                let hint = match nearest(name, known.iter().copied()) {
+                let near = nearest(name, known.iter().copied());
+                let hint = match &near {
                     Some(near) => format!("did you mean '{near}'?"),
                     None if known.is_empty() => "it has none".to_owned(),
                     None => format!("its fields are {}", known.join(", ")),
                 };
-                self.fault(named.span.clone(), format!("{kind} has no field '{name}'; {hint}"));
+                let message = format!("{kind} has no field '{name}'; {hint}");
+                self.fault_meaning(named.span.clone(), message, near);
             } else if fields.found[..i].iter().any(|(other, _)| other.name == name) {
                 self.fault(named.span.clone(), format!("{kind} is given '{name}' twice; keep one of them"));
             }

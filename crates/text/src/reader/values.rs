@@ -1,6 +1,7 @@
 //! Single values: numbers, angles, vectors, names.
 
 use super::Reader;
+use crate::layout::quoted;
 use crate::node::{Content, Group, Named, Node, Value};
 use std::fmt::Display;
 
@@ -142,7 +143,12 @@ impl Reader {
         match &node.value {
             Value::Text(text) => Some(text),
             Value::Word(word) => {
-                self.fault(node.span.clone(), format!("{what} must stand in quotes: \"{word}\""));
+                let instead = quoted(word);
+                self.fault_meaning(
+                    node.span.clone(),
+                    format!("{what} must stand in quotes: {instead}"),
+                    Some(instead),
+                );
                 None
             }
             _ => {

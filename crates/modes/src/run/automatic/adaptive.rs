@@ -1,11 +1,12 @@
 //! The explicit method that chooses its steps, with ever smaller tolerances, until two of them agree within one of the whole run.
 
 use super::super::pass::{Passed, pass};
-use super::super::{Chosen, Quiet, compare, describe};
+use super::super::passes::Passes;
+use super::super::{Chosen, compare, describe};
 use super::ladder::Ladder;
 use super::{LEAST, is_of_the_step};
 use crate::failure::RunError;
-use crate::report::{Counts, ErrorEstimate, Observer, Remark};
+use crate::report::{Counts, ErrorEstimate, Remark};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -55,12 +56,8 @@ impl<'a> Search<'a> {
         Self { simulation, settings, tolerance, own, last, beside: Counts::default() }
     }
 
-    pub(super) fn go(
-        mut self,
-        observer: &mut dyn Observer,
-        remarks: Vec<Remark>,
-    ) -> Result<Chosen, RunError> {
-        if let Some((passed, error, stepping)) = self.by_fixed_steps(observer)? {
+    pub(super) fn go(mut self, passes: &mut Passes<'_>, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
+        if let Some((passed, error, stepping)) = self.by_fixed_steps(passes)? {
             self.beside.add(&self.last.counts);
             let why = format!(
                 "it takes fewer evaluations than the method that chooses its steps, and is within {:.1e} of it, where the tolerance \
@@ -78,7 +75,7 @@ impl<'a> Search<'a> {
                 break;
             }
             let stepping = Stepping::Adaptive { tolerance: next };
-            let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(observer)) {
+            let passed = match pass(self.simulation, self.settings, stepping, &mut passes.next(stepping)) {
                 Ok(passed) => passed,
                 Err(RunError::Failed(failure)) if is_of_the_step(&failure) => break,
                 Err(error) => return Err(error),
@@ -106,17 +103,16 @@ impl<'a> Search<'a> {
             // Errors fall with the tolerance: this one is smaller than the difference by as much.
             let left = apart.position / finer;
             next = one_digit(self.own * (AIM * self.tolerance / left).clamp(BOLD, FINER));
-            observer.progress(0.0);
         }
         self.beside.add(&self.last.counts);
-        Ladder::new(self.simulation, self.settings, self.tolerance, self.beside).climb(observer, remarks)
+        Ladder::new(self.simulation, self.settings, self.tolerance, self.beside).climb(passes, remarks)
     }
 
     /// Steps of a fixed rule, where these may be cheaper, as when drives change in every frame: good enough where they are within the
     /// tolerance of the pass there is.
     fn by_fixed_steps(
         &mut self,
-        observer: &mut dyn Observer,
+        passes: &mut Passes<'_>,
     ) -> Result<Option<(Passed, ErrorEstimate, Stepping)>, RunError> {
         let (rule, frames) = (Rule::RungeKutta4, self.settings.duration * self.settings.rate);
         let spent = self.last.counts.evaluations as f64;
@@ -126,7 +122,7 @@ impl<'a> Search<'a> {
                 return Ok(None);
             }
             let stepping = Stepping::Fixed { rule, step: (self.settings.rate * steps).recip() };
-            let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(observer)) {
+            let passed = match pass(self.simulation, self.settings, stepping, &mut passes.next(stepping)) {
                 Ok(passed) => passed,
                 Err(RunError::Cancelled) => return Err(RunError::Cancelled),
                 Err(_) => return Ok(None),

@@ -1,10 +1,11 @@
 //! Runge and Kutta's rule with ever shorter steps, until two of them agree within a tolerance.
 
 use super::super::pass::{Passed, pass};
-use super::super::{Chosen, Quiet, compare, describe, scaled};
+use super::super::passes::Passes;
+use super::super::{Chosen, compare, describe, scaled};
 use super::is_of_the_step;
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
-use crate::report::{Counts, ErrorEstimate, Observer, Remark};
+use crate::report::{Counts, ErrorEstimate, Remark};
 use crate::settings::{Rule, Settings};
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -47,11 +48,7 @@ impl<'a> Ladder<'a> {
         (self.settings.rate * self.steps).recip()
     }
 
-    pub(super) fn climb(
-        mut self,
-        observer: &mut dyn Observer,
-        remarks: Vec<Remark>,
-    ) -> Result<Chosen, RunError> {
+    pub(super) fn climb(mut self, passes: &mut Passes<'_>, remarks: Vec<Remark>) -> Result<Chosen, RunError> {
         let mut best = f64::INFINITY;
         let mut failure = None;
         let (mut stalls, mut estimate, mut before) = (0, f64::INFINITY, f64::NAN);
@@ -66,7 +63,7 @@ impl<'a> Ladder<'a> {
             let ratio = (self.ratio * self.steps).ceil() / self.steps;
             self.steps *= ratio;
             let stepping = Stepping::Fixed { rule: Rule::RungeKutta4, step: self.step() };
-            let passed = match pass(self.simulation, self.settings, stepping, &mut Quiet(observer)) {
+            let passed = match pass(self.simulation, self.settings, stepping, &mut passes.next(stepping)) {
                 Ok(passed) => passed,
                 Err(RunError::Failed(found)) if is_of_the_step(&found) => {
                     (self.last, failure, before) = (None, Some(found), f64::NAN);
@@ -89,7 +86,6 @@ impl<'a> Ladder<'a> {
                     break;
                 }
             }
-            observer.progress(0.0);
             self.last = Some(passed);
         }
         Err(self.gave_up(best, failure))

@@ -1,9 +1,10 @@
 //! The implicit method with ever smaller tolerances, until two of them agree within one of the whole run.
 
 use super::super::pass::{Passed, pass};
-use super::super::{Chosen, Quiet, compare, describe};
+use super::super::passes::Passes;
+use super::super::{Chosen, compare, describe};
 use crate::failure::{FailureKind, Remedy, RunError, RunFailure};
-use crate::report::{Counts, Observer};
+use crate::report::Counts;
 use crate::settings::Settings;
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -15,7 +16,7 @@ pub(super) fn stiff(
     settings: &Settings,
     tolerance: f64,
     eigenvalue: f64,
-    observer: &mut dyn Observer,
+    passes: &mut Passes<'_>,
 ) -> Result<Chosen, RunError> {
     let mut beside = Counts::default();
     let mut last: Option<Passed> = None;
@@ -24,7 +25,7 @@ pub(super) fn stiff(
     let mut best = f64::INFINITY;
     while own >= 1e-13 {
         let stepping = Stepping::Stiff { tolerance: own };
-        let passed = pass(simulation, settings, stepping, &mut Quiet(observer))?;
+        let passed = pass(simulation, settings, stepping, &mut passes.next(stepping))?;
         if let Some(last) = last.take() {
             beside.add(&last.counts);
             let error = compare::difference(&simulation.figure, &passed.record, &last.record)?;
