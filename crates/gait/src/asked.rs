@@ -1,7 +1,10 @@
 //! A walk or a run as plain data: what sliders, keywords and JSON say, and the motion that it comes to.
 
+mod field;
+mod judge;
 mod made;
 mod options;
+mod range;
 mod request;
 mod stages;
 

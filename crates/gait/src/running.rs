@@ -20,6 +20,7 @@ mod trunk;
 
 pub use extremes::RunExtremes;
 pub use plan::RunPlan;
+pub(crate) use runner::judged as judged_run;
 pub use runner::{RUN_FRICTION, run};
 pub use stride::RunStride;
 pub use style::RunStyle;

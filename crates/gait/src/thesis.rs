@@ -9,4 +9,5 @@ mod walk;
 pub use keyframed::{InBetween, KeyScript, KeyframedOptions, KeyframedWalk, ScriptCycle};
 pub use map::{Edge, FeasibleMap, MapCondition};
 pub use stick::stick_figures;
+pub(crate) use walk::planned as thesis_judged;
 pub use walk::{KeyChoice, THESIS_STEP_FREQUENCY, ThesisRequest, ThesisWalk, thesis_walk};

@@ -67,8 +67,8 @@ mod spatial;
 mod write;
 
 pub use solaris_text::{
-    Content, Expected, ExpectedKind, Fault, Fields, Group, Named, Node, Reader, Value, first_word, layout,
-    parse,
+    Content, Expected, ExpectedKind, Fault, Fields, Group, Named, Node, Reader, TextFault, Value, edit,
+    first_word, layout, parse,
 };
 pub use spatial::ReadSpatial;
 

@@ -1,6 +1,6 @@
 //! Impulses of contact, friction and limits in one step: a convex problem that always has one answer.
 
-mod cholesky;
+pub(crate) mod cholesky;
 mod cone;
 mod search;
 

@@ -53,6 +53,22 @@ pub enum SetupError {
         /// The degree of freedom.
         dof: String,
     },
+    /// A target for a degree of freedom that no servo leads to one.
+    #[error(
+        "no servo that goes to a place drives '{dof}', so that it can be given no other target: give it `Servo` as its drive first"
+    )]
+    NotAServo {
+        /// The degree of freedom.
+        dof: String,
+    },
+    /// A degree of freedom that cannot hang loose.
+    #[error(
+        "'{dof}' cannot hang loose: it is of a ball or free joint, or follows another; use a joint of rotations"
+    )]
+    NotLoose {
+        /// The degree of freedom.
+        dof: String,
+    },
     /// A follower, or the leader of one, in a drive that it cannot have.
     #[error(
         "'{dof}' and '{leader}', which it follows, can only be frozen, or follow curves or a recorded motion; the drive \

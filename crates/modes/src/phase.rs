@@ -125,6 +125,15 @@ impl Phase {
         }
     }
 
+    /// The first servo that drives a degree of freedom leads to rest at a position (rad or m) from now on.
+    pub(crate) fn lead_to(&mut self, dof: usize, to: f64) {
+        if let Some(entry) = self.state.velocity_of(dof) {
+            self.prescribed.force_mut(entry - self.state.positions()).lead_to(to);
+        } else if let Some((_, force)) = self.held.iter_mut().find(|(held, _)| *held == dof) {
+            force.lead_to(to);
+        }
+    }
+
     /// The motion of a prescribed degree of freedom; where nothing was said it stands where it stood.
     pub(crate) fn set_path(&mut self, dof: usize, path: Path) {
         self.prescribed.set(dof, path);

@@ -56,6 +56,17 @@ pub enum PushLaw {
 }
 
 impl Push {
+    /// A force (N, world axes) on a point of a link (m, in its frame), from the beginning of the run to its end; with
+    /// [`Running::set_pushes`](crate::Running::set_pushes), from then on.
+    pub fn steady(link: usize, point: Vector3<f64>, force: Vector3<f64>) -> Self {
+        Self { link, point, from: 0.0, law: PushLaw::Force { force, over: f64::INFINITY } }
+    }
+
+    /// Whether it is one force from a time (s) on to the end of the run.
+    pub(crate) fn is_steady(&self, time: f64) -> bool {
+        matches!(self.law, PushLaw::Force { over, .. } if over.is_infinite()) && self.from <= time
+    }
+
     /// Refuses numbers that are out of range; `link` is the name of what is pushed.
     pub(crate) fn check(&self, link: &str) -> Result<(), SetupError> {
         let of = |what: &str| format!("the {what} of the push on '{link}'");
@@ -121,13 +132,18 @@ impl Simulation {
     ///
     /// [`SetupError::UnknownLink`], [`SetupError::Range`], [`SetupError::PushProfile`].
     pub fn add_push(&mut self, push: Push) -> Result<(), SetupError> {
+        self.check_push(&push)?;
+        self.pushes.push(push);
+        Ok(())
+    }
+
+    /// Refuses a push on a link that there is not, and numbers out of range.
+    pub(crate) fn check_push(&self, push: &Push) -> Result<(), SetupError> {
         let Some(link) = self.figure.links().get(push.link) else {
             let (figure, name) = (self.figure.name().to_owned(), format!("number {}", push.link));
             return Err(SetupError::UnknownLink { figure, name, nearest: None });
         };
-        push.check(link.name())?;
-        self.pushes.push(push);
-        Ok(())
+        push.check(link.name())
     }
 
     /// The pushes of the world.

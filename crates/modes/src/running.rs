@@ -1,9 +1,10 @@
 //! A simulation that runs bit by bit.
 
 use crate::failure::{RunError, SetupError};
+use crate::push::Push;
 use crate::range::check_positive;
 use crate::report::{Energy, Impact, Landing};
-use crate::run::{Pass, Progress};
+use crate::run::{Pass, Present, Progress, Touching};
 use crate::settings::Settings;
 use crate::simulation::Simulation;
 use crate::time::Stepping;
@@ -45,6 +46,8 @@ const MOST_STEPS: f64 = 1e7;
 #[derive(Clone)]
 pub struct Running {
     progress: Progress,
+    /// For those who ask for forces.
+    present: Option<Box<Present>>,
 }
 
 /// What has happened since the call before the last: all of it belongs to the last call that stepped or changed something.
@@ -77,7 +80,7 @@ impl Simulation {
         check_positive(|| what.to_owned(), value)?;
         let settings = Settings { duration: f64::INFINITY, ..Settings::new(0.0, 1.0) };
         let pass = Pass::new(&Arc::new(self.clone()), &settings, stepping)?;
-        let mut running = Running { progress: Progress::begin(pass)? };
+        let mut running = Running { progress: Progress::begin(pass)?, present: None };
         // What cannot be stepped is refused here.
         running.progress.accelerations()?;
         Ok(running)
@@ -146,6 +149,30 @@ impl Running {
         self.progress.accelerations()
     }
 
+    /// The forces of the joints now (length `nv`; N m, N): of the drives, with what limits add where they hold something. They are those of a
+    /// [`run`](Simulation::run) that [asks](Settings::forces) for them, and found when they are asked for; the first time makes room for it.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError::Failed`] where the dynamics refuse the state.
+    #[doc(alias = "tau")]
+    pub fn forces(&mut self) -> Result<&[f64], RunError> {
+        let present = present(&mut self.present, &self.progress)?;
+        present.forces(&mut self.progress)
+    }
+
+    /// What the ground does now to every link that it presses, in the order of the links: by springs in the state as it is, else along with the
+    /// [accelerations](Self::accelerations). Steps by impulses give the mean over the step that would come next.
+    ///
+    /// # Errors
+    ///
+    /// [`RunError::Failed`] where the dynamics refuse the state.
+    #[doc(alias = "ground reaction")]
+    pub fn contacts(&mut self) -> Result<&[Touching], RunError> {
+        let present = present(&mut self.present, &self.progress)?;
+        present.contacts(&mut self.progress)
+    }
+
     /// Energy of the whole figure with its springs (J).
     ///
     /// # Errors
@@ -192,6 +219,59 @@ impl Running {
         self.progress.set_force(dof, force)
     }
 
+    /// Another target (rad or m) for a servo that goes to a place ([`Aim::At`](crate::Aim::At)) and leads a degree of freedom (index in `v`) now, or for the
+    /// first one of a sum, from now on. Nothing is allocated, unless something rests at a limit or stands on rigid ground, or a clone shares what is run.
+    ///
+    /// # Errors
+    ///
+    /// [`SetupError::Range`] for an index or a target that is none; [`SetupError::NotAServo`] where something else drives it.
+    #[doc(alias = "setpoint")]
+    pub fn set_target(&mut self, dof: usize, to: f64) -> Result<(), RunError> {
+        let nv = self.v().len();
+        if dof >= nv {
+            let what = format!("the degree of freedom of a target, of {nv},");
+            return Err(SetupError::Range { what, value: dof as f64, range: "an index in v" }.into());
+        }
+        let name = |running: &Self| running.simulation().name(dof).to_owned();
+        if !to.is_finite() {
+            let what = format!("the target of '{}'", name(self));
+            return Err(SetupError::Range { what, value: to, range: "a finite number" }.into());
+        }
+        if !self.progress.takes_target(dof) {
+            return Err(SetupError::NotAServo { dof: name(self) }.into());
+        }
+        self.forget();
+        self.progress.set_target(dof, to)
+    }
+
+    /// Other pushes of the world in place of all that there are, from now on: as if they had been given by
+    /// [`Simulation::add_push`], their times those of the run. What was due before is over; a blow at this very time strikes.
+    ///
+    /// Where they are [steady](Push::steady) forces on the very points that steady forces act on by now, only the forces change, and nothing is
+    /// allocated, with the same exceptions as for [`set_target`](Self::set_target): whoever drags a point gives it a force in every frame. Steps allocate nothing afterwards in
+    /// any case.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Simulation::add_push`], and nothing has changed; [`RunError::Failed`] where what follows at once fails.
+    #[doc(alias = "external force")]
+    pub fn set_pushes(&mut self, pushes: &[Push]) -> Result<(), RunError> {
+        for push in pushes {
+            self.simulation().check_push(push)?;
+        }
+        if self.progress.pass.only_forces_change(pushes) {
+            self.forget();
+            return self.progress.change_forces(pushes);
+        }
+        let mut next = self.clone();
+        next.forget();
+        next.progress.interrupt()?;
+        next.progress.pass.exchange_pushes(pushes)?;
+        next.present = None;
+        *self = next;
+        Ok(())
+    }
+
     /// Other drives for a degree of freedom, or all of a joint, from now on; see [`Simulation::drive`].
     ///
     /// # Errors
@@ -223,6 +303,7 @@ impl Running {
         next.progress.interrupt()?;
         Arc::make_mut(&mut next.progress.pass.simulation).set_limit(name, law)?;
         next.progress.pass.renew()?;
+        next.present = None;
         *self = next;
         Ok(())
     }
@@ -251,6 +332,17 @@ impl Running {
         passed.outcomes.clear();
         let last = passed.phases.len().saturating_sub(1);
         passed.phases.drain(..last);
+    }
+}
+
+/// What is asked of the present instant, made when it is asked for first.
+fn present<'a>(
+    present: &'a mut Option<Box<Present>>,
+    progress: &Progress,
+) -> Result<&'a mut Present, RunError> {
+    match present {
+        Some(present) => Ok(present),
+        none => Ok(none.insert(Box::new(Present::of(progress)?))),
     }
 }
 

@@ -9,8 +9,8 @@ use nalgebra::Vector3;
 use solaris_model::{Human, human};
 use solaris_modes::time::Stepping;
 use solaris_modes::{
-    Anchor, ContactLaw, Drive, GroundPlane, LimitLaw, Method, PointSpring, Rule, Settings, Shape, Simulation,
-    contact_points,
+    Aim, Anchor, ContactLaw, Drive, GroundPlane, Hanging, LimitLaw, Method, PointSpring, Push, Rule, Servo,
+    Settings, Shape, Simulation, contact_points,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -102,6 +102,39 @@ fn a_step_of_a_running_simulation_allocates_nothing() {
     }
 }
 
+#[test]
+fn pushes_targets_and_what_acts_allocate_nothing_once_there_is_room() {
+    let figure = human(1.75, 73.0).expect("within range");
+    let elbow = figure.layout().dof_index("left_elbow.rx").expect("a dof of the human");
+    let hand = figure.link_index("left_hand").expect("a hand");
+    let servo = Servo { aim: Aim::At(-0.3), stiffness: 40.0, damping: 2.0, limit: Some(30.0) };
+    for stepping in
+        [Stepping::Fixed { rule: Rule::RungeKutta4, step: 1e-3 }, Stepping::Impulses { step: 1e-3 }]
+    {
+        let mut simulation = scene();
+        simulation.set_limits(LimitLaw::Ignore).expect("valid");
+        simulation.drive("left_elbow", [Drive::Servo(servo.clone())]).expect("a joint of the human");
+        let mut running = simulation.start(stepping).expect("begins");
+        let push = |force: f64| [Push::steady(hand, Vector3::zeros(), Vector3::new(0.0, force, force))];
+        running.set_pushes(&push(1.0)).expect("valid");
+        running.step(0.01).expect("goes on");
+        running.forces().expect("forces");
+        running.contacts().expect("contacts");
+        let mut quiet = 0;
+        for frame in 0..50 {
+            let before = ALLOCATIONS.get();
+            running.set_pushes(&push(0.2 * f64::from(frame))).expect("valid");
+            running.set_target(elbow, -0.3 - 0.01 * f64::from(frame)).expect("a servo");
+            running.step(1.0 / 240.0).expect("goes on");
+            running.forces().expect("forces");
+            running.contacts().expect("contacts");
+            quiet += usize::from(ALLOCATIONS.get() == before);
+        }
+        // A servo comes to its limit and leaves it, which are events.
+        assert!(quiet >= 45, "{stepping:?}: {quiet} of 50 frames without an allocation");
+    }
+}
+
 /// A person who falls and lies, every step with contacts.
 #[test]
 fn a_step_by_impulses_allocates_nothing() {
@@ -117,6 +150,22 @@ fn a_step_by_impulses_allocates_nothing() {
     let before = ALLOCATIONS.get();
     for _ in 0..120 {
         running.step(1.0 / 60.0).expect("goes on");
+    }
+    assert_eq!(ALLOCATIONS.get(), before);
+}
+
+#[test]
+fn what_hangs_loose_allocates_nothing_in_a_frame() {
+    let figure = human(1.75, 73.0).expect("within range");
+    let nv = figure.layout().nv();
+    let mut hanging = Hanging::new(&figure, Vector3::new(0.0, -9.81, 0.0)).expect("a figure");
+    let (mut q, mut v, a) = (vec![0.1; nv], vec![0.0; nv], vec![0.0; nv]);
+    for joint in ["left_shoulder", "left_elbow", "left_wrist", "head"] {
+        hanging.loosen(joint, &q, &v).expect("a joint");
+    }
+    let before = ALLOCATIONS.get();
+    for _ in 0..200 {
+        hanging.step(1.0 / 60.0, &mut q, &mut v, &a).expect("a frame");
     }
     assert_eq!(ALLOCATIONS.get(), before);
 }

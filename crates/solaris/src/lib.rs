@@ -18,7 +18,7 @@ pub use solaris_retarget as retarget;
 pub use solaris_scene as scene;
 #[cfg(feature = "glb")]
 pub use solaris_skin as skin;
-#[cfg(feature = "view")]
+#[cfg(feature = "drawn")]
 pub use solaris_view as view;
 
 /// What a first program needs.

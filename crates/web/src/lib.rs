@@ -13,6 +13,8 @@ mod keys;
 mod motion;
 #[cfg(feature = "full")]
 mod scene;
+#[cfg(feature = "studio")]
+mod studio;
 mod walk;
 mod walker;
 
@@ -21,6 +23,8 @@ pub use figure::Figure;
 pub use motion::Motion;
 #[cfg(feature = "full")]
 pub use scene::run;
+#[cfg(feature = "studio")]
+pub use studio::*;
 pub use walk::{WalkOptions, walk};
 pub use walker::Walker;
 

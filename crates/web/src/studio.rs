@@ -10,7 +10,7 @@ mod steered;
 pub use alive::Alive;
 pub use curve::curve;
 pub use posed::Posed;
-pub use script::Script;
+pub use script::{Ran, Script, Shelf, complete_scene};
 pub use shown::Shown;
 pub use steered::Steered;
 
@@ -49,11 +49,10 @@ fn still(figure: &Figure, q: &[f64]) -> Result<String, JsError> {
 fn joints(figure: &Figure) -> Value {
     let figure = &figure.figure;
     let layout = figure.layout();
-    let joint = |(link, at): (&solaris::model::Link, &solaris::model::JointIndices)| {
+    let joint = |(link, at): (&solaris::model::Link, &solaris::model::JointLayout)| {
         let dofs: Vec<Value> = (at.v..at.v + at.nv)
             .map(|dof| {
-                let limits =
-                    link.joint().kind().axes().get(dof - at.v).and_then(|axis| axis.limits);
+                let limits = link.joint().kind().axes().get(dof - at.v).and_then(|axis| axis.limits);
                 json!({
                     "name": layout.v_names()[dof],
                     "index": dof,

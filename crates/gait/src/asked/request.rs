@@ -235,7 +235,7 @@ fn population(name: &str) -> Result<Population, RequestError> {
 }
 
 /// What is not known by its name, with what is.
-fn unknown(
+pub(super) fn unknown(
     what: &'static str,
     name: &str,
     known: &(impl Iterator<Item = &'static str> + Clone),

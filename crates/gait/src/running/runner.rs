@@ -41,13 +41,24 @@ const HALVED: usize = 5;
 pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> {
     missing::check(figure)?;
     let body = Body::of(figure)?;
+    judged(&body, request).map_err(|error| match error {
+        GaitError::Plan(PlanError::NotRunnable { speed, what, nearest: advice }) if advice.is_empty() => {
+            let nearest = nearest(&body, speed, request.resolution);
+            PlanError::NotRunnable { speed, what, nearest }.into()
+        }
+        error => error,
+    })
+}
+
+/// The same without the nearest speed that holds, which takes many plans.
+pub(crate) fn judged(body: &Body, request: &RunRequest) -> Result<RunPlan, GaitError> {
     let speed = request.speed;
     range("speed", speed, " m/s", RUN_SPEED, String::new)?;
     let style = RunStyle::of(body.height, speed);
     let steps = steps(request.extent, style.step_length)?;
     let stride = RunStride::plan(body.clone(), &style, request.resolution)?;
-    if let Some(what) = fault(&stride.extremes(INSTANTS), EXCESS, &body) {
-        let nearest = nearest(&body, speed, request.resolution);
+    if let Some(what) = fault(&stride.extremes(INSTANTS), EXCESS, body) {
+        let nearest = String::new();
         return Err(PlanError::NotRunnable { speed, what, nearest }.into());
     }
     let ends = (request.from, request.to);
@@ -60,7 +71,7 @@ pub fn run(figure: &Figure, request: &RunRequest) -> Result<RunPlan, GaitError> 
     let all = tempo::tempo(speed, steps, &request.then, ends)?;
     let schedule = Schedule::new(body.height, &all, ends, request.left_first, request.resolution)?;
     let chain = Chain::plan(body.clone(), schedule, request.resolution, stride.com(0).y)?;
-    if let Some(what) = fault(&chain.extremes(), MORE_EXCESS, &body) {
+    if let Some(what) = fault(&chain.extremes(), MORE_EXCESS, body) {
         return Err(PlanError::NotRunnable {
             speed,
             what,

@@ -56,6 +56,15 @@ impl WalkSequence {
     pub fn new(figure: &Figure, segments: &[WalkSegment]) -> Result<Self, GaitError> {
         missing::check(figure)?;
         let body = Body::of(figure)?;
+        Self::with(&body, segments, |before, request| walk_from(figure, &body, before, request))
+    }
+
+    /// With every walk as it is planned, after the one before.
+    pub(crate) fn with(
+        body: &Body,
+        segments: &[WalkSegment],
+        planned: impl Fn(Option<&WalkPlan>, &WalkRequest) -> Result<WalkPlan, GaitError>,
+    ) -> Result<Self, GaitError> {
         let (mut walks, mut duration) = (Vec::<(f64, WalkPlan)>::new(), 0.0);
         for (index, segment) in segments.iter().enumerate() {
             let of = |why| GaitError::InSegment { number: index + 1, why: Box::new(why) };
@@ -70,7 +79,7 @@ impl WalkSequence {
                 }
                 WalkSegment::Walk(request) => {
                     let before = walks.last().map(|(_, walk)| walk);
-                    let mut plan = walk_from(figure, &body, before, request).map_err(of)?;
+                    let mut plan = planned(before, request).map_err(of)?;
                     if let Some(before) = before {
                         let (place, heading) = before.destination();
                         plan = plan.moved(place, heading).map_err(|why| of(why.into()))?;

@@ -3,12 +3,12 @@
 use crate::body::Body;
 use crate::body::missing;
 use crate::error::{GaitError, PlanError};
-use crate::request::{Extent, STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
+use crate::request::{STEP_FREQUENCY, Variability, WalkGround, WalkRequest};
 use crate::smooth::options;
-use crate::smooth::plan_check::PlanCheck;
+use crate::smooth::planner::Planner;
 use crate::smooth::route::Route;
-use crate::smooth::styling::Styling;
-use crate::smooth::walk::{WalkNumbers, WalkPlan};
+use crate::smooth::style::Style;
+use crate::smooth::walk::WalkPlan;
 use solaris_model::Figure;
 
 /// Plans a walk, from standing to standing.
@@ -41,84 +41,31 @@ pub fn walk_in_part(figure: &Figure, request: &WalkRequest) -> Result<(WalkPlan,
     }
 }
 
-/// Plans a walk after another one: from its last style and heading.
+/// Plans a walk after another one: from its last style and heading. What does not hold is refused with the nearest that does.
 pub(crate) fn walk_from(
     figure: &Figure,
     body: &Body,
     before: Option<&WalkPlan>,
     request: &WalkRequest,
 ) -> Result<WalkPlan, GaitError> {
-    let standing = before.map(WalkPlan::last_style);
-    let heading = before.map_or(0.0, |before| before.destination().1);
     request.variability.map_or(Ok(()), Variability::check)?;
-    let planned_with =
-        |request: &WalkRequest, part: f64, route: &Route, numbers: &WalkNumbers, has_steady: bool| {
-            let mut styling = Styling::of(request, body, part);
-            styling.has_steady = has_steady;
-            let planned = |route: &Route| {
-                route.plan(body, standing, &styling, numbers, request.left_first, request.resolution)
-            };
-            let plan = planned(route)?;
-            let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
-            let has_steady = has_steady && route.is_level();
-            let check = PlanCheck { figure, route, nearest, deviates, tempo, has_steady };
-            check.check(&plan)?;
-            if deviates || !route.is_even() || !route.is_level() {
-                check.check_motion(&plan)?;
-            } else if !request.parameters.is_empty() {
-                // A few of many steps decide.
-                let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
-                check.check_motion(short.as_ref().unwrap_or(&plan))?;
-            }
-            Ok(plan)
-        };
-    let planned_on = |request: &WalkRequest, part: f64, route: &Route| -> Result<WalkPlan, GaitError> {
-        if !route.is_level() {
-            let on = |numbers: WalkNumbers| planned_with(request, part, route, &numbers, true);
-            return match on(WalkNumbers::on_ground()) {
-                Err(error @ GaitError::Plan(_)) => on(WalkNumbers::low_on_ground()).map_err(|_| error),
-                found => found,
-            };
-        }
-        let turns = route.ends_in_a_turn();
-        let numbers = if turns { WalkNumbers::by_contact() } else { WalkNumbers::default() };
-        let steady = planned_with(request, part, route, &numbers, true);
-        if !matches!(steady, Err(GaitError::Plan(_))) {
-            return steady;
-        }
-        // What does not hold in the style of a steady gait may do so in that of first and last steps throughout.
-        let found = planned_with(request, part, route, &numbers, false);
-        let coarser = !turns && request.parameters.is_empty();
-        match found {
-            // Between a start and a stop that are near to each other knots may hold a leg too straight.
-            Err(error @ GaitError::Plan(_)) if coarser => {
-                planned_with(request, part, route, &WalkNumbers::by_contact(), false).map_err(|_| error)
-            }
-            found => found,
-        }
-    };
+    let planner = Planner::after(figure, body, before);
     let planned = |request: &WalkRequest, part: f64| -> Result<WalkPlan, GaitError> {
-        let law = Styling::of(request, body, part).law;
-        let route = Route::of(request, body, &law, heading)?;
-        let found = match planned_on(request, part, &route) {
-            Err(error @ GaitError::Plan(_)) if may_step_otherwise(request) => {
-                let usual = route.pace().step_length;
-                let other = OTHER_STEPS.iter().map(|part| route.with_step_length(part * usual, usize::MAX));
-                let mut plans = other.map(|route| planned_on(request, part, &route));
-                plans.find_map(Result::ok).ok_or(error)
-            }
-            found => found,
+        let error = match planner.planned(request, part) {
+            Err(error) => error,
+            found => return found,
         };
         if request.deviates() || request.path.is_some() || request.ground != WalkGround::Level {
-            return found;
+            return Err(error);
         }
+        let route = planner.route(request, part)?;
         let holds = |route: &Route, options: &[(&'static str, f64)]| {
             let request = WalkRequest { parameters: options.to_vec(), ..request.clone() };
-            planned_on(&request, part, route).is_ok()
+            planner.planned_on(&request, part, route).is_ok()
         };
-        found.map_err(|error| match options::advise(error, &route, body, &request.parameters, holds) {
+        Err(match options::advise(error, &route, body, &request.parameters, holds) {
             error @ GaitError::Plan(PlanError::Options { .. }) => error,
-            error => advise(error, &route, |route| planned_on(request, part, route).is_ok()),
+            error => advise(error, &route, |route| planner.planned_on(request, part, route).is_ok()),
         })
     };
     let plan = planned(request, 1.0).map_err(|error| {
@@ -126,8 +73,7 @@ pub(crate) fn walk_from(
             let error = nearest_part(error, request, |part| planned(request, part));
             return advise_on_ground(error, request, |request| planned(request, 1.0).is_ok());
         }
-        let law = Styling::of(request, body, 1.0).law;
-        match Route::of(request, body, &law, heading) {
+        match planner.route(request, 1.0) {
             Ok(route) => advise_on_path(error, &route, |step_frequency| {
                 let speed = None;
                 let slower = WalkRequest {
@@ -144,19 +90,50 @@ pub(crate) fn walk_from(
     Ok(if request.left_first { plan.mirrored() } else { plan })
 }
 
-/// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
-const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
+/// Plans a walk after another one, as [`walk_from`] does but for the advice, which takes many plans: as much of its manner as holds, or all of it, or
+/// nothing, where it is to be `whole`; where it is `short`, of many steps of one pace some that decide.
+pub(crate) fn judged(
+    figure: &Figure,
+    body: &Body,
+    before: Option<&WalkPlan>,
+    request: &WalkRequest,
+    (whole, short): (bool, bool),
+) -> Result<WalkPlan, GaitError> {
+    request.variability.map_or(Ok(()), Variability::check)?;
+    let planner = Planner::after(figure, body, before);
+    let planned = |part: f64| {
+        let route = planner.route(request, part)?;
+        if short && route.is_long() && route.is_level() {
+            return planner.planned_on(request, part, &route.shortened());
+        }
+        planner.planned(request, part)
+    };
+    let plan = match planned(1.0) {
+        Err(GaitError::Plan(_)) if request.deviates() && !whole => planned(0.0),
+        found => found,
+    }?;
+    Ok(if request.left_first { plan.mirrored() } else { plan })
+}
+
+/// Whether it has more steps than decide whether it holds, see [`judged`].
+pub(crate) fn has_more_steps(figure: &Figure, body: &Body, request: &WalkRequest) -> bool {
+    let route = Planner::after(figure, body, None).route(request, 1.0);
+    route.is_ok_and(|route| route.is_long() && route.is_level())
+}
+
+/// The style of the steady part of a request, by its numbers alone.
+///
+/// # Errors
+///
+/// Numbers out of range; nothing is planned.
+pub(crate) fn styled(figure: &Figure, body: &Body, request: &WalkRequest) -> Result<Style, GaitError> {
+    request.variability.map_or(Ok(()), Variability::check)?;
+    Planner::after(figure, body, None).style(request)
+}
+
 /// By how much a slope is made gentler (rad), and a pace slower or faster (steps/min), to find one that holds, and how often.
 const GENTLER: (f64, i32) = (std::f64::consts::PI / 180.0, 6);
 const OTHER_PACE: (f64, i32) = (5.0, 4);
-
-/// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
-fn may_step_otherwise(request: &WalkRequest) -> bool {
-    matches!(request.ground, WalkGround::Relief(_))
-        && matches!(request.extent, Extent::Steps(_))
-        && request.step_length.is_none()
-        && request.speed.is_none()
-}
 
 /// Says which gentler slope holds, or at which pace other ground does, where the ground asks too much.
 fn advise_on_ground(

@@ -201,7 +201,7 @@ pub fn thesis_walk(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWal
 }
 
 /// The walk, or why there is none, with nearest values that nobody has tried.
-fn planned(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWalk, GaitError> {
+pub(crate) fn planned(figure: &Figure, request: &ThesisRequest) -> Result<ThesisWalk, GaitError> {
     missing::check(figure)?;
     let body = Body::of(figure)?;
     let proportions = Proportions::of_leg(&body.leg, body.height);

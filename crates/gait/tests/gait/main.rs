@@ -37,6 +37,7 @@ mod options;
 mod people;
 mod posed;
 mod random;
+mod ranges;
 mod refusals;
 #[cfg(feature = "serde")]
 mod reports;

@@ -3,7 +3,7 @@
 /// Overwrites the lower triangle of a symmetric positive definite matrix (`n` × `n`, row by row) with `L`, `L·Lᵀ = A`.
 ///
 /// Entries left of the first of a row that is not zero stay zero and cost nothing: mass matrices of trees have many of them.
-pub(super) fn factor(matrix: &mut [f64], n: usize) {
+pub(crate) fn factor(matrix: &mut [f64], n: usize) {
     for i in 0..n {
         let (above, rest) = matrix.split_at_mut(i * n);
         let row = &mut rest[..n];
@@ -18,7 +18,7 @@ pub(super) fn factor(matrix: &mut [f64], n: usize) {
 }
 
 /// `a·b`, in eight sums at a time, which the machine has registers for.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (heads, others) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest: f64 = heads.remainder().iter().zip(others.remainder()).map(|(a, b)| a * b).sum();
     let mut sums = [0.0; 8];
@@ -31,7 +31,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Solves `L·Lᵀ·x = b` in the place of `b`.
-pub(super) fn solve(factors: &[f64], n: usize, x: &mut [f64]) {
+pub(crate) fn solve(factors: &[f64], n: usize, x: &mut [f64]) {
     for i in 0..n {
         let row = &factors[i * n..][..n];
         x[i] = (x[i] - dot(&row[..i], &x[..i])) / row[i];

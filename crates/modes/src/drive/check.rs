@@ -1,6 +1,6 @@
 //! Names of drives, and checks of their numbers.
 
-use super::{Course, Drive, Law, Target};
+use super::{Course, Drive, Law, Servo, Target};
 use crate::failure::SetupError;
 use crate::range::{check_finite, check_not_negative, check_positive};
 
@@ -29,6 +29,24 @@ impl Drive {
             },
             Self::Servo(_) => "servo",
             Self::Sum(_) => "sum",
+        }
+    }
+
+    /// The first servo in it.
+    pub(crate) fn servo(&self) -> Option<&Servo> {
+        match self {
+            Self::Servo(servo) => Some(servo),
+            Self::Sum(parts) => parts.iter().find_map(Self::servo),
+            _ => None,
+        }
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn servo_mut(&mut self) -> Option<&mut Servo> {
+        match self {
+            Self::Servo(servo) => Some(servo),
+            Self::Sum(parts) => parts.iter_mut().find_map(Self::servo_mut),
+            _ => None,
         }
     }
 

@@ -47,6 +47,21 @@ impl Force {
         })
     }
 
+    /// The first servo in it, if it has one, leads to rest at a position (rad or m) from now on.
+    pub(crate) fn lead_to(&mut self, to: f64) {
+        let parts = match self {
+            Self::Sum(parts) => parts.as_mut_slice(),
+            one => std::slice::from_mut(one),
+        };
+        let first = parts.iter_mut().find_map(|part| match part {
+            Self::Servo(servo) => Some(servo),
+            _ => None,
+        });
+        if let Some(servo) = first {
+            servo.aim = Path::Still(to);
+        }
+    }
+
     /// The force over a stretch without breaks inside: see [`Path::during`].
     pub(crate) fn during(&self, from: f64, to: f64) -> Self {
         match self {

@@ -90,6 +90,11 @@ impl Prescribed {
         &self.forces[index]
     }
 
+    /// The same, to be changed.
+    pub(super) fn force_mut(&mut self, index: usize) -> &mut Force {
+        &mut self.forces[index]
+    }
+
     /// Position, velocity and acceleration of a degree of freedom that dynamics do not move; of a ball or free joint's, no
     /// position.
     pub(super) fn at(&self, dof: usize, t: f64) -> [f64; 3] {

@@ -24,6 +24,7 @@ pub(crate) fn carried(simulation: &Simulation, time: f64) -> Vec<bool> {
 }
 
 /// The whole figure with what it carries, by the frame.
+#[derive(Clone)]
 pub(crate) struct LoadedBody {
     carried: Vec<bool>,
     by_impulses: bool,

@@ -6,14 +6,15 @@ use super::record::near;
 use crate::failure::{RunError, SetupError};
 use crate::impact::{Wanted, strike};
 use crate::phase::{Phase, Role};
-use crate::push::Thrust;
+use crate::push::{Push, Thrust};
 use crate::simulation::Simulation;
 use nalgebra::Vector3;
 use solaris_model::{Event, EventKind};
+use std::sync::Arc;
 
 /// The forces of all pushes in the time of the run.
 pub(crate) fn thrusts(simulation: &Simulation) -> Result<Vec<Thrust>, SetupError> {
-    let thrust = |push: &crate::Push| {
+    let thrust = |push: &Push| {
         let link = simulation.figure.links()[push.link].name().to_owned();
         push.thrust().map_err(|source| SetupError::PushProfile { link, source })
     };
@@ -28,6 +29,42 @@ pub(crate) fn after(thrusts: &[Thrust], time: f64) -> impl Iterator<Item = (usiz
 }
 
 impl Pass {
+    /// Whether these are steady forces on the very points that steady forces act on by now.
+    pub(crate) fn only_forces_change(&self, pushes: &[Push]) -> bool {
+        let now = &self.simulation.pushes;
+        let time = self.t + near(self.t);
+        now.len() == pushes.len()
+            && now.iter().zip(pushes).all(|(now, new)| {
+                (now.link, now.point) == (new.link, new.point) && now.is_steady(time) && new.is_steady(time)
+            })
+    }
+
+    /// Other forces on the same points from now on; nothing is allocated, unless a clone shares what is run.
+    pub(crate) fn change_forces(&mut self, pushes: &[Push]) -> Result<(), RunError> {
+        let simulations = [Some(Arc::make_mut(&mut self.simulation)), self.loaded.as_deref_mut()];
+        for simulation in simulations.into_iter().flatten() {
+            simulation.pushes.clone_from_slice(pushes);
+        }
+        for (i, push) in pushes.iter().enumerate() {
+            let fault = |source| {
+                let link = self.simulation.figure.links()[push.link].name().to_owned();
+                SetupError::PushProfile { link, source }
+            };
+            self.thrusts[i] = push.thrust().map_err(fault)?;
+            self.body.set_push(i, &self.thrusts[i].at(self.t));
+        }
+        Ok(())
+    }
+
+    /// Other pushes from now on: of a blow that was due before, nothing is left.
+    pub(crate) fn exchange_pushes(&mut self, pushes: &[Push]) -> Result<(), RunError> {
+        Arc::make_mut(&mut self.simulation).pushes = pushes.to_vec();
+        self.thrusts = thrusts(&self.simulation)?;
+        let past = self.t - near(self.t);
+        self.struck = pushes.iter().map(|push| push.from < past).collect();
+        self.renew()
+    }
+
     /// Gives the phase the pushes of the stretch that begins now.
     pub(crate) fn load_pushes(&self, phase: &mut Phase, end: f64) {
         for (push, thrust) in self.thrusts.iter().enumerate() {

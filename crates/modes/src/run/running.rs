@@ -4,11 +4,15 @@ use super::driven::{Meaning, Mode};
 use super::guard;
 use super::pass::{Compiled, Pass};
 use super::record::near;
+use crate::drive::Aim;
 use crate::drive::force::Force;
 use crate::failure::RunError;
 use crate::phase::Phase;
+use crate::push::Push;
 use crate::settings::Rule;
 use crate::time::{March, Stepping, Stopped, TimeError, Way, advance};
+use solaris_dynamics::Wrench;
+use std::sync::Arc;
 
 /// A stretch that has been begun.
 #[derive(Clone)]
@@ -87,6 +91,75 @@ impl Progress {
             stretch.compiled.phase.set_force(dof, Force::Constant(force));
         }
         Ok(())
+    }
+
+    /// Other forces on the points that are pushed by now.
+    pub(crate) fn change_forces(&mut self, pushes: &[Push]) -> Result<(), RunError> {
+        self.pass.change_forces(pushes)?;
+        if self.rests() {
+            // What rests or stands may be lifted.
+            self.interrupt()?;
+            return self.pass.change(&[]);
+        }
+        if let Some(stretch) = &mut self.stretch {
+            for (i, thrust) in self.pass.thrusts.iter().enumerate() {
+                stretch.compiled.phase.set_push(i, Some(thrust.clone()));
+            }
+        }
+        self.look_again()
+    }
+
+    /// Whether a servo that goes to a place leads a degree of freedom now.
+    pub(crate) fn takes_target(&self, dof: usize) -> bool {
+        let driven = &self.pass.driven[dof];
+        let step = self.pass.simulation.drives[dof].get(driven.step);
+        let servo = step.and_then(|step| step.drive.servo());
+        matches!(driven.mode, Mode::Force(_)) && servo.is_some_and(|servo| matches!(servo.aim, Aim::At(_)))
+    }
+
+    /// Another target (rad or m) for a degree of freedom that [takes](Self::takes_target) one.
+    pub(crate) fn set_target(&mut self, dof: usize, to: f64) -> Result<(), RunError> {
+        let driven = &mut self.pass.driven[dof];
+        let steps = &mut Arc::make_mut(&mut self.pass.simulation).drives[dof];
+        if let Some(servo) = steps.get_mut(driven.step).and_then(|step| step.drive.servo_mut()) {
+            servo.aim = Aim::At(to);
+        }
+        if let Mode::Force(force) = &mut driven.mode {
+            force.lead_to(to);
+        }
+        if self.rests() {
+            self.interrupt()?;
+            return self.pass.change(&[]);
+        }
+        if let Some(stretch) = &mut self.stretch {
+            stretch.compiled.phase.lead_to(dof, to);
+        }
+        self.look_again()
+    }
+
+    /// Whether something rests at a limit or stands on the ground.
+    fn rests(&self) -> bool {
+        !self.pass.active.holds.is_empty() || self.pass.driven.iter().any(|driven| driven.held.is_some())
+    }
+
+    /// Forces have jumped: what is watched is looked at anew.
+    fn look_again(&mut self) -> Result<(), RunError> {
+        let Some(Stretch { compiled, y, march: Some(march), .. }) = &mut self.stretch else { return Ok(()) };
+        let found = march.look_again(&mut compiled.phase, y, &mut self.pass.passed.counts);
+        found.map_err(|error| guard::of_time(error).map_or_else(|error| error, RunError::from))
+    }
+
+    /// What the ground does to links now, by link, about the world's origin, where it is found along with the
+    /// [accelerations](Self::accelerations), which were asked for just before.
+    pub(crate) fn pressed(&self) -> impl Iterator<Item = (usize, Wrench<f64>)> + '_ {
+        let phases = self.stretch.iter().map(|stretch| &stretch.compiled.phase);
+        phases.flat_map(|phase| phase.pressed(&self.pass.active.links))
+    }
+
+    /// The same of what links do to each other.
+    pub(crate) fn between(&self) -> impl Iterator<Item = (usize, Wrench<f64>)> + '_ {
+        let phases = self.stretch.iter().map(|stretch| &stretch.compiled.phase);
+        phases.flat_map(|phase| phase.between()).flat_map(|between| between.wrenches(between.links))
     }
 
     /// The accelerations now (rad/s² or m/s²).

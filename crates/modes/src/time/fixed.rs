@@ -78,6 +78,21 @@ impl March {
         self.to(&mut Evaluator::new(system, counts, u64::MAX, (self.time, end)), longest, stop, y)
     }
 
+    /// The functions that are watched have jumped, for forces have changed in an instant: what they are now is not an event. Nothing is
+    /// allocated.
+    pub(crate) fn look_again<S: System + ?Sized>(
+        &mut self,
+        system: &mut S,
+        y: &[f64],
+        counts: &mut Counts,
+    ) -> Result<(), TimeError> {
+        let Some(EventDetector { sides, values, .. }) = &mut self.detector else { return Ok(()) };
+        let time = self.time;
+        Evaluator::new(system, counts, u64::MAX, (time, time)).event_values(time, y, values)?;
+        sides.begin_anew(values);
+        Ok(())
+    }
+
     /// From a time (s) and a state on.
     fn new<S: System + ?Sized>(
         evaluator: &mut Evaluator<'_, S>,

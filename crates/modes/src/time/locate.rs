@@ -61,6 +61,13 @@ impl Sides {
         }
     }
 
+    /// Functions with these values from now on, whatever they were before.
+    pub(super) fn begin_anew(&mut self, values: &[f64]) {
+        self.side.fill(0.0);
+        self.leaves.fill(false);
+        self.begin.copy_from_slice(values);
+    }
+
     /// The number of functions.
     #[cfg(feature = "stiff")]
     pub(super) fn len(&self) -> usize {

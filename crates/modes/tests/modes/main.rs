@@ -8,10 +8,12 @@ mod collisions;
 mod contact;
 mod drives;
 mod governor;
+mod hanging;
 mod limits;
 mod limits_random;
 mod loops;
 mod plan;
+mod present;
 mod pushes;
 #[cfg(feature = "serde")]
 mod reports;

@@ -8,16 +8,16 @@ use solaris_modes::{
 };
 use solaris_profiles::Profile;
 
-const STEP: f64 = 5e-4;
-const RATE: f64 = 100.0;
-const FIXED: Stepping = Stepping::Fixed { rule: Rule::RungeKutta4, step: STEP };
+pub(crate) const STEP: f64 = 5e-4;
+pub(crate) const RATE: f64 = 100.0;
+pub(crate) const FIXED: Stepping = Stepping::Fixed { rule: Rule::RungeKutta4, step: STEP };
 
-fn down() -> Vector3<f64> {
+pub(crate) fn down() -> Vector3<f64> {
     Vector3::new(0.0, -9.80665, 0.0)
 }
 
 /// Three rods on hinges, with limits.
-fn arm() -> Figure {
+pub(crate) fn arm() -> Figure {
     let rod = |name: &str, parent: Option<&str>| {
         let joint = Joint::new(format!("{name}_joint")).rx().limited(-1.2, 1.0);
         let link = match parent {
@@ -31,7 +31,7 @@ fn arm() -> Figure {
 }
 
 /// What falls into its limits, and bounces.
-fn bouncing() -> Simulation {
+pub(crate) fn bouncing() -> Simulation {
     let mut simulation = Simulation::new(&arm(), down());
     simulation.set_start(&[0.9, 0.3, -0.5], &[1.0, -2.0, 3.0]).expect("valid");
     simulation.set_limits(LimitLaw::Hard { restitution: 0.4 }).expect("valid");
@@ -39,7 +39,7 @@ fn bouncing() -> Simulation {
 }
 
 /// One drive after the other, by the clock, by themselves and by what others do.
-fn driven() -> Simulation {
+pub(crate) fn driven() -> Simulation {
     let mut simulation = Simulation::new(&arm(), down());
     simulation.set_limits(LimitLaw::Spring { stiffness: 40.0, damping: 2.0 }).expect("valid");
     let simple = Drive::Simple { target: Target::at(0.6), course: Course::HalfCosine };
@@ -60,7 +60,7 @@ fn driven() -> Simulation {
 }
 
 /// A person who falls over, on ground of springs or rigid.
-fn falling(law: Option<ContactLaw>) -> Simulation {
+pub(crate) fn falling(law: Option<ContactLaw>) -> Simulation {
     let figure = human(1.75, 73.0).expect("within range");
     let mut simulation = Simulation::new(&figure, down());
     let mut plane = GroundPlane::under(&figure, &down(), 0.8).expect("gravity");
@@ -80,7 +80,7 @@ fn falling(law: Option<ContactLaw>) -> Simulation {
     simulation
 }
 
-fn bits(x: &[f64]) -> Vec<u64> {
+pub(crate) fn bits(x: &[f64]) -> Vec<u64> {
     x.iter().map(|x| x.to_bits()).collect()
 }
 

@@ -1,9 +1,7 @@
 //! Curves of one degree of freedom.
 
 use serde_json::json;
-use solaris::profiles::answers::{Answers, Turn};
-use solaris::profiles::text;
-use solaris::profiles::curve::Curve;
+use solaris::profiles::{Answers as _, Curve as _, Turn, text};
 use wasm_bindgen::prelude::*;
 
 /// What there is to know of a curve in the grammar of profiles, as JSON: `samples + 1` times with position, velocity and acceleration, where it
@@ -21,7 +19,7 @@ pub fn curve(source: &str, samples: usize) -> String {
     let duration = curve.duration();
     let samples = samples.clamp(1, 10_000);
     let times: Vec<f64> = (0..=samples).map(|i| duration * i as f64 / samples as f64).collect();
-    let sampled: Vec<_> = times.iter().map(|time| curve.sample(*time)).collect();
+    let sampled: Vec<_> = times.iter().map(|time| curve.at(*time)).collect();
     let stationary = curve.stationary();
     let turns: Vec<_> = stationary
         .points
@@ -29,7 +27,7 @@ pub fn curve(source: &str, samples: usize) -> String {
         .map(|point| {
             json!({
                 "time": point.time,
-                "position": curve.sample(point.time).position,
+                "position": curve.at(point.time).position,
                 "reverses": point.turn == Turn::Reversal,
             })
         })

@@ -98,13 +98,7 @@ impl Posed {
 
     /// Brings a point (three numbers, m, in the frame of a link) to a place of the picture (three numbers, m) by the `reach` nearest joints
     /// between it and the root, within their limits; gives how far it still is (m).
-    pub fn drag(
-        &mut self,
-        link: usize,
-        point: &[f64],
-        place: &[f64],
-        reach: usize,
-    ) -> Result<f64, JsError> {
+    pub fn drag(&mut self, link: usize, point: &[f64], place: &[f64], reach: usize) -> Result<f64, JsError> {
         self.known(link)?;
         check("point", point.len(), 3)?;
         check("place", place.len(), 3)?;
@@ -122,8 +116,7 @@ impl Posed {
             at = parent;
         }
         let mut q = self.q.clone();
-        let mut reach =
-            Reach::new(figure, link, Vector3::from_column_slice(point), &dofs).map_err(failed)?;
+        let mut reach = Reach::new(figure, link, Vector3::from_column_slice(point), &dofs).map_err(failed)?;
         let place = self.live.own([place[0], place[1], place[2]]);
         let reached = reach.solve(&mut q, &Goal::Place(place)).map_err(failed)?;
         self.set_q(q)?;

@@ -1,0 +1,127 @@
+//! The planner of one walk: tries what may hold, and judges it.
+
+use crate::body::Body;
+use crate::error::GaitError;
+use crate::request::{Extent, WalkGround, WalkRequest};
+use crate::smooth::plan_check::PlanCheck;
+use crate::smooth::route::Route;
+use crate::smooth::style::Style;
+use crate::smooth::styling::{Gone, Styling};
+use crate::smooth::walk::{WalkNumbers, WalkPlan};
+use solaris_model::Figure;
+
+/// Parts of the usual step length with which ground is tried again on which a walk does not hold: feet come to stand elsewhere against its edges.
+const OTHER_STEPS: [f64; 6] = [0.97, 0.94, 0.91, 0.88, 1.03, 0.85];
+/// Whether the feet of a walk may be set down elsewhere: over ground of any shape, if neither its steps nor its way are told.
+fn may_step_otherwise(request: &WalkRequest) -> bool {
+    matches!(request.ground, WalkGround::Relief(_))
+        && matches!(request.extent, Extent::Steps(_))
+        && request.step_length.is_none()
+        && request.speed.is_none()
+}
+
+/// Plans walks of a body that stands as after another walk; what does not hold is refused without advice.
+pub(super) struct Planner<'a> {
+    figure: &'a Figure,
+    body: &'a Body,
+    standing: Option<&'a Style>,
+    heading: f64,
+}
+
+impl<'a> Planner<'a> {
+    /// After another walk: from its last style and heading.
+    pub(super) fn after(figure: &'a Figure, body: &'a Body, before: Option<&'a WalkPlan>) -> Self {
+        let standing = before.map(WalkPlan::last_style);
+        let heading = before.map_or(0.0, |before| before.destination().1);
+        Self { figure, body, standing, heading }
+    }
+
+    /// The steps of a request with a part of its manner.
+    pub(super) fn route(&self, request: &WalkRequest, part: f64) -> Result<Route, GaitError> {
+        Route::of(request, self.body, &Styling::of(request, self.body, part).law, self.heading)
+    }
+
+    /// The style of its steady steps.
+    pub(super) fn style(&self, request: &WalkRequest) -> Result<Style, GaitError> {
+        let pace = self.route(request, 1.0)?.pace();
+        Ok(Styling::of(request, self.body, 1.0).style(self.body, &Gone { pace, steady: true })?)
+    }
+
+    /// A request with a part of its manner.
+    pub(super) fn planned(&self, request: &WalkRequest, part: f64) -> Result<WalkPlan, GaitError> {
+        let route = self.route(request, part)?;
+        match self.planned_on(request, part, &route) {
+            Err(error @ GaitError::Plan(_)) if may_step_otherwise(request) => {
+                let usual = route.pace().step_length;
+                let other = OTHER_STEPS.iter().map(|part| route.with_step_length(part * usual, usize::MAX));
+                let mut plans = other.map(|route| self.planned_on(request, part, &route));
+                plans.find_map(Result::ok).ok_or(error)
+            }
+            found => found,
+        }
+    }
+
+    /// The same on a route: on level ground in the style of a steady gait, or throughout in that of first and last steps.
+    pub(super) fn planned_on(
+        &self,
+        request: &WalkRequest,
+        part: f64,
+        route: &Route,
+    ) -> Result<WalkPlan, GaitError> {
+        let planned_with = |numbers: WalkNumbers, has_steady: bool| {
+            self.planned_with(request, part, route, &numbers, has_steady)
+        };
+        if !route.is_level() {
+            return match planned_with(WalkNumbers::on_ground(), true) {
+                Err(error @ GaitError::Plan(_)) => {
+                    planned_with(WalkNumbers::low_on_ground(), true).map_err(|_| error)
+                }
+                found => found,
+            };
+        }
+        let turns = route.ends_in_a_turn();
+        let numbers = if turns { WalkNumbers::by_contact() } else { WalkNumbers::default() };
+        let steady = planned_with(numbers, true);
+        if !matches!(steady, Err(GaitError::Plan(_))) {
+            return steady;
+        }
+        // What does not hold in the style of a steady gait may do so in that of first and last steps throughout.
+        let found = planned_with(numbers, false);
+        let coarser = !turns && request.parameters.is_empty();
+        match found {
+            // Between a start and a stop that are near to each other knots may hold a leg too straight.
+            Err(error @ GaitError::Plan(_)) if coarser => {
+                planned_with(WalkNumbers::by_contact(), false).map_err(|_| error)
+            }
+            found => found,
+        }
+    }
+
+    fn planned_with(
+        &self,
+        request: &WalkRequest,
+        part: f64,
+        route: &Route,
+        numbers: &WalkNumbers,
+        has_steady: bool,
+    ) -> Result<WalkPlan, GaitError> {
+        let mut styling = Styling::of(request, self.body, part);
+        styling.has_steady = has_steady;
+        let planned = |route: &Route| {
+            route.plan(self.body, self.standing, &styling, numbers, request.left_first, request.resolution)
+        };
+        let plan = planned(route)?;
+        let (deviates, tempo, nearest) = (styling.deviates(), styling.law.tempo, route.easier());
+        let has_steady = has_steady && route.is_level();
+        let check = PlanCheck { figure: self.figure, route, nearest, deviates, tempo, has_steady };
+        check.check(&plan)?;
+        if deviates || !route.is_even() || !route.is_level() {
+            check.check_motion(&plan)?;
+        } else if !request.parameters.is_empty() {
+            // A few of many steps decide.
+            let short = if route.is_long() { Some(planned(&route.shortened())?) } else { None };
+            check.check_motion(short.as_ref().unwrap_or(&plan))?;
+        }
+        Ok(plan)
+    }
+}
