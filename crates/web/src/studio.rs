@@ -22,7 +22,25 @@ use serde_json::{Value, json};
 use solaris::gait::GaitOptions;
 use solaris::model::{AxisKind, Motion, MotionInfo};
 use solaris::view::{PageOptions, page_data};
+use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// What was said as the engine broke.
+    static PANIC: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Keeps what is said as the engine breaks: its callers see a trap only.
+#[wasm_bindgen(start)]
+pub fn keep_panics() {
+    std::panic::set_hook(Box::new(|panic| PANIC.set(Some(panic.to_string()))));
+}
+
+/// What was said as the engine broke.
+#[wasm_bindgen(js_name = lastPanic)]
+pub fn last_panic() -> Option<String> {
+    PANIC.take()
+}
 
 /// Within which values of one number, all else as it is, a walk can be planned: two numbers, or nothing.
 #[wasm_bindgen(js_name = walkRange)]

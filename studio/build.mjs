@@ -1,0 +1,91 @@
+// Builds dist/studio.html: one file with the engine, the page's own code and what it stands on. The engine is compiled before, by
+// `cargo xtask studio`. With --quick nothing is made small: for trying things out.
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+import { compress } from './node_modules/lzma1/lib/index.js';
+import { decode, encode } from './src/pack.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const root = join(here, '..');
+const quick = process.argv.includes('--quick');
+const [dist, bound] = [join(here, 'dist'), join(here, 'dist/engine')];
+mkdirSync(bound, { recursive: true });
+
+// --- the engine
+const target = process.env.CARGO_TARGET_DIR ?? join(root, 'target');
+const compiled = process.env.STUDIO_ENGINE ?? join(target, 'wasm32-unknown-unknown/web/solaris_web.wasm');
+const run = (program, options) => execFileSync(program, options, { cwd: here, stdio: ['ignore', 'inherit', 'inherit'] });
+run(process.env.WASM_BINDGEN ?? 'wasm-bindgen', ['--target', 'web', '--out-dir', bound, '--out-name', 'engine', compiled]);
+// What rustc's target has; the optimizer assumes less.
+const has = ['bulk-memory', 'nontrapping-float-to-int', 'sign-ext', 'mutable-globals', 'reference-types', 'multivalue'];
+const plain = join(bound, 'engine_bg.wasm');
+// Making it small takes minutes: what was made of the same bytes is kept.
+const hash = createHash('sha256').update(readFileSync(plain)).digest('hex').slice(0, 16);
+const [small, packed] = [join(dist, `${hash}.wasm`), join(dist, `${hash}.lzma`)];
+if (!quick && !existsSync(packed)) {
+  const optimizer = join(here, 'node_modules/.bin/wasm-opt');
+  run(optimizer, ['-Oz', ...has.map((feature) => `--enable-${feature}`), plain, '-o', small]);
+  writeFileSync(packed, compress(readFileSync(small), 9));
+}
+const engine = quick ? readFileSync(plain) : readFileSync(small);
+
+// --- the code
+const bundle = async (entry, options = {}) => {
+  const result = await build({
+    absWorkingDir: here,
+    entryPoints: [entry],
+    outdir: 'out',
+    bundle: true,
+    write: false,
+    minify: !quick,
+    format: 'iife',
+    target: 'es2022',
+    charset: 'ascii',
+    legalComments: 'none',
+    ...options,
+  });
+  return result.outputFiles.map(({ text }) => text);
+};
+const [boot] = await bundle('src/boot.js');
+const [studio, style] = await bundle('src/main.ts');
+const [worker] = await bundle('src/engine/worker.ts');
+const assets = join(root, 'crates/view/assets');
+const viewer = readFileSync(join(assets, 'viewer.js'), 'utf8');
+// Whoever hands on the page hands on these libraries: their licences travel in it. Those of the viewer stand in its own bundle.
+const libraries = Object.keys(JSON.parse(readFileSync(join(here, 'package.json'), 'utf8')).dependencies);
+const licences = libraries.map((name) => {
+  const folder = join(here, 'node_modules', name);
+  const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  return `${name} ${version}\n\n${readFileSync(join(folder, 'LICENSE'), 'utf8').trim()}`;
+});
+const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker].join('\0'));
+
+// --- the page
+const held = (id, bytes, done) => {
+  const small = done ?? compress(bytes, quick ? 1 : 9);
+  const text = encode(small);
+  if (Buffer.compare(Buffer.from(decode(text, small.length)), Buffer.from(small)) !== 0) throw new Error(`${id} does not come out as it went in`);
+  return `<script type="text/plain" id="${id}" data-packed="${small.length}" data-size="${bytes.length}">${text}</script>`;
+};
+// The bar of time and view is that of every page.
+const page = readFileSync(join(assets, 'page.html'), 'utf8');
+const bar = page.slice(page.indexOf('<div class="bar"'), page.indexOf('<aside'));
+const values = {
+  bar,
+  style: `${readFileSync(join(assets, 'viewer.css'), 'utf8')}\n${style}`,
+  boot,
+  code: held('code', code),
+  engine: held('engine', engine, quick ? null : readFileSync(packed)),
+};
+const html = readFileSync(join(here, 'src/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => values[name]);
+writeFileSync(join(dist, 'studio.html'), html);
+const kilobytes = (length) => `${(length / 1000).toFixed(0)} kB`;
+console.log(
+  `studio/dist/studio.html: ${kilobytes(Buffer.byteLength(html))} (engine ${kilobytes(engine.length)}, packed ${kilobytes(Buffer.byteLength(values.engine))}; ` +
+    `code ${kilobytes(code.length)}, packed ${kilobytes(Buffer.byteLength(values.code))})`,
+);
+if (process.argv.includes('--clean')) rmSync(bound, { recursive: true });

@@ -1,0 +1,91 @@
+// What all panels work with: the engine, what is shown, what is said.
+
+import { Engine, EngineFault } from './engine/client.ts';
+import type { Row, ShownMotion } from './engine/protocol.ts';
+import { makeShow, type Show } from './show.ts';
+import { byId, el, number } from './ui/dom.ts';
+import { makeTabs, type Tabs } from './ui/tabs.ts';
+import { view } from './view.ts';
+
+declare const solarisParts: { viewer: string; worker: string; engine: [string, number, number] };
+
+export interface App {
+  engine: Engine;
+  // For what takes long: a second engine, begun when it is first asked for.
+  background(): Promise<Engine>;
+  show: Show;
+  tools: Tabs;
+  results: Tabs;
+  // The motion that is shown, and the rows of its table.
+  motion: (ShownMotion & { rows: Row[] }) | null;
+  // Shows a motion of the engine's with its rows; `again`: it is the next version of what is shown.
+  showMotion(motion: ShownMotion, rows: Row[], how?: { again?: boolean }): void;
+  // Says what is wrong, until something is shown or another thing is wrong.
+  fault(error: unknown): void;
+  say(message: string): void;
+  clear(): void;
+  onMotion(listener: () => void): void;
+}
+
+export function makeApp(): App {
+  const engine = new Engine(solarisParts.worker, { packed: solarisParts.engine });
+  let second: Promise<Engine> | null = null;
+  const tools = makeTabs(byId('tool-tabs'), byId('tools'));
+  const results = makeTabs(byId('result-tabs'), byId('results'));
+  const show = makeShow(results);
+  const numbers = el('div', { class: 'numbers' });
+  results.add({ id: 'numbers', title: 'Numbers', element: numbers });
+  const notice = el('div', { class: 'notice', role: 'status', hidden: true });
+  byId('over').append(notice);
+  const listeners: (() => void)[] = [];
+  const say = (message: string, kind: string): void => {
+    notice.hidden = message === '';
+    notice.className = `notice ${kind}`;
+    notice.replaceChildren(el('p', {}, message), el('button', { type: 'button', 'aria-label': 'Close', onclick: () => self.clear() }, '×'));
+  };
+  const self: App = {
+    engine,
+    background: () => (second ??= engine.module.then((module) => new Engine(solarisParts.worker, { module }))),
+    show,
+    tools,
+    results,
+    motion: null,
+    showMotion(motion, rows, how) {
+      self.motion = { ...motion, rows };
+      byId('title').textContent = motion.title;
+      document.title = `${motion.title} – Solaris Studio`;
+      show.motion(view.readData(motion.data), how);
+      numbers.replaceChildren(table(rows));
+      listeners.forEach((listener) => listener());
+    },
+    fault(error) {
+      const message = error instanceof Error ? error.message : String(error);
+      if (message === 'stopped') return;
+      const broken = error instanceof EngineFault && error.broken;
+      say(broken ? `The engine broke and was begun anew: ${message}. What is shown can still be saved as a picture, and the scene's text is kept.` : message, 'wrong');
+    },
+    say: (message) => say(message, 'told'),
+    clear: () => say('', 'told'),
+    onMotion: (listener) => listeners.push(listener),
+  };
+  return self;
+}
+
+export function table(rows: Row[]): HTMLElement {
+  return el(
+    'table',
+    {},
+    ...rows.map(({ label, value, unit, note }) =>
+      el(
+        'tr',
+        {},
+        el('th', { scope: 'row' }, label),
+        ...(value === '' && unit === ''
+          ? [el('td', { class: 'note', colspan: 3 }, note)]
+          : [el('td', { class: 'value' }, value), el('td', { class: 'unit' }, unit), el('td', { class: 'note' }, note)]),
+      ),
+    ),
+  );
+}
+
+export const row = (label: string, value: number, unit: string, digits = 2, note = ''): Row => ({ label, value: number(value, digits), unit, note });

@@ -1,0 +1,123 @@
+// Scenes: their text while it is written, and what comes of it.
+
+import { Script, completeScene, curve, type Alive } from '../../dist/engine/engine.js';
+import { pose } from './figures.ts';
+import { shelf } from './files.ts';
+import { keep } from './motions.ts';
+import type { PosedFigure, SceneOutline, ShownMotion, TextFault } from './protocol.ts';
+import type { Context } from './worker.ts';
+
+// The last text that was read.
+let script: Script | null = null;
+let text = '';
+let alive: Alive | null = null;
+const snapshots: Alive[] = [];
+// The most snapshots that are kept: five seconds at sixty a second would be 300.
+const SNAPSHOTS = 600;
+
+function read(next: string): Script {
+  if (!script || next !== text) {
+    script?.free();
+    script = new Script(next, shelf());
+    text = next;
+  }
+  return script;
+}
+
+export interface Checked {
+  faults: TextFault[];
+  outline: SceneOutline | null;
+}
+
+export interface RanScene extends ShownMotion {
+  report: Record<string, never>;
+  remarks: string[];
+}
+
+export interface AliveFrame {
+  poses: Float32Array;
+  time: number;
+  // Of motion, of height and springs, and all (J).
+  energy: number[];
+  // A link, its force (N) and centre of pressure (m), seven numbers each.
+  contacts: number[];
+  q: number[];
+  // Of the joints (nv; N m, N).
+  forces: number[];
+}
+
+const running = (): Alive => {
+  if (!alive) throw new Error('nothing is simulated; begin anew');
+  return alive;
+};
+
+function frame(): AliveFrame {
+  const now = running();
+  return {
+    poses: now.poses(),
+    time: now.time,
+    energy: [...now.energy()],
+    contacts: [...now.contacts()],
+    q: [...now.q],
+    forces: [...now.forces()],
+  };
+}
+
+export const scenes = {
+  checkScene(_: Context, source: string): Checked {
+    const found = read(source);
+    const faults = JSON.parse(found.faults()) as TextFault[];
+    return { faults, outline: found.isWhole ? (JSON.parse(found.outline()) as SceneOutline) : null };
+  },
+  // Another value at each path, one after the other; null takes it away.
+  editScene(_: Context, source: string, edits: { path: string[]; value: string | null }[]): string {
+    let now = source;
+    for (const { path, value } of edits) now = read(now).edit(path, value ?? undefined);
+    return now;
+  },
+  completeScene: (_: Context, source: string, at: number): { from: number; to: number; items: { label: string; insert: string; detail: string }[] } =>
+    JSON.parse(completeScene(source, at, shelf())),
+  poseScene: (_: Context, source: string): PosedFigure => pose(read(source).posed()),
+  runScene({ tell }: Context, source: string): RanScene {
+    const ran = read(source).run((share: number, words: string | null) => tell(share, words));
+    const shown = { report: JSON.parse(ran.report), remarks: [...ran.remarks], ...keep(ran.shown()) };
+    ran.free();
+    return shown;
+  },
+  // The page of error against run time.
+  studyScene: ({ tell }: Context, source: string): string =>
+    read(source).study(
+      () => performance.now() / 1000,
+      (share: number) => tell(share, null),
+      (page: string) => tell(null, null, page),
+    ),
+  // A simulation that goes on frame by frame.
+  startScene(_: Context, source: string): { data: string } {
+    alive?.free();
+    snapshots.splice(0).forEach((old) => old.free());
+    alive = read(source).alive();
+    return { data: alive.data() };
+  },
+  aliveFrame(_: Context, dt: number): AliveFrame {
+    snapshots.push(running().copy());
+    if (snapshots.length > SNAPSHOTS) snapshots.shift()?.free();
+    running().step(dt);
+    return frame();
+  },
+  // Back to how it was so many frames ago.
+  aliveBack(_: Context, frames: number): AliveFrame {
+    for (let i = 0; i < frames && snapshots.length > 0; i += 1) {
+      alive?.free();
+      alive = snapshots.pop() ?? null;
+    }
+    return frame();
+  },
+  alivePoint: (_: Context, link: number, place: number[]): number[] => [...running().inLink(link, place[0], place[1], place[2])],
+  alivePull: (_: Context, link: number, point: number[], place: number[], stiffness: number): number[] => [
+    ...running().pull(link, new Float64Array(point), new Float64Array(place), stiffness),
+  ],
+  aliveLetGo: (_: Context): void => running().letGo(),
+  aliveTarget: (_: Context, dof: number, to: number): void => running().setTarget(dof, to),
+  aliveForce: (_: Context, dof: number, force: number): void => running().setForce(dof, force),
+  curve: (_: Context, source: string, samples: number): unknown => JSON.parse(curve(source, samples)),
+};

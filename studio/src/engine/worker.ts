@@ -1,0 +1,57 @@
+// The engine's side: loads it, and answers calls.
+
+import { initSync } from '../../dist/engine/engine.js';
+import * as engine from '../../dist/engine/engine.js';
+import type { Begin, Call, Reply } from './protocol.ts';
+import { figures } from './figures.ts';
+import { files } from './files.ts';
+import { motions } from './motions.ts';
+import { scenes } from './scenes.ts';
+import { steering } from './steering.ts';
+import { walks } from './walks.ts';
+
+declare const solarisUnpack: (text: string, packed: number, size: number) => Uint8Array;
+
+export interface Context {
+  tell: (share: number | null, words: string | null, soFar?: string) => void;
+}
+
+const calls: Record<string, (context: Context, ...args: never[]) => unknown> = {
+  ...figures,
+  ...files,
+  ...motions,
+  ...scenes,
+  ...steering,
+  ...walks,
+};
+
+const say = (reply: Reply, transfer: Transferable[] = []): void => self.postMessage(reply, { transfer });
+
+function begin(how: Begin): void {
+  const module =
+    'module' in how ? how.module : new WebAssembly.Module(solarisUnpack(...how.packed) as Uint8Array<ArrayBuffer>);
+  initSync({ module });
+  if ('packed' in how) say({ module });
+}
+
+function answer({ id, name, args }: Call): void {
+  const context: Context = { tell: (share, words, soFar) => say({ id, share, words, soFar }) };
+  try {
+    const call = calls[name];
+    if (!call) throw new Error(`the engine has no '${name}'`);
+    const value = call(context, ...(args as never[]));
+    const buffers = value instanceof Uint8Array || value instanceof Float32Array || value instanceof Float64Array ? [value.buffer] : [];
+    say({ id, value }, buffers as ArrayBuffer[]);
+  } catch (error) {
+    // A trap of WebAssembly leaves its memory as it was in the middle of something.
+    const broken = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+    const said = broken ? engine.lastPanic() : undefined;
+    const message = error instanceof Error ? error.message : String(error);
+    say({ id, fault: { message: said ?? message, broken } });
+  }
+}
+
+self.onmessage = ({ data }: MessageEvent<Begin | Call>) => {
+  if ('id' in data) answer(data);
+  else begin(data);
+};
