@@ -8,7 +8,7 @@ pub(crate) use usage::UsageError;
 
 use crate::args::{Number, ValueError};
 use crate::underline;
-use solaris::files::FileError;
+use solaris::files::{ExternalError, FileError};
 use solaris::gait::{GaitError, RequestError};
 use solaris::io::FilesError;
 use solaris::model::{HumanError, TextError};
@@ -138,6 +138,18 @@ impl CliError {
             given.iter().map(|(option, number)| format!("--{option} {}", number.typed)).collect();
         let from = if given.is_empty() { "the defaults".to_owned() } else { given.join(" and ") };
         Self::Derived { name: name.to_owned(), value, unit, from, why: Box::new(why) }
+    }
+}
+
+impl From<ExternalError> for CliError {
+    fn from(error: ExternalError) -> Self {
+        match error {
+            ExternalError::File(error) => error.into(),
+            ExternalError::Plate { links, prefix, why } => {
+                Self::option("plate", format!("{links}={prefix}"), why)
+            }
+            other => Self::other(other),
+        }
     }
 }
 

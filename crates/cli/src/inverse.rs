@@ -2,16 +2,12 @@
 
 mod bands;
 mod batch;
-mod forces;
 mod plan;
-mod plates;
 mod report;
 mod rows;
 mod summary;
 mod tables;
 mod trial;
-
-pub(crate) use forces::External;
 
 use crate::args::InverseArgs;
 use crate::error::CliError;

@@ -10,13 +10,11 @@ use crate::error::CliError;
 use crate::input::{self, Body};
 use crate::plausible;
 use crate::recording;
-use crate::words::counted;
-use solaris::analysis::markers::{
-    CoordinateTask, FrameFit, IkError, IkOptions, MarkerMotion, inverse_kinematics, position_errors,
-};
+use solaris::analysis::markers::{CoordinateTask, IkError, IkOptions, MarkerMotion, position_errors};
+use solaris::files::{MarkerFit, fit_markers};
 use solaris::io::markers::Recording;
 use solaris::io::opensim::{self, IkSetup, MarkerTask, TaskValue};
-use solaris::model::{Figure, Finding, FindingKind, Known, Marker, MarkerTrial, Motion, MotionInfo};
+use solaris::model::{Figure, Finding, FindingKind, Marker, Motion};
 use std::path::Path;
 
 /// A trial of markers, and the positions that fit it.
@@ -44,7 +42,6 @@ pub(crate) fn fit(
     let mut read = recording::in_world(path, body.gravity, args.unit, args.axes)?;
     let recording = &mut read.recording;
     let (options, setup) = asked(body, args)?;
-    let markers = body.markers.markers.clone();
     if let Some((from, to)) = setup.as_ref().and_then(|setup| setup.time_range) {
         recording.markers = recording.markers.within(from, to);
     }
@@ -52,46 +49,11 @@ pub(crate) fn fit(
         span.check(recording.markers.time())?;
         recording.markers = recording.markers.within(span.from, span.to);
     }
-    let figure = &body.figure;
-    let find = |trial: &MarkerTrial| {
-        inverse_kinematics(figure, &markers, trial, &options).map_err(|error| CliError::input(path, &error))
-    };
-    let mut found = find(&recording.markers)?;
-    let mut findings = setup.map_or_else(Vec::new, |setup| setup.findings);
-    if let Some((placed, finding)) = placed(&recording.markers, &found) {
-        found = find(&placed)?;
-        recording.markers = placed;
-        findings.push(finding);
-    }
-    let time = recording.markers.time().to_vec();
-    let info = MotionInfo::recorded(figure, body.gravity, &time);
-    let nv = figure.layout().nv();
-    let still = vec![0.0; time.len() * nv];
-    let states = [found.q.clone(), still.clone(), still];
-    let known = Known { v: vec![false; nv], a: vec![false; nv] };
-    let motion =
-        Motion::recorded(figure, info, time, states, known).map_err(|error| CliError::input(path, &error))?;
+    let fitted = fit_markers(path, body, read.recording.clone(), options)?;
+    let MarkerFit { recording, motion, found, markers, options, findings: cut } = fitted;
+    let findings = setup.map_or_else(Vec::new, |setup| setup.findings).into_iter().chain(cut).collect();
     let turned = turned::turned(body, [&body.rest(), &found.q], &read, args.axes.is_some())?;
-    Ok(Fitted { recording: read.recording, motion, found, markers, options, findings, turned })
-}
-
-/// The trial from the first to the last frame that tells where the figure is, if that is not all of it.
-fn placed(trial: &MarkerTrial, found: &MarkerMotion) -> Option<(MarkerTrial, Finding)> {
-    let is_placed = |frame: &FrameFit| frame.is_placed;
-    let (first, last) = (found.frames.iter().position(is_placed)?, found.frames.iter().rposition(is_placed)?);
-    let after = found.frames.len() - 1 - last;
-    let cut = [(first, "at the beginning"), (after, "at the end")];
-    let cut = cut.iter().filter(|(frames, _)| *frames > 0);
-    let words: Vec<String> =
-        cut.map(|(frames, which)| format!("{} {which}", counted(*frames, "frame", "frames"))).collect();
-    let finding = Finding {
-        kind: FindingKind::Note,
-        subject: "frames".to_owned(),
-        message: format!("{} left out: no markers tell where the figure is", words.join(" and ")),
-        place: None,
-    };
-    let trial = trial.within(found.frames[first].time, found.frames[last].time);
-    (!words.is_empty()).then_some((trial, finding))
+    Ok(Fitted { recording, motion, found, markers, options, findings, turned })
 }
 
 impl Fitted {
@@ -155,12 +117,7 @@ pub(crate) fn options(
 ) -> Result<IkOptions, CliError> {
     let layout = body.figure.layout();
     let rest = body.rest();
-    let mut options = IkOptions {
-        keep_labels: args.keep_labels,
-        held: body.locked(),
-        bounds: body.clamped(),
-        ..IkOptions::default()
-    };
+    let mut options = IkOptions { keep_labels: args.keep_labels, ..body.ik_options() };
     if let Some((markers, coordinates, path)) = tasks {
         if !markers.is_empty() {
             options.weights = Some(markers.iter().map(|task| (task.name.clone(), task.weight)).collect());
@@ -180,6 +137,5 @@ pub(crate) fn options(
             options.tasks.push(CoordinateTask { dof, value, weight: task.weight });
         }
     }
-    options.rest = Some(rest);
     Ok(options)
 }

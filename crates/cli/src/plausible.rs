@@ -4,11 +4,12 @@ use crate::error::CliError;
 use crate::given::Given;
 use crate::words::{row, short};
 use serde::Serialize;
-use solaris::analysis::ground::{PlacedFeet, Sole, StanceOptions, Stances, find_stances};
+use solaris::analysis::ground::{PlacedFeet, Sole, Stances};
 use solaris::analysis::plausibility::{
-    MotionFinding, PlateReport, ResidualCheck, check_plates, check_residual, soles_of_plates,
+    MotionFinding, PlateReport, ResidualCheck, check_plates, check_residual,
 };
 use solaris::analysis::{InverseReport, PreparedMotion};
+use solaris::files::check_measured;
 use solaris::model::MeasuredForce;
 use solaris::view::TableRow;
 use std::io::{Result, Write};
@@ -95,18 +96,10 @@ impl Plausibility {
         soles: Option<Vec<Sole>>,
         measured: &[MeasuredForce],
     ) -> std::result::Result<Option<Self>, CliError> {
-        if measured.is_empty() || prepared.up().is_none() {
-            return Ok(None);
-        }
-        let fault = |error| CliError::input(&given.from, &error);
-        let soles = soles.unwrap_or_else(|| soles_of_plates(&given.body.figure, measured));
-        if soles.is_empty() || given.table.column("time").is_none() {
-            let report = check_plates(prepared, None, measured).map_err(fault)?;
-            return Ok(Some(Self::new(&report)));
-        }
-        let feet = PlacedFeet::new(prepared, soles).map_err(fault)?;
-        let stances = find_stances(&feet, &StanceOptions::default()).map_err(fault)?;
-        Self::on(given, &feet, &stances, measured).map(Some)
+        let has_times = given.table.column("time").is_some();
+        let report = check_measured(&given.body.figure, prepared, soles, measured, has_times);
+        let report = report.map_err(|error| CliError::input(&given.from, &error))?;
+        Ok(report.as_ref().map(Self::new))
     }
 
     /// Of forces on feet that are placed.

@@ -1,5 +1,7 @@
 //! Numbers and names as people read them, and lines of a summary.
 
+pub(crate) use solaris::files::short;
+
 use solaris::profiles::{Range, Ranges};
 use std::io::{Result, Write};
 
@@ -25,23 +27,6 @@ pub(crate) fn some(names: &[String]) -> String {
     const MANY: usize = 8;
     let shown = names[..names.len().min(MANY)].join(", ");
     if names.len() > MANY { format!("{shown} and {} more", names.len() - MANY) } else { shown }
-}
-
-/// A number with as many digits as a person reads.
-pub(crate) fn short(value: f64) -> String {
-    let size = value.abs();
-    if size >= 1e6 || (size > 0.0 && size < 1e-3) {
-        return format!("{value:.2e}");
-    }
-    let digits = if size >= 100.0 {
-        1
-    } else if size >= 10.0 {
-        2
-    } else {
-        3
-    };
-    let text = format!("{value:.digits$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// A count with its noun.

@@ -74,7 +74,7 @@ impl Language {
 }
 
 /// Name of the first element of an XML text, after declarations and comments.
-fn root_element(text: &str) -> &str {
+pub(crate) fn root_element(text: &str) -> &str {
     let mut rest = text.trim_start_matches('\u{feff}');
     loop {
         rest = rest.trim_start();
@@ -115,6 +115,9 @@ pub struct Body {
 }
 
 impl Body {
+    /// Gravity where nobody says one (m/s²): y is up.
+    pub const GRAVITY: Vector3<f64> = GRAVITY;
+
     /// The figure with its markers as named frames.
     pub fn marked(&self) -> Figure {
         self.figure.with_markers(&self.markers.markers)

@@ -4,6 +4,7 @@
 //! with the first frame at time zero in a C3D file and where the file says in a TRC file.
 
 mod axes;
+mod cloud;
 mod found;
 mod ground;
 mod names;
@@ -13,6 +14,7 @@ mod table;
 mod unit;
 
 pub use axes::{Axes, AxesError, Way};
+pub use cloud::{Cloud, CloudError, cloud};
 pub use found::find_axes;
 pub use ground::ground_forces;
 pub(crate) use names::{counted, unique};

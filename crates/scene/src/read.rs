@@ -32,7 +32,7 @@ use crate::spelled;
 use include::Gathering;
 use nalgebra::Vector3;
 use names::Names;
-use solaris_model::text::{Expected, Fields, Node, ReadSpatial as _, Reader, Value, parse};
+use solaris_model::text::{Expected, ExpectedKind, Fields, Node, ReadSpatial as _, Reader, Value, parse};
 use solaris_model::{Figure, TextError};
 use solaris_modes::{SetupError, Simulation};
 use solaris_profiles::Profile;
@@ -116,6 +116,9 @@ pub(crate) fn expected(text: &str, at: usize, loader: &mut dyn Loader) -> Vec<Ex
     gathering.gather(&tree, None);
     // What cannot be fetched is left out: its faults are said elsewhere.
     let (included, _) = gathering.finish();
+    let own: Vec<&str> = include::own_fields(&tree).collect();
+    let left: Vec<String> =
+        FIELDS.iter().filter(|field| !own.contains(field)).map(|field| (*field).to_owned()).collect();
     for one in included.iter().rev() {
         if let Ok(one) = one.tree() {
             include::put_before(&mut tree, one, &mut Reader::default());
@@ -123,7 +126,12 @@ pub(crate) fn expected(text: &str, at: usize, loader: &mut dyn Loader) -> Vec<Ex
     }
     let mut reader = SceneReader::new(Reader::asked_at(at), loader);
     reader.scene(&tree);
-    reader.reader.into_expected()
+    let mut expected = reader.reader.into_expected();
+    // What an included text says, the scene may say too.
+    for field in expected.iter_mut().filter(|one| one.kind == ExpectedKind::Field && one.of == "Scene") {
+        field.names.clone_from(&left);
+    }
+    expected
 }
 
 impl<'l> SceneReader<'l> {

@@ -30,6 +30,12 @@ impl Reader {
         Self { asked: Some(at), ..Self::default() }
     }
 
+    /// A reader without faults that takes note of the same place, to be [appended](Self::append) to this one.
+    #[must_use]
+    pub fn beside(&self) -> Self {
+        Self { asked: self.asked, ..Self::default() }
+    }
+
     /// Whether it takes note of what may stand somewhere: what is read is of no use then.
     pub fn is_asked(&self) -> bool {
         self.asked.is_some()

@@ -5,12 +5,12 @@ use crate::args::{AskedPlate, GroundCommandArgs};
 use crate::error::CliError;
 use crate::given::Given;
 use crate::input;
-use crate::inverse::External;
 use crate::plausible::Plausibility;
 use crate::words::short;
 use serde::Serialize;
 use solaris::analysis::PreparedMotion;
 use solaris::analysis::ground::{PlacedFeet, Sole};
+use solaris::files::{External, Source};
 use solaris::io::record;
 use solaris::model::{ContactTrack, Figure, MeasuredForce, Vector3, nearest};
 use std::path::Path;
@@ -68,7 +68,7 @@ impl Plates {
     /// What OpenSim's description names, by the links of the soles.
     fn described(path: &Path, figure: &Figure, soles: &[Sole]) -> Result<Self, CliError> {
         let mut feet: Vec<(usize, MeasuredForce)> = Vec::new();
-        for record in External::read(&[], [None, Some(path)])?.records(figure)? {
+        for record in External::read(Source::disk(), &[], [None, Some(path)])?.records(figure)? {
             let link = figure.link_index(&record.links[0]);
             let Some(sole) = soles.iter().position(|sole| Some(sole.foot) == link || sole.toes == link)
             else {

@@ -1,30 +1,14 @@
 //! Whose soles stand on the ground: those of a file, the figure's own, or a guess.
 
+pub(crate) use solaris::files::SolesFrom as From;
+
 use crate::error::CliError;
 use crate::given::Given;
-use crate::input;
 use crate::words::some;
-use solaris::analysis::ground::{self, Sole};
+use solaris::analysis::ground::Sole;
+use solaris::files::Source;
 use solaris::model::Figure;
-use solaris::scene::read_soles;
-use std::path::{Path, PathBuf};
-
-/// Who says where they are.
-pub(crate) enum From {
-    File(PathBuf),
-    Figure,
-    Guess,
-}
-
-impl From {
-    pub(crate) fn describe(&self) -> String {
-        match self {
-            Self::File(path) => format!("of {}", path.display()),
-            Self::Figure => "the figure's own".to_owned(),
-            Self::Guess => "guessed by the bodies' names".to_owned(),
-        }
-    }
-}
+use std::path::Path;
 
 /// The soles and who says so.
 pub(crate) fn find(soles: Option<&Path>, given: &Given) -> Result<(Vec<Sole>, From), CliError> {
@@ -33,18 +17,7 @@ pub(crate) fn find(soles: Option<&Path>, given: &Given) -> Result<(Vec<Sole>, Fr
 
 /// The same of a figure that may have none.
 pub(crate) fn known(soles: Option<&Path>, given: &Given) -> Result<Option<(Vec<Sole>, From)>, CliError> {
-    let figure = &given.body.figure;
-    if let Some(path) = soles {
-        let text = input::text(path)?;
-        let soles = read_soles(&text, figure).map_err(|faults| input::faulty(path, &text, faults))?;
-        return Ok(Some((soles, From::File(path.to_owned()))));
-    }
-    let own = ground::soles(figure);
-    if !own.is_empty() {
-        return Ok(Some((own, From::Figure)));
-    }
-    let guessed = ground::guessed_soles(figure);
-    Ok((!guessed.is_empty()).then_some((guessed, From::Guess)))
+    Ok(Source::disk().soles(soles, &given.body.figure)?)
 }
 
 /// What to do about a figure of which nobody knows the feet.

@@ -1,8 +1,6 @@
 //! One motion and its files.
 
 use super::bands::{Bands, Outside};
-use super::forces::External;
-use super::plates::OwnPlates;
 use super::report::{Asked, Report};
 use super::tables;
 use crate::args::{InverseArgs, Switch};
@@ -20,9 +18,8 @@ use crate::shown::{Shown, stem};
 use crate::subject::SubjectReport;
 use crate::words::counted;
 use solaris::analysis::ground::{Sole, Stances};
-use solaris::analysis::{
-    InverseOptions, InverseReport, Loads, PreparedMotion, inverse_motion, medium_forces,
-};
+use solaris::analysis::{InverseReport, PreparedMotion};
+use solaris::files::{Acting, External, JointForces, OwnPlates, Source, joint_forces};
 use solaris::io::{csv, sto};
 use solaris::model::{AxisKind, MeasuredForce, Medium};
 use std::path::PathBuf;
@@ -36,6 +33,9 @@ pub(super) struct Trial {
     pub(super) loads: Option<PathBuf>,
     pub(super) outputs: Outputs<Content>,
 }
+
+/// What is said of plates in the motion's own file where nobody knows the feet.
+const UNKNOWN_FEET: &str = "the feet on them are not known; name soles by --soles, or plates by --plate";
 
 /// The feet, as far as they are known.
 struct Feet {
@@ -53,8 +53,11 @@ impl Trial {
     ) -> Result<Report, CliError> {
         let (predicted, from) = (&args.predicted, self.motion.as_path());
         let mut given = Given::of(body, [&args.figure, from], &args.record, &args.frame, progress)?;
-        let external =
-            External::read(&args.external.plates, [self.forces.as_deref(), self.loads.as_deref()])?;
+        let external = External::read(
+            Source::disk(),
+            &args.external.plates,
+            [self.forces.as_deref(), self.loads.as_deref()],
+        )?;
         let mut measured = external.records(&given.body.figure)?;
 
         progress.stage("finding the forces");
@@ -71,29 +74,22 @@ impl Trial {
         let ground = ground.map(|ground| ground.predict(&given, &prepared, moved)).transpose()?;
         let own = if measured.is_empty() && ground.is_none() {
             let soles = known_soles(predicted.how.soles.as_deref(), &given)?.map(|(soles, _)| soles);
-            OwnPlates::of(&given, &prepared, soles)?
+            let plates = given.fitted.as_ref().map_or(&[][..], |fitted| &fitted.recording.plates);
+            OwnPlates::of(plates, (given.motion(), &prepared), soles, UNKNOWN_FEET)
+                .map_err(|error| CliError::input(from, &error))?
         } else {
             OwnPlates::default()
         };
         measured.extend(own.forces);
         let figure = &given.body.figure;
-        let plates = Loads::at_times(figure, &measured, given.motion().time())
-            .map_err(|error| CliError::input(from, &error))?;
-        let mut loads = plates.clone();
-        if let Some(ground) = &ground {
-            loads = loads.and(ground.forces.loads());
-        }
         let passive = args.passive == Switch::On;
         let medium = &given.body.medium;
-        if passive && !medium.is_empty() {
-            let forces = medium_forces(&prepared, medium).map_err(|error| CliError::input(from, &error))?;
-            loads = loads.and(forces);
-        }
         let rows = progress.rows(given.motion().len());
         let mut count = |done: usize| rows.at(done);
-        let options = InverseOptions { passive, progress: Some(&mut count) };
-        let forces =
-            inverse_motion(&prepared, &loads, options).map_err(|error| CliError::input(from, &error))?;
+        let of_ground = ground.as_ref().map(|ground| ground.forces.loads());
+        let acting = Acting { measured: &measured, ground: of_ground, medium, passive };
+        let JointForces { plates, loads, forces } =
+            joint_forces(from, (figure, given.motion()), &prepared, acting, Some(&mut count))?;
 
         let feet = match &ground {
             Some(ground) => {

@@ -80,7 +80,7 @@ pub(super) fn read_tree(reader: &mut Reader, node: &Node<'_>, is_whole: bool) ->
         return Some(figure);
     }
     // Most texts are good, and only faults need places.
-    let mut again = Reader::default();
+    let mut again = reader.beside();
     FigureReader::new(&mut again, is_whole, Places::kept()).figure(node);
     reader.append(again);
     None

@@ -113,6 +113,15 @@ fn field<'n, 'a>(tree: &'n Node<'a>, name: &str) -> Option<&'n Node<'a>> {
     fields.iter().find(|(named, _)| named.name == name).map(|(_, node)| node)
 }
 
+/// The fields that a tree has itself.
+pub(super) fn own_fields<'n, 'a>(tree: &'n Node<'a>) -> impl Iterator<Item = &'a str> + use<'n, 'a> {
+    let fields = match tree.group().map(|group| &group.content) {
+        Some(Content::Fields(fields)) => &fields[..],
+        _ => &[],
+    };
+    fields.iter().map(|(named, _)| named.name)
+}
+
 /// Puts an included tree before what a tree says: maps and lists are one after the other; what both say otherwise is a fault.
 pub(super) fn put_before<'a>(tree: &mut Node<'a>, included: Node<'a>, reader: &mut Reader) {
     let head = included.head();

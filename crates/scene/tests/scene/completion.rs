@@ -71,14 +71,14 @@ fn every_word_of_the_fixtures_is_offered_at_its_place() {
 #[test]
 fn fields_are_those_of_the_thing_around_that_are_not_there_yet() {
     let found = at(
-        "Scene(version: 1, figures: {\"a\": Human()}, drives: {\"left_elbow\": Servo(to: 1, da| stiffness: 2)})",
+        "Scene(version: 1, figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"left_elbow\": Servo(to: 1, da| stiffness: 2)})",
     );
     assert_eq!(labels(&found), ["along", "damping", "limit", "until"]);
     assert!(found.items.iter().all(|item| item.detail == "field of Servo"));
     assert_eq!(found.items[1].insert, "damping: ");
     let scene = at("Scene(version: 1, | figures: {}, duration: 2)");
     assert!(labels(&scene).contains(&"drives") && !labels(&scene).contains(&"duration"), "{scene:?}");
-    let walk = at("Scene(version: 1, figures: {\"a\": Human()}, walk: Walk(ste|");
+    let walk = at("Scene(version: 1, figures: {\"a\": Human(height: 1.75, mass: 73)}, walk: Walk(ste|");
     assert!(labels(&walk).contains(&"step_frequency"), "{walk:?}");
     assert!(labels(&at("Scene(ground: Slope(|")).contains(&"rise"));
     // A colon that stands there is not written again.
@@ -90,14 +90,23 @@ fn words_are_kinds_of_what_stands_there() {
     for (text, expected) in [
         ("|", "Scene"),
         ("Scene(figures: {\"a\": |", "Human"),
-        ("Scene(figures: {\"a\": Human()}, drives: {\"neck\": [Frozen, |]})", "Servo"),
-        ("Scene(figures: {\"a\": Human()}, drives: {\"left_knee\": Kinematic(along: |", "MinimumJerk"),
-        ("Scene(figures: {\"a\": Human()}, drives: {\"left_knee\": Kinematic(|", "along"),
-        ("Scene(figures: {\"a\": Human()}, drives: {\"left_knee\": |", "MinimumJerk"),
-        ("Scene(figures: {\"a\": Human()}, ground: |\n, duration: 2)", "Flat"),
+        ("Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"neck\": [Frozen, |]})", "Servo"),
+        (
+            "Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"left_knee\": Kinematic(along: |",
+            "MinimumJerk",
+        ),
+        (
+            "Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"left_knee\": Kinematic(|",
+            "along",
+        ),
+        ("Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"left_knee\": |", "MinimumJerk"),
+        ("Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, ground: |\n, duration: 2)", "Flat"),
         ("Scene(method: R|, duration: 2)", "RungeKutta4"),
-        ("Scene(figures: {\"a\": Human()}, drives: {\"left_knee\": Move(to: 1, over: 2, by: |", "Cubic"),
-        ("Scene(figures: {\"a\": Human()}, limits: |)", "Hard"),
+        (
+            "Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"left_knee\": Move(to: 1, over: 2, by: |",
+            "Cubic",
+        ),
+        ("Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, limits: |)", "Hard"),
     ] {
         assert!(labels(&at(text)).contains(&expected), "{text}: {:?}", at(text));
     }
@@ -105,25 +114,31 @@ fn words_are_kinds_of_what_stands_there() {
 
 #[test]
 fn names_are_those_of_the_scenes_own_figures() {
-    let one = at("Scene(figures: {\"a\": Human()}, drives: {|");
+    let one = at("Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {|");
     let knee = one.items.iter().find(|item| item.label == "left_knee.rx").expect("a knee");
     assert_eq!((&*knee.insert, &*knee.detail), ("\"left_knee.rx\": ", "degree of freedom"));
     assert!(one.items.iter().any(|item| item.label == "left_hip" && item.detail == "joint"));
     // Of several each begins with its figure.
-    let two = at("Scene(figures: {\"ann\": Human(), \"bob\": Human()}, drives: {\"bob.left|\": Frozen})");
+    let two = at(
+        "Scene(figures: {\"ann\": Human(height: 1.75, mass: 73), \"bob\": Human(height: 1.75, mass: 73)}, drives: {\"bob.left|\": Frozen})",
+    );
     let knee = two.items.iter().find(|item| item.label == "bob.left_knee.rx").expect("a knee");
     assert_eq!(knee.insert, "bob.left_knee.rx");
     assert!(!labels(&two).contains(&"left_knee.rx"));
-    let beside = at("Scene(figures: {\"ann\": Human(), \"bob\": Human()}, places: {\"bob\": (beside: |)})");
+    let beside = at(
+        "Scene(figures: {\"ann\": Human(height: 1.75, mass: 73), \"bob\": Human(height: 1.75, mass: 73)}, places: {\"bob\": (beside: |)})",
+    );
     assert_eq!(labels(&beside), ["ann", "bob"]);
-    let link = at("Scene(figures: {\"a\": Human()}, pushes: [Push(link: \"|\", force: (0, 0, 1))])");
+    let link = at(
+        "Scene(figures: {\"a\": Human(height: 1.75, mass: 73)}, pushes: [Push(link: \"|\", force: (0, 0, 1))])",
+    );
     assert!(labels(&link).contains(&"left_foot"), "{link:?}");
 }
 
 #[test]
 fn what_is_broken_elsewhere_does_not_matter() {
     let found = at(
-        "Scene(version: 1, rate: , figures: {\"a\": Human()}, drives: {\"neck\": Servo(to: 5°, st| \"left_knee\": \n}",
+        "Scene(version: 1, rate: , figures: {\"a\": Human(height: 1.75, mass: 73)}, drives: {\"neck\": Servo(to: 5°, st| \"left_knee\": \n}",
     );
     assert!(labels(&found).contains(&"stiffness"), "{found:?}");
     for text in ["Scene(rate: 1|)", "Scene( // a dr|\n)", "Scene(rate: 1.5 |)", "Scene(rate: -|"] {

@@ -1,35 +1,69 @@
-//! External forces: plates named one by one, or OpenSim's description of them.
+//! Forces that were measured: plates named one by one, or OpenSim's description of them.
 
-use crate::error::CliError;
-use crate::input;
-use solaris::io::{Table, TableNote, opensim, record};
-use solaris::model::{Figure, Link, MeasuredForce, nearest};
+use crate::error::FileError;
+use crate::files::Source;
+use solaris_io::{Table, TableNote, opensim, record};
+use solaris_model::{Figure, Link, MeasuredForce, nearest};
 use std::path::{Path, PathBuf};
 
 /// Measured forces as they were read.
-pub(crate) enum External {
+#[derive(Clone, Debug, Default)]
+pub enum External {
+    /// None.
+    #[default]
     None,
     /// A table, and which of its columns push which links.
     Plates {
+        /// The file of the table.
         path: PathBuf,
+        /// The table.
         table: Table,
+        /// One link or two, the foot and its toes, and what the names of the columns begin with.
         plates: Vec<(Vec<String>, String)>,
     },
     /// OpenSim's description and the table that it names.
     Loads {
+        /// The file of the description.
         path: PathBuf,
+        /// The file of the table.
         data: PathBuf,
+        /// The description.
         loads: opensim::ExternalLoads,
+        /// The table.
         table: Table,
     },
 }
 
+/// Why measured forces cannot be used.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExternalError {
+    /// Their file is at fault.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// What was said of a plate is.
+    #[error("plate {links}={prefix}: {why}")]
+    Plate {
+        /// The links that it pushes, with `+` between them.
+        links: String,
+        /// What its columns begin with.
+        prefix: String,
+        /// What is wrong with it.
+        why: String,
+    },
+}
+
 impl External {
-    /// What the options say; the files are those of one motion.
-    pub(crate) fn read(
+    /// Reads the forces of one motion: a table of `forces`, and which links its plates push, or a description of the `loads`.
+    ///
+    /// # Errors
+    ///
+    /// Files that cannot be read, descriptions that name no table, and plates of the same columns.
+    pub fn read(
+        source: Source<'_>,
         plates: &[(Vec<String>, String)],
         [forces, loads]: [Option<&Path>; 2],
-    ) -> Result<Self, CliError> {
+    ) -> Result<Self, ExternalError> {
         if let Some(path) = forces {
             for (i, (links, prefix)) in plates.iter().enumerate() {
                 if let Some((other, _)) = plates[..i].iter().find(|(_, before)| before == prefix) {
@@ -41,26 +75,32 @@ impl External {
             }
             return Ok(Self::Plates {
                 path: path.to_owned(),
-                table: forces_of(path)?,
+                table: forces_of(source, path)?,
                 plates: plates.to_vec(),
             });
         }
         let Some(path) = loads else { return Ok(Self::None) };
-        let text = input::text(path)?;
-        let loads = opensim::external_loads(&text).map_err(|faults| input::faulty(path, &text, faults))?;
+        let text = source.text(path)?;
+        let loads =
+            opensim::external_loads(&text).map_err(|faults| FileError::faulty(path, &text, faults))?;
         // The file of the data is named from where the description stands.
         let Some(named) = &loads.data_file else {
-            return Err(CliError::input(
+            return Err(FileError::input(
                 path,
                 &"it names no data file: <datafile> must hold the path of the forces",
-            ));
+            )
+            .into());
         };
         let data = path.parent().unwrap_or_else(|| Path::new("")).join(named.trim());
-        Ok(Self::Loads { path: path.to_owned(), table: forces_of(&data)?, data, loads })
+        Ok(Self::Loads { path: path.to_owned(), table: forces_of(source, &data)?, data, loads })
     }
 
     /// The forces on the figure's links.
-    pub(crate) fn records(&self, figure: &Figure) -> Result<Vec<MeasuredForce>, CliError> {
+    ///
+    /// # Errors
+    ///
+    /// Columns that are not there, and links that the figure has not.
+    pub fn records(&self, figure: &Figure) -> Result<Vec<MeasuredForce>, ExternalError> {
         let (path, records) = match self {
             Self::None => return Ok(Vec::new()),
             Self::Plates { path, table, plates } => {
@@ -68,11 +108,11 @@ impl External {
                 (path, records.collect())
             }
             Self::Loads { path, data, loads, table } => {
-                let records = loads.records(table).map_err(|error| CliError::input(data, &error))?;
+                let records = loads.records(table).map_err(|error| FileError::input(data, &error))?;
                 (path, Ok(records))
             }
         };
-        let mut records: Vec<MeasuredForce> = records.map_err(|error| CliError::input(path, &error))?;
+        let mut records: Vec<MeasuredForce> = records.map_err(|error| FileError::input(path, &error))?;
         for (i, link) in
             records.iter_mut().enumerate().flat_map(|(i, r)| r.links.iter_mut().map(move |l| (i, l)))
         {
@@ -85,7 +125,7 @@ impl External {
                     format!("figure '{}' has no link and no frame '{link}' to push{hint}", figure.name());
                 match self {
                     Self::Plates { plates, .. } => of_plate(&plates[i].0.join("+"), &plates[i].1, why),
-                    _ => CliError::input(path, &why),
+                    _ => FileError::input(path, &why).into(),
                 }
             })?;
         }
@@ -93,7 +133,7 @@ impl External {
     }
 
     /// Prefixes of force columns that push nothing: of the table of forces, or without one of the motion's own.
-    pub(super) fn unused(&self, motion: &Table) -> Vec<String> {
+    pub fn unused(&self, motion: &Table) -> Vec<String> {
         match self {
             Self::None => record::force_prefixes(motion),
             Self::Plates { table, plates, .. } => {
@@ -107,7 +147,7 @@ impl External {
     }
 
     /// What is odd about the table, and how it was read all the same.
-    pub(super) fn notes(&self) -> Vec<String> {
+    pub fn notes(&self) -> Vec<String> {
         match self {
             Self::None => Vec::new(),
             Self::Plates { table, .. } | Self::Loads { table, .. } => table
@@ -120,7 +160,7 @@ impl External {
     }
 
     /// What the summary says of it.
-    pub(super) fn describe(&self) -> String {
+    pub fn describe(&self) -> String {
         let plate = |links: &str, of: &str| format!("{links} by {of}");
         let (file, plates): (&Path, Vec<String>) = match self {
             Self::None => return "none".to_owned(),
@@ -140,11 +180,11 @@ impl External {
 }
 
 /// A table of forces, rows that repeat a time left out.
-fn forces_of(path: &Path) -> Result<Table, CliError> {
-    Ok(input::table(path)?.without_repeated_times().into_owned())
+fn forces_of(source: Source<'_>, path: &Path) -> Result<Table, FileError> {
+    Ok(source.table(path)?.without_repeated_times().into_owned())
 }
 
 /// What is wrong with a plate, said of the option.
-fn of_plate(links: &str, prefix: &str, why: String) -> CliError {
-    CliError::option("plate", format!("{links}={prefix}"), why)
+fn of_plate(links: &str, prefix: &str, why: String) -> ExternalError {
+    ExternalError::Plate { links: links.to_owned(), prefix: prefix.to_owned(), why }
 }

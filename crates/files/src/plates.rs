@@ -1,39 +1,40 @@
 //! Force plates that stand in the motion's own file, and the feet on them.
 
-use crate::error::CliError;
-use crate::given::Given;
 use crate::words::short;
-use solaris::analysis::PreparedMotion;
-use solaris::analysis::ground::{PlacedFeet, PlateRecord, Sole, feet_on_plates};
-use solaris::io::markers::{LoadOptions, Plate};
-use solaris::model::{Contact, MeasuredForce};
+use solaris_analysis::PreparedMotion;
+use solaris_analysis::ground::{GroundError, PlacedFeet, PlateRecord, Sole, feet_on_plates};
+use solaris_io::markers::{LoadOptions, Plate};
+use solaris_model::{Contact, MeasuredForce, Motion};
 
 /// What the plates of a recording do to the feet, and what there is to say about it.
-#[derive(Default)]
-pub(super) struct OwnPlates {
-    pub(super) forces: Vec<MeasuredForce>,
+#[derive(Clone, Debug, Default)]
+pub struct OwnPlates {
+    /// The forces on the feet.
+    pub forces: Vec<MeasuredForce>,
     /// Which foot stood on which plate, and when.
-    pub(super) words: Vec<String>,
+    pub words: Vec<String>,
 }
 
 impl OwnPlates {
-    /// Nothing where the recording has no plates or the figure no feet.
-    pub(super) fn of(
-        given: &Given,
-        prepared: &PreparedMotion<'_>,
+    /// Nothing where the recording has no plates; no forces where nobody knows the feet, and `unknown` is said then.
+    ///
+    /// # Errors
+    ///
+    /// Soles that are none.
+    pub fn of(
+        plates: &[Plate],
+        (motion, prepared): (&Motion, &PreparedMotion<'_>),
         soles: Option<Vec<Sole>>,
-    ) -> Result<Self, CliError> {
-        let plates = given.fitted.as_ref().map_or(&[][..], |fitted| &fitted.recording.plates);
+        unknown: &str,
+    ) -> Result<Self, GroundError> {
         if plates.is_empty() {
             return Ok(Self::default());
         }
         let Some(soles) = soles else {
-            let words =
-                "the feet on them are not known; name soles by --soles, or plates by --plate".to_owned();
-            return Ok(Self { forces: Vec::new(), words: vec![words] });
+            return Ok(Self { forces: Vec::new(), words: vec![unknown.to_owned()] });
         };
-        let feet = PlacedFeet::new(prepared, soles).map_err(|error| CliError::input(&given.from, &error))?;
-        let start = given.motion().time().first().copied().unwrap_or_default().min(0.0);
+        let feet = PlacedFeet::new(prepared, soles)?;
+        let start = motion.time().first().copied().unwrap_or_default().min(0.0);
         let records: Vec<PlateRecord> = plates.iter().map(|plate| record(plate, start)).collect();
         let (forces, loads) = feet_on_plates(&feet, &records);
         let words = loads.iter().map(|load| {
