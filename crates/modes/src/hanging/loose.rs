@@ -3,7 +3,7 @@
 use solaris_model::{Figure, Limits, Passive};
 
 /// How quickly a limit pushes back (1/s), with as much damping as keeps it from bouncing, and how far it gives way at most (rad or m).
-const STOPS: f64 = 40.0;
+const STOPS: f64 = 25.0;
 const GIVES: f64 = 0.35;
 /// How fast (rad/s or m/s) dry friction has most of its magnitude.
 const SLIDES: f64 = 0.05;
