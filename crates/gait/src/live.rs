@@ -6,6 +6,7 @@ mod command;
 mod ease;
 mod footholds;
 mod free;
+mod loose;
 mod paces;
 mod print;
 mod step;

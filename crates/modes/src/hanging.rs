@@ -17,8 +17,9 @@ const STEP: f64 = 1.0 / 120.0;
 const LONGEST: f64 = 1.0;
 /// What of a limb's velocity is lost in a second where nothing else is said (1/s): about what limp tissue takes of a swinging arm.
 const DAMPING: f64 = 2.0;
-/// The fastest that a degree of freedom gets (rad/s or m/s).
-const FASTEST: f64 = 30.0;
+/// The fastest that a degree of freedom gets (rad/s or m/s), and its greatest acceleration (1/s² of these).
+const FASTEST: f64 = 20.0;
+const HARDEST: f64 = 1500.0;
 
 /// Limbs of a figure that hang loose from the rest of it, which has a motion of its own: an arm, a forearm, a head.
 ///
@@ -27,7 +28,7 @@ const FASTEST: f64 = 30.0;
 /// dynamics of the whole figure. What limbs do to the rest has no effect, since that is prescribed.
 ///
 /// It is made for frames of a game: steps of 1/120 s at most, by the rule of the midpoint, with dampers and limits implicit, so that nothing
-/// that is prescribed makes it grow without bound; no degree of freedom gets faster than 30 rad/s, and none is NaN. Frames do not allocate.
+/// that is prescribed makes it grow without bound; no degree of freedom gets faster than 20 rad/s or quicker there than by 1500 rad/s², and none is NaN. Frames do not allocate.
 ///
 /// ```
 /// use solaris_model::{FigureBuilder, Joint, LinkSpec, Vector3};
@@ -196,7 +197,7 @@ impl Hanging {
         let Self { pull, loose, q, v, a, .. } = self;
         pull.solve((q, v, a), loose, self.damping, (h, 0.5));
         for (loose, change) in self.loose.iter_mut().zip(self.pull.changes()) {
-            loose.go_on(h, *change, FASTEST);
+            loose.go_on(h, change.clamp(-h * HARDEST, h * HARDEST), FASTEST);
         }
     }
 

@@ -16,6 +16,10 @@ pub enum LiveError {
     Frame { seconds: f64, most: f64 },
     #[error("there is no coordinate '{dof}' that can be freed; all but those of the root and the legs can")]
     NotFree { dof: String },
+    #[error("there is no joint '{joint}' that can be loosened; all but those of the root and the legs can")]
+    NotLoose { joint: String },
+    #[error("what hangs loose from the walk: {why}")]
+    Loose { why: String },
     #[error("{given} numbers for {wanted} coordinates")]
     Length { given: usize, wanted: usize },
 }

@@ -13,8 +13,19 @@ const EASES: f64 = 0.2;
 #[derive(Clone)]
 pub(super) struct Freed {
     names: Arc<[(String, usize)]>,
-    /// For each: whether it is freed, how far it is (0 to 1), its value.
-    states: Vec<(bool, f64, f64)>,
+    states: Vec<State>,
+}
+
+/// How one is.
+#[derive(Clone, Copy, Default)]
+struct State {
+    freed: bool,
+    /// How far it is, 0 to 1.
+    part: f64,
+    value: f64,
+    /// What was shown last, and how fast it changes (1/s).
+    shown: f64,
+    rate: f64,
 }
 
 impl Freed {
@@ -26,7 +37,7 @@ impl Freed {
             .flat_map(|segment| segment.q..segment.q + 3)
             .map(|q| (layout.q_names()[q].clone(), q))
             .collect();
-        let states = vec![(false, 0.0, 0.0); names.len()];
+        let states = vec![State::default(); names.len()];
         Self { names: names.into(), states }
     }
 
@@ -37,7 +48,7 @@ impl Freed {
 
     pub(super) fn free(&mut self, dof: &str, freed: bool) -> Result<(), LiveError> {
         let i = self.find(dof)?;
-        self.states[i].0 = freed;
+        self.states[i].freed = freed;
         Ok(())
     }
 
@@ -46,22 +57,34 @@ impl Freed {
         if !value.is_finite() {
             return Err(LiveError::NotFinite { what: "value", value });
         }
-        self.states[i].2 = value;
+        self.states[i].value = value;
         Ok(())
     }
 
     pub(super) fn step(&mut self, dt: f64) {
-        for (freed, part, _) in &mut self.states {
-            let change = if *freed { dt } else { -dt };
-            *part = (*part + change / EASES).clamp(0.0, 1.0);
+        for state in &mut self.states {
+            let change = if state.freed { dt } else { -dt };
+            state.part = (state.part + change / EASES).clamp(0.0, 1.0);
         }
     }
 
-    pub(super) fn write(&self, q: &mut [f64]) {
-        for ((_, i), (_, part, value)) in self.names.iter().zip(&self.states) {
-            if *part > 0.0 {
-                q[*i] += (value - q[*i]) * step::quintic(*part).position;
+    /// Writes what is freed into a configuration, `dt` (s) after the last.
+    pub(super) fn write(&mut self, q: &mut [f64], dt: f64) {
+        for ((_, i), state) in self.names.iter().zip(&mut self.states) {
+            if state.part > 0.0 {
+                q[*i] += (state.value - q[*i]) * step::quintic(state.part).position;
             }
+            // A coordinate that is freed and told a value in one frame has none before it.
+            state.rate = if dt > 0.0 && state.part > 0.0 { (q[*i] - state.shown) / dt } else { 0.0 };
+            state.shown = q[*i];
+        }
+    }
+
+    /// Writes the velocities of what is freed (rad/s), and no accelerations.
+    pub(super) fn write_derivatives(&self, v: &mut [f64], a: &mut [f64]) {
+        // A walker's coordinates are as many as its degrees of freedom, and in their order.
+        for ((_, i), state) in self.names.iter().zip(&self.states).filter(|(_, state)| state.part > 0.0) {
+            (v[*i], a[*i]) = (state.rate, 0.0);
         }
     }
 }

@@ -5,6 +5,7 @@ use super::command::{Command, ahead};
 use super::ease::{Jets, jets};
 use super::footholds::{Bends, Bent, Course};
 use super::free::Freed;
+use super::loose::Limbs;
 use super::paces::Paces;
 use super::print::{Print, sign};
 use super::step::Step;
@@ -58,6 +59,9 @@ pub struct Walker {
     course: Course,
     bent: Bends,
     freed: Freed,
+    /// What nothing hangs from yet, and what does.
+    tight: Arc<Limbs>,
+    limbs: Option<Box<Limbs>>,
     q: Vec<f64>,
     /// Room for another posture.
     scratch: Vec<f64>,
@@ -79,6 +83,7 @@ impl Walker {
         }
         let nq = body.nq;
         let freed = Freed::new(figure, &body);
+        let tight = Arc::new(Limbs::new(figure, &body)?);
         let paces = Arc::new(Paces::new(body)?);
         let half = 0.5 * paces.style(paces.at(0.0)).step_width;
         let foot = |side: usize| Foot {
@@ -106,10 +111,12 @@ impl Walker {
             course,
             bent: Bends::default(),
             freed,
+            tight,
+            limbs: None,
             q: vec![0.0; nq],
             scratch: vec![0.0; nq],
         };
-        walker.write();
+        walker.write(0.0);
         Ok(walker)
     }
 
@@ -132,7 +139,7 @@ impl Walker {
         } else if self.may_leave() && self.course.is_moved_by(command) {
             self.next(self.time, command);
         }
-        self.write();
+        self.write(dt);
         Ok(&self.q)
     }
 
@@ -142,7 +149,8 @@ impl Walker {
     }
 
     /// Writes velocities and accelerations of the coordinates (`nv` each; the figure has as many of both): differences backward in time over the
-    /// walker's own motion, to the first and second order of a millisecond. Freed coordinates have those of the walk.
+    /// walker's own motion, to the first and second order of a millisecond. Freed coordinates have those of the walk, loose ones their own, by
+    /// the last frame.
     ///
     /// # Errors
     ///
@@ -154,6 +162,16 @@ impl Walker {
                 return Err(LiveError::Length { given, wanted: n });
             }
         }
+        self.walked(v, a);
+        if let Some(limbs) = &self.limbs {
+            limbs.write_derivatives(v, a);
+        }
+        Ok(())
+    }
+
+    /// The same of the walk alone.
+    fn walked(&mut self, v: &mut [f64], a: &mut [f64]) {
+        let n = self.q.len();
         let mut at = std::mem::take(&mut self.scratch);
         v.fill(0.0);
         a.fill(0.0);
@@ -167,7 +185,6 @@ impl Walker {
             }
         }
         self.scratch = at;
-        Ok(())
     }
 
     /// The coordinates a short time ago (s, within the last step).
@@ -246,10 +263,53 @@ impl Walker {
         self.freed.set(dof, value)
     }
 
-    fn write(&mut self) {
+    /// Lets a joint of the trunk, the head or an arm hang loose from now on, by its name (`left_elbow`): it swings from the walk by gravity and inertia, with the damping and
+    /// the limits of [`Hanging`](solaris_modes::Hanging), from where it is and as fast as it moves. An arm is `left_shoulder`, `left_elbow` and `left_wrist`.
+    /// What is loose already stays so.
+    ///
+    /// The walk does not feel it: the centre of mass is the plan's.
+    ///
+    /// # Errors
+    ///
+    /// A name that is none of a joint that can be loosened.
+    #[doc(alias = "ragdoll")]
+    pub fn loosen(&mut self, joint: &str) -> Result<(), LiveError> {
+        let mut limbs = self.limbs.take().unwrap_or_else(|| Box::new((*self.tight).clone()));
+        let (mut v, mut a) = (std::mem::take(&mut limbs.v), std::mem::take(&mut limbs.a));
+        self.walked(&mut v, &mut a);
+        self.freed.write_derivatives(&mut v, &mut a);
+        (limbs.v, limbs.a) = (v, a);
+        let loosened = limbs.loosen(joint, &self.q);
+        self.limbs = Some(limbs);
+        loosened
+    }
+
+    /// Takes a loose joint back into the walk, over half a second.
+    ///
+    /// # Errors
+    ///
+    /// A name that is none of a joint that can be loosened.
+    pub fn tighten(&mut self, joint: &str) -> Result<(), LiveError> {
+        match &mut self.limbs {
+            Some(limbs) => limbs.tighten(joint),
+            None => self.tight.find(joint).map(|_| ()),
+        }
+    }
+
+    /// Writes the configuration, `dt` (s) after the last.
+    fn write(&mut self, dt: f64) {
         let placed = self.step.placed(&self.paces, self.time);
         placed.posture.write(&self.paces.body, &self.paces.plane, &mut self.q);
-        self.freed.write(&mut self.q);
+        self.freed.write(&mut self.q, dt);
+        // While nothing hangs nothing is done.
+        if let Some(mut limbs) = self.limbs.take_if(|limbs| limbs.moves()) {
+            let (mut v, mut a) = (std::mem::take(&mut limbs.v), std::mem::take(&mut limbs.a));
+            self.walked(&mut v, &mut a);
+            self.freed.write_derivatives(&mut v, &mut a);
+            (limbs.v, limbs.a) = (v, a);
+            limbs.step(dt, &mut self.q);
+            self.limbs = Some(limbs);
+        }
     }
 
     /// Whether somebody who comes to a stand may go on: both feet are flat.

@@ -1,11 +1,11 @@
 //! Walkers under commands at random: planted feet, continuity and limbs at every frame, whatever comes.
 
-use crate::driven::{Driver, person};
+use crate::driven::{Driver, Found, person};
 use crate::random::Random;
 use solaris_gait::Command;
 
 /// Any command, and how long it holds (s).
-fn command(random: &mut Random) -> (Command, f64) {
+pub(crate) fn command(random: &mut Random) -> (Command, f64) {
     let command = match random.pick(8) {
         0 => Command::stop(),
         1..=3 => {
@@ -35,9 +35,12 @@ fn driven(height: f64, seed: u64, rate: f64, time: f64) {
         let (command, holds) = command(&mut random);
         driver.go(&command, holds);
     }
-    let found = &driver.found;
-    println!("{height} m, seed {seed}: {found:.5?}");
-    let name = format!("{height} m, seed {seed}");
+    holds(&driver.found, height, &format!("{height} m, seed {seed}"));
+}
+
+/// What every walk keeps, whatever it was told.
+pub(crate) fn holds(found: &Found, height: f64, name: &str) {
+    println!("{name}: {found:.5?}");
     assert!(found.slide.0 < 1e-4 && found.sink < 1e-6, "{name}: {found:?}");
     assert!(found.feet.0 > 0.025 * height, "{name}: {found:?}");
     assert!(found.knees[0] > 0.01 && found.knees[1] < 1.6, "{name}: {found:?}");

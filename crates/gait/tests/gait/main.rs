@@ -30,6 +30,7 @@ mod live;
 mod live_random;
 
 mod long_walk;
+mod loose;
 mod manners;
 mod metrics;
 mod mirror;

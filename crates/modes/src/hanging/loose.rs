@@ -3,7 +3,7 @@
 use solaris_model::{Figure, Limits, Passive};
 
 /// How quickly a limit pushes back (1/s), with as much damping as keeps it from bouncing, and how far it gives way at most (rad or m).
-const STOPS: f64 = 40.0;
+const STOPS: f64 = 25.0;
 const GIVES: f64 = 0.35;
 /// How fast (rad/s or m/s) dry friction has most of its magnitude.
 const SLIDES: f64 = 0.05;
@@ -45,19 +45,19 @@ impl Loose {
         self.limits.map_or(0.0, |limits| position - position.clamp(limits.lower, limits.upper))
     }
 
-    /// What its joint does over a step of `h` (s), where it has this inertia and loses so much of its velocity (1/s).
-    pub(super) fn held(&self, h: f64, inertia: f64, damping: f64) -> Held {
+    /// What its joint does, looked at `ahead` (s), where it has this inertia and loses so much of its velocity (1/s).
+    pub(super) fn held(&self, ahead: f64, inertia: f64, damping: f64) -> Held {
         let Passive { stiffness, rest, damping: own, friction } = self.passive;
         let mut held = Held {
             stiffness,
             force: stiffness * (self.position - rest),
             damping: damping * inertia + own + friction / self.velocity.hypot(SLIDES),
         };
-        // A limit that is come to within the step acts from the beginning of it.
-        let beyond = self.beyond(self.position + h * self.velocity);
+        // A limit that is passed by then acts all along.
+        let beyond = self.beyond(self.position + ahead * self.velocity);
         if beyond != 0.0 {
             let stop = inertia * STOPS * STOPS;
-            let limit = self.position + h * self.velocity - beyond;
+            let limit = self.position + ahead * self.velocity - beyond;
             held.stiffness += stop;
             held.force += stop * (self.position - limit);
             held.damping += 2.0 * inertia * STOPS;

@@ -74,8 +74,8 @@ impl Pull {
                 self.factors[i * n + j] = self.matrix[(row.dof, column.dof)];
             }
             let inertia = self.factors[i * n + i];
-            let held = row.held(h, inertia, damping);
             let ahead = weight * h;
+            let held = row.held(ahead, inertia, damping);
             self.factors[i * n + i] += MORE * inertia + ahead * (held.damping + ahead * held.stiffness);
             let own = held.force + (held.damping + ahead * held.stiffness) * row.velocity;
             self.changes[i] = h * (-self.tau[row.dof] - own);

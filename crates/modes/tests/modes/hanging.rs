@@ -97,7 +97,7 @@ fn what_is_carried_along_leans_as_inertia_has_it() {
 fn limits_hold_softly() {
     let figure = crane();
     let mut hanging = Hanging::new(&figure, down()).expect("a figure");
-    let (mut q, mut v) = ([0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 24.0]);
+    let (mut q, mut v) = ([0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, 19.0]);
     hanging.loosen("upper_joint", &q, &v).expect("a joint");
     hanging.loosen("lower_joint", &q, &v).expect("a joint");
     let (mut most, mut last) = (0.0_f64, q[3]);
@@ -107,7 +107,7 @@ fn limits_hold_softly() {
         assert!((q[3] - last).abs() < 25.0 / RATE, "{last} to {}", q[3]);
         last = q[3];
     }
-    assert!(most > 2.0 && most < 2.2, "{most}");
+    assert!(most > 1.8 && most < 2.25, "{most}");
 }
 
 /// The smallest of generators (Knuth's multiplier).
@@ -150,7 +150,7 @@ fn nothing_is_ever_no_number_whatever_is_prescribed() {
         let dt = random.within(1e-4, 0.1);
         hanging.step(dt, &mut q, &mut v, &a).expect("a frame");
         for dof in hanging.loose() {
-            assert!(q[dof].is_finite() && v[dof].abs() <= 30.0, "{frame}, {dof}: {} {}", q[dof], v[dof]);
+            assert!(q[dof].is_finite() && v[dof].abs() <= 20.0, "{frame}, {dof}: {} {}", q[dof], v[dof]);
             assert!(q[dof].abs() < 4.0, "{frame}, {dof}: {}", q[dof]);
         }
     }

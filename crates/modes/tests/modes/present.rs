@@ -21,9 +21,9 @@ fn settings(stepping: Stepping, duration: f64) -> Settings {
 }
 
 /// How near two runs are whose steps fall on the same times, but not what is found on the way: steps by impulses begin anew where something
-/// changes, and are of order one.
+/// changes, are of order one, and bounce.
 fn near(stepping: Stepping) -> f64 {
-    if matches!(stepping, Stepping::Impulses { .. }) { 1e-5 } else { 1e-9 }
+    if matches!(stepping, Stepping::Impulses { .. }) { 1e-3 } else { 1e-9 }
 }
 
 fn apart(a: &[f64], b: &[f64]) -> f64 {
