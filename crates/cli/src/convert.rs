@@ -10,7 +10,6 @@ use crate::findings::{list, of_medium};
 use crate::input::{self, Body, extension, refuse_unread};
 use crate::output::{Formats, Outputs};
 use crate::print::print;
-use crate::shown::forward;
 use crate::words::{rounded, some};
 use solaris::io::bvh;
 use solaris::io::clip::{ReadOptions, Up};
@@ -179,7 +178,7 @@ fn motion(
             let motion = found.map_err(|error| CliError::input(from, &error))?.motion;
             let title = stem(from);
             let rows = findings.iter().map(|finding| TableRow::new("Look at", "", "", finding.to_string()));
-            let (table, forward) = (rows.collect(), forward(body));
+            let (table, forward) = (rows.collect(), body.forward());
             let options = PageOptions { title, table, forward, ..PageOptions::default() };
             let page = page(&body.figure, &motion, &options).map_err(CliError::other)?;
             writer.write_all(page.as_bytes()).map_err(CliError::other)

@@ -45,7 +45,7 @@ impl Shown<'_> {
             table,
             lines: lines(self.soles).into_iter().chain(self.markers()).collect(),
             curves: self.residuals(),
-            forward: forward(&self.given.body),
+            forward: self.given.body.forward(),
             angle_bands: self.bands.as_ref().map(|[angles, _]| angles.clone()),
             moment_bands: self.bands.as_ref().map(|[_, moments]| moments.clone()),
             bands: self.bands.iter().map(|_| "two standard errors").collect(),
@@ -128,30 +128,14 @@ impl Shown<'_> {
     }
 }
 
-/// Which way figures of a format go forward, where a page would not know.
-pub(crate) fn forward(body: &Body) -> Option<Vector3<f64>> {
-    (body.language == Language::OpenSim).then(Vector3::x)
-}
-
 /// A motion's name: its file without folder and extension.
 pub(crate) fn stem(given: &Given) -> String {
     given.from.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
-/// Heel to ball to tip, and both from the ankle.
+/// The soles' lines.
 fn lines(soles: &[Sole]) -> Vec<LinkLine> {
-    let of = |sole: &Sole| {
-        let line = |link, from, to| LinkLine { link, ends: [from, to] };
-        let (foot, ankle) = (sole.foot, Vector3::zeros());
-        // The tip of toes is told in their own frame, which begins at their joint.
-        let tip = match sole.toes {
-            Some(toes) => line(toes, Vector3::zeros(), sole.tip),
-            None => line(foot, sole.ball, sole.tip),
-        };
-        let edges = [[sole.heel, sole.ball], [ankle, sole.heel], [ankle, sole.ball]];
-        edges.into_iter().map(move |[from, to]| line(foot, from, to)).chain([tip])
-    };
-    soles.iter().flat_map(of).collect()
+    soles.iter().flat_map(Sole::lines).map(|(link, ends)| LinkLine { link, ends }).collect()
 }
 
 /// What a page says of what went in, and what looks wrong with it.

@@ -123,6 +123,11 @@ impl Body {
         self.figure.with_markers(&self.markers.markers)
     }
 
+    /// Which way figures of its format go forward, where a picture would not know.
+    pub fn forward(&self) -> Option<Vector3<f64>> {
+        (self.language == Language::OpenSim).then(Vector3::x)
+    }
+
     /// The positions (`nq`) that the figure has while nobody says anything else: those of the file, or zero.
     pub fn rest(&self) -> Vec<f64> {
         let layout = self.figure.layout();

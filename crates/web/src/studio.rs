@@ -2,6 +2,7 @@
 
 mod alive;
 mod curve;
+mod dropped;
 mod posed;
 mod script;
 mod shown;
@@ -9,6 +10,7 @@ mod steered;
 
 pub use alive::Alive;
 pub use curve::curve;
+pub use dropped::{Dropped, Moments};
 pub use posed::Posed;
 pub use script::{Ran, Script, Shelf, complete_scene};
 pub use shown::Shown;

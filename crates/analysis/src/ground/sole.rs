@@ -28,6 +28,19 @@ pub struct Sole {
 }
 
 impl Sole {
+    /// What draws it: from heel to ball to tip, and from the ankle to heel and ball, each line (m) in the frame of a link.
+    pub fn lines(&self) -> [(usize, [Vector3<f64>; 2]); 4] {
+        // The tip of toes is told in their own frame, which begins at their joint.
+        let (front, begin) = self.toes.map_or((self.foot, self.ball), |toes| (toes, Vector3::zeros()));
+        let ankle = Vector3::zeros();
+        [
+            (self.foot, [self.heel, self.ball]),
+            (self.foot, [ankle, self.heel]),
+            (self.foot, [ankle, self.ball]),
+            (front, [begin, self.tip]),
+        ]
+    }
+
     pub(crate) fn check(&self, figure: &Figure) -> Result<(), GroundError> {
         let links = figure.links().len();
         let fault = |what, value: String, remedy| {

@@ -18,8 +18,6 @@ use wasm_bindgen::prelude::*;
 
 const NOUN: &str = "scene";
 const BEGINS: &str = "Scene(version: 1, …)";
-/// Where a scene's text would lie: the files that it names lie beside it.
-const PLACE: &str = "scene.ron";
 /// Of a simulation that goes on while it is looked at (s).
 const LIVE_STEP: f64 = 1e-3;
 

@@ -7,7 +7,7 @@ use solaris::io::record::positions_in_degrees;
 use solaris::io::{bvh, csv, glb, sto, usd};
 use solaris::model;
 use solaris::skin::{Detail, skin};
-use solaris::view::{LinkLine, PageCurve, PageOptions, TableRow, Viewer, page_by, page_data};
+use solaris::view::{PageOptions, TableRow, Viewer, page_by, page_data};
 use wasm_bindgen::prelude::*;
 
 /// A motion with all that a page says of it.
@@ -21,16 +21,6 @@ pub struct Shown {
 impl Shown {
     pub(crate) fn new(figure: Figure, motion: model::Motion, title: String) -> Self {
         Self { figure, motion, options: PageOptions { title, ..PageOptions::default() } }
-    }
-
-    pub(crate) fn lines(mut self, lines: Vec<LinkLine>) -> Self {
-        self.options.lines = lines;
-        self
-    }
-
-    pub(crate) fn curves(mut self, curves: Vec<PageCurve>) -> Self {
-        self.options.curves = curves;
-        self
     }
 }
 

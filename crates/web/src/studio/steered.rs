@@ -77,6 +77,11 @@ impl Steered {
         self.command = self.command.facing(heading);
     }
 
+    /// Lets a joint of arms or head hang loose, or takes it back.
+    pub fn loosen(&mut self, joint: &str, loose: bool) -> Result<(), JsError> {
+        if loose { self.walker.loosen(joint) } else { self.walker.tighten(joint) }.map_err(failed)
+    }
+
     /// Goes on by `dt` (s, up to a quarter), and gives the poses of all links: seven numbers each.
     pub fn step(&mut self, dt: f64) -> Result<Vec<f32>, JsError> {
         let q = self.walker.step(dt, &self.command).map_err(failed)?;
