@@ -1,15 +1,62 @@
 // Files that were dropped.
 
-import { Shelf } from '../../dist/engine/engine.js';
+import { Dropped, Shelf } from '../../dist/engine/engine.js';
+import { pose } from './figures.ts';
+import { keep } from './motions.ts';
+import type { PosedFigure, ShownMotion } from './protocol.ts';
 import type { Context } from './worker.ts';
 
-// What scenes and models may name.
-export const shelf = (): Shelf => (known ??= new Shelf());
+// All files that were ever given: what scenes and models may name.
 let known: Shelf | null = null;
+export const shelf = (): Shelf => (known ??= new Shelf());
+
+let dropped: Dropped | null = null;
+
+function opened(): Dropped {
+  if (!dropped) throw new Error('nothing is open; drop files or choose some');
+  return dropped;
+}
+
+export interface OpenedFiles {
+  files: { name: string; what: string; used: boolean }[];
+  faults: string[];
+  findings: string[];
+  // Names of what there is.
+  figure: string | null;
+  motion: string | null;
+  isCloud: boolean;
+  // Whether forces were measured, and whether anybody knows where the feet meet the ground.
+  measured: boolean;
+  soles: boolean;
+  // Texts.
+  scene: string | null;
+  page: string | null;
+  profile: string | null;
+}
 
 export const files = {
   shelve(_: Context, name: string, bytes: Uint8Array): void {
     shelf().add(name, bytes);
   },
   shelved: (_: Context): string[] => shelf().names,
+  // Opens files together; what has no figure of its own is of the one that is open.
+  openFiles(_: Context, given: { name: string; bytes: Uint8Array }[]): OpenedFiles {
+    const these = new Shelf();
+    for (const { name, bytes } of given) {
+      these.add(name, bytes);
+      shelf().add(name, bytes);
+    }
+    if (dropped) dropped.and(these);
+    else dropped = new Dropped(these);
+    these.free();
+    return JSON.parse(dropped.outline());
+  },
+  openedPosed: (_: Context): PosedFigure => pose(opened().posed()),
+  openedMotion: (_: Context): ShownMotion => keep(opened().shown()),
+  openedMoments(_: Context, ground: string, cutoff: number | null): ShownMotion & { external: string; findings: string[] } {
+    const found = opened().moments(ground, cutoff ?? undefined);
+    const moments = { external: found.external, findings: found.findings, ...keep(found.shown()) };
+    found.free();
+    return moments;
+  },
 };

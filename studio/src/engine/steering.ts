@@ -42,6 +42,8 @@ export const steering = {
     else walking.goOwn(command.left, command.forward);
     if (command.kind === 'go' && command.heading !== undefined) walking.face(command.heading);
   },
+  // Lets a joint hang loose, or takes it back.
+  loosen: (_: Context, joint: string, loose: boolean): void => walker().loosen(joint, loose),
   steerFrame(_: Context, dt: number): SteeredFrame {
     const walking = walker();
     const poses = walking.step(dt);
