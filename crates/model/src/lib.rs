@@ -75,5 +75,7 @@ pub use scale::{MassShares, ScaleError, Scaling, Stretching, stretched_inertia};
 pub use source::SourceMap;
 
 pub use nalgebra::{Isometry3, Matrix3, Rotation3, UnitQuaternion, Vector3};
-pub use solaris_text::{Finding, FindingKind, Place, TextError, TextFault, did_you_mean, nearest};
+pub use solaris_text::{
+    Finding, FindingKind, Place, TextError, TextFault, did_you_mean, is_unseen, nearest, plain,
+};
 pub use tie::{Tie, TieEnd, TieLaw};

@@ -8,6 +8,7 @@ mod nearest;
 mod node;
 mod parse;
 mod place;
+mod plain;
 mod reader;
 
 pub use error::{TextError, TextFault};
@@ -16,4 +17,5 @@ pub use nearest::{did_you_mean, nearest};
 pub use node::{Content, Group, Named, Node, Value};
 pub use parse::{first_word, parse};
 pub use place::Place;
+pub use plain::{is_unseen, plain};
 pub use reader::{Fields, Reader};

@@ -2,6 +2,7 @@
 
 mod disk_full;
 mod drives;
+mod hostile;
 mod inverse;
 mod pictures;
 mod walk;
