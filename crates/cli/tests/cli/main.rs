@@ -4,5 +4,6 @@ mod disk_full;
 mod drives;
 mod hostile;
 mod inverse;
+mod limits;
 mod pictures;
 mod walk;

@@ -73,7 +73,7 @@ fn check_numbers(link: &LinkSpec, faults: &mut Vec<Fault>) {
 
 fn check_joint(joint: &Joint, faults: &mut Vec<Fault>) {
     let dofs = joint.kind().axes();
-    if dofs.len() > 6 {
+    if dofs.len() > Joint::MOST_DOFS {
         faults.push(Fault::TooManyDofs { joint: joint.name().to_owned(), count: dofs.len() });
     }
     for what in &joint.misfits {
