@@ -60,7 +60,8 @@ const bundle = async (entry, options = {}) => {
 };
 const [boot] = await bundle('src/boot.js');
 const [studio, style] = await bundle('src/main.ts');
-const [worker] = await bundle('src/engine/worker.ts');
+// The engine is handed to it: it asks for no file.
+const [worker] = await bundle('src/engine/worker.ts', { define: { 'import.meta.url': '""' } });
 const assets = join(root, 'crates/view/assets');
 const viewer = readFileSync(join(assets, 'viewer.js'), 'utf8');
 // Whoever hands on the page hands on these libraries: their licences travel in it. Those of the viewer stand in its own bundle.

@@ -50,8 +50,9 @@ export function makeShow(results: Tabs): Show {
   const holder = byId('picture');
   const clock = view.makeClock([0]);
   const [joints, forces] = [el('div', { class: 'curves' }), el('div', { class: 'curves' })];
-  results.add({ id: 'joints-curves', title: 'Curves', element: joints });
-  results.add({ id: 'forces-curves', title: 'Forces', element: forces });
+  // The plots hide what has no curves: a panel of its own is around each.
+  results.add({ id: 'joints-curves', title: 'Curves', element: el('div', {}, joints) });
+  results.add({ id: 'forces-curves', title: 'Forces', element: el('div', {}, forces) });
   let plots: ReturnType<typeof view.makePlots> | null = null;
   let tick: Live | null = null;
   let live = false;

@@ -50,6 +50,12 @@ pub(crate) enum CliError {
     /// Of many motions some cannot be used; each is told in the summary.
     #[error("{failed} of {of} motions failed; the summary says why")]
     Motions { failed: usize, of: usize },
+    /// The program holds no studio.
+    #[error(
+        "this program was built without the studio; in a clone of the project `cargo xtask studio` builds it (with Node.js), and \
+         the next `cargo build --release` puts it into the program"
+    )]
+    NoStudio,
     #[error("standard output: {0}")]
     Stdout(std::io::Error),
     #[error(transparent)]

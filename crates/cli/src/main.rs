@@ -32,6 +32,7 @@ mod retarget;
 mod run;
 mod scale;
 mod shown;
+mod studio;
 mod subject;
 mod sweep;
 mod underline;
@@ -76,5 +77,6 @@ fn run(command: &Command) -> Result<(), CliError> {
         Command::Gait(command) => gait::run(command),
         Command::Profile(command) => profile::run(command),
         Command::Report(args) => report::run(args),
+        Command::Studio(args) => studio::run(args),
     }
 }
