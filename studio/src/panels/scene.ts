@@ -5,7 +5,7 @@ import type { App } from '../app.ts';
 import type { SceneDocument } from '../document.ts';
 import type { Engine } from '../engine/client.ts';
 import type { PosedFigure } from '../engine/protocol.ts';
-import type { RanScene } from '../engine/scenes.ts';
+import type { Checked, RanScene } from '../engine/scenes.ts';
 import { makeEditor, type Completions } from '../scene/editor.ts';
 import { EXAMPLES, type Example } from '../scene/examples.ts';
 import { faultList } from '../scene/faults.ts';
@@ -14,7 +14,7 @@ import { outlineWords } from '../scene/outline.ts';
 import { reportRows, type RunReport } from '../scene/report.ts';
 import { makeRunner } from '../scene/runner.ts';
 import { studyPage } from '../scene/study.ts';
-import { button, el, latest } from '../ui/dom.ts';
+import { button, byId, el, latest } from '../ui/dom.ts';
 import { view } from '../view.ts';
 
 export function makeScenePanel(app: App, text: SceneDocument): void {
@@ -40,6 +40,12 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
     told.textContent = '';
     lock(true);
     try {
+      const { faults: wrong } = await app.engine.call<Checked>('checkScene', [source]);
+      if (wrong.length > 0) {
+        told.textContent = 'Not run: mend what is wrong with the text first.';
+        editor.goTo(wrong[0].from, wrong[0].from);
+        return null;
+      }
       const done = await runner.run<T>(call, [source], (share, pass, soFar) => {
         if (soFar !== undefined) tell(soFar);
         if (pass !== null) words.textContent = `${what}, ${pass}`;
@@ -154,6 +160,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
       const now = data.links.map((link) => link.name).join();
       app.show.live(data, undefined, { still: app.show.isLive() && now === links });
       links = now;
+      byId('title').textContent = name();
     } catch (error) {
       app.fault(error);
     }

@@ -11,6 +11,7 @@ import type { SceneDocument } from '../document.ts';
 import { later } from '../ui/dom.ts';
 import { difference } from './difference.ts';
 import { ron } from './ron.ts';
+import { hangingIndents } from './hanging.ts';
 
 // How long typing rests before it is read (ms).
 const REST = 200;
@@ -85,11 +86,12 @@ export function makeEditor({ document: text, complete, run, changed }: EditorOpt
         closeBrackets(),
         autocompletion({ override: [source], icons: false, maxRenderedOptions: 200 }),
         EditorView.lineWrapping,
+        hangingIndents,
         EditorView.contentAttributes.of({ 'aria-label': 'The scene’s text', spellcheck: 'false', autocapitalize: 'off' }),
         EditorView.updateListener.of((update) => {
-          for (const { docChanged, changes, annotation } of update.transactions.map((one) => ({ docChanged: one.docChanged, changes: one.changes, annotation: one.annotation(told) }))) {
-            if (!docChanged || annotation) continue;
-            typed = typed ? typed.compose(changes) : changes;
+          for (const one of update.transactions) {
+            if (!one.docChanged || one.annotation(told)) continue;
+            typed = typed ? typed.compose(one.changes) : one.changes;
             flushSoon();
           }
           if (update.docChanged) changed(undoDepth(update.state) > 0, redoDepth(update.state) > 0);

@@ -44,8 +44,8 @@ export function outlineWords(outline: SceneOutline): HTMLElement {
     el(
       'p',
       {},
-      el('strong', {}, outline.figure || outline.name),
-      `, ${counted(all, all === 1 ? 'degree of freedom' : 'degrees of freedom')}${beside.length > 0 ? `, ${beside.join(', ')}` : ''}: ` +
+      el('strong', {}, outline.name || outline.figure),
+      `${outline.name && outline.figure !== outline.name ? ` (${outline.figure})` : ''}, ${counted(all, all === 1 ? 'degree of freedom' : 'degrees of freedom')}${beside.length > 0 ? `, ${beside.join(', ')}` : ''}: ` +
         `${number(outline.duration, 3)} s, ${number(outline.rate, 1)} frames a second. Method: ${outline.method}.`,
     ),
     el(
