@@ -62,7 +62,7 @@ const licences = libraries.map((name) => {
   const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
   return `${name} ${version}\n\n${readFileSync(join(folder, 'LICENSE'), 'utf8').trim()}`;
 });
-const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker].join('\0'));
+const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker, readFileSync(join(assets, 'viewer.css'), 'utf8')].join('\0'));
 
 // --- the page
 const held = (id, bytes, done) => {
