@@ -85,13 +85,13 @@ impl<'t> Place<'t> {
         let after = Self::after(text, to, in_quotes);
         let has_colon = text[after..].trim_start().starts_with(':');
         let value: &'static [Stand] = if in_quotes { &[Stand::Name] } else { &[Stand::Word, Stand::Name] };
-        let stands = match (levels.last(), last) {
+        let stands: &'static [Stand] = match (levels.last(), last) {
             (_, Some(':')) | (None, None) | (Some(Level { open: '[', .. }), Some('[' | ',')) => value,
             (Some(Level { open: '{', .. }), Some('{' | ',')) => &[Stand::Key],
             (Some(Level { open: '(', has_colon, .. }), Some(last @ ('(' | ','))) => {
                 match (in_quotes, has_colon, last) {
                     (false, true, _) => &[Stand::Field],
-                    (false, false, '(') => &[Stand::Field, Stand::Word, Stand::Name],
+                    (false, false, '(') => &[Stand::Field, Stand::Word, Stand::Name][..],
                     _ => value,
                 }
             }
