@@ -119,8 +119,11 @@ target!(|bytes: &[u8]| {
     for name in layout.v_names() {
         let drives: Vec<Step> = (0..chosen.below(3))
             .map(|_| {
-                let until = (chosen.below(2) == 0).then(|| EndCondition::Lasting(chosen.any()));
-                Step { drive: drive(&mut chosen, 0), until }
+                let drive = drive(&mut chosen, 0);
+                match chosen.below(2) {
+                    0 => Step { drive, until: EndCondition::Lasting(chosen.any()) },
+                    _ => drive.into(),
+                }
             })
             .collect();
         if let Err(error) = simulation.drive(name, drives) {
