@@ -60,6 +60,7 @@ export function makeSteerPanel(app: App): void {
   let point: [number, number] | null = null;
   // What was told last, in words: the engine is told again only what is new.
   let told = '';
+  let aside = false;
   const loose = new Set<string>();
   const mine = (): boolean => data !== null && show.data === data;
 
@@ -112,6 +113,7 @@ export function makeSteerPanel(app: App): void {
     if (left || forward || turn) {
       if (point) goTo(null);
       begun();
+      aside = left !== 0 || forward < 0;
       const full = speed * (fast ? FASTER : 1);
       const heading = (state?.[2] ?? 0) + TURN * turn;
       return { kind: 'go', left: full * SLOWER * left, forward: full * (forward < 0 ? SLOWER : 1) * forward, ...(turn !== 0 && { heading }) };
@@ -168,7 +170,8 @@ export function makeSteerPanel(app: App): void {
     const steps = landings.length - 1;
     const goes = steps > 0 && time - landings[steps] < OVER;
     out.cadence.textContent = goes ? `${number((60 * steps) / (landings[steps] - landings[0]), 0)} steps/min` : '–';
-    const said = words.map((word) => BENT[word] ?? word).join(' ');
+    // A walk that turns goes a little aside by itself.
+    const said = stands ? '' : words.filter((word) => word !== 'aside' || aside).map((word) => BENT[word] ?? word).join(' ');
     if (bent.textContent !== said) bent.textContent = said;
   }
 
@@ -254,13 +257,13 @@ export function makeSteerPanel(app: App): void {
       el('div', { class: 'steer-pad', role: 'group', 'aria-label': 'Ways to go; each stays pressed until it is pressed again' }, ...buttons),
       el('dl', { class: 'steer-out' }, el('dt', {}, 'Speed'), el('dd', {}, out.speed), el('dt', {}, 'Faces'), el('dd', {}, out.heading), el('dt', {}, 'Cadence'), el('dd', {}, out.cadence)),
       bent,
-      slider({ label: 'Speed', unit: 'm/s', low: 0.3, high: 2, step: 0.05, value: speed, change: (value) => (speed = value) }).element,
+      slider({ label: 'Walking speed', unit: 'm/s', low: 0.3, high: 2, step: 0.05, value: speed, change: (value) => (speed = value) }).element,
       el('fieldset', { class: 'steer-limbs' }, el('legend', {}, 'Let hang loose'), ...LIMBS.map(([label]) => limb(label))),
       fold(
         'Who walks',
         false,
-        slider({ label: 'Own height', unit: 'm', low: 1.2, high: 2.1, step: 0.01, value: who.height, change: (value) => { who.height = value; anew(); } }).element,
-        slider({ label: 'Own mass', unit: 'kg', low: 30, high: 150, step: 1, value: who.mass, change: (value) => { who.mass = value; anew(); } }).element,
+        slider({ label: 'Height of the walker', unit: 'm', low: 1.2, high: 2.1, step: 0.01, value: who.height, change: (value) => { who.height = value; anew(); } }).element,
+        slider({ label: 'Mass of the walker', unit: 'kg', low: 30, high: 150, step: 1, value: who.mass, change: (value) => { who.mass = value; anew(); } }).element,
       ),
       fold(
         'Keys',

@@ -59,6 +59,7 @@ export function makeMarks(show: Show, height: number): Marks {
   });
   const ring = new three.Mesh(new three.BufferGeometry(), flat(0.9));
   ring.geometry.setAttribute('position', new three.BufferAttribute(Float32Array.from(band.flat(2)), 3));
+  ring.name = 'ring';
   ring.visible = false;
   group.add(prints, ring);
   picture?.stage.scene.add(group);
