@@ -3,6 +3,7 @@
 import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
+import { makeSteerPanel } from './panels/steer.ts';
 import { makeScenePanel } from './panels/scene.ts';
 import { makeFilesPanel } from './panels/files.ts';
 import { makeWalkPanel } from './panels/walk.ts';
@@ -13,6 +14,7 @@ import { makeSave } from './save.ts';
 const app = makeApp();
 const text = makeDocument(app);
 const walk = makeWalkPanel(app);
+makeSteerPanel(app);
 makeScenePanel(app, text);
 const files = makeFilesPanel(app, text);
 makeSave(app, text, walk);

@@ -46,7 +46,7 @@ export function makeBody(data) {
     const edges = [Infinity, Infinity, -Infinity, -Infinity];
     group.traverse((mesh) => {
       // Skins between shapes reach nowhere that the shapes do not.
-      if (!mesh.isMesh || (mesh.isSkinnedMesh && mesh !== person?.mesh)) return;
+      if (!mesh.isMesh || mesh.isSkinnedMesh) return;
       const { count: corners } = mesh.geometry.attributes.position;
       for (let i = 0; i < corners; i += 1) {
         mesh.getVertexPosition(i, point).applyMatrix4(mesh.matrixWorld).project(camera);
@@ -84,6 +84,7 @@ export function makeBody(data) {
           )
           .normalize();
       });
+      person?.pose();
     },
   };
 }

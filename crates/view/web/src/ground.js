@@ -13,21 +13,27 @@ import {
   ShadowMaterial,
 } from 'three';
 import { SHAPE, makeNumbers, spacing } from './numbers.js';
+import { SUN } from './stage.js';
 
+// How far a shadow goes beyond what throws it, in sizes of the figure.
+const SOFT = 0.12;
 // Strong lines to each side of the middle: further out there is fog.
 const LINES = 24;
+// Cells in a piece of a line. In pieces: renderers lose long lines of which an end lies behind the camera.
+const PIECE = 3;
 // Numbers to each side of the middle.
 const NUMBERS = 7;
 
-// `count` cells to each side of the middle, each divided into `parts`; the lines at whole cells are left out of the fine ones.
+// `count` cells to each side of the middle, each divided into `parts`, within a circle; the lines at whole cells are left out of the fine ones.
 function lines(cell, count, parts) {
   const points = [];
   for (let k = -count * parts; k <= count * parts; k += 1) {
     if (parts > 1 && k % parts === 0) continue;
     const at = (k / parts) * cell;
-    // In pieces: renderers lose long lines of which an end lies behind the camera.
-    for (let piece = -count; piece < count; piece += 1) {
-      const [from, to] = [piece * cell, (piece + 1) * cell];
+    for (let piece = -count; piece < count; piece += PIECE) {
+      const nearest = Math.min(Math.abs(piece), Math.abs(piece + PIECE));
+      if (Math.hypot(k / parts, nearest) > count) continue;
+      const [from, to] = [piece * cell, (piece + PIECE) * cell];
       points.push(at, 0, from, at, 0, to, from, 0, at, to, 0, at);
     }
   }
@@ -57,14 +63,26 @@ export function makeGround(data) {
   grid.add(fine, strong);
 
   const shadow = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.28 }));
-  shadow.scale.setScalar(2 * LINES * step);
   shadow.receiveShadow = true;
   // Below the lines, which lie too close to it for the depth to tell.
   shadow.material.depthWrite = false;
   shadow.renderOrder = -1;
   // Without a ground there is a scale, but nothing for a shadow to fall on.
-  if (data.ground.solid) grid.add(shadow);
+  if (data.ground.solid) group.add(shadow);
   group.add(grid);
+  // Only where a shadow can fall: what is drawn elsewhere would be seen through, and costs as much.
+  const [wide, tall, deep] = data.camera.reach ?? data.camera.half;
+  const soft = SOFT * data.size;
+  function shade(aim) {
+    const above = aim.y - group.position.y;
+    const [low, high] = [Math.max(0, above - tall), Math.max(0, above + tall)];
+    const falls = (axis) => [-low, -high].map((height) => (height * SUN[axis]) / SUN[1]);
+    const [x, z] = [falls(0), falls(2)];
+    const span = (values, half) => [Math.min(...values) - half - soft, Math.max(...values) + half + soft];
+    const [[left, right], [back, front]] = [span(x, wide), span(z, deep)];
+    shadow.scale.set(right - left, 1, front - back);
+    shadow.position.set(aim.x + (left + right) / 2, 0, aim.z + (back + front) / 2);
+  }
 
   // The numbers run along the axis `along` and stand beside the figure on the axis `beside`.
   const [along, beside] = goesAcross(data.camera) ? ['x', 'z'] : ['z', 'x'];
@@ -89,8 +107,9 @@ export function makeGround(data) {
       numbers.paint(theme);
     },
     height: () => group.position.y,
-    // The patch is where the camera looks; the numbers lie on the side of the path that the camera is on, turned towards it.
-    face(camera, target) {
+    // The patch is where the camera looks; the numbers lie on the side of the path that the camera is on, turned towards it. The figure is at `aim`.
+    face(camera, target, aim) {
+      shade(aim);
       grid.position.set(snap(target.x, 'x', step), 0, snap(target.z, 'z', step));
       const quarter = Math.PI / 2;
       const turn = Math.round(Math.atan2(camera.position.x - target.x, camera.position.z - target.z) / quarter) * quarter;

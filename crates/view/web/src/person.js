@@ -1,15 +1,18 @@
-// A person's skin: one mesh that moves with the links, its colours from a strip of them.
+// A person's skin: one mesh that moves with the links, its colours from a strip of them. Its points are moved here and not by the graphics, which
+// would do it once for the picture and once more for the shadow: half of a frame's time where a processor draws.
 
 import {
   BufferAttribute,
   BufferGeometry,
   DataTexture,
+  DynamicDrawUsage,
   LinearFilter,
   Matrix4,
-  MeshStandardMaterial,
+  Mesh,
+  MeshLambertMaterial,
   Quaternion,
   Skeleton,
-  SkinnedMesh,
+  Sphere,
   SRGBColorSpace,
   Vector3,
 } from 'three';
@@ -51,6 +54,7 @@ function makeGeometry(body) {
     places.set([body.colours[i] / 255, body.points[3 * i] > 0 ? 0.25 : 0.75], 2 * i);
   }
   geometry.setAttribute('uv', new BufferAttribute(places, 2));
+  // For whoever asks which link a place of the skin belongs to.
   geometry.setAttribute('skinIndex', new BufferAttribute(body.links, 4));
   geometry.setAttribute('skinWeight', new BufferAttribute(body.shares, 4, true));
   geometry.setIndex(new BufferAttribute(body.triangles, 1));
@@ -58,23 +62,77 @@ function makeGeometry(body) {
   return geometry;
 }
 
+// What moves each point, one after the other: `from[i]` to `from[i + 1]` are those of point i. Most points have one or two.
+function influences({ links, shares }) {
+  const [from, which, part] = [[0], [], []];
+  for (let i = 0; i < shares.length; i += 1) {
+    if (shares[i] > 0) {
+      which.push(links[i]);
+      part.push(shares[i] / 255);
+    }
+    if (i % 4 === 3) from.push(which.length);
+  }
+  return { from: Uint32Array.from(from), which: Uint16Array.from(which), part: Float32Array.from(part) };
+}
+
+// Writes points and normals as the matrices (column-major, sixteen numbers each) of the links move them.
+function move({ from, which, part }, matrices, still, moved) {
+  for (let i = 0; i + 1 < from.length; i += 1) {
+    const [x, y, z] = [3 * i, 3 * i + 1, 3 * i + 2];
+    const [px, py, pz] = [still.points[x], still.points[y], still.points[z]];
+    const [nx, ny, nz] = [still.normals[x], still.normals[y], still.normals[z]];
+    let [a, b, c, d, e, f] = [0, 0, 0, 0, 0, 0];
+    for (let k = from[i]; k < from[i + 1]; k += 1) {
+      const [m, share] = [16 * which[k], part[k]];
+      a += share * (matrices[m] * px + matrices[m + 4] * py + matrices[m + 8] * pz + matrices[m + 12]);
+      b += share * (matrices[m + 1] * px + matrices[m + 5] * py + matrices[m + 9] * pz + matrices[m + 13]);
+      c += share * (matrices[m + 2] * px + matrices[m + 6] * py + matrices[m + 10] * pz + matrices[m + 14]);
+      d += share * (matrices[m] * nx + matrices[m + 4] * ny + matrices[m + 8] * nz);
+      e += share * (matrices[m + 1] * nx + matrices[m + 5] * ny + matrices[m + 9] * nz);
+      f += share * (matrices[m + 2] * nx + matrices[m + 6] * ny + matrices[m + 10] * nz);
+    }
+    [moved.points[x], moved.points[y], moved.points[z]] = [a, b, c];
+    [moved.normals[x], moved.normals[y], moved.normals[z]] = [d, e, f];
+  }
+}
+
 // `bones`: what moves the skin, one a link.
 export function makePerson(body, bones) {
   const strip = makeStrip(body.palette);
-  const material = new MeshStandardMaterial({ map: strip.texture, roughness: 0.75, metalness: 0 });
-  const mesh = new SkinnedMesh(makeGeometry(body), material);
+  const material = new MeshLambertMaterial({ map: strip.texture });
+  const geometry = makeGeometry(body);
+  const mesh = new Mesh(geometry, material);
+  const { position, normal } = geometry.attributes;
+  [position, normal].forEach((attribute) => attribute.setUsage(DynamicDrawUsage));
+  const still = { points: position.array.slice(), normals: normal.array.slice() };
+  const moved = { points: position.array, normals: normal.array };
+  // Nobody looks for where it ends.
+  geometry.boundingSphere = new Sphere(new Vector3(), Infinity);
   const one = new Vector3(1, 1, 1);
   const inverses = bones.map((_, link) => {
     const at = new Vector3().fromArray(body.places, 3 * link);
     const turn = new Quaternion().fromArray(body.turns, 4 * link);
     return new Matrix4().compose(at, turn, one).invert();
   });
-  mesh.bind(new Skeleton(bones, inverses), new Matrix4());
+  mesh.skeleton = new Skeleton(bones, inverses);
+  const acting = influences(body);
+  const matrices = new Float32Array(16 * bones.length);
+  const matrix = new Matrix4();
   mesh.frustumCulled = false;
   mesh.castShadow = true;
   mesh.receiveShadow = true;
   return {
     mesh,
+    // To where the links are.
+    pose() {
+      bones.forEach((bone, link) => {
+        bone.updateMatrix();
+        matrix.multiplyMatrices(bone.matrix, inverses[link]).toArray(matrices, 16 * link);
+      });
+      move(acting, matrices, still, moved);
+      position.needsUpdate = true;
+      normal.needsUpdate = true;
+    },
     paint(theme) {
       strip.paint(
         ['left', 'right'].map((side) => body.palette.map((colour, i) => (i === SHOES ? channels(theme.body[side]) : colour))),

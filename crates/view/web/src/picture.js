@@ -139,7 +139,7 @@ export function makePicture(holder, data, clock) {
       parts.forces.pose(frame);
       parts.trail.pose(frame);
       stage.follow(look(frame), follow);
-      parts.ground.face(stage.camera, stage.controls.target);
+      parts.ground.face(stage.camera, stage.controls.target, target);
       parts.heights.face(stage.camera, stage.controls.target);
       stage.draw();
       parts.forces.label(stage.camera, stage.width, stage.height);

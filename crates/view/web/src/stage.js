@@ -13,6 +13,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
+// From where the light comes.
+export const SUN = [-0.9, 2.6, 1.1];
 // From where the camera looks at the figure.
 const VIEWS = {
   angle: [-1.85, 0.4, 1.3],
@@ -53,8 +55,8 @@ export function makeStage(holder) {
   const sky = new HemisphereLight(0xffffff, 0xb8b0a4, 1.9);
   const sun = new DirectionalLight(0xffffff, 2.1);
   sun.castShadow = true;
-  sun.shadow.mapSize.set(2048, 2048);
-  sun.shadow.radius = 5;
+  sun.shadow.mapSize.set(1024, 1024);
+  sun.shadow.radius = 2.5;
   sun.shadow.bias = -0.0004;
   scene.add(sky, sun, sun.target);
 
@@ -117,7 +119,7 @@ export function makeStage(holder) {
     // Light and, if wanted, the camera move along with `point`.
     follow(point, withCamera) {
       sun.target.position.copy(point);
-      sun.position.set(-0.9, 2.6, 1.1).multiplyScalar(size).add(point);
+      sun.position.fromArray(SUN).multiplyScalar(size).add(point);
       if (!withCamera) return;
       shift.subVectors(point, controls.target);
       controls.target.add(shift);

@@ -1,0 +1,286 @@
+// Somebody who is driven by hand: keys, the stick of a gamepad, a click on the floor, buttons.
+
+import './steer.css';
+import type { App } from '../app.ts';
+import type { Who } from '../engine/protocol.ts';
+import type { Steer, SteeredFrame } from '../engine/steering.ts';
+import { makeInput, type Way } from '../steer/input.ts';
+import { makeMarks, type Marks } from '../steer/marks.ts';
+import { button, byId, el, later, number } from '../ui/dom.ts';
+import { slider } from '../ui/slider.ts';
+import { fold } from '../ui/tabs.ts';
+import { three, view, type Data } from '../view.ts';
+
+const DEGREE = Math.PI / 180;
+// The longest frame of a walker (s).
+const LONGEST = 0.25;
+// How far ahead it is to face while it turns: as far as it turns in a step (rad).
+const TURN = 24 * DEGREE;
+// How much faster with Shift, and how much slower backward and aside.
+const [FASTER, SLOWER] = [1.6, 0.5];
+// A click moves no farther (pixels) and takes no longer (ms); nobody is sent farther (m).
+const [STILL, SHORT, FAR] = [6, 500, 60];
+// Larger forces (weights) are none: at the very start of a walk its acceleration jumps.
+const MOST = 3.5;
+// How often numbers are written (ms), and after how long the hints on the picture go (ms).
+const [WRITTEN, HINTED] = [200, 15000];
+// Steps of which the cadence is the mean, and after how long none it is over (s).
+const [STEPS, OVER] = [4, 1.5];
+
+const BENT: Record<string, string> = {
+  fast: 'Slower than asked: nobody of this size walks faster.',
+  aside: 'Slower than asked: aside and backward nobody walks as fast.',
+  sharp: 'Turns more slowly than asked: 25 degrees a step at most.',
+  sudden: 'Changes its speed over several steps.',
+  balance: 'A foot lands elsewhere than the speed alone would have it, for balance.',
+};
+const LIMBS: [string, string[]][] = [
+  ['Left arm', ['left_shoulder', 'left_elbow', 'left_wrist']],
+  ['Right arm', ['right_shoulder', 'right_elbow', 'right_wrist']],
+  ['Left forearm', ['left_elbow', 'left_wrist']],
+  ['Right forearm', ['right_elbow', 'right_wrist']],
+  ['Head', ['neck', 'head']],
+];
+const WAYS: ([Way, string, string] | 'stop')[] = [
+  ['turnLeft', '↶', 'Turn left'], ['forward', '↑', 'Forward'], ['turnRight', '↷', 'Turn right'],
+  ['asideLeft', '←', 'Aside to the left'], 'stop', ['asideRight', '→', 'Aside to the right'],
+  ['back', '↓', 'Backward'],
+];
+const AGAINST: Record<Way, Way> = {
+  forward: 'back', back: 'forward', turnLeft: 'turnRight', turnRight: 'turnLeft', asideLeft: 'asideRight', asideRight: 'asideLeft',
+};
+
+export function makeSteerPanel(app: App): void {
+  const { show } = app;
+  const who: Who = { height: 1.75, mass: 73 };
+  let speed = 1.2;
+  let data: Data | null = null;
+  let marks: Marks | null = null;
+  let state: Float64Array | null = null;
+  let point: [number, number] | null = null;
+  // What was told last, in words: the engine is told again only what is new.
+  let told = '';
+  let aside = false;
+  const loose = new Set<string>();
+  const mine = (): boolean => data !== null && show.data === data;
+
+  // --- what is seen
+  const out = { speed: el('output'), heading: el('output'), cadence: el('output') };
+  const bent = el('p', { class: 'remark', 'aria-live': 'polite' });
+  const hints = el('ul', { class: 'steer-hints', hidden: true },
+    ...[['↑', 'or', 'W', 'go'], ['←', '→', 'turn'], ['Q', 'E', 'aside'], ['Shift', 'faster']].map((parts) =>
+      el('li', {}, ...parts.flatMap((part, i) => [i > 0 && ' ', i === parts.length - 1 || part === 'or' ? part : el('kbd', {}, part)]))),
+    el('li', {}, 'click the floor: walk there'));
+  byId('over').append(hints);
+  const hide = later(HINTED, () => (hints.hidden = true));
+  const begun = (): void => {
+    if (hints.classList.contains('used')) return;
+    hints.classList.add('used');
+    setTimeout(() => (hints.hidden = true), 4000);
+  };
+
+  // --- what is asked
+  const goTo = (to: [number, number] | null): void => {
+    point = to;
+    marks?.aim(to);
+  };
+  const stop = (): void => {
+    input.release();
+    goTo(null);
+    press();
+  };
+  const input = makeInput(
+    (at) => mine() && app.tools.current() === 'steer' && (at === document.body || at?.closest('#picture, #panel-steer, #tool-tabs, .bar') != null),
+    begun,
+    stop,
+  );
+  const buttons = WAYS.map((way) => {
+    if (way === 'stop') return button('■', stop, { class: 'stop', 'aria-label': 'Stop', title: 'Stop (space bar)' });
+    const [name, sign, label] = way;
+    return button(sign, () => {
+      begun();
+      if (!input.down.delete(name)) input.down.add(name);
+      input.down.delete(AGAINST[name]);
+      press();
+    }, { class: name, 'aria-label': label, title: label, 'aria-pressed': 'false' });
+  });
+  const press = (): void => {
+    for (const one of buttons) if (one.hasAttribute('aria-pressed')) one.setAttribute('aria-pressed', String(input.down.has(one.className as Way)));
+  };
+
+  function command(): Steer {
+    const { left, forward, turn, fast } = input.wanted();
+    if (left || forward || turn) {
+      if (point) goTo(null);
+      begun();
+      aside = left !== 0 || forward < 0;
+      const full = speed * (fast ? FASTER : 1);
+      const heading = (state?.[2] ?? 0) + TURN * turn;
+      return { kind: 'go', left: full * SLOWER * left, forward: full * (forward < 0 ? SLOWER : 1) * forward, ...(turn !== 0 && { heading }) };
+    }
+    return point ? { kind: 'to', x: point[0], z: point[1], speed } : { kind: 'stop' };
+  }
+
+  // --- on and on: the next frame is asked for when the last has come, so that the screen never waits.
+  let [owed, waits, since] = [0, false, 0];
+  const landings: number[] = [];
+  let time = 0;
+  function tick(elapsed: number): void {
+    owed = Math.min(LONGEST, owed + elapsed);
+    if (waits || owed <= 0) return;
+    const ours = data;
+    const asked = command();
+    const words = JSON.stringify(asked);
+    if (words !== told) {
+      app.engine.call('steerBy', [asked]).catch(app.fault);
+      told = words;
+    }
+    const dt = owed;
+    [owed, waits] = [0, true];
+    app.engine.call<SteeredFrame>('steerFrame', [dt]).then(
+      (frame) => {
+        waits = false;
+        if (ours === data && mine()) take(frame, dt);
+      },
+      (error) => {
+        waits = false;
+        if (ours !== data) return;
+        data = null;
+        app.fault(error);
+      },
+    );
+  }
+
+  function take({ poses, ground, state: now, bent: words }: SteeredFrame, dt: number): void {
+    state = now;
+    time += dt;
+    const [x, y, z] = ground;
+    const known = Math.hypot(x, y, z) < MOST * (data?.weight ?? Infinity);
+    show.frame(poses, known ? [{ force: [...ground.subarray(0, 3)], cop: [...ground.subarray(3, 6)] }] : []);
+    if (marks?.step(poses, dt)) landings.push(time);
+    if (landings.length > STEPS) landings.shift();
+    const stands = now[5] === 1;
+    if (point && stands && Math.hypot(point[0] - now[0], point[1] - now[1]) < 0.3) goTo(null);
+    const clock = performance.now();
+    if (clock - since < WRITTEN) return;
+    since = clock;
+    out.speed.textContent = `${number(stands ? 0 : Math.hypot(now[3], now[4]), 2)} m/s`;
+    const degrees = Math.round((Math.atan2(Math.sin(now[2]), Math.cos(now[2])) / DEGREE));
+    out.heading.textContent = degrees === 0 ? 'straight on' : `${Math.abs(degrees)}° to the ${degrees > 0 ? 'left' : 'right'}`;
+    const steps = landings.length - 1;
+    const goes = steps > 0 && time - landings[steps] < OVER;
+    out.cadence.textContent = goes ? `${number((60 * steps) / (landings[steps] - landings[0]), 0)} steps/min` : '–';
+    // A walk that turns goes a little aside by itself.
+    const said = stands ? '' : words.filter((word) => word !== 'aside' || aside).map((word) => BENT[word] ?? word).join(' ');
+    if (bent.textContent !== said) bent.textContent = said;
+  }
+
+  async function start(): Promise<void> {
+    try {
+      const next = view.readData(await app.engine.call<string>('steer', [who]));
+      if (app.tools.current() !== 'steer') return;
+      // One arrow for both feet: it stands where the force of the ground as a whole does.
+      next.feet = [{ link: 'ground', side: 'middle', force: new Float32Array(3), cop: new Float32Array(3) }];
+      await Promise.all([...wanted()].map((joint) => app.engine.call('loosen', [joint, true])));
+      marks?.clear();
+      [data, state, point, told, owed] = [next, null, null, '', 0];
+      landings.length = 0;
+      app.clear();
+      byId('title').textContent = 'Steered';
+      show.live(next, tick);
+      marks = makeMarks(show, who.height);
+      if (!hints.classList.contains('used')) {
+        hints.hidden = false;
+        hide();
+      }
+    } catch (error) {
+      app.fault(error);
+    }
+  }
+  show.onShow(() => {
+    if (mine()) return;
+    marks?.clear();
+    [marks, data] = [null, null];
+    hints.hidden = true;
+  });
+
+  // --- who, and what hangs
+  const anew = later(300, () => void start());
+  const wanted = (): Set<string> => new Set(LIMBS.filter(([label]) => loose.has(label)).flatMap(([, joints]) => joints));
+  const limb = (label: string): HTMLElement => {
+    const box = el('input', { type: 'checkbox', autocomplete: 'off' });
+    box.addEventListener('change', () => {
+      const before = wanted();
+      if (box.checked) loose.add(label);
+      else loose.delete(label);
+      const after = wanted();
+      for (const joint of new Set([...before, ...after])) {
+        if (before.has(joint) !== after.has(joint)) app.engine.call('loosen', [joint, after.has(joint)]).catch(app.fault);
+      }
+    });
+    return el('label', {}, box, label);
+  };
+
+  // --- a click on the floor
+  const canvas = show.picture?.stage.renderer.domElement;
+  let from: { x: number; y: number; at: number } | null = null;
+  canvas?.addEventListener('pointerdown', ({ clientX: x, clientY: y, button: which, shiftKey, isPrimary, timeStamp: at }) => {
+    from = which === 0 && isPrimary && !shiftKey ? { x, y, at } : null;
+  });
+  canvas?.addEventListener('pointerup', ({ clientX: x, clientY: y, timeStamp }) => {
+    const clicked = from && Math.hypot(x - from.x, y - from.y) < STILL && timeStamp - from.at < SHORT;
+    from = null;
+    if (!clicked || !mine() || app.tools.current() !== 'steer') return;
+    const to = floor(x, y);
+    if (!to) return;
+    begun();
+    input.release();
+    press();
+    goTo(to);
+  });
+  function floor(x: number, y: number): [number, number] | null {
+    if (!canvas || !data || !show.picture) return null;
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const ray = new three.Raycaster();
+    ray.setFromCamera(new three.Vector2((2 * (x - left)) / width - 1, 1 - (2 * (y - top)) / height), show.picture.stage.camera);
+    const hit = ray.ray.intersectPlane(new three.Plane(new three.Vector3(0, 1, 0), -data.ground.height), new three.Vector3());
+    if (!hit || hit.distanceTo(show.picture.stage.controls.target) > FAR) return null;
+    return [hit.x + data.origin[0], hit.z + data.origin[2]];
+  }
+
+  app.tools.add({
+    id: 'steer',
+    title: 'Steer',
+    element: el(
+      'div',
+      {},
+      el('div', { class: 'steer-pad', role: 'group', 'aria-label': 'Ways to go; each stays pressed until it is pressed again' }, ...buttons),
+      el('dl', { class: 'steer-out' }, el('dt', {}, 'Speed'), el('dd', {}, out.speed), el('dt', {}, 'Faces'), el('dd', {}, out.heading), el('dt', {}, 'Cadence'), el('dd', {}, out.cadence)),
+      bent,
+      slider({ label: 'Walking speed', unit: 'm/s', low: 0.3, high: 2, step: 0.05, value: speed, change: (value) => (speed = value) }).element,
+      el('fieldset', { class: 'steer-limbs' }, el('legend', {}, 'Let hang loose'), ...LIMBS.map(([label]) => limb(label))),
+      fold(
+        'Who walks',
+        false,
+        slider({ label: 'Height of the walker', unit: 'm', low: 1.2, high: 2.1, step: 0.01, value: who.height, change: (value) => { who.height = value; anew(); } }).element,
+        slider({ label: 'Mass of the walker', unit: 'kg', low: 30, high: 150, step: 1, value: who.mass, change: (value) => { who.mass = value; anew(); } }).element,
+      ),
+      fold(
+        'Keys',
+        false,
+        el('dl', { class: 'steer-keys' }, ...[
+          ['↑ ↓, W S', 'forward, backward'], ['← →, A D', 'turn, also on the spot'], ['Q E', 'aside, without turning'], ['Shift', 'faster'], ['Space', 'stop'],
+          ['Click, tap', 'on the floor: walk there and stop'], ['Gamepad', 'left stick: go and turn; right stick: aside'],
+        ].flatMap(([keys, does]) => [el('dt', {}, keys), el('dd', {}, does)])),
+      ),
+      button('Back to the start', () => { stop(); void start(); }),
+    ),
+    shown: () => {
+      if (!mine()) void start();
+    },
+    left: () => {
+      stop();
+      hints.hidden = true;
+    },
+  });
+}
