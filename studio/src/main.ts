@@ -3,6 +3,7 @@
 import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
+import { makeComparePanel } from './panels/compare.ts';
 import { makeFilesPanel } from './panels/files.ts';
 import { makeWalkPanel } from './panels/walk.ts';
 import { restore } from './link.ts';
@@ -13,14 +14,16 @@ const app = makeApp();
 const text = makeDocument(app);
 const walk = makeWalkPanel(app);
 const files = makeFilesPanel(app, text);
+makeComparePanel(app);
 makeSave(app, text, walk);
 
 app.results.open('joints-curves');
 app.tools.open('walk');
-restore(app, text, walk)
-  .then(async (panel) => {
+restore(text, walk)
+  .then(async ({ panel, fault }) => {
     await walk.start();
     if (panel) app.tools.open(panel);
+    if (fault) app.fault(fault);
     receive(app, files.page);
     document.body.dataset.ready = 'true';
   })
