@@ -56,13 +56,22 @@ export function makeGhost(app: App): Ghost {
       if (!data || !show.picture) return;
       part = view.makeBody(data);
       part.group.name = 'ghost';
+      const meshes: Three.Mesh[] = [];
       part.group.traverse((object) => {
-        const mesh = object as Three.Mesh;
-        mesh.raycast = () => {};
-        if (!mesh.isMesh) return;
-        mesh.castShadow = false;
-        for (const material of [mesh.material].flat()) Object.assign(material, { transparent: true, opacity: FAINT, depthWrite: false });
+        object.raycast = () => {};
+        if ((object as Three.Mesh).isMesh) meshes.push(object as Three.Mesh);
       });
+      for (const mesh of meshes) {
+        mesh.castShadow = false;
+        const material = mesh.material as Three.Material;
+        Object.assign(material, { transparent: true, opacity: FAINT });
+        // Its depth first, so that only its nearest side shows through.
+        const depth = mesh.clone();
+        depth.material = Object.assign(material.clone(), { colorWrite: false });
+        depth.raycast = () => {};
+        [depth.renderOrder, mesh.renderOrder] = [0.4, 0.5];
+        mesh.parent!.add(depth);
+      }
       part.paint(view.readTheme());
       show.picture.stage.scene.add(part.group);
       at = follow(data, show.clock);

@@ -216,8 +216,8 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
       button('Choose files…', choose),
       said,
       forces,
-      about,
       fold('Drawn on the figure', true, el('div', { class: 'checks' }, ...kinds)),
+      about,
     ),
   });
   return { open, page };

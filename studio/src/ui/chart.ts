@@ -48,7 +48,7 @@ export function makeChart(label: string): Chart {
   const element = el('div', { class: 'charted' }, picture, readout);
   let drawn: { lines: ChartLine[]; units: { x: string; y: string }; path: boolean } | null = null;
   let marks: SVGElement[] = [];
-  let under = false;
+  let [under, last]: [boolean, (Place | null)[]] = [false, []];
   let [px, py]: ((value: number) => number)[] = [Number, Number];
 
   const say = (places: (Place | null)[]): void => {
@@ -109,7 +109,17 @@ export function makeChart(label: string): Chart {
     }
     marks = lines.map(({ side }) => svg('circle', { class: `mark ${side}`, r: 4, visibility: 'hidden' }));
     picture.append(...marks);
-    say(lines.map(() => null));
+    put();
+  }
+  function put(): void {
+    marks.forEach((mark, i) => {
+      const at = last[i];
+      mark.setAttribute('visibility', at ? 'visible' : 'hidden');
+      if (!at) return;
+      mark.setAttribute('cx', px(at[0]).toFixed(1));
+      mark.setAttribute('cy', py(at[1]).toFixed(1));
+    });
+    if (!under && element.clientWidth > 0) say(last);
   }
 
   picture.addEventListener('pointermove', (event) => {
@@ -123,18 +133,12 @@ export function makeChart(label: string): Chart {
   return {
     element,
     draw(lines, units, path) {
-      drawn = { lines, units, path };
+      [drawn, last] = [{ lines, units, path }, []];
       draw();
     },
     mark(places) {
-      marks.forEach((mark, i) => {
-        const at = places[i];
-        mark.setAttribute('visibility', at ? 'visible' : 'hidden');
-        if (!at) return;
-        mark.setAttribute('cx', px(at[0]).toFixed(1));
-        mark.setAttribute('cy', py(at[1]).toFixed(1));
-      });
-      if (!under && element.clientWidth > 0) say(places);
+      last = places;
+      put();
     },
   };
 }
