@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { open, STUDIO, text } from './browser.mjs';
+import { choose, open, STUDIO, text } from './browser.mjs';
 
 const save = async (page, label, folder) => {
   const [download] = await Promise.all([page.waitForEvent('download', { timeout: 90_000 }), pick(page, label)]);
@@ -76,6 +76,11 @@ test('the saved page opens by itself and moves', async (t) => {
   await shown.evaluate(() => solaris.seek(3));
   assert.notDeepEqual(await shown.evaluate(() => solaris.outline()), before);
   assert.match(await shown.locator('#summary').textContent(), /Step length/);
+  // Dropped again it is shown as it is.
+  await choose(page, { name: 'walk.html', mimeType: 'text/html', buffer: html.bytes });
+  assert.match(await text(page, '.roles'), /a page of this program/);
+  assert.equal(await text(page, '#title'), await page.evaluate(() => studio.show.data.figure));
+  assert.ok(await page.evaluate(() => studio.motion === null && studio.show.data.time.length > 100));
 });
 
 test('a link gives back the scene and the walk', async (t) => {
