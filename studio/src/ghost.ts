@@ -33,6 +33,8 @@ export function makeGhost(app: App): Ghost {
   };
   function pose(): void {
     if (!data || !part || !at) return;
+    // Within itself it would not be seen.
+    part.group.visible = !show.isLive() && data !== show.data;
     part.pose(at(by));
     // Each motion counts from an origin of its own.
     part.group.position.set(...(data.origin.map((x, axis) => x - show.data.origin[axis]) as [number, number, number]));
@@ -42,10 +44,7 @@ export function makeGhost(app: App): Ghost {
   show.clock.onChange(() => {
     if (!show.isLive()) pose();
   });
-  show.onShow(() => {
-    if (part) part.group.visible = !show.isLive();
-    pose();
-  });
+  show.onShow(pose);
   view.onThemeChange(() => part?.paint(view.readTheme()));
 
   return {

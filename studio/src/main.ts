@@ -19,15 +19,20 @@ makeSave(app, text, walk);
 
 app.results.open('joints-curves');
 app.tools.open('walk');
-restore(text, walk)
-  .then(async ({ panel, fault }) => {
-    await walk.start();
-    if (panel) app.tools.open(panel);
-    if (fault) app.fault(fault);
+async function begin(): Promise<void> {
+  const { panel, fault } = await restore(text, walk);
+  await walk.start();
+  if (panel) app.tools.open(panel);
+  if (fault) app.fault(fault);
+}
+begin()
+  .then(() => {
     receive(app, files.page);
     document.body.dataset.ready = 'true';
   })
   .catch(app.fault);
+// Another link in the same window.
+window.addEventListener('hashchange', () => begin().catch(app.fault));
 
 // Another panel by its number.
 document.addEventListener('keydown', (event) => {

@@ -36,7 +36,7 @@ test('each format begins as it must', async (t) => {
   assert.equal(head(glb, 4), 'glTF');
   assert.equal(glb.bytes.readUInt32LE(8), glb.bytes.length);
   assert.match(head(await save(page, 'USD', into)), /^#usda 1\.0/);
-  assert.match(head(await save(page, 'Scene (', into)), /^Scene\(/);
+  assert.match(head(await save(page, 'Scene (.ron)', into)), /^Scene\(/);
   const png = await save(page, 'Picture', into);
   assert.equal(head(png, 8), '\x89PNG\r\n\x1a\n');
   // Not one colour alone.
