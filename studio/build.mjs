@@ -2,7 +2,7 @@
 // `cargo xtask studio`. With --quick nothing is made small: for trying things out.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
@@ -34,6 +34,8 @@ if (!quick && !existsSync(packed)) {
 const engine = quick ? readFileSync(plain) : readFileSync(small);
 
 // --- the code
+// Libraries of which something is in it.
+const used = new Set();
 const bundle = async (entry, options = {}) => {
   const result = await build({
     absWorkingDir: here,
@@ -46,21 +48,29 @@ const bundle = async (entry, options = {}) => {
     target: 'es2022',
     charset: 'ascii',
     legalComments: 'none',
+    metafile: true,
+    loader: { '.ron': 'text' },
     ...options,
   });
+  for (const input of Object.keys(result.metafile.inputs)) {
+    const [, name] = /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(input) ?? [];
+    if (name) used.add(name);
+  }
   return result.outputFiles.map(({ text }) => text);
 };
 const [boot] = await bundle('src/boot.js');
 const [studio, style] = await bundle('src/main.ts');
-const [worker] = await bundle('src/engine/worker.ts');
+// The engine is handed to it: it asks for no file.
+const [worker] = await bundle('src/engine/worker.ts', { define: { 'import.meta.url': '""' } });
 const assets = join(root, 'crates/view/assets');
 const viewer = readFileSync(join(assets, 'viewer.js'), 'utf8');
 // Whoever hands on the page hands on these libraries: their licences travel in it. Those of the viewer stand in its own bundle.
-const libraries = Object.keys(JSON.parse(readFileSync(join(here, 'package.json'), 'utf8')).dependencies);
-const licences = libraries.map((name) => {
+const licences = [...used].sort().map((name) => {
   const folder = join(here, 'node_modules', name);
   const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-  return `${name} ${version}\n\n${readFileSync(join(folder, 'LICENSE'), 'utf8').trim()}`;
+  const licence = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
+  if (!licence) throw new Error(`${name} comes without a text of its licence`);
+  return `${name} ${version}\n\n${readFileSync(join(folder, licence), 'utf8').trim()}`;
 });
 const code = Buffer.from([viewer, `${studio}\n/*!\n${licences.join('\n\n')}\n*/`, worker, readFileSync(join(assets, 'viewer.css'), 'utf8')].join('\0'));
 

@@ -14,13 +14,15 @@ export interface App {
   engine: Engine;
   // For what takes long: a second engine, begun when it is first asked for.
   background(): Promise<Engine>;
+  // One engine more, for what may be stopped.
+  another(): Promise<Engine>;
   show: Show;
   tools: Tabs;
   results: Tabs;
   // The motion that is shown, and the rows of its table.
-  motion: (ShownMotion & { rows: Row[] }) | null;
-  // Shows a motion of the engine's with its rows; `again`: it is the next version of what is shown.
-  showMotion(motion: ShownMotion, rows: Row[], how?: { again?: boolean }): void;
+  motion: (ShownMotion & { rows: Row[]; engine: Engine }) | null;
+  // Shows a motion with its rows; `again`: it is the next version of what is shown; `engine`: who keeps it, where that is not the first one.
+  showMotion(motion: ShownMotion, rows: Row[], how?: { again?: boolean; engine?: Engine }): void;
   // Says what is wrong, until something is shown or another thing is wrong.
   fault(error: unknown): void;
   say(message: string): void;
@@ -46,13 +48,14 @@ export function makeApp(): App {
   };
   const self: App = {
     engine,
-    background: () => (second ??= engine.module.then((module) => new Engine(parts.worker, { module }))),
+    background: () => (second ??= self.another()),
+    another: () => engine.module.then((module) => new Engine(parts.worker, { module })),
     show,
     tools,
     results,
     motion: null,
     showMotion(motion, rows, how) {
-      self.motion = { ...motion, rows };
+      self.motion = { ...motion, rows, engine: how?.engine ?? engine };
       byId('title').textContent = motion.title;
       document.title = `${motion.title} – Solaris Studio`;
       show.motion(view.readData(motion.data), how);

@@ -62,7 +62,14 @@ export function makeDocument(app: App): SceneDocument {
     },
     async edit(edits) {
       try {
-        self.set(await app.engine.call<string>('editScene', [self.text, edits]));
+        let text: string;
+        let next: string;
+        // Of what was typed meanwhile nothing is lost.
+        do {
+          text = self.text;
+          next = await app.engine.call<string>('editScene', [text, edits]);
+        } while (text !== self.text);
+        self.set(next);
       } catch (error) {
         app.fault(error);
       }

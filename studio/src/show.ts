@@ -16,8 +16,9 @@ export interface Show {
   data: Data;
   // Shows a motion, at the same time in it where it is the next version of the one before.
   motion(data: Data, how?: { again?: boolean }): void;
-  // Shows a figure that is moved by `frame`; `tick` is called as often as the screen draws, until something else is shown.
-  live(data: Data, tick?: Live): void;
+  // Shows a figure that is moved by `frame`; `tick` is called as often as the screen draws, until something else is shown;
+  // `still`: the camera stays where it is.
+  live(data: Data, tick?: Live, how?: { still?: boolean }): void;
   // Poses (seven numbers a link: place, quaternion) of the figure that is live; `forces` of its feet.
   frame(poses: ArrayLike<number>, forces?: { force: number[]; cop: number[] }[]): void;
   isLive(): boolean;
@@ -49,8 +50,9 @@ export function makeShow(results: Tabs): Show {
   const holder = byId('picture');
   const clock = view.makeClock([0]);
   const [joints, forces] = [el('div', { class: 'curves' }), el('div', { class: 'curves' })];
-  results.add({ id: 'joints-curves', title: 'Curves', element: joints });
-  results.add({ id: 'forces-curves', title: 'Forces', element: forces });
+  // The plots hide what has no curves: a panel of its own is around each.
+  results.add({ id: 'joints-curves', title: 'Curves', element: el('div', {}, joints) });
+  results.add({ id: 'forces-curves', title: 'Forces', element: el('div', {}, forces) });
   let plots: ReturnType<typeof view.makePlots> | null = null;
   let tick: Live | null = null;
   let live = false;
@@ -91,7 +93,7 @@ export function makeShow(results: Tabs): Show {
       if (data.time.length > 1 && !clock.playing && !matchMedia('(prefers-reduced-motion: reduce)').matches) clock.play();
       listeners.forEach((listener) => listener());
     },
-    live(data, next) {
+    live(data, next, { still = false } = {}) {
       clock.pause();
       [self.data, live, tick] = [data, true, next ?? null];
       bar.classList.add('live');
@@ -100,7 +102,7 @@ export function makeShow(results: Tabs): Show {
       data.positions = new Float32Array(data.positions);
       data.camera.aim = new Float32Array(data.camera.aim);
       clock.load(data.time);
-      picture?.load(data, clock);
+      picture?.load(data, clock, { still });
       controls.load(data);
       plots?.destroy();
       plots = null;

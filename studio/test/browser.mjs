@@ -1,32 +1,32 @@
-// A studio in a browser, for tests: fails on any error of the page.
+// A studio in a browser, for tests of what people do with it: whatever the page complains of, and whatever it asks of a network, fails them.
 
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 export const STUDIO = fileURLToPath(new URL('../dist/studio.html', import.meta.url));
-const BROWSER = process.env.CHROMIUM ?? '/usr/bin/chromium';
+// Where it is asked for, where the system has it, where playwright put it.
+const BROWSERS = [process.env.CHROMIUM, '/usr/bin/chromium', '/usr/bin/google-chrome', chromium.executablePath()];
 const ARGS = ['--no-sandbox', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 
 // Gives the page when it is ready; null (and the test is skipped) where there is no browser or no studio.
 export async function open(t, { width = 900, height = 640, dark = false, hash = '', url = `file://${STUDIO}${hash}`, ready = true } = {}) {
-  for (const [file, how] of [[BROWSER, 'a Chromium; CHROMIUM says where it is'], [STUDIO, 'the studio: `node build.mjs`']]) {
-    if (!existsSync(file)) {
-      t.skip(`there is no ${file}: this needs ${how}`);
-      return null;
-    }
+  const executablePath = BROWSERS.find((place) => place && existsSync(place));
+  if (!executablePath || !existsSync(STUDIO)) {
+    t.skip(executablePath ? 'there is no studio/dist/studio.html; `cargo xtask studio` builds it' : 'there is no Chromium; CHROMIUM says where one is');
+    return null;
   }
-  const browser = await chromium.launch({ executablePath: BROWSER, args: ARGS });
+  const browser = await chromium.launch({ executablePath, args: ARGS });
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', acceptDownloads: true });
-  const errors = [];
-  const watch = (page) => {
-    page.on('pageerror', (error) => errors.push(error.message));
-    page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
-  };
-  context.on('page', watch);
+  const wrong = [];
+  context.on('page', (page) => {
+    page.on('pageerror', (error) => wrong.push(error.message));
+    page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
+    page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && wrong.push(`asks for ${request.url()}`));
+  });
   t.after(async () => {
     await browser.close();
-    if (errors.length > 0) throw new Error(`the page said: ${errors.join('; ')}`);
+    if (wrong.length > 0) throw new Error(`the page said: ${wrong.join('; ')}`);
   });
   const page = await context.newPage();
   await page.goto(url);

@@ -8,6 +8,7 @@ mod golden;
 mod instructions;
 mod layers;
 mod nightly;
+mod studio;
 mod workspace;
 
 use std::process::ExitCode;
@@ -25,6 +26,8 @@ cargo xtask CHORE
                                     skipped where there is no valgrind
   layers                            checks that crates use lower rows only and leave files, clocks and output alone
   nightly                           tests and sweeps too long for every `cargo test`, with the feature stiff, and fuzz: about an hour
+  studio [--quick]                  builds the studio, one page with the engine in it, which programs hold that are compiled afterwards;
+                                    needs Node.js; --quick: not made small
   help                              this list
 
 Measurements and what writes pages is `cargo lab`.
@@ -51,6 +54,7 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::run(),
         ["nightly"] => nightly::run(),
+        ["studio", ref options @ ..] => studio::run(options),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             Ok(())

@@ -15,6 +15,7 @@ mod report;
 mod retarget;
 mod rig;
 mod run;
+mod studio;
 mod subject;
 mod sweep;
 mod value;
@@ -40,6 +41,7 @@ pub(crate) use report::ReportArgs;
 pub(crate) use retarget::RetargetArgs;
 pub(crate) use rig::{AskedRig, RigArgs};
 pub(crate) use run::RunArgs;
+pub(crate) use studio::StudioArgs;
 pub(crate) use subject::{ScaleArgs, SubjectArgs};
 pub(crate) use sweep::{SweepArgs, columns, walk_options};
 pub(crate) use value::{Number, ValueError};
@@ -106,6 +108,7 @@ pub(crate) enum Command {
     #[command(subcommand)]
     Profile(Box<ProfileCommand>),
     Report(ReportArgs),
+    Studio(StudioArgs),
 }
 
 /// The words of the command among those that were typed: `profile blend`.

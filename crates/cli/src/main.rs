@@ -32,6 +32,7 @@ mod retarget;
 mod run;
 mod scale;
 mod shown;
+mod studio;
 mod subject;
 mod sweep;
 mod underline;
@@ -47,7 +48,7 @@ fn main() -> ExitCode {
     let result = match Cli::try_parse() {
         Ok(cli) => run(&cli.command),
         // Help and the version come this way, too.
-        Err(error) => Err(CliError::of_clap(error).unwrap_or_else(|error| error.exit())),
+        Err(error) => Err(CliError::of_clap(error).unwrap_or_else(|error| error::end(&error))),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -76,5 +77,6 @@ fn run(command: &Command) -> Result<(), CliError> {
         Command::Gait(command) => gait::run(command),
         Command::Profile(command) => profile::run(command),
         Command::Report(args) => report::run(args),
+        Command::Studio(args) => studio::run(args),
     }
 }

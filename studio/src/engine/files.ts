@@ -9,6 +9,19 @@ import type { Context } from './worker.ts';
 // All files that were ever given: what scenes and models may name.
 let known: Shelf | null = null;
 export const shelf = (): Shelf => (known ??= new Shelf());
+// The same for other engines, each with its number in the order in which they came.
+const given = new Map<string, { bytes: Uint8Array; number: number }>();
+let count = 0;
+
+function add(name: string, bytes: Uint8Array): void {
+  shelf().add(name, bytes);
+  given.set(name, { bytes, number: (count += 1) });
+}
+
+export interface Shelved {
+  count: number;
+  files: { name: string; bytes: Uint8Array }[];
+}
 
 let dropped: Dropped | null = null;
 
@@ -36,15 +49,20 @@ export interface OpenedFiles {
 
 export const files = {
   shelve(_: Context, name: string, bytes: Uint8Array): void {
-    shelf().add(name, bytes);
+    add(name, bytes);
   },
   shelved: (_: Context): string[] => shelf().names,
+  // What came after the first so many.
+  shelvedSince(_: Context, since: number): Shelved {
+    const files = [...given].filter(([, { number }]) => number > since || since > count).map(([name, { bytes }]) => ({ name, bytes }));
+    return { count, files };
+  },
   // Opens files together; what has no figure of its own is of the one that is open.
   openFiles(_: Context, given: { name: string; bytes: Uint8Array }[]): OpenedFiles {
     const these = new Shelf();
     for (const { name, bytes } of given) {
       these.add(name, bytes);
-      shelf().add(name, bytes);
+      add(name, bytes);
     }
     if (dropped) dropped.and(these);
     else dropped = new Dropped(these);

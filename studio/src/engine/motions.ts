@@ -9,7 +9,8 @@ import type { Context } from './worker.ts';
 const KEPT = 3;
 const kept = new Map<number, ShownType>();
 const held = new Set<number>();
-let next = 1;
+// Keys of several engines are never the same.
+let next = Math.floor(Math.random() * 2 ** 40);
 
 export function keep(shown: ShownType): ShownMotion {
   const key = next++;

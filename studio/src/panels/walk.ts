@@ -204,7 +204,7 @@ export function makeWalkPanel(app: App): WalkPanel {
     rested = name;
     try {
       const engine = await app.background();
-      const range = await engine.call<[number, number] | null>('walkRange', [who, { ...options(), [name]: undefined }, name]);
+      const range = await engine.call<[number, number] | null>('walkRange', [who, options(), name]);
       if (rested !== name) return;
       sliders.forEach((other, which) => other.range(which === name && range ? [range[0] / (field.scale ?? 1), range[1] / (field.scale ?? 1)] : null));
     } catch {

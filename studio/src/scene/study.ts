@@ -1,0 +1,48 @@
+// The page of error against run time, over everything else. It is a page of its own that may do nothing: no scripts, no network.
+
+import { button, el } from '../ui/dom.ts';
+import { saveText } from './files.ts';
+
+export interface StudyPage {
+  element: HTMLDialogElement;
+  // The page so far, or whole.
+  show(page: string, whole: boolean): void;
+  open(): void;
+  has(): boolean;
+  forget(): void;
+}
+
+export function studyPage(name: () => string): StudyPage {
+  let page = '';
+  const frame = el('iframe', { sandbox: '', title: 'Error against run time' });
+  const state = el('span', { class: 'remark', role: 'status' });
+  const element = el(
+    'dialog',
+    { class: 'study', 'aria-label': 'Error against run time' },
+    el(
+      'div',
+      { class: 'head' },
+      el('strong', {}, 'Error against run time'),
+      state,
+      button('Save the page', () => saveText(`${name()}-precision.html`, page, 'text/html')),
+      button('Close', () => element.close(), { class: 'close' }),
+    ),
+    frame,
+  );
+  return {
+    element,
+    show(next, whole) {
+      page = next;
+      frame.srcdoc = next;
+      state.textContent = whole ? '' : 'so far; more methods are run';
+    },
+    open() {
+      if (!element.open) element.showModal();
+    },
+    has: () => page !== '',
+    forget() {
+      page = '';
+      frame.removeAttribute('srcdoc');
+    },
+  };
+}
