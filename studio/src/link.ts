@@ -54,17 +54,16 @@ function walkOf({ who, asked, touched }: WalkState): WalkState {
   return { who: { height: who.height, mass: who.mass }, asked: Object.fromEntries(plain), touched: touched.filter(([name, value]) => typeof name === 'string' && finite(value)) };
 }
 
-// Sets up what the address says; gives the panel that was open, if it says anything.
-export async function restore(app: App, document_: SceneDocument, walk: WalkPanel): Promise<string | null> {
+// Sets up what the address says, and gives the panel that was open, or what is wrong with the address.
+export async function restore(document_: SceneDocument, walk: WalkPanel): Promise<{ panel?: string; fault?: Error }> {
   const packed = /^#s=([\w-]+)$/.exec(location.hash)?.[1];
-  if (!packed) return null;
+  if (!packed) return {};
   try {
     const state = JSON.parse(await unpack(packed)) as State;
     if (state.walk) walk.restore(walkOf(state.walk));
     if (typeof state.scene === 'string') document_.set(state.scene);
-    return typeof state.panel === 'string' ? state.panel : null;
+    return typeof state.panel === 'string' ? { panel: state.panel } : {};
   } catch (error) {
-    app.fault(new Error(`the link cannot be opened: ${(error as Error).message}`));
-    return null;
+    return { fault: new Error(`the link cannot be opened: ${(error as Error).message}`) };
   }
 }

@@ -4,6 +4,7 @@ import './style.css';
 import { makeApp } from './app.ts';
 import { makeDocument } from './document.ts';
 import { makeSteerPanel } from './panels/steer.ts';
+import { makeComparePanel } from './panels/compare.ts';
 import { makeScenePanel } from './panels/scene.ts';
 import { makeFilesPanel } from './panels/files.ts';
 import { makeWalkPanel } from './panels/walk.ts';
@@ -17,18 +18,25 @@ const walk = makeWalkPanel(app);
 makeSteerPanel(app);
 makeScenePanel(app, text);
 const files = makeFilesPanel(app, text);
+makeComparePanel(app);
 makeSave(app, text, walk);
 
 app.results.open('joints-curves');
 app.tools.open('walk');
-restore(app, text, walk)
-  .then(async (panel) => {
-    await walk.start();
-    if (panel) app.tools.open(panel);
+async function begin(): Promise<void> {
+  const { panel, fault } = await restore(text, walk);
+  await walk.start();
+  if (panel) app.tools.open(panel);
+  if (fault) app.fault(fault);
+}
+begin()
+  .then(() => {
     receive(app, files.page);
     document.body.dataset.ready = 'true';
   })
   .catch(app.fault);
+// Another link in the same window.
+window.addEventListener('hashchange', () => begin().catch(app.fault));
 
 // Another panel by its number.
 document.addEventListener('keydown', (event) => {

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { open, STUDIO, text } from './browser.mjs';
+import { choose, open, STUDIO, text } from './browser.mjs';
 
 const save = async (page, label, folder) => {
   const [download] = await Promise.all([page.waitForEvent('download', { timeout: 90_000 }), pick(page, label)]);
@@ -36,7 +36,7 @@ test('each format begins as it must', async (t) => {
   assert.equal(head(glb, 4), 'glTF');
   assert.equal(glb.bytes.readUInt32LE(8), glb.bytes.length);
   assert.match(head(await save(page, 'USD', into)), /^#usda 1\.0/);
-  assert.match(head(await save(page, 'Scene', into)), /^Scene\(/);
+  assert.match(head(await save(page, 'Scene (.ron)', into)), /^Scene\(/);
   const png = await save(page, 'Picture', into);
   assert.equal(head(png, 8), '\x89PNG\r\n\x1a\n');
   // Not one colour alone.
@@ -76,6 +76,11 @@ test('the saved page opens by itself and moves', async (t) => {
   await shown.evaluate(() => solaris.seek(3));
   assert.notDeepEqual(await shown.evaluate(() => solaris.outline()), before);
   assert.match(await shown.locator('#summary').textContent(), /Step length/);
+  // Dropped again it is shown as it is.
+  await choose(page, { name: 'walk.html', mimeType: 'text/html', buffer: html.bytes });
+  assert.match(await text(page, '.roles'), /a page of this program/);
+  assert.equal(await text(page, '#title'), await page.evaluate(() => studio.show.data.figure));
+  assert.ok(await page.evaluate(() => studio.motion === null && studio.show.data.time.length > 100));
 });
 
 test('a link gives back the scene and the walk', async (t) => {

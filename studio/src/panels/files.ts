@@ -198,11 +198,11 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
   const input = byId<HTMLInputElement>('files');
   const choose = (): void => input.click();
   byId('open').addEventListener('click', choose);
-  input.addEventListener('change', async () => {
-    const chosen = await Promise.all([...(input.files ?? [])].map((file) => read(file, file.name)));
+  input.addEventListener('change', () => {
+    const chosen = Promise.all([...(input.files ?? [])].map((file) => read(file, file.name)));
     // The same file can be chosen again.
     input.value = '';
-    await open(chosen);
+    void chosen.then(open).catch(app.fault);
   });
   drops((given) => void given.then(open, app.fault));
 
@@ -216,8 +216,8 @@ export function makeFilesPanel(app: App, document_: SceneDocument): FilesPanel {
       button('Choose files…', choose),
       said,
       forces,
-      about,
       fold('Drawn on the figure', true, el('div', { class: 'checks' }, ...kinds)),
+      about,
     ),
   });
   return { open, page };
