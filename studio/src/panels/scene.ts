@@ -165,9 +165,7 @@ export function makeScenePanel(app: App, text: SceneDocument): void {
       app.fault(error);
     }
   });
-  text.onText(() => element.classList.add('unread'));
   text.onCheck(() => {
-    element.classList.remove('unread');
     faults.show(text.faults);
     // What it said before it was broken stays to be read.
     if (text.outline) outline.replaceChildren(outlineWords(text.outline));
