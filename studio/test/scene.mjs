@@ -187,7 +187,7 @@ test('error against run time shows a page with a picture, which is saved', async
   await frame.locator('svg').first().waitFor();
   assert.ok((await frame.locator('svg').first().boundingBox()).width > 200);
   assert.match(await frame.locator('h1').innerText(), /pendulum: precision against work/);
-  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save the page' }).click()]);
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save page' }).click()]);
   assert.equal(saved.suggestedFilename(), 'pendulum-precision.html');
   assert.match(readFileSync(await saved.path(), 'utf8'), /<svg/);
   await page.getByRole('button', { name: 'Close', exact: true }).click();
